@@ -1,0 +1,1 @@
+//! How Hertz / Hunt–Crossley contact parameters scale with body size (Van Bijlert 2026).

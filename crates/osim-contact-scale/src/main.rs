@@ -1,0 +1,2 @@
+//! The command `osim-contact-scale`.
+fn main() {}

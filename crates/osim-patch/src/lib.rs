@@ -1,0 +1,1 @@
+//! Bytes of an OpenSim model in; contacts, plan and patched bytes out.
