@@ -1,1 +1,44 @@
-//! How Hertz / Hunt–Crossley contact parameters scale with body size (Van Bijlert 2026).
+//! How Hertz / Hunt–Crossley contact parameters scale with body size: the equations of
+//! P. A. van Bijlert (2026), "Scaling contact force parameters across body size, limb count, and number of
+//! contact spheres", Journal of Biomechanics, <https://doi.org/10.1016/j.jbiomech.2026.113420>.
+//!
+//! Everything here is arithmetic on `f64` in SI units: no files, no XML, no terminal. Numbers in brackets, as
+//! in (10) or (C.5), are the paper's equation numbers.
+//!
+//! # One idea
+//!
+//! Contacts of two bodies are geometrically and dynamically similar when their *dimensionless* parameters are
+//! equal ([`DimensionlessContact`]). Rescaling is therefore one multiplication per parameter, by a power of the
+//! [`Ratios`] of mass, sphere count, radius and gravity:
+//!
+//! ```
+//! use contact_scaling::{falisse2022, Ratios, Scale, ScaleValues};
+//!
+//! let human = falisse2022();
+//! let mouse =
+//!     Scale::new(ScaleValues { mass_kg: 0.0209, radius_m: 0.002, sphere_count: 2.0, gravity_m_s2: 9.80665 })?;
+//! let contact = human.contact.scaled(&Ratios::between(&human.scale, &mouse)?);
+//! assert!((contact.plane_strain_modulus() / 0.259e6 - 1.0).abs() < 2e-3); // Table 1 prints 0.259 MPa
+//! assert!((contact.dissipation() - 8.0).abs() < 1e-12); // and 8.00 s/m
+//! # Ok::<(), contact_scaling::DomainError>(())
+//! ```
+//!
+//! # Limitations
+//!
+//! The Hertz law holds for small indentations (x̂ ≤ 0.16), the Hunt–Crossley law for a high restitution
+//! (c_r ≥ 0.8); outside them a contact is a damped non-linear spring, no longer a material. Contacts of common
+//! gait models stand outside both.
+
+mod contact;
+mod dimensionless;
+mod error;
+mod preset;
+mod ratios;
+mod scale;
+
+pub use contact::{Contact, ContactValues, EQUAL_SURFACES, SmoothingValues};
+pub use dimensionless::DimensionlessContact;
+pub use error::DomainError;
+pub use preset::{Preset, falisse2022, preset, preset_names};
+pub use ratios::{RatioValues, Ratios};
+pub use scale::{Scale, ScaleValues};

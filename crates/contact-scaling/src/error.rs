@@ -1,0 +1,89 @@
+//! The one way a number can be refused: it lies outside the domain of the equation.
+
+/// A quantity that lies outside the domain of an equation.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum DomainError {
+    /// A single quantity is not in the range its equation is defined for.
+    #[error("{quantity} is {value:?}, expected {expected}")]
+    OutOfRange {
+        /// What was given, in words and without its unit: `"sphere radius"`.
+        quantity: &'static str,
+        /// The value that was given, in SI units.
+        value: f64,
+        /// The range it must lie in: `"a finite number above 0"`.
+        expected: &'static str,
+    },
+}
+
+impl DomainError {
+    /// The quantity that was refused: `"sphere radius"`.
+    #[must_use]
+    pub fn quantity(&self) -> &'static str {
+        let Self::OutOfRange { quantity, .. } = self;
+        quantity
+    }
+
+    /// The value that was refused, in SI units.
+    #[must_use]
+    pub fn value(&self) -> f64 {
+        let Self::OutOfRange { value, .. } = self;
+        *value
+    }
+
+    /// The range that was expected, in words.
+    #[must_use]
+    pub fn expected(&self) -> &'static str {
+        let Self::OutOfRange { expected, .. } = self;
+        expected
+    }
+}
+
+fn check(ok: bool, quantity: &'static str, value: f64, expected: &'static str) -> Result<f64, DomainError> {
+    if ok { Ok(value) } else { Err(DomainError::OutOfRange { quantity, value, expected }) }
+}
+
+/// `value`, if it is finite and above 0.
+pub(crate) fn positive(quantity: &'static str, value: f64) -> Result<f64, DomainError> {
+    check(value.is_finite() && value > 0.0, quantity, value, "a finite number above 0")
+}
+
+/// `value`, if it is finite and not below 0.
+pub(crate) fn non_negative(quantity: &'static str, value: f64) -> Result<f64, DomainError> {
+    check(value.is_finite() && value >= 0.0, quantity, value, "a finite number, 0 or above")
+}
+
+/// `value`, if it is finite and not below 1.
+pub(crate) fn at_least_one(quantity: &'static str, value: f64) -> Result<f64, DomainError> {
+    check(value.is_finite() && value >= 1.0, quantity, value, "a finite number, 1 or above")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn says_what_is_wrong_and_what_was_expected() {
+        let error = positive("sphere radius", -0.5).unwrap_err();
+        assert_eq!(error.to_string(), "sphere radius is -0.5, expected a finite number above 0");
+        assert_eq!((error.quantity(), error.value()), ("sphere radius", -0.5));
+        assert_eq!(error.expected(), "a finite number above 0");
+    }
+
+    #[test]
+    fn refuses_what_is_not_a_number() {
+        for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert!(positive("q", value).is_err());
+            assert!(non_negative("q", value).is_err());
+            assert!(at_least_one("q", value).is_err());
+        }
+    }
+
+    #[test]
+    fn bounds_belong_to_the_closed_domains_only() {
+        assert!(positive("q", 0.0).is_err());
+        assert_eq!(non_negative("q", 0.0), Ok(0.0));
+        assert_eq!(at_least_one("q", 1.0), Ok(1.0));
+        assert!(at_least_one("q", 0.999).is_err());
+    }
+}
