@@ -1,0 +1,198 @@
+"""Print as JSON what the real OpenSim reads from each MODEL: `opensim_reads.py [--dump] MODEL...`
+
+Each model is read in a fresh process of its own, because OpenSim keeps a document's `<defaults>` for every
+model it loads later. Floats are written as `float.hex()`: two readings are equal when their bits are.
+
+With `--dump` the model as OpenSim prints it, every default spelled out, comes along as `dump`.
+"""
+
+import json
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+SMOOTH = ("stiffness", "dissipation", "static_friction", "dynamic_friction", "viscous_friction", "transition_velocity",
+          "constant_contact_force", "hertz_smoothing", "hunt_crossley_smoothing")
+MATERIAL = ("stiffness", "dissipation", "static_friction", "dynamic_friction", "viscous_friction")
+GEOMETRY = ("ContactSphere", "ContactHalfSpace", "ContactMesh", "ContactEllipsoid", "ContactCylinder", "ContactTorus")
+WORKERS = 2
+
+
+def read_models(paths, dump=False):
+    """`{path: reading}`, two processes at a time."""
+    def one(path):
+        flags = ["--dump"] if dump else []
+        done = subprocess.run([sys.executable, __file__, "--here", *flags, str(path)], capture_output=True, text=True)
+        if done.returncode:
+            return {"loads": False, "error": done.stderr.strip()[-500:] or f"exit status {done.returncode}"}
+        return json.loads(done.stdout.splitlines()[-1])
+
+    with ThreadPoolExecutor(WORKERS) as pool:
+        return dict(zip(map(str, paths), pool.map(one, paths)))
+
+
+def read_here(path, dump):
+    """The reading of one model, in this process."""
+    import opensim
+
+    opensim.Logger.removeFileSink()
+    opensim.Logger.setLevelString("Off")
+    if is_standalone_set(path):
+        return read_set(opensim, path, dump)
+    try:
+        model = opensim.Model(str(path))
+    except Exception as error:  # OpenSim throws its own kinds; all mean that the file was not read
+        return {"loads": False, "error": str(error)}
+    reading = {"loads": True, "connects": True, "error": None}
+    try:
+        model.finalizeConnections()
+    except Exception as error:
+        reading |= {"connects": False, "error": str(error)}
+    reading |= parts(opensim, model)
+    reading["gravity"] = vector(model.get_gravity())
+    reading["name"] = model.getName()
+    reading["mass_sum"] = left_to_right(body["mass"] for body in reading["bodies"])
+    if dump:
+        opensim.OpenSimObject.setSerializeAllDefaults(True)
+        reading["dump"] = model.dump()
+    reading |= simulated(model)
+    return reading
+
+
+def parts(opensim, model):
+    """Contacts and bodies, wherever they stand in the model."""
+    found = {"bodies": [], "spheres": [], "half_spaces": [], "forces": [], "others": []}
+    for component in list(model.getComponentsList()):
+        kind = component.getConcreteClassName()
+        here = {"name": component.getName(), "path": component.getAbsolutePathString()}
+        if kind == "Body":
+            found["bodies"].append(here | {"mass": number(component, "mass")})
+        elif kind == "ContactSphere":
+            found["spheres"].append(here | geometry(component) | {"radius": number(component, "radius")})
+        elif kind == "ContactHalfSpace":
+            found["half_spaces"].append(here | geometry(component))
+        elif kind == "SmoothSphereHalfSpaceForce":
+            found["forces"].append(here | smooth(component))
+        elif kind == "HuntCrossleyForce":
+            found["forces"] += [here | one for one in hunt_crossley(opensim, model, component)]
+        elif kind in ("ElasticFoundationForce", "ExponentialContactForce", "MeyerFregly2016Force"):
+            found["others"].append(here | {"type": kind})
+    return found
+
+
+def geometry(component):
+    """Where a sphere or half-space stands."""
+    import opensim
+    location = component.getPropertyByName("location")
+    return {"location": [opensim.PropertyHelper.getValueVec3(location, i).hex() for i in range(3)],
+            "frame": connectee(component, "frame")}
+
+
+def smooth(force):
+    """A SmoothSphereHalfSpaceForce."""
+    return {"type": "SmoothSphereHalfSpaceForce", "set": None, "applies": flag(force, "appliesForce"),
+            "geometry": [connectee(force, "sphere"), connectee(force, "half_space")],
+            "parameters": {name: number(force, name) for name in SMOOTH}}
+
+
+def hunt_crossley(opensim, model, force):
+    """A HuntCrossleyForce: one entry for each of its ContactParameters."""
+    materials = force.getPropertyByName("contact_parameters").getValueAsObject().getPropertyByName("objects")
+    for k in range(materials.size()):
+        material = materials.getValueAsObject(k)
+        names = material.getPropertyByName("geometry")
+        names = [opensim.PropertyHelper.getValueString(names, i) for i in range(names.size())]
+        yield {"type": "HuntCrossleyForce", "set": k, "applies": flag(force, "appliesForce"), "names": names,
+               "geometry": [resolve(model, name) for name in names],
+               "parameters": {name: number(material, name) for name in MATERIAL}
+               | {"transition_velocity": number(force, "transition_velocity")}}
+
+
+def resolve(model, name):
+    """The path of the geometry OpenSim means by `name` in a `<geometry>` list (as HuntCrossleyForce looks it up)."""
+    for path in (name, f"contactgeometryset/{name}"):
+        try:
+            component = model.getComponent(path)
+        except Exception:
+            continue
+        if component.getConcreteClassName() in GEOMETRY:  # a frame of the same name does not count
+            return component.getAbsolutePathString()
+    return None
+
+
+def connectee(component, socket):
+    """The path a socket points to, or None where nothing is connected."""
+    try:
+        return component.getConnectee(socket).getAbsolutePathString()
+    except Exception:
+        return None
+
+
+def simulated(model):
+    """Whether OpenSim can build the system, and the total mass it finds then."""
+    try:
+        return {"builds": True, "total_mass": model.getTotalMass(model.initSystem()).hex()}
+    except Exception as error:
+        return {"builds": False, "total_mass": None, "build_error": str(error)}
+
+
+def is_standalone_set(path):
+    """Whether the document holds a bare ForceSet or ContactGeometrySet."""
+    head = Path(path).read_bytes()[:2000]
+    return b"<Model" not in head and (b"<ForceSet" in head or b"<ContactGeometrySet" in head)
+
+
+def read_set(opensim, path, dump):
+    """A standalone set: its members' own properties; sockets point into a model elsewhere."""
+    forces = b"<ForceSet" in Path(path).read_bytes()[:2000]
+    try:
+        read = (opensim.ForceSet if forces else opensim.ContactGeometrySet)(str(path))
+    except Exception as error:
+        return {"loads": False, "error": str(error)}
+    found = {"loads": True, "connects": False, "error": None, "forces": [], "spheres": [], "bodies": []}
+    for i in range(read.getSize()):
+        member = read.get(i)
+        here = {"name": member.getName(), "path": member.getName()}
+        if member.getConcreteClassName() == "SmoothSphereHalfSpaceForce":
+            found["forces"].append(here | smooth(member))
+        elif member.getConcreteClassName() == "ContactSphere":
+            found["spheres"].append(here | geometry(member) | {"radius": number(member, "radius")})
+    if dump:
+        opensim.OpenSimObject.setSerializeAllDefaults(True)
+        found["dump"] = read.dump()
+    return found
+
+
+def number(component, name):
+    """A double property as hex."""
+    import opensim
+    return opensim.PropertyHelper.getValueDouble(component.getPropertyByName(name)).hex()
+
+
+def flag(component, name):
+    """A bool property."""
+    import opensim
+    return opensim.PropertyHelper.getValueBool(component.getPropertyByName(name))
+
+
+def vector(value):
+    """A Vec3 as hex."""
+    return [value.get(i).hex() for i in range(3)]
+
+
+def left_to_right(masses):
+    """The plain sum, in the order of the file."""
+    total = 0.0
+    for mass in masses:
+        total += float.fromhex(mass)
+    return total.hex()
+
+
+if __name__ == "__main__":
+    arguments = sys.argv[1:]
+    models = [argument for argument in arguments if not argument.startswith("--")]
+    if "--here" in arguments:
+        print(json.dumps(read_here(models[0], "--dump" in arguments)))
+    else:
+        print(json.dumps(read_models(models, "--dump" in arguments), indent=1))
