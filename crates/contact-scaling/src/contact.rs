@@ -101,7 +101,7 @@ impl Contact {
     /// The contact that is geometrically and dynamically similar to this one at another scale.
     ///
     /// Every parameter is multiplied once by its factor in [`Ratios`], so that ratios of 1 change no bit.
-    /// Source: (10), (14), (C.2), (C.5), (C.10). The products are not checked against the range of `f64`.
+    /// It applies (10), (14), (C.2), (C.5) and (C.10). The products are not checked against the range of `f64`.
     #[must_use]
     pub fn scaled(&self, ratios: &Ratios) -> Self {
         let smoothing = self.smoothing().map(|s| SmoothingValues {

@@ -12,7 +12,7 @@ use crate::{Contact, ContactValues, EQUAL_SURFACES, Scale, SmoothingValues};
 /// | Hertz smoothing | bd R |
 /// | Hunt–Crossley smoothing | bv √(g R) |
 ///
-/// Contacts whose dimensionless parameters are equal move alike in dimensionless time. Source: (8), (14),
+/// Contacts whose dimensionless parameters are equal move alike in dimensionless time: (8), (14),
 /// (C.2), (C.5), (C.10).
 ///
 /// ```

@@ -39,23 +39,29 @@ impl DomainError {
     }
 }
 
-fn check(ok: bool, quantity: &'static str, value: f64, expected: &'static str) -> Result<f64, DomainError> {
+/// `value`, if it lies in a domain the caller knows.
+pub(crate) fn within(
+    ok: bool,
+    quantity: &'static str,
+    value: f64,
+    expected: &'static str,
+) -> Result<f64, DomainError> {
     if ok { Ok(value) } else { Err(DomainError::OutOfRange { quantity, value, expected }) }
 }
 
 /// `value`, if it is finite and above 0.
 pub(crate) fn positive(quantity: &'static str, value: f64) -> Result<f64, DomainError> {
-    check(value.is_finite() && value > 0.0, quantity, value, "a finite number above 0")
+    within(value.is_finite() && value > 0.0, quantity, value, "a finite number above 0")
 }
 
 /// `value`, if it is finite and not below 0.
 pub(crate) fn non_negative(quantity: &'static str, value: f64) -> Result<f64, DomainError> {
-    check(value.is_finite() && value >= 0.0, quantity, value, "a finite number, 0 or above")
+    within(value.is_finite() && value >= 0.0, quantity, value, "a finite number, 0 or above")
 }
 
 /// `value`, if it is finite and not below 1.
 pub(crate) fn at_least_one(quantity: &'static str, value: f64) -> Result<f64, DomainError> {
-    check(value.is_finite() && value >= 1.0, quantity, value, "a finite number, 1 or above")
+    within(value.is_finite() && value >= 1.0, quantity, value, "a finite number, 1 or above")
 }
 
 #[cfg(test)]

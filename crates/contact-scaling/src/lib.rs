@@ -30,15 +30,34 @@
 //! gait models stand outside both.
 
 mod contact;
+pub mod design;
 mod dimensionless;
+pub mod equilibrium;
 mod error;
+mod hertz;
+mod hunt_crossley;
+mod law;
+pub mod limits;
+mod load;
+pub mod mixed_radii;
+pub mod modulus;
+pub mod patch;
 mod preset;
 mod ratios;
+pub mod restitution;
 mod scale;
+mod smooth;
+pub mod smoothing;
+pub mod stiffness;
 
 pub use contact::{Contact, ContactValues, EQUAL_SURFACES, SmoothingValues};
 pub use dimensionless::DimensionlessContact;
 pub use error::DomainError;
+pub use hertz::{Hertz, HertzValues};
+pub use hunt_crossley::HuntCrossley;
+pub use law::Law;
+pub use load::SharedLoad;
 pub use preset::{Preset, falisse2022, preset, preset_names};
 pub use ratios::{RatioValues, Ratios};
 pub use scale::{Scale, ScaleValues};
+pub use smooth::SmoothSphere;

@@ -83,7 +83,7 @@ impl Scale {
         self.mass_kg() * self.gravity_m_s2()
     }
 
-    /// Body weight on each sphere, M g / n, in N (4).
+    /// Body weight on each sphere, M g / n, in N: (4) with its constant.
     #[must_use]
     pub fn load_per_sphere_n(&self) -> f64 {
         self.body_weight_n() / self.sphere_count()

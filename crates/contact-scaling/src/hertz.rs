@@ -1,0 +1,252 @@
+//! The Hertz law of a sphere: force, indentation and stiffness, (1) to (3), (B.1), (B.2).
+
+use crate::Contact;
+use crate::error::{DomainError, non_negative, positive};
+
+/// What the Hertz law of one sphere is made of, by name and not yet checked.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HertzValues {
+    /// E*, composite plane strain modulus, in N/m² (not OpenSim's `stiffness`, which is E₁*).
+    pub composite_modulus: f64,
+    /// R, in m: of the sphere on a half-space, R₁R₂/(R₁+R₂) for two spheres.
+    pub radius_m: f64,
+    /// η, 1 for spheres.
+    pub shape_factor: f64,
+}
+
+/// The Hertz law of one sphere: F_e = 4/3 η √R E* x^(3/2).
+///
+/// E* > 0, R > 0 and η > 0, all finite: checked once. Its methods take any number for the indentation:
+/// at x ≤ 0 there is no contact and no force, and NaN gives NaN.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hertz {
+    values: HertzValues,
+    /// 4/3 η √R E*, in N/m^(3/2).
+    coefficient: f64,
+}
+
+impl Hertz {
+    /// Checks the values and keeps them.
+    ///
+    /// # Errors
+    /// [`DomainError`] unless E*, R and η are finite and above 0.
+    pub fn new(values: HertzValues) -> Result<Self, DomainError> {
+        positive("composite modulus", values.composite_modulus)?;
+        positive("sphere radius", values.radius_m)?;
+        positive("shape factor", values.shape_factor)?;
+        let coefficient = 4.0 / 3.0 * values.shape_factor * values.radius_m.sqrt() * values.composite_modulus;
+        positive("force coefficient", coefficient)?;
+        Ok(Self { values, coefficient })
+    }
+
+    /// The law of a sphere of radius R (m) with the composite modulus E* (N/m²); η is 1.
+    ///
+    /// # Errors
+    /// As [`Hertz::new`].
+    pub fn sphere(composite_modulus: f64, radius_m: f64) -> Result<Self, DomainError> {
+        Self::new(HertzValues { composite_modulus, radius_m, shape_factor: 1.0 })
+    }
+
+    /// The law of a sphere of radius R (m) whose file holds `contact`: E* = E₁* / 2^(3/2).
+    ///
+    /// # Errors
+    /// As [`Hertz::new`].
+    pub fn of(contact: &Contact, radius_m: f64) -> Result<Self, DomainError> {
+        Self::sphere(contact.composite_modulus(), radius_m)
+    }
+
+    /// E*, R and η, by name.
+    #[must_use]
+    pub fn values(&self) -> HertzValues {
+        self.values
+    }
+
+    /// R, in m.
+    #[must_use]
+    pub fn radius_m(&self) -> f64 {
+        self.values.radius_m
+    }
+
+    /// 4/3 η √R E*, in N/m^(3/2): the force at x is this times x^(3/2).
+    #[must_use]
+    pub fn coefficient(&self) -> f64 {
+        self.coefficient
+    }
+
+    /// Relative indentation x̂ = x / R.
+    ///
+    /// x in m; R of this sphere in m; x̂ has no unit. Any x.
+    ///
+    /// Source: (2).
+    ///
+    /// ```
+    /// # use contact_scaling::Hertz;
+    /// assert_eq!(Hertz::sphere(1e6, 0.5)?.relative_indentation(0.25), 0.5);
+    /// # Ok::<(), contact_scaling::DomainError>(())
+    /// ```
+    #[must_use]
+    pub fn relative_indentation(&self, indentation_m: f64) -> f64 {
+        indentation_m / self.values.radius_m
+    }
+
+    /// Indentation x = x̂ R, in m.
+    ///
+    /// x̂ without unit; R of this sphere in m. Any x̂.
+    ///
+    /// Source: (2), solved for x.
+    ///
+    /// ```
+    /// # use contact_scaling::Hertz;
+    /// assert_eq!(Hertz::sphere(1e6, 0.5)?.indentation(0.5), 0.25);
+    /// # Ok::<(), contact_scaling::DomainError>(())
+    /// ```
+    #[must_use]
+    pub fn indentation(&self, relative_indentation: f64) -> f64 {
+        relative_indentation * self.values.radius_m
+    }
+
+    /// Elastic force F_e = 4/3 η √R E* x^(3/2), in N.
+    ///
+    /// x in m, E* in N/m², R in m. No contact, no force: 0 at x ≤ 0.
+    ///
+    /// Source: (1).
+    ///
+    /// ```
+    /// # use contact_scaling::Hertz;
+    /// let law = Hertz::sphere(3e6, 0.25)?;
+    /// assert_eq!(law.force(0.0625), 31250.0); // 4/3 · 0.5 · 3e6 · 0.25³
+    /// assert_eq!(law.force(-0.01), 0.0);
+    /// # Ok::<(), contact_scaling::DomainError>(())
+    /// ```
+    #[must_use]
+    pub fn force(&self, indentation_m: f64) -> f64 {
+        if indentation_m <= 0.0 { 0.0 } else { self.coefficient * (indentation_m * indentation_m.sqrt()) }
+    }
+
+    /// Elastic force from the relative indentation: F_e = 4/3 η R² E* x̂^(3/2), in N.
+    ///
+    /// x̂ without unit, E* in N/m², R in m. 0 at x̂ ≤ 0.
+    ///
+    /// Source: (3).
+    ///
+    /// ```
+    /// # use contact_scaling::Hertz;
+    /// assert_eq!(Hertz::sphere(3e6, 0.25)?.force_at_relative_indentation(0.25), 31250.0);
+    /// # Ok::<(), contact_scaling::DomainError>(())
+    /// ```
+    #[must_use]
+    pub fn force_at_relative_indentation(&self, relative_indentation: f64) -> f64 {
+        let HertzValues { composite_modulus, radius_m, shape_factor } = self.values;
+        if relative_indentation <= 0.0 {
+            return 0.0;
+        }
+        let power = relative_indentation * relative_indentation.sqrt();
+        4.0 / 3.0 * shape_factor * (radius_m * radius_m) * composite_modulus * power
+    }
+
+    /// Indentation that carries a force: x = (F_e / (4/3 η √R E*))^(2/3), in m.
+    ///
+    /// F_e in N, 0 or above.
+    ///
+    /// Source: (1), solved for x.
+    ///
+    /// # Errors
+    /// [`DomainError`] for a force that is negative or not finite: the law only pushes.
+    ///
+    /// ```
+    /// # use contact_scaling::Hertz;
+    /// let law = Hertz::sphere(3e6, 0.25)?;
+    /// assert!((law.indentation_from_force(31250.0)? - 0.0625).abs() < 1e-16);
+    /// # Ok::<(), contact_scaling::DomainError>(())
+    /// ```
+    pub fn indentation_from_force(&self, force_n: f64) -> Result<f64, DomainError> {
+        let root = libm::cbrt(non_negative("force", force_n)? / self.coefficient);
+        Ok(root * root)
+    }
+
+    /// Stiffness k = ∂F_e/∂x = 2 η √R E* √x, in N/m.
+    ///
+    /// x in m, E* in N/m², R in m. 0 at x ≤ 0.
+    ///
+    /// Source: (B.1).
+    ///
+    /// ```
+    /// # use contact_scaling::Hertz;
+    /// assert_eq!(Hertz::sphere(3e6, 0.25)?.stiffness(0.0625), 750_000.0); // 3/2 F / x
+    /// # Ok::<(), contact_scaling::DomainError>(())
+    /// ```
+    #[must_use]
+    pub fn stiffness(&self, indentation_m: f64) -> f64 {
+        if indentation_m <= 0.0 { 0.0 } else { 1.5 * self.coefficient * indentation_m.sqrt() }
+    }
+
+    /// Stiffness from the relative indentation: k = 2 η R E* √x̂, in N/m.
+    ///
+    /// x̂ without unit, E* in N/m², R in m. 0 at x̂ ≤ 0.
+    ///
+    /// Source: (B.2).
+    ///
+    /// ```
+    /// # use contact_scaling::Hertz;
+    /// assert_eq!(Hertz::sphere(3e6, 0.25)?.stiffness_at_relative_indentation(0.25), 750_000.0);
+    /// # Ok::<(), contact_scaling::DomainError>(())
+    /// ```
+    #[must_use]
+    pub fn stiffness_at_relative_indentation(&self, relative_indentation: f64) -> f64 {
+        let HertzValues { composite_modulus, radius_m, shape_factor } = self.values;
+        if relative_indentation <= 0.0 {
+            return 0.0;
+        }
+        2.0 * shape_factor * radius_m * composite_modulus * relative_indentation.sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn every_value_is_checked_by_name() {
+        let refused = |e, r, s| {
+            let values = HertzValues { composite_modulus: e, radius_m: r, shape_factor: s };
+            Hertz::new(values).unwrap_err().quantity()
+        };
+        assert_eq!(refused(0.0, 1.0, 1.0), "composite modulus");
+        assert_eq!(refused(1.0, -1.0, 1.0), "sphere radius");
+        assert_eq!(refused(1.0, 1.0, f64::NAN), "shape factor");
+        assert_eq!(refused(1e300, 1e200, 1.0), "force coefficient");
+    }
+
+    #[test]
+    fn no_contact_no_force_and_nan_stays_nan() {
+        let law = Hertz::sphere(1e6, 0.032).unwrap();
+        for f in [Hertz::force, Hertz::stiffness, Hertz::force_at_relative_indentation] {
+            assert_eq!(f(&law, 0.0), 0.0);
+            assert_eq!(f(&law, -1.0), 0.0);
+            assert!(f(&law, f64::NAN).is_nan());
+        }
+        assert!(law.indentation_from_force(-1.0).is_err());
+    }
+
+    proptest! {
+        #[test]
+        fn forms_agree_and_inverses_round_trip(e in 1e3..1e9, r in 1e-3..1.0, x_hat in 1e-6..1.0) {
+            let law = Hertz::sphere(e, r).unwrap();
+            let x = law.indentation(x_hat);
+            let close = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-14;
+            prop_assert!(close(law.force(x), law.force_at_relative_indentation(x_hat)));
+            prop_assert!(close(law.stiffness(x), law.stiffness_at_relative_indentation(x_hat)));
+            prop_assert!(close(law.indentation_from_force(law.force(x)).unwrap(), x));
+            prop_assert!(close(law.relative_indentation(x), x_hat));
+        }
+
+        #[test]
+        fn stiffness_is_the_slope_of_the_force(x in 1e-4..1e-2) {
+            let law = Hertz::sphere(1e6, 0.032).unwrap();
+            let h = 1e-5 * x;
+            let slope = (law.force(x + h) - law.force(x - h)) / (2.0 * h);
+            prop_assert!((slope / law.stiffness(x) - 1.0).abs() < 1e-9);
+        }
+    }
+}

@@ -1,0 +1,76 @@
+//! The two contact laws under one name.
+
+use crate::{Contact, DomainError, Hertz, HuntCrossley, SmoothSphere};
+
+/// The normal force of one sphere, by whichever class the model uses.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Law {
+    /// `HuntCrossleyForce`: (12), no force before contact.
+    HuntCrossley(HuntCrossley),
+    /// `SmoothSphereHalfSpaceForce`: (C.9).
+    Smooth(SmoothSphere),
+}
+
+impl Law {
+    /// The law of a sphere of radius R (m) whose file holds `contact`: smoothed if the contact is.
+    ///
+    /// ```
+    /// # use contact_scaling::{falisse2022, Law};
+    /// assert!(matches!(Law::of(&falisse2022().contact, 0.032)?, Law::Smooth(_)));
+    /// # Ok::<(), contact_scaling::DomainError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Hertz::of`].
+    pub fn of(contact: &Contact, radius_m: f64) -> Result<Self, DomainError> {
+        Ok(match contact.smoothing() {
+            Some(_) => Self::Smooth(SmoothSphere::of(contact, radius_m)?),
+            None => Self::HuntCrossley(HuntCrossley::of(contact, radius_m)?),
+        })
+    }
+
+    /// Normal force, in N, at the indentation x (m) and its rate ẋ (m/s).
+    #[must_use]
+    pub fn force(&self, indentation_m: f64, speed_m_s: f64) -> f64 {
+        match self {
+            Self::HuntCrossley(law) => law.force(indentation_m, speed_m_s),
+            Self::Smooth(law) => law.force(indentation_m, speed_m_s),
+        }
+    }
+
+    /// Elastic force, in N, at the indentation x (m).
+    #[must_use]
+    pub fn elastic_force(&self, indentation_m: f64) -> f64 {
+        match self {
+            Self::HuntCrossley(law) => law.hertz().force(indentation_m),
+            Self::Smooth(law) => law.elastic_force(indentation_m),
+        }
+    }
+
+    /// Slope of the elastic force, in N/m, at the indentation x (m).
+    #[must_use]
+    pub fn stiffness(&self, indentation_m: f64) -> f64 {
+        match self {
+            Self::HuntCrossley(law) => law.hertz().stiffness(indentation_m),
+            Self::Smooth(law) => law.stiffness(indentation_m),
+        }
+    }
+
+    /// The Hertz law underneath.
+    #[must_use]
+    pub fn hertz(&self) -> &Hertz {
+        match self {
+            Self::HuntCrossley(law) => law.hertz(),
+            Self::Smooth(law) => law.hertz(),
+        }
+    }
+
+    /// α, in s/m.
+    #[must_use]
+    pub fn dissipation(&self) -> f64 {
+        match self {
+            Self::HuntCrossley(law) => law.dissipation(),
+            Self::Smooth(law) => law.dissipation(),
+        }
+    }
+}

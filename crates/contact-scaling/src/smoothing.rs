@@ -1,0 +1,242 @@
+//! The smoothing parameters cf, bd and bv from what is wanted: (C.2), (C.5) to (C.8), (C.10).
+//!
+//! Thresholds t are shares of the contact state: a width reaches from s_c = t to s_c = 1 − t.
+
+use crate::error::{DomainError, non_negative, positive, within};
+
+const BELOW_HALF: &str = "a number between 0 and 0.5";
+
+/// atanh(1 − 2 t).
+fn half_width(threshold: f64, ok: bool, expected: &'static str) -> Result<f64, DomainError> {
+    Ok(libm::atanh(1.0 - 2.0 * within(ok, "threshold", threshold, expected)?))
+}
+
+/// 2 atanh(1 − 2 t) for 0 < t < ½.
+fn full_width(threshold: f64) -> Result<f64, DomainError> {
+    Ok(2.0 * half_width(threshold, threshold > 0.0 && threshold < 0.5, BELOW_HALF)?)
+}
+
+/// Constant contact "force" for a constant relative indentation, cf = (R x̂_c)², in m².
+///
+/// x̂_c without unit, 0 or above (suggested: 0.1, or 0.05 where x̂ < 0.16 is wanted); sphere radius R in m.
+///
+/// Source: (C.2).
+///
+/// # Errors
+/// [`DomainError`] unless x̂_c ≥ 0 and R > 0, both finite.
+///
+/// ```
+/// # use contact_scaling::smoothing;
+/// assert!((smoothing::constant_contact_force(0.0988, 0.032)? - 1e-5).abs() < 1e-8); // Falisse et al. 2022
+/// # Ok::<(), contact_scaling::DomainError>(())
+/// ```
+pub fn constant_contact_force(constant_indentation: f64, radius_m: f64) -> Result<f64, DomainError> {
+    let x = non_negative("constant relative indentation", constant_indentation)?
+        * positive("sphere radius", radius_m)?;
+    Ok(x * x)
+}
+
+/// Constant relative indentation of a file, x̂_c = √cf / R, without unit.
+///
+/// cf in m², 0 or above; sphere radius R in m.
+///
+/// Source: (C.2), solved for x̂_c.
+///
+/// # Errors
+/// [`DomainError`] unless cf ≥ 0 and R > 0, both finite.
+///
+/// ```
+/// # use contact_scaling::smoothing;
+/// assert!((smoothing::constant_indentation(1e-5, 0.032)? - 0.0988).abs() < 5e-5); // Falisse et al. 2022
+/// # Ok::<(), contact_scaling::DomainError>(())
+/// ```
+pub fn constant_indentation(constant_contact_force_m2: f64, radius_m: f64) -> Result<f64, DomainError> {
+    let cf = non_negative("constant contact force", constant_contact_force_m2)?;
+    Ok(cf.sqrt() / positive("sphere radius", radius_m)?)
+}
+
+/// Hertz smoothing from its dimensionless form, bd = b_x̂ / R, in 1/m.
+///
+/// b_x̂ without unit, above 0 (suggested: 10); sphere radius R in m.
+///
+/// Source: (C.5).
+///
+/// # Errors
+/// [`DomainError`] unless both are finite and above 0.
+///
+/// ```
+/// # use contact_scaling::smoothing;
+/// assert_eq!(smoothing::hertz_smoothing(10.0, 0.02)?, 500.0);
+/// # Ok::<(), contact_scaling::DomainError>(())
+/// ```
+pub fn hertz_smoothing(dimensionless: f64, radius_m: f64) -> Result<f64, DomainError> {
+    Ok(positive("dimensionless hertz smoothing", dimensionless)? / positive("sphere radius", radius_m)?)
+}
+
+/// Relative indentation where the contact state is 1 − t: x̂_t = atanh(1 − 2 t) / (bd R), without unit.
+///
+/// Threshold t without unit, 0 < t < 1 (below 0 for t > ½); bd in 1/m; sphere radius R in m.
+///
+/// Source: (C.6).
+///
+/// # Errors
+/// [`DomainError`] outside that domain.
+///
+/// ```
+/// # use contact_scaling::smoothing;
+/// assert!((smoothing::threshold_indentation(0.05, 300.0, 0.032)? - 0.153).abs() < 5e-4);
+/// # Ok::<(), contact_scaling::DomainError>(())
+/// ```
+pub fn threshold_indentation(
+    threshold: f64,
+    hertz_smoothing_per_m: f64,
+    radius_m: f64,
+) -> Result<f64, DomainError> {
+    let ok = threshold > 0.0 && threshold < 1.0;
+    let half = half_width(threshold, ok, "a number between 0 and 1")?;
+    let bd = positive("hertz smoothing", hertz_smoothing_per_m)?;
+    Ok(half / (bd * positive("sphere radius", radius_m)?))
+}
+
+/// Relative indentation over which contact sets in, Δx̂ = 2 atanh(1 − 2 t) / (bd R), without unit.
+///
+/// From s_c = t to s_c = 1 − t; t without unit, 0 < t < ½; bd in 1/m; sphere radius R in m.
+///
+/// Source: (C.7).
+///
+/// # Errors
+/// [`DomainError`] outside that domain.
+///
+/// ```
+/// # use contact_scaling::smoothing;
+/// assert!((smoothing::transition_width(0.05, 500.0, 0.02)? - 0.29).abs() < 5e-3); // −0.15 to 0.15
+/// # Ok::<(), contact_scaling::DomainError>(())
+/// ```
+pub fn transition_width(
+    threshold: f64,
+    hertz_smoothing_per_m: f64,
+    radius_m: f64,
+) -> Result<f64, DomainError> {
+    let bd = positive("hertz smoothing", hertz_smoothing_per_m)?;
+    Ok(full_width(threshold)? / (bd * positive("sphere radius", radius_m)?))
+}
+
+/// Hertz smoothing for a wanted width, bd = 2 atanh(1 − 2 t) / (Δx̂ R), in 1/m.
+///
+/// From s_c = t to s_c = 1 − t over Δx̂; t and Δx̂ without unit, 0 < t < ½, Δx̂ > 0; sphere radius R in m.
+///
+/// Source: (C.8).
+///
+/// # Errors
+/// [`DomainError`] outside that domain.
+///
+/// ```
+/// # use contact_scaling::smoothing;
+/// assert!((smoothing::hertz_smoothing_for_width(0.05, 0.3, 0.032)? - 306.7).abs() < 0.1);
+/// # Ok::<(), contact_scaling::DomainError>(())
+/// ```
+pub fn hertz_smoothing_for_width(threshold: f64, width: f64, radius_m: f64) -> Result<f64, DomainError> {
+    let width = positive("transition width", width)?;
+    Ok(full_width(threshold)? / (width * positive("sphere radius", radius_m)?))
+}
+
+/// Hunt–Crossley smoothing from its reduced form, bv = b_ẋ / √R, in s/m.
+///
+/// b_ẋ in s/√m, above 0 (suggested: 9); sphere radius R in m.
+///
+/// Source: (C.10), its first form.
+///
+/// # Errors
+/// [`DomainError`] unless both are finite and above 0.
+///
+/// ```
+/// # use contact_scaling::smoothing;
+/// assert_eq!(smoothing::hunt_crossley_smoothing(9.0, 0.09)?, 30.0);
+/// # Ok::<(), contact_scaling::DomainError>(())
+/// ```
+pub fn hunt_crossley_smoothing(reduced_s_per_root_m: f64, radius_m: f64) -> Result<f64, DomainError> {
+    let reduced = positive("reduced hunt crossley smoothing", reduced_s_per_root_m)?;
+    Ok(reduced / positive("sphere radius", radius_m)?.sqrt())
+}
+
+/// Hunt–Crossley smoothing for a wanted width in speed, bv = 2 atanh(1 − 2 t) / Δv, in s/m.
+///
+/// From t to 1 − t of the speed state over Δv; t without unit, 0 < t < ½; Δv in m/s, above 0.
+///
+/// Source: (C.10) with Δẋ = Δv / √R.
+///
+/// # Errors
+/// [`DomainError`] outside that domain.
+///
+/// ```
+/// # use contact_scaling::smoothing;
+/// assert!((smoothing::hunt_crossley_smoothing_for_speed_width(0.05, 0.0589)? - 50.0).abs() < 0.05);
+/// # Ok::<(), contact_scaling::DomainError>(())
+/// ```
+pub fn hunt_crossley_smoothing_for_speed_width(threshold: f64, width_m_s: f64) -> Result<f64, DomainError> {
+    Ok(full_width(threshold)? / positive("speed width", width_m_s)?)
+}
+
+/// Hunt–Crossley smoothing as printed, bv = 2 atanh(1 − 2 t) / (Δẋ √R), in s/m.
+///
+/// Its Δẋ is not a speed but a speed over √R, in √m/s; t without unit, 0 < t < ½; sphere radius R in m.
+///
+/// Source: (C.10), its second form.
+///
+/// # Errors
+/// [`DomainError`] outside that domain.
+///
+/// ```
+/// # use contact_scaling::smoothing::{self, hunt_crossley_smoothing_for_speed_width};
+/// let printed = smoothing::hunt_crossley_smoothing_for_reduced_width(0.05, 0.2, 0.09)?;
+/// assert!((printed / hunt_crossley_smoothing_for_speed_width(0.05, 0.2 * 0.3)? - 1.0).abs() < 1e-15);
+/// # Ok::<(), contact_scaling::DomainError>(())
+/// ```
+pub fn hunt_crossley_smoothing_for_reduced_width(
+    threshold: f64,
+    width_root_m_per_s: f64,
+    radius_m: f64,
+) -> Result<f64, DomainError> {
+    let width = positive("reduced speed width", width_root_m_per_s)?;
+    Ok(full_width(threshold)? / (width * positive("sphere radius", radius_m)?.sqrt()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Hertz, SmoothSphere, SmoothingValues};
+    use proptest::prelude::*;
+
+    #[test]
+    fn thresholds_have_open_bounds() {
+        for refused in [0.0, 0.5, 1.0, f64::NAN] {
+            assert_eq!(transition_width(refused, 300.0, 0.03).unwrap_err().quantity(), "threshold");
+            assert!(hertz_smoothing_for_width(refused, 0.3, 0.03).is_err());
+            assert!(hunt_crossley_smoothing_for_speed_width(refused, 0.1).is_err());
+        }
+        assert!(threshold_indentation(0.95, 300.0, 0.03).unwrap() < 0.0);
+        assert!(threshold_indentation(1.0, 300.0, 0.03).is_err());
+    }
+
+    proptest! {
+        #[test]
+        fn inverses_round_trip(t in 0.001..0.499, r in 1e-3..0.5, x in 0.01..1.0, b in 1.0..50.0) {
+            let close = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-13;
+            let cf = constant_contact_force(x, r).unwrap();
+            prop_assert!(close(constant_indentation(cf, r).unwrap(), x));
+            let bd = hertz_smoothing_for_width(t, x, r).unwrap();
+            prop_assert!(close(transition_width(t, bd, r).unwrap(), x));
+            prop_assert!(close(2.0 * threshold_indentation(t, bd, r).unwrap(), x));
+            prop_assert!(close(hertz_smoothing(b, r).unwrap() * r, b));
+            prop_assert!(close(hunt_crossley_smoothing(b, r).unwrap() * r.sqrt(), b));
+        }
+
+        #[test]
+        fn the_law_reaches_its_threshold_there(t in 0.01..0.99, r in 1e-3..0.5, bd in 50.0..5000.0) {
+            let smoothing = SmoothingValues { hertz_smoothing: bd, ..SmoothingValues::OPENSIM_DEFAULT };
+            let law = SmoothSphere::new(Hertz::sphere(1e6, r).unwrap(), 1.0, smoothing).unwrap();
+            let x = threshold_indentation(t, bd, r).unwrap() * r;
+            prop_assert!((law.contact_state(x) - (1.0 - t)).abs() < 1e-14);
+        }
+    }
+}
