@@ -12,8 +12,17 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-SMOOTH = ("stiffness", "dissipation", "static_friction", "dynamic_friction", "viscous_friction", "transition_velocity",
-          "constant_contact_force", "hertz_smoothing", "hunt_crossley_smoothing")
+SMOOTH = (
+    "stiffness",
+    "dissipation",
+    "static_friction",
+    "dynamic_friction",
+    "viscous_friction",
+    "transition_velocity",
+    "constant_contact_force",
+    "hertz_smoothing",
+    "hunt_crossley_smoothing",
+)
 MATERIAL = ("stiffness", "dissipation", "static_friction", "dynamic_friction", "viscous_friction")
 GEOMETRY = ("ContactSphere", "ContactHalfSpace", "ContactMesh", "ContactEllipsoid", "ContactCylinder", "ContactTorus")
 WORKERS = 2
@@ -21,6 +30,7 @@ WORKERS = 2
 
 def read_models(paths, dump=False):
     """`{path: reading}`, two processes at a time."""
+
     def one(path):
         flags = ["--dump"] if dump else []
         done = subprocess.run([sys.executable, __file__, "--here", *flags, str(path)], capture_output=True, text=True)
@@ -50,6 +60,7 @@ def read_here(path, dump):
     except Exception as error:
         reading |= {"connects": False, "error": str(error)}
     reading |= parts(opensim, model)
+    reading["fixed"] = sorted(welded_to_ground(model)) if reading["connects"] else []
     reading["gravity"] = vector(model.get_gravity())
     reading["name"] = model.getName()
     reading["mass_sum"] = left_to_right(body["mass"] for body in reading["bodies"])
@@ -84,16 +95,24 @@ def parts(opensim, model):
 def geometry(component):
     """Where a sphere or half-space stands."""
     import opensim
+
     location = component.getPropertyByName("location")
-    return {"location": [opensim.PropertyHelper.getValueVec3(location, i).hex() for i in range(3)],
-            "frame": connectee(component, "frame")}
+    return {
+        "location": [opensim.PropertyHelper.getValueVec3(location, i).hex() for i in range(3)],
+        "frame": connectee(component, "frame"),
+        "base": base(component, "frame"),
+    }
 
 
 def smooth(force):
     """A SmoothSphereHalfSpaceForce."""
-    return {"type": "SmoothSphereHalfSpaceForce", "set": None, "applies": flag(force, "appliesForce"),
-            "geometry": [connectee(force, "sphere"), connectee(force, "half_space")],
-            "parameters": {name: number(force, name) for name in SMOOTH}}
+    return {
+        "type": "SmoothSphereHalfSpaceForce",
+        "set": None,
+        "applies": flag(force, "appliesForce"),
+        "geometry": [connectee(force, "sphere"), connectee(force, "half_space")],
+        "parameters": {name: number(force, name) for name in SMOOTH},
+    }
 
 
 def hunt_crossley(opensim, model, force):
@@ -103,10 +122,15 @@ def hunt_crossley(opensim, model, force):
         material = materials.getValueAsObject(k)
         names = material.getPropertyByName("geometry")
         names = [opensim.PropertyHelper.getValueString(names, i) for i in range(names.size())]
-        yield {"type": "HuntCrossleyForce", "set": k, "applies": flag(force, "appliesForce"), "names": names,
-               "geometry": [resolve(model, name) for name in names],
-               "parameters": {name: number(material, name) for name in MATERIAL}
-               | {"transition_velocity": number(force, "transition_velocity")}}
+        yield {
+            "type": "HuntCrossleyForce",
+            "set": k,
+            "applies": flag(force, "appliesForce"),
+            "names": names,
+            "geometry": [resolve(model, name) for name in names],
+            "parameters": {name: number(material, name) for name in MATERIAL}
+            | {"transition_velocity": number(force, "transition_velocity")},
+        }
 
 
 def resolve(model, name):
@@ -127,6 +151,41 @@ def connectee(component, socket):
         return component.getConnectee(socket).getAbsolutePathString()
     except Exception:
         return None
+
+
+def base(component, socket):
+    """The body or ground under the frame a socket points to."""
+    try:
+        return downcast_frame(component.getConnectee(socket)).findBaseFrame().getAbsolutePathString()
+    except Exception:
+        return None
+
+
+def downcast_frame(component):
+    """A frame as the bindings know it."""
+    import opensim
+
+    return opensim.Frame.safeDownCast(component)
+
+
+def welded_to_ground(model):
+    """The paths of ground and of all bodies that hang on it by WeldJoints alone."""
+    import opensim
+
+    welds = []
+    for component in list(model.getComponentsList()):
+        if component.getConcreteClassName() == "WeldJoint":
+            joint = opensim.Joint.safeDownCast(component)
+            welds.append(
+                [
+                    frame.findBaseFrame().getAbsolutePathString()
+                    for frame in (joint.getParentFrame(), joint.getChildFrame())
+                ]
+            )
+    fixed = {"/ground"}
+    for _ in welds:
+        fixed |= {end for weld in welds if fixed & set(weld) for end in weld}
+    return fixed
 
 
 def simulated(model):
@@ -167,12 +226,14 @@ def read_set(opensim, path, dump):
 def number(component, name):
     """A double property as hex."""
     import opensim
+
     return opensim.PropertyHelper.getValueDouble(component.getPropertyByName(name)).hex()
 
 
 def flag(component, name):
     """A bool property."""
     import opensim
+
     return opensim.PropertyHelper.getValueBool(component.getPropertyByName(name))
 
 

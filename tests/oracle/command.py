@@ -1,0 +1,49 @@
+"""Run `osim-contact-scale` and read its JSON, strictly."""
+
+import json
+import os
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+BINARY = Path(os.environ.get("OSIM_CONTACT_SCALE", ROOT / "target/release/osim-contact-scale"))
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What one run gave: its exit status, its JSON (None where stdout held none) and what it said on stderr."""
+
+    status: int
+    report: dict | None
+    stderr: str
+
+    @property
+    def error(self):
+        """The error object of a failure, or None."""
+        return (self.report or {}).get("error")
+
+
+def run(*arguments):
+    """One run with `--format json`; stdout must be exactly one JSON object on one line, or nothing."""
+    done = subprocess.run([str(BINARY), *map(str, arguments), "--format", "json"], capture_output=True, timeout=60)
+    text = done.stdout.decode("utf-8")
+    if not text:
+        return Outcome(done.returncode, None, done.stderr.decode("utf-8", "replace"))
+    assert text.count("\n") == 1 and text.endswith("\n"), f"not one line of JSON: {text[:300]!r}"
+    report = json.loads(text, parse_constant=not_json)
+    assert report["schema_version"] == 1
+    return Outcome(done.returncode, report, done.stderr.decode("utf-8", "replace"))
+
+
+def not_json(token):
+    """Refuse the `NaN` and `Infinity` that Python would let through."""
+    raise ValueError(f"{token} is not JSON")
+
+
+def inspect(model, *more):
+    return run("inspect", model, *more)
+
+
+def rescale(model, target_mass, output, *more):
+    return run(model, "--target-mass", repr(target_mass), "-o", output, *more)

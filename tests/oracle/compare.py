@@ -1,0 +1,162 @@
+"""The comparisons: what `inspect` says against what OpenSim reads, and a rescaled model against its plan."""
+
+import math
+import re
+from collections import Counter
+
+import rules
+
+MASS_TOLERANCE = 1e-12  # OpenSim adds masses in another order than the file's
+
+
+def hexed(value):
+    """A JSON number as the bits OpenSim's reading holds; null stands for what is not finite."""
+    return None if value is None else float(value).hex()
+
+
+def finite(text):
+    """OpenSim's bits as JSON can tell them."""
+    return text if math.isfinite(float.fromhex(text)) else None
+
+
+def by_place(entries):
+    """`{(path, set): entry}`."""
+    found = {(entry["path"], entry.get("set")): entry for entry in entries}
+    assert len(found) == len(entries), "two entries of one path"
+    return found
+
+
+def ground_contacts(reading):
+    """The forces `inspect` must know: those in which a moving sphere meets a half-space. Keys of `by_place`."""
+    planes = {plane["path"] for plane in reading["half_spaces"]}
+    spheres = {sphere["path"] for sphere in reading["spheres"] if sphere["base"] not in reading["fixed"]}
+    together = {}
+    for force in reading["forces"]:
+        together.setdefault(force["path"], set()).update(force["geometry"])
+    return {
+        (force["path"], force["set"])
+        for force in reading["forces"]
+        if together[force["path"]] & planes and together[force["path"]] & spheres
+    }
+
+
+def inspect_equals_opensim(report, reading):
+    """Every number `inspect` gives is OpenSim's, bit for bit; no ground contact is missing, none is invented."""
+    ours, theirs = by_place(report["forces"]), by_place(reading["forces"])
+    assert set(ours) <= set(theirs), f"forces OpenSim does not know: {set(ours) - set(theirs)}"
+    assert ground_contacts(reading) <= set(ours), f"forces not listed: {ground_contacts(reading) - set(ours)}"
+    spheres = {sphere["path"]: sphere for sphere in reading["spheres"]}
+    for place, force in ours.items():
+        other = theirs[place]
+        assert (force["name"], force["type"], force["applies"]) == (other["name"], other["type"], other["applies"])
+        numbers_equal(force["parameters"], other["parameters"], place)
+        assert force["spheres"] == [spheres[path]["name"] for path in other["geometry"] if path in spheres], place
+    listed = {sphere["path"]: sphere for sphere in report["spheres"]}
+    assert set(listed) <= set(spheres), f"spheres OpenSim does not know: {set(listed) - set(spheres)}"
+    used = {path for place in ours for path in theirs[place]["geometry"] if path in spheres}
+    assert used <= set(listed), f"spheres not listed: {used - set(listed)}"
+    for path, sphere in listed.items():
+        sphere_equals(sphere, spheres[path])
+    model_equals(report, reading)
+
+
+def numbers_equal(ours, theirs, where):
+    """Two dicts of parameters, name by name."""
+    assert {name: hexed(value) for name, value in ours.items()} == {
+        name: finite(text) for name, text in theirs.items()
+    }, where
+
+
+def sphere_equals(ours, theirs):
+    """Radius, place and frame of a sphere."""
+    assert hexed(ours["radius_m"]) == finite(theirs["radius"]), ours["path"]
+    assert [hexed(value) for value in ours["location_m"]] == [finite(text) for text in theirs["location"]], ours["path"]
+    assert (ours["name"], ours["frame"]) == (theirs["name"], theirs["frame"])
+
+
+def model_equals(report, reading):
+    """Name, total mass and the size of gravity."""
+    assert report["name"] == reading["name"]
+    total = float.fromhex(reading["mass_sum"])
+    assert math.isclose(report["mass_kg"], total, rel_tol=MASS_TOLERANCE)
+    if reading["total_mass"]:
+        assert math.isclose(report["mass_kg"], float.fromhex(reading["total_mass"]), rel_tol=MASS_TOLERANCE)
+    gravity = [float.fromhex(text) for text in reading["gravity"]]
+    assert math.isclose(report["gravity_m_s2"], math.hypot(*gravity), rel_tol=1e-15)
+
+
+def plan(report):
+    """`{(path, set, property): change}` of a run."""
+    changes = report["changes"]
+    planned = {(change["path"], change["set"], change["property"]): change for change in changes}
+    assert len(planned) == len(changes), "one value is planned twice"
+    return planned
+
+
+def value(reading, place):
+    """OpenSim's bits of one planned value."""
+    path, number, name = place
+    if name == "radius":
+        return next(sphere["radius"] for sphere in reading["spheres"] if sphere["path"] == path)
+    return next(
+        force["parameters"][name] for force in reading["forces"] if (force["path"], force["set"]) == (path, number)
+    )
+
+
+def plan_is_what_opensim_reads(planned, before, after):
+    """OpenSim reads each `from` in the input and each `to` in the output, and nothing else has changed."""
+    for place, change in planned.items():
+        assert hexed(change["from"]) == value(before, place), f"from of {place}"
+        assert hexed(change["to"]) == value(after, place), f"to of {place}"
+    wanted = Counter(
+        (name, change["from"].hex(), change["to"].hex())
+        for (_, _, name), change in planned.items()
+        if change["from"] != change["to"]
+    )
+    assert differing_lines(before["dump"], after["dump"]) == wanted
+
+
+def differing_lines(before, after):
+    """What differs between two full prints of a model, as `(property, old, new)`; any other difference fails."""
+    old, new = before.split("\n"), after.split("\n")
+    assert len(old) == len(new), "the models' structures differ"
+    element = re.compile(r"\s*<(\w+)>([^<]*)</\1>\s*")
+    found = Counter()
+    for one, other in zip(old, new):
+        if one != other:
+            left, right = element.fullmatch(one), element.fullmatch(other)
+            assert left and right and left[1] == right[1], f"{one.strip()} became {other.strip()}"
+            found[left[1], float(left[2]).hex(), float(right[2]).hex()] += 1
+    return found
+
+
+def moving_spheres(reading, force_path):
+    """The spheres of a force that move: terrain on ground or on bodies welded to it is never resized."""
+    paths = {path for force in reading["forces"] if force["path"] == force_path for path in force["geometry"]}
+    return [
+        sphere for sphere in reading["spheres"] if sphere["path"] in paths and sphere["base"] not in reading["fixed"]
+    ]
+
+
+def expected_isometric(reading, mu):
+    """`{(path, set, property): value}` that the rule gives for an animal `mu` times as heavy."""
+    factor = rules.factors(mu, rules.isometric(mu))
+    expected = {}
+    for force in reading["forces"]:
+        if (force["path"], force["set"]) not in ground_contacts(reading):
+            continue
+        for name in rules.scaled_properties(force["type"]):
+            expected[force["path"], force["set"], name] = float.fromhex(force["parameters"][name]) * factor[name]
+        for sphere in moving_spheres(reading, force["path"]):
+            expected[sphere["path"], None, "radius"] = float.fromhex(sphere["radius"]) * factor["radius"]
+    return expected
+
+
+def plan_follows_the_rule(planned, expected):
+    """The plan holds the rule's values and no others; a value that stays (a dissipation of 0) may be left out."""
+    assert set(planned) <= set(expected), f"planned, but not of the rule: {set(planned) - set(expected)}"
+    for place, wanted in expected.items():
+        if place in planned:
+            assert rules.close(planned[place]["to"], wanted), (place, planned[place]["to"], wanted)
+        else:
+            assert wanted == 0.0, f"not planned: {place}"

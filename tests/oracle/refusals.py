@@ -1,0 +1,35 @@
+"""Models the command does not rescale on purpose, and why. Nothing is left out of the tests in silence.
+
+`REFUSED` holds for a plain `--target-mass`; the test checks that the command fails with status 1, gives an error code
+and writes nothing. `fixtures/bad` is refused as a whole and is not listed here.
+"""
+
+REFUSED = {
+    "parameters_misnamed.osim": "OpenSim reads no parameters, so there is no contact to scale",
+    "components_unknown_class.osim": "OpenSim skips the element that holds the only force",
+    "standalone_model_without_contacts.osim": "its contacts are in two files of their own",
+    "file_forceset.osim": "the forces are in another file, which a rescaling would have to change as well",
+    "file_both_sets.osim": "forces and geometry are in other files",
+    "file_missing.osim": "the file that should hold the forces is not there",
+    "sphere_on_sphere.osim": "two spheres are used by a force between spheres, too, which is not rescaled",
+    "sphere_on_sphere_only.osim": "no sphere meets a half-space",
+    "player_and_ball.osim": "two trees joined only through ground: the user has to select one",
+    # of other people's models
+    "v30517_elastic_foundation_with_sphere.osim": "its only contact is an ElasticFoundationForce",
+    "v40000_double_pendulum_no_contacts.osim": "no contacts",
+    "v40000_soccer_kick_sphere_pairs.osim": "a player, a goalkeeper and a ball: the user has to select",
+    "v40600_moco_3d_walking_model_without_contacts.osim": "its contacts are in two files of their own",
+}
+
+# OpenSim renames these as it loads them, so that names and paths differ; their numbers are compared in file order.
+RENAMED = {
+    "same_force_name_twice.osim",
+    "same_sphere_name_twice.osim",
+    "unnamed_force.osim",
+    "unnamed_sphere_unused.osim",
+}
+
+# Models OpenSim 4.6 cannot read at all, which the command reads nevertheless.
+BEYOND_OPENSIM = {
+    "moco_sphere_in_force.osim": "OpenSim 4.2 and later do not know a radius inside the force",
+}
