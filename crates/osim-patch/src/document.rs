@@ -1,0 +1,254 @@
+//! One file: its bytes, its tree, its version, its data root and its `<defaults>`.
+
+use std::cell::OnceCell;
+use std::ops::Range;
+
+use crate::error::{Fault, FaultKind};
+use crate::property::{Class, Property};
+use crate::xml::value::{NumberFault, number};
+use crate::xml::{ElementId, LineIndex, Position, Tree, scan};
+
+/// A scanned OpenSim document over bytes that somebody else keeps.
+#[derive(Debug, Clone)]
+pub struct Document<'a> {
+    bytes: &'a [u8],
+    tree: Tree<'a>,
+    version: u32,
+    data_root: ElementId,
+    defaults: Option<ElementId>,
+    lines: OnceCell<LineIndex>,
+}
+
+/// Where an effective value comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Origin {
+    /// The object's own element.
+    Element,
+    /// The class's object in the document's `<defaults>`.
+    Defaults,
+    /// OpenSim's class default.
+    ClassDefault,
+}
+
+impl Origin {
+    /// As in the JSON.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Element => "element",
+            Self::Defaults => "defaults",
+            Self::ClassDefault => "class default",
+        }
+    }
+}
+
+/// An effective number: what OpenSim uses, where it stands and whether its text is one plain number.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Value {
+    /// Which property.
+    pub property: Property,
+    /// What OpenSim reads.
+    pub number: f64,
+    /// Whose text that is.
+    pub origin: Origin,
+    /// The number's bytes, where the object's own element has it.
+    pub span: Option<Range<usize>>,
+    /// Why the text is no plain number, if it is not; then `number` is still what OpenSim reads.
+    pub fault: Option<NumberFault>,
+    /// As written (empty for a class default).
+    pub text: String,
+    /// First byte to point at: the number, or the object that lacks it.
+    pub offset: usize,
+}
+
+impl Value {
+    /// The number, if it can be scaled: one plain number within its domain.
+    ///
+    /// # Errors
+    /// The fault, over the bytes of the number.
+    pub fn checked(&self) -> Result<f64, Fault> {
+        let over = |kind: FaultKind| match &self.span {
+            Some(span) => Fault::over(kind, span.clone()),
+            None => Fault::at(kind, self.offset),
+        };
+        if let Some(fault) = &self.fault {
+            let (property, text) = (self.property.name().to_owned(), self.text.clone());
+            return Err(over(FaultKind::Number { property, text, fault: fault.clone() }));
+        }
+        if !self.property.allows(self.number) {
+            return Err(over(FaultKind::Domain {
+                property: self.property.name().to_owned(),
+                value: self.number,
+                expected: self.property.domain(),
+            }));
+        }
+        Ok(self.number)
+    }
+}
+
+impl<'a> Document<'a> {
+    /// Scans `bytes` and finds version, data root and defaults.
+    ///
+    /// # Errors
+    /// What is not one well-formed XML document, or not an OpenSim document, with its place.
+    pub fn parse(bytes: &'a [u8]) -> Result<Self, Fault> {
+        Self::parse_unlocated(bytes).map_err(|fault| fault.located(bytes))
+    }
+
+    fn parse_unlocated(bytes: &'a [u8]) -> Result<Self, Fault> {
+        let tree = scan(bytes)?;
+        let root = ElementId::ROOT;
+        if tree.name(root) != "OpenSimDocument" {
+            let kind = FaultKind::NotOpenSim { root: tree.name(root).to_owned() };
+            return Err(Fault::over(kind, tree.open_span(root)));
+        }
+        let found = tree.attribute(root, "Version").unwrap_or_default().trim().to_owned();
+        let Ok(version) = found.parse::<u32>() else {
+            return Err(Fault::over(FaultKind::NoVersion { found }, tree.open_span(root)));
+        };
+        let Some(data_root) = tree.children(root).next() else {
+            let kind = FaultKind::WrongDataRoot { tag: "(nothing)".to_owned() };
+            return Err(Fault::over(kind, tree.open_span(root)));
+        };
+        let defaults = tree.child(data_root, "defaults");
+        Ok(Self { bytes, tree, version, data_root, defaults, lines: OnceCell::new() })
+    }
+
+    /// The file, untouched.
+    #[must_use]
+    pub fn bytes(&self) -> &'a [u8] {
+        self.bytes
+    }
+
+    /// The elements and their spans.
+    #[must_use]
+    pub fn tree(&self) -> &Tree<'a> {
+        &self.tree
+    }
+
+    /// `Version` of the document, for example 40000.
+    #[must_use]
+    pub fn version(&self) -> u32 {
+        self.version
+    }
+
+    /// The element that holds everything: `Model`, `ForceSet` or `ContactGeometrySet`.
+    #[must_use]
+    pub fn data_root(&self) -> ElementId {
+        self.data_root
+    }
+
+    /// The `<defaults>` of the document.
+    #[must_use]
+    pub fn defaults(&self) -> Option<ElementId> {
+        self.defaults
+    }
+
+    fn lines(&self) -> &LineIndex {
+        self.lines.get_or_init(|| LineIndex::new(self.bytes))
+    }
+
+    /// Line (from 1) of a byte.
+    #[must_use]
+    pub fn line(&self, offset: usize) -> usize {
+        self.lines().line(offset)
+    }
+
+    /// Line and column of a byte.
+    #[must_use]
+    pub fn position(&self, offset: usize) -> Position {
+        self.lines().position(self.bytes, offset)
+    }
+
+    /// The effective value of `property`, spelled `tag`, of `object`: element, else `<defaults>`, else class default.
+    pub(crate) fn value(&self, object: ElementId, class: Class, property: Property, tag: &str) -> Value {
+        if let Some(element) = self.tree.child(object, tag) {
+            return self.own_value(element, property, || self.inherited(object, class, property, tag).number);
+        }
+        self.inherited(object, class, property, tag)
+    }
+
+    fn own_value(&self, element: ElementId, property: Property, fallback: impl FnOnce() -> f64) -> Value {
+        let raw = self.tree.raw_text(element);
+        let (number, fault) = match number(&raw) {
+            Ok(number) => (number, None),
+            Err(NumberFault::Prefix { opensim_reads }) => {
+                (opensim_reads, Some(NumberFault::Prefix { opensim_reads }))
+            }
+            Err(fault) => (fallback(), Some(fault)),
+        };
+        let offset = if raw.span.is_empty() { self.tree.span(element).start } else { raw.span.start };
+        let span = if raw.span.is_empty() { self.tree.span(element) } else { raw.span };
+        let text = raw.text.trim().to_owned();
+        Value { property, number, origin: Origin::Element, span: Some(span), fault, text, offset }
+    }
+
+    fn inherited(&self, object: ElementId, class: Class, property: Property, tag: &str) -> Value {
+        let offset = self.tree.span(object).start;
+        let default = self
+            .defaults
+            .and_then(|defaults| self.tree.child(defaults, class.tag()))
+            .and_then(|default| self.tree.child(default, tag));
+        match default {
+            Some(element) => Value {
+                origin: Origin::Defaults,
+                span: None,
+                offset,
+                ..self.own_value(element, property, || class.default(property))
+            },
+            None => Value {
+                property,
+                number: class.default(property),
+                origin: Origin::ClassDefault,
+                span: None,
+                fault: None,
+                text: String::new(),
+                offset,
+            },
+        }
+    }
+
+    /// Three numbers such as a location; `None` where the text is not three finite numbers.
+    pub(crate) fn triple(&self, object: ElementId, tag: &str) -> Option<[f64; 3]> {
+        let raw = self.tree.raw_text(self.tree.child(object, tag)?);
+        let mut numbers = raw.text.split_ascii_whitespace().map(|token| {
+            let (value, length) = crate::xml::value::prefix(token)?;
+            (length == token.len() && value.is_finite()).then_some(value)
+        });
+        let triple = [numbers.next()??, numbers.next()??, numbers.next()??];
+        numbers.next().is_none().then_some(triple)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TEXT: &str = "<OpenSimDocument Version='40000'><Model name='m'><defaults><ContactSphere name='default'>\
+        <radius>0.5</radius></ContactSphere></defaults><ContactSphere name='own'><radius> 0.1 </radius>\
+        <radius>0.2</radius></ContactSphere><ContactSphere name='none'/></Model></OpenSimDocument>";
+
+    #[test]
+    fn the_first_element_counts_then_defaults_then_the_class() {
+        let document = Document::parse(TEXT.as_bytes()).unwrap();
+        let spheres: Vec<_> = document.tree().children(document.data_root()).skip(1).collect();
+        let radius = |id| document.value(id, Class::ContactSphere, Property::Radius, "radius");
+        assert_eq!((radius(spheres[0]).number, radius(spheres[0]).origin), (0.1, Origin::Element));
+        assert_eq!(&TEXT[radius(spheres[0]).span.unwrap()], "0.1");
+        assert_eq!((radius(spheres[1]).number, radius(spheres[1]).origin), (0.5, Origin::Defaults));
+        assert_eq!(radius(spheres[1]).span, None);
+    }
+
+    #[test]
+    fn other_documents_are_named_for_what_they_are() {
+        for (text, code) in [
+            ("<html/>", "not-opensim"),
+            ("<OpenSimDocument><Model/></OpenSimDocument>", "not-opensim"),
+            ("<OpenSimDocument Version='x'><Model/></OpenSimDocument>", "not-opensim"),
+            ("<OpenSimDocument Version='40000'/>", "not-opensim"),
+        ] {
+            assert_eq!(Document::parse(text.as_bytes()).unwrap_err().code(), code);
+        }
+    }
+}

@@ -1,0 +1,463 @@
+//! Contact spheres and contact forces as typed values over the tree.
+
+use super::files::{Base, Files};
+use super::objects::ObjectId;
+use super::skeleton::Skeleton;
+use crate::document::{Document, Value};
+use crate::error::Fault;
+use crate::property::{Class, Property};
+use crate::warning::{Warning, WarningCode};
+use crate::xml::ElementId;
+
+/// A `ContactSphere` (or, in Moco 0.1 to 0.3 models, the sphere a force keeps inside itself).
+#[derive(Debug, Clone)]
+pub struct Sphere {
+    /// Name as in the file.
+    pub name: String,
+    /// Component path.
+    pub path: String,
+    /// Effective radius, m.
+    pub radius: Value,
+    /// Location of the centre in `frame`, m.
+    pub location_m: [f64; 3],
+    /// Path of the frame it is attached to.
+    pub frame: String,
+    /// Name of the body that carries the frame; `None` is ground or a body in a file that was not given.
+    pub body: Option<String>,
+    /// On ground or on a body welded to ground: terrain, never resized.
+    pub fixed: bool,
+    /// Line of its element.
+    pub line: usize,
+    pub(crate) file: usize,
+    pub(crate) element: ElementId,
+    pub(crate) base: Base,
+    pub(crate) dialect: Dialect,
+}
+
+/// How a sphere is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Dialect {
+    /// A `ContactSphere` with a `radius`.
+    ContactSphere,
+    /// Moco 0.1 to 0.3: `contact_sphere_radius` inside the force.
+    InsideForce,
+}
+
+impl Dialect {
+    pub(crate) const fn class(self) -> Class {
+        match self {
+            Self::ContactSphere => Class::ContactSphere,
+            Self::InsideForce => Class::SmoothSphereHalfSpaceForce,
+        }
+    }
+
+    pub(crate) const fn radius_tag(self) -> &'static str {
+        match self {
+            Self::ContactSphere => "radius",
+            Self::InsideForce => "contact_sphere_radius",
+        }
+    }
+}
+
+/// Which contact force class.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum ForceKind {
+    /// `HuntCrossleyForce`
+    HuntCrossley,
+    /// `SmoothSphereHalfSpaceForce`
+    SmoothSphereHalfSpace,
+}
+
+impl ForceKind {
+    /// OpenSim's class name.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::HuntCrossley => "HuntCrossleyForce",
+            Self::SmoothSphereHalfSpace => "SmoothSphereHalfSpaceForce",
+        }
+    }
+}
+
+/// One contact force.
+#[derive(Debug, Clone)]
+pub struct Force {
+    /// Name as in the file.
+    pub name: String,
+    /// Component path.
+    pub path: String,
+    /// Class.
+    pub kind: ForceKind,
+    /// `false` when it is switched off (`appliesForce`, or `isDisabled` in old documents).
+    pub applies: bool,
+    /// One for a `SmoothSphereHalfSpaceForce`, one per `ContactParameters` for a `HuntCrossleyForce`.
+    pub sets: Vec<ParameterSet>,
+    /// The force's own `transition_velocity`.
+    pub transition_velocity: Value,
+    /// Line of its element.
+    pub line: usize,
+    pub(crate) file: usize,
+    pub(crate) element: ElementId,
+}
+
+/// Parameters and the surfaces they belong to.
+#[derive(Debug, Clone)]
+pub struct ParameterSet {
+    /// Number of the `ContactParameters`; `None` for a `SmoothSphereHalfSpaceForce`.
+    pub index: Option<usize>,
+    /// Indices into [`crate::Model::spheres`].
+    pub spheres: Vec<usize>,
+    /// Number of half-spaces among the surfaces.
+    pub half_spaces: usize,
+    /// Number of surfaces that are neither sphere nor half-space (meshes and others).
+    pub other_surfaces: usize,
+    /// Effective values, in OpenSim's order; `transition_velocity` among them for a `SmoothSphereHalfSpaceForce`.
+    pub values: Vec<Value>,
+    /// Line of its element.
+    pub line: usize,
+    pub(crate) element: ElementId,
+    pub(crate) class: Class,
+    pub(crate) half_space_bases: Vec<Base>,
+}
+
+impl ParameterSet {
+    /// The value of `property`, if this class has it.
+    #[must_use]
+    pub fn value(&self, property: Property) -> Option<&Value> {
+        self.values.iter().find(|value| value.property == property)
+    }
+}
+
+impl Force {
+    /// Indices of all spheres of the force, each once, in order.
+    #[must_use]
+    pub fn spheres(&self) -> Vec<usize> {
+        let mut spheres = Vec::new();
+        for &sphere in self.sets.iter().flat_map(|set| &set.spheres) {
+            if !spheres.contains(&sphere) {
+                spheres.push(sphere);
+            }
+        }
+        spheres
+    }
+
+    /// The value of `property` in parameter set `set`, or of the force itself.
+    #[must_use]
+    pub fn value(&self, set: usize, property: Property) -> Option<&Value> {
+        self.sets.get(set).and_then(|set| set.value(property)).or_else(|| {
+            (self.transition_velocity.property == property).then_some(&self.transition_velocity)
+        })
+    }
+
+    pub(crate) fn half_space_bases(&self) -> impl Iterator<Item = Base> + '_ {
+        self.sets.iter().flat_map(|set| set.half_space_bases.iter().copied())
+    }
+}
+
+/// A surface named by a force.
+#[derive(Clone, Copy)]
+enum Surface {
+    Sphere(usize),
+    HalfSpace(Base),
+    Other,
+}
+
+/// Reads spheres and forces of all files.
+pub(crate) struct ContactReader<'r, 'd, 'a> {
+    pub files: &'r Files<'d, 'a>,
+    pub skeleton: &'r Skeleton,
+    pub spheres: Vec<Sphere>,
+    pub forces: Vec<Force>,
+    pub warnings: Vec<Warning>,
+    sphere_objects: Vec<ObjectId>,
+}
+
+impl<'r, 'd, 'a> ContactReader<'r, 'd, 'a> {
+    pub(crate) fn new(files: &'r Files<'d, 'a>, skeleton: &'r Skeleton) -> Self {
+        Self { files, skeleton, spheres: vec![], forces: vec![], warnings: vec![], sphere_objects: vec![] }
+    }
+
+    /// All spheres first, then all forces, each in file order.
+    pub(crate) fn read(&mut self) -> Result<(), Fault> {
+        for (id, _) in self.files.objects.iter() {
+            if self.files.tag(id) == "ContactSphere" {
+                self.add_sphere(id)?;
+            }
+        }
+        for (id, _) in self.files.objects.iter() {
+            match self.files.tag(id) {
+                "SmoothSphereHalfSpaceForce" => self.add_smooth(id)?,
+                "HuntCrossleyForce" => self.add_hunt_crossley(id)?,
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    fn add_sphere(&mut self, id: ObjectId) -> Result<(), Fault> {
+        let (document, element) = (self.files.doc(id), self.files.element(id));
+        let (frame, base) = self.attachment(id, "frame", &["body_name"])?;
+        let radius = document.value(element, Class::ContactSphere, Property::Radius, "radius");
+        let location_m = document.triple(element, "location").unwrap_or([0.0; 3]);
+        let name = self.files.name(id);
+        self.push_sphere(id, name, radius, location_m, frame, base, Dialect::ContactSphere);
+        self.sphere_objects.push(id);
+        Ok(())
+    }
+
+    #[expect(clippy::too_many_arguments, reason = "one call each for the two ways a sphere is written")]
+    fn push_sphere(
+        &mut self,
+        id: ObjectId,
+        name: String,
+        radius: Value,
+        location_m: [f64; 3],
+        frame: String,
+        base: Base,
+        dialect: Dialect,
+    ) {
+        let body = match base {
+            Base::Body(body) => Some(self.files.name(body)),
+            Base::Ground | Base::Unknown => None,
+        };
+        self.spheres.push(Sphere {
+            name,
+            path: self.files.objects.path(id),
+            radius,
+            location_m,
+            frame,
+            body,
+            fixed: self.skeleton.is_fixed(base),
+            line: self.files.line(id),
+            file: self.files.file_of(id),
+            element: self.files.element(id),
+            base,
+            dialect,
+        });
+    }
+
+    /// The frame a geometry is attached to: its path and the body behind it.
+    fn attachment(&mut self, id: ObjectId, socket: &str, legacy: &[&str]) -> Result<(String, Base), Fault> {
+        let Some(connectee) = self.files.connectee(id, socket, legacy) else {
+            return Err(self.files.unresolved(id, "", "frame it is attached to"));
+        };
+        let Some(found) = self.files.frame(id, &connectee.text) else {
+            // A geometry set that stands alone points into a model that may not be at hand.
+            let alone = self.files.tag(self.files.objects.root_of(id)) != "Model";
+            return if alone {
+                Ok((connectee.text, Base::Unknown))
+            } else {
+                Err(self.files.unresolved(id, &connectee.text, "frame it is attached to"))
+            };
+        };
+        if found.by_name {
+            self.say_by_name(id, &connectee.text, connectee.element, found.object);
+        }
+        let path = found.object.map_or_else(|| "/ground".to_owned(), |object| self.files.objects.path(object));
+        Ok((path, self.files.base(found.object)?))
+    }
+
+    fn say_by_name(&mut self, owner: ObjectId, text: &str, element: ElementId, found: Option<ObjectId>) {
+        let path = found.map(|id| self.files.objects.path(id)).unwrap_or_default();
+        let line = self.files.doc(owner).line(self.files.doc(owner).tree().span(element).start);
+        self.warnings.push(Warning::at(
+            WarningCode::ConnecteeByName,
+            line,
+            format!("'{text}' of {} leads nowhere; took {path}, the only one of that name", self.files.objects.path(owner)),
+        ));
+    }
+
+    fn surface(&mut self, force: ObjectId, text: &str, element: ElementId) -> Result<Surface, Fault> {
+        let is_geometry = |id: ObjectId| self.files.tag(id).starts_with("Contact");
+        let (id, by_name) = self
+            .in_geometry_set(text)
+            .map(|id| (id, false))
+            .or_else(|| self.files.resolve(force, text, is_geometry))
+            .ok_or_else(|| self.files.unresolved(force, text, "contact geometry of that name"))?;
+        if by_name {
+            self.say_by_name(force, text, element, Some(id));
+        }
+        match self.files.tag(id) {
+            "ContactSphere" => {
+                let index = self.sphere_objects.binary_search(&id).unwrap_or_default();
+                Ok(Surface::Sphere(index))
+            }
+            "ContactHalfSpace" => {
+                let (_, base) = self.attachment(id, "frame", &["body_name"])?;
+                Ok(Surface::HalfSpace(base))
+            }
+            _ => Ok(Surface::Other),
+        }
+    }
+
+    /// A bare name means a member of the model's geometry set before anything else.
+    fn in_geometry_set(&self, name: &str) -> Option<ObjectId> {
+        if name.contains('/') {
+            return None;
+        }
+        let root = self.files.objects.first()?;
+        self.files.objects.at_path(root, &format!("/contactgeometryset/{name}"))
+    }
+
+    fn applies(&self, id: ObjectId, class: Class) -> bool {
+        let (document, element) = (self.files.doc(id), self.files.element(id));
+        let flag = |tag: &str| {
+            let own = document.tree().child(element, tag);
+            let found = own.or_else(|| {
+                let defaults = document.tree().child(document.defaults()?, class.tag())?;
+                document.tree().child(defaults, tag)
+            })?;
+            Some(document.tree().text_of(found).eq_ignore_ascii_case("true"))
+        };
+        flag("appliesForce").or_else(|| flag("isDisabled").map(|disabled| !disabled)).unwrap_or(true)
+    }
+
+    fn add_smooth(&mut self, id: ObjectId) -> Result<(), Fault> {
+        let class = Class::SmoothSphereHalfSpaceForce;
+        let (document, element) = (self.files.doc(id), self.files.element(id));
+        let mut set = self.parameter_set(document, element, class, None);
+        if self.files.connectee(id, "sphere_frame", &[]).is_some() {
+            let sphere = self.add_sphere_inside(id)?;
+            set.spheres.push(sphere);
+            let base = self.attachment(id, "half_space_frame", &[]).map_or(Base::Unknown, |(_, base)| base);
+            set.half_space_bases.push(base);
+        } else {
+            for socket in ["sphere", "half_space"] {
+                let Some(connectee) = self.files.connectee(id, socket, &[]) else {
+                    return Err(self.files.unresolved(id, "", "contact geometry of its socket"));
+                };
+                let surface = self.surface(id, &connectee.text, connectee.element)?;
+                set.add(surface);
+            }
+        }
+        set.half_spaces = set.half_space_bases.len();
+        let transition_velocity =
+            document.value(element, class, Property::TransitionVelocity, Property::TransitionVelocity.name());
+        self.push_force(id, ForceKind::SmoothSphereHalfSpace, class, vec![set], transition_velocity);
+        Ok(())
+    }
+
+    /// Moco 0.1 to 0.3: the sphere's frame, radius and location stand in the force.
+    fn add_sphere_inside(&mut self, id: ObjectId) -> Result<usize, Fault> {
+        let (document, element) = (self.files.doc(id), self.files.element(id));
+        let (frame, base) = self.attachment(id, "sphere_frame", &[])?;
+        let tag = Dialect::InsideForce.radius_tag();
+        let radius = document.value(element, Class::SmoothSphereHalfSpaceForce, Property::Radius, tag);
+        let location = document.triple(element, "contact_sphere_location").unwrap_or([0.0; 3]);
+        let name = self.files.name(id);
+        self.push_sphere(id, name, radius, location, frame, base, Dialect::InsideForce);
+        Ok(self.spheres.len() - 1)
+    }
+
+    fn add_hunt_crossley(&mut self, id: ObjectId) -> Result<(), Fault> {
+        let (document, element) = (self.files.doc(id), self.files.element(id));
+        let mut sets = Vec::new();
+        match parameter_sets_of(document, element) {
+            Some(container) => {
+                let tree = document.tree();
+                let items = tree.child(container, "objects").into_iter().flat_map(|objects| tree.children(objects));
+                for item in items.filter(|&item| tree.name(item) == Class::ContactParameters.tag()) {
+                    let mut set = self.parameter_set(document, item, Class::ContactParameters, Some(sets.len()));
+                    if let Some(geometry) = tree.child(item, "geometry") {
+                        for name in tree.text_of(geometry).split_ascii_whitespace() {
+                            let surface = self.surface(id, name, geometry)?;
+                            set.add(surface);
+                        }
+                    }
+                    set.half_spaces = set.half_space_bases.len();
+                    sets.push(set);
+                }
+            }
+            None => self.warn_misnamed_set(id, document, element),
+        }
+        let class = Class::HuntCrossleyForce;
+        let transition_velocity =
+            document.value(element, class, Property::TransitionVelocity, Property::TransitionVelocity.name());
+        self.push_force(id, ForceKind::HuntCrossley, class, sets, transition_velocity);
+        Ok(())
+    }
+
+    fn warn_misnamed_set(&mut self, id: ObjectId, document: &Document<'_>, element: ElementId) {
+        let tree = document.tree();
+        let set = tree.children(element).find(|&child| tree.name(child) == CONTACT_PARAMETERS_SET);
+        if let Some(set) = set {
+            let name = tree.attribute(set, "name").unwrap_or_default();
+            self.warnings.push(Warning::at(
+                WarningCode::MisnamedParameterSet,
+                document.line(tree.span(set).start),
+                format!(
+                    "{}: the parameter set is called '{name}', so OpenSim reads no parameters at all; call it contact_parameters",
+                    self.files.objects.path(id)
+                ),
+            ));
+        }
+    }
+
+    fn parameter_set(
+        &self,
+        document: &Document<'_>,
+        element: ElementId,
+        class: Class,
+        index: Option<usize>,
+    ) -> ParameterSet {
+        let value = |&property: &Property| document.value(element, class, property, property.name());
+        ParameterSet {
+            index,
+            spheres: vec![],
+            half_spaces: 0,
+            other_surfaces: 0,
+            values: class.parameters().iter().map(value).collect(),
+            line: document.line(document.tree().span(element).start),
+            element,
+            class,
+            half_space_bases: vec![],
+        }
+    }
+
+    fn push_force(
+        &mut self,
+        id: ObjectId,
+        kind: ForceKind,
+        class: Class,
+        sets: Vec<ParameterSet>,
+        transition_velocity: Value,
+    ) {
+        self.forces.push(Force {
+            name: self.files.name(id),
+            path: self.files.objects.path(id),
+            kind,
+            applies: self.applies(id, class),
+            sets,
+            transition_velocity,
+            line: self.files.line(id),
+            file: self.files.file_of(id),
+            element: self.files.element(id),
+        });
+    }
+}
+
+impl ParameterSet {
+    fn add(&mut self, surface: Surface) {
+        match surface {
+            Surface::Sphere(sphere) => self.spheres.push(sphere),
+            Surface::HalfSpace(base) => self.half_space_bases.push(base),
+            Surface::Other => self.other_surfaces += 1,
+        }
+    }
+}
+
+const CONTACT_PARAMETERS_SET: &str = "HuntCrossleyForce::ContactParametersSet";
+
+/// The list of parameter sets, in any of its three spellings: wrapped in `<contact_parameters>`, named so, or without
+/// a name (documents of version 2).
+fn parameter_sets_of(document: &Document<'_>, force: ElementId) -> Option<ElementId> {
+    let tree = document.tree();
+    if let Some(wrapper) = tree.child(force, "contact_parameters") {
+        // OpenSim takes the wrapper where there is one, and the set inside whatever its name.
+        return tree.child(wrapper, CONTACT_PARAMETERS_SET);
+    }
+    tree.children(force).find(|&child| {
+        tree.name(child) == CONTACT_PARAMETERS_SET
+            && matches!(tree.attribute(child, "name").as_deref(), None | Some("" | "contact_parameters"))
+    })
+}

@@ -1,0 +1,186 @@
+//! The files that make up one model, read as one tree of components.
+//!
+//! Usually there is one. A model whose sets stand in other files (`file="…"`), or a `ForceSet` with the
+//! `ContactGeometrySet` and the model it belongs to, are several.
+
+use super::objects::{ObjectId, Objects};
+use crate::document::Document;
+use crate::error::{Fault, FaultKind};
+use crate::xml::ElementId;
+
+/// Documents and their components.
+#[derive(Debug)]
+pub(crate) struct Files<'d, 'a> {
+    main: &'d Document<'a>,
+    parts: Vec<&'d Document<'a>>,
+    pub(crate) objects: Objects,
+}
+
+/// What a socket says: the text and where it stands.
+#[derive(Debug, Clone)]
+pub(crate) struct Connectee {
+    pub text: String,
+    pub element: ElementId,
+}
+
+/// Where a frame leads.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) enum Base {
+    Ground,
+    Body(ObjectId),
+    /// The body stands in a file that was not given (standalone sets only).
+    Unknown,
+}
+
+/// A resolved connectee.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Found {
+    /// `None` is ground, which no file spells out.
+    pub object: Option<ObjectId>,
+    /// The path as written led nowhere; the only component with that last segment was taken.
+    pub by_name: bool,
+}
+
+/// Offset frames on offset frames, at most; deeper is a cycle.
+const MAX_FRAME_CHAIN: usize = 64;
+
+impl<'d, 'a> Files<'d, 'a> {
+    /// `parts` are the files after the first, each with the component of an earlier file that includes it.
+    pub(crate) fn new(main: &'d Document<'a>, parts: &[(&'d Document<'a>, Option<ElementId>)]) -> Self {
+        let mut files = Self { main, parts: Vec::new(), objects: Objects::default() };
+        files.objects.add(0, main, None);
+        for (document, included_by) in parts {
+            let mount = included_by.and_then(|element| {
+                let tree = main.tree();
+                let mut at = tree.parent(element);
+                while let Some(id) = at {
+                    if let Some(object) = files.objects.of_element(0, id) {
+                        return Some(object);
+                    }
+                    at = tree.parent(id);
+                }
+                None
+            });
+            files.parts.push(document);
+            let file = files.parts.len();
+            files.objects.add(file, document, mount);
+        }
+        files
+    }
+
+    pub(crate) fn main(&self) -> &'d Document<'a> {
+        self.main
+    }
+
+    pub(crate) fn document(&self, file: usize) -> &'d Document<'a> {
+        file.checked_sub(1).and_then(|part| self.parts.get(part)).copied().unwrap_or(self.main)
+    }
+
+    pub(crate) fn file_of(&self, id: ObjectId) -> usize {
+        self.objects.get(id).map_or(0, |object| object.file)
+    }
+
+    pub(crate) fn element(&self, id: ObjectId) -> ElementId {
+        self.objects.get(id).map_or(ElementId::ROOT, |object| object.element)
+    }
+
+    pub(crate) fn doc(&self, id: ObjectId) -> &'d Document<'a> {
+        self.document(self.file_of(id))
+    }
+
+    pub(crate) fn tag(&self, id: ObjectId) -> &'d str {
+        self.doc(id).tree().name(self.element(id))
+    }
+
+    /// The `name` as the file has it.
+    pub(crate) fn name(&self, id: ObjectId) -> String {
+        self.doc(id).tree().attribute(self.element(id), "name").unwrap_or_default().trim().to_owned()
+    }
+
+    /// What `owner` says about its socket, in whichever spelling its document version has.
+    pub(crate) fn connectee(&self, owner: ObjectId, socket: &str, legacy: &[&str]) -> Option<Connectee> {
+        let tree = self.doc(owner).tree();
+        let element = self.element(owner);
+        let direct = [
+            format!("socket_{socket}"),
+            format!("socket_{socket}_connectee_name"),
+            format!("connector_{socket}_connectee_name"),
+        ];
+        let spelled = direct.iter().map(String::as_str).chain(legacy.iter().copied());
+        let found = spelled.filter_map(|tag| tree.child(element, tag)).next().or_else(|| {
+            let connectors = tree.child(element, "connectors")?;
+            let connector =
+                tree.children(connectors).find(|&id| tree.attribute(id, "name").as_deref() == Some(socket))?;
+            tree.child(connector, "connectee_name")
+        })?;
+        let text = tree.text_of(found);
+        (!text.is_empty()).then_some(Connectee { text, element: found })
+    }
+
+    /// Finds the component that `text` means, seen from `owner`: by path, else as the only one with that name.
+    pub(crate) fn resolve(
+        &self,
+        owner: ObjectId,
+        text: &str,
+        accept: impl Fn(ObjectId) -> bool,
+    ) -> Option<(ObjectId, bool)> {
+        if let Some(id) = self.objects.at_path(owner, text).filter(|&id| accept(id)) {
+            return Some((id, false));
+        }
+        let last = text.rsplit('/').next().unwrap_or(text);
+        let mut named = self.objects.named(last, &accept);
+        let only = named.next()?;
+        named.next().is_none().then_some((only, last.len() != text.len()))
+    }
+
+    fn is_frame(&self, id: ObjectId) -> bool {
+        let tag = self.tag(id);
+        tag == "Body" || tag == "Ground" || tag.ends_with("Frame")
+    }
+
+    pub(crate) fn frame(&self, owner: ObjectId, text: &str) -> Option<Found> {
+        if text == "ground" || text.ends_with("/ground") {
+            return Some(Found { object: None, by_name: false });
+        }
+        let (object, by_name) = self.resolve(owner, text, |id| self.is_frame(id))?;
+        Some(Found { object: Some(object), by_name })
+    }
+
+    /// The body (or ground) that carries a frame, through any number of offset frames.
+    ///
+    /// # Errors
+    /// An offset frame whose parent is missing or that hangs on itself.
+    pub(crate) fn base(&self, frame: Option<ObjectId>) -> Result<Base, Fault> {
+        let mut at = frame;
+        for _ in 0..MAX_FRAME_CHAIN {
+            let Some(id) = at else { return Ok(Base::Ground) };
+            match self.tag(id) {
+                "Ground" => return Ok(Base::Ground),
+                "Body" if self.name(id) == "ground" => return Ok(Base::Ground),
+                "Body" => return Ok(Base::Body(id)),
+                _ => {}
+            }
+            let Some(parent) = self.connectee(id, "parent", &["parent_frame"]) else {
+                return Err(self.unresolved(id, "", "frame it is attached to"));
+            };
+            at = match self.frame(id, &parent.text) {
+                Some(found) => found.object,
+                None => return Err(self.unresolved(id, &parent.text, "frame it is attached to")),
+            };
+        }
+        let path = frame.map(|id| self.objects.path(id)).unwrap_or_default();
+        Err(Fault::refused(format!("frame {path} is attached to itself, expected a chain of frames to a body")))
+    }
+
+    pub(crate) fn unresolved(&self, owner: ObjectId, connectee: &str, wanted: &'static str) -> Fault {
+        let path = self.objects.path(owner);
+        let kind = FaultKind::Unresolved { owner: path.clone(), connectee: connectee.to_owned(), wanted };
+        let span = self.doc(owner).tree().open_span(self.element(owner));
+        Fault::over(kind, span).of(path).in_file(self.file_of(owner))
+    }
+
+    /// Line of an object's start tag.
+    pub(crate) fn line(&self, id: ObjectId) -> usize {
+        self.doc(id).line(self.doc(id).tree().span(self.element(id)).start)
+    }
+}

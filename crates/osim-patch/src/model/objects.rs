@@ -1,0 +1,241 @@
+//! The components of a model and their paths: which elements OpenSim turns into objects, and what they are called.
+//!
+//! One pass over the elements in file order gives every element its role. Objects are the items of `<objects>`,
+//! `<components>`, `<frames>` and of a Body's `<Joint>`, sets, and elements with a `name`; everything else is a
+//! property. `<defaults>` of the data root is passed over: its objects are no part of the model.
+
+use std::collections::{HashMap, HashSet};
+
+use crate::document::Document;
+use crate::xml::ElementId;
+
+/// Index of an object among all files read together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(crate) struct ObjectId(u32);
+
+/// One component.
+#[derive(Debug, Clone)]
+pub(crate) struct Object {
+    /// Which of the files.
+    pub file: usize,
+    pub element: ElementId,
+    pub parent: Option<ObjectId>,
+    /// Last segment of the path: OpenSim's name of it, numbered where siblings share a name.
+    pub segment: String,
+}
+
+/// All components of the files read together, with look-up by path and by name.
+#[derive(Debug, Default)]
+pub(crate) struct Objects {
+    list: Vec<Object>,
+    roots: Vec<ObjectId>,
+    by_parent: HashMap<(Option<ObjectId>, String), ObjectId>,
+    by_segment: HashMap<String, Vec<ObjectId>>,
+}
+
+#[derive(Clone, Copy)]
+enum Role {
+    /// Nothing below here is an object.
+    Nothing,
+    Object(ObjectId),
+    /// The children of this element are objects that belong to this one.
+    Items(ObjectId),
+}
+
+impl Objects {
+    /// Adds all objects of `document`. A file other than the model hangs below `mount`, the object that includes it.
+    pub(crate) fn add(&mut self, file: usize, document: &Document<'_>, mount: Option<ObjectId>) {
+        let tree = document.tree();
+        let mut roles = vec![Role::Nothing; tree.element_count()];
+        let mut seen: HashSet<(ObjectId, String)> = HashSet::new();
+        for index in 0..tree.element_count() {
+            let Ok(number) = u32::try_from(index) else { return };
+            let id = ElementId(number);
+            let Some(parent) = tree.parent(id) else { continue };
+            let tag = tree.name(id);
+            // What stands in another file hangs here once that file is added.
+            let elsewhere = tree.attribute(id, "file").is_some_and(|file| !file.trim().is_empty());
+            let role = if elsewhere {
+                Role::Nothing
+            } else if id == document.data_root() {
+                Role::Object(self.push_root(file, document, mount))
+            } else {
+                match roles.get(parent.index()).copied().unwrap_or(Role::Nothing) {
+                    Role::Nothing => Role::Nothing,
+                    Role::Items(owner) => {
+                        let name = tree.attribute(id, "name").unwrap_or_default().trim().to_owned();
+                        Role::Object(self.push(Object { file, element: id, parent: Some(owner), segment: name }))
+                    }
+                    Role::Object(owner) => self.role_of_property(file, document, id, tag, owner, &mut seen),
+                }
+            };
+            if let Some(slot) = roles.get_mut(index) {
+                *slot = role;
+            }
+        }
+    }
+
+    fn push_root(&mut self, file: usize, document: &Document<'_>, mount: Option<ObjectId>) -> ObjectId {
+        let tree = document.tree();
+        let element = document.data_root();
+        let tag = tree.name(element);
+        let segment = if tag == "Model" {
+            String::new()
+        } else if tag.ends_with("Set") {
+            tag.to_lowercase()
+        } else {
+            tree.attribute(element, "name").unwrap_or_default().trim().to_owned()
+        };
+        // A set that stands alone belongs to a model elsewhere; its paths are those it has there.
+        self.push(Object { file, element, parent: mount, segment })
+    }
+
+    fn role_of_property(
+        &mut self,
+        file: usize,
+        document: &Document<'_>,
+        id: ElementId,
+        tag: &str,
+        owner: ObjectId,
+        seen: &mut HashSet<(ObjectId, String)>,
+    ) -> Role {
+        let tree = document.tree();
+        let of_root = self.get(owner).is_some_and(|object| object.element == document.data_root());
+        if tag == "defaults" && of_root {
+            return Role::Nothing;
+        }
+        let holds_items = matches!(tag, "objects" | "components" | "frames" | "Joint");
+        let is_set = tag.ends_with("Set");
+        let name = tree.attribute(id, "name");
+        if !holds_items && !is_set && name.is_none() {
+            return Role::Nothing;
+        }
+        // OpenSim reads the first of duplicated properties.
+        if (holds_items || is_set) && !seen.insert((owner, tag.to_owned())) {
+            return Role::Nothing;
+        }
+        if holds_items {
+            return Role::Items(owner);
+        }
+        // Sets are called after their class, whatever name their element has.
+        let segment = if is_set { tag.to_lowercase() } else { name.unwrap_or_default().trim().to_owned() };
+        Role::Object(self.push(Object { file, element: id, parent: Some(owner), segment }))
+    }
+
+    fn push(&mut self, mut object: Object) -> ObjectId {
+        #[expect(clippy::cast_possible_truncation, reason = "no more objects than elements, and those are u32")]
+        let id = ObjectId(self.list.len() as u32);
+        self.by_segment.entry(object.segment.clone()).or_default().push(id);
+        if object.parent.is_none() {
+            self.roots.push(id);
+        } else {
+            // OpenSim calls the second of two siblings `f` `f_0`, the third `f_1`.
+            let mut count = 0_usize;
+            let plain = object.segment.clone();
+            while self.by_parent.contains_key(&(object.parent, object.segment.clone())) {
+                // Hundreds of equal names are a mistake, not a model: no need to number them all.
+                if count > 64 {
+                    break;
+                }
+                object.segment = format!("{plain}_{count}");
+                count += 1;
+            }
+        }
+        self.by_parent.entry((object.parent, object.segment.clone())).or_insert(id);
+        self.list.push(object);
+        id
+    }
+
+    pub(crate) fn get(&self, id: ObjectId) -> Option<&Object> {
+        self.list.get(id.0 as usize)
+    }
+
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (ObjectId, &Object)> {
+        #[expect(clippy::cast_possible_truncation, reason = "see push")]
+        self.list.iter().enumerate().map(|(index, object)| (ObjectId(index as u32), object))
+    }
+
+    /// The object that is written as `element` of `file`.
+    pub(crate) fn of_element(&self, file: usize, element: ElementId) -> Option<ObjectId> {
+        // Objects of one file are in element order.
+        let start = self.list.partition_point(|object| object.file < file);
+        let end = self.list.partition_point(|object| object.file <= file);
+        let of_file = self.list.get(start..end)?;
+        let at = of_file.binary_search_by_key(&element, |object| object.element).ok()?;
+        u32::try_from(start + at).ok().map(ObjectId)
+    }
+
+    /// The absolute path, as OpenSim prints it.
+    pub(crate) fn path(&self, id: ObjectId) -> String {
+        let mut segments = Vec::new();
+        let mut next = Some(id);
+        while let Some(object) = next.and_then(|id| self.get(id)) {
+            if object.parent.is_some() || !object.segment.is_empty() {
+                segments.push(object.segment.as_str());
+            }
+            next = object.parent;
+        }
+        let mut path = String::new();
+        for segment in segments.iter().rev() {
+            path.push('/');
+            path.push_str(segment);
+        }
+        if path.is_empty() { "/".to_owned() } else { path }
+    }
+
+    /// The data root of the model.
+    pub(crate) fn first(&self) -> Option<ObjectId> {
+        (!self.list.is_empty()).then_some(ObjectId(0))
+    }
+
+    /// The data root above `id`.
+    pub(crate) fn root_of(&self, id: ObjectId) -> ObjectId {
+        let mut at = id;
+        while let Some(parent) = self.get(at).and_then(|object| object.parent) {
+            at = parent;
+        }
+        at
+    }
+
+    fn child(&self, parent: ObjectId, segment: &str) -> Option<ObjectId> {
+        self.by_parent.get(&(Some(parent), segment.to_owned())).copied()
+    }
+
+    /// Follows `path`, absolute or relative to `owner`, exactly as OpenSim does.
+    pub(crate) fn at_path(&self, owner: ObjectId, path: &str) -> Option<ObjectId> {
+        match path.strip_prefix('/') {
+            Some(absolute) => self.roots.iter().find_map(|&root| self.below_root(root, absolute)),
+            None => self.walk(owner, path),
+        }
+    }
+
+    fn below_root(&self, root: ObjectId, path: &str) -> Option<ObjectId> {
+        let segment = &self.get(root)?.segment;
+        if segment.is_empty() {
+            return self.walk(root, path);
+        }
+        // A set that stands alone: its own name is the first segment.
+        let rest = path.strip_prefix(segment.as_str())?;
+        match rest.strip_prefix('/') {
+            Some(rest) => self.walk(root, rest),
+            None => rest.is_empty().then_some(root),
+        }
+    }
+
+    fn walk(&self, from: ObjectId, path: &str) -> Option<ObjectId> {
+        let mut at = from;
+        for segment in path.split('/').filter(|segment| !segment.is_empty() && *segment != ".") {
+            at = if segment == ".." { self.get(at)?.parent? } else { self.child(at, segment)? };
+        }
+        Some(at)
+    }
+
+    /// All objects with this last segment that pass `accept`.
+    pub(crate) fn named<'s>(
+        &'s self,
+        name: &str,
+        accept: impl Fn(ObjectId) -> bool + 's,
+    ) -> impl Iterator<Item = ObjectId> + 's {
+        self.by_segment.get(name).into_iter().flatten().copied().filter(move |&id| accept(id))
+    }
+}

@@ -1,0 +1,135 @@
+//! Bodies and the joints between them, in the spelling of every document version.
+
+use std::collections::HashMap;
+
+use super::files::{Base, Files};
+use super::objects::ObjectId;
+use crate::document::{Origin, Value};
+use crate::error::{Fault, FaultKind};
+use crate::property::{Class, Property};
+
+/// One body of the model, ground left out.
+#[derive(Debug, Clone)]
+pub struct Body {
+    /// Name as in the file.
+    pub name: String,
+    /// Component path.
+    pub path: String,
+    /// `mass` in kg; NaN where the file gives none.
+    pub mass: Value,
+    pub(crate) file: usize,
+}
+
+impl Body {
+    /// The mass, if it is one plain number that is not negative.
+    ///
+    /// # Errors
+    /// No mass, or a text that is no plain number, with its place.
+    pub fn mass_kg(&self) -> Result<f64, Fault> {
+        let missing = self.mass.origin == Origin::ClassDefault && self.mass.fault.is_none();
+        let fault = if missing {
+            Fault::at(FaultKind::NoMass { body: self.name.clone() }, self.mass.offset)
+        } else {
+            match self.mass.checked() {
+                Ok(mass) => return Ok(mass),
+                Err(fault) => fault,
+            }
+        };
+        Err(fault.of(self.path.clone()).in_file(self.file))
+    }
+}
+
+/// The joint tree: who hangs on whom.
+#[derive(Debug, Default)]
+pub(crate) struct Skeleton {
+    pub bodies: Vec<Body>,
+    parents: HashMap<ObjectId, Link>,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Link {
+    parent: Base,
+    weld: bool,
+}
+
+impl Skeleton {
+    /// Reads all bodies and joints. A joint whose frames lead nowhere is left out: only limbs need it, and a body
+    /// without a joint to a parent stands on ground.
+    pub(crate) fn read(files: &Files<'_, '_>) -> Self {
+        let mut skeleton = Self::default();
+        for (id, object) in files.objects.iter() {
+            let tag = files.tag(id);
+            if tag == "Body" {
+                let name = files.name(id);
+                if name != "ground" {
+                    let document = files.document(object.file);
+                    let mass = document.value(object.element, Class::Body, Property::Mass, "mass");
+                    let path = files.objects.path(id);
+                    skeleton.bodies.push(Body { name, path, mass, file: object.file });
+                }
+            } else if tag.ends_with("Joint") {
+                skeleton.add_joint(files, id, tag == "WeldJoint");
+            }
+        }
+        skeleton
+    }
+
+    fn add_joint(&mut self, files: &Files<'_, '_>, joint: ObjectId, weld: bool) {
+        let end = |socket: &str, legacy: &[&str]| -> Option<Base> {
+            let connectee = files.connectee(joint, socket, legacy)?;
+            files.base(files.frame(joint, &connectee.text)?.object).ok()
+        };
+        let parent = end("parent_frame", &["parent_body"]).or_else(|| end("parent_body", &[]));
+        let owner = files.objects.get(joint).and_then(|object| object.parent);
+        let inside = owner.filter(|&id| files.tag(id) == "Body").map(Base::Body);
+        let child = end("child_frame", &["child_body"]).or_else(|| end("child_body", &[])).or(inside);
+        match (parent, child) {
+            (Some(parent), Some(Base::Body(child))) => {
+                self.parents.entry(child).or_insert(Link { parent, weld });
+            }
+            // A joint written the other way round, from the body to ground.
+            (Some(Base::Body(body)), Some(Base::Ground)) => {
+                self.parents.entry(body).or_insert(Link { parent: Base::Ground, weld });
+            }
+            _ => {}
+        }
+    }
+
+    pub(crate) fn parent(&self, body: ObjectId) -> Option<ObjectId> {
+        match self.parents.get(&body)?.parent {
+            Base::Body(parent) => Some(parent),
+            Base::Ground | Base::Unknown => None,
+        }
+    }
+
+    /// From `body` up to the body that is joined to ground.
+    pub(crate) fn chain(&self, body: ObjectId) -> Vec<ObjectId> {
+        let mut chain = vec![body];
+        let mut at = body;
+        while let Some(parent) = self.parent(at) {
+            // Joints that form a loop have no top; cut it where it closes.
+            if chain.len() > self.bodies.len() {
+                break;
+            }
+            chain.push(parent);
+            at = parent;
+        }
+        chain
+    }
+
+    /// `true` for ground and for bodies welded to it: what stands there is terrain.
+    pub(crate) fn is_fixed(&self, base: Base) -> bool {
+        let mut at = base;
+        for _ in 0..=self.bodies.len() {
+            match at {
+                Base::Ground => return true,
+                Base::Unknown => return false,
+                Base::Body(body) => match self.parents.get(&body) {
+                    Some(link) if link.weld => at = link.parent,
+                    _ => return false,
+                },
+            }
+        }
+        false
+    }
+}

@@ -1,0 +1,174 @@
+//! The plan: every number that is to change, from what, to what, by which equation.
+//!
+//! Tables, diffs, JSON, dry runs and writing are all views of a [`Plan`]; there is no other way to change a model.
+
+mod draft;
+mod radii;
+mod rescale;
+mod transfer;
+
+use std::collections::HashMap;
+use std::ops::Range;
+
+use crate::edit::{Edit, splice};
+use crate::error::Fault;
+use crate::insert::{insert, insert_first};
+use crate::mass::Mass;
+use crate::model::Model;
+use crate::note::{Key, Note, Scope, digest};
+use crate::number::shortest;
+use crate::property::{Class, Property};
+use crate::warning::Warning;
+use crate::xml::ElementId;
+
+pub use draft::PropertySet;
+pub use radii::RadiusRule;
+pub use rescale::{Rescale, rescale};
+pub use transfer::{Reference, ReferenceContact, Transfer, reference_of_model, transfer};
+
+/// Which size α follows, (14).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum DissipationBy {
+    /// α ∝ R^{−1/2}, as in the paper's Table 1.
+    #[default]
+    Radius,
+    /// α ∝ M^{−1/6}.
+    Mass,
+}
+
+/// One number that is to change.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Change {
+    /// Name of the force; `None` for a sphere's radius.
+    pub force: Option<String>,
+    /// Component path of the force or sphere.
+    pub path: String,
+    /// Number of the `ContactParameters`; `None` elsewhere.
+    pub set: Option<usize>,
+    /// Name of the sphere whose radius changes.
+    pub sphere: Option<String>,
+    /// What changes.
+    pub property: Property,
+    /// Effective value now.
+    pub from: f64,
+    /// Value to be written.
+    pub to: f64,
+    /// The factor by which the value was multiplied, where it was.
+    pub factor: Option<f64>,
+    /// Number of the equation in the paper, or a word where there is none.
+    pub equation: &'static str,
+    /// Line of the number, or of the object that gets it.
+    pub line: usize,
+    /// `true` where the element is absent and is inserted.
+    pub inserted: bool,
+    /// Which file: 0 is the model itself.
+    pub file: usize,
+    target: Target,
+}
+
+/// Where a change goes.
+#[derive(Debug, Clone, PartialEq)]
+struct Target {
+    element: ElementId,
+    class: Class,
+    tag: &'static str,
+    span: Option<Range<usize>>,
+}
+
+/// Everything a run does to one model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plan {
+    /// The numbers, radii first, then force by force.
+    pub changes: Vec<Change>,
+    /// What the contacts stood for.
+    pub from_mass: Mass,
+    /// What they stand for afterwards, kg.
+    pub to_mass_kg: f64,
+    /// Things the user should know.
+    pub warnings: Vec<Warning>,
+    /// Things that always hold and are said once: what the run did not do.
+    pub remarks: Vec<String>,
+    note: Option<Note>,
+}
+
+/// What the note of a plan says beside the values.
+struct NoteFacts<'o> {
+    mass_kg: f64,
+    gravity_m_s2: Option<f64>,
+    scope: Scope,
+    operation: &'o str,
+}
+
+impl Plan {
+    /// Leaves no note in the file.
+    pub fn without_note(&mut self) {
+        self.note = None;
+    }
+
+    /// The note that would be written; none when nothing changes.
+    #[must_use]
+    pub fn note(&self) -> Option<&Note> {
+        self.note.as_ref()
+    }
+
+    /// `true` when the output equals the input byte for byte.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.changes.is_empty()
+    }
+
+    fn with_note(mut self, model: &Model<'_, '_>, facts: &NoteFacts<'_>) -> Self {
+        if self.is_empty() {
+            return self;
+        }
+        let changed: HashMap<Key, f64> =
+            self.changes.iter().map(|change| ((change.file, change.target.element, change.property), change.to)).collect();
+        self.note = Some(Note {
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            mass_kg: facts.mass_kg,
+            gravity_m_s2: facts.gravity_m_s2,
+            scope: facts.scope,
+            operation: facts.operation.to_owned(),
+            digest: digest(model, |key| changed.get(&key).copied()),
+        });
+        self
+    }
+
+    /// The edits of file number `file`, the note's among them.
+    #[must_use]
+    pub fn edits(&self, model: &Model<'_, '_>, file: usize) -> Vec<Edit> {
+        let document = model.file(file);
+        let tree = document.tree();
+        let mut edits = Vec::new();
+        let mut absent: Vec<(ElementId, Class, Vec<(&str, String)>)> = Vec::new();
+        for change in self.changes.iter().filter(|change| change.file == file) {
+            let text = shortest(change.to);
+            let Target { element, class, tag, span } = &change.target;
+            match span {
+                Some(span) => edits.push(Edit { span: span.clone(), text }),
+                None => match absent.iter_mut().find(|(parent, ..)| parent == element) {
+                    Some((_, _, elements)) => elements.push((tag, text)),
+                    None => absent.push((*element, *class, vec![(tag, text)])),
+                },
+            }
+        }
+        for (parent, class, elements) in &absent {
+            edits.extend(insert(tree, *parent, class.order(), elements));
+        }
+        if let (Some(note), false) = (&self.note, self.is_empty()) {
+            edits.push(match Note::span(document) {
+                Some(span) => Edit { span, text: note.comment() },
+                None => insert_first(tree, document.data_root(), &note.comment()),
+            });
+        }
+        edits
+    }
+
+    /// The patched bytes of file number `file`; identical to the original where nothing changes.
+    ///
+    /// # Errors
+    /// Overlapping edits, which would be a defect of this crate; nothing is returned then.
+    pub fn patched(&self, model: &Model<'_, '_>, file: usize) -> Result<Vec<u8>, Fault> {
+        splice(model.file(file).bytes(), &self.edits(model, file))
+    }
+}

@@ -1,0 +1,156 @@
+//! Rescaling a model's own contacts to another mass: every parameter times its ratio.
+
+use contact_scaling::{RatioValues, Ratios};
+
+use super::draft::{Draft, New, PropertySet};
+use super::radii::{RadiusRule, Radii};
+use super::{DissipationBy, NoteFacts, Plan};
+use crate::error::Fault;
+use crate::mass::{Mass, checked, same_mass};
+use crate::model::Model;
+use crate::note::Scope;
+use crate::number::shortest;
+use crate::property::Property;
+use crate::select::Selected;
+use crate::warning::{Warning, WarningCode};
+
+/// What is wanted of a rescaling.
+#[derive(Debug, Clone)]
+pub struct Rescale {
+    /// The mass the contacts shall stand for, kg.
+    pub target_mass_kg: f64,
+    /// The mass they stand for now.
+    pub contacts_mass: Mass,
+    /// What becomes of the radii.
+    pub radius: RadiusRule,
+    /// What may change.
+    pub properties: PropertySet,
+    /// Which size α follows.
+    pub dissipation_by: DissipationBy,
+    /// Gravity afterwards, m/s², where it differs.
+    pub target_gravity_m_s2: Option<f64>,
+}
+
+/// Plans a rescaling of the forces `selected` of `model`.
+///
+/// # Errors
+/// A value that cannot be scaled, a sphere another force needs as it is, or a quantity outside its domain.
+pub fn rescale(model: &Model<'_, '_>, selected: &Selected, wanted: &Rescale) -> Result<Plan, Fault> {
+    let target = checked("--target-mass", wanted.target_mass_kg)?;
+    let origin = wanted.contacts_mass.kg;
+    let mut draft = Draft::new(model);
+    let gravity = gravity_ratio(model.gravity(), wanted.target_gravity_m_s2)?;
+    if same_mass(target, origin) && gravity == 1.0 {
+        draft.warnings.push(already_there(origin, &wanted.contacts_mass));
+        return Ok(finish(draft, wanted, selected, None));
+    }
+    let mass = target / origin;
+    let isometric = Ratios::isometric(mass).map_err(Fault::new)?.radius();
+    let radii = Radii::plan(&mut draft, &selected.forces, |_| wanted.radius, isometric, &wanted.properties)?;
+    radii.warn_mixed(&mut draft, &selected.forces);
+    for &index in &selected.forces {
+        let Some(force) = model.forces.get(index) else { continue };
+        let values = RatioValues { mass, sphere_count: 1.0, radius: radii.ratio(force), gravity };
+        let ratios = Ratios::new(values).map_err(Fault::new)?;
+        if force.sets.iter().filter(|set| !set.spheres.is_empty() || set.half_spaces > 0).count() > 1 {
+            let text = format!("{} has {} ContactParameters: all get the same factor", force.path, force.sets.len());
+            draft.warnings.push(Warning::at(WarningCode::SeveralParameterSets, force.line, text));
+        }
+        for set in 0..force.sets.len() {
+            scale_set(&mut draft, (index, set), &ratios, wanted)?;
+        }
+    }
+    if draft.changes.is_empty() {
+        let text = "every factor is exactly 1: the radius stays, so what follows the radius stays too";
+        draft.warnings.push(Warning::new(WarningCode::NothingToChange, text));
+    }
+    Ok(finish(draft, wanted, selected, Some(&radii)))
+}
+
+/// The factor and equation of each property.
+pub(super) fn factor(property: Property, ratios: &Ratios, by: DissipationBy) -> Option<(f64, &'static str)> {
+    Some(match property {
+        Property::Stiffness => (ratios.plane_strain_modulus(), "10"),
+        Property::Dissipation => match by {
+            DissipationBy::Radius => (ratios.dissipation(), "14"),
+            DissipationBy::Mass => (ratios.dissipation_by_mass(), "14"),
+        },
+        Property::ConstantContactForce => (ratios.constant_contact_force(), "C.2"),
+        Property::HertzSmoothing => (ratios.hertz_smoothing(), "C.5"),
+        Property::HuntCrossleySmoothing => (ratios.hunt_crossley_smoothing(), "C.10"),
+        Property::TransitionVelocity => (ratios.transition_velocity(), "friction"),
+        Property::ViscousFriction => (ratios.viscous_friction(), "friction"),
+        _ => return None,
+    })
+}
+
+fn scale_set(
+    draft: &mut Draft<'_, '_, '_>,
+    (force, set): (usize, usize),
+    ratios: &Ratios,
+    wanted: &Rescale,
+) -> Result<(), Fault> {
+    for property in Property::ALL.into_iter().filter(|&property| wanted.properties.contains(property)) {
+        let Some((factor, equation)) = factor(property, ratios, wanted.dissipation_by) else { continue };
+        if let Some(from) = draft.current(force, set, property)? {
+            draft.parameter(force, set, property, New::times(from, factor, equation))?;
+        }
+    }
+    Ok(())
+}
+
+/// γ = g_b/g_a where a target is given, else 1.
+pub(super) fn gravity_ratio(now: Option<f64>, target: Option<f64>) -> Result<f64, Fault> {
+    let Some(target) = target else { return Ok(1.0) };
+    if !(target.is_finite() && target > 0.0) {
+        return Err(Fault::refused(format!("--target-gravity is {target}, expected an acceleration in m/s2 above 0")));
+    }
+    match now {
+        Some(now) if now.is_finite() && now > 0.0 => Ok(target / now),
+        _ => Err(Fault::refused(
+            "--target-gravity needs the gravity of the contacts' model, which has none: say it with --reference-gravity",
+        )),
+    }
+}
+
+fn already_there(origin: f64, mass: &Mass) -> Warning {
+    let kg = shortest(origin);
+    Warning::new(
+        WarningCode::AlreadyAtTarget,
+        format!(
+            "contacts are taken to stand for {kg} kg already ({}); if they were made for another mass, \
+             say --contacts-mass KG or transfer --from MODEL",
+            mass.told_by
+        ),
+    )
+}
+
+fn finish(draft: Draft<'_, '_, '_>, wanted: &Rescale, selected: &Selected, radii: Option<&Radii>) -> Plan {
+    let Draft { model, changes, warnings } = draft;
+    let mut remarks = Vec::new();
+    if !changes.is_empty() {
+        remarks.push("body masses and sphere locations stay as they are".to_owned());
+        remarks.extend(radii.and_then(bottoms_remark));
+    }
+    let to_mass_kg = if changes.is_empty() { wanted.contacts_mass.kg } else { wanted.target_mass_kg };
+    let plan = Plan { changes, from_mass: wanted.contacts_mass.clone(), to_mass_kg, warnings, remarks, note: None };
+    let all = selected.complete && wanted.properties.is_complete();
+    plan.with_note(
+        model,
+        &NoteFacts {
+            mass_kg: wanted.target_mass_kg,
+            gravity_m_s2: wanted.target_gravity_m_s2.or(model.gravity()),
+            scope: if all { Scope::All } else { Scope::Partial },
+            operation: "rescale",
+        },
+    )
+}
+
+/// How far the soles move because radii change and centres do not.
+pub(super) fn bottoms_remark(radii: &Radii) -> Option<String> {
+    let (least, most) = radii.bottoms()?;
+    let direction = if most > 0.0 { "down" } else { "up" };
+    let mm = |metres: f64| format!("{:.2}", metres.abs() * 1e3);
+    let range = if mm(least) == mm(most) { mm(most) } else { format!("{} to {}", mm(least), mm(most)) };
+    Some(format!("sphere bottoms move {range} mm {direction}, because radii change and centres stay"))
+}

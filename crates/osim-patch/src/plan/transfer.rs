@@ -1,0 +1,446 @@
+//! Contacts of a reference, given the dimensions of another body: (10), (14), (C.2), (C.5), (C.10).
+
+use contact_scaling::{
+    Contact, ContactValues, DimensionlessContact, Preset, RatioValues, Ratios, Scale, ScaleValues, SmoothingValues,
+    modulus,
+};
+
+use super::draft::{Draft, New, PropertySet};
+use super::radii::{RadiusRule, Radii};
+use super::rescale::{bottoms_remark, factor, gravity_ratio};
+use super::{DissipationBy, NoteFacts, Plan};
+use crate::error::{Fault, FaultKind};
+use crate::mass::{Mass, MassSource};
+use crate::model::{Force, ForceKind, Model};
+use crate::note::Scope;
+use crate::property::Property;
+use crate::select::Selected;
+use crate::warning::{Warning, WarningCode};
+
+/// Two dimensionless contacts this close (relative) are one.
+const SAME_CONTACT: f64 = 1e-6;
+/// Comparing contacts of one model needs some gravity, and any will do: it cancels.
+const ANY_GRAVITY: f64 = 9.80665;
+
+/// One contact of a reference.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ReferenceContact {
+    /// Names of the spheres that have it.
+    pub spheres: Vec<String>,
+    /// Their radius (the root of the mean R² where they differ), m.
+    pub radius_m: f64,
+    /// E₁* of two equal surfaces, α, and the smoothing where the class has it.
+    pub contact: Contact,
+    /// `transition_velocity` in m/s and `viscous_friction` in s/m.
+    pub friction: Option<(f64, f64)>,
+}
+
+/// Where contacts are taken from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reference {
+    /// File or preset, for the note.
+    pub name: String,
+    /// Mass its contacts stand for.
+    pub mass: Mass,
+    /// Spheres that share the body weight.
+    pub sphere_count: f64,
+    /// Gravity, m/s², where known.
+    pub gravity_m_s2: Option<f64>,
+    /// Its contacts.
+    pub contacts: Vec<ReferenceContact>,
+}
+
+impl From<&Preset> for Reference {
+    fn from(preset: &Preset) -> Self {
+        let mass =
+            Mass { kg: preset.scale.mass_kg(), source: MassSource::Preset, told_by: format!("preset {}", preset.name) };
+        Self {
+            name: preset.name.to_string(),
+            mass,
+            sphere_count: preset.scale.sphere_count(),
+            gravity_m_s2: Some(preset.scale.gravity_m_s2()),
+            contacts: vec![ReferenceContact {
+                spheres: vec![],
+                radius_m: preset.scale.radius_m(),
+                contact: preset.contact,
+                friction: None,
+            }],
+        }
+    }
+}
+
+/// Reads the contacts of the forces `selected` of a reference model.
+///
+/// # Errors
+/// A value that is outside its domain.
+pub fn reference_of_model(
+    model: &Model<'_, '_>,
+    selected: &Selected,
+    mass: Mass,
+    sphere_count: f64,
+) -> Result<Reference, Fault> {
+    let draft = Draft::new(model);
+    let mut contacts = Vec::new();
+    for &index in &selected.forces {
+        let Some(force) = model.forces.get(index) else { continue };
+        let surfaces = Surfaces::of(&draft, index, force)?;
+        for (set, spheres) in sphere_sets(model, force) {
+            let mut square = 0.0;
+            for &sphere in &spheres {
+                square += draft.current_radius(sphere)?.powi(2);
+            }
+            let first = draft.current_radius(spheres.first().copied().unwrap_or_default())?;
+            let mut same = true;
+            for &sphere in &spheres {
+                same &= draft.current_radius(sphere)? == first;
+            }
+            #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
+            let radius_m = if same { first } else { (square / spheres.len() as f64).sqrt() };
+            let (plane_strain_modulus, dissipation) = surfaces.with_plane(set)?;
+            let get = |property| draft.current(index, set, property);
+            let smoothing = match (
+                get(Property::ConstantContactForce)?,
+                get(Property::HertzSmoothing)?,
+                get(Property::HuntCrossleySmoothing)?,
+            ) {
+                (Some(constant_contact_force), Some(hertz_smoothing), Some(hunt_crossley_smoothing)) => {
+                    Some(SmoothingValues { constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })
+                }
+                _ => None,
+            };
+            let contact = Contact::new(ContactValues { plane_strain_modulus, dissipation, smoothing })
+                .map_err(|error| Fault::new(error).of(force.path.clone()))?;
+            let friction = get(Property::TransitionVelocity)?.zip(get(Property::ViscousFriction)?);
+            let names = spheres.iter().filter_map(|&s| model.spheres.get(s)).map(|s| s.name.clone()).collect();
+            contacts.push(ReferenceContact { spheres: names, radius_m, contact, friction });
+        }
+    }
+    let name = model.name.clone();
+    Ok(Reference { name, mass, sphere_count, gravity_m_s2: model.gravity().filter(|&g| g > 0.0), contacts })
+}
+
+/// Parameter sets that hold moving spheres, with those spheres.
+fn sphere_sets(model: &Model<'_, '_>, force: &Force) -> Vec<(usize, Vec<usize>)> {
+    let moving = |sphere: &usize| model.spheres.get(*sphere).is_some_and(|sphere| !sphere.fixed);
+    let sets = force.sets.iter().enumerate();
+    sets.map(|(index, set)| (index, set.spheres.iter().copied().filter(moving).collect::<Vec<_>>()))
+        .filter(|(_, spheres)| !spheres.is_empty())
+        .collect()
+}
+
+/// Modulus and dissipation of every parameter set of a force, and which of them the plane belongs to.
+struct Surfaces {
+    sets: Vec<(f64, f64)>,
+    plane: Option<usize>,
+}
+
+impl Surfaces {
+    fn of(draft: &Draft<'_, '_, '_>, index: usize, force: &Force) -> Result<Self, Fault> {
+        let mut sets = Vec::new();
+        for set in 0..force.sets.len() {
+            let modulus = draft.current(index, set, Property::Stiffness)?.unwrap_or(f64::NAN);
+            let dissipation = draft.current(index, set, Property::Dissipation)?.unwrap_or(0.0);
+            sets.push((modulus, dissipation));
+        }
+        Ok(Self { sets, plane: force.sets.iter().position(|set| set.half_spaces > 0) })
+    }
+
+    /// E₁* of two equal surfaces that would touch as set `set` and the plane do, and the mixed α; (A.3), (A.4).
+    fn with_plane(&self, set: usize) -> Result<(f64, f64), Fault> {
+        let own = self.sets.get(set).copied().unwrap_or((f64::NAN, 0.0));
+        let plane = self.plane.and_then(|plane| self.sets.get(plane)).copied().unwrap_or(own);
+        if own == plane {
+            return Ok(own);
+        }
+        let surface = |(plane_strain_modulus, dissipation)| modulus::SurfaceValues { plane_strain_modulus, dissipation };
+        let composite = modulus::composite_sherman(own.0, plane.0).map_err(Fault::new)?;
+        let equal = modulus::of_equal_surfaces(composite, modulus::MixingRule::Sherman).map_err(Fault::new)?;
+        let dissipation = modulus::mixed_dissipation(surface(own), surface(plane)).map_err(Fault::new)?;
+        Ok((equal, dissipation))
+    }
+}
+
+/// What is wanted of a transfer.
+#[derive(Debug, Clone)]
+pub struct Transfer {
+    /// Where the contacts come from.
+    pub reference: Reference,
+    /// `--reference-sphere`: take the contact of this sphere for all.
+    pub reference_sphere: Option<String>,
+    /// What this model weighs.
+    pub mass: Mass,
+    /// Spheres that share this model's weight.
+    pub sphere_count: f64,
+    /// What becomes of the radii.
+    pub radius: RadiusRule,
+    /// What may change.
+    pub properties: PropertySet,
+    /// Which size α follows.
+    pub dissipation_by: DissipationBy,
+    /// Gravity of this model, m/s², where contacts shall follow it.
+    pub target_gravity_m_s2: Option<f64>,
+}
+
+/// Plans a transfer onto the forces `selected` of `model`.
+///
+/// # Errors
+/// As [`super::rescale`]; also when it is not clear which contact of the reference is meant.
+pub fn transfer(model: &Model<'_, '_>, selected: &Selected, wanted: &Transfer) -> Result<Plan, Fault> {
+    let mut draft = Draft::new(model);
+    let chosen = Choice::make(model, selected, wanted)?;
+    let reference = &wanted.reference;
+    let mass = wanted.mass.kg / reference.mass.kg;
+    let isometric = Ratios::isometric(mass).map_err(Fault::new)?.radius();
+    let gravity = gravity_ratio(reference.gravity_m_s2, wanted.target_gravity_m_s2)?;
+    let rule_of = |sphere: usize| match wanted.radius {
+        // As large against the body as the reference's.
+        RadiusRule::Isometric => RadiusRule::Metres(chosen.of_sphere(model, sphere).radius_m * isometric),
+        other => other,
+    };
+    let radii = Radii::plan(&mut draft, &selected.forces, rule_of, isometric, &wanted.properties)?;
+    radii.warn_mixed(&mut draft, &selected.forces);
+    let mut without_smoothing = false;
+    for &index in &selected.forces {
+        let Some(force) = model.forces.get(index) else { continue };
+        let from = chosen.of_force(model, force)?;
+        let radius = radii.mean_new(force) / from.radius_m;
+        let values =
+            RatioValues { mass, sphere_count: wanted.sphere_count / reference.sphere_count, radius, gravity };
+        let target = Target {
+            index,
+            force,
+            from,
+            ratios: Ratios::new(values).map_err(Fault::new)?,
+            own: Ratios::new(RatioValues { mass: 1.0, sphere_count: 1.0, radius: radii.ratio(force), gravity: 1.0 })
+                .map_err(Fault::new)?,
+        };
+        without_smoothing |=
+            force.kind == ForceKind::SmoothSphereHalfSpace && from.contact.smoothing().is_none();
+        target.plan(&mut draft, wanted)?;
+    }
+    if without_smoothing {
+        let text = format!("{} has no smoothing parameters: the model's own stay", reference.name);
+        draft.warnings.push(Warning::new(WarningCode::ReferenceWithoutSmoothing, text));
+    }
+    Ok(finish(draft, wanted, selected, &radii))
+}
+
+struct Target<'t> {
+    index: usize,
+    force: &'t Force,
+    from: &'t ReferenceContact,
+    ratios: Ratios,
+    /// Ratios of this model's own radii, new to old, for what the reference does not give.
+    own: Ratios,
+}
+
+impl Target<'_> {
+    fn plan(&self, draft: &mut Draft<'_, '_, '_>, wanted: &Transfer) -> Result<(), Fault> {
+        for property in Property::ALL.into_iter().filter(|&property| wanted.properties.contains(property)) {
+            let Some((factor, equation)) = factor(property, &self.ratios, wanted.dissipation_by) else { continue };
+            match self.of_reference(property) {
+                Some(value) => {
+                    let to = if factor == 1.0 { value } else { value * factor };
+                    self.write(draft, property, to, equation)?;
+                }
+                None => self.carry(draft, property, wanted.dissipation_by)?,
+            }
+        }
+        Ok(())
+    }
+
+    fn of_reference(&self, property: Property) -> Option<f64> {
+        let smoothing = self.from.contact.smoothing();
+        match property {
+            Property::Stiffness => Some(self.from.contact.plane_strain_modulus()),
+            Property::Dissipation => Some(self.from.contact.dissipation()),
+            Property::ConstantContactForce => smoothing.map(|s| s.constant_contact_force),
+            Property::HertzSmoothing => smoothing.map(|s| s.hertz_smoothing),
+            Property::HuntCrossleySmoothing => smoothing.map(|s| s.hunt_crossley_smoothing),
+            Property::TransitionVelocity => self.from.friction.map(|(velocity, _)| velocity),
+            Property::ViscousFriction => self.from.friction.map(|(_, viscous)| viscous),
+            _ => None,
+        }
+    }
+
+    fn write(
+        &self,
+        draft: &mut Draft<'_, '_, '_>,
+        property: Property,
+        to: f64,
+        equation: &'static str,
+    ) -> Result<(), Fault> {
+        let sets = self.force.sets.len();
+        let mixes = matches!(property, Property::Stiffness | Property::Dissipation);
+        if sets < 2 || !mixes {
+            for set in 0..sets {
+                draft.parameter(self.index, set, property, New { to, factor: None, equation })?;
+            }
+            return Ok(());
+        }
+        // Surfaces with values of their own: all are multiplied, so that the composite becomes what is wanted.
+        let surfaces = Surfaces::of(draft, self.index, self.force)?;
+        let now = self.composite_now(draft, &surfaces, property)?;
+        for set in 0..sets {
+            let Some(from) = draft.current(self.index, set, property)? else { continue };
+            let new =
+                if now == 0.0 { New { to, factor: None, equation } } else { New::times(from, to / now, equation) };
+            draft.parameter(self.index, set, property, new)?;
+        }
+        Ok(())
+    }
+
+    fn composite_now(
+        &self,
+        draft: &Draft<'_, '_, '_>,
+        surfaces: &Surfaces,
+        property: Property,
+    ) -> Result<f64, Fault> {
+        let mut composites = Vec::new();
+        for (set, _) in sphere_sets(draft.model, self.force) {
+            let (modulus, dissipation) = surfaces.with_plane(set)?;
+            composites.push(if property == Property::Stiffness { modulus } else { dissipation });
+        }
+        let first = composites.first().copied().unwrap_or(f64::NAN);
+        if composites.iter().any(|other| (other - first).abs() > SAME_CONTACT * first.abs()) {
+            return Err(Fault::refused(format!(
+                "the spheres of {} have different {property} against the plane: one wanted value cannot serve all; \
+                 give each sphere a force of its own",
+                self.force.path
+            ))
+            .of(self.force.path.clone()));
+        }
+        Ok(first)
+    }
+
+    /// A changed radius carries along what the reference does not give.
+    fn carry(&self, draft: &mut Draft<'_, '_, '_>, property: Property, by: DissipationBy) -> Result<(), Fault> {
+        let Some((factor, equation)) = factor(property, &self.own, by) else { return Ok(()) };
+        for set in 0..self.force.sets.len() {
+            if let Some(from) = draft.current(self.index, set, property)? {
+                draft.parameter(self.index, set, property, New::times(from, factor, equation))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Which contact of the reference each sphere gets.
+enum Choice<'t> {
+    One(&'t ReferenceContact),
+    /// By sphere name; every moving sphere of the chosen forces is in it.
+    Paired { first: &'t ReferenceContact, all: &'t [ReferenceContact] },
+}
+
+impl<'t> Choice<'t> {
+    fn make(model: &Model<'_, '_>, selected: &Selected, wanted: &'t Transfer) -> Result<Self, Fault> {
+        let contacts = &wanted.reference.contacts;
+        let Some(first) = contacts.first() else {
+            return Err(Fault::refused(format!("the reference {} has no contacts to take", wanted.reference.name)));
+        };
+        if let Some(name) = &wanted.reference_sphere {
+            let named = contacts.iter().find(|contact| contact.spheres.contains(name));
+            return named.map(Self::One).ok_or_else(|| {
+                let known: Vec<_> = contacts.iter().flat_map(|contact| &contact.spheres).cloned().collect();
+                Fault::refused(format!(
+                    "--reference-sphere {name} is not in {}, which has {}",
+                    wanted.reference.name,
+                    known.join(", ")
+                ))
+            });
+        }
+        let base = dimensionless(first)?;
+        let mut same = true;
+        for contact in contacts {
+            same &= dimensionless(contact)?.agrees_with(&base, SAME_CONTACT);
+        }
+        if same {
+            return Ok(Self::One(first));
+        }
+        let unpaired: Vec<&str> = super::radii::moving_spheres(model, &selected.forces)
+            .into_iter()
+            .filter_map(|index| model.spheres.get(index))
+            .map(|sphere| sphere.name.as_str())
+            .filter(|name| find(contacts, name).is_none())
+            .collect();
+        if unpaired.is_empty() {
+            return Ok(Self::Paired { first, all: contacts });
+        }
+        Err(Fault::new(FaultKind::NeedsAnswer {
+            code: "which-reference",
+            question: format!(
+                "the contacts of {} differ from each other, and these spheres have no namesake there: {}",
+                wanted.reference.name,
+                unpaired.join(", ")
+            ),
+            way_out: "say whose contact to take with --reference-sphere NAME".to_owned(),
+        }))
+    }
+
+    fn of_sphere(&self, model: &Model<'_, '_>, sphere: usize) -> &'t ReferenceContact {
+        match self {
+            Self::One(contact) => contact,
+            Self::Paired { first, all } => {
+                let name = model.spheres.get(sphere).map_or("", |sphere| sphere.name.as_str());
+                // `make` has seen that every name is there.
+                find(all, name).unwrap_or(first)
+            }
+        }
+    }
+
+    fn of_force(&self, model: &Model<'_, '_>, force: &Force) -> Result<&'t ReferenceContact, Fault> {
+        let moving: Vec<usize> = sphere_sets(model, force).into_iter().flat_map(|(_, spheres)| spheres).collect();
+        let mut contacts = moving.iter().map(|&sphere| self.of_sphere(model, sphere));
+        let Some(first) = contacts.next() else {
+            return Err(Fault::refused(format!("{} has no moving sphere", force.path)));
+        };
+        let base = dimensionless(first)?;
+        for other in contacts {
+            if !dimensionless(other)?.agrees_with(&base, SAME_CONTACT) {
+                return Err(Fault::new(FaultKind::NeedsAnswer {
+                    code: "which-reference",
+                    question: format!("the spheres of {} have different contacts in the reference", force.path),
+                    way_out: "say whose contact to take with --reference-sphere NAME".to_owned(),
+                })
+                .of(force.path.clone()));
+            }
+        }
+        Ok(first)
+    }
+}
+
+fn find<'t>(contacts: &'t [ReferenceContact], name: &str) -> Option<&'t ReferenceContact> {
+    contacts.iter().find(|contact| contact.spheres.iter().any(|sphere| sphere == name))
+}
+
+fn dimensionless(contact: &ReferenceContact) -> Result<DimensionlessContact, Fault> {
+    let values = ScaleValues { mass_kg: 1.0, radius_m: contact.radius_m, sphere_count: 1.0, gravity_m_s2: ANY_GRAVITY };
+    Ok(DimensionlessContact::of(&contact.contact, &Scale::new(values).map_err(Fault::new)?))
+}
+
+fn finish(draft: Draft<'_, '_, '_>, wanted: &Transfer, selected: &Selected, radii: &Radii) -> Plan {
+    let Draft { model, changes, warnings } = draft;
+    let mut remarks = Vec::new();
+    if !changes.is_empty() {
+        remarks.push("body masses and sphere locations stay as they are".to_owned());
+        remarks.extend(bottoms_remark(radii));
+    }
+    let plan = Plan {
+        changes,
+        from_mass: wanted.reference.mass.clone(),
+        to_mass_kg: wanted.mass.kg,
+        warnings,
+        remarks,
+        note: None,
+    };
+    let all = selected.complete && wanted.properties.is_complete();
+    plan.with_note(
+        model,
+        &NoteFacts {
+            mass_kg: wanted.mass.kg,
+            gravity_m_s2: wanted.target_gravity_m_s2.or(model.gravity()),
+            scope: if all { Scope::All } else { Scope::Partial },
+            operation: "transfer",
+        },
+    )
+}

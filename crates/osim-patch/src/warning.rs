@@ -1,0 +1,183 @@
+//! Things a user should know about a model or a change, each with a stable code and an explanation.
+
+use std::fmt;
+
+/// One thing to know.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Warning {
+    /// Which kind.
+    pub code: WarningCode,
+    /// This case, in words.
+    pub message: String,
+    /// Line in the model, where there is one.
+    pub line: Option<usize>,
+}
+
+impl Warning {
+    /// A warning without a place.
+    pub fn new(code: WarningCode, message: impl Into<String>) -> Self {
+        Self { code, message: message.into(), line: None }
+    }
+
+    /// A warning about a line of the model.
+    pub fn at(code: WarningCode, line: usize, message: impl Into<String>) -> Self {
+        Self { code, message: message.into(), line: Some(line) }
+    }
+}
+
+macro_rules! warning_codes {
+    ($($(#[doc = $doc:literal])+ $variant:ident = $code:literal: $why:literal; $remedy:literal.)+) => {
+        /// Kinds of warning. The texts of [`WarningCode::why`] and [`WarningCode::remedy`] are the documentation.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[non_exhaustive]
+        pub enum WarningCode {
+            $($(#[doc = $doc])+ $variant,)+
+        }
+
+        impl WarningCode {
+            /// Every code.
+            pub const ALL: &'static [Self] = &[$(Self::$variant),+];
+
+            /// Stable short name, as in the JSON `code`.
+            #[must_use]
+            pub const fn as_str(self) -> &'static str {
+                match self { $(Self::$variant => $code),+ }
+            }
+
+            /// What it is, in a sentence.
+            #[must_use]
+            pub const fn what(self) -> &'static str {
+                match self { $(Self::$variant => concat!($($doc),+)),+ }
+            }
+
+            /// Why it matters.
+            #[must_use]
+            pub const fn why(self) -> &'static str {
+                match self { $(Self::$variant => $why),+ }
+            }
+
+            /// What to do about it.
+            #[must_use]
+            pub const fn remedy(self) -> &'static str {
+                match self { $(Self::$variant => $remedy),+ }
+            }
+        }
+    };
+}
+
+warning_codes! {
+    /// The contacts already stand for the target mass, so nothing was written.
+    AlreadyAtTarget = "already-at-target":
+        "The mass the contacts stand for is taken from the note in the file, else --mass, else the sum of the bodies. A model that was scaled in OpenSim weighs its new mass already while its contacts are still those of the old one; the file cannot tell.";
+        "Say what the contacts were made for with --contacts-mass KG, or take those of a known model with transfer --from MODEL".
+    /// The note, --mass and the bodies give different masses.
+    MassSourcesDisagree = "mass-sources-disagree":
+        "The factor of every change follows from the mass the contacts stand for; a wrong one scales all of them wrongly.";
+        "Check the mass that was taken (the first line of the output) and say --contacts-mass KG if it is not the right one".
+    /// A component was found by its name because the path written leads nowhere.
+    ConnecteeByName = "connectee-by-name":
+        "OpenSim may fail to load such a model, or connect it to something else.";
+        "Open the model in OpenSim, check the connection and save it".
+    /// A ContactParametersSet has a name OpenSim does not look for.
+    MisnamedParameterSet = "misnamed-parameter-set":
+        "OpenSim finds the set by its name: with another one the force has no parameters and never pushes.";
+        "Name the set contact_parameters".
+    /// A stiffness is left at its class default.
+    DefaultStiffness = "default-stiffness":
+        "OpenSim's default stiffness (1 N/m2 in SmoothSphereHalfSpaceForce) carries nothing; it is nearly always a forgotten value.";
+        "Set a stiffness, for example with transfer --from falisse2022".
+    /// The file has a derivative_smoothing element, which OpenSim ignores.
+    DeadDerivativeSmoothing = "dead-derivative-smoothing":
+        "derivative_smoothing was the name of constant_contact_force in early Moco. OpenSim ignores it and uses its default of 1e-5 m2 for constant_contact_force.";
+        "Remove the element; set constant_contact_force if another value is meant".
+    /// One HuntCrossleyForce holds several spheres.
+    SeveralSpheres = "several-spheres-one-force":
+        "In Simbody, when one sphere of a HuntCrossleyForce leaves the ground faster than 2/(3 dissipation), the spheres evaluated after it lose their force in that step.";
+        "Give each sphere a HuntCrossleyForce of its own, or use SmoothSphereHalfSpaceForce".
+    /// A compiled F_<model> file lies beside the output.
+    CompiledModelBeside = "compiled-model-beside":
+        "PredSim and OpenCap compile a model to F_<name> and reuse it without looking at the model's content: the old contacts would stay in use.";
+        "Delete the compiled file, or write the model under a new name".
+    /// One sphere is used by two contact forces.
+    SphereInTwoForces = "sphere-in-two-forces":
+        "Both forces act, so the sphere is stiffer than either stiffness says, and the sphere count by which parameters scale is not what it seems.";
+        "Leave the sphere in one force".
+    /// Left and right contacts differ.
+    LeftRightDiffer = "left-right-differ":
+        "Contacts of a symmetric model are nearly always meant to be symmetric; a difference usually is a slip of the hand.";
+        "Compare the two sides with inspect and mend the one that is wrong".
+    /// The document's <defaults> hold contact objects.
+    ContactDefaults = "contact-defaults":
+        "OpenSim keeps the defaults of one model for every model loaded later in the same session, so another model can silently take these values.";
+        "Write the values into the forces themselves, or load the model in a fresh OpenSim".
+    /// Contacts of a class that is not Hertz's.
+    NotHertz = "not-hertz":
+        "ElasticFoundationForce, ExponentialContactForce and MeyerFregly2016Force do not follow the equations used here; they are left as they are.";
+        "Scale them by their own theory, or replace them".
+    /// Radii differ within one ContactParameters.
+    MixedRadii = "mixed-radii":
+        "One ContactParameters has one modulus for all its spheres. The mean of R squared is used before and after: equal relative indentation, load in proportion to R squared.";
+        "Nothing, if that is meant; else give each sphere its own force".
+    /// A force has several ContactParameters.
+    SeveralParameterSets = "several-parameter-sets":
+        "The surfaces have moduli of their own and the contact uses their composite (A.3); all are multiplied by the same factor.";
+        "Nothing, if that is meant".
+    /// A sphere stands on ground or on a body welded to it.
+    Terrain = "terrain":
+        "Terrain does not grow with the animal: its radius stays.";
+        "Nothing, if that is meant".
+    /// Something that was asked for changes nothing.
+    NothingToChange = "nothing-to-change":
+        "A factor of exactly 1 leaves every byte as it is. With a radius that stays, dissipation and smoothing stay too (14, C.2, C.5, C.10).";
+        "Nothing, if that is meant; else say what should change".
+    /// A number in the file is not finite.
+    NotFinite = "not-finite":
+        "JSON has no NaN and no infinity: such a number is null there. OpenSim computes nonsense from it.";
+        "Mend the number in the model".
+    /// A number is written in a way that OpenSim reads differently from what it looks like.
+    OddNumber = "odd-number":
+        "OpenSim reads the start of a text as far as it looks like a number and ignores the rest, or silently takes its default.";
+        "Write the number plainly, like 1.5e6".
+    /// The note in the file cannot be relied on.
+    StaleNote = "stale-note":
+        "The values in the file are no longer those the note was written for, or only some of them were scaled.";
+        "Say what the contacts stand for with --contacts-mass KG".
+    /// The sphere's radius stands inside the force, as in Moco 0.1 to 0.3.
+    MocoDialect = "moco-dialect":
+        "OpenSim 4.2 and later cannot read such forces; the model works in OpenSim Moco 0.1 to 0.3 only.";
+        "Rebuild the contacts with ContactSphere and ContactHalfSpace for a newer OpenSim".
+    /// A contact force that is switched off is changed with the others.
+    DisabledForce = "disabled-force":
+        "A force that does not apply carries no load, so its spheres are not counted; it is still scaled, so that it is right once it is switched on.";
+        "Nothing, if that is meant; else --skip-disabled".
+    /// Two components have the same name.
+    DuplicateNames = "duplicate-names":
+        "OpenSim renames the second one when it loads the model, so a path or a name means the first one only.";
+        "Give each a name of its own".
+    /// Contacts stand in a file that the model includes.
+    IncludedFile = "included-file":
+        "The contacts were read from the file that the model names; a change would have to go into that file too.";
+        "Save the model in OpenSim as one file before rescaling it".
+    /// The friction of SmoothSphereHalfSpaceForce is not exactly similar.
+    FrictionNotSimilar = "friction-not-similar":
+        "Simbody adds constant_contact_force to the squared slip speed, where similarity wants a term in proportion to g R: friction of the smooth force is similar only as far as that term is small.";
+        "Compare slip speeds with the root of constant_contact_force before relying on it".
+    /// The reference has no smoothing parameters to give.
+    ReferenceWithoutSmoothing = "reference-without-smoothing":
+        "A HuntCrossleyForce has no constant_contact_force, hertz_smoothing or hunt_crossley_smoothing, so those of the model stay (or follow its own radii where these change).";
+        "Take the contacts from a model with SmoothSphereHalfSpaceForce, or check the smoothing with inspect".
+    /// A note of another output file was found that does not belong to this one.
+    MixedPair = "mixed-pair":
+        "The force set and the geometry set carry notes of different runs: their stiffnesses and radii do not belong together.";
+        "Write both again in one run".
+    /// A folder holds outputs of this tool that were passed over.
+    OwnOutputs = "own-outputs-skipped":
+        "Scaling a scaled copy again is rarely meant.";
+        "Name the file itself to change it".
+}
+
+impl fmt::Display for WarningCode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.as_str())
+    }
+}
