@@ -3,8 +3,8 @@
 //! Spheres stand on one plane with their bottoms level, so that all have the same indentation x, whatever
 //! their radii.
 
-use crate::Law;
 use crate::error::{DomainError, positive, within};
+use crate::{Law, Spheres};
 
 /// Indentation at rest by the Hertz law, x = (F / Σ 4/3 E*_i √R_i)^(2/3), in m.
 ///
@@ -17,14 +17,14 @@ use crate::error::{DomainError, positive, within};
 /// [`DomainError`] unless F is finite and above 0 and there is a sphere.
 ///
 /// ```
-/// # use contact_scaling::{equilibrium, falisse2022, Law};
-/// let human = [Law::of(&falisse2022().contact, 0.032)?; 6];
+/// # use contact_scaling::{equilibrium, falisse2022, Law, Spheres};
+/// let human = [Spheres::new(Law::of(&falisse2022().contact, 0.032)?, 6.0)?];
 /// assert!((equilibrium::hertz_indentation(&human, 62.0 * 9.81)? / 0.032 - 0.3533).abs() < 5e-5);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn hertz_indentation(spheres: &[Law], load_n: f64) -> Result<f64, DomainError> {
+pub fn hertz_indentation(spheres: &[Spheres], load_n: f64) -> Result<f64, DomainError> {
     let load = positive("load", load_n)?;
-    let sum: f64 = spheres.iter().map(|law| law.hertz().coefficient()).sum();
+    let sum: f64 = spheres.iter().map(|s| s.count() * s.law().hertz().coefficient()).sum();
     let root = libm::cbrt(load / positive("sum of force coefficients", sum)?);
     Ok(root * root)
 }
@@ -40,15 +40,15 @@ pub fn hertz_indentation(spheres: &[Law], load_n: f64) -> Result<f64, DomainErro
 /// [`DomainError`] unless F is finite and above 0, there is a sphere, and an indentation carries F.
 ///
 /// ```
-/// # use contact_scaling::{equilibrium, falisse2022, Law};
-/// let human = [Law::of(&falisse2022().contact, 0.032)?; 6];
+/// # use contact_scaling::{equilibrium, falisse2022, Law, Spheres};
+/// let human = [Spheres::new(Law::of(&falisse2022().contact, 0.032)?, 6.0)?];
 /// assert!((equilibrium::indentation(&human, 62.0 * 9.81)? / 0.032 - 0.3396).abs() < 5e-5);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn indentation(spheres: &[Law], load_n: f64) -> Result<f64, DomainError> {
+pub fn indentation(spheres: &[Spheres], load_n: f64) -> Result<f64, DomainError> {
     let hertz = hertz_indentation(spheres, load_n)?;
     let Some(step) = smallest_transition(spheres) else { return Ok(hertz) };
-    let force = |x: f64| spheres.iter().map(|law| law.elastic_force(x)).sum::<f64>();
+    let force = |x: f64| spheres.iter().map(|s| s.count() * s.law().elastic_force(x)).sum::<f64>();
     let carried = |x: f64| force(x) >= load_n;
     let (mut above, mut below) = (-20.0 * step, -20.0 * step);
     for _ in 0..60 {
@@ -73,8 +73,8 @@ pub fn indentation(spheres: &[Law], load_n: f64) -> Result<f64, DomainError> {
 }
 
 /// The shortest 1/bd of the smoothed laws: the length over which the force can change.
-fn smallest_transition(spheres: &[Law]) -> Option<f64> {
-    spheres.iter().fold(None, |shortest: Option<f64>, law| match law {
+fn smallest_transition(spheres: &[Spheres]) -> Option<f64> {
+    spheres.iter().fold(None, |shortest: Option<f64>, spheres| match spheres.law() {
         Law::HuntCrossley(_) => shortest,
         Law::Smooth(law) => {
             let length = 1.0 / law.smoothing().hertz_smoothing;
@@ -101,22 +101,23 @@ mod tests {
     use crate::{Contact, ContactValues, SmoothingValues, falisse2022};
     use proptest::prelude::*;
 
-    fn smooth(cf: f64, bd: f64, radius: f64) -> Law {
+    fn smooth(cf: f64, bd: f64, radius: f64, count: f64) -> Spheres {
         let smoothing = SmoothingValues {
             constant_contact_force: cf,
             hertz_smoothing: bd,
             ..SmoothingValues::OPENSIM_DEFAULT
         };
         let values = ContactValues { smoothing: Some(smoothing), ..falisse2022().contact.values() };
-        Law::of(&Contact::new(values).unwrap(), radius).unwrap()
+        Spheres::new(Law::of(&Contact::new(values).unwrap(), radius).unwrap(), count).unwrap()
     }
 
     #[test]
     fn without_smoothing_both_are_the_same() {
         let values = ContactValues { smoothing: None, ..falisse2022().contact.values() };
-        let law = [Law::of(&Contact::new(values).unwrap(), 0.032).unwrap(); 3];
+        let law = Law::of(&Contact::new(values).unwrap(), 0.032).unwrap();
+        let law = [Spheres::new(law, 3.0).unwrap()];
         assert_eq!(indentation(&law, 300.0), hertz_indentation(&law, 300.0));
-        let sharp = [smooth(0.0, 1e9, 0.032); 3];
+        let sharp = [smooth(0.0, 1e9, 0.032, 3.0)];
         let ratio = indentation(&sharp, 300.0).unwrap() / hertz_indentation(&sharp, 300.0).unwrap();
         assert!((ratio - 1.0).abs() < 1e-14);
     }
@@ -124,7 +125,7 @@ mod tests {
     #[test]
     fn an_unscaled_mouse_floats() {
         // Section C.1: with the default cf the mouse rests above the ground.
-        let mouse = [smooth(1e-5, 300.0, 0.002); 2];
+        let mouse = [smooth(1e-5, 300.0, 0.002, 2.0)];
         let x = indentation(&mouse, 0.0209 * 9.81).unwrap();
         assert!(x < 0.0, "{x}");
     }
@@ -132,7 +133,7 @@ mod tests {
     #[test]
     fn no_sphere_and_no_load_are_errors() {
         assert_eq!(hertz_indentation(&[], 1.0).unwrap_err().quantity(), "sum of force coefficients");
-        assert_eq!(indentation(&[smooth(1e-5, 300.0, 0.03)], 0.0).unwrap_err().quantity(), "load");
+        assert_eq!(indentation(&[smooth(1e-5, 300.0, 0.03, 1.0)], 0.0).unwrap_err().quantity(), "load");
     }
 
     proptest! {
@@ -140,11 +141,11 @@ mod tests {
         fn the_load_is_carried_there(
             load in 1e-3..1e5, cf in 1e-9..1e-3, bd in 1.0..5e3, r1 in 1e-3..0.3, r2 in 1e-3..0.3,
         ) {
-            let spheres = [smooth(cf, bd, r1), smooth(cf * 2.0, bd / 3.0, r2)];
+            let spheres = [smooth(cf, bd, r1, 1.0), smooth(cf * 2.0, bd / 3.0, r2, 2.5)];
             let x = indentation(&spheres, load).unwrap();
-            let force: f64 = spheres.iter().map(|law| law.elastic_force(x)).sum();
+            let force: f64 = spheres.iter().map(|s| s.count() * s.law().elastic_force(x)).sum();
             prop_assert!((force / load - 1.0).abs() < 1e-10, "{x} {force} {load}");
-            let slope: f64 = spheres.iter().map(|law| law.stiffness(x)).sum();
+            let slope: f64 = spheres.iter().map(|s| s.count() * s.law().stiffness(x)).sum();
             prop_assert!(slope > 0.0);
         }
     }

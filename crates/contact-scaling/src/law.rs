@@ -1,5 +1,6 @@
-//! The two contact laws under one name.
+//! The two contact laws under one name, and the spheres a body stands on.
 
+use crate::error::positive;
 use crate::{Contact, DomainError, Hertz, HuntCrossley, SmoothSphere};
 
 /// The normal force of one sphere, by whichever class the model uses.
@@ -72,5 +73,43 @@ impl Law {
             Self::HuntCrossley(law) => law.dissipation(),
             Self::Smooth(law) => law.dissipation(),
         }
+    }
+}
+
+/// Equal spheres of a body: their law and how many there are.
+///
+/// The count may be any number above 0, so that a load shared by part of the spheres (one stance limb of two)
+/// can be told.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spheres {
+    law: Law,
+    count: f64,
+}
+
+impl Spheres {
+    /// `count` spheres of this law.
+    ///
+    /// # Errors
+    /// [`DomainError`] unless the count is finite and above 0.
+    pub fn new(law: Law, count: f64) -> Result<Self, DomainError> {
+        Ok(Self { law, count: positive("number of spheres", count)? })
+    }
+
+    /// The law of each sphere.
+    #[must_use]
+    pub fn law(&self) -> &Law {
+        &self.law
+    }
+
+    /// How many spheres there are.
+    #[must_use]
+    pub fn count(&self) -> f64 {
+        self.count
+    }
+
+    /// Normal force of all of them, in N, at the indentation x (m) and its rate ẋ (m/s).
+    #[must_use]
+    pub fn force(&self, indentation_m: f64, speed_m_s: f64) -> f64 {
+        self.count * self.law.force(indentation_m, speed_m_s)
     }
 }

@@ -32,6 +32,7 @@
 mod contact;
 pub mod design;
 mod dimensionless;
+pub mod drop_test;
 pub mod equilibrium;
 mod error;
 mod hertz;
@@ -55,7 +56,7 @@ pub use dimensionless::DimensionlessContact;
 pub use error::DomainError;
 pub use hertz::{Hertz, HertzValues};
 pub use hunt_crossley::HuntCrossley;
-pub use law::Law;
+pub use law::{Law, Spheres};
 pub use load::SharedLoad;
 pub use preset::{Preset, falisse2022, preset, preset_names};
 pub use ratios::{RatioValues, Ratios};

@@ -11,8 +11,8 @@ use std::path::{Path, PathBuf};
 use contact_scaling::modulus::{MixingRule, SurfaceValues};
 use contact_scaling::{
     Contact, ContactValues, EQUAL_SURFACES, Hertz, HertzValues, HuntCrossley, Law, RatioValues, Ratios,
-    SharedLoad, SmoothSphere, SmoothingValues, design, equilibrium, mixed_radii, modulus, patch, restitution,
-    smoothing, stiffness,
+    SharedLoad, SmoothSphere, SmoothingValues, Spheres, design, equilibrium, mixed_radii, modulus, patch,
+    restitution, smoothing, stiffness,
 };
 
 /// Powers of length, mass and time.
@@ -80,7 +80,7 @@ fn smooth(i: &[f64]) -> SmoothSphere {
     SmoothSphere::new(Hertz::sphere(i[0], i[1]).unwrap(), i[2], smoothing).unwrap()
 }
 
-fn standing(i: &[f64]) -> Vec<Law> {
+fn standing(i: &[f64]) -> [Spheres; 1] {
     let values = ContactValues {
         plane_strain_modulus: i[0] * EQUAL_SURFACES,
         dissipation: 0.0,
@@ -90,7 +90,7 @@ fn standing(i: &[f64]) -> Vec<Law> {
             hunt_crossley_smoothing: 1.0,
         }),
     };
-    vec![Law::of(&Contact::new(values).unwrap(), i[1]).unwrap(); i[4] as usize]
+    [Spheres::new(Law::of(&Contact::new(values).unwrap(), i[1]).unwrap(), i[4]).unwrap()]
 }
 
 fn load(i: &[f64]) -> SharedLoad {
