@@ -209,6 +209,24 @@ impl<'a> Document<'a> {
         }
     }
 
+    /// Elements whose contents stand in another file, and that file as written: `<ForceSet file="x.xml"/>`.
+    #[must_use]
+    pub fn included_files(&self) -> Vec<(ElementId, String)> {
+        // Most models include nothing; finding that out must not cost a look at every start tag.
+        let mut words = memchr::memmem::find_iter(self.bytes, b"file").filter_map(|at| at.checked_sub(1));
+        if !words.any(|before| self.bytes.get(before).is_some_and(u8::is_ascii_whitespace)) {
+            return Vec::new();
+        }
+        let elements =
+            (0..self.tree.element_count()).filter_map(|index| u32::try_from(index).ok()).map(ElementId);
+        elements
+            .filter_map(|id| {
+                let file = self.tree.attribute(id, "file")?.trim().to_owned();
+                (!file.is_empty()).then_some((id, file))
+            })
+            .collect()
+    }
+
     /// Three numbers such as a location; `None` where the text is not three finite numbers.
     pub(crate) fn triple(&self, object: ElementId, tag: &str) -> Option<[f64; 3]> {
         let raw = self.tree.raw_text(self.tree.child(object, tag)?);

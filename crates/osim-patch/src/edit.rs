@@ -25,7 +25,8 @@ pub fn splice(bytes: &[u8], edits: &[Edit]) -> Result<Vec<u8>, Fault> {
     let mut at = 0;
     for edit in sorted {
         let kept = bytes.get(at..edit.span.start);
-        let (Some(kept), true) = (kept, edit.span.start <= edit.span.end && edit.span.end <= bytes.len()) else {
+        let (Some(kept), true) = (kept, edit.span.start <= edit.span.end && edit.span.end <= bytes.len())
+        else {
             return Err(Fault::new(FaultKind::OverlappingEdits { at: edit.span.start }));
         };
         output.extend_from_slice(kept);

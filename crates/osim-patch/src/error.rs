@@ -36,7 +36,9 @@ pub enum FaultKind {
     #[error(transparent)]
     Syntax(#[from] SyntaxFault),
     /// XML, but not an OpenSim document.
-    #[error("this is XML but not an OpenSim document: the outermost element is <{root}>, expected <OpenSimDocument>")]
+    #[error(
+        "this is XML but not an OpenSim document: the outermost element is <{root}>, expected <OpenSimDocument>"
+    )]
     NotOpenSim {
         /// Tag of the root element.
         root: String,
@@ -129,7 +131,9 @@ pub enum FaultKind {
 #[non_exhaustive]
 pub enum SyntaxFault {
     /// No element at all, or text before the first one.
-    #[error("this is not XML, expected an OpenSim model that starts with <?xml …> or <OpenSimDocument …>")]
+    #[error(
+        "this is not XML, expected an OpenSim model that starts with <?xml ...> or <OpenSimDocument ...>"
+    )]
     NotXml,
     /// UTF-16 (or something else with two bytes a character).
     #[error("the file is UTF-16, which OpenSim cannot read: save it as UTF-8")]
@@ -138,7 +142,7 @@ pub enum SyntaxFault {
     #[error("the file starts with two byte order marks, expected one at most: remove the second")]
     SecondByteOrderMark,
     /// `<!DOCTYPE x […]>`
-    #[error("the DOCTYPE has an internal subset […], which OpenSim cannot read: remove it")]
+    #[error("the DOCTYPE has an internal subset [...], which OpenSim cannot read: remove it")]
     DoctypeSubset,
     /// A second element beside the root.
     #[error("a second outermost element starts here, expected the end of the file")]
@@ -189,7 +193,9 @@ fn number_hint(fault: &NumberFault) -> String {
     match fault {
         NumberFault::Empty => "expected a number: OpenSim silently takes its default here".to_owned(),
         NumberFault::Prefix { opensim_reads } => {
-            format!("expected one plain number like 1.5e6: OpenSim reads {opensim_reads} and ignores the rest")
+            format!(
+                "expected one plain number like 1.5e6: OpenSim reads {opensim_reads} and ignores the rest"
+            )
         }
         NumberFault::Unreadable => "expected a number: OpenSim silently takes its default instead".to_owned(),
         NumberFault::Interrupted => {

@@ -6,7 +6,12 @@ use crate::edit::Edit;
 use crate::xml::{ElementId, PieceKind, Tree};
 
 /// Inserts `<tag>text</tag>` for each of `elements` into `parent`, whose children OpenSim writes in `order`.
-pub(crate) fn insert(tree: &Tree<'_>, parent: ElementId, order: &[&str], elements: &[(&str, String)]) -> Vec<Edit> {
+pub(crate) fn insert(
+    tree: &Tree<'_>,
+    parent: ElementId,
+    order: &[&str],
+    elements: &[(&str, String)],
+) -> Vec<Edit> {
     let rank = |tag: &str| order.iter().position(|known| *known == tag);
     let mut elements: Vec<_> = elements.iter().collect();
     elements.sort_by_key(|(tag, _)| rank(tag));
@@ -16,7 +21,8 @@ pub(crate) fn insert(tree: &Tree<'_>, parent: ElementId, order: &[&str], element
     let children: Vec<ElementId> = tree.children(parent).collect();
     let place = |tag: &str| -> (usize, String) {
         let wanted = rank(tag);
-        let before = children.iter().filter(|&&child| rank(tree.name(child)).is_some_and(|r| Some(r) < wanted)).last();
+        let before =
+            children.iter().filter(|&&child| rank(tree.name(child)).is_some_and(|r| Some(r) < wanted)).last();
         if let Some(&before) = before {
             return (tree.span(before).end, white_space_before(tree, tree.span(before).start));
         }
@@ -119,7 +125,10 @@ impl<'t> Layout<'t> {
         for (tag, value) in elements {
             text.push_str(&format!("{}<{tag}>{value}</{tag}>", self.inner));
         }
-        Edit { span: self.span.clone(), text: format!("{}{text}{}</{}>", self.closes_tag, self.outer, self.name) }
+        Edit {
+            span: self.span.clone(),
+            text: format!("{}{text}{}</{}>", self.closes_tag, self.outer, self.name),
+        }
     }
 }
 
@@ -151,24 +160,40 @@ mod tests {
 
     #[test]
     fn with_the_line_ends_of_the_file() {
-        inserting(&["b"], "<r>\r\n <x>\r\n  <a>0</a>\r\n </x>\r\n</r>", "<r>\r\n <x>\r\n  <a>0</a>\r\n  <b>1</b>\r\n </x>\r\n</r>");
+        inserting(
+            &["b"],
+            "<r>\r\n <x>\r\n  <a>0</a>\r\n </x>\r\n</r>",
+            "<r>\r\n <x>\r\n  <a>0</a>\r\n  <b>1</b>\r\n </x>\r\n</r>",
+        );
     }
 
     #[test]
     fn first_where_nothing_comes_before() {
-        inserting(&["a"], "<r>\n <x>\n  <d>0</d>\n </x>\n</r>", "<r>\n <x>\n  <a>1</a>\n  <d>0</d>\n </x>\n</r>");
+        inserting(
+            &["a"],
+            "<r>\n <x>\n  <d>0</d>\n </x>\n</r>",
+            "<r>\n <x>\n  <a>1</a>\n  <d>0</d>\n </x>\n</r>",
+        );
         inserting(&["a"], "<r><x><d>0</d></x></r>", "<r><x><a>1</a><d>0</d></x></r>");
     }
 
     #[test]
     fn into_elements_without_content() {
-        inserting(&["b", "a"], "<r>\n  <x n='1' />\n</r>", "<r>\n  <x n='1'>\n    <a>1</a>\n    <b>1</b>\n  </x>\n</r>");
+        inserting(
+            &["b", "a"],
+            "<r>\n  <x n='1' />\n</r>",
+            "<r>\n  <x n='1'>\n    <a>1</a>\n    <b>1</b>\n  </x>\n</r>",
+        );
         inserting(&["a"], "<r>\n  <x>\n  </x>\n</r>", "<r>\n  <x>\n    <a>1</a>\n  </x>\n</r>");
         inserting(&["a"], "<r><x/></r>", "<r><x><a>1</a></x></r>");
     }
 
     #[test]
     fn after_a_lonely_comment() {
-        inserting(&["a"], "<r>\n <x>\n  <!--all default-->\n </x>\n</r>", "<r>\n <x>\n  <!--all default-->\n  <a>1</a>\n </x>\n</r>");
+        inserting(
+            &["a"],
+            "<r>\n <x>\n  <!--all default-->\n </x>\n</r>",
+            "<r>\n <x>\n  <!--all default-->\n  <a>1</a>\n </x>\n</r>",
+        );
     }
 }

@@ -80,7 +80,8 @@ impl MassRequest {
             count += 1;
         }
         if kg > 0.0 && kg.is_finite() {
-            let bodies = if count == 1 { "mass of 1 body".to_owned() } else { format!("sum of {count} bodies") };
+            let bodies =
+                if count == 1 { "mass of 1 body".to_owned() } else { format!("sum of {count} bodies") };
             return Ok(Mass { kg, source: MassSource::Bodies, told_by: bodies });
         }
         Err(Fault::new(FaultKind::NeedsAnswer {

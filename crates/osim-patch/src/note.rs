@@ -53,7 +53,8 @@ impl Note {
         let tree = document.tree();
         let root = document.data_root();
         // The note is the first child; other comments may stand around it, elements may not stand before it.
-        let end = tree.children(root).next().map_or(tree.close_span(root).start, |child| tree.span(child).start);
+        let end =
+            tree.children(root).next().map_or(tree.close_span(root).start, |child| tree.span(child).start);
         tree.content_pieces(root)
             .take_while(|&index| tree.piece_span(index).start < end)
             .filter(|&index| tree.pieces().get(index).is_some_and(|piece| piece.kind == PieceKind::Comment))
@@ -68,7 +69,8 @@ impl Note {
         let text = comment.strip_prefix("<!--")?.strip_suffix("-->")?.trim();
         let (version, rest) = text.strip_prefix(NAME)?.trim_start().split_once(": ")?;
         let mut fields = rest.split("; ");
-        let mass_kg = fields.next()?.strip_prefix("contacts stand for ")?.strip_suffix(" kg")?.parse().ok()?;
+        let mass_kg =
+            fields.next()?.strip_prefix("contacts stand for ")?.strip_suffix(" kg")?.parse().ok()?;
         let gravity = fields.next()?.strip_prefix("gravity ")?;
         let gravity_m_s2 = match gravity {
             "unknown" => None,
@@ -160,7 +162,11 @@ mod tests {
 
     #[test]
     fn other_comments_are_not_notes() {
-        for text in ["<!-- a -->", "<!-- osim-contact-scale -->", "<!-- osim-contact-scale 1: contacts stand for x kg -->"] {
+        for text in [
+            "<!-- a -->",
+            "<!-- osim-contact-scale -->",
+            "<!-- osim-contact-scale 1: contacts stand for x kg -->",
+        ] {
             assert_eq!(Note::parse(text), None);
         }
     }

@@ -8,7 +8,13 @@
 #[must_use]
 pub fn shortest(value: f64) -> String {
     if !value.is_finite() {
-        return if value.is_nan() { "NaN".to_owned() } else if value > 0.0 { "inf".to_owned() } else { "-inf".to_owned() };
+        return if value.is_nan() {
+            "NaN".to_owned()
+        } else if value > 0.0 {
+            "inf".to_owned()
+        } else {
+            "-inf".to_owned()
+        };
     }
     let magnitude = value.abs();
     if magnitude == 0.0 || (1e-5..1e15).contains(&magnitude) {

@@ -158,9 +158,12 @@ impl Class {
     /// All child elements in the order in which OpenSim writes them; an absent one is inserted at its place.
     pub(crate) const fn order(self) -> &'static [&'static str] {
         match self {
-            Self::HuntCrossleyForce => {
-                &["isDisabled", "appliesForce", "HuntCrossleyForce::ContactParametersSet", "transition_velocity"]
-            }
+            Self::HuntCrossleyForce => &[
+                "isDisabled",
+                "appliesForce",
+                "HuntCrossleyForce::ContactParametersSet",
+                "transition_velocity",
+            ],
             Self::ContactParameters => &[
                 "geometry",
                 "stiffness",

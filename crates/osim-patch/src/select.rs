@@ -31,8 +31,9 @@ impl Selection {
     /// # Errors
     /// No force at all, no force that matches, or forces of several animals and no choice among them.
     pub fn apply(&self, model: &Model<'_, '_>) -> Result<Selected, Fault> {
-        let default: Vec<usize> =
-            (0..model.forces.len()).filter(|&i| model.forces.get(i).is_some_and(|f| model.meets_half_space(f))).collect();
+        let default: Vec<usize> = (0..model.forces.len())
+            .filter(|&i| model.forces.get(i).is_some_and(|f| model.meets_half_space(f)))
+            .collect();
         let explicit = !self.select.is_empty();
         let candidates: Vec<usize> = if explicit {
             (0..model.forces.len()).filter(|&i| has_moving_sphere(model, i)).collect()
@@ -81,7 +82,8 @@ fn no_contacts(model: &Model<'_, '_>) -> Fault {
 /// Up to six names, so that a message stays readable.
 pub(crate) fn names(model: &Model<'_, '_>, forces: &[usize]) -> String {
     const SHOWN: usize = 6;
-    let named: Vec<&str> = forces.iter().filter_map(|&i| model.forces.get(i)).map(|force| force.name.as_str()).collect();
+    let named: Vec<&str> =
+        forces.iter().filter_map(|&i| model.forces.get(i)).map(|force| force.name.as_str()).collect();
     let shown = named.iter().take(SHOWN).copied().collect::<Vec<_>>().join(", ");
     if named.len() > SHOWN { format!("{shown} and {} more", named.len() - SHOWN) } else { shown }
 }
@@ -96,7 +98,8 @@ fn refuse_several_trees(model: &Model<'_, '_>, forces: &[usize]) -> Result<(), F
             if sphere.fixed {
                 continue;
             }
-            let top = model.skeleton().chain(body).last().map(|&id| model.files().name(id)).unwrap_or_default();
+            let top =
+                model.skeleton().chain(body).last().map(|&id| model.files().name(id)).unwrap_or_default();
             match trees.iter_mut().find(|(name, _)| *name == top) {
                 Some((_, forces)) if forces.contains(&index) => {}
                 Some((_, forces)) => forces.push(index),
@@ -111,7 +114,10 @@ fn refuse_several_trees(model: &Model<'_, '_>, forces: &[usize]) -> Result<(), F
         trees.iter().map(|(top, forces)| format!("{top} (forces {})", names(model, forces))).collect();
     Err(Fault::new(FaultKind::NeedsAnswer {
         code: "several-trees",
-        question: format!("contact spheres stand on bodies that are joined only through ground: {}", described.join("; ")),
+        question: format!(
+            "contact spheres stand on bodies that are joined only through ground: {}",
+            described.join("; ")
+        ),
         way_out: "say which forces are meant with --select GLOB".to_owned(),
     }))
 }

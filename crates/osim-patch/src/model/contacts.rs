@@ -144,9 +144,10 @@ impl Force {
     /// The value of `property` in parameter set `set`, or of the force itself.
     #[must_use]
     pub fn value(&self, set: usize, property: Property) -> Option<&Value> {
-        self.sets.get(set).and_then(|set| set.value(property)).or_else(|| {
-            (self.transition_velocity.property == property).then_some(&self.transition_velocity)
-        })
+        self.sets
+            .get(set)
+            .and_then(|set| set.value(property))
+            .or_else(|| (self.transition_velocity.property == property).then_some(&self.transition_velocity))
     }
 
     pub(crate) fn half_space_bases(&self) -> impl Iterator<Item = Base> + '_ {
@@ -253,7 +254,8 @@ impl<'r, 'd, 'a> ContactReader<'r, 'd, 'a> {
         if found.by_name {
             self.say_by_name(id, &connectee.text, connectee.element, found.object);
         }
-        let path = found.object.map_or_else(|| "/ground".to_owned(), |object| self.files.objects.path(object));
+        let path =
+            found.object.map_or_else(|| "/ground".to_owned(), |object| self.files.objects.path(object));
         Ok((path, self.files.base(found.object)?))
     }
 
@@ -263,7 +265,10 @@ impl<'r, 'd, 'a> ContactReader<'r, 'd, 'a> {
         self.warnings.push(Warning::at(
             WarningCode::ConnecteeByName,
             line,
-            format!("'{text}' of {} leads nowhere; took {path}, the only one of that name", self.files.objects.path(owner)),
+            format!(
+                "'{text}' of {} leads nowhere; took {path}, the only one of that name",
+                self.files.objects.path(owner)
+            ),
         ));
     }
 
@@ -355,9 +360,11 @@ impl<'r, 'd, 'a> ContactReader<'r, 'd, 'a> {
         match parameter_sets_of(document, element) {
             Some(container) => {
                 let tree = document.tree();
-                let items = tree.child(container, "objects").into_iter().flat_map(|objects| tree.children(objects));
+                let items =
+                    tree.child(container, "objects").into_iter().flat_map(|objects| tree.children(objects));
                 for item in items.filter(|&item| tree.name(item) == Class::ContactParameters.tag()) {
-                    let mut set = self.parameter_set(document, item, Class::ContactParameters, Some(sets.len()));
+                    let mut set =
+                        self.parameter_set(document, item, Class::ContactParameters, Some(sets.len()));
                     if let Some(geometry) = tree.child(item, "geometry") {
                         for name in tree.text_of(geometry).split_ascii_whitespace() {
                             let surface = self.surface(id, name, geometry)?;

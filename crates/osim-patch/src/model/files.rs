@@ -109,8 +109,9 @@ impl<'d, 'a> Files<'d, 'a> {
         let spelled = direct.iter().map(String::as_str).chain(legacy.iter().copied());
         let found = spelled.filter_map(|tag| tree.child(element, tag)).next().or_else(|| {
             let connectors = tree.child(element, "connectors")?;
-            let connector =
-                tree.children(connectors).find(|&id| tree.attribute(id, "name").as_deref() == Some(socket))?;
+            let connector = tree
+                .children(connectors)
+                .find(|&id| tree.attribute(id, "name").as_deref() == Some(socket))?;
             tree.child(connector, "connectee_name")
         })?;
         let text = tree.text_of(found);
@@ -169,7 +170,9 @@ impl<'d, 'a> Files<'d, 'a> {
             };
         }
         let path = frame.map(|id| self.objects.path(id)).unwrap_or_default();
-        Err(Fault::refused(format!("frame {path} is attached to itself, expected a chain of frames to a body")))
+        Err(Fault::refused(format!(
+            "frame {path} is attached to itself, expected a chain of frames to a body"
+        )))
     }
 
     pub(crate) fn unresolved(&self, owner: ObjectId, connectee: &str, wanted: &'static str) -> Fault {

@@ -89,7 +89,8 @@ impl Limbs {
         if limbs.iter().all(|limb| limb.spheres.len() == first) && first > 0 {
             return Ok(first);
         }
-        let counts: Vec<_> = limbs.iter().map(|limb| format!("{} has {}", limb.name, limb.spheres.len())).collect();
+        let counts: Vec<_> =
+            limbs.iter().map(|limb| format!("{} has {}", limb.name, limb.spheres.len())).collect();
         Err(format!("the limbs have different numbers of spheres ({})", counts.join(", ")))
     }
 }
@@ -123,7 +124,8 @@ impl Model<'_, '_> {
         let applied = forces.iter().filter_map(|&index| self.forces.get(index)).filter(|force| force.applies);
         for force in applied.filter(|force| self.meets_half_space(force)) {
             for sphere in force.spheres() {
-                if self.spheres.get(sphere).is_some_and(|sphere| !sphere.fixed) && !spheres.contains(&sphere) {
+                if self.spheres.get(sphere).is_some_and(|sphere| !sphere.fixed) && !spheres.contains(&sphere)
+                {
                     spheres.push(sphere);
                 }
             }
@@ -164,7 +166,8 @@ impl Model<'_, '_> {
     /// The side of a body from its own name, else from the names of its spheres if they agree.
     fn side_of(&self, body: ObjectId, spheres: &[usize]) -> Option<Side> {
         Side::of_name(&self.files().name(body)).or_else(|| {
-            let mut sides = spheres.iter().filter_map(|&s| self.spheres.get(s)).map(|s| Side::of_name(&s.name));
+            let mut sides =
+                spheres.iter().filter_map(|&s| self.spheres.get(s)).map(|s| Side::of_name(&s.name));
             let first = sides.next()??;
             sides.all(|side| side == Some(first)).then_some(first)
         })
@@ -209,16 +212,21 @@ impl Model<'_, '_> {
     }
 
     fn limb(&self, group: &[&Footing], depth: usize) -> Result<Limb, String> {
-        let mut spheres: Vec<usize> = group.iter().flat_map(|footing| footing.spheres.iter().copied()).collect();
+        let mut spheres: Vec<usize> =
+            group.iter().flat_map(|footing| footing.spheres.iter().copied()).collect();
         spheres.sort_unstable();
         let first = group.first();
         let name_of = |at: usize| {
-            first.and_then(|footing| footing.way.get(at).or(footing.way.last())).map(|&id| self.files().name(id))
+            first
+                .and_then(|footing| footing.way.get(at).or(footing.way.last()))
+                .map(|&id| self.files().name(id))
         };
         let name = name_of(depth).unwrap_or_default();
         let side = first.and_then(|footing| footing.side);
         match side {
-            Some(side) if group.iter().all(|footing| footing.side == Some(side)) => Ok(Limb { name, side, spheres }),
+            Some(side) if group.iter().all(|footing| footing.side == Some(side)) => {
+                Ok(Limb { name, side, spheres })
+            }
             _ => {
                 let unknown = group.iter().find(|footing| footing.side.is_none()).and_then(|f| f.way.last());
                 let body = unknown.map(|&id| self.files().name(id)).unwrap_or(name);

@@ -13,8 +13,8 @@ use crate::note::Note;
 use crate::warning::Warning;
 use crate::xml::ElementId;
 
-pub use contacts::{Force, ForceKind, ParameterSet, Sphere};
 pub(crate) use contacts::{ContactReader, Dialect};
+pub use contacts::{Force, ForceKind, ParameterSet, Sphere};
 pub(crate) use files::{Base, Files};
 pub use limbs::{Limb, Limbs, Side};
 pub use skeleton::Body;

@@ -64,7 +64,12 @@ impl Objects {
                     Role::Nothing => Role::Nothing,
                     Role::Items(owner) => {
                         let name = tree.attribute(id, "name").unwrap_or_default().trim().to_owned();
-                        Role::Object(self.push(Object { file, element: id, parent: Some(owner), segment: name }))
+                        Role::Object(self.push(Object {
+                            file,
+                            element: id,
+                            parent: Some(owner),
+                            segment: name,
+                        }))
                     }
                     Role::Object(owner) => self.role_of_property(file, document, id, tag, owner, &mut seen),
                 }
@@ -123,7 +128,10 @@ impl Objects {
     }
 
     fn push(&mut self, mut object: Object) -> ObjectId {
-        #[expect(clippy::cast_possible_truncation, reason = "no more objects than elements, and those are u32")]
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "no more objects than elements, and those are u32"
+        )]
         let id = ObjectId(self.list.len() as u32);
         self.by_segment.entry(object.segment.clone()).or_default().push(id);
         if object.parent.is_none() {

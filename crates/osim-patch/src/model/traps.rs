@@ -15,10 +15,17 @@ impl Model<'_, '_> {
     pub(crate) fn other_users(&self, sphere: &str) -> Vec<String> {
         let files = self.files();
         let mut users = Vec::new();
-        for (id, _) in files.objects.iter().filter(|(id, _)| files.tag(*id) == "ElasticFoundationForce::ContactParameters") {
+        for (id, _) in files
+            .objects
+            .iter()
+            .filter(|(id, _)| files.tag(*id) == "ElasticFoundationForce::ContactParameters")
+        {
             let tree = files.doc(id).tree();
             let Some(geometry) = tree.child(files.element(id), "geometry") else { continue };
-            let uses = tree.text_of(geometry).split_ascii_whitespace().any(|name| name.rsplit('/').next() == Some(sphere));
+            let uses = tree
+                .text_of(geometry)
+                .split_ascii_whitespace()
+                .any(|name| name.rsplit('/').next() == Some(sphere));
             let mut at = files.objects.get(id).and_then(|object| object.parent);
             while let Some(force) = at.filter(|&force| files.tag(force) != "ElasticFoundationForce") {
                 at = files.objects.get(force).and_then(|object| object.parent);
@@ -52,7 +59,10 @@ impl Model<'_, '_> {
         let masses = self.bodies().iter().map(|body| (body.path.as_str(), body.file, &body.mass));
         for (path, file, value) in parameters.chain(radii).chain(masses) {
             let (code, text) = if value.fault.is_some() {
-                (WarningCode::OddNumber, format!("is '{}', which OpenSim reads as {}", value.text, value.number))
+                (
+                    WarningCode::OddNumber,
+                    format!("is '{}', which OpenSim reads as {}", value.text, value.number),
+                )
             } else if !value.number.is_finite() {
                 (WarningCode::NotFinite, format!("is {}", value.number))
             } else {
@@ -76,9 +86,14 @@ impl Model<'_, '_> {
 
     fn several_spheres(&self, found: &mut Vec<Warning>) {
         for force in &self.forces {
-            let moving = force.spheres().into_iter().filter(|&s| self.spheres.get(s).is_some_and(|s| !s.fixed)).count();
+            let moving = force
+                .spheres()
+                .into_iter()
+                .filter(|&s| self.spheres.get(s).is_some_and(|s| !s.fixed))
+                .count();
             if matches!(force.kind, super::ForceKind::HuntCrossley) && moving > 1 {
-                let text = format!("{} holds {moving} spheres: Simbody can drop the force of some", force.path);
+                let text =
+                    format!("{} holds {moving} spheres: Simbody can drop the force of some", force.path);
                 found.push(Warning::at(WarningCode::SeveralSpheres, force.line, text));
             }
         }
@@ -103,9 +118,11 @@ impl Model<'_, '_> {
     fn default_stiffness(&self, found: &mut Vec<Warning>) {
         for force in &self.forces {
             for set in &force.sets {
-                let default = set.value(Property::Stiffness).filter(|value| value.origin == Origin::ClassDefault);
+                let default =
+                    set.value(Property::Stiffness).filter(|value| value.origin == Origin::ClassDefault);
                 if let Some(value) = default {
-                    let text = format!("{}: stiffness is OpenSim's default, {} N/m2", force.path, value.number);
+                    let text =
+                        format!("{}: stiffness is OpenSim's default, {} N/m2", force.path, value.number);
                     found.push(Warning::at(WarningCode::DefaultStiffness, set.line, text));
                 }
             }
@@ -122,11 +139,15 @@ impl Model<'_, '_> {
             }
         }
         for force in self.forces.iter().filter(|force| side(&force.name) == Some(Side::Left)) {
-            let Some(other) = right.get(&without_side(&force.name)).and_then(|&index| self.forces.get(index)) else {
+            let Some(other) = right.get(&without_side(&force.name)).and_then(|&index| self.forces.get(index))
+            else {
                 continue;
             };
             let differing = force.sets.iter().zip(&other.sets).find_map(|(left, right)| {
-                left.values.iter().zip(&right.values).find(|(l, r)| l.number != r.number && !l.number.is_nan())
+                left.values
+                    .iter()
+                    .zip(&right.values)
+                    .find(|(l, r)| l.number != r.number && !l.number.is_nan())
             });
             let radii = |force: &super::Force| -> Vec<u64> {
                 let spheres = force.spheres().into_iter().filter_map(|index| self.spheres.get(index));
@@ -146,8 +167,12 @@ impl Model<'_, '_> {
         let document = self.document();
         let tree = document.tree();
         let Some(defaults) = document.defaults() else { return };
-        let classes =
-            [Class::SmoothSphereHalfSpaceForce, Class::HuntCrossleyForce, Class::ContactParameters, Class::ContactSphere];
+        let classes = [
+            Class::SmoothSphereHalfSpaceForce,
+            Class::HuntCrossleyForce,
+            Class::ContactParameters,
+            Class::ContactSphere,
+        ];
         for class in classes {
             if let Some(default) = tree.child(defaults, class.tag()) {
                 // OpenSim itself writes defaults without content; those carry nothing.
@@ -155,7 +180,8 @@ impl Model<'_, '_> {
                     continue;
                 }
                 let line = document.line(tree.span(default).start);
-                let text = format!("<defaults> holds a {}: OpenSim keeps it for models loaded later", class.tag());
+                let text =
+                    format!("<defaults> holds a {}: OpenSim keeps it for models loaded later", class.tag());
                 found.push(Warning::at(WarningCode::ContactDefaults, line, text));
             }
         }
@@ -164,7 +190,8 @@ impl Model<'_, '_> {
     /// Traps that are seen from the component tree itself.
     fn objects_of_note(&self, found: &mut Vec<Warning>) {
         for sphere in self.spheres.iter().filter(|sphere| sphere.dialect == super::Dialect::InsideForce) {
-            let text = format!("{} keeps its sphere inside: OpenSim 4.2 and later cannot read it", sphere.path);
+            let text =
+                format!("{} keeps its sphere inside: OpenSim 4.2 and later cannot read it", sphere.path);
             found.push(Warning::at(WarningCode::MocoDialect, sphere.line, text));
         }
         let files = self.files();
@@ -180,7 +207,8 @@ impl Model<'_, '_> {
                 found.push(Warning::at(WarningCode::NotHertz, files.line(id), text));
             }
             let name = files.name(id);
-            let ours = tag.starts_with("Contact") || tag == "HuntCrossleyForce" || tag.starts_with("SmoothSphere");
+            let ours =
+                tag.starts_with("Contact") || tag == "HuntCrossleyForce" || tag.starts_with("SmoothSphere");
             if ours && tag != Class::ContactParameters.tag() && object.segment != name && !name.is_empty() {
                 let text = format!("'{name}' is there twice: OpenSim calls this one {path}");
                 found.push(Warning::at(WarningCode::DuplicateNames, files.line(id), text));
@@ -216,9 +244,13 @@ mod tests {
 
     #[test]
     fn names_of_both_sides_become_equal() {
-        for (right, left) in
-            [("heel_r", "heel_l"), ("RFoot", "LFoot"), ("footR", "footL"), ("right_toe", "left_toe"), ("s1_r_a", "s1_l_a")]
-        {
+        for (right, left) in [
+            ("heel_r", "heel_l"),
+            ("RFoot", "LFoot"),
+            ("footR", "footL"),
+            ("right_toe", "left_toe"),
+            ("s1_r_a", "s1_l_a"),
+        ] {
             assert_eq!(without_side(right), without_side(left));
         }
         assert_ne!(without_side("heel_r"), without_side("toe_l"));

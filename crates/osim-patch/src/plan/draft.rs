@@ -95,7 +95,13 @@ impl<'m, 'd, 'a> Draft<'m, 'd, 'a> {
     }
 
     /// Plans a change of a force's property in parameter set `set`.
-    pub(super) fn parameter(&mut self, force: usize, set: usize, property: Property, new: New) -> Result<(), Fault> {
+    pub(super) fn parameter(
+        &mut self,
+        force: usize,
+        set: usize,
+        property: Property,
+        new: New,
+    ) -> Result<(), Fault> {
         let Some(force) = self.model.forces.get(force) else { return Ok(()) };
         let own = force.sets.get(set).and_then(|set| set.value(property).map(|value| (set, value)));
         let (value, element, class, index) = match own {
@@ -161,7 +167,9 @@ impl<'m, 'd, 'a> Draft<'m, 'd, 'a> {
             return Err(Fault::at(kind, value.offset).of(change.path).in_file(change.file));
         }
         let known = self.changes.iter().any(|other| {
-            other.target.element == change.target.element && other.property == change.property && other.file == change.file
+            other.target.element == change.target.element
+                && other.property == change.property
+                && other.file == change.file
         });
         if change.to.to_bits() != change.from.to_bits() && !known {
             self.changes.push(change);

@@ -121,8 +121,11 @@ impl Plan {
         if self.is_empty() {
             return self;
         }
-        let changed: HashMap<Key, f64> =
-            self.changes.iter().map(|change| ((change.file, change.target.element, change.property), change.to)).collect();
+        let changed: HashMap<Key, f64> = self
+            .changes
+            .iter()
+            .map(|change| ((change.file, change.target.element, change.property), change.to))
+            .collect();
         self.note = Some(Note {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             mass_kg: facts.mass_kg,

@@ -116,7 +116,8 @@ impl Radii {
         for force in forces.iter().filter_map(|&index| draft.model.forces.get(index)) {
             let pairs = self.of(force);
             if pairs.windows(2).any(|two| matches!(two, [a, b] if a.old != b.old)) {
-                let text = format!("{} has spheres of different radii: the mean of R squared is used", force.path);
+                let text =
+                    format!("{} has spheres of different radii: the mean of R squared is used", force.path);
                 draft.warnings.push(Warning::at(WarningCode::MixedRadii, force.line, text));
             }
         }
@@ -130,7 +131,8 @@ fn root_mean_square(radii: impl Iterator<Item = f64> + Clone) -> f64 {
         None => f64::NAN,
         Some(first) if others.all(|other| other == first) => first,
         Some(_) => {
-            let (sum, count) = radii.fold((0.0, 0.0), |(sum, count), radius| (sum + radius * radius, count + 1.0));
+            let (sum, count) =
+                radii.fold((0.0, 0.0), |(sum, count), radius| (sum + radius * radius, count + 1.0));
             (sum / count).sqrt()
         }
     }
@@ -172,7 +174,8 @@ fn refuse_shared(model: &Model<'_, '_>, forces: &[usize], sphere: usize) -> Resu
             crate::select::names(model, &changed),
             left.join(", ")
         ),
-        way_out: "choose all of them with --select GLOB, or leave radii as they are with --radius keep".to_owned(),
+        way_out: "choose all of them with --select GLOB, or leave radii as they are with --radius keep"
+            .to_owned(),
     });
     let offset = shared.radius.offset;
     Err(Fault { offset: Some(offset), ..fault }.of(shared.path.clone()).in_file(shared.file))
@@ -180,7 +183,8 @@ fn refuse_shared(model: &Model<'_, '_>, forces: &[usize], sphere: usize) -> Resu
 
 fn warn_terrain(draft: &mut Draft<'_, '_, '_>, forces: &[usize]) {
     for force in forces.iter().filter_map(|&index| draft.model.forces.get(index)) {
-        let fixed = force.spheres().iter().filter_map(|&s| draft.model.spheres.get(s)).filter(|s| s.fixed).count();
+        let fixed =
+            force.spheres().iter().filter_map(|&s| draft.model.spheres.get(s)).filter(|s| s.fixed).count();
         if fixed > 0 {
             let text = format!("{} meets {fixed} spheres that stand on ground: their radii stay", force.path);
             draft.warnings.push(Warning::at(WarningCode::Terrain, force.line, text));

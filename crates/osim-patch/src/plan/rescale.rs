@@ -3,7 +3,7 @@
 use contact_scaling::{RatioValues, Ratios};
 
 use super::draft::{Draft, New, PropertySet};
-use super::radii::{RadiusRule, Radii};
+use super::radii::{Radii, RadiusRule};
 use super::{DissipationBy, NoteFacts, Plan};
 use crate::error::Fault;
 use crate::mass::{Mass, checked, same_mass};
@@ -53,7 +53,8 @@ pub fn rescale(model: &Model<'_, '_>, selected: &Selected, wanted: &Rescale) -> 
         let values = RatioValues { mass, sphere_count: 1.0, radius: radii.ratio(force), gravity };
         let ratios = Ratios::new(values).map_err(Fault::new)?;
         if force.sets.iter().filter(|set| !set.spheres.is_empty() || set.half_spaces > 0).count() > 1 {
-            let text = format!("{} has {} ContactParameters: all get the same factor", force.path, force.sets.len());
+            let text =
+                format!("{} has {} ContactParameters: all get the same factor", force.path, force.sets.len());
             draft.warnings.push(Warning::at(WarningCode::SeveralParameterSets, force.line, text));
         }
         for set in 0..force.sets.len() {
@@ -103,7 +104,9 @@ fn scale_set(
 pub(super) fn gravity_ratio(now: Option<f64>, target: Option<f64>) -> Result<f64, Fault> {
     let Some(target) = target else { return Ok(1.0) };
     if !(target.is_finite() && target > 0.0) {
-        return Err(Fault::refused(format!("--target-gravity is {target}, expected an acceleration in m/s2 above 0")));
+        return Err(Fault::refused(format!(
+            "--target-gravity is {target}, expected an acceleration in m/s2 above 0"
+        )));
     }
     match now {
         Some(now) if now.is_finite() && now > 0.0 => Ok(target / now),
@@ -133,7 +136,8 @@ fn finish(draft: Draft<'_, '_, '_>, wanted: &Rescale, selected: &Selected, radii
         remarks.extend(radii.and_then(bottoms_remark));
     }
     let to_mass_kg = if changes.is_empty() { wanted.contacts_mass.kg } else { wanted.target_mass_kg };
-    let plan = Plan { changes, from_mass: wanted.contacts_mass.clone(), to_mass_kg, warnings, remarks, note: None };
+    let plan =
+        Plan { changes, from_mass: wanted.contacts_mass.clone(), to_mass_kg, warnings, remarks, note: None };
     let all = selected.complete && wanted.properties.is_complete();
     plan.with_note(
         model,

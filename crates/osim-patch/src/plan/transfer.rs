@@ -1,12 +1,12 @@
 //! Contacts of a reference, given the dimensions of another body: (10), (14), (C.2), (C.5), (C.10).
 
 use contact_scaling::{
-    Contact, ContactValues, DimensionlessContact, Preset, RatioValues, Ratios, Scale, ScaleValues, SmoothingValues,
-    modulus,
+    Contact, ContactValues, DimensionlessContact, Preset, RatioValues, Ratios, Scale, ScaleValues,
+    SmoothingValues, modulus,
 };
 
 use super::draft::{Draft, New, PropertySet};
-use super::radii::{RadiusRule, Radii};
+use super::radii::{Radii, RadiusRule};
 use super::rescale::{bottoms_remark, factor, gravity_ratio};
 use super::{DissipationBy, NoteFacts, Plan};
 use crate::error::{Fault, FaultKind};
@@ -52,8 +52,11 @@ pub struct Reference {
 
 impl From<&Preset> for Reference {
     fn from(preset: &Preset) -> Self {
-        let mass =
-            Mass { kg: preset.scale.mass_kg(), source: MassSource::Preset, told_by: format!("preset {}", preset.name) };
+        let mass = Mass {
+            kg: preset.scale.mass_kg(),
+            source: MassSource::Preset,
+            told_by: format!("preset {}", preset.name),
+        };
         Self {
             name: preset.name.to_string(),
             mass,
@@ -111,7 +114,8 @@ pub fn reference_of_model(
             let contact = Contact::new(ContactValues { plane_strain_modulus, dissipation, smoothing })
                 .map_err(|error| Fault::new(error).of(force.path.clone()))?;
             let friction = get(Property::TransitionVelocity)?.zip(get(Property::ViscousFriction)?);
-            let names = spheres.iter().filter_map(|&s| model.spheres.get(s)).map(|s| s.name.clone()).collect();
+            let names =
+                spheres.iter().filter_map(|&s| model.spheres.get(s)).map(|s| s.name.clone()).collect();
             contacts.push(ReferenceContact { spheres: names, radius_m, contact, friction });
         }
     }
@@ -152,9 +156,13 @@ impl Surfaces {
         if own == plane {
             return Ok(own);
         }
-        let surface = |(plane_strain_modulus, dissipation)| modulus::SurfaceValues { plane_strain_modulus, dissipation };
+        let surface = |(plane_strain_modulus, dissipation)| modulus::SurfaceValues {
+            plane_strain_modulus,
+            dissipation,
+        };
         let composite = modulus::composite_sherman(own.0, plane.0).map_err(Fault::new)?;
-        let equal = modulus::of_equal_surfaces(composite, modulus::MixingRule::Sherman).map_err(Fault::new)?;
+        let equal =
+            modulus::of_equal_surfaces(composite, modulus::MixingRule::Sherman).map_err(Fault::new)?;
         let dissipation = modulus::mixed_dissipation(surface(own), surface(plane)).map_err(Fault::new)?;
         Ok((equal, dissipation))
     }
@@ -211,8 +219,13 @@ pub fn transfer(model: &Model<'_, '_>, selected: &Selected, wanted: &Transfer) -
             force,
             from,
             ratios: Ratios::new(values).map_err(Fault::new)?,
-            own: Ratios::new(RatioValues { mass: 1.0, sphere_count: 1.0, radius: radii.ratio(force), gravity: 1.0 })
-                .map_err(Fault::new)?,
+            own: Ratios::new(RatioValues {
+                mass: 1.0,
+                sphere_count: 1.0,
+                radius: radii.ratio(force),
+                gravity: 1.0,
+            })
+            .map_err(Fault::new)?,
         };
         without_smoothing |=
             force.kind == ForceKind::SmoothSphereHalfSpace && from.contact.smoothing().is_none();
@@ -237,7 +250,9 @@ struct Target<'t> {
 impl Target<'_> {
     fn plan(&self, draft: &mut Draft<'_, '_, '_>, wanted: &Transfer) -> Result<(), Fault> {
         for property in Property::ALL.into_iter().filter(|&property| wanted.properties.contains(property)) {
-            let Some((factor, equation)) = factor(property, &self.ratios, wanted.dissipation_by) else { continue };
+            let Some((factor, equation)) = factor(property, &self.ratios, wanted.dissipation_by) else {
+                continue;
+            };
             match self.of_reference(property) {
                 Some(value) => {
                     let to = if factor == 1.0 { value } else { value * factor };
@@ -283,8 +298,11 @@ impl Target<'_> {
         let now = self.composite_now(draft, &surfaces, property)?;
         for set in 0..sets {
             let Some(from) = draft.current(self.index, set, property)? else { continue };
-            let new =
-                if now == 0.0 { New { to, factor: None, equation } } else { New::times(from, to / now, equation) };
+            let new = if now == 0.0 {
+                New { to, factor: None, equation }
+            } else {
+                New::times(from, to / now, equation)
+            };
             draft.parameter(self.index, set, property, new)?;
         }
         Ok(())
@@ -314,7 +332,12 @@ impl Target<'_> {
     }
 
     /// A changed radius carries along what the reference does not give.
-    fn carry(&self, draft: &mut Draft<'_, '_, '_>, property: Property, by: DissipationBy) -> Result<(), Fault> {
+    fn carry(
+        &self,
+        draft: &mut Draft<'_, '_, '_>,
+        property: Property,
+        by: DissipationBy,
+    ) -> Result<(), Fault> {
         let Some((factor, equation)) = factor(property, &self.own, by) else { return Ok(()) };
         for set in 0..self.force.sets.len() {
             if let Some(from) = draft.current(self.index, set, property)? {
@@ -329,14 +352,20 @@ impl Target<'_> {
 enum Choice<'t> {
     One(&'t ReferenceContact),
     /// By sphere name; every moving sphere of the chosen forces is in it.
-    Paired { first: &'t ReferenceContact, all: &'t [ReferenceContact] },
+    Paired {
+        first: &'t ReferenceContact,
+        all: &'t [ReferenceContact],
+    },
 }
 
 impl<'t> Choice<'t> {
     fn make(model: &Model<'_, '_>, selected: &Selected, wanted: &'t Transfer) -> Result<Self, Fault> {
         let contacts = &wanted.reference.contacts;
         let Some(first) = contacts.first() else {
-            return Err(Fault::refused(format!("the reference {} has no contacts to take", wanted.reference.name)));
+            return Err(Fault::refused(format!(
+                "the reference {} has no contacts to take",
+                wanted.reference.name
+            )));
         };
         if let Some(name) = &wanted.reference_sphere {
             let named = contacts.iter().find(|contact| contact.spheres.contains(name));
@@ -389,7 +418,8 @@ impl<'t> Choice<'t> {
     }
 
     fn of_force(&self, model: &Model<'_, '_>, force: &Force) -> Result<&'t ReferenceContact, Fault> {
-        let moving: Vec<usize> = sphere_sets(model, force).into_iter().flat_map(|(_, spheres)| spheres).collect();
+        let moving: Vec<usize> =
+            sphere_sets(model, force).into_iter().flat_map(|(_, spheres)| spheres).collect();
         let mut contacts = moving.iter().map(|&sphere| self.of_sphere(model, sphere));
         let Some(first) = contacts.next() else {
             return Err(Fault::refused(format!("{} has no moving sphere", force.path)));
@@ -399,7 +429,10 @@ impl<'t> Choice<'t> {
             if !dimensionless(other)?.agrees_with(&base, SAME_CONTACT) {
                 return Err(Fault::new(FaultKind::NeedsAnswer {
                     code: "which-reference",
-                    question: format!("the spheres of {} have different contacts in the reference", force.path),
+                    question: format!(
+                        "the spheres of {} have different contacts in the reference",
+                        force.path
+                    ),
                     way_out: "say whose contact to take with --reference-sphere NAME".to_owned(),
                 })
                 .of(force.path.clone()));
@@ -414,7 +447,12 @@ fn find<'t>(contacts: &'t [ReferenceContact], name: &str) -> Option<&'t Referenc
 }
 
 fn dimensionless(contact: &ReferenceContact) -> Result<DimensionlessContact, Fault> {
-    let values = ScaleValues { mass_kg: 1.0, radius_m: contact.radius_m, sphere_count: 1.0, gravity_m_s2: ANY_GRAVITY };
+    let values = ScaleValues {
+        mass_kg: 1.0,
+        radius_m: contact.radius_m,
+        sphere_count: 1.0,
+        gravity_m_s2: ANY_GRAVITY,
+    };
     Ok(DimensionlessContact::of(&contact.contact, &Scale::new(values).map_err(Fault::new)?))
 }
 

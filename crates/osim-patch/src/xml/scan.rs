@@ -82,8 +82,9 @@ impl<'t> Scanner<'t> {
         reader.config_mut().allow_dangling_amp = true;
         loop {
             let start = self.base + offset(reader.buffer_position());
-            let event =
-                reader.read_event().map_err(|error| self.syntax_fault(&error, offset(reader.error_position())))?;
+            let event = reader
+                .read_event()
+                .map_err(|error| self.syntax_fault(&error, offset(reader.error_position())))?;
             match event {
                 Event::Eof => break,
                 Event::Start(tag) => {
@@ -107,11 +108,15 @@ impl<'t> Scanner<'t> {
                     }
                     self.push(start, PieceKind::Text);
                 }
-                Event::CData(_) | Event::GeneralRef(_) if self.open.is_empty() => return Err(self.stray_text(start)),
+                Event::CData(_) | Event::GeneralRef(_) if self.open.is_empty() => {
+                    return Err(self.stray_text(start));
+                }
                 Event::CData(_) => self.push(start, PieceKind::CData),
                 Event::GeneralRef(_) => self.push(start, PieceKind::Reference),
                 Event::Comment(_) => self.push(start, PieceKind::Comment),
-                Event::DocType(text) if text.contains('[') => return Err(SyntaxFault::DoctypeSubset.at(start)),
+                Event::DocType(text) if text.contains('[') => {
+                    return Err(SyntaxFault::DoctypeSubset.at(start));
+                }
                 Event::DocType(_) | Event::Decl(_) | Event::PI(_) => self.push(start, PieceKind::Other),
             }
         }
@@ -234,7 +239,8 @@ mod tests {
 
     #[test]
     fn pieces_tile_the_file() {
-        let text = b"\xEF\xBB\xBF<?xml version='1.0'?>\r\n<a x='1'>t<!-- <!-- -->&amp;<b/><![CDATA[<]]></a>\n";
+        let text =
+            b"\xEF\xBB\xBF<?xml version='1.0'?>\r\n<a x='1'>t<!-- <!-- -->&amp;<b/><![CDATA[<]]></a>\n";
         let tree = scan(text).unwrap();
         let mut at = 0;
         for index in 0..tree.pieces.len() {

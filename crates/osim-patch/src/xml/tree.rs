@@ -104,7 +104,12 @@ impl<'a> Tree<'a> {
 
     fn element(&self, id: ElementId) -> Element {
         // Ids are only made by this tree; the fallback keeps a foreign id from panicking.
-        self.elements.get(id.index()).copied().unwrap_or(Element { open: 0, close: 0, parent: 0, subtree_end: 0 })
+        self.elements.get(id.index()).copied().unwrap_or(Element {
+            open: 0,
+            close: 0,
+            parent: 0,
+            subtree_end: 0,
+        })
     }
 
     pub(crate) fn open_piece(&self, id: ElementId) -> usize {

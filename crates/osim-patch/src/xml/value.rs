@@ -183,7 +183,8 @@ mod tests {
 
     #[test]
     fn where_opensim_reads_something_else_the_text_is_refused() {
-        for (text, value) in [("1,5e6", 1.0), ("2e6N", 2e6), (" 3e6 4e6 ", 3e6), ("1d6", 1.0), ("0x10", 0.0)] {
+        for (text, value) in [("1,5e6", 1.0), ("2e6N", 2e6), (" 3e6 4e6 ", 3e6), ("1d6", 1.0), ("0x10", 0.0)]
+        {
             reads(text, Err(NumberFault::Prefix { opensim_reads: value }));
         }
         reads("", Err(NumberFault::Empty));

@@ -1,0 +1,179 @@
+//! Options that several verbs share, grouped as the help shows them.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use globset::{Glob, GlobSet, GlobSetBuilder};
+use osim_patch::{DissipationBy, MassRequest, Property, PropertySet, RadiusRule, Selection};
+
+use super::values::{acceleration, glob, mass, property, radius};
+
+/// Masses: which one is meant.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Masses")]
+pub(crate) struct MassArgs {
+    /// Mass the contacts in the file stand for now, kg [default: the note in the file, else --mass]
+    #[arg(long, value_name = "KG", value_parser = mass, allow_hyphen_values = true)]
+    pub contacts_mass: Option<f64>,
+    /// What this model weighs, kg [default: the sum of its bodies]
+    #[arg(long, value_name = "KG", value_parser = mass, allow_hyphen_values = true)]
+    pub mass: Option<f64>,
+    /// Leave these bodies out of the sum (props, platforms); may be repeated
+    #[arg(long, value_name = "GLOB", value_parser = glob)]
+    pub exclude_body: Vec<Glob>,
+}
+
+impl MassArgs {
+    pub(crate) fn request(&self) -> anyhow::Result<MassRequest> {
+        Ok(MassRequest {
+            contacts_kg: self.contacts_mass,
+            model_kg: self.mass,
+            exclude_bodies: set_of(&self.exclude_body)?,
+        })
+    }
+}
+
+/// What changes, and how.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "What changes")]
+pub(crate) struct ScalingArgs {
+    /// Radii: isometric (R ~ M^1/3), keep, a radius in metres, or a factor like x1.5
+    /// [default: isometric with --target-mass, keep otherwise]
+    #[arg(long, value_name = "RULE", value_parser = radius)]
+    pub radius: Option<RadiusRule>,
+    /// Only these properties, separated by commas (OpenSim's names, and radius)
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = property)]
+    pub only: Vec<Property>,
+    /// Everything but these properties
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = property)]
+    pub keep: Vec<Property>,
+    /// What dissipation follows (14): R^-1/2 or M^-1/6
+    #[arg(long, value_enum, default_value = "radius")]
+    pub dissipation_by: DissipationArg,
+    /// Scale transition_velocity and viscous_friction too (an extension of the paper)
+    #[arg(long)]
+    pub friction: bool,
+    /// Scale to this gravity too, m/s2 (an extension of the paper)
+    #[arg(long, value_name = "G", value_parser = acceleration)]
+    pub target_gravity: Option<f64>,
+}
+
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub(crate) enum DissipationArg {
+    Radius,
+    Mass,
+}
+
+impl ScalingArgs {
+    pub(crate) fn properties(&self) -> PropertySet {
+        // Naming a friction property in --only asks for it.
+        let friction = self.friction
+            || self
+                .only
+                .iter()
+                .any(|p| matches!(p, Property::TransitionVelocity | Property::ViscousFriction));
+        let all = PropertySet::default();
+        let all = if friction { all.with_friction() } else { all };
+        all.restricted(&self.only, &self.keep)
+    }
+
+    pub(crate) fn dissipation(&self) -> DissipationBy {
+        match self.dissipation_by {
+            DissipationArg::Radius => DissipationBy::Radius,
+            DissipationArg::Mass => DissipationBy::Mass,
+        }
+    }
+}
+
+/// Which forces.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Which forces")]
+pub(crate) struct ForceChoice {
+    /// Only forces with such a name; may be repeated
+    #[arg(long, value_name = "GLOB", value_parser = glob)]
+    pub select: Vec<Glob>,
+    /// No forces with such a name; may be repeated
+    #[arg(long, value_name = "GLOB", value_parser = glob)]
+    pub exclude: Vec<Glob>,
+    /// Leave out forces that are switched off
+    #[arg(long)]
+    pub skip_disabled: bool,
+}
+
+impl ForceChoice {
+    pub(crate) fn selection(&self) -> anyhow::Result<Selection> {
+        Ok(Selection {
+            select: set_of(&self.select)?,
+            exclude: set_of(&self.exclude)?,
+            skip_disabled: self.skip_disabled,
+        })
+    }
+}
+
+/// Files that belong to a standalone set.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Standalone sets")]
+pub(crate) struct PartArgs {
+    /// The ContactGeometrySet (or model) that holds the spheres of a standalone ForceSet
+    #[arg(long, value_name = "FILE")]
+    pub geometry: Option<PathBuf>,
+    /// The model a standalone ForceSet belongs to, for its masses and joints
+    #[arg(long, value_name = "FILE")]
+    pub model: Option<PathBuf>,
+}
+
+/// Where results go.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Output")]
+pub(crate) struct OutputArgs {
+    /// Write to this file (one model; - is standard output) [default: NAME.scaled.osim beside the model]
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Write the changed ContactGeometrySet of a standalone ForceSet to this file
+    #[arg(long, value_name = "FILE")]
+    pub geometry_output: Option<PathBuf>,
+    /// Write into this folder
+    #[arg(short = 'd', long, value_name = "DIR", conflicts_with = "output")]
+    pub output_dir: Option<PathBuf>,
+    /// Change the model itself and keep the old one as NAME.osim.bak
+    #[arg(long, conflicts_with_all = ["output", "output_dir", "geometry_output"])]
+    pub in_place: bool,
+    /// With --in-place: keep no backup
+    #[arg(long, requires = "in_place")]
+    pub no_backup: bool,
+    /// Replace existing files
+    #[arg(long)]
+    pub force: bool,
+    /// Write nothing, only say what would change
+    #[arg(long)]
+    pub dry_run: bool,
+    /// Show the changes as a unified diff too
+    #[arg(long)]
+    pub diff: bool,
+    /// Leave no note (a comment line) in the model
+    #[arg(long)]
+    pub no_note: bool,
+    /// How to print
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+    /// Print errors only
+    #[arg(long)]
+    pub quiet: bool,
+}
+
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// For people
+    #[default]
+    Table,
+    /// One JSON object per model and line
+    Json,
+}
+
+fn set_of(globs: &[Glob]) -> anyhow::Result<GlobSet> {
+    let mut builder = GlobSetBuilder::new();
+    for glob in globs {
+        builder.add(glob.clone());
+    }
+    Ok(builder.build()?)
+}

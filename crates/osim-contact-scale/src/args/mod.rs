@@ -1,0 +1,156 @@
+//! The command line: verbs and their options.
+
+mod groups;
+mod values;
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+pub(crate) use groups::{ForceChoice, Format, MassArgs, OutputArgs, PartArgs, ScalingArgs};
+pub(crate) use values::usage_line;
+use values::{acceleration, count, mass};
+
+/// Makes the contact parameters of OpenSim models right at every body size.
+///
+/// Rescales the contacts of MODEL from the mass they stand for to --target-mass; with a verb, does something else.
+/// MODEL alone is inspected.
+#[derive(Debug, Parser)]
+#[command(
+    version,
+    args_conflicts_with_subcommands = true,
+    arg_required_else_help = true,
+    disable_help_subcommand = true,
+    after_help = "Equations: Van Bijlert (2026), J. Biomech., doi:10.1016/j.jbiomech.2026.113420"
+)]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub verb: Option<Verb>,
+    #[command(flatten)]
+    pub rescale: RescaleArgs,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Verb {
+    /// Rescale a model's own contacts to another mass (the verb may be left out)
+    Rescale(Box<RescaleArgs>),
+    /// Give a model the contacts of another model or of a preset, at its own size
+    Transfer(Box<TransferArgs>),
+    /// Show what contacts a model has
+    Inspect(Box<InspectArgs>),
+    /// Explain a warning code (without one: list them all)
+    Explain(ExplainArgs),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct RescaleArgs {
+    /// Models (.osim), a ForceSet (.xml) with --geometry, folders, or - for standard input
+    #[arg(value_name = "MODEL")]
+    pub models: Vec<PathBuf>,
+    /// Mass the contacts shall stand for, kg
+    #[arg(long, value_name = "KG", value_parser = mass, allow_hyphen_values = true)]
+    pub target_mass: Option<f64>,
+    #[command(flatten)]
+    pub masses: MassArgs,
+    #[command(flatten)]
+    pub scaling: ScalingArgs,
+    #[command(flatten)]
+    pub choice: ForceChoice,
+    #[command(flatten)]
+    pub output: OutputArgs,
+    #[command(flatten)]
+    pub parts: PartArgs,
+}
+
+impl RescaleArgs {
+    /// `true` when an option makes sense for a change only.
+    pub(crate) fn asks_for_change(&self) -> bool {
+        let (scaling, output) = (&self.scaling, &self.output);
+        scaling.radius.is_some()
+            || !scaling.only.is_empty()
+            || !scaling.keep.is_empty()
+            || scaling.friction
+            || scaling.target_gravity.is_some()
+            || output.output.is_some()
+            || output.output_dir.is_some()
+            || output.in_place
+            || output.dry_run
+            || output.diff
+    }
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct TransferArgs {
+    /// Models (.osim), a ForceSet (.xml) with --geometry, folders, or - for standard input
+    #[arg(value_name = "MODEL", required = true)]
+    pub models: Vec<PathBuf>,
+    /// Where the contacts come from: a model, or the preset falisse2022
+    #[arg(long, value_name = "MODEL|PRESET", required = true)]
+    pub from: PathBuf,
+    #[command(flatten)]
+    pub counts: CountArgs,
+    #[command(flatten)]
+    pub reference: ReferenceArgs,
+    #[command(flatten)]
+    pub masses: MassArgs,
+    #[command(flatten)]
+    pub scaling: ScalingArgs,
+    #[command(flatten)]
+    pub choice: ForceChoice,
+    #[command(flatten)]
+    pub output: OutputArgs,
+    #[command(flatten)]
+    pub parts: PartArgs,
+}
+
+/// How many spheres share the body weight.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Spheres that share the weight")]
+pub(crate) struct CountArgs {
+    /// Spheres that share the body weight, all stance limbs together [default: as found per limb]
+    #[arg(long, value_name = "N", value_parser = count)]
+    pub spheres: Option<f64>,
+    /// Limbs that share the body weight
+    #[arg(long, value_name = "N", value_parser = count, default_value = "1")]
+    pub stance_limbs: f64,
+}
+
+/// What the reference is, where its file does not say.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "The reference")]
+pub(crate) struct ReferenceArgs {
+    /// Mass its contacts stand for, kg [default: its note, else its bodies]
+    #[arg(long, value_name = "KG", value_parser = mass, allow_hyphen_values = true)]
+    pub reference_mass: Option<f64>,
+    /// Its spheres that share the body weight [default: as found per limb]
+    #[arg(long, value_name = "N", value_parser = count)]
+    pub reference_spheres: Option<f64>,
+    /// Its gravity, m/s2
+    #[arg(long, value_name = "G", value_parser = acceleration)]
+    pub reference_gravity: Option<f64>,
+    /// Take the contact of this sphere for all
+    #[arg(long, value_name = "NAME")]
+    pub reference_sphere: Option<String>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct InspectArgs {
+    /// Models (.osim), a ForceSet (.xml) with --geometry, folders, or - for standard input
+    #[arg(value_name = "MODEL", required = true)]
+    pub models: Vec<PathBuf>,
+    /// How to print
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+    #[command(flatten)]
+    pub masses: MassArgs,
+    #[command(flatten)]
+    pub choice: ForceChoice,
+    #[command(flatten)]
+    pub parts: PartArgs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ExplainArgs {
+    /// Code of a warning, as printed behind it in brackets
+    pub code: Option<String>,
+}

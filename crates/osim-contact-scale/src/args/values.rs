@@ -1,0 +1,138 @@
+//! Option values, read strictly: a wrong number is refused with what to type instead.
+
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use globset::{Glob, GlobBuilder};
+use osim_patch::{Property, RadiusRule, shortest};
+
+/// A mass in kg.
+pub(super) fn mass(text: &str) -> Result<f64, String> {
+    positive(text, "a mass in kg", &[("kg", 1.0), ("g", 1e-3), ("mg", 1e-6), ("t", 1e3)])
+}
+
+/// An acceleration in m/s².
+pub(super) fn acceleration(text: &str) -> Result<f64, String> {
+    positive(text, "an acceleration in m/s2", &[("m/s2", 1.0), ("m/s^2", 1.0), ("g", 9.80665)])
+}
+
+/// A number of things, 1 or more.
+pub(super) fn count(text: &str) -> Result<f64, String> {
+    match text.trim().parse::<u32>() {
+        Ok(count) if count >= 1 => Ok(f64::from(count)),
+        _ => Err("expected a whole number, 1 or more".to_owned()),
+    }
+}
+
+/// `isometric`, `keep`, metres or `xFACTOR`.
+pub(super) fn radius(text: &str) -> Result<RadiusRule, String> {
+    match text {
+        "isometric" => Ok(RadiusRule::Isometric),
+        "keep" => Ok(RadiusRule::Keep),
+        _ => match text.strip_prefix(['x', 'X']) {
+            Some(factor) => positive(factor, "a factor like x1.5", &[]).map(RadiusRule::Factor),
+            None => positive(
+                text,
+                "isometric, keep, a radius in metres or a factor like x1.5",
+                &[("mm", 1e-3), ("cm", 1e-2), ("m", 1.0)],
+            )
+            .map(RadiusRule::Metres),
+        },
+    }
+}
+
+/// OpenSim's name of a property.
+pub(super) fn property(text: &str) -> Result<Property, String> {
+    text.trim().parse()
+}
+
+/// A pattern such as `*_r`.
+pub(super) fn glob(text: &str) -> Result<Glob, String> {
+    GlobBuilder::new(text).literal_separator(false).build().map_err(|error| error.kind().to_string())
+}
+
+/// A finite number above 0. `units` are spellings with a unit that are refused with the number to type.
+fn positive(text: &str, expected: &str, units: &[(&str, f64)]) -> Result<f64, String> {
+    let text = text.trim();
+    if let Some(value) = plain(text) {
+        return if value > 0.0 && value.is_finite() {
+            Ok(value)
+        } else {
+            Err(format!("expected {expected}, above 0"))
+        };
+    }
+    if let Some(value) = plain(&text.replacen(',', ".", 1)).filter(|_| text.matches(',').count() == 1) {
+        return Err(format!("it has a decimal comma: type {}", shortest(value)));
+    }
+    for (unit, factor) in units {
+        let number = text.strip_suffix(unit).map(str::trim_end).and_then(plain);
+        if let Some(value) = number {
+            // Multiplying by 1e-3 would show 0.020900000000000002; dividing is exact enough to type.
+            let value = if *factor < 1.0 { value / (1.0 / factor).round() } else { value * factor };
+            return Err(format!("units are not written here, expected {expected}: type {}", shortest(value)));
+        }
+    }
+    Err(format!("expected {expected}"))
+}
+
+/// A decimal number without words such as `inf` or `nan`.
+fn plain(text: &str) -> Option<f64> {
+    let digits = text.bytes().all(|byte| byte.is_ascii_digit() || b"+-.eE".contains(&byte));
+    if digits { text.parse().ok() } else { None }
+}
+
+/// A usage error in one line: what is wrong and what was expected.
+pub(crate) fn usage_line(error: &clap::Error) -> String {
+    let context = |kind| match error.get(kind) {
+        Some(ContextValue::String(text)) => Some(text.clone()),
+        _ => None,
+    };
+    let from_parser = std::error::Error::source(error).map(ToString::to_string);
+    if error.kind() == ErrorKind::ValueValidation
+        && let (Some(value), Some(option), Some(reason)) =
+            (context(ContextKind::InvalidValue), context(ContextKind::InvalidArg), from_parser)
+    {
+        let option = option.split(' ').next().unwrap_or_default().to_owned();
+        return format!("{option} '{value}': {reason}");
+    }
+    let text = error.to_string();
+    let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty());
+    let first = lines.next().unwrap_or_default().trim_start_matches("error: ").to_owned();
+    let rest: Vec<&str> = lines
+        .take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"))
+        .map(|line| line.trim_start_matches("tip: "))
+        .collect();
+    if rest.is_empty() { first } else { format!("{first} {}", rest.join("; ")) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn plain_numbers_are_taken() {
+        assert_eq!(mass("1190"), Ok(1190.0));
+        assert_eq!(mass(" 2.09e-2 "), Ok(0.0209));
+        assert_eq!(radius("x1.5"), Ok(RadiusRule::Factor(1.5)));
+        assert_eq!(radius("0.032"), Ok(RadiusRule::Metres(0.032)));
+    }
+
+    #[test]
+    fn anything_else_is_refused_with_what_to_type() {
+        for (text, hint) in [
+            ("1190kg", "type 1190"),
+            ("20.9g", "type 0.0209"),
+            ("20.9 g", "type 0.0209"),
+            ("0,0209", "type 0.0209"),
+            ("-3", "above 0"),
+            ("0", "above 0"),
+            ("inf", "a mass in kg"),
+            ("nan", "a mass in kg"),
+            ("heavy", "a mass in kg"),
+            ("1e999", "above 0"),
+        ] {
+            assert!(mass(text).unwrap_err().contains(hint), "{text}: {:?}", mass(text));
+        }
+        assert!(radius("32mm").unwrap_err().contains("type 0.032"));
+        assert!(count("1.5").is_err());
+        assert!(property("stifness").unwrap_err().contains("stiffness"));
+    }
+}

@@ -1,0 +1,304 @@
+//! One run of a changing verb: for each model load, plan, show, write.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, anyhow, bail};
+use osim_patch::{Fault, Model, Plan, Warning, WarningCode};
+
+use crate::args::{Format, OutputArgs, PartArgs};
+use crate::failure::Failure;
+use crate::load::Loaded;
+use crate::place::{Place, beside, check_distinct, place};
+use crate::report::{changes, diff, json};
+use crate::sources::{Source, Sources};
+use crate::terminal::{Exit, Terminal};
+use crate::write::{Mode, Prepared, back_up, is_same_file, sync_folder_of};
+
+/// What a verb plans for a model.
+pub(crate) trait Planner {
+    fn plan(&self, model: &Model<'_, '_>) -> Result<Plan, Fault>;
+}
+
+/// Runs `planner` over all models.
+///
+/// # Errors
+/// Wrong usage: found before any model is read.
+pub(crate) fn run(
+    named: &[PathBuf],
+    parts: &PartArgs,
+    output: &OutputArgs,
+    planner: &impl Planner,
+    terminal: &mut Terminal,
+) -> Result<Exit> {
+    let sources = Sources::find(named, output.output_dir.as_deref());
+    check_usage(named, &sources, output)?;
+    let places: Vec<Place> = sources.models.iter().map(|source| place(source, output)).collect();
+    check_distinct(&sources.models, &places)?;
+    let mut exit = Exit::Done;
+    for failure in &sources.failures {
+        exit = exit.and(report_failure(failure, output, terminal));
+    }
+    for remark in &sources.remarks {
+        terminal.note(&format!("note: {remark}\n"))?;
+    }
+    let mut without_contacts = 0;
+    for (source, place) in sources.models.iter().zip(&places) {
+        let job = Job { source, place, parts, output };
+        match job.run(planner, terminal) {
+            Ok(()) => {}
+            // A folder may hold models without contacts; one that was named may not.
+            Err(failure) if failure.code == "no-contacts" && source.folder.is_some() => without_contacts += 1,
+            Err(failure) => exit = exit.and(report_failure(&failure, output, terminal)),
+        }
+    }
+    if without_contacts > 0 {
+        terminal.note(&format!("note: {without_contacts} models without contacts passed over\n"))?;
+    }
+    Ok(exit)
+}
+
+fn check_usage(named: &[PathBuf], sources: &Sources, output: &OutputArgs) -> Result<()> {
+    let to_stdout = output.output.as_deref() == Some(Path::new("-"));
+    let several = named.len() > 1 || sources.models.len() > 1 || named.iter().any(|path| path.is_dir());
+    if output.output.is_some() && several {
+        bail!("-o is for one model: write several into a folder with -d DIR");
+    }
+    if to_stdout && (output.diff || output.format == Format::Json) {
+        bail!(
+            "-o - writes the model to standard output: leave out --diff and --format json, or write to a file"
+        );
+    }
+    if output.in_place && named.iter().any(|path| path.as_os_str() == "-") {
+        bail!("--in-place needs a file, standard input has none");
+    }
+    Ok(())
+}
+
+fn report_failure(failure: &Failure, output: &OutputArgs, terminal: &mut Terminal) -> Exit {
+    if output.format == Format::Json {
+        // Scripts read one object per model, also of those that failed.
+        if terminal.print(&failure.json()).is_err() {
+            return Exit::Failed;
+        }
+    }
+    terminal.error(&failure.text());
+    Exit::Failed
+}
+
+/// One model.
+struct Job<'j> {
+    source: &'j Source,
+    place: &'j Place,
+    parts: &'j PartArgs,
+    output: &'j OutputArgs,
+}
+
+impl Job<'_> {
+    fn run(&self, planner: &impl Planner, terminal: &mut Terminal) -> Result<(), Failure> {
+        let loaded = Loaded::read(self.source, self.parts)?;
+        loaded.with_model(|model| {
+            let mut plan = planner.plan(model).map_err(|fault| loaded.failure(fault))?;
+            if self.output.no_note {
+                plan.without_note();
+            }
+            plan.warnings.splice(0..0, model.warnings.iter().cloned());
+            plan.warnings.extend(self.compiled_beside());
+            let outside = |error: anyhow::Error| Failure::outside(&loaded.shown, "output", &error);
+            let patched = plan.patched(model, 0).map_err(|fault| loaded.failure(fault))?;
+            let geometry = match self.geometry_file(&plan, model, &loaded) {
+                Some(file) => {
+                    let bytes = plan.patched(model, file).map_err(|fault| loaded.failure(fault))?;
+                    let path = loaded.parts.get(file - 1).map(|part| part.path.clone()).unwrap_or_default();
+                    Some(Geometry { file, path, bytes })
+                }
+                None => None,
+            };
+            let written = self.write(&loaded, &plan, &patched, geometry.as_ref()).map_err(outside)?;
+            self.show(&loaded, &plan, &patched, geometry.as_ref(), &written, terminal).map_err(outside)
+        })
+    }
+
+    /// The standalone geometry set that changes with the force set.
+    fn geometry_file(&self, plan: &Plan, model: &Model<'_, '_>, loaded: &Loaded) -> Option<usize> {
+        self.parts.geometry.as_ref()?;
+        (1..=loaded.parts.len()).find(|&file| !plan.edits(model, file).is_empty())
+    }
+
+    fn compiled_beside(&self) -> Option<Warning> {
+        let path = self.place.path()?;
+        let prefix = format!("F_{}.", path.file_stem()?.to_string_lossy());
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let mut entries = std::fs::read_dir(folder).ok()?.flatten();
+        let found = entries.find(|entry| entry.file_name().to_string_lossy().starts_with(&prefix))?;
+        let text = format!(
+            "{} lies beside the output: PredSim and OpenCap would go on using it",
+            found.path().display()
+        );
+        Some(Warning::new(WarningCode::CompiledModelBeside, text))
+    }
+
+    /// Writes what is to be written; where it went.
+    fn write(
+        &self,
+        loaded: &Loaded,
+        plan: &Plan,
+        patched: &[u8],
+        geometry: Option<&Geometry>,
+    ) -> Result<Written> {
+        if self.output.dry_run {
+            return Ok(Written::Nothing("dry run: nothing written"));
+        }
+        let asked = self.output.output.is_some() || self.output.output_dir.is_some();
+        let to_stdout = *self.place == Place::Stdout;
+        if plan.is_empty() && !asked && !to_stdout {
+            return Ok(Written::Nothing("nothing written"));
+        }
+        let like = std::fs::metadata(&self.source.path).ok();
+        let mode = if self.output.force { Mode::Replace } else { Mode::New };
+        let mut prepared = Vec::new();
+        let mut paths = Vec::new();
+        match self.place {
+            Place::Stdout => {}
+            Place::File(path) => {
+                self.refuse_inputs(loaded, path)?;
+                make_folder(path)?;
+                prepared.push(Prepared::new(path, patched, like.as_ref(), mode)?);
+                paths.push(path.clone());
+            }
+            Place::InPlace(path) => {
+                self.back_up(path, &loaded.bytes)?;
+                prepared.push(Prepared::new(path, patched, None, Mode::Replace)?);
+                paths.push(path.clone());
+            }
+        }
+        if let Some(geometry) = geometry {
+            let (path, mode) = self.geometry_place(geometry, mode)?;
+            if self.output.in_place {
+                self.back_up(&path, loaded.file(geometry.file).1)?;
+            } else {
+                self.refuse_inputs(loaded, &path)?;
+            }
+            make_folder(&path)?;
+            let like = std::fs::metadata(&geometry.path).ok();
+            prepared.push(Prepared::new(&path, &geometry.bytes, like.as_ref(), mode)?);
+            paths.push(path);
+        }
+        // Two files that belong together, and a file whose old contents are about to go: all on the disk first.
+        if self.output.in_place || prepared.len() > 1 {
+            prepared.iter().try_for_each(Prepared::sync)?;
+        }
+        for successor in prepared {
+            successor.commit()?;
+        }
+        if self.output.in_place {
+            paths.iter().for_each(|path| sync_folder_of(path));
+        }
+        Ok(if to_stdout { Written::Stdout } else { Written::Files(paths) })
+    }
+
+    fn back_up(&self, path: &Path, bytes: &[u8]) -> Result<()> {
+        if !self.output.no_backup {
+            back_up(path, bytes).context("the backup could not be kept, so nothing was changed")?;
+        }
+        Ok(())
+    }
+
+    fn geometry_place(&self, geometry: &Geometry, mode: Mode) -> Result<(PathBuf, Mode)> {
+        let name = geometry.path.file_name().unwrap_or_default();
+        Ok(match (&self.output.geometry_output, &self.output.output_dir) {
+            _ if self.output.in_place => (geometry.path.clone(), Mode::Replace),
+            (Some(path), _) => (path.clone(), mode),
+            (None, Some(folder)) => (folder.join(name), mode),
+            (None, None) => (beside(&geometry.path), mode),
+        })
+    }
+
+    /// An output that is an input would lose it.
+    fn refuse_inputs(&self, loaded: &Loaded, path: &Path) -> Result<()> {
+        let inputs =
+            std::iter::once(self.source.path.as_path()).chain(loaded.parts.iter().map(|p| p.path.as_path()));
+        for input in inputs {
+            if is_same_file(path, input) {
+                return Err(anyhow!(
+                    "the output {} is the input itself: choose another name, or change the model with --in-place",
+                    path.display()
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    fn show(
+        &self,
+        loaded: &Loaded,
+        plan: &Plan,
+        patched: &[u8],
+        geometry: Option<&Geometry>,
+        written: &Written,
+        terminal: &mut Terminal,
+    ) -> Result<()> {
+        let shown = |path: &PathBuf| path.display().to_string();
+        let paths: Vec<String> = written.paths().iter().map(|path| shown(path)).collect();
+        if self.output.format == Format::Json {
+            let output = paths.first().map(String::as_str);
+            terminal.print(&json::plan(plan, &loaded.shown, output, paths.get(1).map(String::as_str)))?;
+        } else if !self.output.quiet {
+            let result = match written {
+                Written::Nothing(why) => (*why).to_owned(),
+                Written::Stdout => "model written to standard output".to_owned(),
+                Written::Files(_) => format!("written: {}", paths.join(", ")),
+            };
+            let text = changes::text(plan, &loaded.shown, &result);
+            if *self.place == Place::Stdout { terminal.note(&text)? } else { terminal.print(&text)? }
+        }
+        if self.output.diff {
+            let target =
+                self.place.path().map_or_else(|| loaded.shown.clone(), |path| path.display().to_string());
+            let mut text = diff::unified(&loaded.bytes, patched, &loaded.shown, &target);
+            if let Some(geometry) = geometry {
+                let (name, bytes) = loaded.file(geometry.file);
+                text.push_str(&diff::unified(bytes, &geometry.bytes, name, name));
+            }
+            // With JSON on standard output, the diff would not be JSON.
+            if self.output.format == Format::Json { terminal.note(&text)? } else { terminal.print(&text)? }
+        }
+        if matches!(written, Written::Stdout) {
+            terminal.write_bytes(patched)?;
+        }
+        Ok(())
+    }
+}
+
+/// The changed bytes of a standalone geometry set.
+struct Geometry {
+    file: usize,
+    path: PathBuf,
+    bytes: Vec<u8>,
+}
+
+/// What was written.
+enum Written {
+    /// Nothing, and why.
+    Nothing(&'static str),
+    /// The model goes to standard output.
+    Stdout,
+    /// The model, then its geometry set.
+    Files(Vec<PathBuf>),
+}
+
+impl Written {
+    fn paths(&self) -> &[PathBuf] {
+        match self {
+            Self::Files(paths) => paths,
+            Self::Nothing(_) | Self::Stdout => &[],
+        }
+    }
+}
+
+fn make_folder(path: &Path) -> Result<()> {
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => std::fs::create_dir_all(folder)
+            .with_context(|| format!("cannot make the folder {}", folder.display())),
+        _ => Ok(()),
+    }
+}

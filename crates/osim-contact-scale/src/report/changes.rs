@@ -1,0 +1,97 @@
+//! A plan as a table: equal changes share a row, so that twelve spheres are one line.
+
+use osim_patch::{Change, Plan, Warning};
+
+use super::{number, right, table};
+
+/// What a run took, changed and noticed.
+pub(crate) fn text(plan: &Plan, model: &str, output: &str) -> String {
+    let mut text = heading(plan, model);
+    if plan.changes.is_empty() {
+        text.push_str("nothing to change\n");
+    } else {
+        text.push('\n');
+        text.push_str(&rows(&plan.changes));
+        text.push('\n');
+    }
+    for remark in &plan.remarks {
+        text.push_str(&format!("note: {remark}\n"));
+    }
+    text.push_str(&warnings(&plan.warnings));
+    text.push_str(&format!("{output}\n"));
+    text
+}
+
+fn heading(plan: &Plan, model: &str) -> String {
+    let from = &plan.from_mass;
+    let origin = format!("{model}: contacts stand for {} kg ({})", number(from.kg), from.told_by);
+    if plan.changes.is_empty() {
+        return format!("{origin}\n");
+    }
+    let ratio = plan.to_mass_kg / from.kg;
+    format!("{origin}; scaled to {} kg (mass x{})\n", number(plan.to_mass_kg), number(ratio))
+}
+
+/// Warnings, one line each.
+pub(crate) fn warnings(warnings: &[Warning]) -> String {
+    let mut text = String::new();
+    for warning in warnings {
+        let line = warning.line.map(|line| format!("line {line}: ")).unwrap_or_default();
+        text.push_str(&format!("warning: {line}{} [{}]\n", warning.message, warning.code));
+    }
+    text
+}
+
+fn rows(changes: &[Change]) -> String {
+    let mut groups: Vec<Vec<&Change>> = Vec::new();
+    for change in changes {
+        match groups.iter_mut().find(|group| group.first().is_some_and(|first| alike(first, change))) {
+            Some(group) => group.push(change),
+            None => groups.push(vec![change]),
+        }
+    }
+    let mut table = table(&["property", "of", "now", "new", "factor", "equation"]);
+    for group in groups {
+        let Some(first) = group.first() else { continue };
+        let factor = first.factor.map(|factor| format!("x{}", number(factor))).unwrap_or_default();
+        let equation = if first.equation.starts_with(|c: char| c.is_ascii_digit() || c == 'C') {
+            format!("({})", first.equation)
+        } else {
+            first.equation.to_owned()
+        };
+        let new = if first.inserted {
+            format!("{} +", number(first.to))
+        } else {
+            format!("{}  ", number(first.to))
+        };
+        table.add_row(vec![
+            first.property.name().to_owned(),
+            whose(&group),
+            number(first.from),
+            new,
+            factor,
+            equation,
+        ]);
+    }
+    right(&mut table, &[2, 3, 4]);
+    let mut text = table.trim_fmt();
+    text.push('\n');
+    if changes.iter().any(|change| change.inserted) {
+        text.push_str("  (+ was not in the file: OpenSim's default applied; it is written out now)\n");
+    }
+    text
+}
+
+fn alike(a: &Change, b: &Change) -> bool {
+    (a.property, a.from.to_bits(), a.to.to_bits(), a.equation, a.inserted)
+        == (b.property, b.from.to_bits(), b.to.to_bits(), b.equation, b.inserted)
+}
+
+fn whose(group: &[&Change]) -> String {
+    let one = group.first().and_then(|change| change.sphere.clone().or_else(|| change.force.clone()));
+    match (group.len(), group.first().is_some_and(|change| change.sphere.is_some())) {
+        (1, _) => one.unwrap_or_default(),
+        (count, true) => format!("{count} spheres"),
+        (count, false) => format!("{count} forces"),
+    }
+}

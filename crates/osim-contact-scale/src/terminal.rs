@@ -1,0 +1,69 @@
+//! Standard output and standard error; a reader that has gone away (`… | head`) is no failure.
+
+use std::io::{self, ErrorKind, Write};
+
+/// How a run ended, as the exit status.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Exit {
+    /// All done.
+    Done,
+    /// A model failed.
+    Failed,
+    /// Wrong usage.
+    Usage,
+}
+
+impl Exit {
+    pub(crate) fn and(self, other: Self) -> Self {
+        if self == Self::Done { other } else { self }
+    }
+
+    pub(crate) fn code(self) -> u8 {
+        match self {
+            Self::Done => 0,
+            Self::Failed => 1,
+            Self::Usage => 2,
+        }
+    }
+}
+
+/// Where the command talks.
+#[derive(Debug, Default)]
+pub(crate) struct Terminal {
+    gone: bool,
+}
+
+impl Terminal {
+    /// Results, on standard output.
+    pub(crate) fn print(&mut self, text: &str) -> io::Result<()> {
+        self.write_bytes(text.as_bytes())
+    }
+
+    /// A model, on standard output.
+    pub(crate) fn write_bytes(&mut self, bytes: &[u8]) -> io::Result<()> {
+        if self.gone {
+            return Ok(());
+        }
+        let mut out = io::stdout().lock();
+        match out.write_all(bytes).and_then(|()| out.flush()) {
+            Err(error) if error.kind() == ErrorKind::BrokenPipe => {
+                self.gone = true;
+                Ok(())
+            }
+            result => result,
+        }
+    }
+
+    /// Things said beside the results, on standard error.
+    pub(crate) fn note(&mut self, text: &str) -> io::Result<()> {
+        match io::stderr().lock().write_all(text.as_bytes()) {
+            Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+            result => result,
+        }
+    }
+
+    /// A failure, on standard error; where even that is closed there is nobody to tell.
+    pub(crate) fn error(&mut self, text: &str) {
+        let _ = io::stderr().lock().write_all(text.as_bytes());
+    }
+}
