@@ -49,6 +49,11 @@ pub(crate) fn within(
     if ok { Ok(value) } else { Err(DomainError::OutOfRange { quantity, value, expected }) }
 }
 
+/// `value`, if it is finite.
+pub(crate) fn finite(quantity: &'static str, value: f64) -> Result<f64, DomainError> {
+    within(value.is_finite(), quantity, value, "a finite number")
+}
+
 /// `value`, if it is finite and above 0.
 pub(crate) fn positive(quantity: &'static str, value: f64) -> Result<f64, DomainError> {
     within(value.is_finite() && value > 0.0, quantity, value, "a finite number above 0")

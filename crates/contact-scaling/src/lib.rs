@@ -35,6 +35,7 @@ mod dimensionless;
 pub mod drop_test;
 pub mod equilibrium;
 mod error;
+pub mod fit;
 mod hertz;
 mod hunt_crossley;
 mod law;
