@@ -165,7 +165,7 @@ impl Job<'_> {
                 prepared.push(Prepared::new(path, patched, like.as_ref(), mode)?);
                 paths.push(path.clone());
             }
-            Place::InPlace(path) => {
+            Place::Itself(path) => {
                 self.back_up(path, &loaded.bytes)?;
                 prepared.push(Prepared::new(path, patched, None, Mode::Replace)?);
                 paths.push(path.clone());
@@ -237,8 +237,7 @@ impl Job<'_> {
         written: &Written,
         terminal: &mut Terminal,
     ) -> Result<()> {
-        let shown = |path: &PathBuf| path.display().to_string();
-        let paths: Vec<String> = written.paths().iter().map(|path| shown(path)).collect();
+        let paths: Vec<String> = written.paths().iter().map(|path| path.display().to_string()).collect();
         if self.output.format == Format::Json {
             let output = paths.first().map(String::as_str);
             terminal.print(&json::plan(plan, &loaded.shown, output, paths.get(1).map(String::as_str)))?;

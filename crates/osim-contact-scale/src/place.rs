@@ -17,14 +17,14 @@ pub(crate) enum Place {
     /// A file of its own.
     File(PathBuf),
     /// The model itself.
-    InPlace(PathBuf),
+    Itself(PathBuf),
 }
 
 impl Place {
     pub(crate) fn path(&self) -> Option<&Path> {
         match self {
             Self::Stdout => None,
-            Self::File(path) | Self::InPlace(path) => Some(path),
+            Self::File(path) | Self::Itself(path) => Some(path),
         }
     }
 }
@@ -52,7 +52,7 @@ pub(crate) fn place(source: &Source, output: &OutputArgs) -> Place {
         };
     }
     if output.in_place {
-        return Place::InPlace(source.path.clone());
+        return Place::Itself(source.path.clone());
     }
     match &output.output_dir {
         Some(folder) => Place::File(folder.join(relative(source))),

@@ -21,8 +21,10 @@ pub(crate) fn insert(
     let children: Vec<ElementId> = tree.children(parent).collect();
     let place = |tag: &str| -> (usize, String) {
         let wanted = rank(tag);
-        let before =
-            children.iter().filter(|&&child| rank(tree.name(child)).is_some_and(|r| Some(r) < wanted)).last();
+        let before = children
+            .iter()
+            .filter(|&&child| rank(tree.name(child)).is_some_and(|r| Some(r) < wanted))
+            .next_back();
         if let Some(&before) = before {
             return (tree.span(before).end, white_space_before(tree, tree.span(before).start));
         }

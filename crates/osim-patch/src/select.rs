@@ -60,7 +60,7 @@ impl Selection {
         if !explicit {
             refuse_several_trees(model, &forces)?;
         }
-        let complete = default.iter().all(|index| forces.contains(index));
+        let complete = default.iter().all(|index| forces.binary_search(index).is_ok());
         Ok(Selected { forces, complete })
     }
 }

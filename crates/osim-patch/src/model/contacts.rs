@@ -1,5 +1,7 @@
 //! Contact spheres and contact forces as typed values over the tree.
 
+use std::collections::HashSet;
+
 use super::files::{Base, Files};
 use super::objects::ObjectId;
 use super::skeleton::Skeleton;
@@ -132,13 +134,9 @@ impl Force {
     /// Indices of all spheres of the force, each once, in order.
     #[must_use]
     pub fn spheres(&self) -> Vec<usize> {
-        let mut spheres = Vec::new();
-        for &sphere in self.sets.iter().flat_map(|set| &set.spheres) {
-            if !spheres.contains(&sphere) {
-                spheres.push(sphere);
-            }
-        }
-        spheres
+        let mut seen = HashSet::new();
+        let all = self.sets.iter().flat_map(|set| &set.spheres);
+        all.copied().filter(|&sphere| seen.insert(sphere)).collect()
     }
 
     /// The value of `property` in parameter set `set`, or of the force itself.

@@ -1,6 +1,6 @@
 //! Limbs: contact spheres grouped along the joint tree, split where left and right both hang below.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 
 use super::files::Base;
 use super::objects::ObjectId;
@@ -120,12 +120,12 @@ impl Model<'_, '_> {
     /// Moving spheres that touch a half-space through an applied force among `forces`, each once.
     #[must_use]
     pub fn loaded_spheres(&self, forces: &[usize]) -> Vec<usize> {
+        let mut seen = HashSet::new();
         let mut spheres: Vec<usize> = Vec::new();
         let applied = forces.iter().filter_map(|&index| self.forces.get(index)).filter(|force| force.applies);
         for force in applied.filter(|force| self.meets_half_space(force)) {
             for sphere in force.spheres() {
-                if self.spheres.get(sphere).is_some_and(|sphere| !sphere.fixed) && !spheres.contains(&sphere)
-                {
+                if self.spheres.get(sphere).is_some_and(|sphere| !sphere.fixed) && seen.insert(sphere) {
                     spheres.push(sphere);
                 }
             }

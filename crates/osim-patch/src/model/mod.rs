@@ -10,7 +10,7 @@ mod traps;
 use crate::document::Document;
 use crate::error::{Fault, FaultKind};
 use crate::note::Note;
-use crate::warning::Warning;
+use crate::warning::{Warning, WarningCode};
 use crate::xml::ElementId;
 
 pub(crate) use contacts::{ContactReader, Dialect};
@@ -49,6 +49,8 @@ pub struct Model<'d, 'a> {
     pub note: Option<Note>,
     /// Traps found while reading.
     pub warnings: Vec<Warning>,
+    /// For each part, the `file="…"` that names it, where one does.
+    included: Vec<Option<String>>,
 }
 
 impl<'d, 'a> Model<'d, 'a> {
@@ -91,9 +93,34 @@ impl<'d, 'a> Model<'d, 'a> {
         };
         let name = document.tree().attribute(document.data_root(), "name").unwrap_or_default().into_owned();
         let note = Note::find(document);
-        let mut model = Self { files, skeleton, name, gravity_m_s2, spheres, forces, note, warnings };
+        let included = parts
+            .iter()
+            .map(|part| {
+                document.tree().attribute(part.included_by?, "file").map(|file| file.trim().to_owned())
+            })
+            .collect();
+        let mut model =
+            Self { files, skeleton, name, gravity_m_s2, spheres, forces, note, warnings, included };
         model.find_traps();
+        model.compare_notes(parts);
         Ok(model)
+    }
+
+    /// A force set and a geometry set that were written together carry the same digest.
+    fn compare_notes(&mut self, parts: &[Part<'d, 'a>]) {
+        for part in parts.iter().filter(|part| part.included_by.is_none() && !is_model(part.document)) {
+            let (ours, theirs) =
+                (self.note.as_ref().map(|n| &n.digest), Note::find(part.document).map(|n| n.digest));
+            if ours != theirs.as_ref() {
+                let text = "the force set and its geometry set were not written by the same run";
+                self.warnings.push(Warning::new(WarningCode::MixedPair, text));
+            }
+        }
+    }
+
+    /// The name under which the model includes file number `file`, if it does.
+    pub(crate) fn included_file(&self, file: usize) -> Option<&str> {
+        self.included.get(file.checked_sub(1)?)?.as_deref()
     }
 
     /// The main file.
@@ -137,11 +164,10 @@ fn check_data_root(document: &Document<'_>, parts: &[Part<'_, '_>]) -> Result<()
     let tree = document.tree();
     let root = document.data_root();
     let kind = match tree.name(root) {
-        "Model" => return Ok(()),
         "ForceSet" if parts.is_empty() => FaultKind::Incomplete(
             "this is a ForceSet that stands alone: its spheres are in another file, name it with --geometry FILE".into(),
         ),
-        "ForceSet" => return Ok(()),
+        "Model" | "ForceSet" => return Ok(()),
         "ContactGeometrySet" => FaultKind::Incomplete(
             "this is a ContactGeometrySet, which has no forces: name the ForceSet file and give this one as --geometry FILE"
                 .into(),

@@ -8,30 +8,27 @@ use crate::document::Origin;
 use crate::property::{Class, Property};
 use crate::warning::{Warning, WarningCode};
 
+const ELASTIC_FOUNDATION_PARAMETERS: &str = "ElasticFoundationForce::ContactParameters";
 const NOT_HERTZ: [&str; 3] = ["ElasticFoundationForce", "ExponentialContactForce", "MeyerFregly2016Force"];
 
 impl Model<'_, '_> {
-    /// Names of forces of other classes whose geometry lists a sphere of this name.
-    pub(crate) fn other_users(&self, sphere: &str) -> Vec<String> {
+    /// For each sphere name, the forces of other contact classes whose geometry lists it.
+    pub(crate) fn users_of_other_classes(&self) -> HashMap<String, Vec<String>> {
         let files = self.files();
-        let mut users = Vec::new();
-        for (id, _) in files
-            .objects
-            .iter()
-            .filter(|(id, _)| files.tag(*id) == "ElasticFoundationForce::ContactParameters")
-        {
+        let mut users: HashMap<String, Vec<String>> = HashMap::new();
+        let foundations =
+            files.objects.iter().filter(|(id, _)| files.tag(*id) == ELASTIC_FOUNDATION_PARAMETERS);
+        for (id, _) in foundations {
             let tree = files.doc(id).tree();
             let Some(geometry) = tree.child(files.element(id), "geometry") else { continue };
-            let uses = tree
-                .text_of(geometry)
-                .split_ascii_whitespace()
-                .any(|name| name.rsplit('/').next() == Some(sphere));
             let mut at = files.objects.get(id).and_then(|object| object.parent);
             while let Some(force) = at.filter(|&force| files.tag(force) != "ElasticFoundationForce") {
                 at = files.objects.get(force).and_then(|object| object.parent);
             }
-            if let (true, Some(force)) = (uses, at) {
-                users.push(files.name(force));
+            let Some(force) = at else { continue };
+            for name in tree.text_of(geometry).split_ascii_whitespace() {
+                let last = name.rsplit('/').next().unwrap_or(name);
+                users.entry(last.to_owned()).or_default().push(files.name(force));
             }
         }
         users

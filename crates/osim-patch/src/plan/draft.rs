@@ -1,9 +1,12 @@
 //! Collecting changes: each number is checked, changed once, and only if it really changes.
 
+use std::collections::HashSet;
+
 use super::{Change, Target};
 use crate::document::Value;
 use crate::error::{Fault, FaultKind};
 use crate::model::Model;
+use crate::note::Key;
 use crate::property::Property;
 use crate::warning::Warning;
 
@@ -72,11 +75,12 @@ pub(super) struct Draft<'m, 'd, 'a> {
     pub model: &'m Model<'d, 'a>,
     pub changes: Vec<Change>,
     pub warnings: Vec<Warning>,
+    planned: HashSet<Key>,
 }
 
 impl<'m, 'd, 'a> Draft<'m, 'd, 'a> {
     pub(super) fn new(model: &'m Model<'d, 'a>) -> Self {
-        Self { model, changes: Vec::new(), warnings: Vec::new() }
+        Self { model, changes: Vec::new(), warnings: Vec::new(), planned: HashSet::new() }
     }
 
     /// The effective value of a force's property, if it can be scaled.
@@ -166,12 +170,18 @@ impl<'m, 'd, 'a> Draft<'m, 'd, 'a> {
             };
             return Err(Fault::at(kind, value.offset).of(change.path).in_file(change.file));
         }
-        let known = self.changes.iter().any(|other| {
-            other.target.element == change.target.element
-                && other.property == change.property
-                && other.file == change.file
-        });
-        if change.to.to_bits() != change.from.to_bits() && !known {
+        if change.to.to_bits() == change.from.to_bits() {
+            return Ok(());
+        }
+        if let Some(included) = self.model.included_file(change.file) {
+            return Err(Fault::new(FaultKind::NeedsAnswer {
+                code: "included-file",
+                question: format!("{} stands in the file '{included}' that the model includes", change.path),
+                way_out: "open the model in OpenSim and save it as one file, then change that".to_owned(),
+            })
+            .of(change.path));
+        }
+        if self.planned.insert((change.file, change.target.element, change.property)) {
             self.changes.push(change);
         }
         Ok(())

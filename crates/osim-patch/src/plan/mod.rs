@@ -7,7 +7,7 @@ mod radii;
 mod rescale;
 mod transfer;
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 
 use crate::edit::{Edit, splice};
@@ -91,6 +91,12 @@ pub struct Plan {
     note: Option<Note>,
 }
 
+/// Elements that an object lacks and gets.
+struct Absent<'p> {
+    class: Class,
+    elements: Vec<(&'p str, String)>,
+}
+
 /// What the note of a plan says beside the values.
 struct NoteFacts<'o> {
     mass_kg: f64,
@@ -143,22 +149,24 @@ impl Plan {
         let document = model.file(file);
         let tree = document.tree();
         let mut edits = Vec::new();
-        let mut absent: Vec<(ElementId, Class, Vec<(&str, String)>)> = Vec::new();
+        let mut absent: BTreeMap<ElementId, Absent<'_>> = BTreeMap::new();
         for change in self.changes.iter().filter(|change| change.file == file) {
             let text = shortest(change.to);
             let Target { element, class, tag, span } = &change.target;
             match span {
                 Some(span) => edits.push(Edit { span: span.clone(), text }),
-                None => match absent.iter_mut().find(|(parent, ..)| parent == element) {
-                    Some((_, _, elements)) => elements.push((tag, text)),
-                    None => absent.push((*element, *class, vec![(tag, text)])),
-                },
+                None => {
+                    let object = absent.entry(*element).or_insert(Absent { class: *class, elements: vec![] });
+                    object.elements.push((tag, text));
+                }
             }
         }
-        for (parent, class, elements) in &absent {
-            edits.extend(insert(tree, *parent, class.order(), elements));
+        for (parent, object) in &absent {
+            edits.extend(insert(tree, *parent, object.class.order(), &object.elements));
         }
-        if let (Some(note), false) = (&self.note, self.is_empty()) {
+        // A geometry set changes together with its force set and gets the same note; a model that was only read none.
+        let noted = file == 0 || !edits.is_empty() || tree.name(document.data_root()) == "ContactGeometrySet";
+        if let (Some(note), true) = (&self.note, noted && !self.is_empty()) {
             edits.push(match Note::span(document) {
                 Some(span) => Edit { span, text: note.comment() },
                 None => insert_first(tree, document.data_root(), &note.comment()),

@@ -1,6 +1,6 @@
 //! New radii, and the one radius ratio by which a force's parameters follow.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 use super::draft::{Draft, New, PropertySet};
 use crate::error::{Fault, FaultKind};
@@ -64,12 +64,13 @@ impl Radii {
     ) -> Result<Self, Fault> {
         let model = draft.model;
         let mut radii = BTreeMap::new();
+        let users = Users::outside(model, forces);
         for sphere in moving_spheres(model, forces) {
             let old = draft.current_radius(sphere)?;
             let rule = if properties.contains(Property::Radius) { rule_of(sphere) } else { RadiusRule::Keep };
             let pair = rule.pair(old, isometric);
             if pair.new != pair.old {
-                refuse_shared(model, forces, sphere)?;
+                users.refuse(model, forces, sphere)?;
             }
             let factor = (!matches!(rule, RadiusRule::Metres(_))).then_some(pair.ratio);
             draft.radius(sphere, New { to: pair.new, factor, equation: rule.equation() })?;
@@ -148,37 +149,54 @@ pub(super) fn moving_spheres(model: &Model<'_, '_>, forces: &[usize]) -> Vec<usi
     spheres
 }
 
-/// A radius may change only if every applied force that uses the sphere changes with it.
-fn refuse_shared(model: &Model<'_, '_>, forces: &[usize], sphere: usize) -> Result<(), Fault> {
-    let Some(shared) = model.spheres.get(sphere) else { return Ok(()) };
-    let mut left: Vec<String> = Vec::new();
-    for (index, force) in model.forces.iter().enumerate() {
-        if force.applies && !forces.contains(&index) && force.spheres().contains(&sphere) {
-            left.push(force.name.clone());
+/// Forces that use a sphere and are not changed with it.
+struct Users<'m> {
+    forces: HashMap<usize, Vec<&'m str>>,
+    /// By sphere name: contact classes that are not Hertz's.
+    others: HashMap<String, Vec<String>>,
+}
+
+impl<'m> Users<'m> {
+    fn outside(model: &'m Model<'_, '_>, chosen: &[usize]) -> Self {
+        let chosen: HashSet<usize> = chosen.iter().copied().collect();
+        let mut forces: HashMap<usize, Vec<&str>> = HashMap::new();
+        for (index, force) in model.forces.iter().enumerate() {
+            if force.applies && !chosen.contains(&index) {
+                for sphere in force.spheres() {
+                    forces.entry(sphere).or_default().push(&force.name);
+                }
+            }
         }
+        Self { forces, others: model.users_of_other_classes() }
     }
-    left.extend(model.other_users(&shared.name));
-    if left.is_empty() {
-        return Ok(());
+
+    /// A radius may change only if every applied force that uses the sphere changes with it.
+    fn refuse(&self, model: &Model<'_, '_>, chosen: &[usize], sphere: usize) -> Result<(), Fault> {
+        let Some(shared) = model.spheres.get(sphere) else { return Ok(()) };
+        let mut left: Vec<&str> = self.forces.get(&sphere).cloned().unwrap_or_default();
+        left.extend(self.others.get(&shared.name).into_iter().flatten().map(String::as_str));
+        if left.is_empty() {
+            return Ok(());
+        }
+        let changed: Vec<usize> = chosen
+            .iter()
+            .copied()
+            .filter(|&index| model.forces.get(index).is_some_and(|force| force.spheres().contains(&sphere)))
+            .collect();
+        let fault = Fault::new(FaultKind::NeedsAnswer {
+            code: "shared-sphere",
+            question: format!(
+                "sphere {} is used by {} and by {}, which is not rescaled",
+                shared.path,
+                crate::select::names(model, &changed),
+                left.join(", ")
+            ),
+            way_out: "choose all of them with --select GLOB, or leave radii as they are with --radius keep"
+                .to_owned(),
+        });
+        let offset = shared.radius.offset;
+        Err(Fault { offset: Some(offset), ..fault }.of(shared.path.clone()).in_file(shared.file))
     }
-    let changed: Vec<usize> = forces
-        .iter()
-        .copied()
-        .filter(|&index| model.forces.get(index).is_some_and(|force| force.spheres().contains(&sphere)))
-        .collect();
-    let fault = Fault::new(FaultKind::NeedsAnswer {
-        code: "shared-sphere",
-        question: format!(
-            "sphere {} is used by {} and by {}, which is not rescaled",
-            shared.path,
-            crate::select::names(model, &changed),
-            left.join(", ")
-        ),
-        way_out: "choose all of them with --select GLOB, or leave radii as they are with --radius keep"
-            .to_owned(),
-    });
-    let offset = shared.radius.offset;
-    Err(Fault { offset: Some(offset), ..fault }.of(shared.path.clone()).in_file(shared.file))
 }
 
 fn warn_terrain(draft: &mut Draft<'_, '_, '_>, forces: &[usize]) {

@@ -129,7 +129,7 @@ fn already_there(origin: f64, mass: &Mass) -> Warning {
 }
 
 fn finish(draft: Draft<'_, '_, '_>, wanted: &Rescale, selected: &Selected, radii: Option<&Radii>) -> Plan {
-    let Draft { model, changes, warnings } = draft;
+    let Draft { model, changes, warnings, .. } = draft;
     let mut remarks = Vec::new();
     if !changes.is_empty() {
         remarks.push("body masses and sphere locations stay as they are".to_owned());

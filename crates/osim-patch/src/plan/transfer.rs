@@ -457,7 +457,7 @@ fn dimensionless(contact: &ReferenceContact) -> Result<DimensionlessContact, Fau
 }
 
 fn finish(draft: Draft<'_, '_, '_>, wanted: &Transfer, selected: &Selected, radii: &Radii) -> Plan {
-    let Draft { model, changes, warnings } = draft;
+    let Draft { model, changes, warnings, .. } = draft;
     let mut remarks = Vec::new();
     if !changes.is_empty() {
         remarks.push("body masses and sphere locations stay as they are".to_owned());

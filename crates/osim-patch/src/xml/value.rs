@@ -155,8 +155,8 @@ mod tests {
     }
 
     #[track_caller]
-    fn reads(content: &str, expected: Result<f64, NumberFault>) {
-        assert_eq!(number(&raw(&format!("<a>{content}</a>"))), expected, "{content}");
+    fn reads(content: &str, expected: &Result<f64, NumberFault>) {
+        assert_eq!(&number(&raw(&format!("<a>{content}</a>"))), expected, "{content}");
     }
 
     // Expected readings are those seen from OpenSim 4.6 on the same texts.
@@ -176,7 +176,7 @@ mod tests {
             ("inf", f64::INFINITY),
             ("-Infinity", f64::NEG_INFINITY),
         ] {
-            reads(text, Ok(value));
+            reads(text, &Ok(value));
         }
         assert!(number(&raw("<a>NaN</a>")).unwrap().is_nan());
     }
@@ -185,14 +185,14 @@ mod tests {
     fn where_opensim_reads_something_else_the_text_is_refused() {
         for (text, value) in [("1,5e6", 1.0), ("2e6N", 2e6), (" 3e6 4e6 ", 3e6), ("1d6", 1.0), ("0x10", 0.0)]
         {
-            reads(text, Err(NumberFault::Prefix { opensim_reads: value }));
+            reads(text, &Err(NumberFault::Prefix { opensim_reads: value }));
         }
-        reads("", Err(NumberFault::Empty));
-        reads(" \n ", Err(NumberFault::Empty));
-        reads("abc", Err(NumberFault::Unreadable));
-        reads("1e400", Err(NumberFault::Unreadable));
-        reads("1e", Err(NumberFault::Unreadable));
-        reads("1<!-- in -->e6", Err(NumberFault::Interrupted));
+        reads("", &Err(NumberFault::Empty));
+        reads(" \n ", &Err(NumberFault::Empty));
+        reads("abc", &Err(NumberFault::Unreadable));
+        reads("1e400", &Err(NumberFault::Unreadable));
+        reads("1e", &Err(NumberFault::Unreadable));
+        reads("1<!-- in -->e6", &Err(NumberFault::Interrupted));
     }
 
     #[test]
