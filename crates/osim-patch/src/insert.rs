@@ -21,10 +21,8 @@ pub(crate) fn insert(
     let children: Vec<ElementId> = tree.children(parent).collect();
     let place = |tag: &str| -> (usize, String) {
         let wanted = rank(tag);
-        let before = children
-            .iter()
-            .filter(|&&child| rank(tree.name(child)).is_some_and(|r| Some(r) < wanted))
-            .next_back();
+        let before =
+            children.iter().rfind(|&&child| rank(tree.name(child)).is_some_and(|r| Some(r) < wanted));
         if let Some(&before) = before {
             return (tree.span(before).end, white_space_before(tree, tree.span(before).start));
         }

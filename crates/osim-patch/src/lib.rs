@@ -56,7 +56,7 @@ pub use error::{Fault, FaultKind, NumberFault, SyntaxFault};
 pub use mass::{Mass, MassRequest, MassSource, SAME_MASS, same_mass};
 pub use model::{Body, Force, ForceKind, Limb, Limbs, Model, ParameterSet, Part, Side, Sphere};
 pub use note::{Note, Scope};
-pub use number::shortest;
+pub use number::{readable, shortest};
 pub use plan::{
     Change, DissipationBy, Plan, PropertySet, RadiusRule, Reference, ReferenceContact, Rescale, Transfer,
     reference_of_model, rescale, transfer,

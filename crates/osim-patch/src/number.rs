@@ -24,6 +24,18 @@ pub fn shortest(value: f64) -> String {
     format!("{value:e}")
 }
 
+/// A number for people: exact where that is short, else eight significant digits.
+#[must_use]
+pub fn readable(value: f64) -> String {
+    const SHORT: usize = 10;
+    let exact = shortest(value);
+    if exact.len() <= SHORT || !value.is_finite() {
+        return exact;
+    }
+    let rounded: f64 = format!("{value:.7e}").parse().unwrap_or(value);
+    shortest(rounded)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -43,6 +55,19 @@ mod tests {
             (1.5e-300, "1.5e-300"),
         ] {
             assert_eq!(shortest(value), text);
+        }
+    }
+
+    #[test]
+    fn numbers_for_people_are_short() {
+        for (value, text) in [
+            (0.032, "0.032"),
+            (2_005_361.956_123, "2005362"),
+            (0.064_171_582_614_44, "0.064171583"),
+            (4.021_476_612_3e-6, "4.0214766e-6"),
+            (f64::NAN, "NaN"),
+        ] {
+            assert_eq!(readable(value), text);
         }
     }
 

@@ -6,7 +6,7 @@ use super::{number, right, table};
 
 /// What a run took, changed and noticed.
 pub(crate) fn text(plan: &Plan, model: &str, output: &str) -> String {
-    let mut text = heading(plan, model);
+    let mut text = format!("{model}: {}\n", plan.taken);
     if plan.changes.is_empty() {
         text.push_str("nothing to change\n");
     } else {
@@ -20,16 +20,6 @@ pub(crate) fn text(plan: &Plan, model: &str, output: &str) -> String {
     text.push_str(&warnings(&plan.warnings));
     text.push_str(&format!("{output}\n"));
     text
-}
-
-fn heading(plan: &Plan, model: &str) -> String {
-    let from = &plan.from_mass;
-    let origin = format!("{model}: contacts stand for {} kg ({})", number(from.kg), from.told_by);
-    if plan.changes.is_empty() {
-        return format!("{origin}\n");
-    }
-    let ratio = plan.to_mass_kg / from.kg;
-    format!("{origin}; scaled to {} kg (mass x{})\n", number(plan.to_mass_kg), number(ratio))
 }
 
 /// Warnings, one line each.

@@ -84,6 +84,8 @@ pub struct Plan {
     pub from_mass: Mass,
     /// What they stand for afterwards, kg.
     pub to_mass_kg: f64,
+    /// What was taken and from where, in words: the first line of every report.
+    pub taken: String,
     /// Things the user should know.
     pub warnings: Vec<Warning>,
     /// Things that always hold and are said once: what the run did not do.

@@ -9,7 +9,7 @@ use crate::error::Fault;
 use crate::mass::{Mass, checked, same_mass};
 use crate::model::Model;
 use crate::note::Scope;
-use crate::number::shortest;
+use crate::number::{readable, shortest};
 use crate::property::Property;
 use crate::select::Selected;
 use crate::warning::{Warning, WarningCode};

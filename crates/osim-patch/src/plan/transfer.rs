@@ -13,6 +13,7 @@ use crate::error::{Fault, FaultKind};
 use crate::mass::{Mass, MassSource};
 use crate::model::{Force, ForceKind, Model};
 use crate::note::Scope;
+use crate::number::readable;
 use crate::property::Property;
 use crate::select::Selected;
 use crate::warning::{Warning, WarningCode};
@@ -463,10 +464,22 @@ fn finish(draft: Draft<'_, '_, '_>, wanted: &Transfer, selected: &Selected, radi
         remarks.push("body masses and sphere locations stay as they are".to_owned());
         remarks.extend(bottoms_remark(radii));
     }
+    let reference = &wanted.reference;
+    let taken = format!(
+        "contacts of {} ({} kg, {}; {} spheres) for {} kg ({}; {} spheres)",
+        reference.name,
+        readable(reference.mass.kg),
+        reference.mass.told_by,
+        reference.sphere_count,
+        readable(wanted.mass.kg),
+        wanted.mass.told_by,
+        wanted.sphere_count
+    );
     let plan = Plan {
         changes,
-        from_mass: wanted.reference.mass.clone(),
+        from_mass: reference.mass.clone(),
         to_mass_kg: wanted.mass.kg,
+        taken,
         warnings,
         remarks,
         note: None,
