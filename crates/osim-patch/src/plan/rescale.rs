@@ -136,8 +136,13 @@ fn finish(draft: Draft<'_, '_, '_>, wanted: &Rescale, selected: &Selected, radii
         remarks.extend(radii.and_then(bottoms_remark));
     }
     let to_mass_kg = if changes.is_empty() { wanted.contacts_mass.kg } else { wanted.target_mass_kg };
-    let plan =
-        Plan { changes, from_mass: wanted.contacts_mass.clone(), to_mass_kg, warnings, remarks, note: None };
+    let from_mass = wanted.contacts_mass.clone();
+    let mut taken = format!("contacts stand for {} kg ({})", readable(from_mass.kg), from_mass.told_by);
+    if !changes.is_empty() {
+        let ratio = readable(to_mass_kg / from_mass.kg);
+        taken.push_str(&format!("; scaled to {} kg (mass x{ratio})", readable(to_mass_kg)));
+    }
+    let plan = Plan { changes, from_mass, to_mass_kg, taken, warnings, remarks, note: None };
     let all = selected.complete && wanted.properties.is_complete();
     plan.with_note(
         model,
