@@ -202,6 +202,25 @@ fn spheres_of_different_radii_and_laws_share_the_load() {
 }
 
 #[test]
+fn force_and_motion_belong_together() {
+    // M v = ∫ (M g − F) dt at every sample, by the trapezoidal rule; both laws, and both in one body.
+    let hard = Law::of(&contact(2e6, 0.5, false), 0.02).unwrap();
+    let soft = Law::of(&contact(2e5, 1.0, true), 0.05).unwrap();
+    let values =
+        DropValues { mass_kg: 62.0, gravity_m_s2: 9.81, height_m: 0.008, duration_s: 0.5, samples: 50_001 };
+    for laws in [[hard, hard], [soft, soft], [hard, soft]] {
+        let spheres = laws.map(|law| Spheres::new(law, 3.0).unwrap());
+        let report = DropTest::new(spheres, values).unwrap().run().unwrap();
+        let mut speed = 0.0;
+        for pair in report.series.windows(2) {
+            let force = 0.5 * (pair[0].force_n + pair[1].force_n);
+            speed += (force / 62.0 - 9.81) * (pair[1].time_s - pair[0].time_s);
+            assert!((speed - pair[1].speed_m_s).abs() < 1e-7, "{pair:?} {speed}");
+        }
+    }
+}
+
+#[test]
 fn an_unscaled_smooth_mouse_never_touches_the_ground() {
     let report = drop(2, &on(2, true, false)).run().unwrap();
     assert_eq!(report.first_contact, None);

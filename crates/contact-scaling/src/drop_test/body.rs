@@ -1,6 +1,6 @@
 //! The body of a drop test and the units its motion is computed in.
 
-use crate::Spheres;
+use crate::{Law, Spheres};
 
 /// A body on its spheres, with the length, time and force that make its motion dimensionless.
 #[derive(Debug, Clone, Copy)]
@@ -35,6 +35,13 @@ impl<'a> Body<'a> {
     /// Normal force over body weight, from the dimensionless state.
     pub(super) fn force(&self, state: [f64; 2]) -> f64 {
         self.force_n(state[0] * self.length_m, state[1] * self.speed_m_s()) / self.weight_n
+    }
+
+    /// The same of the smoothed laws alone, which act before contact too.
+    pub(super) fn flight_force(&self, state: [f64; 2]) -> f64 {
+        let smooth = self.spheres.iter().filter(|s| matches!(s.law(), Law::Smooth(_)));
+        let (x, rate) = (state[0] * self.length_m, state[1] * self.speed_m_s());
+        smooth.map(|s| s.force(x, rate)).sum::<f64>() / self.weight_n
     }
 
     /// Mean of a figure over the spheres.

@@ -49,7 +49,7 @@ pub(super) fn follow(body: &Body<'_>, values: &DropValues) -> Result<Record, Dro
     for _ in 0..MOST_EVENTS {
         observer.contact = contact;
         let before = observer.record.crossings.len();
-        let fall = Fall { body, contact: contact || !restart };
+        let fall = Fall { body, contact };
         let mut method = ExplicitRungeKutta::dop853()
             .rtol(RELATIVE_TOLERANCE)
             .atol(ABSOLUTE_TOLERANCE)
@@ -78,7 +78,7 @@ fn reached(error: &Error<f64, State>, start: f64) -> f64 {
     }
 }
 
-/// The equation of motion. In flight a Hertz force is not evaluated even where a stage reaches into the ground.
+/// The equation of motion. In flight only smoothed forces act, even where a stage reaches into the ground.
 struct Fall<'a> {
     body: &'a Body<'a>,
     contact: bool,
@@ -87,7 +87,7 @@ struct Fall<'a> {
 impl ODE<f64, State> for Fall<'_> {
     fn diff(&self, _time: f64, state: &State, rate: &mut State) {
         rate[0] = state[1];
-        rate[1] = if self.contact { 1.0 - self.body.force(*state) } else { 1.0 };
+        rate[1] = 1.0 - if self.contact { self.body.force(*state) } else { self.body.flight_force(*state) };
     }
 }
 
@@ -114,16 +114,21 @@ impl Observer<'_> {
         self.record
     }
 
+    /// Looks at the force of a step, and closer where it is larger than before.
     fn peak(&mut self, from: f64, to: f64, at: &mut impl FnMut(f64) -> Option<State>) {
         let width = (to - from) / f64::from(LOOKS);
         let mut force = |time: f64| at(time).map_or(0.0, |state| self.body.force(state));
-        for look in 0..=LOOKS {
-            let middle = if look == LOOKS { to } else { from + width * f64::from(look) };
-            if force(middle) > self.record.peak_force {
-                let (low, high) = ((middle - width).max(from), (middle + width).min(to));
-                let top = golden(low, high, &mut force);
-                self.record.peak_force = top.max(force(middle));
+        let (mut best, mut top) = (from, 0.0);
+        for look in 1..=LOOKS {
+            let time = if look == LOOKS { to } else { from + width * f64::from(look) };
+            let here = force(time);
+            if here > top {
+                (best, top) = (time, here);
             }
+        }
+        if top > self.record.peak_force {
+            let closer = golden((best - width).max(from), (best + width).min(to), &mut force);
+            self.record.peak_force = top.max(closer);
         }
     }
 }
@@ -131,12 +136,20 @@ impl Observer<'_> {
 /// The largest value of a function with one maximum, by golden section.
 fn golden(mut low: f64, mut high: f64, f: &mut impl FnMut(f64) -> f64) -> f64 {
     const SHARE: f64 = 0.618_033_988_749_894_9;
-    let mut best = f(low).max(f(high));
-    for _ in 0..40 {
-        let (a, b) = (high - SHARE * (high - low), low + SHARE * (high - low));
-        let (fa, fb) = (f(a), f(b));
+    let (mut a, mut b) = (high - SHARE * (high - low), low + SHARE * (high - low));
+    let (mut fa, mut fb) = (f(a), f(b));
+    let mut best = fa.max(fb);
+    for _ in 0..36 {
+        if fa < fb {
+            (low, a, fa) = (a, b, fb);
+            b = low + SHARE * (high - low);
+            fb = f(b);
+        } else {
+            (high, b, fb) = (b, a, fa);
+            a = high - SHARE * (high - low);
+            fa = f(a);
+        }
         best = best.max(fa).max(fb);
-        if fa < fb { low = a } else { high = b }
     }
     best
 }
