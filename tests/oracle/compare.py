@@ -14,6 +14,11 @@ def hexed(value):
     return None if value is None else float(value).hex()
 
 
+def readable(name):
+    """A name as JSON can tell it: a byte that is not UTF-8 becomes U+FFFD."""
+    return name.encode("utf-8", "surrogateescape").decode("utf-8", "replace")
+
+
 def finite(text):
     """OpenSim's bits as JSON can tell them."""
     return text if math.isfinite(float.fromhex(text)) else None
@@ -75,8 +80,11 @@ def sphere_equals(ours, theirs):
 
 
 def model_equals(report, reading):
-    """Name, total mass and the size of gravity."""
-    assert report["name"] == reading["name"]
+    """Name, the mass of each body, the total and the size of gravity."""
+    assert report["name"] == readable(reading["name"])
+    assert {body["path"]: hexed(body["mass_kg"]) for body in report["bodies"]} == {
+        body["path"]: finite(body["mass"]) for body in reading["bodies"]
+    }
     total = float.fromhex(reading["mass_sum"])
     assert math.isclose(report["mass_kg"], total, rel_tol=MASS_TOLERANCE)
     if reading["total_mass"]:
@@ -126,6 +134,7 @@ def differing_lines(before, after):
         if one != other:
             left, right = element.fullmatch(one), element.fullmatch(other)
             assert left and right and left[1] == right[1], f"{one.strip()} became {other.strip()}"
+            assert left[1] in rules.PROPERTIES, f"{left[1]} went from {left[2]} to {right[2]}"
             found[left[1], float(left[2]).hex(), float(right[2]).hex()] += 1
     return found
 
@@ -138,25 +147,25 @@ def moving_spheres(reading, force_path):
     ]
 
 
-def expected_isometric(reading, mu):
-    """`{(path, set, property): value}` that the rule gives for an animal `mu` times as heavy."""
-    factor = rules.factors(mu, rules.isometric(mu))
-    expected = {}
+def expected(reading, mu, rho=None):
+    """`{(path, set, property): value}` that the rule gives for an animal `mu` times as heavy, isometric unless told."""
+    factor = rules.factors(mu, rules.isometric(mu) if rho is None else rho)
+    wanted = {}
     for force in reading["forces"]:
         if (force["path"], force["set"]) not in ground_contacts(reading):
             continue
         for name in rules.scaled_properties(force["type"]):
-            expected[force["path"], force["set"], name] = float.fromhex(force["parameters"][name]) * factor[name]
+            wanted[force["path"], force["set"], name] = float.fromhex(force["parameters"][name]) * factor[name]
         for sphere in moving_spheres(reading, force["path"]):
-            expected[sphere["path"], None, "radius"] = float.fromhex(sphere["radius"]) * factor["radius"]
-    return expected
+            wanted[sphere["path"], None, "radius"] = float.fromhex(sphere["radius"]) * factor["radius"]
+    return wanted
 
 
-def plan_follows_the_rule(planned, expected):
-    """The plan holds the rule's values and no others; a value that stays (a dissipation of 0) may be left out."""
-    assert set(planned) <= set(expected), f"planned, but not of the rule: {set(planned) - set(expected)}"
-    for place, wanted in expected.items():
+def plan_follows_the_rule(planned, wanted, before):
+    """The plan holds the rule's values and no others; a value that stays as it is may be left out."""
+    assert set(planned) <= set(wanted), f"planned, but not of the rule: {set(planned) - set(wanted)}"
+    for place, number in wanted.items():
         if place in planned:
-            assert rules.close(planned[place]["to"], wanted), (place, planned[place]["to"], wanted)
+            assert rules.close(planned[place]["to"], number), (place, planned[place]["to"], number)
         else:
-            assert wanted == 0.0, f"not planned: {place}"
+            assert number == float.fromhex(value(before, place)), f"not planned: {place}"

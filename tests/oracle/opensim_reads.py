@@ -1,15 +1,17 @@
 """Print as JSON what the real OpenSim reads from each MODEL: `opensim_reads.py [--dump] MODEL...`
 
 Each model is read in a fresh process of its own, because OpenSim keeps a document's `<defaults>` for every
-model it loads later. Floats are written as `float.hex()`: two readings are equal when their bits are.
+model it loads later: one process imports OpenSim, reads nothing, and forks for each model, two at a time.
+Floats are written as `float.hex()`: two readings are equal when their bits are.
 
 With `--dump` the model as OpenSim prints it, every default spelled out, comes along as `dump`.
 """
 
 import json
+import os
 import subprocess
 import sys
-from concurrent.futures import ThreadPoolExecutor
+import tempfile
 from pathlib import Path
 
 SMOOTH = (
@@ -25,21 +27,40 @@ SMOOTH = (
 )
 MATERIAL = ("stiffness", "dissipation", "static_friction", "dynamic_friction", "viscous_friction")
 GEOMETRY = ("ContactSphere", "ContactHalfSpace", "ContactMesh", "ContactEllipsoid", "ContactCylinder", "ContactTorus")
-WORKERS = 2
+WORKERS = int(os.environ.get("ORACLE_WORKERS", "2"))
 
 
 def read_models(paths, dump=False):
-    """`{path: reading}`, two processes at a time."""
+    """`{path: reading}`; the caller's process stays free of OpenSim."""
+    command = [sys.executable, __file__, *(["--dump"] if dump else []), *map(str, paths)]
+    return json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
 
-    def one(path):
-        flags = ["--dump"] if dump else []
-        done = subprocess.run([sys.executable, __file__, "--here", *flags, str(path)], capture_output=True, text=True)
-        if done.returncode:
-            return {"loads": False, "error": done.stderr.strip()[-500:] or f"exit status {done.returncode}"}
-        return json.loads(done.stdout.splitlines()[-1])
 
-    with ThreadPoolExecutor(WORKERS) as pool:
-        return dict(zip(map(str, paths), pool.map(one, paths)))
+def read_each_apart(paths, dump):
+    """`{path: reading}`, each made by a child that has seen no other model."""
+    import opensim  # noqa: F401  once, before the forks: importing takes longer than reading
+
+    with tempfile.TemporaryDirectory() as folder:
+        readings = [Path(folder, f"{number}.json") for number in range(len(paths))]
+        running = set()
+        for path, reading in zip(paths, readings):
+            if len(running) == WORKERS:
+                running.discard(os.wait()[0])
+            child = os.fork()
+            if child == 0:
+                try:
+                    reading.write_text(json.dumps(read_here(path, dump)))
+                finally:
+                    os._exit(0)
+            running.add(child)
+        while running:
+            running.discard(os.wait()[0])
+        return {
+            path: json.loads(reading.read_text())
+            if reading.exists()
+            else {"loads": False, "error": "OpenSim ended without a word"}
+            for path, reading in zip(paths, readings)
+        }
 
 
 def read_here(path, dump):
@@ -253,7 +274,4 @@ def left_to_right(masses):
 if __name__ == "__main__":
     arguments = sys.argv[1:]
     models = [argument for argument in arguments if not argument.startswith("--")]
-    if "--here" in arguments:
-        print(json.dumps(read_here(models[0], "--dump" in arguments)))
-    else:
-        print(json.dumps(read_models(models, "--dump" in arguments), indent=1))
+    print(json.dumps(read_each_apart(models, "--dump" in arguments), indent=1))

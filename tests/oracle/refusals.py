@@ -17,6 +17,7 @@ REFUSED = {
     # of other people's models
     "v30517_elastic_foundation_with_sphere.osim": "its only contact is an ElasticFoundationForce",
     "v40000_double_pendulum_no_contacts.osim": "no contacts",
+    "v40000_walker_terrain_46_spheres_crlf.osim": "feet and shanks are spheres of a force with obstacles, too",
     "v40000_soccer_kick_sphere_pairs.osim": "a player, a goalkeeper and a ball: the user has to select",
     "v40600_moco_3d_walking_model_without_contacts.osim": "its contacts are in two files of their own",
 }
@@ -29,7 +30,14 @@ RENAMED = {
     "unnamed_sphere_unused.osim",
 }
 
-# Models OpenSim 4.6 cannot read at all, which the command reads nevertheless.
-BEYOND_OPENSIM = {
-    "moco_sphere_in_force.osim": "OpenSim 4.2 and later do not know a radius inside the force",
+# Of `fixtures/bad`: the command may go on where it has OpenSim's numbers, or where OpenSim's parser is stricter.
+# Whatever it writes then is compared with OpenSim's reading all the same, if there is one.
+LENIENT = {
+    "attribute_unquoted.osim": "OpenSim reads it",
+    "attribute_less_than.osim": "OpenSim reads it",
+    "second_bom.osim": "OpenSim reads it",
+    "location_short.osim": "a location is only shown, never scaled; OpenSim takes 0 0 0",
+    "blank_in_end_tag.osim": "well-formed XML that OpenSim's parser does not take",
+    "name_with_blank.osim": "OpenSim refuses the name; the contacts are clear",
+    "nul_byte.osim": "OpenSim's parser stops at the byte; it stands in a comment",
 }

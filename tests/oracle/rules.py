@@ -8,6 +8,14 @@ import numpy as np
 
 SMOOTH_SET = "SmoothSphereHalfSpaceForce"
 TOLERANCE = 1e-14
+PROPERTIES = (
+    "stiffness",
+    "dissipation",
+    "constant_contact_force",
+    "hertz_smoothing",
+    "hunt_crossley_smoothing",
+    "radius",
+)
 
 
 def isometric(mu):

@@ -6,7 +6,7 @@ import command
 import compare
 import models
 import rules
-from refusals import REFUSED, RENAMED
+from refusals import LENIENT, REFUSED, RENAMED
 
 MU = 3.7
 GOOD = [path for path in models.fixtures("reads") + models.corpus() if path.parent.name != "bad"]
@@ -42,7 +42,8 @@ def test_opensim_reads_the_plan_and_nothing_else_differs(path, rescaled, reading
         return renamed(outcome.report, before, after)
     planned = compare.plan(outcome.report)
     compare.plan_is_what_opensim_reads(planned, before, after)
-    compare.plan_follows_the_rule(planned, compare.expected_isometric(before, contacts["to"] / contacts["from"]))
+    wanted = compare.expected(before, contacts["to"] / contacts["from"])
+    compare.plan_follows_the_rule(planned, wanted, before)
 
 
 def renamed(report, before, after):
@@ -68,25 +69,41 @@ def test_a_model_opensim_cannot_connect_is_refused_or_scaled_right(path, rescale
     contacts = outcome.report["contacts_mass_kg"]
     factor = rules.factors(MU, rules.isometric(contacts["to"] / contacts["from"]))
     for change in outcome.report["changes"]:
-        name = "radius" if change["property"] == "contact_sphere_radius" else change["property"]
-        assert rules.close(change["to"], change["from"] * factor[name]), change
+        assert rules.close(change["to"], change["from"] * factor[change["property"]]), change
+    known = {entry["path"]: entry for entry in readings[path]["forces"] + readings[path]["spheres"]}
     planned = {
-        place: change for place, change in compare.plan(outcome.report).items() if place[2] != "contact_sphere_radius"
-    }  # Moco 0.1 to 0.3: OpenSim 4.6 does not know it
-    compare.plan_is_what_opensim_reads(
-        {
-            place: change
-            for place, change in planned.items()
-            if any(place[0] == entry["path"] for entry in readings[path]["forces"] + readings[path]["spheres"])
-        },
-        readings[path],
-        readings[output],
-    )
+        place: change
+        for place, change in compare.plan(outcome.report).items()
+        if place[0] in known and (place[2] != "radius" or "radius" in known[place[0]])
+    }  # without the radii Moco 0.1 to 0.3 kept in the force: OpenSim 4.6 does not know them
+    compare.plan_is_what_opensim_reads(planned, readings[path], readings[output])
 
 
 @pytest.mark.parametrize("path", BAD, ids=models.label)
-def test_a_bad_model_is_refused_in_place_and_writes_nothing(path, tmp_path):
+def test_a_bad_model_is_refused_in_place_and_writes_nothing(path, tmp_path, readings):
     output = tmp_path / "out.osim"
     outcome = command.rescale(path, 229.4, output)
+    if outcome.status == 0 and path.name in LENIENT:
+        if readings[path]["loads"]:
+            compare.plan_is_what_opensim_reads(compare.plan(outcome.report), readings[path], readings[output])
+        return
     assert outcome.status == 1 and outcome.error["code"] and outcome.error["message"], outcome
     assert not output.exists()
+
+
+KEPT = [path for path in GOOD if path.parent.name in ("table1", "corpus") or "terrain" in path.name]
+
+
+@pytest.mark.parametrize("path", KEPT, ids=models.label)
+def test_with_radii_kept_stiffness_alone_goes_with_mass(path, tmp_path, readings):
+    """rho = 1: E1* goes with mu, and alpha, cf, bd and bv stay. Shared spheres are no obstacle then."""
+    output = tmp_path / "out.osim"
+    outcome = command.rescale(path, MU * mass(readings[path]), output, "--radius", "keep")
+    if path.name in REFUSED and outcome.status:
+        assert outcome.status == 1 and outcome.error["code"] and not output.exists(), outcome
+        return
+    assert outcome.status == 0, outcome
+    planned, contacts = compare.plan(outcome.report), outcome.report["contacts_mass_kg"]
+    compare.plan_is_what_opensim_reads(planned, readings[path], readings[output])
+    wanted = compare.expected(readings[path], contacts["to"] / contacts["from"], rho=1.0)
+    compare.plan_follows_the_rule(planned, wanted, readings[path])
