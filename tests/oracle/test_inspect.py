@@ -52,26 +52,3 @@ def test_inspect_never_shows_other_numbers_than_opensim(path, readings):
 @pytest.mark.skipif(not models.CORPUS, reason=models.NO_CORPUS)
 def test_the_corpus_is_there():
     assert len(models.corpus()) >= 10
-
-
-@pytest.mark.parametrize(
-    "forces, geometry, model",
-    [
-        ("standalone_ForceSet.xml", "standalone_ContactGeometrySet.xml", "standalone_model_without_contacts.osim"),
-        (
-            "standalone_defaults_ForceSet.xml",
-            "standalone_ContactGeometrySet.xml",
-            "standalone_model_without_contacts.osim",
-        ),
-    ],
-)
-def test_a_standalone_set_reads_as_opensim_reads_it(forces, geometry, model, readings):
-    folder = models.FIXTURES / "format"
-    outcome = command.inspect(folder / forces, "--geometry", folder / geometry, "--model", folder / model)
-    assert outcome.status == 0, outcome
-    theirs = {force["name"]: force["parameters"] for force in readings[folder / forces]["forces"]}
-    assert {force["name"] for force in outcome.report["forces"]} == set(theirs)
-    for force in outcome.report["forces"]:
-        compare.numbers_equal(force["parameters"], theirs[force["name"]], force["name"])
-    radii = {sphere["name"]: sphere["radius"] for sphere in readings[folder / geometry]["spheres"]}
-    assert {sphere["name"]: compare.hexed(sphere["radius_m"]) for sphere in outcome.report["spheres"]} == radii
