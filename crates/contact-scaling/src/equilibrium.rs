@@ -58,9 +58,14 @@ pub fn indentation(spheres: &[Spheres], load_n: f64) -> Result<f64, DomainError>
         above *= 2.0;
     }
     // Short steps through the onset, where the force can rise and fall; past x = 0 it only rises.
+    let falls = |x: f64| spheres.iter().map(|s| s.count() * s.law().stiffness(x)).sum::<f64>() < 0.0;
     while below <= 0.0 && !carried(below) {
         above = below;
         below += 0.05 * step;
+        if !falls(above) && falls(below) {
+            let top = bisect(above, below, falls);
+            below = if carried(top) { top } else { below };
+        }
     }
     let mut stride = hertz.max(step);
     while !carried(below) && below.is_finite() {
@@ -128,6 +133,22 @@ mod tests {
         let mouse = [smooth(1e-5, 300.0, 0.002, 2.0)];
         let x = indentation(&mouse, 0.0209 * 9.81).unwrap();
         assert!(x < 0.0, "{x}");
+    }
+
+    #[test]
+    fn of_several_rests_it_is_the_first_from_above() {
+        // With next to no cf the smoothed force rises before contact and falls again towards it.
+        let sphere = [smooth(1e-12, 300.0, 0.032, 1.0)];
+        let force = |x: f64| sphere[0].law().elastic_force(x);
+        let points = (-20_000..0).map(|i| f64::from(i) * 1e-6);
+        let (top, bump) =
+            points.map(|x| (x, force(x))).fold((0.0, 0.0), |a, b| if b.1 > a.1 { b } else { a });
+        assert!(top < -1e-3 && force(-1e-5) < 0.1 * bump);
+        for share in [0.01, 0.5, 0.99, 0.9999] {
+            let x = indentation(&sphere, share * bump).unwrap();
+            assert!(x < top, "{share}: {x} {top}");
+        }
+        assert!(indentation(&sphere, 1.01 * bump).unwrap() > 0.0);
     }
 
     #[test]

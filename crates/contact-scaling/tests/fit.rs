@@ -71,6 +71,8 @@ fn values_and_errors_agree_with_high_precision() {
         }
         let (s, _) = reference(&format!("{name} s"));
         assert_close(result.residual_deviation_n, s, tolerance, name);
+        let (r2, _) = reference(&format!("{name} r2"));
+        assert_close(result.r_squared, r2, 1e-13, name);
         if result.parameters.len() > 1 {
             let (covariance, _) = reference(&format!("{name} covariance"));
             assert_close(result.covariance[0][1], covariance, tolerance, name);

@@ -113,7 +113,7 @@ mod tests {
         };
         assert_eq!(rows(Rate::Unknown, Branch::Loading), [0, 1, 2]);
         assert_eq!(rows(Rate::Unknown, Branch::Unloading), [3, 4]);
-        let speeds = [1.0, 1.0, -0.1, -1.0, -1.0];
+        let speeds = [1.0, 0.0, -0.1, -1.0, -1.0];
         assert_eq!(rows(Rate::Speed(&speeds), Branch::Loading), [0, 1]);
         assert_eq!(rows(Rate::Speed(&speeds), Branch::Unloading), [2, 3, 4]);
     }

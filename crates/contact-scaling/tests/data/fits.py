@@ -52,17 +52,20 @@ def solve(free, start):
     square = sum((f - force(full(q), x, v)) ** 2 for x, v, f in rows)
     s2 = square / (len(rows) - len(free))
     covariance = s2 * (jacobian.T * jacobian) ** -1
-    return q, [sqrt(covariance[i, i]) for i in range(len(free))], sqrt(s2), covariance
+    mean = sum(f for _, _, f in rows) / len(rows)
+    r2 = 1 - square / sum((f - mean) ** 2 for _, _, f in rows)
+    return q, [sqrt(covariance[i, i]) for i in range(len(free))], sqrt(s2), covariance, r2
 
 
 print(f"# mpmath {mpmath.__version__}, Python {platform.python_version()}, {mp.dps} digits; written by fits.py")
 print("name,value,standard_error")
 cases = [("elastic", [0], [2.7e5]), ("dissipative", [0, 1], [2.7e5, 1.0]), ("onset", [0, 2], [2.7e5, 5e-6]), ("all", [0, 1, 2], [2.7e5, 1.0, 5e-6])]
 for name, free, start in cases:
-    q, errors, s, covariance = solve(free, start)
+    q, errors, s, covariance, r2 = solve(free, start)
     for i, value, error in zip(free, q, errors):
         print(f"{name} {('E', 'alpha', 'x0')[i]},{mpmath.nstr(value, 20)},{mpmath.nstr(error, 20)}")
     print(f"{name} s,{mpmath.nstr(s, 20)},")
+    print(f"{name} r2,{mpmath.nstr(r2, 20)},")
     if len(free) > 1:
         print(f"{name} covariance,{mpmath.nstr(covariance[0, 1], 20)},")
 for x, v, f in zip(X, V, F):
