@@ -48,6 +48,7 @@ mod preset;
 mod ratios;
 pub mod restitution;
 mod scale;
+pub mod sizing;
 mod smooth;
 pub mod smoothing;
 pub mod stiffness;

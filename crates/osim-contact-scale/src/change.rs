@@ -38,8 +38,12 @@ pub(crate) fn run(
     for failure in &sources.failures {
         exit = exit.and(report_failure(failure, output, terminal));
     }
+    let say = |terminal: &mut Terminal, remark: &str| match output.quiet {
+        true => Ok(()),
+        false => terminal.note(&format!("note: {remark}\n")),
+    };
     for remark in &sources.remarks {
-        terminal.note(&format!("note: {remark}\n"))?;
+        say(terminal, remark)?;
     }
     let mut without_contacts = 0;
     for (source, place) in sources.models.iter().zip(&places) {
@@ -52,7 +56,7 @@ pub(crate) fn run(
         }
     }
     if without_contacts > 0 {
-        terminal.note(&format!("note: {without_contacts} models without contacts passed over\n"))?;
+        say(terminal, &format!("models without contacts passed over: {without_contacts}"))?;
     }
     Ok(exit)
 }

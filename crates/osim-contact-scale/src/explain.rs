@@ -6,6 +6,9 @@ use osim_patch::WarningCode;
 use crate::report::table;
 use crate::terminal::Terminal;
 
+/// Columns of an old terminal.
+const WIDTH: usize = 80;
+
 /// Explains one code, or lists all of them.
 ///
 /// # Errors
@@ -22,12 +25,14 @@ pub(crate) fn run(code: Option<&str>, terminal: &mut Terminal) -> Result<()> {
     let Some(found) = WarningCode::ALL.iter().find(|known| known.as_str() == code) else {
         bail!("'{code}' is no warning code: `osim-contact-scale explain` lists them");
     };
-    terminal.print(&format!(
-        "{}\n\nWhat:  {}\nWhy:   {}\nDo:    {}\n",
-        found.as_str(),
-        found.what().trim(),
-        found.why(),
-        found.remedy()
-    ))?;
+    let parts = [("What: ", found.what().trim()), ("Why:  ", found.why()), ("Do:   ", found.remedy())];
+    let mut text = format!("{}\n\n", found.as_str());
+    for (label, body) in parts {
+        let body = format!("{}.", body.trim_end_matches('.'));
+        let options = textwrap::Options::new(WIDTH).initial_indent(label).subsequent_indent("      ");
+        text.push_str(&textwrap::fill(&body, options));
+        text.push('\n');
+    }
+    terminal.print(&text)?;
     Ok(())
 }

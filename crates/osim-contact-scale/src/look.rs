@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use anyhow::Result;
-use osim_patch::{Limbs, MassRequest, Model, Selected, Selection};
+use osim_patch::{Fault, Limbs, MassRequest, Model, Selected, Selection, Warning, WarningCode};
 
 use crate::args::{Format, InspectArgs, PartArgs};
 use crate::failure::Failure;
@@ -20,7 +20,7 @@ pub(crate) struct Look<'l> {
     pub format: Format,
     pub masses: MassRequest,
     pub selection: Selection,
-    /// Say what to do next.
+    /// Say what to do next, once, behind all models.
     pub hint: bool,
 }
 
@@ -58,6 +58,9 @@ impl<'l> Look<'l> {
                 Err(failure) => exit = exit.and(self.fail(&failure, terminal)?),
             }
         }
+        if self.hint && !first && self.format == Format::Table {
+            terminal.print(HINT)?;
+        }
         Ok(exit)
     }
 
@@ -88,6 +91,14 @@ impl<'l> Look<'l> {
             Some(why) => Limbs::Unknown(why.clone()),
             None => model.limbs(&selected.forces),
         };
+        for fault in [mass.as_ref().err(), contacts_mass.as_ref().err()].into_iter().flatten() {
+            let code =
+                if fault.code() == "stale-note" { WarningCode::StaleNote } else { WarningCode::MassUnknown };
+            let warning = Warning { code, message: fault.to_string(), line: line_of(model, fault) };
+            if !warnings.contains(&warning) {
+                warnings.push(warning);
+            }
+        }
         let seen = Inspected {
             path: &loaded.shown,
             model,
@@ -100,25 +111,17 @@ impl<'l> Look<'l> {
         if self.format == Format::Json {
             return json::inspect(&seen);
         }
-        let mut text = inspect::text(&seen);
-        for fault in [mass.as_ref().err(), contacts_mass.as_ref().err()].into_iter().flatten() {
-            let line = format!("warning: {fault}\n");
-            if !text.contains(&line) {
-                text.push_str(&line);
-            }
-        }
-        if self.hint {
-            text.push_str(&hint(&loaded.shown));
-        }
-        text
+        inspect::text(&seen)
     }
 }
 
-fn hint(model: &str) -> String {
-    format!(
-        "\nNothing was changed. Next:\n  \
-         osim-contact-scale {model} --target-mass KG        scale its contacts to another mass\n  \
-         osim-contact-scale transfer {model} --from MODEL   take the contacts of a known model\n  \
-         osim-contact-scale --help                          everything else\n"
-    )
+fn line_of(model: &Model<'_, '_>, fault: &Fault) -> Option<usize> {
+    fault.offset.map(|offset| model.file(fault.source_file).line(offset))
 }
+
+const HINT: &str = "
+Nothing was changed. Next (MODEL is the name of the file, in quotes where it has blanks):
+  osim-contact-scale MODEL --target-mass KG         scale its contacts to another mass
+  osim-contact-scale transfer MODEL --from OTHER    take the contacts of a known model
+  osim-contact-scale --help                         everything else
+";

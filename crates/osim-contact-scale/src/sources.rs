@@ -46,7 +46,7 @@ impl Sources {
         for path in named {
             if path.is_dir() {
                 sources.walk(path, skip);
-            } else {
+            } else if !sources.models.iter().any(|known| known.path == *path) {
                 sources.models.push(Source { path: path.clone(), folder: None });
             }
         }
@@ -83,7 +83,7 @@ impl Sources {
         if own > 0 {
             let shown = folder.display();
             self.remarks
-                .push(format!("{shown}: {own} outputs of this tool (*{OUTPUT_MARK}.osim) passed over"));
+                .push(format!("{shown}: outputs of this tool (*{OUTPUT_MARK}.osim) passed over: {own}"));
         }
         if self.models.len() == before {
             let error =

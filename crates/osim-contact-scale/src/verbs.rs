@@ -4,8 +4,8 @@ use std::path::Path;
 
 use anyhow::{Result, bail};
 use osim_patch::{
-    Fault, FaultKind, MassRequest, Model, Plan, RadiusRule, Reference, Rescale, Selection, Transfer,
-    reference_of_model, rescale, transfer,
+    Fault, FaultKind, Mass, MassRequest, MassSource, Model, Plan, RadiusRule, Reference, Rescale, Selection,
+    Transfer, reference_of_model, rescale, transfer,
 };
 
 use crate::args::{PartArgs, RescaleArgs, TransferArgs};
@@ -24,7 +24,8 @@ pub(crate) struct RescaleVerb<'v> {
 
 impl<'v> RescaleVerb<'v> {
     pub(crate) fn new(args: &'v RescaleArgs, target_mass_kg: f64) -> Result<Self> {
-        Ok(Self { args, target_mass_kg, selection: args.choice.selection()?, masses: args.masses.request()? })
+        let masses = MassRequest { target_kg: Some(target_mass_kg), ..args.masses.request()? };
+        Ok(Self { args, target_mass_kg, selection: args.choice.selection()?, masses })
     }
 }
 
@@ -62,6 +63,11 @@ impl<'v> TransferVerb<'v> {
     /// # Errors
     /// The reference is no preset and no file (wrong usage), or a model that cannot be a reference.
     pub(crate) fn new(args: &'v TransferArgs) -> Result<Result<Self, Failure>> {
+        if args.masses.contacts_mass.is_some() {
+            bail!(
+                "--contacts-mass says nothing here: the reference's mass is --reference-mass, this model's --mass"
+            );
+        }
         let selection = args.choice.selection()?;
         let masses = args.masses.request()?;
         let reference = match preset(args)? {
@@ -81,8 +87,7 @@ fn preset(args: &TransferArgs) -> Result<Option<Reference>> {
     if let Some(preset) = contact_scaling::preset(&name) {
         let mut reference = Reference::from(&preset);
         if let Some(kg) = args.reference.reference_mass {
-            reference.mass.kg = kg;
-            reference.mass.told_by = "--reference-mass".to_owned();
+            reference.mass = reference_mass(kg);
         }
         reference.sphere_count = args.reference.reference_spheres.unwrap_or(reference.sphere_count);
         return Ok(Some(reference));
@@ -97,6 +102,10 @@ fn preset(args: &TransferArgs) -> Result<Option<Reference>> {
     Ok(None)
 }
 
+fn reference_mass(kg: f64) -> Mass {
+    Mass { kg, source: MassSource::Reference, told_by: "--reference-mass".to_owned() }
+}
+
 fn reference_from_file(args: &TransferArgs) -> Result<Reference, Failure> {
     let source = Source { path: args.from.clone(), folder: None };
     let loaded = Loaded::read(&source, &PartArgs { geometry: None, model: None })?;
@@ -105,11 +114,14 @@ fn reference_from_file(args: &TransferArgs) -> Result<Reference, Failure> {
 
 fn reference_from_model(model: &Model<'_, '_>, args: &TransferArgs) -> Result<Reference, Fault> {
     let selected = Selection::default().apply(model)?;
-    let request = MassRequest { contacts_kg: args.reference.reference_mass, ..MassRequest::default() };
-    let mass = request.of_contacts(model, &mut Vec::new())?;
+    let mass = match args.reference.reference_mass {
+        Some(kg) => reference_mass(kg),
+        None => MassRequest::default().of_contacts(model, &mut Vec::new())?,
+    };
+    // --stance-limbs is about this model; a reference that stands on several limbs says --reference-spheres.
     let count = match args.reference.reference_spheres {
         Some(count) => count,
-        None => sphere_count(model, &selected.forces, args.counts.stance_limbs, "--reference-spheres")?,
+        None => sphere_count(model, &selected.forces, 1.0, "--reference-spheres")?,
     };
     let mut reference = reference_of_model(model, &selected, mass, count)?;
     reference.name =

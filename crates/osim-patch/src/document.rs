@@ -180,16 +180,15 @@ impl<'a> Document<'a> {
         };
         let offset = if raw.span.is_empty() { self.tree.span(element).start } else { raw.span.start };
         let span = if raw.span.is_empty() { self.tree.span(element) } else { raw.span };
-        let text = raw.text.trim().to_owned();
+        let text = raw.text.trim_matches(|c: char| c.is_ascii_whitespace()).to_owned();
+        // A blank that is not ASCII looks like one and is none: show it.
+        let text = if text.is_ascii() { text } else { text.escape_default().to_string() };
         Value { property, number, origin: Origin::Element, span: Some(span), fault, text, offset }
     }
 
     fn inherited(&self, object: ElementId, class: Class, property: Property, tag: &str) -> Value {
         let offset = self.tree.span(object).start;
-        let default = self
-            .defaults
-            .and_then(|defaults| self.tree.child(defaults, class.tag()))
-            .and_then(|default| self.tree.child(default, tag));
+        let default = self.default_object(class.tag()).and_then(|default| self.tree.child(default, tag));
         match default {
             Some(element) => Value {
                 origin: Origin::Defaults,
@@ -227,10 +226,50 @@ impl<'a> Document<'a> {
             .collect()
     }
 
-    /// Three numbers such as a location; `None` where the text is not three finite numbers.
+    /// The class's object in `<defaults>`: the first of that class, whatever its name.
+    fn default_object(&self, class: &str) -> Option<ElementId> {
+        self.tree.child(self.defaults?, class)
+    }
+
+    /// The element of a property: the object's own, else that of the class's object in `<defaults>`.
+    pub(crate) fn property_element(&self, object: ElementId, tag: &str) -> Option<ElementId> {
+        self.tree.child(object, tag).or_else(|| {
+            let default = self.default_object(self.tree.name(object))?;
+            self.tree.child(default, tag)
+        })
+    }
+
+    /// The class's object in `<defaults>` for `object`, if there is one.
+    pub(crate) fn defaults_of(&self, object: ElementId) -> Option<ElementId> {
+        self.default_object(self.tree.name(object))
+    }
+
+    /// A flag as OpenSim reads it: the first word, in any case; another word is passed over.
+    pub(crate) fn flag(&self, object: ElementId, tag: &str) -> Option<bool> {
+        let read = |element| match self
+            .tree
+            .text_of(element)
+            .split_ascii_whitespace()
+            .next()?
+            .to_lowercase()
+            .as_str()
+        {
+            "true" | "1" => Some(true),
+            "false" | "0" => Some(false),
+            _ => None,
+        };
+        self.tree.child(object, tag).and_then(read).or_else(|| {
+            let default = self.defaults_of(object)?;
+            read(self.tree.child(default, tag)?)
+        })
+    }
+
+    /// Three numbers such as a location, parted by blanks or commas; `None` where the text is not three finite numbers.
     pub(crate) fn triple(&self, object: ElementId, tag: &str) -> Option<[f64; 3]> {
-        let raw = self.tree.raw_text(self.tree.child(object, tag)?);
-        let mut numbers = raw.text.split_ascii_whitespace().map(|token| {
+        let raw = self.tree.raw_text(self.property_element(object, tag)?);
+        let words =
+            raw.text.split(|c: char| c.is_ascii_whitespace() || c == ',').filter(|word| !word.is_empty());
+        let mut numbers = words.map(|token| {
             let (value, length) = crate::xml::value::prefix(token)?;
             (length == token.len() && value.is_finite()).then_some(value)
         });

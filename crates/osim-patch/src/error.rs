@@ -68,6 +68,14 @@ pub enum FaultKind {
         /// Why it is no plain number.
         fault: NumberFault,
     },
+    /// A text that OpenSim refuses because something stands in the middle of it.
+    #[error(
+        "{property} has a comment or element in the middle of its text, which OpenSim cannot read: remove it"
+    )]
+    BrokenText {
+        /// Tag of the element.
+        property: String,
+    },
     /// A number outside the domain in which the equations hold.
     #[error("{property} is {value}, expected {expected}")]
     Domain {
@@ -87,7 +95,7 @@ pub enum FaultKind {
         body: String,
     },
     /// No contact forces in the model.
-    #[error("the model has no contacts to change: {detail}")]
+    #[error("there are no contacts to work on: {detail}")]
     NoContacts {
         /// What was looked for and what was found instead.
         detail: String,
@@ -179,11 +187,14 @@ pub enum SyntaxFault {
         what: String,
     },
     /// Anything else the parser refuses.
-    #[error("broken XML: {what}")]
+    #[error("{what}")]
     Malformed {
         /// What the parser says.
         what: String,
     },
+    /// A zero byte.
+    #[error("a zero byte stands here: the file is damaged or no text, copy it again from where it came")]
+    Nul,
     /// More than 4 GiB.
     #[error("the file is larger than 4 GiB")]
     TooLarge,
@@ -222,6 +233,7 @@ impl FaultKind {
             Self::NotOpenSim { .. } | Self::NoVersion { .. } | Self::WrongDataRoot { .. } => "not-opensim",
             Self::Incomplete(_) => "incomplete-set",
             Self::Number { .. } => "not-a-number",
+            Self::BrokenText { .. } => "broken-text",
             Self::Domain { .. } => "out-of-domain",
             Self::NoMass { .. } => "no-mass",
             Self::NoContacts { .. } => "no-contacts",

@@ -18,6 +18,8 @@ pub struct MassRequest {
     pub contacts_kg: Option<f64>,
     /// `--mass`: what the model weighs, kg.
     pub model_kg: Option<f64>,
+    /// What the contacts shall stand for, kg: an explicit origin need not agree with a source that says this.
+    pub target_kg: Option<f64>,
     /// `--exclude-body`: props that do not belong to the animal.
     pub exclude_bodies: GlobSet,
 }
@@ -36,6 +38,8 @@ pub enum MassSource {
     Bodies,
     /// A preset.
     Preset,
+    /// `--reference-mass`.
+    Reference,
 }
 
 impl MassSource {
@@ -48,6 +52,7 @@ impl MassSource {
             Self::Mass => "mass",
             Self::Bodies => "bodies",
             Self::Preset => "preset",
+            Self::Reference => "reference-mass",
         }
     }
 }
@@ -105,8 +110,8 @@ impl MassRequest {
             let kg = checked("--contacts-mass", kg)?;
             Mass { kg, source: MassSource::Option, told_by: "--contacts-mass".to_owned() }
         } else if let Some(note) = &model.note {
-            trusted(model, note)?;
-            Mass { kg: note.mass_kg, source: MassSource::Note, told_by: "note in the file".to_owned() }
+            let kg = trusted(model, note)?;
+            Mass { kg, source: MassSource::Note, told_by: "note in the file".to_owned() }
         } else {
             return self.of_model(model);
         };
@@ -118,14 +123,19 @@ impl MassRequest {
     fn compare(&self, model: &Model<'_, '_>, taken: &Mass, warnings: &mut Vec<Warning>) {
         let mut others = Vec::new();
         if taken.source != MassSource::Note
-            && let Some(note) = &model.note
+            && let Some(kg) = model.note.as_ref().and_then(|note| note.mass_kg)
         {
-            others.push((note.mass_kg, "the note in the file".to_owned()));
+            others.push((kg, "the note in the file".to_owned()));
         }
         if let Ok(mass) = self.of_model(model) {
             others.push((mass.kg, format!("the {}", mass.told_by)));
         }
-        for (kg, told_by) in others.into_iter().filter(|(kg, _)| !same_mass(*kg, taken.kg)) {
+        // The usual case: the body was scaled to the target already, and the user says what the contacts were made for.
+        let expected = |kg: f64| {
+            taken.source == MassSource::Option && self.target_kg.is_some_and(|target| same_mass(kg, target))
+        };
+        let differs = |kg: f64| !same_mass(kg, taken.kg) && !expected(kg);
+        for (kg, told_by) in others.into_iter().filter(|(kg, _)| differs(*kg)) {
             warnings.push(Warning::new(
                 WarningCode::MassSourcesDisagree,
                 format!(
@@ -146,19 +156,22 @@ pub fn same_mass(a: f64, b: f64) -> bool {
 }
 
 /// A note speaks for the contacts only while all of them are as it left them.
-fn trusted(model: &Model<'_, '_>, note: &Note) -> Result<(), Fault> {
-    let why = if note.digest != digest(model, |_| None) {
-        "its values are no longer those the note was written for"
-    } else if note.scope == Scope::Partial {
-        "only some of them were scaled by the run that left the note"
-    } else {
-        return Ok(());
+fn trusted(model: &Model<'_, '_>, note: &Note) -> Result<f64, Fault> {
+    let why = match note.mass_kg {
+        None => "its mass was not known then",
+        Some(_) if note.digest != digest(model, |_| None) => {
+            "the values are no longer those the note was written for"
+        }
+        Some(_) if note.scope == Scope::Partial => {
+            "only some values were changed by the run that left the note"
+        }
+        Some(kg) => return Ok(kg),
     };
+    let said = note.mass_kg.map_or("unknown".to_owned(), shortest);
     Err(Fault::new(FaultKind::NeedsAnswer {
         code: "stale-note",
         question: format!(
-            "what the contacts stand for is not certain: the note in the file says {} kg, but {why}",
-            shortest(note.mass_kg)
+            "what the contacts stand for is not certain: the note in the file says {said} kg, but {why}"
         ),
         way_out: "say it with --contacts-mass KG".to_owned(),
     }))

@@ -28,8 +28,8 @@ pub enum Scope {
 pub struct Note {
     /// Version of the tool that wrote it.
     pub version: String,
-    /// Mass the contacts stand for, kg.
-    pub mass_kg: f64,
+    /// Mass the contacts stand for, kg; `None` where nobody knew.
+    pub mass_kg: Option<f64>,
     /// Gravity the contacts stand for, m/s²; `None` where the model has none.
     pub gravity_m_s2: Option<f64>,
     /// All contacts or only some.
@@ -69,8 +69,10 @@ impl Note {
         let text = comment.strip_prefix("<!--")?.strip_suffix("-->")?.trim();
         let (version, rest) = text.strip_prefix(NAME)?.trim_start().split_once(": ")?;
         let mut fields = rest.split("; ");
-        let mass_kg =
-            fields.next()?.strip_prefix("contacts stand for ")?.strip_suffix(" kg")?.parse().ok()?;
+        let mass_kg = match fields.next()?.strip_prefix("contacts stand for ")?.strip_suffix(" kg")? {
+            "unknown" => None,
+            text => Some(text.parse::<f64>().ok().filter(|mass| mass.is_finite() && *mass > 0.0)?),
+        };
         let gravity = fields.next()?.strip_prefix("gravity ")?;
         let gravity_m_s2 = match gravity {
             "unknown" => None,
@@ -85,7 +87,7 @@ impl Note {
         let digest = fields.next()?.strip_prefix("digest ")?.to_owned();
         let version = version.to_owned();
         let note = Self { version, mass_kg, gravity_m_s2, scope, operation, digest };
-        (fields.next().is_none() && note.mass_kg.is_finite() && note.mass_kg > 0.0).then_some(note)
+        fields.next().is_none().then_some(note)
     }
 
     /// The comment as it stands in the file: one line, no `--` inside.
@@ -101,7 +103,7 @@ impl Note {
         format!(
             "<!-- {NAME} {}: contacts stand for {} kg; gravity {gravity}; scope {scope}; by {operation}; digest {} -->",
             self.version,
-            shortest(self.mass_kg),
+            self.mass_kg.map_or("unknown".to_owned(), shortest),
             self.digest
         )
     }
@@ -149,7 +151,7 @@ mod tests {
     fn a_note_reads_back_as_written() {
         let note = Note {
             version: "0.1.0".into(),
-            mass_kg: 0.0209,
+            mass_kg: Some(0.0209),
             gravity_m_s2: Some(9.80665),
             scope: Scope::Partial,
             operation: "set stiffness=x2".into(),

@@ -150,6 +150,10 @@ warning_codes! {
     DisabledForce = "disabled-force":
         "A force that does not apply carries no load, so its spheres are not counted; it is still scaled, so that it is right once it is switched on.";
         "Nothing, if that is meant; else --skip-disabled".
+    /// Contacts stand in a component of a class that OpenSim does not know.
+    UnknownClass = "unknown-class":
+        "OpenSim skips a component of a class it does not know, with everything in it, so these contacts do not exist for it; they were left alone. A plugin may know the class.";
+        "Move the contacts into the ForceSet, or out of the component of that class".
     /// Two components have the same name.
     DuplicateNames = "duplicate-names":
         "OpenSim renames the second one when it loads the model, so a path or a name means the first one only.";
@@ -170,10 +174,14 @@ warning_codes! {
     MixedPair = "mixed-pair":
         "The force set and the geometry set carry notes of different runs: their stiffnesses and radii do not belong together.";
         "Write both again in one run".
-    /// A folder holds outputs of this tool that were passed over.
-    OwnOutputs = "own-outputs-skipped":
-        "Scaling a scaled copy again is rarely meant.";
-        "Name the file itself to change it".
+    /// What the model weighs, or what its contacts stand for, cannot be told.
+    MassUnknown = "mass-unknown":
+        "Every factor follows from these masses.";
+        "Say --mass KG or --contacts-mass KG, or mend the masses of the bodies".
+    /// A number lies outside the domain of the contact laws.
+    OutOfDomain = "out-of-domain":
+        "OpenSim accepts it and computes NaN or nonsense; such a model is not changed.";
+        "Mend the number in the model".
 }
 
 impl fmt::Display for WarningCode {

@@ -29,6 +29,7 @@ impl MassArgs {
             contacts_kg: self.contacts_mass,
             model_kg: self.mass,
             exclude_bodies: set_of(&self.exclude_body)?,
+            target_kg: None,
         })
     }
 }

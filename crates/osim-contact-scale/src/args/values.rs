@@ -100,7 +100,7 @@ pub(crate) fn usage_line(error: &clap::Error) -> String {
         .take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"))
         .map(|line| line.trim_start_matches("tip: "))
         .collect();
-    if rest.is_empty() { first } else { format!("{first} {}", rest.join("; ")) }
+    if rest.is_empty() { first } else { format!("{first}; {}", rest.join("; ")) }
 }
 
 #[cfg(test)]

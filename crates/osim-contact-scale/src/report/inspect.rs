@@ -42,9 +42,11 @@ fn limbs(seen: &Inspected<'_>) -> String {
         Limbs::Known(limbs) => {
             let each: Vec<_> = limbs
                 .iter()
-                .map(|limb| format!("{} ({}, {} spheres)", limb.name, limb.side.as_str(), limb.spheres.len()))
+                .map(|limb| format!("{} ({}, n = {})", limb.name, limb.side.as_str(), limb.spheres.len()))
                 .collect();
-            format!("limbs: {}\n", each.join(", "))
+            let uneven = seen.limbs.spheres_per_limb().err();
+            let uneven = uneven.map(|why| format!("{why}\n")).unwrap_or_default();
+            format!("limbs: {}\n{uneven}", each.join(", "))
         }
         Limbs::Unknown(why) => format!("limbs are not known: {why}\n"),
     }

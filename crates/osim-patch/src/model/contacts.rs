@@ -120,6 +120,8 @@ pub struct ParameterSet {
     pub(crate) element: ElementId,
     pub(crate) class: Class,
     pub(crate) half_space_bases: Vec<Base>,
+    /// The whole set stands in `<defaults>`, where other forces find it too.
+    pub(crate) inherited: bool,
 }
 
 impl ParameterSet {
@@ -240,7 +242,7 @@ impl<'r, 'd, 'a> ContactReader<'r, 'd, 'a> {
         let Some(connectee) = self.files.connectee(id, socket, legacy) else {
             return Err(self.files.unresolved(id, "", "frame it is attached to"));
         };
-        let Some(found) = self.files.frame(id, &connectee.text) else {
+        let Some(found) = self.files.frame(id, &connectee) else {
             // A geometry set that stands alone points into a model that may not be at hand.
             let alone = self.files.tag(self.files.objects.root_of(id)) != "Model";
             return if alone {
@@ -270,13 +272,21 @@ impl<'r, 'd, 'a> ContactReader<'r, 'd, 'a> {
         ));
     }
 
-    fn surface(&mut self, force: ObjectId, text: &str, element: ElementId) -> Result<Surface, Fault> {
+    fn surface(
+        &mut self,
+        force: ObjectId,
+        text: &str,
+        element: ElementId,
+        list: bool,
+    ) -> Result<Surface, Fault> {
         let is_geometry = |id: ObjectId| self.files.tag(id).starts_with("Contact");
-        let (id, by_name) = self
-            .in_geometry_set(text)
-            .map(|id| (id, false))
-            .or_else(|| self.files.resolve(force, text, is_geometry))
-            .ok_or_else(|| self.files.unresolved(force, text, "contact geometry of that name"))?;
+        let (id, by_name) = match list {
+            // In a `<geometry>` list: a path from the model, then a member of its geometry set.
+            true => self.in_model(text, is_geometry).map(|id| (id, false)),
+            false => None,
+        }
+        .or_else(|| self.files.resolve(force, text, is_geometry))
+        .ok_or_else(|| self.files.unresolved(force, text, "contact geometry of that name"))?;
         if by_name {
             self.say_by_name(force, text, element, Some(id));
         }
@@ -293,26 +303,21 @@ impl<'r, 'd, 'a> ContactReader<'r, 'd, 'a> {
         }
     }
 
-    /// A bare name means a member of the model's geometry set before anything else.
-    fn in_geometry_set(&self, name: &str) -> Option<ObjectId> {
-        if name.contains('/') {
-            return None;
-        }
+    fn in_model(&self, name: &str, accept: impl Fn(ObjectId) -> bool) -> Option<ObjectId> {
         let root = self.files.objects.first()?;
-        self.files.objects.at_path(root, &format!("/contactgeometryset/{name}"))
+        let from_root = self.files.objects.at_path(root, name).filter(|&id| accept(id));
+        let in_set = || self.files.objects.at_path(root, &format!("/contactgeometryset/{name}"));
+        from_root.or_else(|| in_set().filter(|&id| accept(id)))
     }
 
-    fn applies(&self, id: ObjectId, class: Class) -> bool {
+    fn applies(&self, id: ObjectId) -> bool {
         let (document, element) = (self.files.doc(id), self.files.element(id));
-        let flag = |tag: &str| {
-            let own = document.tree().child(element, tag);
-            let found = own.or_else(|| {
-                let defaults = document.tree().child(document.defaults()?, class.tag())?;
-                document.tree().child(defaults, tag)
-            })?;
-            Some(document.tree().text_of(found).eq_ignore_ascii_case("true"))
+        // Up to 30508 a force is switched off by `isDisabled`; later documents ignore that.
+        let disabled = match document.version() {
+            ..=LAST_VERSION_WITH_IS_DISABLED => document.flag(element, "isDisabled"),
+            _ => None,
         };
-        flag("appliesForce").or_else(|| flag("isDisabled").map(|disabled| !disabled)).unwrap_or(true)
+        disabled.map(|disabled| !disabled).or_else(|| document.flag(element, "appliesForce")).unwrap_or(true)
     }
 
     fn add_smooth(&mut self, id: ObjectId) -> Result<(), Fault> {
@@ -329,14 +334,14 @@ impl<'r, 'd, 'a> ContactReader<'r, 'd, 'a> {
                 let Some(connectee) = self.files.connectee(id, socket, &[]) else {
                     return Err(self.files.unresolved(id, "", "contact geometry of its socket"));
                 };
-                let surface = self.surface(id, &connectee.text, connectee.element)?;
+                let surface = self.surface(id, &connectee.text, connectee.element, false)?;
                 set.add(surface);
             }
         }
         set.half_spaces = set.half_space_bases.len();
         let transition_velocity =
             document.value(element, class, Property::TransitionVelocity, Property::TransitionVelocity.name());
-        self.push_force(id, ForceKind::SmoothSphereHalfSpace, class, vec![set], transition_velocity);
+        self.push_force(id, ForceKind::SmoothSphereHalfSpace, vec![set], transition_velocity);
         Ok(())
     }
 
@@ -355,7 +360,10 @@ impl<'r, 'd, 'a> ContactReader<'r, 'd, 'a> {
     fn add_hunt_crossley(&mut self, id: ObjectId) -> Result<(), Fault> {
         let (document, element) = (self.files.doc(id), self.files.element(id));
         let mut sets = Vec::new();
-        match parameter_sets_of(document, element) {
+        let own = parameter_sets_of(document, element);
+        let inherited = own.is_none();
+        let container = own.or_else(|| parameter_sets_of(document, document.defaults_of(element)?));
+        match container {
             Some(container) => {
                 let tree = document.tree();
                 let items =
@@ -363,9 +371,13 @@ impl<'r, 'd, 'a> ContactReader<'r, 'd, 'a> {
                 for item in items.filter(|&item| tree.name(item) == Class::ContactParameters.tag()) {
                     let mut set =
                         self.parameter_set(document, item, Class::ContactParameters, Some(sets.len()));
-                    if let Some(geometry) = tree.child(item, "geometry") {
-                        for name in tree.text_of(geometry).split_ascii_whitespace() {
-                            let surface = self.surface(id, name, geometry)?;
+                    set.inherited = inherited;
+                    if let Some(geometry) = document.property_element(item, "geometry") {
+                        let names = tree.whole_text(geometry).map_err(|fault| {
+                            fault.of(self.files.objects.path(id)).in_file(self.files.file_of(id))
+                        })?;
+                        for name in names.split_ascii_whitespace() {
+                            let surface = self.surface(id, name, geometry, true)?;
                             set.add(surface);
                         }
                     }
@@ -378,7 +390,7 @@ impl<'r, 'd, 'a> ContactReader<'r, 'd, 'a> {
         let class = Class::HuntCrossleyForce;
         let transition_velocity =
             document.value(element, class, Property::TransitionVelocity, Property::TransitionVelocity.name());
-        self.push_force(id, ForceKind::HuntCrossley, class, sets, transition_velocity);
+        self.push_force(id, ForceKind::HuntCrossley, sets, transition_velocity);
         Ok(())
     }
 
@@ -416,6 +428,7 @@ impl<'r, 'd, 'a> ContactReader<'r, 'd, 'a> {
             element,
             class,
             half_space_bases: vec![],
+            inherited: false,
         }
     }
 
@@ -423,7 +436,6 @@ impl<'r, 'd, 'a> ContactReader<'r, 'd, 'a> {
         &mut self,
         id: ObjectId,
         kind: ForceKind,
-        class: Class,
         sets: Vec<ParameterSet>,
         transition_velocity: Value,
     ) {
@@ -431,7 +443,7 @@ impl<'r, 'd, 'a> ContactReader<'r, 'd, 'a> {
             name: self.files.name(id),
             path: self.files.objects.path(id),
             kind,
-            applies: self.applies(id, class),
+            applies: self.applies(id),
             sets,
             transition_velocity,
             line: self.files.line(id),
@@ -451,18 +463,21 @@ impl ParameterSet {
     }
 }
 
+const LAST_VERSION_WITH_IS_DISABLED: u32 = 30508;
 const CONTACT_PARAMETERS_SET: &str = "HuntCrossleyForce::ContactParametersSet";
 
-/// The list of parameter sets, in any of its three spellings: wrapped in `<contact_parameters>`, named so, or without
-/// a name (documents of version 2).
+/// The list of parameter sets, in any of its three spellings. OpenSim prefers the wrapper `<contact_parameters>`, then
+/// the set of that name, then one without a name (documents of version 2), wherever they stand.
 fn parameter_sets_of(document: &Document<'_>, force: ElementId) -> Option<ElementId> {
     let tree = document.tree();
     if let Some(wrapper) = tree.child(force, "contact_parameters") {
-        // OpenSim takes the wrapper where there is one, and the set inside whatever its name.
         return tree.child(wrapper, CONTACT_PARAMETERS_SET);
     }
-    tree.children(force).find(|&child| {
-        tree.name(child) == CONTACT_PARAMETERS_SET
-            && matches!(tree.attribute(child, "name").as_deref(), None | Some("" | "contact_parameters"))
-    })
+    let called = |accept: fn(&str) -> bool| {
+        tree.children(force).find(|&child| {
+            tree.name(child) == CONTACT_PARAMETERS_SET
+                && accept(&tree.attribute(child, "name").unwrap_or_default())
+        })
+    };
+    called(|name| name == "contact_parameters").or_else(|| called(str::is_empty))
 }

@@ -21,6 +21,8 @@ pub(crate) struct Files<'d, 'a> {
 pub(crate) struct Connectee {
     pub text: String,
     pub element: ElementId,
+    /// Spelled as in documents that name bodies instead of giving paths.
+    pub legacy: bool,
 }
 
 /// Where a frame leads.
@@ -97,25 +99,39 @@ impl<'d, 'a> Files<'d, 'a> {
         self.doc(id).tree().attribute(self.element(id), "name").unwrap_or_default().trim().to_owned()
     }
 
-    /// What `owner` says about its socket, in whichever spelling its document version has.
+    /// What `owner` says about its socket, in whichever spelling its document version has; `<defaults>` may say it too.
     pub(crate) fn connectee(&self, owner: ObjectId, socket: &str, legacy: &[&str]) -> Option<Connectee> {
-        let tree = self.doc(owner).tree();
-        let element = self.element(owner);
+        let document = self.doc(owner);
+        let own = self.element(owner);
+        let of = |element| self.connectee_of(document, element, socket, legacy);
+        of(own).or_else(|| of(document.defaults_of(own)?))
+    }
+
+    fn connectee_of(
+        &self,
+        document: &Document<'_>,
+        element: ElementId,
+        socket: &str,
+        legacy: &[&str],
+    ) -> Option<Connectee> {
+        let tree = document.tree();
         let direct = [
             format!("socket_{socket}"),
             format!("socket_{socket}_connectee_name"),
             format!("connector_{socket}_connectee_name"),
         ];
-        let spelled = direct.iter().map(String::as_str).chain(legacy.iter().copied());
-        let found = spelled.filter_map(|tag| tree.child(element, tag)).next().or_else(|| {
+        let spelled =
+            direct.iter().map(|tag| (tag.as_str(), false)).chain(legacy.iter().map(|tag| (*tag, true)));
+        let first = spelled.filter_map(|(tag, legacy)| Some((tree.child(element, tag)?, legacy))).next();
+        let (found, legacy) = first.or_else(|| {
             let connectors = tree.child(element, "connectors")?;
             let connector = tree
                 .children(connectors)
                 .find(|&id| tree.attribute(id, "name").as_deref() == Some(socket))?;
-            tree.child(connector, "connectee_name")
+            Some((tree.child(connector, "connectee_name")?, false))
         })?;
         let text = tree.text_of(found);
-        (!text.is_empty()).then_some(Connectee { text, element: found })
+        (!text.is_empty()).then_some(Connectee { text, element: found, legacy })
     }
 
     /// Finds the component that `text` means, seen from `owner`: by path, else as the only one with that name.
@@ -131,7 +147,7 @@ impl<'d, 'a> Files<'d, 'a> {
         let last = text.rsplit('/').next().unwrap_or(text);
         let mut named = self.objects.named(last, &accept);
         let only = named.next()?;
-        named.next().is_none().then_some((only, last.len() != text.len()))
+        named.next().is_none().then_some((only, true))
     }
 
     fn is_frame(&self, id: ObjectId) -> bool {
@@ -139,12 +155,16 @@ impl<'d, 'a> Files<'d, 'a> {
         tag == "Body" || tag == "Ground" || tag.ends_with("Frame")
     }
 
-    pub(crate) fn frame(&self, owner: ObjectId, text: &str) -> Option<Found> {
+    /// The frame that a socket of `owner` means.
+    pub(crate) fn frame(&self, owner: ObjectId, connectee: &Connectee) -> Option<Found> {
+        let text = connectee.text.as_str();
         if text == "ground" || text.ends_with("/ground") {
-            return Some(Found { object: None, by_name: false });
+            // Ground is at the top of every model, whether the file spells it out or not.
+            let exact = connectee.legacy || self.objects.absolute(owner, text).as_deref() == Some("/ground");
+            return Some(Found { object: None, by_name: !exact });
         }
         let (object, by_name) = self.resolve(owner, text, |id| self.is_frame(id))?;
-        Some(Found { object: Some(object), by_name })
+        Some(Found { object: Some(object), by_name: by_name && !connectee.legacy })
     }
 
     /// The body (or ground) that carries a frame, through any number of offset frames.
@@ -164,7 +184,7 @@ impl<'d, 'a> Files<'d, 'a> {
             let Some(parent) = self.connectee(id, "parent", &["parent_frame"]) else {
                 return Err(self.unresolved(id, "", "frame it is attached to"));
             };
-            at = match self.frame(id, &parent.text) {
+            at = match self.frame(id, &parent) {
                 Some(found) => found.object,
                 None => return Err(self.unresolved(id, &parent.text, "frame it is attached to")),
             };

@@ -145,7 +145,7 @@ impl Model<'_, '_> {
     fn footings(&self, forces: &[usize]) -> Result<Vec<Footing>, String> {
         let loaded = self.loaded_spheres(forces);
         if loaded.is_empty() {
-            return Err("no sphere meets a half-space through an applied force".to_owned());
+            return Err("no moving sphere meets a half-space through a force that applies".to_owned());
         }
         let mut bodies: BTreeMap<ObjectId, Vec<usize>> = BTreeMap::new();
         for index in loaded {

@@ -1,5 +1,6 @@
 //! The typed view of a model: bodies, limbs, contact spheres and contact forces with their effective values.
 
+mod classes;
 mod contacts;
 mod files;
 mod limbs;
@@ -85,12 +86,9 @@ impl<'d, 'a> Model<'d, 'a> {
         let ContactReader { spheres, forces, warnings, .. } = reader;
         let model_document =
             std::iter::once(document).chain(parts.iter().map(|part| part.document)).find(|d| is_model(d));
-        let gravity_m_s2 = match model_document {
-            Some(document) if document.tree().child(document.data_root(), "gravity").is_some() => {
-                document.triple(document.data_root(), "gravity")
-            }
-            _ => Some(DEFAULT_GRAVITY),
-        };
+        let gravity_m_s2 = model_document
+            .and_then(|document| document.triple(document.data_root(), "gravity"))
+            .or(Some(DEFAULT_GRAVITY));
         let name = document.tree().attribute(document.data_root(), "name").unwrap_or_default().into_owned();
         let note = Note::find(document);
         let included = parts

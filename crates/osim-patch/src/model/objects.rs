@@ -1,13 +1,17 @@
 //! The components of a model and their paths: which elements OpenSim turns into objects, and what they are called.
 //!
 //! One pass over the elements in file order gives every element its role. Objects are the items of `<objects>`,
-//! `<components>`, `<frames>` and of a Body's `<Joint>`, sets, and elements with a `name`; everything else is a
-//! property. `<defaults>` of the data root is passed over: its objects are no part of the model.
+//! `<components>`, `<frames>` and of a Body's `<Joint>`, sets, and ground; everything else is a property. `<defaults>` of the data root is passed over: its objects are no part of the model.
 
 use std::collections::{HashMap, HashSet};
 
+use super::classes;
 use crate::document::Document;
 use crate::xml::ElementId;
+
+/// Sets that only a model has; elsewhere OpenSim does not look for them.
+const MODEL_SETS: [&str; 6] =
+    ["ForceSet", "ContactGeometrySet", "BodySet", "JointSet", "ConstraintSet", "ComponentSet"];
 
 /// Index of an object among all files read together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -31,6 +35,8 @@ pub(crate) struct Objects {
     roots: Vec<ObjectId>,
     by_parent: HashMap<(Option<ObjectId>, String), ObjectId>,
     by_segment: HashMap<String, Vec<ObjectId>>,
+    /// Members of `<components>` of a class that OpenSim does not know: file and element.
+    pub(crate) skipped: Vec<(usize, ElementId)>,
 }
 
 #[derive(Clone, Copy)]
@@ -40,6 +46,8 @@ enum Role {
     Object(ObjectId),
     /// The children of this element are objects that belong to this one.
     Items(ObjectId),
+    /// As `Items`, but a class that OpenSim does not know is passed over.
+    Components(ObjectId),
 }
 
 impl Objects {
@@ -62,14 +70,15 @@ impl Objects {
             } else {
                 match roles.get(parent.index()).copied().unwrap_or(Role::Nothing) {
                     Role::Nothing => Role::Nothing,
-                    Role::Items(owner) => {
+                    Role::Components(_) if !classes::is_known(tag) => {
+                        self.skipped.push((file, id));
+                        Role::Nothing
+                    }
+                    Role::Items(owner) | Role::Components(owner) => {
                         let name = tree.attribute(id, "name").unwrap_or_default().trim().to_owned();
-                        Role::Object(self.push(Object {
-                            file,
-                            element: id,
-                            parent: Some(owner),
-                            segment: name,
-                        }))
+                        // OpenSim calls a component without a name after its class.
+                        let segment = if name.is_empty() { tag.to_lowercase() } else { name };
+                        Role::Object(self.push(Object { file, element: id, parent: Some(owner), segment }))
                     }
                     Role::Object(owner) => self.role_of_property(file, document, id, tag, owner, &mut seen),
                 }
@@ -105,25 +114,25 @@ impl Objects {
         seen: &mut HashSet<(ObjectId, String)>,
     ) -> Role {
         let tree = document.tree();
-        let of_root = self.get(owner).is_some_and(|object| object.element == document.data_root());
-        if tag == "defaults" && of_root {
-            return Role::Nothing;
-        }
-        let holds_items = matches!(tag, "objects" | "components" | "frames" | "Joint");
-        let is_set = tag.ends_with("Set");
-        let name = tree.attribute(id, "name");
-        if !holds_items && !is_set && name.is_none() {
-            return Role::Nothing;
-        }
+        let owner_tag = self.get(owner).map(|object| tree.name(object.element)).unwrap_or_default();
+        let holds_items = match tag {
+            "components" => true,
+            "objects" => owner_tag.ends_with("Set"),
+            "frames" => owner_tag.ends_with("Joint"),
+            "Joint" => owner_tag == "Body",
+            _ => false,
+        };
+        let is_set = tag.ends_with("Set") && (owner_tag == "Model" || !MODEL_SETS.contains(&tag));
+        let is_ground = tag == "Ground" && owner_tag == "Model";
         // OpenSim reads the first of duplicated properties.
-        if (holds_items || is_set) && !seen.insert((owner, tag.to_owned())) {
+        if !(holds_items || is_set || is_ground) || !seen.insert((owner, tag.to_owned())) {
             return Role::Nothing;
         }
         if holds_items {
-            return Role::Items(owner);
+            return if tag == "components" { Role::Components(owner) } else { Role::Items(owner) };
         }
-        // Sets are called after their class, whatever name their element has.
-        let segment = if is_set { tag.to_lowercase() } else { name.unwrap_or_default().trim().to_owned() };
+        // Sets (and ground) are called after their class, whatever name their element has.
+        let segment = tag.to_lowercase();
         Role::Object(self.push(Object { file, element: id, parent: Some(owner), segment }))
     }
 
@@ -228,6 +237,23 @@ impl Objects {
             Some(rest) => self.walk(root, rest),
             None => rest.is_empty().then_some(root),
         }
+    }
+
+    /// The absolute path that `path` means, seen from `owner`; it need not lead anywhere.
+    pub(crate) fn absolute(&self, owner: ObjectId, path: &str) -> Option<String> {
+        if path.starts_with('/') {
+            return Some(path.to_owned());
+        }
+        let base = self.path(owner);
+        let mut segments: Vec<&str> = base.split('/').filter(|segment| !segment.is_empty()).collect();
+        for segment in path.split('/').filter(|segment| !segment.is_empty() && *segment != ".") {
+            if segment == ".." {
+                segments.pop()?;
+            } else {
+                segments.push(segment);
+            }
+        }
+        Some(format!("/{}", segments.join("/")))
     }
 
     fn walk(&self, from: ObjectId, path: &str) -> Option<ObjectId> {

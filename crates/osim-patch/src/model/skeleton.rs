@@ -77,7 +77,7 @@ impl Skeleton {
     fn add_joint(&mut self, files: &Files<'_, '_>, joint: ObjectId, weld: bool) {
         let end = |socket: &str, legacy: &[&str]| -> Option<Base> {
             let connectee = files.connectee(joint, socket, legacy)?;
-            files.base(files.frame(joint, &connectee.text)?.object).ok()
+            files.base(files.frame(joint, &connectee)?.object).ok()
         };
         let parent = end("parent_frame", &["parent_body"]).or_else(|| end("parent_body", &[]));
         let owner = files.objects.get(joint).and_then(|object| object.parent);

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::Model;
 use super::limbs::Side;
-use crate::document::Origin;
+use crate::document::{Origin, Value};
 use crate::property::{Class, Property};
 use crate::warning::{Warning, WarningCode};
 
@@ -37,6 +37,7 @@ impl Model<'_, '_> {
     pub(super) fn find_traps(&mut self) {
         let mut found = Vec::new();
         self.numbers(&mut found);
+        self.included_contacts(&mut found);
         self.dead_elements(&mut found);
         self.several_spheres(&mut found);
         self.spheres_in_two_forces(&mut found);
@@ -62,11 +63,28 @@ impl Model<'_, '_> {
                 )
             } else if !value.number.is_finite() {
                 (WarningCode::NotFinite, format!("is {}", value.number))
+            } else if !value.property.allows(value.number) && !is_default_stiffness(value) {
+                let expected = value.property.domain();
+                (WarningCode::OutOfDomain, format!("is {}, expected {expected}", value.number))
             } else {
                 continue;
             };
             let line = self.file(file).line(value.offset);
             found.push(Warning::at(code, line, format!("{} of {path} {text}", value.property)));
+        }
+    }
+
+    /// Contacts that stand in included files can be read but not changed.
+    fn included_contacts(&self, found: &mut Vec<Warning>) {
+        let forces = self.forces.iter().map(|force| (force.file, &force.path));
+        let spheres = self.spheres.iter().map(|sphere| (sphere.file, &sphere.path));
+        let mut said: Vec<usize> = Vec::new();
+        for (file, path) in forces.chain(spheres) {
+            if let (Some(name), false) = (self.included_file(file), said.contains(&file)) {
+                let text = format!("{path} and others stand in the file '{name}' that the model includes");
+                found.push(Warning::new(WarningCode::IncludedFile, text));
+                said.push(file);
+            }
         }
     }
 
@@ -192,6 +210,19 @@ impl Model<'_, '_> {
             found.push(Warning::at(WarningCode::MocoDialect, sphere.line, text));
         }
         let files = self.files();
+        for &(file, element) in &files.objects.skipped {
+            let document = files.document(file);
+            let tree = document.tree();
+            let inside = tree.slice(tree.span(element));
+            if inside.contains("<HuntCrossleyForce ") || inside.contains("<SmoothSphereHalfSpaceForce ") {
+                let line = document.line(tree.span(element).start);
+                let text = format!(
+                    "contacts inside a <{}> are left alone: OpenSim does not know that class",
+                    tree.name(element)
+                );
+                found.push(Warning::at(WarningCode::UnknownClass, line, text));
+            }
+        }
         for (id, object) in files.objects.iter() {
             let tag = files.tag(id);
             let contact = tag.starts_with("Contact") || tag.ends_with("Force") || NOT_HERTZ.contains(&tag);
@@ -212,6 +243,11 @@ impl Model<'_, '_> {
             }
         }
     }
+}
+
+/// Said by a warning of its own.
+fn is_default_stiffness(value: &Value) -> bool {
+    value.property == Property::Stiffness && value.origin == Origin::ClassDefault
 }
 
 /// The name with everything that says left or right made equal.

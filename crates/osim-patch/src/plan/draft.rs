@@ -56,6 +56,21 @@ impl PropertySet {
     }
 }
 
+/// Rounding of a few multiplications (relative).
+const SAME_VALUE: f64 = 1e-14;
+
+fn in_defaults(force: &crate::model::Force) -> Fault {
+    Fault::new(FaultKind::NeedsAnswer {
+        code: "parameters-in-defaults",
+        question: format!(
+            "{} takes its ContactParameters from <defaults>, which may serve other forces too",
+            force.path
+        ),
+        way_out: "write a contact_parameters set into the force itself, then change that".to_owned(),
+    })
+    .of(force.path.clone())
+}
+
 /// A new value and why.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct New {
@@ -109,6 +124,7 @@ impl<'m, 'd, 'a> Draft<'m, 'd, 'a> {
         let Some(force) = self.model.forces.get(force) else { return Ok(()) };
         let own = force.sets.get(set).and_then(|set| set.value(property).map(|value| (set, value)));
         let (value, element, class, index) = match own {
+            Some((set, _)) if set.inherited => return Err(in_defaults(force)),
             Some((set, value)) => (value, set.element, set.class, set.index),
             None if force.transition_velocity.property == property => {
                 (&force.transition_velocity, force.element, crate::property::Class::HuntCrossleyForce, None)
@@ -170,7 +186,10 @@ impl<'m, 'd, 'a> Draft<'m, 'd, 'a> {
             };
             return Err(Fault::at(kind, value.offset).of(change.path).in_file(change.file));
         }
-        if change.to.to_bits() == change.from.to_bits() {
+        // A value that is computed anew may differ in its last bits and mean the same; a given one is taken exactly.
+        let computed = change.factor.is_none() && change.equation != "given";
+        let same = computed && (change.to - change.from).abs() <= SAME_VALUE * change.from.abs();
+        if same || change.to.to_bits() == change.from.to_bits() {
             return Ok(());
         }
         if let Some(included) = self.model.included_file(change.file) {

@@ -2,9 +2,12 @@
 //!
 //! Tables, diffs, JSON, dry runs and writing are all views of a [`Plan`]; there is no other way to change a model.
 
+mod design;
 mod draft;
 mod radii;
 mod rescale;
+mod set;
+mod surfaces;
 mod transfer;
 
 use std::collections::{BTreeMap, HashMap};
@@ -21,9 +24,11 @@ use crate::property::{Class, Property};
 use crate::warning::Warning;
 use crate::xml::ElementId;
 
+pub use design::{Design, DesignModulus, design};
 pub use draft::PropertySet;
 pub use radii::RadiusRule;
 pub use rescale::{Rescale, rescale};
+pub use set::{Assignment, Set, set};
 pub use transfer::{Reference, ReferenceContact, Transfer, reference_of_model, transfer};
 
 /// Which size α follows, (14).
@@ -80,10 +85,8 @@ struct Target {
 pub struct Plan {
     /// The numbers, radii first, then force by force.
     pub changes: Vec<Change>,
-    /// What the contacts stood for.
-    pub from_mass: Mass,
-    /// What they stand for afterwards, kg.
-    pub to_mass_kg: f64,
+    /// What the contacts stand for before and afterwards; `None` where nobody knows and nothing follows from it.
+    pub masses: Option<Masses>,
     /// What was taken and from where, in words: the first line of every report.
     pub taken: String,
     /// Things the user should know.
@@ -91,6 +94,15 @@ pub struct Plan {
     /// Things that always hold and are said once: what the run did not do.
     pub remarks: Vec<String>,
     note: Option<Note>,
+}
+
+/// What contacts stand for, before and after.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Masses {
+    /// Before (for a transfer: what the reference's contacts stand for).
+    pub from: Mass,
+    /// Afterwards, kg.
+    pub to_kg: f64,
 }
 
 /// Elements that an object lacks and gets.
@@ -101,7 +113,7 @@ struct Absent<'p> {
 
 /// What the note of a plan says beside the values.
 struct NoteFacts<'o> {
-    mass_kg: f64,
+    mass_kg: Option<f64>,
     gravity_m_s2: Option<f64>,
     scope: Scope,
     operation: &'o str,

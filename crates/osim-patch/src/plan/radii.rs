@@ -19,6 +19,9 @@ pub enum RadiusRule {
     Metres(f64),
     /// All are multiplied by this.
     Factor(f64),
+    /// As large against the body as the reference's: this, m (transfers only).
+    #[doc(hidden)]
+    Like(f64),
 }
 
 /// Old and new radius of each moving sphere of the chosen forces.
@@ -34,7 +37,7 @@ struct Pair {
 impl RadiusRule {
     fn equation(self) -> &'static str {
         match self {
-            Self::Isometric => "8",
+            Self::Isometric | Self::Like(_) => "8",
             _ => "given",
         }
     }
@@ -45,7 +48,7 @@ impl RadiusRule {
             Self::Isometric => times(isometric),
             Self::Keep => times(1.0),
             Self::Factor(factor) => times(factor),
-            Self::Metres(new) => Pair { old, new, ratio: new / old },
+            Self::Metres(new) | Self::Like(new) => Pair { old, new, ratio: new / old },
         }
     }
 }
@@ -72,7 +75,7 @@ impl Radii {
             if pair.new != pair.old {
                 users.refuse(model, forces, sphere)?;
             }
-            let factor = (!matches!(rule, RadiusRule::Metres(_))).then_some(pair.ratio);
+            let factor = (!matches!(rule, RadiusRule::Metres(_) | RadiusRule::Like(_))).then_some(pair.ratio);
             draft.radius(sphere, New { to: pair.new, factor, equation: rule.equation() })?;
             radii.insert(sphere, pair);
         }
@@ -204,7 +207,7 @@ fn warn_terrain(draft: &mut Draft<'_, '_, '_>, forces: &[usize]) {
         let fixed =
             force.spheres().iter().filter_map(|&s| draft.model.spheres.get(s)).filter(|s| s.fixed).count();
         if fixed > 0 {
-            let text = format!("{} meets {fixed} spheres that stand on ground: their radii stay", force.path);
+            let text = format!("{} meets terrain ({fixed} fixed spheres): their radii stay", force.path);
             draft.warnings.push(Warning::at(WarningCode::Terrain, force.line, text));
         }
     }

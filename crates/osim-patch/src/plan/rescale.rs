@@ -4,10 +4,10 @@ use contact_scaling::{RatioValues, Ratios};
 
 use super::draft::{Draft, New, PropertySet};
 use super::radii::{Radii, RadiusRule};
-use super::{DissipationBy, NoteFacts, Plan};
+use super::{DissipationBy, Masses, NoteFacts, Plan};
 use crate::error::Fault;
 use crate::mass::{Mass, checked, same_mass};
-use crate::model::Model;
+use crate::model::{ForceKind, Model};
 use crate::note::Scope;
 use crate::number::{readable, shortest};
 use crate::property::Property;
@@ -27,7 +27,7 @@ pub struct Rescale {
     pub properties: PropertySet,
     /// Which size α follows.
     pub dissipation_by: DissipationBy,
-    /// Gravity afterwards, m/s², where it differs.
+    /// Gravity afterwards, m/s², where it differs. What the contacts stand for now is the note's, else the model's.
     pub target_gravity_m_s2: Option<f64>,
 }
 
@@ -39,8 +39,10 @@ pub fn rescale(model: &Model<'_, '_>, selected: &Selected, wanted: &Rescale) -> 
     let target = checked("--target-mass", wanted.target_mass_kg)?;
     let origin = wanted.contacts_mass.kg;
     let mut draft = Draft::new(model);
-    let gravity = gravity_ratio(model.gravity(), wanted.target_gravity_m_s2)?;
-    if same_mass(target, origin) && gravity == 1.0 {
+    let now = model.note.as_ref().and_then(|note| note.gravity_m_s2).or(model.gravity());
+    let gravity = gravity_ratio(now, wanted.target_gravity_m_s2)?;
+    let other_radius = matches!(wanted.radius, RadiusRule::Metres(_) | RadiusRule::Factor(_));
+    if same_mass(target, origin) && gravity == 1.0 && !other_radius {
         draft.warnings.push(already_there(origin, &wanted.contacts_mass));
         return Ok(finish(draft, wanted, selected, None));
     }
@@ -48,6 +50,7 @@ pub fn rescale(model: &Model<'_, '_>, selected: &Selected, wanted: &Rescale) -> 
     let isometric = Ratios::isometric(mass).map_err(Fault::new)?.radius();
     let radii = Radii::plan(&mut draft, &selected.forces, |_| wanted.radius, isometric, &wanted.properties)?;
     radii.warn_mixed(&mut draft, &selected.forces);
+    warn_forces(&mut draft, &selected.forces, &wanted.properties);
     for &index in &selected.forces {
         let Some(force) = model.forces.get(index) else { continue };
         let values = RatioValues { mass, sphere_count: 1.0, radius: radii.ratio(force), gravity };
@@ -134,6 +137,9 @@ fn finish(draft: Draft<'_, '_, '_>, wanted: &Rescale, selected: &Selected, radii
     if !changes.is_empty() {
         remarks.push("body masses and sphere locations stay as they are".to_owned());
         remarks.extend(radii.and_then(bottoms_remark));
+        if wanted.target_gravity_m_s2.is_some() {
+            remarks.push("the model's own <gravity> stays as it is: set it in OpenSim".to_owned());
+        }
     }
     let to_mass_kg = if changes.is_empty() { wanted.contacts_mass.kg } else { wanted.target_mass_kg };
     let from_mass = wanted.contacts_mass.clone();
@@ -142,17 +148,37 @@ fn finish(draft: Draft<'_, '_, '_>, wanted: &Rescale, selected: &Selected, radii
         let ratio = readable(to_mass_kg / from_mass.kg);
         taken.push_str(&format!("; scaled to {} kg (mass x{ratio})", readable(to_mass_kg)));
     }
-    let plan = Plan { changes, from_mass, to_mass_kg, taken, warnings, remarks, note: None };
+    let masses = Some(Masses { from: from_mass, to_kg: to_mass_kg });
+    let plan = Plan { changes, masses, taken, warnings, remarks, note: None };
     let all = selected.complete && wanted.properties.is_complete();
     plan.with_note(
         model,
         &NoteFacts {
-            mass_kg: wanted.target_mass_kg,
+            mass_kg: Some(wanted.target_mass_kg),
             gravity_m_s2: wanted.target_gravity_m_s2.or(model.gravity()),
             scope: if all { Scope::All } else { Scope::Partial },
             operation: "rescale",
         },
     )
+}
+
+/// Says what is special about the chosen forces.
+pub(super) fn warn_forces(draft: &mut Draft<'_, '_, '_>, forces: &[usize], properties: &PropertySet) {
+    let model = draft.model;
+    for force in forces.iter().filter_map(|&index| model.forces.get(index)) {
+        if !force.applies {
+            let text = format!("{} is switched off; it is changed with the others", force.path);
+            draft.warnings.push(Warning::at(WarningCode::DisabledForce, force.line, text));
+        }
+    }
+    let smooth = |&index: &usize| {
+        model.forces.get(index).is_some_and(|force| force.kind == ForceKind::SmoothSphereHalfSpace)
+    };
+    if properties.contains(Property::TransitionVelocity) && forces.iter().any(smooth) {
+        let text = "friction of SmoothSphereHalfSpaceForce scales only as far as constant_contact_force is small \
+                    against the squared slip speed";
+        draft.warnings.push(Warning::new(WarningCode::FrictionNotSimilar, text));
+    }
 }
 
 /// How far the soles move because radii change and centres do not.

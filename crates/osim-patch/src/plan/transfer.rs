@@ -2,13 +2,14 @@
 
 use contact_scaling::{
     Contact, ContactValues, DimensionlessContact, Preset, RatioValues, Ratios, Scale, ScaleValues,
-    SmoothingValues, modulus,
+    SmoothingValues,
 };
 
 use super::draft::{Draft, New, PropertySet};
 use super::radii::{Radii, RadiusRule};
-use super::rescale::{bottoms_remark, factor, gravity_ratio};
-use super::{DissipationBy, NoteFacts, Plan};
+use super::rescale::{bottoms_remark, factor, gravity_ratio, warn_forces};
+use super::surfaces::{Surfaces, sphere_sets, write_composite};
+use super::{DissipationBy, Masses, NoteFacts, Plan};
 use crate::error::{Fault, FaultKind};
 use crate::mass::{Mass, MassSource};
 use crate::model::{Force, ForceKind, Model};
@@ -124,51 +125,6 @@ pub fn reference_of_model(
     Ok(Reference { name, mass, sphere_count, gravity_m_s2: model.gravity().filter(|&g| g > 0.0), contacts })
 }
 
-/// Parameter sets that hold moving spheres, with those spheres.
-fn sphere_sets(model: &Model<'_, '_>, force: &Force) -> Vec<(usize, Vec<usize>)> {
-    let moving = |sphere: &usize| model.spheres.get(*sphere).is_some_and(|sphere| !sphere.fixed);
-    let sets = force.sets.iter().enumerate();
-    sets.map(|(index, set)| (index, set.spheres.iter().copied().filter(moving).collect::<Vec<_>>()))
-        .filter(|(_, spheres)| !spheres.is_empty())
-        .collect()
-}
-
-/// Modulus and dissipation of every parameter set of a force, and which of them the plane belongs to.
-struct Surfaces {
-    sets: Vec<(f64, f64)>,
-    plane: Option<usize>,
-}
-
-impl Surfaces {
-    fn of(draft: &Draft<'_, '_, '_>, index: usize, force: &Force) -> Result<Self, Fault> {
-        let mut sets = Vec::new();
-        for set in 0..force.sets.len() {
-            let modulus = draft.current(index, set, Property::Stiffness)?.unwrap_or(f64::NAN);
-            let dissipation = draft.current(index, set, Property::Dissipation)?.unwrap_or(0.0);
-            sets.push((modulus, dissipation));
-        }
-        Ok(Self { sets, plane: force.sets.iter().position(|set| set.half_spaces > 0) })
-    }
-
-    /// E₁* of two equal surfaces that would touch as set `set` and the plane do, and the mixed α; (A.3), (A.4).
-    fn with_plane(&self, set: usize) -> Result<(f64, f64), Fault> {
-        let own = self.sets.get(set).copied().unwrap_or((f64::NAN, 0.0));
-        let plane = self.plane.and_then(|plane| self.sets.get(plane)).copied().unwrap_or(own);
-        if own == plane {
-            return Ok(own);
-        }
-        let surface = |(plane_strain_modulus, dissipation)| modulus::SurfaceValues {
-            plane_strain_modulus,
-            dissipation,
-        };
-        let composite = modulus::composite_sherman(own.0, plane.0).map_err(Fault::new)?;
-        let equal =
-            modulus::of_equal_surfaces(composite, modulus::MixingRule::Sherman).map_err(Fault::new)?;
-        let dissipation = modulus::mixed_dissipation(surface(own), surface(plane)).map_err(Fault::new)?;
-        Ok((equal, dissipation))
-    }
-}
-
 /// What is wanted of a transfer.
 #[derive(Debug, Clone)]
 pub struct Transfer {
@@ -203,11 +159,12 @@ pub fn transfer(model: &Model<'_, '_>, selected: &Selected, wanted: &Transfer) -
     let gravity = gravity_ratio(reference.gravity_m_s2, wanted.target_gravity_m_s2)?;
     let rule_of = |sphere: usize| match wanted.radius {
         // As large against the body as the reference's.
-        RadiusRule::Isometric => RadiusRule::Metres(chosen.of_sphere(model, sphere).radius_m * isometric),
+        RadiusRule::Isometric => RadiusRule::Like(chosen.of_sphere(model, sphere).radius_m * isometric),
         other => other,
     };
     let radii = Radii::plan(&mut draft, &selected.forces, rule_of, isometric, &wanted.properties)?;
     radii.warn_mixed(&mut draft, &selected.forces);
+    warn_forces(&mut draft, &selected.forces, &wanted.properties);
     let mut without_smoothing = false;
     for &index in &selected.forces {
         let Some(force) = model.forces.get(index) else { continue };
@@ -257,7 +214,7 @@ impl Target<'_> {
             match self.of_reference(property) {
                 Some(value) => {
                     let to = if factor == 1.0 { value } else { value * factor };
-                    self.write(draft, property, to, equation)?;
+                    write_composite(draft, self.index, property, to, equation)?;
                 }
                 None => self.carry(draft, property, wanted.dissipation_by)?,
             }
@@ -277,59 +234,6 @@ impl Target<'_> {
             Property::ViscousFriction => self.from.friction.map(|(_, viscous)| viscous),
             _ => None,
         }
-    }
-
-    fn write(
-        &self,
-        draft: &mut Draft<'_, '_, '_>,
-        property: Property,
-        to: f64,
-        equation: &'static str,
-    ) -> Result<(), Fault> {
-        let sets = self.force.sets.len();
-        let mixes = matches!(property, Property::Stiffness | Property::Dissipation);
-        if sets < 2 || !mixes {
-            for set in 0..sets {
-                draft.parameter(self.index, set, property, New { to, factor: None, equation })?;
-            }
-            return Ok(());
-        }
-        // Surfaces with values of their own: all are multiplied, so that the composite becomes what is wanted.
-        let surfaces = Surfaces::of(draft, self.index, self.force)?;
-        let now = self.composite_now(draft, &surfaces, property)?;
-        for set in 0..sets {
-            let Some(from) = draft.current(self.index, set, property)? else { continue };
-            let new = if now == 0.0 {
-                New { to, factor: None, equation }
-            } else {
-                New::times(from, to / now, equation)
-            };
-            draft.parameter(self.index, set, property, new)?;
-        }
-        Ok(())
-    }
-
-    fn composite_now(
-        &self,
-        draft: &Draft<'_, '_, '_>,
-        surfaces: &Surfaces,
-        property: Property,
-    ) -> Result<f64, Fault> {
-        let mut composites = Vec::new();
-        for (set, _) in sphere_sets(draft.model, self.force) {
-            let (modulus, dissipation) = surfaces.with_plane(set)?;
-            composites.push(if property == Property::Stiffness { modulus } else { dissipation });
-        }
-        let first = composites.first().copied().unwrap_or(f64::NAN);
-        if composites.iter().any(|other| (other - first).abs() > SAME_CONTACT * first.abs()) {
-            return Err(Fault::refused(format!(
-                "the spheres of {} have different {property} against the plane: one wanted value cannot serve all; \
-                 give each sphere a force of its own",
-                self.force.path
-            ))
-            .of(self.force.path.clone()));
-        }
-        Ok(first)
     }
 
     /// A changed radius carries along what the reference does not give.
@@ -458,15 +362,18 @@ fn dimensionless(contact: &ReferenceContact) -> Result<DimensionlessContact, Fau
 }
 
 fn finish(draft: Draft<'_, '_, '_>, wanted: &Transfer, selected: &Selected, radii: &Radii) -> Plan {
-    let Draft { model, changes, warnings, .. } = draft;
+    let Draft { model, changes, mut warnings, .. } = draft;
     let mut remarks = Vec::new();
-    if !changes.is_empty() {
+    if changes.is_empty() {
+        let text = "every value is already as the reference wants it";
+        warnings.push(Warning::new(WarningCode::NothingToChange, text));
+    } else {
         remarks.push("body masses and sphere locations stay as they are".to_owned());
         remarks.extend(bottoms_remark(radii));
     }
     let reference = &wanted.reference;
     let taken = format!(
-        "contacts of {} ({} kg, {}; {} spheres) for {} kg ({}; {} spheres)",
+        "contacts of {} ({} kg, {}; n = {}) for {} kg ({}; n = {})",
         reference.name,
         readable(reference.mass.kg),
         reference.mass.told_by,
@@ -477,8 +384,7 @@ fn finish(draft: Draft<'_, '_, '_>, wanted: &Transfer, selected: &Selected, radi
     );
     let plan = Plan {
         changes,
-        from_mass: reference.mass.clone(),
-        to_mass_kg: wanted.mass.kg,
+        masses: Some(Masses { from: reference.mass.clone(), to_kg: wanted.mass.kg }),
         taken,
         warnings,
         remarks,
@@ -488,7 +394,7 @@ fn finish(draft: Draft<'_, '_, '_>, wanted: &Transfer, selected: &Selected, radi
     plan.with_note(
         model,
         &NoteFacts {
-            mass_kg: wanted.mass.kg,
+            mass_kg: Some(wanted.mass.kg),
             gravity_m_s2: wanted.target_gravity_m_s2.or(model.gravity()),
             scope: if all { Scope::All } else { Scope::Partial },
             operation: "transfer",

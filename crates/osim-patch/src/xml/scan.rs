@@ -36,6 +36,9 @@ fn refuse_foreign_encodings(bytes: &[u8]) -> Result<(), Fault> {
     if utf16.iter().any(|start| bytes.starts_with(start)) {
         return Err(SyntaxFault::Utf16.at(0));
     }
+    if let Some(at) = memchr::memchr(0, bytes) {
+        return Err(SyntaxFault::Nul.at(at));
+    }
     let rest = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
     if bytes.len() != rest.len() && rest.starts_with(BYTE_ORDER_MARK) {
         return Err(SyntaxFault::SecondByteOrderMark.at(BYTE_ORDER_MARK.len()));
@@ -80,6 +83,8 @@ impl<'t> Scanner<'t> {
     fn run(mut self) -> Result<(Vec<Piece>, Vec<Element>), Fault> {
         let mut reader = Reader::from_str(self.text.get(self.base..).unwrap_or_default());
         reader.config_mut().allow_dangling_amp = true;
+        // OpenSim refuses `</tag >`.
+        reader.config_mut().trim_markup_names_in_closing_tags = false;
         loop {
             let start = self.base + offset(reader.buffer_position());
             let event = reader

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::ops::Range;
 
 use super::tree::{ElementId, PieceKind, Tree};
+use crate::error::{Fault, FaultKind};
 
 /// The text between an element's tags.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -23,7 +24,7 @@ impl<'a> Tree<'a> {
         let pieces = self.content_pieces(id);
         let start = self.open_span(id).end;
         let mut raw = RawText { text: String::new(), span: start..start, whole: true };
-        let (mut begun, mut interrupted) = (false, false);
+        let (mut begun, mut interrupted, mut kinds) = (false, false, (false, false));
         for index in pieces {
             let Some(piece) = self.pieces().get(index) else { break };
             let source = self.piece_text(index);
@@ -35,16 +36,26 @@ impl<'a> Tree<'a> {
                     if inner.is_empty() {
                         continue;
                     }
+                    kinds.0 = true;
                     span.start += source.len() - source.trim_ascii_start().len();
                     span.end -= source.len() - source.trim_ascii_end().len();
                 }
                 PieceKind::CData => {
+                    kinds.1 = true;
                     let inner = source.strip_prefix("<![CDATA[").and_then(|s| s.strip_suffix("]]>"));
                     raw.text.push_str(inner.unwrap_or_default());
                 }
-                PieceKind::Reference => raw.text.push_str(&decode(Cow::Borrowed(source))),
-                _ => {
+                PieceKind::Reference => {
+                    kinds.0 = true;
+                    raw.text.push_str(&decode(Cow::Borrowed(source)));
+                }
+                PieceKind::Comment => {
                     interrupted = begun;
+                    continue;
+                }
+                // An element (or instruction) where text should be.
+                _ => {
+                    raw.whole = false;
                     continue;
                 }
             }
@@ -52,7 +63,22 @@ impl<'a> Tree<'a> {
             raw.span = if begun { raw.span.start..span.end } else { span };
             begun = true;
         }
+        // OpenSim takes text or CDATA, not both.
+        raw.whole &= kinds != (true, true);
         raw
+    }
+
+    /// The text of a list or path.
+    ///
+    /// # Errors
+    /// Something in the middle of it, which OpenSim refuses.
+    pub(crate) fn whole_text(&self, id: ElementId) -> Result<String, Fault> {
+        let raw = self.raw_text(id);
+        if raw.whole {
+            return Ok(raw.text.trim().to_owned());
+        }
+        let property = self.name(id).to_owned();
+        Err(Fault::over(FaultKind::BrokenText { property }, self.span(id)))
     }
 
     /// The trimmed text of `id`; for names, paths and flags.
@@ -96,13 +122,16 @@ pub(crate) fn number(raw: &RawText) -> Result<f64, NumberFault> {
     }
     let mut tokens = raw.text.split_ascii_whitespace();
     let Some(token) = tokens.next() else { return Err(NumberFault::Empty) };
-    let read = prefix(token);
-    let complete = matches!(read, Some((_, length)) if length == token.len());
-    match read {
-        Some((value, _)) if complete && tokens.next().is_none() => Ok(value),
-        Some((value, _)) => Err(NumberFault::Prefix { opensim_reads: value }),
-        None => Err(NumberFault::Unreadable),
+    let Some((value, length)) = prefix(token) else { return Err(NumberFault::Unreadable) };
+    let mut alone = true;
+    for other in tokens {
+        alone = false;
+        // One later word that is no number spoils the whole text.
+        if prefix(other).is_none() {
+            return Err(NumberFault::Unreadable);
+        }
     }
+    if alone && length == token.len() { Ok(value) } else { Err(NumberFault::Prefix { opensim_reads: value }) }
 }
 
 /// What a C++ stream reads from the start of `token`, and how many bytes of it.
@@ -110,15 +139,16 @@ pub(crate) fn number(raw: &RawText) -> Result<f64, NumberFault> {
 /// `None` where the stream fails (no digits, an exponent without digits, out of the range of a double).
 pub(crate) fn prefix(token: &str) -> Option<(f64, usize)> {
     let bytes = token.as_bytes();
-    let sign = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
-    let word = token.get(sign..).unwrap_or_default().to_ascii_lowercase();
-    if let Some(value) = match word.as_str() {
+    let word = match token.to_ascii_lowercase().as_str() {
         "nan" => Some(f64::NAN),
-        "inf" | "infinity" => Some(f64::INFINITY),
+        "inf" | "infinity" | "+inf" | "+infinity" => Some(f64::INFINITY),
+        "-inf" | "-infinity" => Some(f64::NEG_INFINITY),
         _ => None,
-    } {
-        return Some((if bytes.first() == Some(&b'-') { -value } else { value }, token.len()));
+    };
+    if let Some(value) = word {
+        return Some((value, token.len()));
     }
+    let sign = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
     let digits = |from: usize| bytes.iter().skip(from).take_while(|byte| byte.is_ascii_digit()).count();
     let whole = digits(sign);
     let mut end = sign + whole;
@@ -140,9 +170,7 @@ pub(crate) fn prefix(token: &str) -> Option<(f64, usize)> {
     }
     let text = token.get(..end)?;
     let value: f64 = text.parse().ok()?;
-    let mantissa = text.split(['e', 'E']).next().unwrap_or_default();
-    let lost = value == 0.0 && mantissa.bytes().any(|byte| (b'1'..=b'9').contains(&byte));
-    (value.is_finite() && !lost).then_some((value, end))
+    value.is_finite().then_some((value, end))
 }
 
 #[cfg(test)]
@@ -191,7 +219,13 @@ mod tests {
         reads(" \n ", &Err(NumberFault::Empty));
         reads("abc", &Err(NumberFault::Unreadable));
         reads("1e400", &Err(NumberFault::Unreadable));
-        reads("1e", &Err(NumberFault::Unreadable));
+        for text in ["1e", "1e+", "-NaN", "+nan", "inf5", "3e6 abc", "3 1e400"] {
+            reads(text, &Err(NumberFault::Unreadable));
+        }
+        reads("3 4x", &Err(NumberFault::Prefix { opensim_reads: 3.0 }));
+        reads("1e-400", &Ok(0.0));
+        reads("2<![CDATA[e6]]>", &Err(NumberFault::Interrupted));
+        reads("2e6<x/>", &Err(NumberFault::Interrupted));
         reads("1<!-- in -->e6", &Err(NumberFault::Interrupted));
     }
 

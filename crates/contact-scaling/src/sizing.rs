@@ -1,0 +1,226 @@
+//! Any three of load, radius, indentation, modulus and stiffness give the other two: (3) and (B.2) together.
+
+use crate::error::{DomainError, positive, within};
+
+/// What is known of one sphere at its load, by name and not yet checked; `None` is to be found.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Known {
+    /// Load on each sphere F/n, in N.
+    pub load_per_sphere_n: Option<f64>,
+    /// Sphere radius R, in m.
+    pub radius_m: Option<f64>,
+    /// Relative indentation x̂, without unit, 0 < x̂ ≤ 1.
+    pub relative_indentation: Option<f64>,
+    /// Composite modulus E*, in N/m².
+    pub composite_modulus_n_m2: Option<f64>,
+    /// Stiffness k of one sphere at that load, in N/m.
+    pub stiffness_n_m: Option<f64>,
+}
+
+/// One sphere at its load, all of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sizing {
+    /// Load on each sphere F/n, in N.
+    pub load_per_sphere_n: f64,
+    /// Sphere radius R, in m.
+    pub radius_m: f64,
+    /// Relative indentation x̂, without unit; above 1 where a sphere is too soft for its load.
+    pub relative_indentation: f64,
+    /// Composite modulus E*, in N/m².
+    pub composite_modulus_n_m2: f64,
+    /// Stiffness k of one sphere at that load, in N/m.
+    pub stiffness_n_m: f64,
+}
+
+/// Why there is no sizing.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SizingError {
+    /// A number is outside its domain.
+    #[error(transparent)]
+    Domain(#[from] DomainError),
+    /// Fewer than three quantities are known.
+    #[error("{} of load, radius, indentation, modulus and stiffness are known, expected three", .known.len())]
+    Insufficient {
+        /// Names of those that are.
+        known: Vec<&'static str>,
+        /// Names of those that are not.
+        missing: Vec<&'static str>,
+    },
+    /// More than three are given, and they do not belong together.
+    #[error("the {quantity} is given as {given}, but {follows} follows from the other quantities")]
+    Contradictory {
+        /// Which does not fit.
+        quantity: &'static str,
+        /// What was given.
+        given: f64,
+        /// What follows from the first three.
+        follows: f64,
+    },
+}
+
+/// How far (relative) a quantity that was given may lie from what the others say.
+const CONSISTENT: f64 = 1e-6;
+
+impl Known {
+    fn named(&self) -> [(&'static str, Option<f64>); 5] {
+        [
+            ("load", self.load_per_sphere_n),
+            ("radius", self.radius_m),
+            ("indentation", self.relative_indentation),
+            ("modulus", self.composite_modulus_n_m2),
+            ("stiffness", self.stiffness_n_m),
+        ]
+    }
+
+    /// Finds what is missing.
+    ///
+    /// With f = F/n: f = 4/3 R² E* x̂^{3/2} (3) and k = 2 R E* √x̂ (B.2).
+    ///
+    /// # Errors
+    /// [`SizingError`] where fewer than three are known, a number is outside its domain, or more than three are known
+    /// and contradict each other.
+    ///
+    /// ```
+    /// use contact_scaling::sizing::Known;
+    /// // A heel pad of 30 mm radius that carries 300 N at 10 % indentation.
+    /// let known = Known {
+    ///     load_per_sphere_n: Some(300.0),
+    ///     radius_m: Some(0.03),
+    ///     relative_indentation: Some(0.1),
+    ///     ..Known::default()
+    /// };
+    /// let sizing = known.solve()?;
+    /// assert!((sizing.stiffness_n_m / 150e3 - 1.0).abs() < 1e-12); // k = 3 f / (2 R x̂)
+    /// # Ok::<(), contact_scaling::sizing::SizingError>(())
+    /// ```
+    pub fn solve(&self) -> Result<Sizing, SizingError> {
+        for (name, value) in self.named() {
+            if let Some(value) = value {
+                positive(name, value)?;
+            }
+        }
+        if let Some(x) = self.relative_indentation {
+            within(x <= 1.0, "relative indentation", x, "a number above 0, at most 1")?;
+        }
+        let sizing = self.solve_checked().ok_or_else(|| {
+            let of = |wanted: bool| {
+                self.named()
+                    .into_iter()
+                    .filter(|(_, v)| v.is_some() == wanted)
+                    .map(|(name, _)| name)
+                    .collect()
+            };
+            SizingError::Insufficient { known: of(true), missing: of(false) }
+        })?;
+        for ((quantity, given), (_, follows)) in self.named().into_iter().zip(sizing.named()) {
+            positive(quantity, follows)?;
+            if let Some(given) = given.filter(|given| (given - follows).abs() > CONSISTENT * follows) {
+                return Err(SizingError::Contradictory { quantity, given, follows });
+            }
+        }
+        Ok(sizing)
+    }
+
+    /// Radius, indentation and modulus from any three, then load and stiffness by (3) and (B.2).
+    fn solve_checked(&self) -> Option<Sizing> {
+        let (f, r, x) = (self.load_per_sphere_n, self.radius_m, self.relative_indentation);
+        let (e, k) = (self.composite_modulus_n_m2, self.stiffness_n_m);
+        let power = |x: f64| x * x.sqrt();
+        let two_thirds = |y: f64| libm::cbrt(y) * libm::cbrt(y);
+        let (radius_m, relative_indentation, composite_modulus_n_m2) = match (f, r, x, e, k) {
+            (Some(f), Some(r), Some(x), ..) => (r, x, 0.75 * f / (r * r * power(x))),
+            (Some(f), Some(r), _, Some(e), _) => (r, two_thirds(0.75 * f / (e * (r * r))), e),
+            (Some(f), Some(r), _, _, Some(k)) => {
+                let x = 1.5 * f / (k * r);
+                (r, x, k / (2.0 * r * x.sqrt()))
+            }
+            (Some(f), _, Some(x), Some(e), _) => ((0.75 * f / (e * power(x))).sqrt(), x, e),
+            (Some(f), _, Some(x), _, Some(k)) => {
+                let r = 1.5 * f / (k * x);
+                (r, x, k / (2.0 * r * x.sqrt()))
+            }
+            (Some(f), _, _, Some(e), Some(k)) => {
+                // k³/f = 6 R E², from (B.2) cubed over (3).
+                let r = k / e * (k / e) * (k / f) / 6.0;
+                let root = k / (2.0 * r * e);
+                (r, root * root, e)
+            }
+            (_, Some(r), Some(x), Some(e), _) => (r, x, e),
+            (_, Some(r), Some(x), _, Some(k)) => (r, x, k / (2.0 * r * x.sqrt())),
+            (_, Some(r), _, Some(e), Some(k)) => {
+                let root = k / (2.0 * r * e);
+                (r, root * root, e)
+            }
+            (_, _, Some(x), Some(e), Some(k)) => (k / (2.0 * e * x.sqrt()), x, e),
+            _ => return None,
+        };
+        let (r, x, e) = (radius_m, relative_indentation, composite_modulus_n_m2);
+        Some(Sizing {
+            load_per_sphere_n: f.unwrap_or(4.0 / 3.0 * (r * r) * e * power(x)),
+            radius_m,
+            relative_indentation,
+            composite_modulus_n_m2,
+            stiffness_n_m: 2.0 * r * e * x.sqrt(),
+        })
+    }
+}
+
+impl Sizing {
+    fn named(&self) -> [(&'static str, f64); 5] {
+        [
+            ("load", self.load_per_sphere_n),
+            ("radius", self.radius_m),
+            ("indentation", self.relative_indentation),
+            ("modulus", self.composite_modulus_n_m2),
+            ("stiffness", self.stiffness_n_m),
+        ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Table 1's human at body weight: 62 · 9.81 / 6 N, R, and mpmath 1.4.1's x̂, E*, k for E₁* = 1 MPa.
+    const HUMAN: [f64; 5] =
+        [101.37, 0.032, 0.353_300_157_597_401_94, 353_553.390_593_273_76, 13_449.523_437_277_24];
+
+    fn known(mask: usize) -> Known {
+        let pick = |i: usize| (mask & (1 << i) != 0).then(|| HUMAN[i]);
+        Known {
+            load_per_sphere_n: pick(0),
+            radius_m: pick(1),
+            relative_indentation: pick(2),
+            composite_modulus_n_m2: pick(3),
+            stiffness_n_m: pick(4),
+        }
+    }
+
+    #[test]
+    fn any_three_give_the_rest() {
+        for mask in (0_usize..32).filter(|mask| mask.count_ones() >= 3) {
+            let sizing = known(mask).solve().unwrap();
+            for ((name, found), expected) in sizing.named().into_iter().zip(HUMAN) {
+                assert!((found / expected - 1.0).abs() < 1e-12, "{mask:05b} {name} {found} {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn fewer_than_three_say_what_is_missing() {
+        for mask in (0_usize..32).filter(|mask| mask.count_ones() < 3) {
+            assert!(matches!(known(mask).solve(), Err(SizingError::Insufficient { .. })));
+        }
+    }
+
+    #[test]
+    fn contradictions_and_nonsense_are_refused() {
+        let four = Known { stiffness_n_m: Some(1e4), ..known(0b00111) };
+        assert!(matches!(four.solve(), Err(SizingError::Contradictory { quantity: "stiffness", .. })));
+        let negative = Known { radius_m: Some(-1.0), ..known(0b00111) };
+        assert!(matches!(negative.solve(), Err(SizingError::Domain(_))));
+        let deep = Known { relative_indentation: Some(1.5), ..known(0b00111) };
+        assert!(matches!(deep.solve(), Err(SizingError::Domain(_))));
+    }
+}
