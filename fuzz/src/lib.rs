@@ -1,0 +1,19 @@
+//! What must hold for every file, as functions that panic where it does not.
+//!
+//! Each target of cargo-fuzz calls one of them. Files that are refused are fine: a refusal is a [`Fault`], and its text
+//! is rendered here too. Only panics, endless loops and broken promises are findings.
+
+mod checks;
+mod mutate;
+mod request;
+
+pub use checks::{edits, inspect, no_edit, roundtrip, scan};
+pub use mutate::mutate;
+
+use osim_patch::Fault;
+
+/// A fault has to be printable; nothing more is asked of it.
+fn accept(fault: &Fault) {
+    let text = fault.to_string();
+    assert!(!text.is_empty() && !fault.code().is_empty());
+}
