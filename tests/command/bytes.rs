@@ -1,0 +1,175 @@
+//! Which bytes change, and to what: expected numbers come from the paper's formulas, computed outside this project.
+
+use similar::{ChangeTag, TextDiff};
+
+use crate::support::{Bench, fixture};
+
+/// Changed and inserted lines between two files: `(removed, added)`, trimmed.
+pub(crate) fn line_changes(old: &[u8], new: &[u8]) -> (Vec<String>, Vec<String>) {
+    let (old, new) = (String::from_utf8_lossy(old), String::from_utf8_lossy(new));
+    let diff = TextDiff::from_lines(old.as_ref(), new.as_ref());
+    let of = |tag: ChangeTag| -> Vec<String> {
+        let changes = diff.iter_all_changes().filter(|change| change.tag() == tag);
+        changes.map(|change| change.value().trim().to_owned()).collect()
+    };
+    (of(ChangeTag::Delete), of(ChangeTag::Insert))
+}
+
+/// The number between the tags of a line.
+pub(crate) fn number(line: &str) -> f64 {
+    let (_, rest) = line.split_once('>').unwrap();
+    let text = rest.split('<').next().unwrap().trim();
+    text.parse().unwrap_or_else(|_| panic!("no number in {line}"))
+}
+
+/// Lines of one element.
+pub(crate) fn of<'l>(lines: &'l [String], tag: &str) -> Vec<&'l str> {
+    let open = format!("<{tag}>");
+    lines.iter().map(String::as_str).filter(|line| line.starts_with(&open)).collect()
+}
+
+/// How far a number may be from one that was computed with 60 digits and rounded once.
+pub(crate) const LAST_BITS: f64 = 1e-15 * 4.0;
+
+#[track_caller]
+pub(crate) fn assert_close(seen: f64, expected: f64, within: f64, what: &str) {
+    assert!((seen - expected).abs() <= within * expected.abs(), "{what}: {seen:?}, expected {expected:?}");
+}
+
+#[test]
+fn the_human_becomes_a_giraffe_of_1190_kg() {
+    let bench = Bench::human();
+    bench.run("human.osim --target-mass 1190").done().wrote(&["human.scaled.osim"]);
+    let (removed, added) =
+        line_changes(&fixture("table1/human_62kg_smooth_sphere.osim"), &bench.read("human.scaled.osim"));
+    // 12 spheres and 12 forces: radius, stiffness and dissipation change, the three smoothing parameters are inserted.
+    assert_eq!((removed.len(), added.len()), (36, 36 + 36 + 1));
+    // Python 3, decimal, 60 digits: μ = 1190/62, ρ = μ^(1/3); E₁* × μ/ρ², α × ρ^(-1/2), cf × ρ², bd / ρ, bv × ρ^(-1/2).
+    for (tag, expected) in [
+        ("radius", 0.085_677_818_930_297_31),
+        ("stiffness", 2_677_431.841_571_791),
+        ("dissipation", 1.222_280_219_983_237_4),
+        ("constant_contact_force", 7.168_641_266_262_512e-5),
+        ("hertz_smoothing", 112.047_670_212_170_36),
+        ("hunt_crossley_smoothing", 30.557_005_499_580_94),
+    ] {
+        let lines = of(&added, tag);
+        assert_eq!(lines.len(), 12, "{tag}");
+        for line in lines {
+            assert_close(number(line), expected, LAST_BITS, tag);
+        }
+    }
+    let notes: Vec<_> = added.iter().filter(|line| line.starts_with("<!-- osim-contact-scale ")).collect();
+    assert_eq!(notes.len(), 1);
+    assert!(notes[0].contains("contacts stand for 1190 kg"), "{notes:?}");
+}
+
+#[test]
+fn the_smallest_and_the_largest_animal_are_the_same_contact() {
+    // Mouse → giraffe: the forces' numbers follow from the formulas alone, ρ = (1190/0.0209)^(1/3) = 38.46965...
+    let bench = Bench::with(&[("table1/mouse_hunt_crossley.osim", "mouse.osim")]);
+    bench.run("mouse.osim --target-mass 1190 --no-note").done();
+    let (removed, added) =
+        line_changes(&fixture("table1/mouse_hunt_crossley.osim"), &bench.read("mouse.scaled.osim"));
+    let ratio: f64 = 1190.0 / 0.0209;
+    for (tag, exponent) in [("radius", 1.0 / 3.0), ("stiffness", 1.0 / 3.0), ("dissipation", -1.0 / 6.0)] {
+        let (before, after) = (of(&removed, tag), of(&added, tag));
+        assert_eq!((before.len(), after.len()), (4, 4), "{tag}");
+        for (before, after) in before.iter().zip(&after) {
+            assert_close(number(after) / number(before), ratio.powf(exponent), 1e-14, tag);
+        }
+    }
+    assert_eq!(added.len(), 12, "without the note nothing else changes");
+}
+
+#[test]
+fn there_and_back_gives_the_numbers_back() {
+    let bench = Bench::with(&[("table1/giraffe_smooth_sphere.osim", "giraffe.osim")]);
+    bench.run("giraffe.osim --target-mass 0.0209 -o small.osim").done();
+    bench.run("small.osim --target-mass 1190 -o back.osim").done();
+    let (removed, added) = line_changes(&bench.read("giraffe.osim"), &bench.read("back.osim"));
+    let added: Vec<_> = added.iter().filter(|line| !line.starts_with("<!--")).collect();
+    assert_eq!(removed.len(), added.len());
+    for (before, after) in removed.iter().zip(added) {
+        assert_close(number(after), number(before), 1e-14, before);
+    }
+}
+
+#[test]
+fn two_runs_equal_one() {
+    let bench = Bench::human();
+    bench.run("human.osim --target-mass 3.7 -o a.osim").done();
+    bench.run("a.osim --target-mass 1190 -o two.osim").done();
+    bench.run("human.osim --target-mass 1190 -o one.osim").done();
+    let (one, two) = line_changes(&bench.read("one.osim"), &bench.read("two.osim"));
+    for (one, two) in one.iter().zip(&two).filter(|(one, _)| !one.starts_with("<!--")) {
+        assert_close(number(two), number(one), 1e-14, one);
+    }
+}
+
+#[test]
+fn line_ends_and_byte_order_mark_stay() {
+    for (name, mark, crlf) in
+        [("bytes_crlf", false, true), ("bytes_bom", true, false), ("bytes_mixed_ends", false, true)]
+    {
+        let bench = Bench::with(&[(&format!("format/{name}.osim"), "model.osim")]);
+        bench.run("model.osim --target-mass 492").done();
+        let (before, after) = (bench.read("model.osim"), bench.read("model.scaled.osim"));
+        assert_eq!(after.starts_with(b"\xEF\xBB\xBF"), mark, "{name}");
+        let bare = |bytes: &[u8]| bytes.windows(2).filter(|two| two[1] == b'\n' && two[0] != b'\r').count();
+        let both = |bytes: &[u8]| bytes.windows(2).filter(|two| two == b"\r\n").count();
+        assert_eq!(both(&before) > 0, crlf, "{name}");
+        if name == "bytes_crlf" {
+            // One note and one hertz_smoothing were inserted, with the file's own line ends.
+            assert_eq!((bare(&after), both(&after)), (0, both(&before) + 2));
+        }
+    }
+}
+
+#[test]
+fn bytes_that_are_no_text_stay() {
+    for (name, byte) in [("bytes_stray_0x96", 0x96), ("bytes_stray_in_name", 0xF6)] {
+        let bench = Bench::with(&[(&format!("format/{name}.osim"), "model.osim")]);
+        bench.run("model.osim --target-mass 492 --no-note").done();
+        let after = bench.read("model.scaled.osim");
+        assert_eq!(after.iter().filter(|&&seen| seen == byte).count(), 1, "{name}");
+        let (removed, added) = line_changes(&bench.read("model.osim"), &after);
+        assert_eq!((removed.len(), added.len()), (6, 6), "{name}: {added:?}");
+    }
+}
+
+#[test]
+fn inserted_elements_stand_as_their_siblings_do() {
+    let bench = Bench::with(&[("format/left_out_smoothing.osim", "model.osim")]);
+    bench.run("model.osim --target-mass 492").done();
+    let text = bench.text("model.scaled.osim");
+    // ρ = 2 exactly: cf 1e-5 × 4, bd 300 / 2, bv 50/√2.
+    let (before, rest) = text
+        .split_once(
+            "\t\t\t\t\t<transition_velocity>0.17</transition_velocity>\n\
+             \t\t\t\t\t<constant_contact_force>0.00004</constant_contact_force>\n\
+             \t\t\t\t\t<hertz_smoothing>150</hertz_smoothing>\n\
+             \t\t\t\t\t<hunt_crossley_smoothing>",
+        )
+        .unwrap_or_else(|| panic!("{text}"));
+    assert!(
+        !before.contains("_smoothing>")
+            && rest.contains("</hunt_crossley_smoothing>\n\t\t\t\t</SmoothSphere"),
+        "{text}"
+    );
+    assert_close(number(&format!(">{rest}")), 35.355_339_059_327_38, LAST_BITS, "bv");
+    assert!(text.contains("<Model name=\"one_foot\">\n\t\t<!-- osim-contact-scale "), "{text}");
+}
+
+#[test]
+fn the_same_input_gives_the_same_bytes() {
+    let bench = Bench::human();
+    bench.run("human.osim --target-mass 1190 -o a.osim").done();
+    bench.run("human.osim --target-mass 1190 -o b.osim").done();
+    assert_eq!(bench.read("a.osim"), bench.read("b.osim"));
+    // No path, no time and no `--` in the note.
+    let text = bench.text("a.osim");
+    let note = text.lines().find(|line| line.contains("osim-contact-scale")).unwrap().trim();
+    let inside = note.trim_start_matches("<!--").trim_end_matches("-->");
+    assert!(!inside.contains("--") && !inside.contains("a.osim"), "{note}");
+}

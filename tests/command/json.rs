@@ -1,0 +1,401 @@
+//! The JSON contract: read back strictly, so that a field that comes, goes or changes its type is noticed here.
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+use serde_json::Value;
+
+use crate::bytes::assert_close;
+use crate::support::{Bench, HUMAN, Ran};
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Plan {
+    schema_version: u32,
+    model: String,
+    output: Option<String>,
+    #[serde(default)]
+    geometry_output: Option<String>,
+    contacts_mass_kg: Masses,
+    changes: Vec<Change>,
+    warnings: Vec<Warning>,
+    notes: Vec<String>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Masses {
+    from: f64,
+    source: String,
+    to: f64,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Change {
+    force: Option<String>,
+    path: String,
+    set: Option<usize>,
+    sphere: Option<String>,
+    property: String,
+    from: f64,
+    to: f64,
+    factor: Option<f64>,
+    equation: String,
+    line: usize,
+    inserted: bool,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Warning {
+    code: String,
+    message: String,
+    line: Option<usize>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Inspection {
+    schema_version: u32,
+    model: String,
+    document_version: u32,
+    name: String,
+    mass_kg: Option<f64>,
+    gravity_m_s2: Option<f64>,
+    contacts_mass_kg: Option<Mass>,
+    limbs: Option<Vec<Limb>>,
+    spheres_per_limb: Option<usize>,
+    spheres: Vec<Sphere>,
+    forces: Vec<Force>,
+    warnings: Vec<Warning>,
+    bodies: Vec<Body>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Mass {
+    value: f64,
+    source: String,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Limb {
+    name: String,
+    side: String,
+    spheres: Vec<String>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Sphere {
+    name: String,
+    path: String,
+    radius_m: Option<f64>,
+    location_m: [f64; 3],
+    frame: String,
+    body: Option<String>,
+    line: usize,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Force {
+    name: String,
+    path: String,
+    #[serde(rename = "type")]
+    kind: String,
+    set: Option<usize>,
+    spheres: Vec<String>,
+    applies: bool,
+    selected: bool,
+    parameters: BTreeMap<String, Option<f64>>,
+    origin: BTreeMap<String, String>,
+    line: usize,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Body {
+    name: String,
+    path: String,
+    mass_kg: Option<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Failure {
+    schema_version: u32,
+    model: String,
+    error: Fault,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Fault {
+    code: String,
+    message: String,
+    line: Option<usize>,
+    column: Option<usize>,
+}
+
+/// The objects of a run, one a line and nothing else on standard output.
+#[track_caller]
+fn lines<T: serde::de::DeserializeOwned>(ran: &Ran) -> Vec<T> {
+    let out = ran.out();
+    assert!(out.ends_with('\n'), "{out}");
+    out.lines()
+        .map(|line| serde_json::from_str(line).unwrap_or_else(|error| panic!("{error}: {line}")))
+        .collect()
+}
+
+const SMOOTH: [&str; 9] = [
+    "constant_contact_force",
+    "dissipation",
+    "dynamic_friction",
+    "hertz_smoothing",
+    "hunt_crossley_smoothing",
+    "static_friction",
+    "stiffness",
+    "transition_velocity",
+    "viscous_friction",
+];
+
+#[test]
+fn inspect_says_what_the_model_holds() {
+    let bench = Bench::human();
+    let ran = bench.run("inspect human.osim --format json").done().wrote_nothing();
+    let [seen]: [Inspection; 1] = lines(&ran).try_into().unwrap();
+    assert_eq!((seen.schema_version, seen.model.as_str(), seen.document_version), (1, "human.osim", 40000));
+    assert_eq!((seen.name.as_str(), seen.mass_kg, seen.gravity_m_s2), ("human_62kg", Some(62.0), Some(9.81)));
+    let mass = seen.contacts_mass_kg.unwrap();
+    assert_eq!((mass.value, mass.source.as_str()), (62.0, "bodies"));
+    let limbs = seen.limbs.unwrap();
+    let sides: Vec<_> =
+        limbs.iter().map(|limb| (limb.name.as_str(), limb.side.as_str(), limb.spheres.len())).collect();
+    assert_eq!(sides, [("femur_r", "right", 6), ("femur_l", "left", 6)]);
+    assert_eq!(seen.spheres_per_limb, Some(6));
+    assert_eq!((seen.spheres.len(), seen.forces.len(), seen.bodies.len()), (12, 12, 9));
+    let text = bench.text("human.osim");
+    let line = |number: usize| text.lines().nth(number - 1).unwrap();
+    for sphere in &seen.spheres {
+        assert_eq!(sphere.radius_m, Some(0.032));
+        assert_eq!(sphere.path, format!("/contactgeometryset/{}", sphere.name));
+        assert_eq!(sphere.frame, format!("/bodyset/{}", sphere.body.as_deref().unwrap()));
+        assert!(sphere.location_m.iter().all(|x| x.is_finite()));
+        assert!(line(sphere.line).contains(&format!("<ContactSphere name=\"{}\">", sphere.name)));
+    }
+    for force in &seen.forces {
+        assert_eq!(
+            (force.kind.as_str(), force.set, force.applies, force.selected),
+            ("SmoothSphereHalfSpaceForce", None, true, true)
+        );
+        assert_eq!(force.path, format!("/forceset/{}", force.name));
+        assert_eq!(force.spheres.len(), 1);
+        assert!(line(force.line).contains(&format!("name=\"{}\"", force.name)));
+        assert_eq!(force.parameters.keys().collect::<Vec<_>>(), SMOOTH);
+        assert_eq!(force.origin.keys().collect::<Vec<_>>(), SMOOTH);
+        let value = |name: &str| (force.parameters[name], force.origin[name].as_str());
+        assert_eq!(value("stiffness"), (Some(1e6), "element"));
+        assert_eq!(value("constant_contact_force"), (Some(1e-5), "class default"));
+        assert_eq!(value("hertz_smoothing"), (Some(300.0), "class default"));
+    }
+    let weight: f64 = seen.bodies.iter().map(|body| body.mass_kg.unwrap()).sum();
+    assert_eq!(weight, 62.0);
+    assert!(seen.bodies.iter().all(|body| body.path == format!("/bodyset/{}", body.name)));
+    assert!(seen.warnings.is_empty(), "{:?}", seen.warnings);
+}
+
+#[test]
+fn a_hunt_crossley_force_has_an_entry_for_each_parameter_set() {
+    let bench = Bench::with(&[("format/three_materials.osim", "model.osim")]);
+    let [seen]: [Inspection; 1] =
+        lines(&bench.run("inspect model.osim --format json").done()).try_into().unwrap();
+    let entries: Vec<_> = seen
+        .forces
+        .iter()
+        .map(|force| (force.name.as_str(), force.set, force.parameters["stiffness"], force.spheres.clone()))
+        .collect();
+    let spheres = |name: &str| if name.is_empty() { vec![] } else { vec![name.to_owned()] };
+    let expected: Vec<_> = [("contact_r", "heel_r", "toe_r"), ("contact_l", "heel_l", "toe_l")]
+        .into_iter()
+        .flat_map(|(force, heel, toe)| {
+            [
+                (force, Some(0), Some(5e6), spheres("")),
+                (force, Some(1), Some(1e6), spheres(heel)),
+                (force, Some(2), Some(8e5), spheres(toe)),
+            ]
+        })
+        .collect();
+    assert_eq!(entries, expected);
+    for force in &seen.forces {
+        assert_eq!(force.kind, "HuntCrossleyForce");
+        assert_eq!(
+            force.parameters.keys().collect::<Vec<_>>(),
+            [
+                "dissipation",
+                "dynamic_friction",
+                "static_friction",
+                "stiffness",
+                "transition_velocity",
+                "viscous_friction"
+            ]
+        );
+        assert_eq!(force.parameters["transition_velocity"], Some(0.17));
+    }
+}
+
+#[test]
+fn a_rescaling_lists_every_change() {
+    let bench = Bench::human();
+    let ran = bench.run("human.osim --target-mass 1190 --format json").done().wrote(&["human.scaled.osim"]);
+    let [plan]: [Plan; 1] = lines(&ran).try_into().unwrap();
+    assert_eq!(
+        (plan.schema_version, plan.model.as_str(), plan.output.as_deref()),
+        (1, "human.osim", Some("human.scaled.osim"))
+    );
+    assert_eq!(
+        (plan.contacts_mass_kg.from, plan.contacts_mass_kg.source.as_str(), plan.contacts_mass_kg.to),
+        (62.0, "bodies", 1190.0)
+    );
+    assert!(plan.geometry_output.is_none() && plan.warnings.is_empty() && !plan.notes.is_empty());
+    // Python 3, decimal, 60 digits, from μ = 1190/62.
+    let expected = [
+        ("radius", "8", 0.032, 2.677_431_841_571_791, false),
+        ("stiffness", "10", 1e6, 2.677_431_841_571_791, false),
+        ("dissipation", "14", 2.0, 0.611_140_109_991_618_7, false),
+        ("constant_contact_force", "C.2", 1e-5, 7.168_641_266_262_512_5, true),
+        ("hertz_smoothing", "C.5", 300.0, 0.373_492_234_040_567_86, true),
+        ("hunt_crossley_smoothing", "C.10", 50.0, 0.611_140_109_991_618_7, true),
+    ];
+    assert_eq!(plan.changes.len(), 72);
+    let (before, after) = (bench.text("human.osim"), bench.text("human.scaled.osim"));
+    for change in &plan.changes {
+        let (_, equation, from, factor, inserted) = *expected
+            .iter()
+            .find(|(name, ..)| *name == change.property)
+            .unwrap_or_else(|| panic!("{}", change.property));
+        assert_eq!(
+            (change.equation.as_str(), change.from, change.inserted, change.set),
+            (equation, from, inserted, None)
+        );
+        assert_close(change.factor.unwrap(), factor, 4e-15, &change.property);
+        assert_close(change.to, from * factor, 4e-15, &change.property);
+        let radius = change.property == "radius";
+        assert_eq!((change.sphere.is_some(), change.force.is_none()), (radius, radius));
+        assert!(change.path.ends_with(change.sphere.as_deref().or(change.force.as_deref()).unwrap()));
+        let line = before.lines().nth(change.line - 1).unwrap();
+        assert!(
+            if inserted {
+                line.contains("<SmoothSphereHalfSpaceForce")
+            } else {
+                line.contains(&format!("<{}>", change.property))
+            },
+            "{line}"
+        );
+        // What JSON says is what is in the file, bit for bit.
+        let written = after.lines().filter(|line| line.trim().starts_with(&format!("<{}>", change.property)));
+        assert!(
+            written.map(crate::bytes::number).any(|number| number.to_bits() == change.to.to_bits()),
+            "{change:?}"
+        );
+    }
+}
+
+#[test]
+fn outputs_and_their_absence_are_named() {
+    let bench = Bench::human();
+    let plan = |arguments: &str| -> Plan {
+        let [plan]: [Plan; 1] = lines(&bench.run(arguments).done()).try_into().unwrap();
+        plan
+    };
+    assert_eq!(plan("human.osim --target-mass 5 --format json --dry-run").output, None);
+    let same = plan("human.osim --target-mass 62 --format json");
+    assert_eq!((same.output, same.changes.len()), (None, 0));
+    assert_eq!((same.contacts_mass_kg.from, same.contacts_mass_kg.to), (62.0, 62.0));
+    assert_eq!(same.warnings[0].code, "already-at-target");
+    assert!(same.warnings[0].line.is_none() && same.warnings[0].message.contains("--contacts-mass"));
+    assert_eq!(
+        plan("human.osim --target-mass 5 --format json -d out").output.as_deref(),
+        Some("out/human.osim")
+    );
+    assert_eq!(
+        plan("human.osim --target-mass 5 --format json --in-place").output.as_deref(),
+        Some("human.osim")
+    );
+    assert_eq!(plan("human.osim --target-mass 6 --format json --dry-run").contacts_mass_kg.source, "note");
+    assert_eq!(
+        plan("human.osim --target-mass 6 --contacts-mass 9 --format json --dry-run").contacts_mass_kg.source,
+        "contacts-mass"
+    );
+    let preset = plan("transfer human.osim --from falisse2022 --spheres 3 --format json --dry-run");
+    assert_eq!((preset.contacts_mass_kg.from, preset.contacts_mass_kg.source.as_str()), (62.0, "preset"));
+    assert!(preset.changes.iter().all(|change| change.factor.is_none()));
+}
+
+#[test]
+fn json_has_one_object_a_line_for_each_model_failures_too() {
+    let bench = Bench::with(&[
+        HUMAN,
+        ("bad/number_decimal_comma.osim", "comma.osim"),
+        ("format/v40000.osim", "feet.osim"),
+    ]);
+    let ran =
+        bench.run("human.osim comma.osim feet.osim nowhere.osim --target-mass 5 --format json").failed();
+    let values: Vec<Value> = lines(&ran);
+    let models: Vec<_> = values.iter().map(|value| value["model"].as_str().unwrap()).collect();
+    assert_eq!(models, ["human.osim", "comma.osim", "feet.osim", "nowhere.osim"]);
+    let failure = |index: usize| -> Failure { serde_json::from_value(values[index].clone()).unwrap() };
+    let comma = failure(1);
+    assert_eq!(
+        (comma.schema_version, comma.model.as_str(), comma.error.code.as_str()),
+        (1, "comma.osim", "not-a-number")
+    );
+    assert!(comma.error.message.contains("1,5e6"));
+    let text = bench.text("comma.osim");
+    let line = text.lines().nth(comma.error.line.unwrap() - 1).unwrap();
+    assert_eq!(&line[comma.error.column.unwrap() - 1..][..5], "1,5e6");
+    let nowhere = failure(3);
+    assert_eq!(
+        (nowhere.error.code.as_str(), nowhere.error.line, nowhere.error.column),
+        ("unreadable", None, None)
+    );
+}
+
+#[test]
+fn numbers_that_are_not_finite_are_null_with_a_warning() {
+    for (fixture, code) in
+        [("bad/number_nan", "not-finite"), ("bad/number_inf", "not-finite"), ("bad/mass_nan", "not-finite")]
+    {
+        let bench = Bench::with(&[(&format!("{fixture}.osim"), "model.osim")]);
+        let [seen]: [Inspection; 1] =
+            lines(&bench.run("inspect model.osim --format json").done()).try_into().unwrap();
+        let nulls = seen
+            .forces
+            .iter()
+            .flat_map(|force| force.parameters.values())
+            .filter(|value| value.is_none())
+            .count()
+            + seen.bodies.iter().filter(|body| body.mass_kg.is_none()).count();
+        assert_eq!(nulls, 1, "{fixture}");
+        assert!(
+            seen.warnings.iter().any(|warning| warning.code == code && warning.line.is_some()),
+            "{fixture}: {:?}",
+            seen.warnings
+        );
+    }
+}
+
+#[test]
+fn json_and_table_show_the_same_run() {
+    let bench = Bench::human();
+    bench.run("human.osim --target-mass 1190 -o table.osim").done();
+    bench.run("human.osim --target-mass 1190 --format json -o json.osim").done();
+    assert_eq!(bench.read("table.osim"), bench.read("json.osim"));
+    // A diff goes beside JSON, not into it.
+    let ran = bench.run("human.osim --target-mass 1190 --format json --diff --dry-run").done();
+    let plans: Vec<Plan> = lines(&ran);
+    assert_eq!(plans.len(), 1);
+    assert!(ran.err().contains("@@"));
+}

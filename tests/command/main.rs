@@ -1,0 +1,22 @@
+//! The command from outside: what it prints, what it writes and what it leaves alone.
+//!
+//! Layout and wording are snapshots in `tests/snapshots`; bytes and numbers are plain assertions. Each test works in a
+//! folder of its own that holds copies of fixtures.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::print_stderr,
+    missing_docs,
+    reason = "a test fails by panicking and says aloud what it skips"
+)]
+
+mod bad_input;
+mod bytes;
+mod corpus;
+mod files;
+mod json;
+mod masses;
+mod shown;
+mod support;

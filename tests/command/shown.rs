@@ -1,0 +1,163 @@
+//! What people see when all goes well.
+
+use crate::support::{Bench, HUMAN};
+
+const MOUSE: (&str, &str) = ("table1/mouse_hunt_crossley.osim", "mouse.osim");
+const TWO_FEET: (&str, &str) = ("format/v30000_two_feet.osim", "feet.osim");
+
+#[test]
+fn rescaling() {
+    let bench = Bench::human();
+    bench.run("human.osim --target-mass 1190").done().wrote(&["human.scaled.osim"]).looks_like("rescale");
+    bench.run("human.osim --target-mass 1190 --force --quiet").done().looks_like("rescale_quiet");
+}
+
+#[test]
+fn rescaling_with_a_diff() {
+    let bench = Bench::with(&[("format/left_out_in_the_middle.osim", "foot.osim")]);
+    bench
+        .run("foot.osim --target-mass 492 --diff -o big.osim")
+        .done()
+        .wrote(&["big.osim"])
+        .looks_like("rescale_diff");
+    bench
+        .run("foot.osim --target-mass 492 --diff --dry-run")
+        .done()
+        .wrote_nothing()
+        .looks_like("rescale_dry_run");
+}
+
+#[test]
+fn rescaling_as_json() {
+    let bench = Bench::with(&[("format/left_out_in_the_middle.osim", "foot.osim")]);
+    let ran = bench.run("foot.osim --target-mass 492 --format json").done().wrote(&["foot.scaled.osim"]);
+    assert!(ran.stdout.ends_with(b"}\n") && ran.stderr.is_empty());
+    ran.looks_like("rescale_json");
+}
+
+#[test]
+fn rescaling_part_of_it() {
+    let bench = Bench::with(&[TWO_FEET]);
+    bench.run("feet.osim --target-mass 424 --select *_r --dry-run").done().looks_like("rescale_select");
+    bench
+        .run("feet.osim --target-mass 424 --only stiffness --dry-run")
+        .done()
+        .looks_like("rescale_only_stiffness");
+    bench
+        .run("feet.osim --target-mass 424 --radius 0.05 --dry-run")
+        .done()
+        .looks_like("rescale_radius_metres");
+    bench
+        .run("feet.osim --target-mass 424 --radius keep --dissipation-by mass --dry-run")
+        .done()
+        .looks_like("rescale_dissipation_by_mass");
+    bench
+        .run("feet.osim --target-mass 424 --friction --target-gravity 3.71 --dry-run")
+        .done()
+        .looks_like("rescale_friction_gravity");
+}
+
+#[test]
+fn masses_that_disagree_and_contacts_already_there() {
+    let bench = Bench::human();
+    bench.run("human.osim --target-mass 62").done().wrote_nothing().looks_like("already_at_target");
+    bench
+        .run("human.osim --target-mass 62 --contacts-mass 75 --dry-run")
+        .done()
+        .looks_like("masses_disagree");
+}
+
+#[test]
+fn transferring() {
+    let bench = Bench::with(&[HUMAN, MOUSE]);
+    bench
+        .run("transfer mouse.osim --from human.osim --reference-spheres 6 --stance-limbs 2 --dry-run")
+        .done()
+        .looks_like("transfer_same");
+    bench
+        .run("transfer mouse.osim --from falisse2022 --spheres 4 -o out.osim")
+        .done()
+        .wrote(&["out.osim"])
+        .looks_like("transfer_preset");
+    bench
+        .run("transfer human.osim --from mouse.osim --radius isometric --dry-run")
+        .done()
+        .looks_like("transfer_isometric");
+}
+
+#[test]
+fn inspecting() {
+    let bench = Bench::with(&[MOUSE, TWO_FEET, ("format/three_materials.osim", "materials.osim")]);
+    bench.run("inspect mouse.osim").done().wrote_nothing().looks_like("inspect");
+    bench.run("inspect feet.osim materials.osim").done().looks_like("inspect_several");
+    let ran = bench.run("inspect feet.osim --format json").done();
+    assert!(ran.stdout.ends_with(b"}\n") && ran.stderr.is_empty());
+    ran.looks_like("inspect_json");
+}
+
+#[test]
+fn inspecting_says_what_is_wrong_and_goes_on() {
+    let bench = Bench::with(&[
+        ("bad/number_decimal_comma.osim", "comma.osim"),
+        ("bad/mass_missing.osim", "massless.osim"),
+        ("format/unequal_stiffness.osim", "unequal.osim"),
+        ("format/no_sides.osim", "no_sides.osim"),
+    ]);
+    for name in ["comma", "massless", "unequal", "no_sides"] {
+        bench.run(&format!("inspect {name}.osim")).done().looks_like(&format!("inspect_{name}"));
+    }
+}
+
+#[test]
+fn a_model_alone_is_shown_with_a_hint() {
+    let bench = Bench::with(&[TWO_FEET]);
+    bench.run("feet.osim").done().wrote_nothing().looks_like("model_alone");
+}
+
+#[test]
+fn a_folder_and_what_is_passed_over() {
+    let bench = Bench::with(&[
+        ("format/v40000.osim", "lib/a/foot.osim"),
+        ("format/v30000.osim", "lib/b/foot.osim"),
+        ("bad/no_contacts.osim", "lib/none.osim"),
+        ("format/v40000.osim", "lib/old.scaled.osim"),
+    ]);
+    bench
+        .run("lib --target-mass 123 -d lib/out")
+        .done()
+        .wrote(&["lib/out/a/foot.osim", "lib/out/b/foot.osim"])
+        .looks_like("folder");
+}
+
+#[test]
+fn explaining() {
+    let bench = Bench::new();
+    bench.run("explain").done().looks_like("explain");
+    bench.run("explain already-at-target").done().looks_like("explain_code");
+    bench.run("explain no-such-code").usage().looks_like("explain_unknown");
+}
+
+#[test]
+fn help() {
+    let bench = Bench::new();
+    for verb in ["", "rescale", "transfer", "inspect", "explain"] {
+        let name = if verb.is_empty() { "help".to_owned() } else { format!("help_{verb}") };
+        let ran = bench.run(format!("{verb} -h").trim()).done().looks_like(&name);
+        assert!(ran.stderr.is_empty());
+    }
+    bench.run("--version").done().looks_like("version");
+}
+
+#[test]
+fn help_fits_a_screen() {
+    let bench = Bench::new();
+    let mut too_long = Vec::new();
+    for verb in ["", "rescale", "transfer", "inspect", "explain"] {
+        let text = bench.run(format!("{verb} -h").trim()).done().out();
+        let widest = text.lines().map(|line| line.chars().count()).max().unwrap();
+        if text.lines().count() > 60 || widest > 100 {
+            too_long.push(format!("'{verb} -h': {} lines of up to {widest} columns", text.lines().count()));
+        }
+    }
+    assert!(too_long.is_empty(), "{too_long:#?}");
+}

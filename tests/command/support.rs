@@ -1,0 +1,243 @@
+//! A folder with models, the command run in it, and what came of it.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::Stdio;
+
+use tempfile::TempDir;
+
+/// The smooth human of 62 kg, under the name most tests use.
+pub(crate) const HUMAN: (&str, &str) = ("table1/human_62kg_smooth_sphere.osim", "human.osim");
+
+/// The top of the repository.
+pub(crate) fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+pub(crate) fn fixture(name: &str) -> Vec<u8> {
+    std::fs::read(root().join("fixtures").join(name))
+        .unwrap_or_else(|error| panic!("fixtures/{name}: {error}"))
+}
+
+/// The folder of real models, or `None` after saying that the test was skipped.
+pub(crate) fn corpus(test: &str) -> Option<PathBuf> {
+    let folder = std::env::var_os("OSIM_CORPUS").map(PathBuf::from).filter(|folder| folder.is_dir());
+    if folder.is_none() {
+        // Straight to the terminal: the test harness keeps what a passing test prints to itself.
+        let _ = std::io::Write::write_all(
+            &mut std::io::stderr(),
+            format!("skipped: {test} needs real models, OSIM_CORPUS is not set to their folder\n").as_bytes(),
+        );
+    }
+    folder
+}
+
+/// A folder of its own for one test.
+pub(crate) struct Bench {
+    dir: TempDir,
+}
+
+type Files = BTreeMap<String, Vec<u8>>;
+
+impl Bench {
+    pub(crate) fn new() -> Self {
+        Self { dir: tempfile::tempdir().unwrap() }
+    }
+
+    /// With copies of fixtures, each `(fixture, name here)`.
+    pub(crate) fn with(fixtures: &[(&str, &str)]) -> Self {
+        let bench = Self::new();
+        for (from, to) in fixtures {
+            bench.write(to, fixture(from));
+        }
+        bench
+    }
+
+    pub(crate) fn human() -> Self {
+        Self::with(&[HUMAN])
+    }
+
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
+        self.dir.path().join(name)
+    }
+
+    pub(crate) fn write(&self, name: &str, bytes: impl AsRef<[u8]>) {
+        let path = self.path(name);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(path, bytes).unwrap();
+    }
+
+    #[track_caller]
+    pub(crate) fn read(&self, name: &str) -> Vec<u8> {
+        std::fs::read(self.path(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+    }
+
+    #[track_caller]
+    pub(crate) fn text(&self, name: &str) -> String {
+        String::from_utf8(self.read(name)).unwrap()
+    }
+
+    pub(crate) fn has(&self, name: &str) -> bool {
+        self.path(name).exists()
+    }
+
+    /// Every file below the folder, with its bytes; links are followed.
+    pub(crate) fn files(&self) -> Files {
+        fn walk(folder: &Path, prefix: &str, files: &mut Files) {
+            for entry in std::fs::read_dir(folder).unwrap() {
+                let entry = entry.unwrap();
+                let name = format!("{prefix}{}", entry.file_name().to_string_lossy());
+                if entry.path().is_dir() {
+                    walk(&entry.path(), &format!("{name}/"), files);
+                } else {
+                    files.insert(name, std::fs::read(entry.path()).unwrap_or_default());
+                }
+            }
+        }
+        let mut files = Files::new();
+        walk(self.dir.path(), "", &mut files);
+        files
+    }
+
+    /// Runs the command with `arguments`, parted at blanks.
+    pub(crate) fn run(&self, arguments: &str) -> Ran {
+        self.run_with(arguments, b"")
+    }
+
+    /// The same with something on standard input.
+    pub(crate) fn run_with(&self, arguments: &str, stdin: &[u8]) -> Ran {
+        let before = self.files();
+        let output = assert_cmd::Command::from(self.command(arguments)).write_stdin(stdin).output().unwrap();
+        let mut changed: Vec<String> = Vec::new();
+        let after = self.files();
+        for (name, bytes) in &after {
+            if before.get(name) != Some(bytes) {
+                changed.push(name.clone());
+            }
+        }
+        let lost: Vec<_> = before.keys().filter(|name| !after.contains_key(*name)).collect();
+        assert!(lost.is_empty(), "files are gone: {lost:?}");
+        Ran {
+            call: format!("osim-contact-scale {arguments}"),
+            folder: self.dir.path().canonicalize().unwrap(),
+            status: output.status.code(),
+            stdout: output.stdout,
+            stderr: output.stderr,
+            changed,
+        }
+    }
+
+    /// The command, ready to be spawned.
+    pub(crate) fn command(&self, arguments: &str) -> std::process::Command {
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_osim-contact-scale"));
+        command
+            .args(arguments.split_whitespace())
+            .current_dir(self.dir.path())
+            .stdin(Stdio::null())
+            .env("COLUMNS", "100")
+            .env_remove("CLICOLOR_FORCE")
+            .env("NO_COLOR", "1");
+        command
+    }
+}
+
+/// What a run did.
+pub(crate) struct Ran {
+    call: String,
+    folder: PathBuf,
+    pub(crate) status: Option<i32>,
+    pub(crate) stdout: Vec<u8>,
+    pub(crate) stderr: Vec<u8>,
+    /// New files and files with other bytes than before.
+    pub(crate) changed: Vec<String>,
+}
+
+impl Ran {
+    pub(crate) fn out(&self) -> String {
+        String::from_utf8(self.stdout.clone()).expect("standard output is UTF-8")
+    }
+
+    pub(crate) fn err(&self) -> String {
+        String::from_utf8(self.stderr.clone()).expect("standard error is UTF-8")
+    }
+
+    #[track_caller]
+    fn ends_with(self, status: i32) -> Self {
+        assert_eq!(self.status, Some(status), "{}\n{}{}", self.call, self.out(), self.err());
+        self
+    }
+
+    /// Exit status 0.
+    #[track_caller]
+    pub(crate) fn done(self) -> Self {
+        self.ends_with(0)
+    }
+
+    /// Exit status 1: a model failed.
+    #[track_caller]
+    pub(crate) fn failed(self) -> Self {
+        self.ends_with(1)
+    }
+
+    /// Exit status 2: wrong usage.
+    #[track_caller]
+    pub(crate) fn usage(self) -> Self {
+        self.ends_with(2)
+    }
+
+    /// Exactly these files are new or have other bytes.
+    #[track_caller]
+    pub(crate) fn wrote(self, files: &[&str]) -> Self {
+        assert_eq!(self.changed, files, "{}\n{}{}", self.call, self.out(), self.err());
+        self
+    }
+
+    /// Nothing was written.
+    #[track_caller]
+    pub(crate) fn wrote_nothing(self) -> Self {
+        self.wrote(&[])
+    }
+
+    /// All of `words` are printed, on either stream.
+    #[track_caller]
+    pub(crate) fn says(self, words: &[&str]) -> Self {
+        let text = format!("{}{}", self.out(), self.err());
+        for word in words {
+            assert!(text.contains(word), "'{word}' is not in:\n{text}");
+        }
+        self
+    }
+
+    /// The run as a reviewer reads it.
+    fn transcript(&self) -> String {
+        let mut text = format!("$ {}\n", self.call);
+        let status = self.status.map_or("killed".to_owned(), |status| status.to_string());
+        text.push_str(&format!("exit status {status}; "));
+        if self.changed.is_empty() {
+            text.push_str("nothing written\n");
+        } else {
+            text.push_str(&format!("written: {}\n", self.changed.join(", ")));
+        }
+        for (name, stream) in [("standard output", self.out()), ("standard error", self.err())] {
+            if !stream.is_empty() {
+                text.push_str(&format!("----- {name}\n{stream}"));
+            }
+        }
+        let text = text.replace(&self.folder.display().to_string(), "[FOLDER]");
+        text.replace(
+            concat!("osim-contact-scale ", env!("CARGO_PKG_VERSION")),
+            "osim-contact-scale [VERSION]",
+        )
+    }
+
+    /// Compares the run with `tests/snapshots/NAME.snap`.
+    #[track_caller]
+    pub(crate) fn looks_like(self, name: &str) -> Self {
+        let mut settings = insta::Settings::clone_current();
+        settings.set_snapshot_path(root().join("tests/snapshots"));
+        settings.set_prepend_module_to_snapshot(false);
+        settings.set_omit_expression(true);
+        settings.bind(|| insta::assert_snapshot!(name, self.transcript()));
+        self
+    }
+}

@@ -1,0 +1,65 @@
+//! Every ```` ```console ```` example of README.md and docs/ is run from the top of the repository and compared.
+//!
+//! "The top of the repository" is a copy of `fixtures/` in a temporary folder, so that examples may write. To take over what
+//! the command prints now: `TRYCMD=overwrite cargo test --test documents`, then read the difference.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::print_stderr,
+    missing_docs,
+    reason = "a test fails by panicking and says aloud what it skips"
+)]
+
+use std::path::{Path, PathBuf};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().unwrap()
+}
+
+fn copy(from: &Path, to: &Path) {
+    std::fs::create_dir_all(to).unwrap();
+    for entry in std::fs::read_dir(from).unwrap() {
+        let entry = entry.unwrap();
+        let target = to.join(entry.file_name());
+        if entry.path().is_dir() {
+            copy(&entry.path(), &target);
+        } else {
+            std::fs::copy(entry.path(), target).unwrap();
+        }
+    }
+}
+
+/// README.md and the pages of docs/ that hold examples.
+fn documents() -> Vec<PathBuf> {
+    let pages =
+        std::fs::read_dir(root().join("docs")).into_iter().flatten().flatten().map(|entry| entry.path());
+    let mut documents: Vec<PathBuf> = std::iter::once(root().join("README.md"))
+        .chain(pages)
+        .filter(|path| path.extension().is_some_and(|extension| extension == "md"))
+        .filter(|path| std::fs::read_to_string(path).is_ok_and(|text| text.contains("```console")))
+        .collect();
+    documents.sort();
+    documents
+}
+
+// One test for all pages: they share the process's working folder.
+#[test]
+fn examples_in_the_documents_are_true() {
+    let documents = documents();
+    if documents.is_empty() {
+        eprintln!("skipped: neither README.md nor docs/ holds a ```console example");
+        return;
+    }
+    for document in documents {
+        // Each page starts with untouched fixtures.
+        let folder = tempfile::tempdir().unwrap();
+        copy(&root().join("fixtures"), &folder.path().join("fixtures"));
+        std::env::set_current_dir(folder.path()).unwrap();
+        let cases = trycmd::TestCases::new();
+        cases.register_bin("osim-contact-scale", Path::new(env!("CARGO_BIN_EXE_osim-contact-scale")));
+        cases.env("COLUMNS", "100").env("NO_COLOR", "1").case(&document).run();
+        std::env::set_current_dir(root()).unwrap();
+    }
+}
