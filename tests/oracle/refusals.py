@@ -11,6 +11,7 @@ REFUSED = {
     "file_forceset.osim": "the forces are in another file, which a rescaling would have to change as well",
     "file_both_sets.osim": "forces and geometry are in other files",
     "file_missing.osim": "the file that should hold the forces is not there",
+    "defaults_hunt_crossley.osim": "all its ContactParameters stand in <defaults>, which are never edited",
     "sphere_on_sphere.osim": "two spheres are used by a force between spheres, too, which is not rescaled",
     "sphere_on_sphere_only.osim": "no sphere meets a half-space",
     "player_and_ball.osim": "two trees joined only through ground: the user has to select one",

@@ -3,12 +3,17 @@
 //! Exit status: 0 all done, 1 a model failed or needs an answer, 2 wrong usage.
 
 mod args;
+mod calculator;
 mod change;
+mod drop;
 mod explain;
 mod failure;
+mod fitting;
 mod load;
 mod look;
+mod measured;
 mod place;
+mod presets;
 mod report;
 mod sources;
 mod terminal;
@@ -24,7 +29,7 @@ use clap::error::ErrorKind;
 use args::{Cli, Format, RescaleArgs, Verb};
 use look::Look;
 use terminal::{Exit, Terminal};
-use verbs::{RescaleVerb, TransferVerb};
+use verbs::{DesignVerb, RescaleVerb, SetVerb, TransferVerb};
 
 fn main() -> ExitCode {
     let mut terminal = Terminal::default();
@@ -72,6 +77,18 @@ fn run(cli: &Cli, terminal: &mut Terminal) -> Result<Exit> {
                 Ok(Exit::Failed)
             }
         },
+        Some(Verb::Design(args)) if args.models.is_empty() => calculator::run(args, terminal),
+        Some(Verb::Design(args)) => {
+            let planner = DesignVerb::new(args)?;
+            change::run(&args.models, &args.parts, &args.output, &planner, terminal)
+        }
+        Some(Verb::Set(args)) => {
+            let planner = SetVerb::new(args)?;
+            change::run(&planner.models, &args.parts, &args.output, &planner, terminal)
+        }
+        Some(Verb::DropTest(args)) => drop::run(args, terminal),
+        Some(Verb::Fit(args)) => fitting::run(args, terminal),
+        Some(Verb::Presets(args)) => presets::run(args, terminal).map(|()| Exit::Done),
         Some(Verb::Inspect(args)) => Look::new(args)?.run(terminal),
         Some(Verb::Explain(args)) => explain::run(args.code.as_deref(), terminal).map(|()| Exit::Done),
     }

@@ -1,17 +1,20 @@
 //! What each changing verb plans for a model.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use anyhow::{Result, bail};
+use anyhow::{Result, anyhow, bail};
+use contact_scaling::SharedLoad;
 use osim_patch::{
-    Fault, FaultKind, Mass, MassRequest, MassSource, Model, Plan, RadiusRule, Reference, Rescale, Selection,
-    Transfer, reference_of_model, rescale, transfer,
+    Assignment, Design, DesignModulus, Fault, FaultKind, Mass, MassRequest, MassSource, Model, Plan,
+    Property, RadiusRule, Reference, Rescale, Selection, Set, Transfer, design, reference_of_model, rescale,
+    set, transfer,
 };
 
-use crate::args::{PartArgs, RescaleArgs, TransferArgs};
+use crate::args::{DesignArgs, PartArgs, RescaleArgs, SetArgs, TransferArgs, assignment};
 use crate::change::Planner;
 use crate::failure::Failure;
 use crate::load::Loaded;
+use crate::presets;
 use crate::sources::Source;
 
 /// `--target-mass`.
@@ -83,8 +86,7 @@ impl<'v> TransferVerb<'v> {
 }
 
 fn preset(args: &TransferArgs) -> Result<Option<Reference>> {
-    let name = args.from.to_string_lossy();
-    if let Some(preset) = contact_scaling::preset(&name) {
+    if let Some(preset) = presets::find(&args.from, args.presets.as_deref())? {
         let mut reference = Reference::from(&preset);
         if let Some(kg) = args.reference.reference_mass {
             reference.mass = reference_mass(kg);
@@ -93,10 +95,10 @@ fn preset(args: &TransferArgs) -> Result<Option<Reference>> {
         return Ok(Some(reference));
     }
     if !args.from.exists() {
-        let names: Vec<_> = contact_scaling::preset_names().collect();
         bail!(
-            "--from '{name}': there is no such file and no such preset, expected a model or one of: {}",
-            names.join(", ")
+            "--from '{}': there is no such file and no such preset, expected a model or one of: {}",
+            args.from.display(),
+            presets::names(args.presets.as_deref())
         );
     }
     Ok(None)
@@ -130,7 +132,7 @@ fn reference_from_model(model: &Model<'_, '_>, args: &TransferArgs) -> Result<Re
 }
 
 /// n as found per limb times the stance limbs, or a question.
-fn sphere_count(
+pub(crate) fn sphere_count(
     model: &Model<'_, '_>,
     forces: &[usize],
     stance_limbs: f64,
@@ -168,6 +170,169 @@ impl Planner for TransferVerb<'_> {
                 properties: scaling.properties(),
                 dissipation_by: scaling.dissipation(),
                 target_gravity_m_s2: scaling.target_gravity,
+            },
+        )
+    }
+}
+
+/// `set`.
+pub(crate) struct SetVerb {
+    pub models: Vec<PathBuf>,
+    assignments: Vec<(Property, Assignment)>,
+    selection: Selection,
+    masses: MassRequest,
+    again: bool,
+}
+
+impl SetVerb {
+    /// Parts the words of the command line into models and assignments.
+    ///
+    /// # Errors
+    /// No model, nothing to set, an unknown property or a value that is no number.
+    pub(crate) fn new(args: &SetArgs) -> Result<Self> {
+        let mut models = Vec::new();
+        let mut assignments: Vec<(Property, Assignment)> = Vec::new();
+        for item in &args.items {
+            match item.split_once('=') {
+                Some((name, value)) if !Path::new(item).exists() => {
+                    let new = assignment(name, value).map_err(|why| anyhow!(why))?;
+                    if assignments.iter().any(|(property, _)| *property == new.0) {
+                        bail!("{} is set twice", new.0);
+                    }
+                    assignments.push(new);
+                }
+                _ => models.push(PathBuf::from(item)),
+            }
+        }
+        if models.is_empty() {
+            bail!("no model given, expected one or more .osim files or folders (see set --help)");
+        }
+        if assignments.is_empty() {
+            bail!("nothing to set, expected PROPERTY=VALUE or PROPERTY=xFACTOR, for example stiffness=x2");
+        }
+        Ok(Self {
+            models,
+            assignments,
+            selection: args.choice.selection()?,
+            masses: args.masses.request()?,
+            again: args.output.force || !args.output.in_place,
+        })
+    }
+}
+
+impl Planner for SetVerb {
+    fn plan(&self, model: &Model<'_, '_>) -> Result<Plan, Fault> {
+        let selected = self.selection.apply(model)?;
+        let mut warnings = Vec::new();
+        // A plain change needs no mass; where one is known, the note goes on saying it.
+        let contacts_mass = self.masses.of_contacts(model, &mut warnings).ok();
+        let assignments = self.assignments.clone();
+        let mut plan = set(model, &selected, &Set { assignments, contacts_mass, again: self.again })?;
+        plan.warnings.append(&mut warnings);
+        Ok(plan)
+    }
+}
+
+/// `design` with models.
+pub(crate) struct DesignVerb<'v> {
+    args: &'v DesignArgs,
+    selection: Selection,
+    masses: MassRequest,
+}
+
+impl<'v> DesignVerb<'v> {
+    /// # Errors
+    /// Options that say nothing, or contradict each other.
+    pub(crate) fn new(args: &'v DesignArgs) -> Result<Self> {
+        let wanted = &args.wanted;
+        let sizes = wanted.indentation.is_some() || wanted.young.is_some();
+        let asks = sizes
+            || wanted.restitution.is_some()
+            || wanted.constant_indentation.is_some()
+            || wanted.state_width.is_some()
+            || wanted.speed_width.is_some()
+            || wanted.radius.is_some();
+        if wanted.stiffness.is_some() {
+            bail!("--stiffness is known, not designed: write it with set MODEL stiffness=VALUE");
+        }
+        if wanted.indentation.is_some() && wanted.young.is_some() {
+            bail!("--indentation and --young both say what the stiffness is: leave one out");
+        }
+        if wanted.contact_stiffness.is_some() && (wanted.indentation.is_none() || wanted.radius.is_some()) {
+            bail!(
+                "with models, --contact-stiffness needs --indentation, and gives the radius: leave out --radius"
+            );
+        }
+        if !asks {
+            bail!(
+                "nothing is wanted: say for example --indentation X, --restitution CR or --constant-indentation X"
+            );
+        }
+        Ok(Self { args, selection: args.choice.selection()?, masses: args.masses.request()? })
+    }
+
+    fn load(
+        &self,
+        model: &Model<'_, '_>,
+        forces: &[usize],
+    ) -> Result<(Option<SharedLoad>, Option<Mass>), Fault> {
+        let args = self.args;
+        if args.wanted.indentation.is_none() {
+            return Ok((None, None));
+        }
+        let count = match args.counts.spheres {
+            Some(count) => count,
+            None => sphere_count(model, forces, args.counts.stance_limbs, "--spheres")?,
+        };
+        let (load_n, mass) = match args.load.load {
+            Some(load) => (load, None),
+            None => {
+                let mass = self.masses.of_model(model)?;
+                let gravity = args.load.gravity.or(model.gravity()).filter(|&gravity| gravity > 0.0);
+                let Some(gravity) = gravity else {
+                    return Err(Fault::new(FaultKind::Refused(
+                        "the model has no gravity, so body weight is nothing: say --gravity G or --load N"
+                            .to_owned(),
+                    )));
+                };
+                let load = mass.kg * gravity * args.load.body_weights.unwrap_or(1.0);
+                (load, Some(mass))
+            }
+        };
+        Ok((Some(SharedLoad::new(load_n, count).map_err(Fault::new)?), mass))
+    }
+}
+
+impl Planner for DesignVerb<'_> {
+    fn plan(&self, model: &Model<'_, '_>) -> Result<Plan, Fault> {
+        let selected = self.selection.apply(model)?;
+        let wanted = &self.args.wanted;
+        let (load, mass) = self.load(model, &selected.forces)?;
+        let modulus = match (wanted.indentation, wanted.young.zip(wanted.poisson)) {
+            (Some(x), _) => Some(DesignModulus::Indentation(x)),
+            (None, Some((young_n_m2, poisson))) => Some(DesignModulus::Young { young_n_m2, poisson }),
+            (None, None) => None,
+        };
+        let radius = match (wanted.contact_stiffness, wanted.indentation, &load) {
+            (Some(k), Some(x), Some(load)) => {
+                let radius = contact_scaling::design::radius_for_stiffness(k, x, load).map_err(Fault::new)?;
+                RadiusRule::Metres(radius)
+            }
+            _ => wanted.radius.unwrap_or(RadiusRule::Keep),
+        };
+        let width = |width: Option<f64>| width.map(|width| (wanted.threshold, width));
+        design(
+            model,
+            &selected,
+            &Design {
+                modulus,
+                load,
+                restitution: wanted.restitution.map(|restitution| (restitution, wanted.impact_speed)),
+                constant_indentation: wanted.constant_indentation,
+                state_width: width(wanted.state_width),
+                speed_width: width(wanted.speed_width),
+                radius,
+                mass,
             },
         )
     }

@@ -58,8 +58,9 @@ pub use model::{Body, Force, ForceKind, Limb, Limbs, Model, ParameterSet, Part, 
 pub use note::{Note, Scope};
 pub use number::{readable, shortest};
 pub use plan::{
-    Assignment, Change, Design, DesignModulus, DissipationBy, Masses, Plan, PropertySet, RadiusRule,
-    Reference, ReferenceContact, Rescale, Set, Transfer, design, reference_of_model, rescale, set, transfer,
+    Assignment, Change, Design, DesignModulus, DissipationBy, LoadedSphere, Masses, Plan, PropertySet,
+    RadiusRule, Reference, ReferenceContact, Rescale, Set, Transfer, design, loaded_spheres,
+    reference_of_model, rescale, set, transfer,
 };
 pub use property::Property;
 pub use select::{Selected, Selection};

@@ -378,7 +378,6 @@ fn masses_are_summed_in_file_order_without_ground_and_props() {
         assert_eq!(mass, kg, "{file}");
     }
     let outcome = given_fixture("format/terrain_welded.osim").excluding_body("terr*").rescaled_to(8.0 * 53.0);
-    assert_eq!(outcome.plan().from_mass.kg, 53.0);
     outcome.sets(Property::Stiffness, 2, 2_469_135.6);
     given_fixture("bad/mass_missing.osim").rescaled_to(1.0).is_refused("no-mass", &["--mass"]);
     given_fixture("bad/mass_missing.osim").weighing(53.0).rescaled_to(8.0 * 53.0).plan();

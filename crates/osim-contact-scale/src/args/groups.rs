@@ -19,7 +19,7 @@ pub(crate) struct MassArgs {
     #[arg(long, value_name = "KG", value_parser = mass, allow_hyphen_values = true)]
     pub mass: Option<f64>,
     /// Leave these bodies out of the sum (props, platforms); may be repeated
-    #[arg(long, value_name = "GLOB", value_parser = glob)]
+    #[arg(long, value_name = "GLOB", value_parser = glob, hide_short_help = true)]
     pub exclude_body: Vec<Glob>,
 }
 
@@ -49,13 +49,13 @@ pub(crate) struct ScalingArgs {
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = property)]
     pub keep: Vec<Property>,
     /// What dissipation follows (14): R^-1/2 or M^-1/6
-    #[arg(long, value_enum, default_value = "radius")]
+    #[arg(long, value_enum, default_value = "radius", hide_short_help = true)]
     pub dissipation_by: DissipationArg,
     /// Scale transition_velocity and viscous_friction too (an extension of the paper)
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     pub friction: bool,
     /// Scale to this gravity too, m/s2 (an extension of the paper)
-    #[arg(long, value_name = "G", value_parser = acceleration)]
+    #[arg(long, value_name = "G", value_parser = acceleration, hide_short_help = true)]
     pub target_gravity: Option<f64>,
 }
 
@@ -97,7 +97,7 @@ pub(crate) struct ForceChoice {
     #[arg(long, value_name = "GLOB", value_parser = glob)]
     pub exclude: Vec<Glob>,
     /// Leave out forces that are switched off
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     pub skip_disabled: bool,
 }
 
@@ -112,14 +112,14 @@ impl ForceChoice {
 }
 
 /// Files that belong to a standalone set.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Standalone sets")]
 pub(crate) struct PartArgs {
     /// The ContactGeometrySet (or model) that holds the spheres of a standalone ForceSet
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", hide_short_help = true)]
     pub geometry: Option<PathBuf>,
     /// The model a standalone ForceSet belongs to, for its masses and joints
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", hide_short_help = true)]
     pub model: Option<PathBuf>,
 }
 
@@ -131,7 +131,7 @@ pub(crate) struct OutputArgs {
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Write the changed ContactGeometrySet of a standalone ForceSet to this file
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", hide_short_help = true)]
     pub geometry_output: Option<PathBuf>,
     /// Write into this folder
     #[arg(short = 'd', long, value_name = "DIR", conflicts_with = "output")]
@@ -140,7 +140,7 @@ pub(crate) struct OutputArgs {
     #[arg(long, conflicts_with_all = ["output", "output_dir", "geometry_output"])]
     pub in_place: bool,
     /// With --in-place: keep no backup
-    #[arg(long, requires = "in_place")]
+    #[arg(long, requires = "in_place", hide_short_help = true)]
     pub no_backup: bool,
     /// Replace existing files
     #[arg(long)]
@@ -152,7 +152,7 @@ pub(crate) struct OutputArgs {
     #[arg(long)]
     pub diff: bool,
     /// Leave no note (a comment line) in the model
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     pub no_note: bool,
     /// How to print
     #[arg(long, value_enum, default_value_t)]

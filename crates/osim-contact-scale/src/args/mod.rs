@@ -1,6 +1,7 @@
 //! The command line: verbs and their options.
 
 mod groups;
+mod physics;
 mod values;
 
 use std::path::PathBuf;
@@ -8,8 +9,12 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand};
 
 pub(crate) use groups::{ForceChoice, Format, MassArgs, OutputArgs, PartArgs, ScalingArgs};
-pub(crate) use values::usage_line;
+pub(crate) use physics::{
+    BranchArg, ColumnArgs, DesignArgs, DropArgs, DropNumbers, FitArgs, ForceUnit, Length, LengthUnit,
+    PresetsArgs, SeriesFormat, SetArgs, SpeedUnit, TimeUnit,
+};
 use values::{acceleration, count, mass};
+pub(crate) use values::{assignment, usage_line};
 
 /// Makes the contact parameters of OpenSim models right at every body size.
 ///
@@ -21,7 +26,7 @@ use values::{acceleration, count, mass};
     args_conflicts_with_subcommands = true,
     arg_required_else_help = true,
     disable_help_subcommand = true,
-    after_help = "Equations: Van Bijlert (2026), J. Biomech., doi:10.1016/j.jbiomech.2026.113420"
+    after_help = "More options with --help. Equations: Van Bijlert (2026), J. Biomech., doi:10.1016/j.jbiomech.2026.113420"
 )]
 pub(crate) struct Cli {
     #[command(subcommand)]
@@ -36,8 +41,18 @@ pub(crate) enum Verb {
     Rescale(Box<RescaleArgs>),
     /// Give a model the contacts of another model or of a preset, at its own size
     Transfer(Box<TransferArgs>),
+    /// Find parameters from what is wanted: indentation, stiffness, restitution
+    Design(Box<DesignArgs>),
+    /// Set properties to a value, or multiply them by a factor
+    Set(Box<SetArgs>),
     /// Show what contacts a model has
     Inspect(Box<InspectArgs>),
+    /// Let a model fall on its contacts and see what they do
+    DropTest(Box<DropArgs>),
+    /// Find contact parameters from a measured indentation and force
+    Fit(Box<FitArgs>),
+    /// List presets, or show one
+    Presets(PresetsArgs),
     /// Explain a warning code (without one: list them all)
     Explain(ExplainArgs),
 }
@@ -84,9 +99,12 @@ pub(crate) struct TransferArgs {
     /// Models (.osim), a ForceSet (.xml) with --geometry, folders, or - for standard input
     #[arg(value_name = "MODEL", required = true)]
     pub models: Vec<PathBuf>,
-    /// Where the contacts come from: a model, or the preset falisse2022
+    /// Where the contacts come from: a model, or a preset such as falisse2022
     #[arg(long, value_name = "MODEL|PRESET", required = true)]
     pub from: PathBuf,
+    /// A file with presets of your own (TOML)
+    #[arg(long, value_name = "FILE", hide_short_help = true)]
+    pub presets: Option<PathBuf>,
     #[command(flatten)]
     pub counts: CountArgs,
     #[command(flatten)]
@@ -123,10 +141,10 @@ pub(crate) struct ReferenceArgs {
     #[arg(long, value_name = "KG", value_parser = mass, allow_hyphen_values = true)]
     pub reference_mass: Option<f64>,
     /// Its spheres that share the body weight [default: as found per limb]
-    #[arg(long, value_name = "N", value_parser = count)]
+    #[arg(long, value_name = "N", value_parser = count, hide_short_help = true)]
     pub reference_spheres: Option<f64>,
     /// Its gravity, m/s2
-    #[arg(long, value_name = "G", value_parser = acceleration)]
+    #[arg(long, value_name = "G", value_parser = acceleration, hide_short_help = true)]
     pub reference_gravity: Option<f64>,
     /// Take the contact of this sphere for all
     #[arg(long, value_name = "NAME")]
@@ -153,4 +171,16 @@ pub(crate) struct InspectArgs {
 pub(crate) struct ExplainArgs {
     /// Code of a warning, as printed behind it in brackets
     pub code: Option<String>,
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::Cli;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Cli::command().debug_assert();
+    }
 }

@@ -2,7 +2,9 @@
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use globset::{Glob, GlobBuilder};
-use osim_patch::{Property, RadiusRule, shortest};
+use osim_patch::{Assignment, Property, RadiusRule, shortest};
+
+use super::physics::Length;
 
 /// A mass in kg.
 pub(super) fn mass(text: &str) -> Result<f64, String> {
@@ -12,6 +14,75 @@ pub(super) fn mass(text: &str) -> Result<f64, String> {
 /// An acceleration in m/s².
 pub(super) fn acceleration(text: &str) -> Result<f64, String> {
     positive(text, "an acceleration in m/s2", &[("m/s2", 1.0), ("m/s^2", 1.0), ("g", 9.80665)])
+}
+
+/// Any finite number, 0 or more.
+pub(super) fn number(text: &str) -> Result<f64, String> {
+    if plain(text.trim()) == Some(0.0) {
+        return Ok(0.0);
+    }
+    positive(text, "a number", &[])
+}
+
+/// A finite number above 0.
+pub(super) fn positive_number(text: &str) -> Result<f64, String> {
+    positive(text, "a number", &[])
+}
+
+/// x̂: above 0, at most 1.
+pub(super) fn indentation(text: &str) -> Result<f64, String> {
+    let expected = "a relative indentation (x/R) above 0, at most 1";
+    positive(text, expected, &[])
+        .and_then(|x| if x <= 1.0 { Ok(x) } else { Err(format!("expected {expected}")) })
+}
+
+/// t: between 0 and 0.5.
+pub(super) fn fraction(text: &str) -> Result<f64, String> {
+    let expected = "a threshold between 0 and 0.5";
+    positive(text, expected, &[])
+        .and_then(|t| if t < 0.5 { Ok(t) } else { Err(format!("expected {expected}")) })
+}
+
+/// c_r: 0 to 1.
+pub(super) fn restitution(text: &str) -> Result<f64, String> {
+    match plain(text.trim()) {
+        Some(value) if (0.0..=1.0).contains(&value) => Ok(value),
+        _ => Err("expected a coefficient of restitution from 0 to 1".to_owned()),
+    }
+}
+
+/// ν: above -1, at most 0.5.
+pub(super) fn poisson(text: &str) -> Result<f64, String> {
+    match plain(text.trim()) {
+        Some(value) if value > -1.0 && value <= 0.5 => Ok(value),
+        _ => Err("expected a Poisson's ratio above -1, at most 0.5".to_owned()),
+    }
+}
+
+/// Metres, or a multiple of the radius like `x0.25`.
+pub(super) fn length(text: &str) -> Result<Length, String> {
+    let expected = "a length in metres, or a multiple of the radius like x0.25";
+    let parse = |text: &str| {
+        if plain(text.trim()) == Some(0.0) {
+            Ok(0.0)
+        } else {
+            positive(text, expected, &[("mm", 1e-3), ("m", 1.0)])
+        }
+    };
+    match text.strip_prefix(['x', 'X']) {
+        Some(factor) => parse(factor).map(Length::Radii),
+        None => parse(text).map(Length::Metres),
+    }
+}
+
+/// `PROPERTY=VALUE` or `PROPERTY=xFACTOR`.
+pub(crate) fn assignment(name: &str, text: &str) -> Result<(Property, Assignment), String> {
+    let property: Property = name.trim().parse()?;
+    let value = match text.trim().strip_prefix(['x', 'X']) {
+        Some(factor) => number(factor).map(Assignment::Factor),
+        None => number(text).map(Assignment::Value),
+    };
+    value.map(|value| (property, value)).map_err(|why| format!("{name}={text}: {why}"))
 }
 
 /// A number of things, 1 or more.

@@ -4,6 +4,7 @@
 
 mod design;
 mod draft;
+mod loaded;
 mod radii;
 mod rescale;
 mod set;
@@ -26,6 +27,7 @@ use crate::xml::ElementId;
 
 pub use design::{Design, DesignModulus, design};
 pub use draft::PropertySet;
+pub use loaded::{LoadedSphere, loaded_spheres};
 pub use radii::RadiusRule;
 pub use rescale::{Rescale, rescale};
 pub use set::{Assignment, Set, set};

@@ -1,11 +1,9 @@
 //! Contacts of a reference, given the dimensions of another body: (10), (14), (C.2), (C.5), (C.10).
 
-use contact_scaling::{
-    Contact, ContactValues, DimensionlessContact, Preset, RatioValues, Ratios, Scale, ScaleValues,
-    SmoothingValues,
-};
+use contact_scaling::{Contact, DimensionlessContact, Preset, RatioValues, Ratios, Scale, ScaleValues};
 
 use super::draft::{Draft, New, PropertySet};
+use super::loaded::contact_of_set;
 use super::radii::{Radii, RadiusRule};
 use super::rescale::{bottoms_remark, factor, gravity_ratio, warn_forces};
 use super::surfaces::{Surfaces, sphere_sets, write_composite};
@@ -101,20 +99,8 @@ pub fn reference_of_model(
             }
             #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
             let radius_m = if same { first } else { (square / spheres.len() as f64).sqrt() };
-            let (plane_strain_modulus, dissipation) = surfaces.with_plane(set)?;
+            let contact = contact_of_set(&draft, (index, force), &surfaces, set)?;
             let get = |property| draft.current(index, set, property);
-            let smoothing = match (
-                get(Property::ConstantContactForce)?,
-                get(Property::HertzSmoothing)?,
-                get(Property::HuntCrossleySmoothing)?,
-            ) {
-                (Some(constant_contact_force), Some(hertz_smoothing), Some(hunt_crossley_smoothing)) => {
-                    Some(SmoothingValues { constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })
-                }
-                _ => None,
-            };
-            let contact = Contact::new(ContactValues { plane_strain_modulus, dissipation, smoothing })
-                .map_err(|error| Fault::new(error).of(force.path.clone()))?;
             let friction = get(Property::TransitionVelocity)?.zip(get(Property::ViscousFriction)?);
             let names =
                 spheres.iter().filter_map(|&s| model.spheres.get(s)).map(|s| s.name.clone()).collect();

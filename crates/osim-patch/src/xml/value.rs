@@ -49,11 +49,11 @@ impl<'a> Tree<'a> {
                     kinds.0 = true;
                     raw.text.push_str(&decode(Cow::Borrowed(source)));
                 }
-                PieceKind::Comment => {
+                PieceKind::Comment | PieceKind::Other => {
                     interrupted = begun;
                     continue;
                 }
-                // An element (or instruction) where text should be.
+                // An element where text should be.
                 _ => {
                     raw.whole = false;
                     continue;
