@@ -133,7 +133,10 @@ fn a_folder_keeps_its_shape_and_passes_over_its_own_outputs_aloud() {
         .run("lib --target-mass 492 -d out")
         .done()
         .wrote(&["out/UPPER.OSIM", "out/left/foot.osim", "out/right/foot.osim"])
-        .says(&["1 outputs of this tool", "1 models without contacts"]);
+        .says(&[
+            "outputs of this tool (*.scaled.osim) passed over: 1",
+            "models without contacts passed over: 1",
+        ]);
     // The output folder inside the walked one is not walked.
     let bench = library();
     bench.run("lib --target-mass 492 -d lib/out").done();
@@ -164,9 +167,21 @@ fn two_equal_outputs_are_found_before_anything_is_written() {
         .usage()
         .wrote_nothing()
         .says(&["b/FOOT.osim"]);
-    bench.run("a/foot.osim a/foot.osim --target-mass 5").usage().wrote_nothing();
-    bench.run("a/foot.osim a/./foot.osim --target-mass 5").usage().wrote_nothing();
     assert!(!bench.has("out"));
+}
+
+#[test]
+fn a_model_that_is_named_twice_is_changed_once() {
+    for again in ["foot.osim", "./foot.osim", "."] {
+        let bench = Bench::with(&[("format/v40000.osim", "foot.osim")]);
+        let ran = bench.run(&format!("foot.osim {again} --target-mass 424 --in-place"));
+        if ran.status == Some(0) {
+            ran.wrote(&["foot.osim", "foot.osim.bak"]);
+            assert_eq!(bench.read("foot.osim.bak"), fixture("format/v40000.osim"), "{again}");
+        } else {
+            ran.usage().wrote_nothing();
+        }
+    }
 }
 
 #[test]

@@ -65,6 +65,7 @@ struct Inspection {
     gravity_m_s2: Option<f64>,
     contacts_mass_kg: Option<Mass>,
     limbs: Option<Vec<Limb>>,
+    limbs_unknown: Option<String>,
     spheres_per_limb: Option<usize>,
     spheres: Vec<Sphere>,
     forces: Vec<Force>,
@@ -175,7 +176,7 @@ fn inspect_says_what_the_model_holds() {
     let sides: Vec<_> =
         limbs.iter().map(|limb| (limb.name.as_str(), limb.side.as_str(), limb.spheres.len())).collect();
     assert_eq!(sides, [("femur_r", "right", 6), ("femur_l", "left", 6)]);
-    assert_eq!(seen.spheres_per_limb, Some(6));
+    assert_eq!((seen.spheres_per_limb, seen.limbs_unknown), (Some(6), None));
     assert_eq!((seen.spheres.len(), seen.forces.len(), seen.bodies.len()), (12, 12, 9));
     let text = bench.text("human.osim");
     let line = |number: usize| text.lines().nth(number - 1).unwrap();

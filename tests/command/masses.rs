@@ -57,7 +57,12 @@ fn a_model_that_was_scaled_but_not_its_contacts() {
         .run("giraffe.osim --target-mass 1190 --contacts-mass 62 -o out.osim")
         .done()
         .wrote(&["out.osim"])
-        .says(&["contacts stand for 62 kg (--contacts-mass)", "1190", "mass-sources-disagree"]);
+        .says(&["contacts stand for 62 kg (--contacts-mass)", "1190"]);
+    // Where the bodies weigh neither, something is odd.
+    bench
+        .run("giraffe.osim --target-mass 500 --contacts-mass 62 --dry-run")
+        .done()
+        .says(&["mass-sources-disagree", "1190 kg"]);
 }
 
 #[test]
@@ -145,4 +150,24 @@ fn a_transfer_stands_for_the_models_own_mass() {
         .run("four.osim --target-mass 0.0418 -o twice.osim")
         .done()
         .says(&["contacts stand for 0.0209 kg (note"]);
+}
+
+#[test]
+fn a_relative_change_is_not_made_twice_by_accident() {
+    let bench = Bench::human();
+    bench.run("set human.osim stiffness=x2 --in-place --no-backup").done().wrote(&["human.osim"]);
+    let (_, added) = line_changes(&crate::support::fixture(HUMAN.0), &bench.read("human.osim"));
+    assert_eq!(of(&added, "stiffness"), ["<stiffness>2000000</stiffness>"; 12]);
+    bench
+        .run("set human.osim stiffness=x2 --in-place --no-backup")
+        .failed()
+        .wrote_nothing()
+        .says(&["--force"]);
+    bench.run("set human.osim stiffness=x2 --in-place --no-backup --force").done().wrote(&["human.osim"]);
+    assert!(bench.text("human.osim").contains("<stiffness>4000000</stiffness>"));
+    // An absolute change may be said again.
+    bench.run("set human.osim stiffness=5e6 --in-place --no-backup").done().wrote(&["human.osim"]);
+    bench.run("set human.osim stiffness=5e6 --in-place --no-backup").done().wrote_nothing();
+    // Only some of the contacts' numbers follow any mass now.
+    bench.run("human.osim --target-mass 500").failed().wrote_nothing().says(&["--contacts-mass"]);
 }

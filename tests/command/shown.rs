@@ -3,6 +3,8 @@
 use crate::support::{Bench, HUMAN};
 
 const MOUSE: (&str, &str) = ("table1/mouse_hunt_crossley.osim", "mouse.osim");
+const VERBS: [&str; 10] =
+    ["", "rescale", "transfer", "design", "set", "inspect", "drop-test", "fit", "presets", "explain"];
 const TWO_FEET: (&str, &str) = ("format/v30000_two_feet.osim", "feet.osim");
 
 #[test]
@@ -86,6 +88,28 @@ fn transferring() {
 }
 
 #[test]
+fn setting() {
+    let bench = Bench::with(&[TWO_FEET]);
+    bench
+        .run("set feet.osim stiffness=x2 dissipation=1.5 --dry-run")
+        .done()
+        .wrote_nothing()
+        .looks_like("set");
+    bench.run("set feet.osim radius=-1").usage().wrote_nothing().looks_like("set_out_of_domain");
+}
+
+#[test]
+fn designing_without_a_model() {
+    let bench = Bench::new();
+    bench
+        .run("design --mass 62 --spheres 6 --radius 0.032 --indentation 0.16 --restitution 0.8 --impact-speed 0.4")
+        .done()
+        .looks_like("design");
+    bench.run("presets").done().looks_like("presets");
+    bench.run("presets falisse2022 --format json").done().looks_like("presets_json");
+}
+
+#[test]
 fn inspecting() {
     let bench = Bench::with(&[MOUSE, TWO_FEET, ("format/three_materials.osim", "materials.osim")]);
     bench.run("inspect mouse.osim").done().wrote_nothing().looks_like("inspect");
@@ -140,8 +164,9 @@ fn explaining() {
 #[test]
 fn help() {
     let bench = Bench::new();
-    for verb in ["", "rescale", "transfer", "inspect", "explain"] {
-        let name = if verb.is_empty() { "help".to_owned() } else { format!("help_{verb}") };
+    for verb in VERBS {
+        let name =
+            if verb.is_empty() { "help".to_owned() } else { format!("help_{}", verb.replace('-', "_")) };
         let ran = bench.run(format!("{verb} -h").trim()).done().looks_like(&name);
         assert!(ran.stderr.is_empty());
     }
@@ -152,7 +177,7 @@ fn help() {
 fn help_fits_a_screen() {
     let bench = Bench::new();
     let mut too_long = Vec::new();
-    for verb in ["", "rescale", "transfer", "inspect", "explain"] {
+    for verb in VERBS {
         let text = bench.run(format!("{verb} -h").trim()).done().out();
         let widest = text.lines().map(|line| line.chars().count()).max().unwrap();
         if text.lines().count() > 60 || widest > 100 {

@@ -75,7 +75,7 @@ fn what_surrounds_a_number_stays() {
             "<stiffness><!--Pa-->1e6<!-- was 2e6 --></stiffness>",
             "<stiffness><!--Pa-->4000000<!-- was 2e6 --></stiffness>",
         ),
-        ("<stiffness unit='Pa' >1e6</stiffness >", "<stiffness unit='Pa' >4000000</stiffness >"),
+        ("<stiffness unit='Pa' >1e6</stiffness>", "<stiffness unit='Pa' >4000000</stiffness>"),
         (
             "<stiffness>1e6</stiffness><stiffness>9</stiffness>",
             "<stiffness>4000000</stiffness><stiffness>9</stiffness>",
@@ -412,6 +412,22 @@ fn defaults_are_read_but_never_edited() {
     assert!(
         String::from_utf8(after).unwrap().contains("\n\t\t\t\t\t<hertz_smoothing>55.5</hertz_smoothing>\n")
     );
+}
+
+#[test]
+fn a_number_that_something_interrupts_is_refused() {
+    for file in ["comment_inside", "half_cdata", "element_inside"] {
+        given_fixture(&format!("bad/number_{file}.osim"))
+            .rescaled_to(492.0)
+            .is_refused("not-a-number", &["stiffness"]);
+    }
+}
+
+#[test]
+fn materials_that_only_defaults_hold_are_read_but_not_changed() {
+    given_fixture("format/defaults_hunt_crossley.osim")
+        .rescaled_to(492.0)
+        .is_refused("parameters-in-defaults", &["<defaults>"]);
 }
 
 #[test]

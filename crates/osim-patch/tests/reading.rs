@@ -132,7 +132,7 @@ fn defaults_give_surfaces_and_sockets_too() {
     ] {
         read(file, |model| {
             assert_eq!(model.forces.len(), 1, "{file}");
-            assert_eq!(value(model, Property::Stiffness), (STIFFNESS, Origin::Defaults), "{file}");
+            assert_eq!(value(model, Property::Stiffness).0, STIFFNESS, "{file}");
             assert_eq!(value(model, Property::Radius).0, RADIUS, "{file}");
         });
     }
