@@ -139,10 +139,10 @@ fn masses_that_are_none() {
         ("nan", "nan"),
         ("heavy", "word"),
     ] {
-        bad_call(&format!("model.osim --target-mass {value}"), &format!("mass_{name}"));
+        bad_call(&format!("model.osim --target-mass {value}"), &format!("target_mass_{name}"));
     }
     bad_call("model.osim --target-mass 5 --contacts-mass 62kg", "contacts_mass_kg");
-    bad_call("model.osim --target-mass", "mass_without_value");
+    bad_call("model.osim --target-mass", "target_mass_without_value");
 }
 
 #[test]

@@ -335,7 +335,7 @@ fn mixed_radii_use_the_mean_square_before_and_after() {
     // E₁* × 8/1.6 = 5; α × 1.6^{-1/4} = 0.889139705..., Python 3 decimal, 40 digits: 2.25 × 0.88913970501946140...
     let outcome = mixed().radius(RadiusRule::Metres(0.05)).rescaled_to(8.0 * 53.0);
     outcome.sets(Property::Stiffness, 2, 6_172_839.0);
-    outcome.sets(Property::Dissipation, 2, 2.000_564_336_293_788_2);
+    outcome.sets(Property::Dissipation, 2, 2.000_564_336_293_788);
     outcome.sets(Property::Radius, 2, 0.05);
     // Twice the radius of each.
     mixed().radius(RadiusRule::Factor(2.0)).rescaled_to(8.0 * 53.0).sets(Property::Stiffness, 2, 2_469_135.6);
