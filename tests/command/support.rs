@@ -224,6 +224,7 @@ impl Ran {
             }
         }
         let text = text.replace(&self.folder.display().to_string(), "[FOLDER]");
+        let text = without_temporary_names(&text);
         text.replace(
             concat!("osim-contact-scale ", env!("CARGO_PKG_VERSION")),
             "osim-contact-scale [VERSION]",
@@ -240,4 +241,16 @@ impl Ran {
         settings.bind(|| insta::assert_snapshot!(name, self.transcript()));
         self
     }
+}
+
+/// Names of temporary files end in six random letters.
+fn without_temporary_names(text: &str) -> String {
+    const START: &str = "/.osim-contact-scale-";
+    let mut parts = text.split(START);
+    let mut out = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        out.push_str("/[TEMPORARY]");
+        out.push_str(part.trim_start_matches(|c: char| c.is_ascii_alphanumeric()));
+    }
+    out
 }
