@@ -55,6 +55,8 @@ pub fn no_edit(bytes: &[u8]) {
         let Ok(mut request) = Request::of(bytes, model) else { return };
         request.wanted.target_mass_kg = request.wanted.contacts_mass.kg;
         request.wanted.target_gravity_m_s2 = None;
+        // Radii in metres or times a factor are asked for whatever the mass.
+        request.wanted.radius = RadiusRule::Isometric;
         let plan = rescale(model, &selected, &request.wanted).expect("nothing to do is always possible");
         assert!(plan.is_empty() && plan.note().is_none());
         assert_eq!(plan.patched(model, 0).expect("no edits cannot overlap"), bytes);
@@ -213,7 +215,12 @@ fn second_run(again: &Model<'_, '_>, request: &Request, scope: Scope) {
     let contacts_mass = told.expect("a complete note is trusted");
     assert_eq!(contacts_mass.source, MassSource::Note);
     assert_eq!(contacts_mass.kg.to_bits(), request.wanted.target_mass_kg.to_bits());
-    let same = Rescale { contacts_mass, target_gravity_m_s2: None, ..request.wanted.clone() };
+    // Another factor would change the radii again.
+    let radius = match request.wanted.radius {
+        RadiusRule::Factor(_) => RadiusRule::Isometric,
+        other => other,
+    };
+    let same = Rescale { contacts_mass, radius, target_gravity_m_s2: None, ..request.wanted.clone() };
     let plan = rescale(again, &request.selected, &same).expect("nothing to do is always possible");
     assert!(plan.is_empty(), "running twice changes something");
     let back = Rescale { target_mass_kg: same.contacts_mass.kg / 3.0, ..same };
@@ -226,6 +233,8 @@ fn second_run(again: &Model<'_, '_>, request: &Request, scope: Scope) {
             values_as_planned(again, &plan, &third);
             if !plan.is_empty() {
                 assert_eq!(third.note.as_ref(), plan.note());
+                let gravity = |model: &Model<'_, '_>| model.note.as_ref().and_then(|note| note.gravity_m_s2);
+                assert_eq!(gravity(&third), gravity(again), "nobody asked for another gravity");
                 assert_eq!(comments(again), comments(&third), "the second run left a second note");
             }
         }
