@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use osim_patch::{
     Document, Edit, ElementId, Limbs, MassRequest, MassSource, Model, PieceKind, Plan, RadiusRule, Reference,
-    Rescale, Scope, Selection, Transfer, Value, reference_of_model, rescale, splice, transfer,
+    Rescale, Scope, Selection, ScalingRule, Transfer, Value, reference_of_model, rescale, splice, transfer,
 };
 
 use crate::accept;
@@ -136,6 +136,12 @@ pub fn inspect(bytes: &[u8]) {
                 properties: Default::default(),
                 dissipation_by: Default::default(),
                 target_gravity_m_s2: None,
+                follow: None,
+                rule: ScalingRule::Paper,
+                strict: false,
+                follow: None,
+                rule: ScalingRule::Paper,
+                strict: false,
             };
             match transfer(model, &selected, &wanted) {
                 Ok(plan) => drop(plan.patched(model, 0).expect("the edits of a plan do not overlap")),

@@ -6,7 +6,7 @@ use contact_scaling::{
     Hertz, SharedLoad, SmoothSphere, SmoothingValues, limits, modulus, patch, restitution, smoothing,
     stiffness,
 };
-use osim_patch::RadiusRule;
+use osim_patch::{Property, RadiusRule};
 use serde::Serialize;
 
 use crate::args::{DesignArgs, Format};
@@ -60,8 +60,27 @@ struct Inputs {
     load_n: Option<f64>,
     radius_m: Option<f64>,
     composite_modulus: Option<f64>,
+    modulus: ModulusFrom,
     /// The load is what the spheres carry at rest.
     is_body_weight: bool,
+}
+
+/// Where the composite modulus comes from.
+#[derive(Clone, Copy, PartialEq)]
+enum ModulusFrom {
+    Young,
+    Stiffness,
+    Sizing,
+}
+
+impl ModulusFrom {
+    fn equation(self) -> &'static str {
+        match self {
+            Self::Young => "A.1, A.5",
+            Self::Stiffness => "A.4",
+            Self::Sizing => "11",
+        }
+    }
 }
 
 impl Inputs {
@@ -80,18 +99,28 @@ impl Inputs {
             bail!("--body-weights needs --mass KG");
         }
         let weight = mass_kg.map(|kg| kg * gravity_m_s2 * args.load.body_weights.unwrap_or(1.0));
-        let composite_modulus = match (wanted.young.zip(wanted.poisson), wanted.stiffness) {
+        let (composite_modulus, modulus) = match (wanted.young.zip(wanted.poisson), wanted.stiffness) {
             // A soft body on rigid ground (A.5): E* is the body's own plane strain modulus.
-            (Some((young, poisson)), _) => Some(modulus::plane_strain(young, poisson)?),
+            (Some((young, poisson)), _) => (Some(modulus::plane_strain(young, poisson)?), ModulusFrom::Young),
             (None, Some(surface)) => {
-                Some(modulus::composite_of_equal(surface, modulus::MixingRule::Sherman)?)
+                let composite = modulus::composite_of_equal(surface, modulus::MixingRule::Sherman)?;
+                (Some(composite), ModulusFrom::Stiffness)
             }
-            (None, None) => None,
+            (None, None) => (None, ModulusFrom::Sizing),
         };
         let load_n = args.load.load.or(weight);
         let is_body_weight = args.load.load.is_none() && args.load.body_weights.unwrap_or(1.0) == 1.0;
         let spheres = args.counts.spheres;
-        Ok(Self { mass_kg, spheres, gravity_m_s2, load_n, radius_m, composite_modulus, is_body_weight })
+        Ok(Self {
+            mass_kg,
+            spheres,
+            gravity_m_s2,
+            load_n,
+            radius_m,
+            composite_modulus,
+            modulus,
+            is_body_weight,
+        })
     }
 
     fn shared_load(&self) -> Result<Option<SharedLoad>> {
@@ -118,6 +147,9 @@ fn sheet(args: &DesignArgs) -> Result<Sheet> {
         Ok(sizing) => Some(sizing),
         // Some figures need no sizing; whether anything is left to say is seen at the end.
         Err(SizingError::Insufficient { .. }) => None,
+        Err(SizingError::Contradictory { quantity, given, follows }) => {
+            bail!("{}", contradiction(quantity, given, follows, &inputs)?)
+        }
         Err(error) => bail!("{error}"),
     };
     match &sizing {
@@ -127,7 +159,7 @@ fn sheet(args: &DesignArgs) -> Result<Sheet> {
                 bail!("{}", missing(&inputs, args));
             }
             if let Some(composite) = inputs.composite_modulus {
-                moduli(&mut sheet, composite, wanted.stiffness.is_some())?;
+                moduli(&mut sheet, composite, inputs.modulus)?;
             }
         }
     }
@@ -166,6 +198,24 @@ fn missing(inputs: &Inputs, args: &DesignArgs) -> String {
     )
 }
 
+/// What disagrees, by the name and in the unit of the option.
+fn contradiction(quantity: &str, given: f64, follows: f64, inputs: &Inputs) -> Result<String> {
+    let surface = |composite| modulus::of_equal_surfaces(composite, modulus::MixingRule::Sherman);
+    let (option, given, follows) = match (quantity, inputs.modulus) {
+        ("load", _) => ("the load on each sphere, N,", given, follows),
+        ("radius", _) => ("--radius", given, follows),
+        ("indentation", _) => ("--indentation", given, follows),
+        ("modulus", ModulusFrom::Stiffness) => ("--stiffness", surface(given)?, surface(follows)?),
+        ("modulus", _) => ("--young and --poisson: the composite modulus, N/m2,", given, follows),
+        _ => ("--contact-stiffness", given, follows),
+    };
+    Ok(format!(
+        "{option} is given as {}, but {} follows from the other quantities: leave one out",
+        number(given),
+        number(follows)
+    ))
+}
+
 impl Sheet {
     fn add(
         &mut self,
@@ -185,10 +235,10 @@ impl Sheet {
     }
 }
 
-fn moduli(sheet: &mut Sheet, composite: f64, surface_given: bool) -> Result<()> {
-    sheet.add("composite_modulus_n_m2", composite, "N/m^2", "A.1, A.5", false);
+fn moduli(sheet: &mut Sheet, composite: f64, from: ModulusFrom) -> Result<()> {
+    sheet.add("composite_modulus_n_m2", composite, "N/m^2", from.equation(), false);
     let surface = modulus::of_equal_surfaces(composite, modulus::MixingRule::Sherman)?;
-    sheet.add("stiffness", surface, "N/m^2", "A.4", surface_given);
+    sheet.add("stiffness", surface, "N/m^2", "A.4", from == ModulusFrom::Stiffness);
     Ok(())
 }
 
@@ -206,9 +256,7 @@ fn sized(
     sheet.limited("at most 0.16 (Hertz)", limits::hertz_holds(x));
     sheet.add("indentation_m", x * radius, "m", "2", false);
     let composite = sizing.composite_modulus_n_m2;
-    sheet.add("composite_modulus_n_m2", composite, "N/m^2", "11", known.composite_modulus_n_m2.is_some());
-    let surface = modulus::of_equal_surfaces(composite, modulus::MixingRule::Sherman)?;
-    sheet.add("stiffness", surface, "N/m^2", "A.4", false);
+    moduli(sheet, composite, inputs.modulus)?;
     let given = known.stiffness_n_m.is_some();
     sheet.add("contact_stiffness_n_m", sizing.stiffness_n_m, "N/m", "B.2", given);
     let one = SharedLoad::new(sizing.load_per_sphere_n, 1.0)?;
@@ -297,17 +345,25 @@ fn smoothed(sheet: &mut Sheet, args: &DesignArgs, radius: Option<f64>, composite
     Ok(())
 }
 
+/// `contact_patch_diameter_m` is contact patch diameter; OpenSim's own names stay as OpenSim spells them.
+fn name_for_people(name: &str) -> String {
+    if Property::ALL.iter().any(|property| property.name() == name) {
+        return name.to_owned();
+    }
+    let unit = ["_n_m2", "_n_m", "_m_s", "_hz", "_n", "_m"].iter().find_map(|unit| name.strip_suffix(unit));
+    unit.unwrap_or(name).replace('_', " ")
+}
+
 fn text(sheet: &Sheet) -> String {
     let mut table = table(&["quantity", "value", "unit", "equation", ""]);
     for figure in &sheet.figures {
-        let mark = match (&figure.limit, figure.given) {
-            (Some(limit), _) => format!("{} {}", if limit.holds { "ok:" } else { "outside:" }, limit.text),
-            (None, true) => "given".to_owned(),
-            (None, false) => String::new(),
-        };
-        let name = figure.name.trim_end_matches("_n_m2").trim_end_matches("_n_m").trim_end_matches("_m_s");
-        let name =
-            name.trim_end_matches("_hz").trim_end_matches("_n").trim_end_matches("_m").replace('_', " ");
+        let limit = figure
+            .limit
+            .as_ref()
+            .map(|limit| format!("{} {}", if limit.holds { "ok:" } else { "outside:" }, limit.text));
+        let given = figure.given.then(|| "given".to_owned());
+        let mark = given.into_iter().chain(limit).collect::<Vec<_>>().join("; ");
+        let name = name_for_people(figure.name);
         let equation = if figure.equation == "exact" {
             "exact law".to_owned()
         } else {

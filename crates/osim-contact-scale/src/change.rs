@@ -62,17 +62,19 @@ pub(crate) fn run(
 }
 
 fn check_usage(named: &[PathBuf], sources: &Sources, output: &OutputArgs) -> Result<()> {
-    let to_stdout = output.output.as_deref() == Some(Path::new("-"));
+    let from_stdin = named.iter().any(|path| path.as_os_str() == "-");
+    let to_stdout = output.output.as_deref() == Some(Path::new("-"))
+        || (from_stdin && output.output.is_none() && output.output_dir.is_none() && !output.dry_run);
     let several = named.len() > 1 || sources.models.len() > 1 || named.iter().any(|path| path.is_dir());
     if output.output.is_some() && several {
         bail!("-o is for one model: write several into a folder with -d DIR");
     }
     if to_stdout && (output.diff || output.format == Format::Json) {
         bail!(
-            "-o - writes the model to standard output: leave out --diff and --format json, or write to a file"
+            "the model goes to standard output: leave out --diff and --format json, or write it to a file with -o"
         );
     }
-    if output.in_place && named.iter().any(|path| path.as_os_str() == "-") {
+    if output.in_place && from_stdin {
         bail!("--in-place needs a file, standard input has none");
     }
     Ok(())

@@ -77,10 +77,18 @@ fn subject(args: &DropArgs) -> Result<Result<Drop, Failure>> {
     let numbers = &args.numbers;
     match &args.subject {
         Some(path) => {
-            if numbers.radius.is_some() || numbers.stiffness.is_some() || numbers.dissipation.is_some() {
-                bail!(
-                    "a model or preset has its own numbers: leave out --radius, --stiffness and --dissipation"
-                );
+            let own = [
+                ("--radius", numbers.radius),
+                ("--stiffness", numbers.stiffness),
+                ("--dissipation", numbers.dissipation),
+                ("--constant-contact-force", numbers.constant_contact_force),
+                ("--hertz-smoothing", numbers.hertz_smoothing),
+                ("--hunt-crossley-smoothing", numbers.hunt_crossley_smoothing),
+            ];
+            let given: Vec<_> =
+                own.iter().filter(|(_, value)| value.is_some()).map(|(name, _)| *name).collect();
+            if !given.is_empty() {
+                bail!("a model or preset has its own numbers: leave out {}", given.join(", "));
             }
             named(path, args)
         }
@@ -248,7 +256,8 @@ fn text(drop: &Drop, report: &DropReport, compared: Option<(&Difference, &str)>)
     );
     let mut table = table(&["figure", "value", "unit"]);
     let mut row = |name: &str, value: Option<f64>, unit: &str| {
-        let shown = value.map_or_else(|| "absent".to_owned(), |value| format!("{value:.6}"));
+        let shown = value.map_or_else(|| "absent".to_owned(), number);
+        let unit = if value.is_some() { unit } else { "" };
         table.add_row(vec![name.to_owned(), shown, unit.to_owned()]);
     };
     row("indentation/radius at the end", Some(figures.final_relative_indentation), "");
@@ -267,7 +276,9 @@ fn text(drop: &Drop, report: &DropReport, compared: Option<(&Difference, &str)>)
     right(&mut table, &[1]);
     text.push_str(&table.trim_fmt());
     text.push('\n');
-    if figures.contact_time_s.is_none() {
+    if report.first_contact.is_none() {
+        text.push_str("\nthe body does not reach the ground in this time\n");
+    } else if figures.contact_time_s.is_none() {
         text.push_str(
             "\nthe body does not leave the ground again: contact time and rebound speed are absent\n",
         );

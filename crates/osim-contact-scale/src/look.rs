@@ -1,9 +1,12 @@
 //! `inspect`: what contacts a model has.
 
-use std::path::PathBuf;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
 
 use anyhow::Result;
-use osim_patch::{Fault, Limbs, MassRequest, Model, Selected, Selection, Warning, WarningCode};
+use osim_patch::{
+    Anatomy, Factors, Fault, Limbs, MassRequest, Model, Selected, Selection, Warning, WarningCode,
+};
 
 use crate::args::{Format, InspectArgs, PartArgs};
 use crate::failure::Failure;
@@ -12,6 +15,7 @@ use crate::report::json::Inspected;
 use crate::report::{inspect, json};
 use crate::sources::{Source, Sources};
 use crate::terminal::{Exit, Terminal};
+use crate::verbs::scale_file;
 
 /// What to look at and how to print it.
 pub(crate) struct Look<'l> {
@@ -22,6 +26,9 @@ pub(crate) struct Look<'l> {
     pub selection: Selection,
     /// Say what to do next, once, behind all models.
     pub hint: bool,
+    /// The generic model the models were scaled from, and the Scale Tool's factors.
+    pub from: Option<&'l Path>,
+    pub body_scale_file: Option<&'l Path>,
 }
 
 impl<'l> Look<'l> {
@@ -33,6 +40,8 @@ impl<'l> Look<'l> {
             masses: args.masses.request()?,
             selection: args.choice.selection()?,
             hint: false,
+            from: args.from.as_deref(),
+            body_scale_file: args.body_scale_file.as_deref(),
         })
     }
 
@@ -74,11 +83,26 @@ impl<'l> Look<'l> {
 
     fn one(&self, source: &Source) -> Result<String, Failure> {
         let loaded = Loaded::read(source, self.parts)?;
-        loaded.with_model(|model| Ok(self.show(&loaded, model)))
+        loaded.with_model(|model| {
+            let factors = self.factors(&loaded, model)?;
+            Ok(self.show(&loaded, model, factors.as_ref()))
+        })
+    }
+
+    /// Each body's factors against the generic model, where one was named.
+    fn factors(&self, loaded: &Loaded, model: &Model<'_, '_>) -> Result<Option<Factors>, Failure> {
+        let Some(from) = self.from else { return Ok(None) };
+        let generic = Loaded::read(&Source { path: from.to_owned(), folder: None }, &PartArgs::default())?;
+        let generic =
+            generic.with_model(|model| Anatomy::of(model).map_err(|fault| generic.failure(fault)))?;
+        let file = self.body_scale_file.map(scale_file).transpose()?;
+        let scaled = Anatomy::of(model).map_err(|fault| loaded.failure(fault))?;
+        let found = Factors::find(&scaled, &generic, file.as_ref(), &BTreeMap::new());
+        found.map(Some).map_err(|fault| loaded.failure(fault))
     }
 
     /// Looking never refuses: what is not known is left open.
-    fn show(&self, loaded: &Loaded, model: &Model<'_, '_>) -> String {
+    fn show(&self, loaded: &Loaded, model: &Model<'_, '_>, factors: Option<&Factors>) -> String {
         let mut warnings = model.warnings.clone();
         let mass = self.masses.of_model(model);
         let contacts_mass = self.masses.of_contacts(model, &mut warnings);
@@ -91,6 +115,7 @@ impl<'l> Look<'l> {
             Some(why) => Limbs::Unknown(why.clone()),
             None => model.limbs(&selected.forces),
         };
+        warnings.extend(factors.iter().flat_map(|factors| factors.warnings.iter().cloned()));
         for fault in [mass.as_ref().err(), contacts_mass.as_ref().err()].into_iter().flatten() {
             let code =
                 if fault.code() == "stale-note" { WarningCode::StaleNote } else { WarningCode::MassUnknown };
@@ -107,6 +132,7 @@ impl<'l> Look<'l> {
             selected: &selected,
             limbs: &limbs,
             warnings: &warnings,
+            factors,
         };
         if self.format == Format::Json {
             return json::inspect(&seen);

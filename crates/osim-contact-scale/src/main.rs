@@ -118,6 +118,8 @@ fn rescale(args: &RescaleArgs, may_look: bool, terminal: &mut Terminal) -> Resul
         masses: args.masses.request()?,
         selection: args.choice.selection()?,
         hint: true,
+        from: None,
+        body_scale_file: None,
     };
     look.run(terminal)
 }

@@ -37,7 +37,8 @@ pub(crate) fn read_columns(path: &Path, columns: &ColumnArgs) -> Result<Measured
     let find = |name: &str| -> Result<usize> {
         header.iter().position(|cell| cell.eq_ignore_ascii_case(name)).ok_or_else(|| {
             let known: Vec<_> = header.iter().map(|cell| format!("'{cell}'")).collect();
-            anyhow!("{shown}: no column '{name}' in the first row, which has {}", known.join(", "))
+            let known = if known.is_empty() { "nothing".to_owned() } else { known.join(", ") };
+            anyhow!("{shown}: no column '{name}' in the first row, which has {known}")
         })
     };
     let mut wanted = vec![
@@ -52,7 +53,7 @@ pub(crate) fn read_columns(path: &Path, columns: &ColumnArgs) -> Result<Measured
     }
     let mut lines = Vec::new();
     for record in reader.records() {
-        let record = record.map_err(|error| anyhow!("{shown}: {error}"))?;
+        let record = record.map_err(|error| anyhow!("{shown}: {}", in_words(&error)))?;
         let line = record.position().map_or(0, csv::Position::line);
         for column in &mut wanted {
             let cell = record.get(column.index).unwrap_or_default();
@@ -68,6 +69,19 @@ pub(crate) fn read_columns(path: &Path, columns: &ColumnArgs) -> Result<Measured
     let rate = taken.next();
     let (speed_m_s, time_s) = if columns.speed_column.is_some() { (rate, None) } else { (None, rate) };
     Ok(Measured { indentation_m, force_n, speed_m_s, time_s, lines })
+}
+
+/// What the CSV reader refuses.
+fn in_words(error: &csv::Error) -> String {
+    match error.kind() {
+        csv::ErrorKind::UnequalLengths { pos: Some(place), expected_len, len } => {
+            format!("line {}: {len} cells, expected {expected_len} as in the first row", place.line())
+        }
+        csv::ErrorKind::Utf8 { pos: Some(place), .. } => {
+            format!("line {}: not UTF-8 text: save it as CSV in UTF-8", place.line())
+        }
+        _ => error.to_string(),
+    }
 }
 
 struct Column {

@@ -8,6 +8,7 @@ use contact_scaling::{
 };
 use osim_patch::LineIndex;
 use serde::{Deserialize, Serialize};
+use toml::Spanned;
 
 use crate::args::{Format, PresetsArgs};
 use crate::report::{json, number, table};
@@ -25,7 +26,7 @@ struct File {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Entry {
-    name: String,
+    name: Spanned<String>,
     source: String,
     mass_kg: f64,
     spheres: f64,
@@ -51,18 +52,20 @@ pub(crate) fn all(file: Option<&Path>) -> Result<Vec<Preset>> {
     let bytes = read(path).with_context(|| shown.clone())?;
     let text =
         std::str::from_utf8(&bytes).map_err(|_| anyhow!("{shown}: not UTF-8 text, expected a TOML file"))?;
+    let place = |offset: usize| {
+        let at = LineIndex::new(&bytes).position(&bytes, offset);
+        format!("{shown}:{}:{}", at.line, at.column)
+    };
     let parsed: File = toml::from_str(text).map_err(|error| {
-        let place =
-            error.span().map(|span| LineIndex::new(text.as_bytes()).position(text.as_bytes(), span.start));
-        let place = place.map(|at| format!(":{}:{}", at.line, at.column)).unwrap_or_default();
-        anyhow!("{shown}{place}: {}", error.message())
+        let place = error.span().map_or_else(|| shown.clone(), |span| place(span.start));
+        anyhow!("{place}: {}", error.message().replace("expected f64", "expected a number"))
     })?;
     for entry in parsed.preset {
-        if presets.iter().any(|preset| preset.name == entry.name) {
-            bail!("{shown}: the name '{}' is taken: choose another", entry.name);
+        let (name, at) = (entry.name.get_ref().clone(), place(entry.name.span().start));
+        if presets.iter().any(|preset| preset.name == name) {
+            bail!("{at}: the name '{name}' is taken: choose another");
         }
-        let name = entry.name.clone();
-        presets.push(entry.preset().with_context(|| format!("{shown}: preset '{name}'"))?);
+        presets.push(entry.preset().with_context(|| format!("{at}: preset '{name}'"))?);
     }
     Ok(presets)
 }
@@ -108,7 +111,7 @@ impl Entry {
             dissipation: self.dissipation,
             smoothing,
         })?;
-        Ok(Preset { name: self.name.into(), source: self.source.into(), scale, contact })
+        Ok(Preset { name: self.name.into_inner().into(), source: self.source.into(), scale, contact })
     }
 }
 
@@ -152,10 +155,11 @@ pub(crate) fn run(args: &PresetsArgs, terminal: &mut Terminal) -> Result<()> {
             None => bail!("unknown preset '{name}', expected one of: {}", names(args.presets.as_deref())),
         },
     };
-    for preset in chosen {
+    for (index, preset) in chosen.into_iter().enumerate() {
         let text = match args.format {
             Format::Json => json_of(preset),
-            Format::Table => table_of(preset),
+            Format::Table if index == 0 => table_of(preset),
+            Format::Table => format!("\n{}", table_of(preset)),
         };
         terminal.print(&text)?;
     }

@@ -5,17 +5,18 @@ use std::path::{Path, PathBuf};
 use anyhow::{Result, anyhow, bail};
 use contact_scaling::SharedLoad;
 use osim_patch::{
-    Assignment, Design, DesignModulus, Fault, FaultKind, Mass, MassRequest, MassSource, Model, Plan,
-    Property, RadiusRule, Reference, Rescale, Selection, Set, Transfer, design, reference_of_model, rescale,
-    set, transfer,
+    Anatomy, Assignment, Design, DesignModulus, Document, Factors, Fault, FaultKind, Follow, FollowRequest,
+    Mass, MassRequest, MassSource, Model, Plan, Property, RadiusRule, Reference, Rescale, ScaleFile,
+    ScalingRule, Selected, Selection, Set, Transfer, Warning, design, moving_spheres, reference_of_model,
+    rescale, set, transfer,
 };
 
-use crate::args::{DesignArgs, PartArgs, RescaleArgs, SetArgs, TransferArgs, assignment};
+use crate::args::{DesignArgs, PartArgs, RescaleArgs, RuleArg, SetArgs, TransferArgs, assignment};
 use crate::change::Planner;
 use crate::failure::Failure;
 use crate::load::Loaded;
 use crate::presets;
-use crate::sources::Source;
+use crate::sources::{Source, read};
 
 /// `--target-mass`.
 pub(crate) struct RescaleVerb<'v> {
@@ -45,6 +46,7 @@ impl Planner for RescaleVerb<'_> {
             properties: scaling.properties(),
             dissipation_by: scaling.dissipation(),
             target_gravity_m_s2: scaling.target_gravity,
+            level: scaling.level_axis(model.gravity_m_s2),
         };
         let mut plan = rescale(model, &selected, &wanted)?;
         plan.warnings.append(&mut warnings);
@@ -58,6 +60,14 @@ pub(crate) struct TransferVerb<'v> {
     selection: Selection,
     masses: MassRequest,
     reference: Reference,
+    /// The generic model's bones and the Scale Tool's factors, where spheres follow their bodies.
+    generic: Option<Generic>,
+}
+
+/// What spheres follow from.
+struct Generic {
+    anatomy: Anatomy,
+    file: Option<ScaleFile>,
 }
 
 impl<'v> TransferVerb<'v> {
@@ -73,14 +83,20 @@ impl<'v> TransferVerb<'v> {
         }
         let selection = args.choice.selection()?;
         let masses = args.masses.request()?;
+        if args.scaling.level && !args.follow.follow_bodies {
+            bail!("--level in a transfer needs --follow-bodies: without it neither radii nor soles change");
+        }
         let reference = match preset(args)? {
-            Some(reference) => Ok(reference),
+            Some(_) if args.follow.follow_bodies => {
+                bail!("--follow-bodies needs the generic model as --from, a preset has no bodies")
+            }
+            Some(reference) => Ok((reference, None)),
             None => reference_from_file(args),
         };
-        Ok(reference.map(|mut reference| {
+        Ok(reference.map(|(mut reference, generic)| {
             let given = &args.reference;
             reference.gravity_m_s2 = given.reference_gravity.or(reference.gravity_m_s2);
-            Self { args, selection, masses, reference }
+            Self { args, selection, masses, reference, generic }
         }))
     }
 }
@@ -108,10 +124,26 @@ fn reference_mass(kg: f64) -> Mass {
     Mass { kg, source: MassSource::Reference, told_by: "--reference-mass".to_owned() }
 }
 
-fn reference_from_file(args: &TransferArgs) -> Result<Reference, Failure> {
+fn reference_from_file(args: &TransferArgs) -> Result<(Reference, Option<Generic>), Failure> {
     let source = Source { path: args.from.clone(), folder: None };
     let loaded = Loaded::read(&source, &PartArgs { geometry: None, model: None })?;
-    loaded.with_model(|model| reference_from_model(model, args).map_err(|fault| loaded.failure(fault)))
+    loaded.with_model(|model| {
+        let reference = reference_from_model(model, args).map_err(|fault| loaded.failure(fault))?;
+        if !args.follow.follow_bodies {
+            return Ok((reference, None));
+        }
+        let anatomy = Anatomy::of(model).map_err(|fault| loaded.failure(fault))?;
+        let file = args.follow.body_scale_file.as_deref().map(scale_file).transpose()?;
+        Ok((reference, Some(Generic { anatomy, file })))
+    })
+}
+
+/// Reads the Scale Tool's applied factors.
+pub(crate) fn scale_file(path: &Path) -> Result<ScaleFile, Failure> {
+    let shown = path.display().to_string();
+    let bytes = read(path).map_err(|error| Failure::outside(&shown, "unreadable", &error))?;
+    let document = Document::parse(&bytes).map_err(|fault| Failure::of_fault(&shown, fault, &bytes))?;
+    ScaleFile::read(&document).map_err(|fault| Failure::of_fault(&shown, fault, &bytes))
 }
 
 fn reference_from_model(model: &Model<'_, '_>, args: &TransferArgs) -> Result<Reference, Fault> {
@@ -158,7 +190,13 @@ impl Planner for TransferVerb<'_> {
             None => sphere_count(model, &selected.forces, self.args.counts.stance_limbs, "--spheres")?,
         };
         let scaling = &self.args.scaling;
-        transfer(
+        let mut warnings = Vec::new();
+        let follow = match &self.generic {
+            Some(generic) => Some(self.follow(model, &selected, generic, &mut warnings)?),
+            None => None,
+        };
+        let rule = self.rule(follow.as_ref())?;
+        let mut plan = transfer(
             model,
             &selected,
             &Transfer {
@@ -170,8 +208,49 @@ impl Planner for TransferVerb<'_> {
                 properties: scaling.properties(),
                 dissipation_by: scaling.dissipation(),
                 target_gravity_m_s2: scaling.target_gravity,
+                follow,
+                rule,
+                strict: self.args.follow.strict,
             },
-        )
+        )?;
+        plan.warnings.append(&mut warnings);
+        Ok(plan)
+    }
+}
+
+impl TransferVerb<'_> {
+    fn follow(
+        &self,
+        model: &Model<'_, '_>,
+        selected: &Selected,
+        generic: &Generic,
+        warnings: &mut Vec<Warning>,
+    ) -> Result<Follow, Fault> {
+        let args = &self.args.follow;
+        let scaled = Anatomy::of(model)?;
+        let factors = Factors::find(&scaled, &generic.anatomy, generic.file.as_ref(), &args.given())?;
+        warnings.extend(factors.warnings.iter().cloned());
+        let request = FollowRequest {
+            radius_axis: args.radius_axis(),
+            level: self.args.scaling.level_axis(model.gravity_m_s2),
+            moved: args.moved(),
+        };
+        let spheres = moving_spheres(model, &selected.forces);
+        Follow::find(model, &spheres, &scaled, &generic.anatomy, &factors, &request)
+    }
+
+    fn rule(&self, follow: Option<&Follow>) -> Result<ScalingRule, Fault> {
+        if self.args.follow.rule == RuleArg::Paper {
+            return Ok(ScalingRule::Paper);
+        }
+        let ratio = self.args.follow.height_ratio.or(follow.map(|follow| follow.size_ratio));
+        let Some(height_ratio) = ratio else {
+            return Err(Fault::new(FaultKind::Refused(
+                "--rule predsim needs the ratio of heights: say --height-ratio RATIO, or --follow-bodies"
+                    .to_owned(),
+            )));
+        };
+        Ok(ScalingRule::PredSim { height_ratio })
     }
 }
 

@@ -49,7 +49,10 @@ impl Prepared {
             _ => PathBuf::from("."),
         };
         let cannot = || format!("cannot write into {}", folder.display());
-        let mut temporary = builder(existing.as_ref().or(like)).tempfile_in(&folder).with_context(cannot)?;
+        let mut temporary = builder(existing.as_ref().or(like))
+            .tempfile_in(&folder)
+            .map_err(|error| without_name(&error))
+            .with_context(cannot)?;
         temporary.write_all(bytes).with_context(cannot)?;
         Ok(Self { temporary, target, replaces: existing.is_some() })
     }
@@ -78,6 +81,13 @@ impl Prepared {
             Err(error) => Err(anyhow!(error.error).context(format!("cannot write {}", target.display()))),
         }
     }
+}
+
+/// The reason alone: the temporary name that tempfile puts into its message says nothing to a user.
+fn without_name(error: &std::io::Error) -> std::io::Error {
+    let kind = error.kind();
+    let inner = error.get_ref().and_then(std::error::Error::source).map(ToString::to_string);
+    std::io::Error::new(kind, inner.unwrap_or_else(|| kind.to_string()))
 }
 
 #[cfg(unix)]

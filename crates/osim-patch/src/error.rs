@@ -20,7 +20,7 @@ pub struct Fault {
     pub offset: Option<usize>,
     /// Bytes to underline.
     pub span: Option<Range<usize>>,
-    /// Line and column of `offset`; filled in before a fault leaves the crate.
+    /// Line and column of `offset`, once [`Fault::located`] was told the bytes.
     pub position: Option<Position>,
     /// Component path or tag of the element concerned.
     pub element: Option<String>,
@@ -189,6 +189,12 @@ pub enum SyntaxFault {
     /// Anything else the parser refuses.
     #[error("{what}")]
     Malformed {
+        /// What the parser says.
+        what: String,
+    },
+    /// The file ends inside a tag, comment or instruction.
+    #[error("{what}: the file looks truncated, copy it again from where it came")]
+    Truncated {
         /// What the parser says.
         what: String,
     },

@@ -60,6 +60,11 @@ pub(crate) fn insert_first(tree: &Tree<'_>, parent: ElementId, comment: &str) ->
     Edit { span: at..at, text: format!("{}{comment}", white_space_before(tree, next)) }
 }
 
+/// `span` and the line end and indentation before it.
+pub(crate) fn with_white_space_before(tree: &Tree<'_>, span: Range<usize>) -> Range<usize> {
+    span.start - white_space_before(tree, span.start).len()..span.end
+}
+
 /// Line end and indentation before byte `at`; empty where something else stands on that line.
 fn white_space_before(tree: &Tree<'_>, at: usize) -> String {
     let before = tree.slice(0..at);

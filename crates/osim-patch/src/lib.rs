@@ -21,6 +21,7 @@
 //!     properties: Default::default(),
 //!     dissipation_by: Default::default(),
 //!     target_gravity_m_s2: None,
+//!     level: None,
 //! })?;
 //! // Eight times the mass is twice the length, and twice the stiffness (10).
 //! assert_eq!(plan.changes[0].to, 2.0 * plan.changes[0].from);
@@ -39,6 +40,7 @@
 mod document;
 mod edit;
 mod error;
+mod follow;
 mod insert;
 mod mass;
 mod model;
@@ -53,14 +55,18 @@ mod xml;
 pub use document::{Document, Origin, Value};
 pub use edit::{Edit, splice};
 pub use error::{Fault, FaultKind, NumberFault, SyntaxFault};
+pub use follow::{
+    Anatomy, AnatomySphere, AxisFactor, BodyFactors, FactorSource, Factors, Follow, FollowRequest, Followed,
+    LevelAxis, MovedSpheres, RadiusAxis, ScaleFile,
+};
 pub use mass::{Mass, MassRequest, MassSource, SAME_MASS, same_mass};
 pub use model::{Body, Force, ForceKind, Limb, Limbs, Model, ParameterSet, Part, Side, Sphere};
 pub use note::{Note, Scope};
 pub use number::{readable, shortest};
 pub use plan::{
-    Assignment, Change, Design, DesignModulus, DissipationBy, LoadedSphere, Masses, Plan, PropertySet,
-    RadiusRule, Reference, ReferenceContact, Rescale, Set, Transfer, design, loaded_spheres,
-    reference_of_model, rescale, set, transfer,
+    Assignment, Change, Design, DesignModulus, DissipationBy, LoadedSphere, Masses, Move, Plan, PropertySet,
+    RadiusRule, Reference, ReferenceContact, Rescale, ScalingRule, Set, Transfer, design, loaded_spheres,
+    moving_spheres, reference_of_model, rescale, set, transfer,
 };
 pub use property::Property;
 pub use select::{Selected, Selection};

@@ -166,6 +166,14 @@ warning_codes! {
     FrictionNotSimilar = "friction-not-similar":
         "Simbody adds constant_contact_force to the squared slip speed, where similarity wants a term in proportion to g R: friction of the smooth force is similar only as far as that term is small.";
         "Compare slip speeds with the root of constant_contact_force before relying on it".
+    /// Two sources give different scale factors of a body.
+    FactorsDisagree = "factors-disagree":
+        "A sphere's place and size follow from its body's factors; the first source in the order given, scale file, mesh, joint offset was taken.";
+        "Look at inspect --from, and say --body-scale BODY=x,y,z where another source is right".
+    /// Spheres of one ContactParameters follow bodies with different factors.
+    FactorSpread = "factor-spread":
+        "One ContactParameters has one modulus for all its spheres; the mean of R squared is used before and after, so single spheres sink in more or less than they did.";
+        "Give each sphere its own force, or accept it; --strict refuses instead".
     /// The reference has no smoothing parameters to give.
     ReferenceWithoutSmoothing = "reference-without-smoothing":
         "A HuntCrossleyForce has no constant_contact_force, hertz_smoothing or hunt_crossley_smoothing, so those of the model stay (or follow its own radii where these change).";

@@ -4,8 +4,9 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use globset::{Glob, GlobSet, GlobSetBuilder};
-use osim_patch::{DissipationBy, MassRequest, Property, PropertySet, RadiusRule, Selection};
+use osim_patch::{DissipationBy, LevelAxis, MassRequest, Property, PropertySet, RadiusRule, Selection};
 
+use super::follow::AxisArg;
 use super::values::{acceleration, glob, mass, property, radius};
 
 /// Masses: which one is meant.
@@ -42,6 +43,12 @@ pub(crate) struct ScalingArgs {
     /// [default: isometric with --target-mass, keep otherwise]
     #[arg(long, value_name = "RULE", value_parser = radius)]
     pub radius: Option<RadiusRule>,
+    /// Move sphere centres so that bottoms stay on the sole while radii change
+    #[arg(long)]
+    pub level: bool,
+    /// The axis of the spheres' frames that points up with the foot flat [default: nearest to -gravity]
+    #[arg(long, value_enum, requires = "level", hide_short_help = true, allow_hyphen_values = true)]
+    pub level_axis: Option<AxisArg>,
     /// Only these properties, separated by commas (OpenSim's names, and radius)
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = property)]
     pub only: Vec<Property>,
@@ -78,6 +85,12 @@ impl ScalingArgs {
         all.restricted(&self.only, &self.keep)
     }
 
+    /// Where up is, if bottoms are to stay.
+    pub(crate) fn level_axis(&self, gravity: Option<[f64; 3]>) -> Option<LevelAxis> {
+        let axis = || self.level_axis.map_or_else(|| LevelAxis::of_gravity(gravity), AxisArg::axis);
+        self.level.then(axis)
+    }
+
     pub(crate) fn dissipation(&self) -> DissipationBy {
         match self.dissipation_by {
             DissipationArg::Radius => DissipationBy::Radius,
@@ -112,7 +125,7 @@ impl ForceChoice {
 }
 
 /// Files that belong to a standalone set.
-#[derive(Debug, Clone, Args)]
+#[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Standalone sets")]
 pub(crate) struct PartArgs {
     /// The ContactGeometrySet (or model) that holds the spheres of a standalone ForceSet

@@ -1,5 +1,6 @@
 //! The command line: verbs and their options.
 
+mod follow;
 mod groups;
 mod physics;
 mod values;
@@ -8,6 +9,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
+pub(crate) use follow::{FollowArgs, RuleArg};
 pub(crate) use groups::{ForceChoice, Format, MassArgs, OutputArgs, PartArgs, ScalingArgs};
 pub(crate) use physics::{
     BranchArg, ColumnArgs, DesignArgs, DropArgs, DropNumbers, FitArgs, ForceUnit, Length, LengthUnit,
@@ -86,6 +88,7 @@ impl RescaleArgs {
             || !scaling.keep.is_empty()
             || scaling.friction
             || scaling.target_gravity.is_some()
+            || scaling.level
             || output.output.is_some()
             || output.output_dir.is_some()
             || output.in_place
@@ -109,6 +112,8 @@ pub(crate) struct TransferArgs {
     pub counts: CountArgs,
     #[command(flatten)]
     pub reference: ReferenceArgs,
+    #[command(flatten)]
+    pub follow: FollowArgs,
     #[command(flatten)]
     pub masses: MassArgs,
     #[command(flatten)]
@@ -156,6 +161,12 @@ pub(crate) struct InspectArgs {
     /// Models (.osim), a ForceSet (.xml) with --geometry, folders, or - for standard input
     #[arg(value_name = "MODEL", required = true)]
     pub models: Vec<PathBuf>,
+    /// The generic model this one was scaled from: show each body's factors
+    #[arg(long, value_name = "MODEL")]
+    pub from: Option<PathBuf>,
+    /// With --from: the ScaleSet that the Scale Tool applied
+    #[arg(long, value_name = "FILE", requires = "from")]
+    pub body_scale_file: Option<PathBuf>,
     /// How to print
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,

@@ -75,6 +75,16 @@ pub(super) fn length(text: &str) -> Result<Length, String> {
     }
 }
 
+/// `BODY=x,y,z`.
+pub(super) fn body_scale(text: &str) -> Result<(String, [f64; 3]), String> {
+    let expected = "expected BODY=x,y,z with three factors above 0, like calcn_r=1.1,1.05,1.1";
+    let (body, factors) = text.split_once('=').ok_or(expected)?;
+    let values: Vec<f64> =
+        factors.split(',').map(positive_number).collect::<Result<_, _>>().map_err(|_| expected.to_owned())?;
+    let values: [f64; 3] = values.try_into().map_err(|_| expected.to_owned())?;
+    Ok((body.trim().to_owned(), values))
+}
+
 /// `PROPERTY=VALUE` or `PROPERTY=xFACTOR`.
 pub(crate) fn assignment(name: &str, text: &str) -> Result<(Property, Assignment), String> {
     let property: Property = name.trim().parse()?;
@@ -171,7 +181,8 @@ pub(crate) fn usage_line(error: &clap::Error) -> String {
         .take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"))
         .map(|line| line.trim_start_matches("tip: "))
         .collect();
-    if rest.is_empty() { first } else { format!("{first}; {}", rest.join("; ")) }
+    let joint = if first.ends_with(':') { " " } else { "; " };
+    if rest.is_empty() { first } else { format!("{first}{joint}{}", rest.join(", ")) }
 }
 
 #[cfg(test)]

@@ -1,17 +1,21 @@
 //! A plan as a table: equal changes share a row, so that twelve spheres are one line.
 
-use osim_patch::{Change, Plan, Warning};
+use osim_patch::{Change, Move, Plan, Warning};
 
 use super::{number, right, table};
 
 /// What a run took, changed and noticed.
 pub(crate) fn text(plan: &Plan, model: &str, output: &str) -> String {
     let mut text = format!("{model}: {}\n", plan.taken);
-    if plan.changes.is_empty() {
+    if plan.is_empty() {
         text.push_str("nothing to change\n");
     } else {
         text.push('\n');
         text.push_str(&rows(&plan.changes));
+        if !plan.moves.is_empty() {
+            text.push('\n');
+            text.push_str(&moves(&plan.moves));
+        }
         text.push('\n');
     }
     for remark in &plan.remarks {
@@ -33,6 +37,9 @@ pub(crate) fn warnings(warnings: &[Warning]) -> String {
 }
 
 fn rows(changes: &[Change]) -> String {
+    if changes.is_empty() {
+        return String::new();
+    }
     let mut groups: Vec<Vec<&Change>> = Vec::new();
     for change in changes {
         match groups.iter_mut().find(|group| group.first().is_some_and(|first| alike(first, change))) {
@@ -70,6 +77,19 @@ fn rows(changes: &[Change]) -> String {
         text.push_str("  (+ was not in the file: OpenSim's default applied; it is written out now)\n");
     }
     text
+}
+
+/// Sphere centres, one row each: they are rarely alike.
+fn moves(moves: &[Move]) -> String {
+    let mut table = table(&["centre of", "x", "y", "z", "new x", "new y", "new z", "by"]);
+    for place in moves {
+        let mut cells = vec![place.sphere.clone()];
+        cells.extend(place.from.iter().chain(&place.to).map(|value| format!("{value:.5}")));
+        cells.push(place.equation.to_owned());
+        table.add_row(cells);
+    }
+    right(&mut table, &[1, 2, 3, 4, 5, 6]);
+    format!("{}\n", table.trim_fmt())
 }
 
 fn alike(a: &Change, b: &Change) -> bool {

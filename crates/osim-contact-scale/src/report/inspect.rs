@@ -1,6 +1,6 @@
 //! A model's contacts as tables.
 
-use osim_patch::{Limbs, Origin, Property};
+use osim_patch::{Factors, Limbs, Origin, Property};
 
 use super::json::Inspected;
 use super::{changes, number, right, table};
@@ -33,8 +33,29 @@ pub(crate) fn text(seen: &Inspected<'_>) -> String {
         text.push('\n');
         text.push_str(&forces(seen));
     }
+    if let Some(factors) = seen.factors {
+        text.push('\n');
+        text.push_str(&body_factors(factors));
+    }
     text.push_str(&changes::warnings(seen.warnings));
     text
+}
+
+/// Each body's factors against the generic model; `?` where no source says.
+fn body_factors(factors: &Factors) -> String {
+    let mut table = table(&["scaled body", "x", "y", "z", "from"]);
+    for body in &factors.bodies {
+        let mut cells = vec![body.body.clone()];
+        cells.extend(
+            body.axes.iter().map(|axis| axis.map_or_else(|| "?".to_owned(), |a| format!("{:.6}", a.factor))),
+        );
+        let mut sources: Vec<&str> = body.axes.iter().flatten().map(|axis| axis.source.as_str()).collect();
+        sources.dedup();
+        cells.push(sources.join(", "));
+        table.add_row(cells);
+    }
+    right(&mut table, &[1, 2, 3]);
+    format!("{}\n", table.trim_fmt())
 }
 
 fn limbs(seen: &Inspected<'_>) -> String {

@@ -1,6 +1,6 @@
 //! The JSON contract: one object per model and line. `docs/json.md` describes every field.
 
-use osim_patch::{Change, Limbs, Mass, Model, Plan, Property, Selected, Warning};
+use osim_patch::{Change, Factors, Limbs, Mass, Model, Move, Plan, Property, Selected, Warning};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -59,8 +59,8 @@ struct JsonChange<'p> {
     set: Option<usize>,
     sphere: Option<&'p str>,
     property: &'static str,
-    from: f64,
-    to: f64,
+    from: Amount,
+    to: Amount,
     factor: Option<f64>,
     equation: &'static str,
     line: usize,
@@ -75,12 +75,38 @@ impl<'p> From<&'p Change> for JsonChange<'p> {
             set: change.set,
             sphere: change.sphere.as_deref(),
             property: change.property.name(),
-            from: change.from,
-            to: change.to,
+            from: Amount::Number(change.from),
+            to: Amount::Number(change.to),
             factor: change.factor,
             equation: change.equation,
             line: change.line,
             inserted: change.inserted,
+        }
+    }
+}
+
+/// A number, or the three of a location.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Amount {
+    Number(f64),
+    Place([f64; 3]),
+}
+
+impl<'p> From<&'p Move> for JsonChange<'p> {
+    fn from(place: &'p Move) -> Self {
+        Self {
+            force: None,
+            path: &place.path,
+            set: None,
+            sphere: Some(&place.sphere),
+            property: "location",
+            from: Amount::Place(place.from),
+            to: Amount::Place(place.to),
+            factor: None,
+            equation: place.equation,
+            line: place.line,
+            inserted: place.inserted,
         }
     }
 }
@@ -97,7 +123,12 @@ pub(crate) fn plan(plan: &Plan, model: &str, output: Option<&str>, geometry_outp
             source: masses.from.source.as_str(),
             to: masses.to_kg,
         }),
-        changes: plan.changes.iter().map(JsonChange::from).collect(),
+        changes: plan
+            .changes
+            .iter()
+            .map(JsonChange::from)
+            .chain(plan.moves.iter().map(JsonChange::from))
+            .collect(),
         warnings: warnings(&plan.warnings),
         notes: &plan.remarks,
     })
@@ -119,6 +150,32 @@ struct JsonInspect<'m> {
     forces: Vec<JsonForce<'m>>,
     warnings: Vec<JsonWarning<'m>>,
     bodies: Vec<JsonBody<'m>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    body_factors: Option<Vec<JsonFactors<'m>>>,
+}
+
+#[derive(Serialize)]
+struct JsonFactors<'m> {
+    body: &'m str,
+    factors: [Option<f64>; 3],
+    sources: [Option<&'static str>; 3],
+    said: Map<String, Value>,
+}
+
+/// What the sources say of each body's scale.
+fn factors(factors: &Factors) -> Vec<JsonFactors<'_>> {
+    let of_body = |body: &'_ osim_patch::BodyFactors| -> ([Option<f64>; 3], [Option<&'static str>; 3], Map<String, Value>) {
+        let said = body.said.iter().map(|(source, values)| (source.as_str().to_owned(), Value::from(values.to_vec())));
+        (body.axes.map(|axis| axis.map(|a| a.factor)), body.axes.map(|axis| axis.map(|a| a.source.as_str())), said.collect())
+    };
+    factors
+        .bodies
+        .iter()
+        .map(|body| {
+            let (factors, sources, said) = of_body(body);
+            JsonFactors { body: &body.body, factors, sources, said }
+        })
+        .collect()
 }
 
 #[derive(Serialize)]
@@ -176,6 +233,8 @@ pub(crate) struct Inspected<'i> {
     pub selected: &'i Selected,
     pub limbs: &'i Limbs,
     pub warnings: &'i [Warning],
+    /// Factors against the generic model, where one was named.
+    pub factors: Option<&'i Factors>,
 }
 
 /// What a model holds.
@@ -235,6 +294,7 @@ pub(crate) fn inspect(seen: &Inspected<'_>) -> String {
             .iter()
             .map(|body| JsonBody { name: &body.name, path: &body.path, mass_kg: body.mass.number })
             .collect(),
+        body_factors: seen.factors.map(factors),
     })
 }
 

@@ -1,6 +1,7 @@
 //! Contact spheres and contact forces as typed values over the tree.
 
 use std::collections::HashSet;
+use std::ops::Range;
 
 use super::files::{Base, Files};
 use super::objects::ObjectId;
@@ -34,6 +35,10 @@ pub struct Sphere {
     pub(crate) element: ElementId,
     pub(crate) base: Base,
     pub(crate) dialect: Dialect,
+    /// The frame itself; `None` is ground or a frame in a file that was not given.
+    pub(crate) frame_object: Option<ObjectId>,
+    /// The bytes of the location, where the sphere has one of its own.
+    pub(crate) location_span: Option<Range<usize>>,
 }
 
 /// How a sphere is written.
@@ -50,6 +55,13 @@ impl Dialect {
         match self {
             Self::ContactSphere => Class::ContactSphere,
             Self::InsideForce => Class::SmoothSphereHalfSpaceForce,
+        }
+    }
+
+    pub(crate) const fn location_tag(self) -> &'static str {
+        match self {
+            Self::ContactSphere => "location",
+            Self::InsideForce => "contact_sphere_location",
         }
     }
 
@@ -155,6 +167,13 @@ impl Force {
     }
 }
 
+/// The frame a geometry is attached to.
+struct Attachment {
+    path: String,
+    base: Base,
+    object: Option<ObjectId>,
+}
+
 /// A surface named by a force.
 #[derive(Clone, Copy)]
 enum Surface {
@@ -197,26 +216,31 @@ impl<'r, 'd, 'a> ContactReader<'r, 'd, 'a> {
 
     fn add_sphere(&mut self, id: ObjectId) -> Result<(), Fault> {
         let (document, element) = (self.files.doc(id), self.files.element(id));
-        let (frame, base) = self.attachment(id, "frame", &["body_name"])?;
+        let frame = self.attachment(id, "frame", &["body_name"])?;
         let radius = document.value(element, Class::ContactSphere, Property::Radius, "radius");
         let location_m = document.triple(element, "location").unwrap_or([0.0; 3]);
         let name = self.files.name(id);
-        self.push_sphere(id, name, radius, location_m, frame, base, Dialect::ContactSphere);
+        self.push_sphere(id, name, radius, location_m, frame, Dialect::ContactSphere);
         self.sphere_objects.push(id);
         Ok(())
     }
 
-    #[expect(clippy::too_many_arguments, reason = "one call each for the two ways a sphere is written")]
     fn push_sphere(
         &mut self,
         id: ObjectId,
         name: String,
         radius: Value,
         location_m: [f64; 3],
-        frame: String,
-        base: Base,
+        frame: Attachment,
         dialect: Dialect,
     ) {
+        let Attachment { path: frame, base, object: frame_object } = frame;
+        let document = self.files.doc(id);
+        let location = document.tree().child(self.files.element(id), dialect.location_tag());
+        let location_span = location.map(|element| {
+            let raw = document.tree().raw_text(element);
+            if raw.span.is_empty() { document.tree().span(element) } else { raw.span }
+        });
         let body = match base {
             Base::Body(body) => Some(self.files.name(body)),
             Base::Ground | Base::Unknown => None,
@@ -234,11 +258,13 @@ impl<'r, 'd, 'a> ContactReader<'r, 'd, 'a> {
             element: self.files.element(id),
             base,
             dialect,
+            frame_object,
+            location_span,
         });
     }
 
     /// The frame a geometry is attached to: its path and the body behind it.
-    fn attachment(&mut self, id: ObjectId, socket: &str, legacy: &[&str]) -> Result<(String, Base), Fault> {
+    fn attachment(&mut self, id: ObjectId, socket: &str, legacy: &[&str]) -> Result<Attachment, Fault> {
         let Some(connectee) = self.files.connectee(id, socket, legacy) else {
             return Err(self.files.unresolved(id, "", "frame it is attached to"));
         };
@@ -246,7 +272,7 @@ impl<'r, 'd, 'a> ContactReader<'r, 'd, 'a> {
             // A geometry set that stands alone points into a model that may not be at hand.
             let alone = self.files.tag(self.files.objects.root_of(id)) != "Model";
             return if alone {
-                Ok((connectee.text, Base::Unknown))
+                Ok(Attachment { path: connectee.text, base: Base::Unknown, object: None })
             } else {
                 Err(self.files.unresolved(id, &connectee.text, "frame it is attached to"))
             };
@@ -256,7 +282,7 @@ impl<'r, 'd, 'a> ContactReader<'r, 'd, 'a> {
         }
         let path =
             found.object.map_or_else(|| "/ground".to_owned(), |object| self.files.objects.path(object));
-        Ok((path, self.files.base(found.object)?))
+        Ok(Attachment { path, base: self.files.base(found.object)?, object: found.object })
     }
 
     fn say_by_name(&mut self, owner: ObjectId, text: &str, element: ElementId, found: Option<ObjectId>) {
@@ -295,10 +321,7 @@ impl<'r, 'd, 'a> ContactReader<'r, 'd, 'a> {
                 let index = self.sphere_objects.binary_search(&id).unwrap_or_default();
                 Ok(Surface::Sphere(index))
             }
-            "ContactHalfSpace" => {
-                let (_, base) = self.attachment(id, "frame", &["body_name"])?;
-                Ok(Surface::HalfSpace(base))
-            }
+            "ContactHalfSpace" => Ok(Surface::HalfSpace(self.attachment(id, "frame", &["body_name"])?.base)),
             _ => Ok(Surface::Other),
         }
     }
@@ -327,7 +350,7 @@ impl<'r, 'd, 'a> ContactReader<'r, 'd, 'a> {
         if self.files.connectee(id, "sphere_frame", &[]).is_some() {
             let sphere = self.add_sphere_inside(id)?;
             set.spheres.push(sphere);
-            let base = self.attachment(id, "half_space_frame", &[]).map_or(Base::Unknown, |(_, base)| base);
+            let base = self.attachment(id, "half_space_frame", &[]).map_or(Base::Unknown, |plane| plane.base);
             set.half_space_bases.push(base);
         } else {
             for socket in ["sphere", "half_space"] {
@@ -348,12 +371,12 @@ impl<'r, 'd, 'a> ContactReader<'r, 'd, 'a> {
     /// Moco 0.1 to 0.3: the sphere's frame, radius and location stand in the force.
     fn add_sphere_inside(&mut self, id: ObjectId) -> Result<usize, Fault> {
         let (document, element) = (self.files.doc(id), self.files.element(id));
-        let (frame, base) = self.attachment(id, "sphere_frame", &[])?;
+        let frame = self.attachment(id, "sphere_frame", &[])?;
         let tag = Dialect::InsideForce.radius_tag();
         let radius = document.value(element, Class::SmoothSphereHalfSpaceForce, Property::Radius, tag);
         let location = document.triple(element, "contact_sphere_location").unwrap_or([0.0; 3]);
         let name = self.files.name(id);
-        self.push_sphere(id, name, radius, location, frame, base, Dialect::InsideForce);
+        self.push_sphere(id, name, radius, location, frame, Dialect::InsideForce);
         Ok(self.spheres.len() - 1)
     }
 

@@ -18,6 +18,7 @@ pub(crate) use contacts::{ContactReader, Dialect};
 pub use contacts::{Force, ForceKind, ParameterSet, Sphere};
 pub(crate) use files::{Base, Files};
 pub use limbs::{Limb, Limbs, Side};
+pub(crate) use objects::ObjectId;
 pub use skeleton::Body;
 pub(crate) use skeleton::Skeleton;
 

@@ -75,9 +75,9 @@ pub fn design(model: &Model<'_, '_>, selected: &Selected, wanted: &Design) -> Re
     }
     let mut remarks = vec!["body masses and sphere locations stay as they are".to_owned()];
     remarks.extend(bottoms_remark(&radii));
-    let Draft { changes, warnings, .. } = draft;
+    let Draft { changes, moves, warnings, .. } = draft;
     let masses = wanted.mass.clone().map(|from| Masses { to_kg: from.kg, from });
-    let plan = Plan { changes, masses, taken: wanted.taken(), warnings, remarks, note: None };
+    let plan = Plan { changes, moves, masses, taken: wanted.taken(), warnings, remarks, note: None };
     Ok(plan.with_note(
         model,
         &NoteFacts {
@@ -185,7 +185,7 @@ impl Design {
         }
         match self.modulus {
             Some(DesignModulus::Indentation(x)) => {
-                parts.push(format!("relative indentation {}", readable(x)))
+                parts.push(format!("relative indentation {}", readable(x)));
             }
             Some(DesignModulus::Young { young_n_m2, poisson }) => {
                 parts.push(format!(

@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use super::{Change, Target};
+use super::{Change, Move, Target};
 use crate::document::Value;
 use crate::error::{Fault, FaultKind};
 use crate::model::Model;
@@ -91,11 +91,20 @@ pub(super) struct Draft<'m, 'd, 'a> {
     pub changes: Vec<Change>,
     pub warnings: Vec<Warning>,
     planned: HashSet<Key>,
+    pub moves: Vec<Move>,
+    pub remarks: Vec<String>,
 }
 
 impl<'m, 'd, 'a> Draft<'m, 'd, 'a> {
     pub(super) fn new(model: &'m Model<'d, 'a>) -> Self {
-        Self { model, changes: Vec::new(), warnings: Vec::new(), planned: HashSet::new() }
+        Self {
+            model,
+            changes: Vec::new(),
+            warnings: Vec::new(),
+            planned: HashSet::new(),
+            moves: Vec::new(),
+            remarks: Vec::new(),
+        }
     }
 
     /// The effective value of a force's property, if it can be scaled.
@@ -177,6 +186,55 @@ impl<'m, 'd, 'a> Draft<'m, 'd, 'a> {
         self.push(change, value)
     }
 
+    /// Plans a new location of a sphere's centre.
+    pub(super) fn location(
+        &mut self,
+        sphere: usize,
+        to: [f64; 3],
+        equation: &'static str,
+    ) -> Result<(), Fault> {
+        let Some(sphere) = self.model.spheres.get(sphere) else { return Ok(()) };
+        let from = sphere.location_m;
+        let close = |(a, b): (f64, f64)| (a - b).abs() <= SAME_VALUE * a.abs().max(b.abs());
+        if from.into_iter().zip(to).all(close) {
+            return Ok(());
+        }
+        if to.iter().any(|value| !value.is_finite()) {
+            return Err(Fault::refused(format!("the new location of {} is not finite", sphere.path)));
+        }
+        self.refuse_included(sphere.file, &sphere.path)?;
+        let document = self.model.file(sphere.file);
+        let offset = document.tree().span(sphere.element).start;
+        let offset = sphere.location_span.as_ref().map_or(offset, |span| span.start);
+        self.moves.push(Move {
+            sphere: sphere.name.clone(),
+            path: sphere.path.clone(),
+            from,
+            to,
+            equation,
+            line: document.line(offset),
+            inserted: sphere.location_span.is_none(),
+            file: sphere.file,
+            target: Target {
+                element: sphere.element,
+                class: sphere.dialect.class(),
+                tag: sphere.dialect.location_tag(),
+                span: sphere.location_span.clone(),
+            },
+        });
+        Ok(())
+    }
+
+    fn refuse_included(&self, file: usize, path: &str) -> Result<(), Fault> {
+        let Some(included) = self.model.included_file(file) else { return Ok(()) };
+        Err(Fault::new(FaultKind::NeedsAnswer {
+            code: "included-file",
+            question: format!("{path} stands in the file '{included}' that the model includes"),
+            way_out: "open the model in OpenSim and save it as one file, then change that".to_owned(),
+        })
+        .of(path))
+    }
+
     fn push(&mut self, change: Change, value: &Value) -> Result<(), Fault> {
         if !change.property.allows(change.to) {
             let kind = FaultKind::Domain {
@@ -192,14 +250,7 @@ impl<'m, 'd, 'a> Draft<'m, 'd, 'a> {
         if same || change.to.to_bits() == change.from.to_bits() {
             return Ok(());
         }
-        if let Some(included) = self.model.included_file(change.file) {
-            return Err(Fault::new(FaultKind::NeedsAnswer {
-                code: "included-file",
-                question: format!("{} stands in the file '{included}' that the model includes", change.path),
-                way_out: "open the model in OpenSim and save it as one file, then change that".to_owned(),
-            })
-            .of(change.path));
-        }
+        self.refuse_included(change.file, &change.path)?;
         if self.planned.insert((change.file, change.target.element, change.property)) {
             self.changes.push(change);
         }

@@ -16,7 +16,7 @@ use std::ops::Range;
 
 use crate::edit::{Edit, splice};
 use crate::error::Fault;
-use crate::insert::{insert, insert_first};
+use crate::insert::{insert, insert_first, with_white_space_before};
 use crate::mass::Mass;
 use crate::model::Model;
 use crate::note::{Key, Note, Scope, digest};
@@ -28,10 +28,10 @@ use crate::xml::ElementId;
 pub use design::{Design, DesignModulus, design};
 pub use draft::PropertySet;
 pub use loaded::{LoadedSphere, loaded_spheres};
-pub use radii::RadiusRule;
+pub use radii::{RadiusRule, moving_spheres};
 pub use rescale::{Rescale, rescale};
 pub use set::{Assignment, Set, set};
-pub use transfer::{Reference, ReferenceContact, Transfer, reference_of_model, transfer};
+pub use transfer::{Reference, ReferenceContact, ScalingRule, Transfer, reference_of_model, transfer};
 
 /// Which size α follows, (14).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -73,6 +73,28 @@ pub struct Change {
     target: Target,
 }
 
+/// One sphere centre that is to move.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Move {
+    /// Name of the sphere.
+    pub sphere: String,
+    /// Its component path.
+    pub path: String,
+    /// Location in its frame now, m.
+    pub from: [f64; 3],
+    /// Location to be written, m.
+    pub to: [f64; 3],
+    /// Why: `follow` or `level`.
+    pub equation: &'static str,
+    /// Line of the location, or of the sphere that gets one.
+    pub line: usize,
+    /// `true` where the element is absent and is inserted.
+    pub inserted: bool,
+    /// Which file: 0 is the model itself.
+    pub file: usize,
+    target: Target,
+}
+
 /// Where a change goes.
 #[derive(Debug, Clone, PartialEq)]
 struct Target {
@@ -87,6 +109,8 @@ struct Target {
 pub struct Plan {
     /// The numbers, radii first, then force by force.
     pub changes: Vec<Change>,
+    /// Sphere centres that move.
+    pub moves: Vec<Move>,
     /// What the contacts stand for before and afterwards; `None` where nobody knows and nothing follows from it.
     pub masses: Option<Masses>,
     /// What was taken and from where, in words: the first line of every report.
@@ -136,7 +160,7 @@ impl Plan {
     /// `true` when the output equals the input byte for byte.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.changes.is_empty()
+        self.changes.is_empty() && self.moves.is_empty()
     }
 
     fn with_note(mut self, model: &Model<'_, '_>, facts: &NoteFacts<'_>) -> Self {
@@ -166,9 +190,11 @@ impl Plan {
         let tree = document.tree();
         let mut edits = Vec::new();
         let mut absent: BTreeMap<ElementId, Absent<'_>> = BTreeMap::new();
-        for change in self.changes.iter().filter(|change| change.file == file) {
-            let text = shortest(change.to);
-            let Target { element, class, tag, span } = &change.target;
+        let numbers = self.changes.iter().map(|change| (change.file, &change.target, shortest(change.to)));
+        let places =
+            self.moves.iter().map(|place| (place.file, &place.target, place.to.map(shortest).join(" ")));
+        for (_, target, text) in numbers.chain(places).filter(|(of_file, ..)| *of_file == file) {
+            let Target { element, class, tag, span } = target;
             match span {
                 Some(span) => edits.push(Edit { span: span.clone(), text }),
                 None => {
@@ -187,6 +213,9 @@ impl Plan {
                 Some(span) => Edit { span, text: note.comment() },
                 None => insert_first(tree, document.data_root(), &note.comment()),
             });
+        } else if let (Some(span), true, false) = (Note::span(document), noted, self.is_empty()) {
+            // Without a new note the old one would lie: it goes, with its line.
+            edits.push(Edit { span: with_white_space_before(tree, span), text: String::new() });
         }
         edits
     }

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 
 use super::draft::{Draft, New, PropertySet};
 use crate::error::{Fault, FaultKind};
+use crate::follow::LevelAxis;
 use crate::model::{Force, Model};
 use crate::property::Property;
 use crate::warning::{Warning, WarningCode};
@@ -115,6 +116,29 @@ impl Radii {
         (least.is_finite() && (least != 0.0 || most != 0.0)).then_some((least, most))
     }
 
+    /// Moves centres so that bottoms stay where they are.
+    pub(super) fn level(&self, draft: &mut Draft<'_, '_, '_>, axis: LevelAxis) -> Result<(), Fault> {
+        for (&sphere, pair) in &self.0 {
+            let Some(location) = draft.model.spheres.get(sphere).map(|sphere| sphere.location_m) else {
+                continue;
+            };
+            draft.location(sphere, axis.centre(location, pair.old, pair.new, |vector| vector), "level")?;
+        }
+        Ok(())
+    }
+
+    /// Largest over smallest ratio among the spheres of a force.
+    pub(super) fn spread(&self, force: &Force, old_radius: impl Fn(usize) -> f64) -> f64 {
+        let ratios: Vec<f64> = force
+            .spheres()
+            .into_iter()
+            .filter_map(|sphere| Some(self.0.get(&sphere)?.new / old_radius(sphere)))
+            .collect();
+        let most = ratios.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let least = ratios.iter().copied().fold(f64::INFINITY, f64::min);
+        if ratios.is_empty() { 1.0 } else { most / least }
+    }
+
     /// Says where one modulus serves several radii.
     pub(super) fn warn_mixed(&self, draft: &mut Draft<'_, '_, '_>, forces: &[usize]) {
         for force in forces.iter().filter_map(|&index| draft.model.forces.get(index)) {
@@ -143,7 +167,8 @@ fn root_mean_square(radii: impl Iterator<Item = f64> + Clone) -> f64 {
 }
 
 /// Moving spheres of `forces`, each once, in file order.
-pub(super) fn moving_spheres(model: &Model<'_, '_>, forces: &[usize]) -> Vec<usize> {
+#[must_use]
+pub fn moving_spheres(model: &Model<'_, '_>, forces: &[usize]) -> Vec<usize> {
     let mut spheres: Vec<usize> =
         forces.iter().filter_map(|&index| model.forces.get(index)).flat_map(Force::spheres).collect();
     spheres.sort_unstable();

@@ -6,6 +6,7 @@ use super::draft::{Draft, New, PropertySet};
 use super::radii::{Radii, RadiusRule};
 use super::{DissipationBy, Masses, NoteFacts, Plan};
 use crate::error::Fault;
+use crate::follow::LevelAxis;
 use crate::mass::{Mass, checked, same_mass};
 use crate::model::{ForceKind, Model};
 use crate::note::Scope;
@@ -29,6 +30,8 @@ pub struct Rescale {
     pub dissipation_by: DissipationBy,
     /// Gravity afterwards, m/s², where it differs. What the contacts stand for now is the note's, else the model's.
     pub target_gravity_m_s2: Option<f64>,
+    /// Move sphere centres so that their bottoms stay where they are.
+    pub level: Option<LevelAxis>,
 }
 
 /// Plans a rescaling of the forces `selected` of `model`.
@@ -49,6 +52,9 @@ pub fn rescale(model: &Model<'_, '_>, selected: &Selected, wanted: &Rescale) -> 
     let mass = target / origin;
     let isometric = Ratios::isometric(mass).map_err(Fault::new)?.radius();
     let radii = Radii::plan(&mut draft, &selected.forces, |_| wanted.radius, isometric, &wanted.properties)?;
+    if let Some(axis) = wanted.level {
+        radii.level(&mut draft, axis)?;
+    }
     radii.warn_mixed(&mut draft, &selected.forces);
     warn_forces(&mut draft, &selected.forces, &wanted.properties);
     for &index in &selected.forces {
@@ -132,11 +138,15 @@ fn already_there(origin: f64, mass: &Mass) -> Warning {
 }
 
 fn finish(draft: Draft<'_, '_, '_>, wanted: &Rescale, selected: &Selected, radii: Option<&Radii>) -> Plan {
-    let Draft { model, changes, warnings, .. } = draft;
+    let Draft { model, changes, moves, warnings, .. } = draft;
     let mut remarks = Vec::new();
     if !changes.is_empty() {
-        remarks.push("body masses and sphere locations stay as they are".to_owned());
-        remarks.extend(radii.and_then(bottoms_remark));
+        if moves.is_empty() {
+            remarks.push("body masses and sphere locations stay as they are".to_owned());
+            remarks.extend(radii.and_then(bottoms_remark));
+        } else {
+            remarks.push("body masses stay as they are; sphere centres move so that bottoms stay".to_owned());
+        }
         if wanted.target_gravity_m_s2.is_some() {
             remarks.push("the model's own <gravity> stays as it is: set it in OpenSim".to_owned());
         }
@@ -149,7 +159,7 @@ fn finish(draft: Draft<'_, '_, '_>, wanted: &Rescale, selected: &Selected, radii
         taken.push_str(&format!("; scaled to {} kg (mass x{ratio})", readable(to_mass_kg)));
     }
     let masses = Some(Masses { from: from_mass, to_kg: to_mass_kg });
-    let plan = Plan { changes, masses, taken, warnings, remarks, note: None };
+    let plan = Plan { changes, moves, masses, taken, warnings, remarks, note: None };
     let all = selected.complete && wanted.properties.is_complete();
     plan.with_note(
         model,

@@ -22,7 +22,7 @@ pub enum Assignment {
 }
 
 impl Assignment {
-    fn new(self, from: f64) -> New {
+    fn applied_to(self, from: f64) -> New {
         match self {
             Self::Value(to) => New { to, factor: None, equation: "given" },
             Self::Factor(factor) => New::times(from, factor, "given"),
@@ -78,7 +78,7 @@ pub fn set(model: &Model<'_, '_>, selected: &Selected, wanted: &Set) -> Result<P
         if property == Property::Radius {
             for sphere in moving_spheres(model, &selected.forces) {
                 let from = draft.current_radius(sphere)?;
-                draft.radius(sphere, value.new(from))?;
+                draft.radius(sphere, value.applied_to(from))?;
                 found = true;
             }
         } else {
@@ -86,7 +86,7 @@ pub fn set(model: &Model<'_, '_>, selected: &Selected, wanted: &Set) -> Result<P
                 let sets = model.forces.get(force).map_or(0, |force| force.sets.len());
                 for set in 0..sets {
                     if let Some(from) = draft.current(force, set, property)? {
-                        draft.parameter(force, set, property, value.new(from))?;
+                        draft.parameter(force, set, property, value.applied_to(from))?;
                         found = true;
                     }
                 }
@@ -96,7 +96,7 @@ pub fn set(model: &Model<'_, '_>, selected: &Selected, wanted: &Set) -> Result<P
             return Err(Fault::refused(format!("none of the chosen forces has a {property}")));
         }
     }
-    let Draft { changes, mut warnings, .. } = draft;
+    let Draft { changes, moves, mut warnings, .. } = draft;
     if changes.is_empty() {
         warnings.push(Warning::new(WarningCode::NothingToChange, "every value is already as wanted"));
     }
@@ -105,7 +105,7 @@ pub fn set(model: &Model<'_, '_>, selected: &Selected, wanted: &Set) -> Result<P
         taken = format!("contacts stand for {} kg ({}); {taken}", readable(mass.kg), mass.told_by);
     }
     let masses = wanted.contacts_mass.clone().map(|from| Masses { to_kg: from.kg, from });
-    let plan = Plan { changes, masses, taken, warnings, remarks: vec![], note: None };
+    let plan = Plan { changes, moves, masses, taken, warnings, remarks: vec![], note: None };
     Ok(plan.with_note(
         model,
         &NoteFacts {

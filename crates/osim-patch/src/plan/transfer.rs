@@ -9,6 +9,7 @@ use super::rescale::{bottoms_remark, factor, gravity_ratio, warn_forces};
 use super::surfaces::{Surfaces, sphere_sets, write_composite};
 use super::{DissipationBy, Masses, NoteFacts, Plan};
 use crate::error::{Fault, FaultKind};
+use crate::follow::Follow;
 use crate::mass::{Mass, MassSource};
 use crate::model::{Force, ForceKind, Model};
 use crate::note::Scope;
@@ -130,7 +131,29 @@ pub struct Transfer {
     pub dissipation_by: DissipationBy,
     /// Gravity of this model, m/s², where contacts shall follow it.
     pub target_gravity_m_s2: Option<f64>,
+    /// New places and radii of the spheres, where they follow their bodies.
+    pub follow: Option<Follow>,
+    /// Whose scaling.
+    pub rule: ScalingRule,
+    /// Refuse instead of warning where spheres of one force follow bodies with different factors.
+    pub strict: bool,
 }
+
+/// How E₁* and α follow from the reference.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum ScalingRule {
+    /// (10) and (14).
+    #[default]
+    Paper,
+    /// PredSim's: stiffness by mass over height squared, dissipation by one over height; smoothing stays.
+    PredSim {
+        /// Height of this model over that of the reference.
+        height_ratio: f64,
+    },
+}
+
+/// More than this between the factors of one force's spheres is said (relative).
+const SPREAD: f64 = 0.01;
 
 /// Plans a transfer onto the forces `selected` of `model`.
 ///
@@ -143,12 +166,22 @@ pub fn transfer(model: &Model<'_, '_>, selected: &Selected, wanted: &Transfer) -
     let mass = wanted.mass.kg / reference.mass.kg;
     let isometric = Ratios::isometric(mass).map_err(Fault::new)?.radius();
     let gravity = gravity_ratio(reference.gravity_m_s2, wanted.target_gravity_m_s2)?;
+    let followed = |sphere: usize| wanted.follow.as_ref().and_then(|follow| follow.spheres.get(&sphere));
     let rule_of = |sphere: usize| match wanted.radius {
+        _ if followed(sphere).is_some() => {
+            RadiusRule::Like(followed(sphere).map_or(f64::NAN, |followed| followed.radius_m))
+        }
         // As large against the body as the reference's.
         RadiusRule::Isometric => RadiusRule::Like(chosen.of_sphere(model, sphere).radius_m * isometric),
         other => other,
     };
     let radii = Radii::plan(&mut draft, &selected.forces, rule_of, isometric, &wanted.properties)?;
+    for (&sphere, place) in wanted.follow.iter().flat_map(|follow| &follow.spheres) {
+        draft.location(sphere, place.location_m, "follow")?;
+    }
+    if wanted.follow.is_some() {
+        check_spread(&mut draft, selected, wanted, &chosen, &radii)?;
+    }
     radii.warn_mixed(&mut draft, &selected.forces);
     warn_forces(&mut draft, &selected.forces, &wanted.properties);
     let mut without_smoothing = false;
@@ -175,6 +208,9 @@ pub fn transfer(model: &Model<'_, '_>, selected: &Selected, wanted: &Transfer) -
             force.kind == ForceKind::SmoothSphereHalfSpace && from.contact.smoothing().is_none();
         target.plan(&mut draft, wanted)?;
     }
+    if wanted.follow.is_some() || wanted.rule != ScalingRule::Paper {
+        draft.remarks.extend(similarity(model, selected, wanted, &chosen, &radii));
+    }
     if without_smoothing {
         let text = format!("{} has no smoothing parameters: the model's own stay", reference.name);
         draft.warnings.push(Warning::new(WarningCode::ReferenceWithoutSmoothing, text));
@@ -194,9 +230,11 @@ struct Target<'t> {
 impl Target<'_> {
     fn plan(&self, draft: &mut Draft<'_, '_, '_>, wanted: &Transfer) -> Result<(), Fault> {
         for property in Property::ALL.into_iter().filter(|&property| wanted.properties.contains(property)) {
-            let Some((factor, equation)) = factor(property, &self.ratios, wanted.dissipation_by) else {
-                continue;
+            let scaled = match wanted.rule {
+                ScalingRule::Paper => factor(property, &self.ratios, wanted.dissipation_by),
+                ScalingRule::PredSim { height_ratio } => predsim(property, &self.ratios, height_ratio),
             };
+            let Some((factor, equation)) = scaled else { continue };
             match self.of_reference(property) {
                 Some(value) => {
                     let to = if factor == 1.0 { value } else { value * factor };
@@ -239,6 +277,101 @@ impl Target<'_> {
     }
 }
 
+/// PredSim's rule, for users who compare; what it does not scale is the reference's.
+fn predsim(property: Property, ratios: &Ratios, height_ratio: f64) -> Option<(f64, &'static str)> {
+    Some(match property {
+        Property::Stiffness => (ratios.mass() / (height_ratio * height_ratio), "predsim"),
+        Property::Dissipation => (1.0 / height_ratio, "predsim"),
+        Property::ConstantContactForce | Property::HertzSmoothing | Property::HuntCrossleySmoothing => {
+            (1.0, "predsim")
+        }
+        _ => return None,
+    })
+}
+
+/// Spheres of one modulus that follow bodies of different factors.
+fn check_spread(
+    draft: &mut Draft<'_, '_, '_>,
+    selected: &Selected,
+    wanted: &Transfer,
+    chosen: &Choice<'_>,
+    radii: &Radii,
+) -> Result<(), Fault> {
+    let model = draft.model;
+    for force in selected.forces.iter().filter_map(|&index| model.forces.get(index)) {
+        // Radii of a reference force stand for all its spheres; what differs here is the bodies' factors.
+        let old = |sphere: usize| match wanted.follow.as_ref().and_then(|follow| follow.old_radius(sphere)) {
+            Some(radius) => radius,
+            None => chosen.of_sphere(model, sphere).radius_m,
+        };
+        let spread = radii.spread(force, old);
+        if spread <= 1.0 + SPREAD {
+            continue;
+        }
+        let text = format!(
+            "{}: its spheres grow by factors that differ by {:.1} %; the mean of R squared is used",
+            force.path,
+            (spread - 1.0) * 100.0
+        );
+        if wanted.strict {
+            return Err(
+                Fault::refused(format!("{text} (refused because of --strict)")).of(force.path.clone())
+            );
+        }
+        draft.warnings.push(Warning::at(WarningCode::FactorSpread, force.line, text));
+    }
+    Ok(())
+}
+
+/// x̂ at body weight and c_r of the reference and of the result, so that rules can be compared.
+fn similarity(
+    model: &Model<'_, '_>,
+    selected: &Selected,
+    wanted: &Transfer,
+    chosen: &Choice<'_>,
+    radii: &Radii,
+) -> Option<String> {
+    let force = selected.forces.iter().find_map(|&index| model.forces.get(index))?;
+    let from = chosen.of_force(model, force).ok()?;
+    let gravity = wanted.reference.gravity_m_s2.or(model.gravity()).filter(|&gravity| gravity > 0.0)?;
+    let here_gravity = model.gravity().filter(|&gravity| gravity > 0.0)?;
+    let there = Scale::new(ScaleValues {
+        mass_kg: wanted.reference.mass.kg,
+        radius_m: from.radius_m,
+        sphere_count: wanted.reference.sphere_count,
+        gravity_m_s2: gravity,
+    });
+    let here = Scale::new(ScaleValues {
+        mass_kg: wanted.mass.kg,
+        radius_m: radii.mean_new(force),
+        sphere_count: wanted.sphere_count,
+        gravity_m_s2: here_gravity,
+    });
+    let (there, here) = (there.ok()?, here.ok()?);
+    let contact = match wanted.rule {
+        ScalingRule::Paper => from.contact.scaled(&Ratios::between(&there, &here).ok()?),
+        ScalingRule::PredSim { height_ratio } => {
+            let mut values = from.contact.values();
+            values.plane_strain_modulus *=
+                wanted.mass.kg / wanted.reference.mass.kg / (height_ratio * height_ratio);
+            values.dissipation /= height_ratio;
+            Contact::new(values).ok()?
+        }
+    };
+    let describe = |contact: &Contact, scale: &Scale| {
+        let x = DimensionlessContact::of(contact, scale).relative_indentation();
+        let speed = (scale.gravity_m_s2() * scale.radius_m() / 2.0).sqrt();
+        let restitution = contact_scaling::restitution::exact(contact.dissipation(), speed);
+        restitution.map(|restitution| (x, restitution)).ok()
+    };
+    let (x_there, c_there) = describe(&from.contact, &there)?;
+    let (x_here, c_here) = describe(&contact, &here)?;
+    Some(format!(
+        "relative indentation at body weight {x_there:.4} in the reference, {x_here:.4} here; \
+         restitution (exact law) at sqrt(gR/2) {c_there:.4} and {c_here:.4}"
+    ))
+}
+
 /// Which contact of the reference each sphere gets.
 enum Choice<'t> {
     One(&'t ReferenceContact),
@@ -268,6 +401,10 @@ impl<'t> Choice<'t> {
                     known.join(", ")
                 ))
             });
+        }
+        if wanted.follow.is_some() {
+            // Following has matched every sphere with its namesake already.
+            return Ok(Self::Paired { first, all: contacts });
         }
         let base = dimensionless(first)?;
         let mut same = true;
@@ -348,14 +485,18 @@ fn dimensionless(contact: &ReferenceContact) -> Result<DimensionlessContact, Fau
 }
 
 fn finish(draft: Draft<'_, '_, '_>, wanted: &Transfer, selected: &Selected, radii: &Radii) -> Plan {
-    let Draft { model, changes, mut warnings, .. } = draft;
-    let mut remarks = Vec::new();
+    let Draft { model, changes, moves, mut warnings, remarks, .. } = draft;
+    let mut remarks = remarks;
     if changes.is_empty() {
         let text = "every value is already as the reference wants it";
         warnings.push(Warning::new(WarningCode::NothingToChange, text));
     } else {
-        remarks.push("body masses and sphere locations stay as they are".to_owned());
-        remarks.extend(bottoms_remark(radii));
+        if wanted.follow.is_some() {
+            remarks.push("body masses stay as they are; spheres follow their bodies".to_owned());
+        } else {
+            remarks.push("body masses and sphere locations stay as they are".to_owned());
+            remarks.extend(bottoms_remark(radii));
+        }
     }
     let reference = &wanted.reference;
     let taken = format!(
@@ -370,6 +511,7 @@ fn finish(draft: Draft<'_, '_, '_>, wanted: &Transfer, selected: &Selected, radi
     );
     let plan = Plan {
         changes,
+        moves,
         masses: Some(Masses { from: reference.mass.clone(), to_kg: wanted.mass.kg }),
         taken,
         warnings,

@@ -183,6 +183,7 @@ impl<'t> Scanner<'t> {
             Error::IllFormed(IllFormedError::UnmatchedEndTag(found)) => {
                 SyntaxFault::UnexpectedEnd { found: found.clone() }
             }
+            Error::Syntax(_) => SyntaxFault::Truncated { what: error.to_string() },
             other => SyntaxFault::Malformed { what: other.to_string() },
         };
         kind.at(self.base + at)
@@ -289,7 +290,7 @@ mod tests {
         assert_eq!(refused(b"<!DOCTYPE a [<!ENTITY b 'c'>]><a/>"), (SyntaxFault::DoctypeSubset, 0));
         assert!(matches!(refused(b"<a></b>"), (SyntaxFault::MismatchedEnd { .. }, 3)));
         assert!(matches!(refused(b"<a x='1' x='2'/>"), (SyntaxFault::Attribute { .. }, 0)));
-        assert!(matches!(refused(b"<a><b"), (SyntaxFault::Malformed { .. }, 3)));
+        assert!(matches!(refused(b"<a><b"), (SyntaxFault::Truncated { .. }, 3)));
     }
 
     #[test]

@@ -6,7 +6,7 @@
 use globset::{Glob, GlobSet, GlobSetBuilder};
 use osim_patch::{
     Change, DissipationBy, Document, Fault, MassRequest, Model, Part, Plan, Property, PropertySet,
-    RadiusRule, Reference, Rescale, Selection, Transfer, rescale, transfer,
+    RadiusRule, Reference, Rescale, ScalingRule, Selection, Transfer, rescale, transfer,
 };
 
 /// Bytes of a file of `fixtures/`.
@@ -249,6 +249,7 @@ impl Given {
                 properties: given.properties(),
                 dissipation_by: given.by,
                 target_gravity_m_s2: given.gravity,
+                level: None,
             };
             let mut plan = rescale(model, &selected, &wanted)?;
             plan.warnings.extend(warnings);
@@ -269,6 +270,9 @@ impl Given {
                 properties: given.properties(),
                 dissipation_by: given.by,
                 target_gravity_m_s2: given.gravity,
+                follow: None,
+                rule: ScalingRule::Paper,
+                strict: false,
             };
             transfer(model, &given.selection.apply(model)?, &wanted)
         })
