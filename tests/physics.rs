@@ -1,0 +1,1 @@
+//! The verbs that work with the paper's equations, from outside.
