@@ -139,9 +139,6 @@ pub fn inspect(bytes: &[u8]) {
                 follow: None,
                 rule: ScalingRule::Paper,
                 strict: false,
-                follow: None,
-                rule: ScalingRule::Paper,
-                strict: false,
             };
             match transfer(model, &selected, &wanted) {
                 Ok(plan) => drop(plan.patched(model, 0).expect("the edits of a plan do not overlap")),
