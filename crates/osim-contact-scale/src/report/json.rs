@@ -1,6 +1,6 @@
 //! The JSON contract: one object per model and line. `docs/json.md` describes every field.
 
-use osim_patch::{Change, Factors, Limbs, Mass, Model, Move, Plan, Property, Selected, Warning};
+use osim_patch::{BodyFactors, Change, Factors, Limbs, Mass, Model, Move, Plan, Property, Selected, Warning};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -164,16 +164,21 @@ struct JsonFactors<'m> {
 
 /// What the sources say of each body's scale.
 fn factors(factors: &Factors) -> Vec<JsonFactors<'_>> {
-    let of_body = |body: &'_ osim_patch::BodyFactors| -> ([Option<f64>; 3], [Option<&'static str>; 3], Map<String, Value>) {
-        let said = body.said.iter().map(|(source, values)| (source.as_str().to_owned(), Value::from(values.to_vec())));
-        (body.axes.map(|axis| axis.map(|a| a.factor)), body.axes.map(|axis| axis.map(|a| a.source.as_str())), said.collect())
+    let of_body = |body: &'_ BodyFactors| {
+        let said = body
+            .said
+            .iter()
+            .map(|(source, values)| (source.as_str().to_owned(), Value::from(values.to_vec())));
+        said.collect::<Map<String, Value>>()
     };
     factors
         .bodies
         .iter()
-        .map(|body| {
-            let (factors, sources, said) = of_body(body);
-            JsonFactors { body: &body.body, factors, sources, said }
+        .map(|body| JsonFactors {
+            body: &body.body,
+            factors: body.axes.map(|axis| axis.map(|axis| axis.factor)),
+            sources: body.axes.map(|axis| axis.map(|axis| axis.source.as_str())),
+            said: of_body(body),
         })
         .collect()
 }
