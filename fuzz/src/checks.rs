@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use osim_patch::{
     Document, Edit, ElementId, Limbs, MassRequest, MassSource, Model, PieceKind, Plan, RadiusRule, Reference,
-    Rescale, Scope, Selection, ScalingRule, Transfer, Value, reference_of_model, rescale, splice, transfer,
+    Rescale, ScalingRule, Scope, Selection, Transfer, Value, reference_of_model, rescale, splice, transfer,
 };
 
 use crate::accept;
