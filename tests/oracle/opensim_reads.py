@@ -49,7 +49,9 @@ def read_each_apart(paths, dump):
             child = os.fork()
             if child == 0:
                 try:
-                    reading.write_text(json.dumps(read_here(path, dump)))
+                    absolute = os.path.abspath(path)
+                    os.chdir(tempfile.mkdtemp(dir=folder))  # printing a model, OpenSim writes the sets it has in files
+                    reading.write_text(json.dumps(read_here(absolute, dump)))
                 finally:
                     os._exit(0)
             running.add(child)
