@@ -31,6 +31,9 @@ impl Loaded {
         for path in [&beside.geometry, &beside.model].into_iter().flatten() {
             parts.push(Self::part(path.clone(), None)?);
         }
+        if !osim_patch::may_include(&bytes) {
+            return Ok(Self { shown, bytes, parts });
+        }
         let document = Document::parse(&bytes).map_err(|fault| Failure::of_fault(&shown, fault, &bytes))?;
         for (element, file) in document.included_files() {
             let folder = source.path.parent().unwrap_or(Path::new(""));

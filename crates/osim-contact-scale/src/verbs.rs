@@ -68,6 +68,8 @@ pub(crate) struct TransferVerb<'v> {
 struct Generic {
     anatomy: Anatomy,
     file: Option<ScaleFile>,
+    /// What to ask about the reference's sphere count, once its spheres are matched.
+    count_unknown: Option<Fault>,
 }
 
 impl<'v> TransferVerb<'v> {
@@ -85,6 +87,12 @@ impl<'v> TransferVerb<'v> {
         let masses = args.masses.request()?;
         if args.scaling.level && !args.follow.follow_bodies {
             bail!("--level in a transfer needs --follow-bodies: without it neither radii nor soles change");
+        }
+        if args.scaling.radius.is_some() && args.follow.follow_bodies {
+            bail!(
+                "--radius says nothing with --follow-bodies: radii follow the bodies (--radius-axis), or stay with \
+                 --keep radius"
+            );
         }
         let reference = match preset(args)? {
             Some(_) if args.follow.follow_bodies => {
@@ -128,13 +136,14 @@ fn reference_from_file(args: &TransferArgs) -> Result<(Reference, Option<Generic
     let source = Source { path: args.from.clone(), folder: None };
     let loaded = Loaded::read(&source, &PartArgs { geometry: None, model: None })?;
     loaded.with_model(|model| {
-        let reference = reference_from_model(model, args).map_err(|fault| loaded.failure(fault))?;
+        let (reference, count_unknown) =
+            reference_from_model(model, args).map_err(|fault| loaded.failure(fault))?;
         if !args.follow.follow_bodies {
             return Ok((reference, None));
         }
         let anatomy = Anatomy::of(model).map_err(|fault| loaded.failure(fault))?;
         let file = args.follow.body_scale_file.as_deref().map(scale_file).transpose()?;
-        Ok((reference, Some(Generic { anatomy, file })))
+        Ok((reference, Some(Generic { anatomy, file, count_unknown })))
     })
 }
 
@@ -146,21 +155,29 @@ pub(crate) fn scale_file(path: &Path) -> Result<ScaleFile, Failure> {
     ScaleFile::read(&document).map_err(|fault| Failure::of_fault(&shown, fault, &bytes))
 }
 
-fn reference_from_model(model: &Model<'_, '_>, args: &TransferArgs) -> Result<Reference, Fault> {
+fn reference_from_model(
+    model: &Model<'_, '_>,
+    args: &TransferArgs,
+) -> Result<(Reference, Option<Fault>), Fault> {
     let selected = Selection::default().apply(model)?;
     let mass = match args.reference.reference_mass {
         Some(kg) => reference_mass(kg),
         None => MassRequest::default().of_contacts(model, &mut Vec::new())?,
     };
     // --stance-limbs is about this model; a reference that stands on several limbs says --reference-spheres.
-    let count = match args.reference.reference_spheres {
-        Some(count) => count,
-        None => sphere_count(model, &selected.forces, 1.0, "--reference-spheres")?,
+    let (count, unknown) = match args.reference.reference_spheres {
+        Some(count) => (count, None),
+        None => match sphere_count(model, &selected.forces, 1.0, "--reference-spheres") {
+            Ok(count) => (count, None),
+            // A sphere that is missing on one side is named first, by comparing the two models.
+            Err(fault) if args.follow.follow_bodies => (f64::NAN, Some(fault)),
+            Err(fault) => return Err(fault),
+        },
     };
     let mut reference = reference_of_model(model, &selected, mass, count)?;
     reference.name =
         args.from.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-    Ok(reference)
+    Ok((reference, unknown))
 }
 
 /// n as found per limb times the stance limbs, or a question.
@@ -185,15 +202,15 @@ pub(crate) fn sphere_count(
 impl Planner for TransferVerb<'_> {
     fn plan(&self, model: &Model<'_, '_>) -> Result<Plan, Fault> {
         let selected = self.selection.apply(model)?;
-        let sphere_count = match self.args.counts.spheres {
-            Some(count) => count,
-            None => sphere_count(model, &selected.forces, self.args.counts.stance_limbs, "--spheres")?,
-        };
         let scaling = &self.args.scaling;
         let mut warnings = Vec::new();
         let follow = match &self.generic {
             Some(generic) => Some(self.follow(model, &selected, generic, &mut warnings)?),
             None => None,
+        };
+        let sphere_count = match self.args.counts.spheres {
+            Some(count) => count,
+            None => sphere_count(model, &selected.forces, self.args.counts.stance_limbs, "--spheres")?,
         };
         let rule = self.rule(follow.as_ref())?;
         let mut plan = transfer(
@@ -234,9 +251,15 @@ impl TransferVerb<'_> {
             radius_axis: args.radius_axis(),
             level: self.args.scaling.level_axis(model.gravity_m_s2),
             moved: args.moved(),
+            keep_radii: !self.args.scaling.properties().contains(Property::Radius),
         };
+        Follow::refuse_missing(&scaled, self.reference.contacts.iter().flat_map(|contact| &contact.spheres))?;
         let spheres = moving_spheres(model, &selected.forces);
-        Follow::find(model, &spheres, &scaled, &generic.anatomy, &factors, &request)
+        let follow = Follow::find(model, &spheres, &scaled, &generic.anatomy, &factors, &request)?;
+        match &generic.count_unknown {
+            Some(fault) => Err(fault.clone()),
+            None => Ok(follow),
+        }
     }
 
     fn rule(&self, follow: Option<&Follow>) -> Result<ScalingRule, Fault> {

@@ -211,9 +211,7 @@ impl<'a> Document<'a> {
     /// Elements whose contents stand in another file, and that file as written: `<ForceSet file="x.xml"/>`.
     #[must_use]
     pub fn included_files(&self) -> Vec<(ElementId, String)> {
-        // Most models include nothing; finding that out must not cost a look at every start tag.
-        let mut words = memchr::memmem::find_iter(self.bytes, b"file").filter_map(|at| at.checked_sub(1));
-        if !words.any(|before| self.bytes.get(before).is_some_and(u8::is_ascii_whitespace)) {
+        if !may_include(self.bytes) {
             return Vec::new();
         }
         let elements =
@@ -276,6 +274,18 @@ impl<'a> Document<'a> {
         let triple = [numbers.next()??, numbers.next()??, numbers.next()??];
         numbers.next().is_none().then_some(triple)
     }
+}
+
+/// Whether `file="…"` may stand somewhere in `bytes`: cheap, and never `false` where it does.
+///
+/// Most models include nothing; finding that out must not cost a scan.
+#[must_use]
+pub fn may_include(bytes: &[u8]) -> bool {
+    memchr::memmem::find_iter(bytes, b"file").any(|at| {
+        let before = at.checked_sub(1).and_then(|at| bytes.get(at));
+        let after = bytes.get(at + 4..).unwrap_or_default().trim_ascii_start().first();
+        before.is_some_and(u8::is_ascii_whitespace) && after == Some(&b'=')
+    })
 }
 
 #[cfg(test)]

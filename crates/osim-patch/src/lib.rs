@@ -52,7 +52,7 @@ mod select;
 mod warning;
 mod xml;
 
-pub use document::{Document, Origin, Value};
+pub use document::{Document, Origin, Value, may_include};
 pub use edit::{Edit, splice};
 pub use error::{Fault, FaultKind, NumberFault, SyntaxFault};
 pub use follow::{

@@ -109,6 +109,6 @@ impl AxisArg {
             Self::MinusY => (1, true),
             Self::MinusZ => (2, true),
         };
-        LevelAxis { axis, down }
+        LevelAxis { axis, down, of_body: false }
     }
 }

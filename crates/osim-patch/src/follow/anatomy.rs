@@ -57,6 +57,7 @@ impl Anatomy {
             } else if tag == "PhysicalOffsetFrame" {
                 anatomy.read_frame(files, id);
             } else if tag.ends_with("Joint") {
+                anatomy.read_joint(files, id);
                 anatomy.read_old_joint(files, id);
             }
         }
@@ -110,14 +111,23 @@ impl Anatomy {
 
     /// An offset frame that is fixed to a body directly: OpenSim scales its translation by that body's factors.
     fn read_frame(&mut self, files: &Files<'_, '_>, frame: ObjectId) {
-        let Some(parent) = files.connectee(frame, "parent", &[]) else { return };
-        let Some(found) = files.frame(frame, &parent).and_then(|found| found.object) else { return };
-        if files.tag(found) != "Body" {
-            return;
+        let Some((body, translation)) = offset_on_body(files, frame) else { return };
+        self.offsets.entry(body).or_default().insert(files.objects.path(frame), translation);
+    }
+
+    /// The same offsets under the joint's name, which a document of version 3 has too.
+    fn read_joint(&mut self, files: &Files<'_, '_>, joint: ObjectId) {
+        for end in ["parent", "child"] {
+            let frame = files
+                .connectee(joint, &format!("{end}_frame"), &[])
+                .and_then(|frame| files.frame(joint, &frame))
+                .and_then(|found| found.object)
+                .filter(|&frame| files.tag(frame) == "PhysicalOffsetFrame");
+            if let Some((body, translation)) = frame.and_then(|frame| offset_on_body(files, frame)) {
+                let key = format!("{} {end}", files.name(joint));
+                self.offsets.entry(body).or_default().insert(key, translation);
+            }
         }
-        let translation = files.doc(frame).triple(files.element(frame), "translation").unwrap_or([0.0; 3]);
-        let key = files.objects.path(frame);
-        self.offsets.entry(files.name(found)).or_default().insert(key, translation);
     }
 
     /// Documents of version 3: the joint inside the child body holds both translations.
@@ -147,8 +157,18 @@ fn file_of(document: &Document<'_>, element: ElementId, tag: &str) -> String {
     tree.child(element, tag).map(|file| tree.text_of(file)).unwrap_or_default()
 }
 
+/// Factors that are written but are no numbers stay visible as NaN: they must not pass for 1.
 fn scale(document: &Document<'_>, element: ElementId) -> [f64; 3] {
-    document.triple(element, "scale_factors").unwrap_or([1.0; 3])
+    let missing = document.tree().child(element, "scale_factors").is_none();
+    document.triple(element, "scale_factors").unwrap_or([if missing { 1.0 } else { f64::NAN }; 3])
+}
+
+/// The body an offset frame is fixed to directly, and where it is there.
+fn offset_on_body(files: &Files<'_, '_>, frame: ObjectId) -> Option<(String, [f64; 3])> {
+    let parent = files.connectee(frame, "parent", &["parent_frame"])?;
+    let body = files.frame(frame, &parent)?.object.filter(|&found| files.tag(found) == "Body")?;
+    let translation = files.doc(frame).triple(files.element(frame), "translation").unwrap_or([0.0; 3]);
+    Some((files.name(body), translation))
 }
 
 fn times(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
@@ -156,7 +176,10 @@ fn times(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 }
 
 /// Rotation of a frame in the body that carries it: the product along its chain of offset frames.
-fn rotation_of(files: &Files<'_, '_>, frame: Option<ObjectId>) -> Result<Rotation, Fault> {
+///
+/// # Errors
+/// A frame that leads nowhere.
+pub(crate) fn rotation_of(files: &Files<'_, '_>, frame: Option<ObjectId>) -> Result<Rotation, Fault> {
     let mut rotation = IDENTITY;
     let mut at = frame;
     while let Some(id) = at {
@@ -166,7 +189,7 @@ fn rotation_of(files: &Files<'_, '_>, frame: Option<ObjectId>) -> Result<Rotatio
         let angles = files.doc(id).triple(files.element(id), "orientation").unwrap_or([0.0; 3]);
         rotation = product(body_fixed_xyz(angles), rotation);
         at = files
-            .connectee(id, "parent", &[])
+            .connectee(id, "parent", &["parent_frame"])
             .and_then(|parent| files.frame(id, &parent))
             .and_then(|found| found.object);
     }

@@ -9,6 +9,7 @@ mod anatomy;
 mod factors;
 mod spheres;
 
+pub(crate) use anatomy::rotation_of;
 pub use anatomy::{Anatomy, AnatomySphere};
 pub use factors::{AxisFactor, BodyFactors, FactorSource, Factors, ScaleFile};
 pub use spheres::{Follow, FollowRequest, Followed, LevelAxis, MovedSpheres, RadiusAxis};

@@ -2,13 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use super::anatomy::{Anatomy, AnatomySphere, scaled_in_frame};
+use super::anatomy::{Anatomy, AnatomySphere, Rotation, scaled_in_frame};
 use super::factors::Factors;
 use crate::error::{Fault, FaultKind};
 use crate::model::Model;
 
 /// A location or radius that differs by less than this (relative to the radius) was not touched.
 const UNTOUCHED: f64 = 1e-6;
+
+/// Two axes this close to up (difference of their cosines) are equally near.
+const TIE: f64 = 1e-9;
 
 /// How a radius follows from three factors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -43,13 +46,15 @@ impl RadiusAxis {
     }
 }
 
-/// The direction away from the ground in a sphere's frame, foot flat.
+/// The direction away from the ground, foot flat.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct LevelAxis {
     /// 0, 1 or 2.
     pub axis: usize,
-    /// The frame's axis points down.
+    /// The axis points down.
     pub down: bool,
+    /// The axis is the body's: each sphere's frame has an axis of its own that is nearest to it.
+    pub of_body: bool,
 }
 
 impl LevelAxis {
@@ -63,7 +68,24 @@ impl LevelAxis {
                 axis = index;
             }
         }
-        Self { axis, down: gravity[axis] > 0.0 }
+        Self { axis, down: gravity[axis] > 0.0, of_body: true }
+    }
+
+    /// The axis of a frame that is turned by `rotation` in its body.
+    pub(crate) fn in_frame(self, rotation: &Rotation) -> Self {
+        if !self.of_body {
+            return self;
+        }
+        let sign = if self.down { -1.0 } else { 1.0 };
+        // The body's axis in the frame: a row of its rotation. The body's own axis wins a tie.
+        let turned: [f64; 3] = rotation[self.axis].map(|value| sign * value);
+        let mut axis = self.axis;
+        for (index, value) in turned.iter().enumerate() {
+            if value.abs() > turned[axis].abs() + TIE {
+                axis = index;
+            }
+        }
+        Self { axis, down: turned[axis] < 0.0, of_body: false }
     }
 
     fn up(self) -> [f64; 3] {
@@ -110,6 +132,8 @@ pub struct FollowRequest {
     pub level: Option<LevelAxis>,
     /// Spheres that were changed by hand.
     pub moved: MovedSpheres,
+    /// Radii stay as they are in the scaled model.
+    pub keep_radii: bool,
 }
 
 /// One sphere's new place.
@@ -134,6 +158,26 @@ pub struct Follow {
 impl Follow {
     pub(crate) fn old_radius(&self, sphere: usize) -> Option<f64> {
         self.spheres.get(&sphere).map(|followed| followed.old_radius_m)
+    }
+
+    /// Every contact sphere of the reference must be in the scaled model.
+    ///
+    /// # Errors
+    /// The names of those that are not.
+    pub fn refuse_missing<'n>(
+        scaled: &Anatomy,
+        reference: impl Iterator<Item = &'n String>,
+    ) -> Result<(), Fault> {
+        let mut missing: Vec<&str> =
+            reference.map(String::as_str).filter(|name| scaled.sphere(name).is_none()).collect();
+        missing.dedup();
+        if missing.is_empty() {
+            return Ok(());
+        }
+        Err(Fault::refused(format!(
+            "these spheres of the reference are not in the scaled model: {}",
+            missing.join(", ")
+        )))
     }
 
     /// Matches the spheres `wanted` of `model` with those of the reference by name and moves them with their bodies.
@@ -189,11 +233,15 @@ fn follow_one(
     request: &FollowRequest,
 ) -> Followed {
     let ratio = request.radius_axis.of(factors);
-    let radius_m = if ratio == 1.0 { old.radius_m } else { old.radius_m * ratio };
+    let radius_m = match ratio {
+        _ if request.keep_radii => now.radius_m,
+        1.0 => old.radius_m,
+        ratio => old.radius_m * ratio,
+    };
     // The frame of the scaled model: OpenSim moves it but does not turn it.
     let scaled = |vector: [f64; 3]| scaled_in_frame(&now.rotation, factors, vector);
     let location_m = match request.level {
-        Some(axis) => axis.centre(old.location_m, old.radius_m, radius_m, scaled),
+        Some(axis) => axis.in_frame(&now.rotation).centre(old.location_m, old.radius_m, radius_m, scaled),
         None => scaled(old.location_m),
     };
     Followed { old_radius_m: old.radius_m, radius_m, location_m }
@@ -207,6 +255,13 @@ fn differs(now: &AnatomySphere, old: &AnatomySphere) -> bool {
 }
 
 fn refuse_unmatched(model: &Model<'_, '_>, wanted: &[usize], generic: &Anatomy) -> Result<(), Fault> {
+    let twins = |name: &str| generic.spheres.iter().filter(|sphere| sphere.name == name).count() > 1;
+    let names = wanted.iter().filter_map(|&index| model.spheres.get(index)).map(|sphere| &sphere.name);
+    if let Some(name) = names.into_iter().find(|name| twins(name)) {
+        return Err(Fault::refused(format!(
+            "the reference has several spheres called {name}: which is meant cannot be told, expected one"
+        )));
+    }
     let unmatched: Vec<&str> = wanted
         .iter()
         .filter_map(|&index| model.spheres.get(index))
@@ -262,10 +317,22 @@ mod tests {
     #[test]
     fn the_bottom_stays_on_the_sole() {
         let axis = LevelAxis::of_gravity(Some([0.0, -9.81, 0.0]));
-        assert_eq!(axis, LevelAxis { axis: 1, down: false });
+        assert_eq!(axis, LevelAxis { axis: 1, down: false, of_body: true });
         // Bottom at -0.06; the sole is scaled by 2, the radius by 1.5: bottom at -0.12, centre 0.06 above.
         let [x, y, z] = axis.centre([0.1, -0.02, 0.0], 0.04, 0.06, |v| [v[0], 2.0 * v[1], v[2]]);
         assert!((x - 0.1).abs() < 1e-15 && (y + 0.06).abs() < 1e-15 && z == 0.0);
+    }
+
+    #[test]
+    fn up_is_found_in_a_turned_frame() {
+        let up = LevelAxis::of_gravity(None);
+        // A quarter turn about z: the frame's x is the body's y; about x: its z is the body's -y.
+        let about_z = [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
+        let about_x = [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]];
+        assert_eq!(up.in_frame(&about_z), LevelAxis { axis: 0, down: false, of_body: false });
+        assert_eq!(up.in_frame(&about_x), LevelAxis { axis: 2, down: true, of_body: false });
+        let told = LevelAxis { axis: 1, down: false, of_body: false };
+        assert_eq!(told.in_frame(&about_z), told);
     }
 
     #[test]

@@ -5,6 +5,7 @@ mod contacts;
 mod files;
 mod limbs;
 mod objects;
+mod read_contacts;
 mod skeleton;
 mod traps;
 
@@ -14,11 +15,12 @@ use crate::note::Note;
 use crate::warning::{Warning, WarningCode};
 use crate::xml::ElementId;
 
-pub(crate) use contacts::{ContactReader, Dialect};
+pub(crate) use contacts::Dialect;
 pub use contacts::{Force, ForceKind, ParameterSet, Sphere};
 pub(crate) use files::{Base, Files};
 pub use limbs::{Limb, Limbs, Side};
 pub(crate) use objects::ObjectId;
+pub(crate) use read_contacts::ContactReader;
 pub use skeleton::Body;
 pub(crate) use skeleton::Skeleton;
 
@@ -144,6 +146,12 @@ impl<'d, 'a> Model<'d, 'a> {
     #[must_use]
     pub fn gravity(&self) -> Option<f64> {
         self.gravity_m_s2.map(|[x, y, z]| (x * x + y * y + z * z).sqrt())
+    }
+
+    /// Gravity that the contacts stand for: the note's, else the model's.
+    #[must_use]
+    pub fn contacts_gravity(&self) -> Option<f64> {
+        self.note.as_ref().and_then(|note| note.gravity_m_s2).or(self.gravity())
     }
 
     pub(crate) fn skeleton(&self) -> &Skeleton {

@@ -9,9 +9,13 @@ use super::classes;
 use crate::document::Document;
 use crate::xml::ElementId;
 
-/// Sets that only a model has; elsewhere OpenSim does not look for them.
+/// Sets of a model that may hold contacts or what they are attached to; markers, muscles' path points and the like are
+/// passed over, which keeps large models fast.
 const MODEL_SETS: [&str; 6] =
     ["ForceSet", "ContactGeometrySet", "BodySet", "JointSet", "ConstraintSet", "ComponentSet"];
+/// Sets inside a contact force.
+const CONTACT_PARAMETERS_SETS: [&str; 2] =
+    ["HuntCrossleyForce::ContactParametersSet", "ElasticFoundationForce::ContactParametersSet"];
 
 /// Index of an object among all files read together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -122,7 +126,10 @@ impl Objects {
             "Joint" => owner_tag == "Body",
             _ => false,
         };
-        let is_set = tag.ends_with("Set") && (owner_tag == "Model" || !MODEL_SETS.contains(&tag));
+        let is_set = match owner_tag {
+            "Model" => MODEL_SETS.contains(&tag),
+            _ => CONTACT_PARAMETERS_SETS.contains(&tag),
+        };
         let is_ground = tag == "Ground" && owner_tag == "Model";
         // OpenSim reads the first of duplicated properties.
         if !(holds_items || is_set || is_ground) || !seen.insert((owner, tag.to_owned())) {

@@ -82,7 +82,7 @@ pub fn design(model: &Model<'_, '_>, selected: &Selected, wanted: &Design) -> Re
         model,
         &NoteFacts {
             mass_kg: wanted.mass.as_ref().map(|mass| mass.kg),
-            gravity_m_s2: model.gravity(),
+            gravity_m_s2: model.contacts_gravity(),
             scope: if wanted.is_complete() && selected.complete { Scope::All } else { Scope::Partial },
             operation: "design",
         },

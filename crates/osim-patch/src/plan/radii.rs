@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 
 use super::draft::{Draft, New, PropertySet};
 use crate::error::{Fault, FaultKind};
-use crate::follow::LevelAxis;
+use crate::follow::{LevelAxis, rotation_of};
 use crate::model::{Force, Model};
 use crate::property::Property;
 use crate::warning::{Warning, WarningCode};
@@ -119,9 +119,9 @@ impl Radii {
     /// Moves centres so that bottoms stay where they are.
     pub(super) fn level(&self, draft: &mut Draft<'_, '_, '_>, axis: LevelAxis) -> Result<(), Fault> {
         for (&sphere, pair) in &self.0 {
-            let Some(location) = draft.model.spheres.get(sphere).map(|sphere| sphere.location_m) else {
-                continue;
-            };
+            let Some(found) = draft.model.spheres.get(sphere) else { continue };
+            let location = found.location_m;
+            let axis = axis.in_frame(&rotation_of(draft.model.files(), found.frame_object)?);
             draft.location(sphere, axis.centre(location, pair.old, pair.new, |vector| vector), "level")?;
         }
         Ok(())

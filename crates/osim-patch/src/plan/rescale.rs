@@ -42,8 +42,7 @@ pub fn rescale(model: &Model<'_, '_>, selected: &Selected, wanted: &Rescale) -> 
     let target = checked("--target-mass", wanted.target_mass_kg)?;
     let origin = wanted.contacts_mass.kg;
     let mut draft = Draft::new(model);
-    let now = model.note.as_ref().and_then(|note| note.gravity_m_s2).or(model.gravity());
-    let gravity = gravity_ratio(now, wanted.target_gravity_m_s2)?;
+    let gravity = gravity_ratio(model.contacts_gravity(), wanted.target_gravity_m_s2)?;
     let other_radius = matches!(wanted.radius, RadiusRule::Metres(_) | RadiusRule::Factor(_));
     if same_mass(target, origin) && gravity == 1.0 && !other_radius {
         draft.warnings.push(already_there(origin, &wanted.contacts_mass));
@@ -165,7 +164,7 @@ fn finish(draft: Draft<'_, '_, '_>, wanted: &Rescale, selected: &Selected, radii
         model,
         &NoteFacts {
             mass_kg: Some(wanted.target_mass_kg),
-            gravity_m_s2: wanted.target_gravity_m_s2.or(model.gravity()),
+            gravity_m_s2: wanted.target_gravity_m_s2.or(model.contacts_gravity()),
             scope: if all { Scope::All } else { Scope::Partial },
             operation: "rescale",
         },

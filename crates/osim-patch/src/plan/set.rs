@@ -110,7 +110,7 @@ pub fn set(model: &Model<'_, '_>, selected: &Selected, wanted: &Set) -> Result<P
         model,
         &NoteFacts {
             mass_kg: wanted.contacts_mass.as_ref().map(|mass| mass.kg),
-            gravity_m_s2: model.gravity(),
+            gravity_m_s2: model.contacts_gravity(),
             scope: Scope::Partial,
             operation: &operation,
         },

@@ -109,7 +109,13 @@ pub fn reference_of_model(
         }
     }
     let name = model.name.clone();
-    Ok(Reference { name, mass, sphere_count, gravity_m_s2: model.gravity().filter(|&g| g > 0.0), contacts })
+    Ok(Reference {
+        name,
+        mass,
+        sphere_count,
+        gravity_m_s2: model.contacts_gravity().filter(|&g| g > 0.0),
+        contacts,
+    })
 }
 
 /// What is wanted of a transfer.
@@ -523,7 +529,8 @@ fn finish(draft: Draft<'_, '_, '_>, wanted: &Transfer, selected: &Selected, radi
         model,
         &NoteFacts {
             mass_kg: Some(wanted.mass.kg),
-            gravity_m_s2: wanted.target_gravity_m_s2.or(model.gravity()),
+            // Without a target, what the reference's contacts stand for.
+            gravity_m_s2: wanted.target_gravity_m_s2.or(wanted.reference.gravity_m_s2).or(model.gravity()),
             scope: if all { Scope::All } else { Scope::Partial },
             operation: "transfer",
         },

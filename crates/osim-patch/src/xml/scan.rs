@@ -94,11 +94,11 @@ impl<'t> Scanner<'t> {
                 Event::Eof => break,
                 Event::Start(tag) => {
                     check_attributes(&tag, start)?;
-                    self.enter(start, PieceKind::Open)?;
+                    self.enter(start, PieceKind::Open, tag.name().as_ref().len())?;
                 }
                 Event::Empty(tag) => {
                     check_attributes(&tag, start)?;
-                    self.enter(start, PieceKind::Empty)?;
+                    self.enter(start, PieceKind::Empty, tag.name().as_ref().len())?;
                     self.leave();
                 }
                 Event::End(_) => {
@@ -135,7 +135,7 @@ impl<'t> Scanner<'t> {
     }
 
     #[expect(clippy::cast_possible_truncation, reason = "files over 4 GiB were refused")]
-    fn enter(&mut self, start: usize, kind: PieceKind) -> Result<(), Fault> {
+    fn enter(&mut self, start: usize, kind: PieceKind, name_len: usize) -> Result<(), Fault> {
         if self.open.is_empty() && !self.elements.is_empty() {
             return Err(SyntaxFault::SecondRoot.at(start));
         }
@@ -143,7 +143,13 @@ impl<'t> Scanner<'t> {
         self.push(start, kind);
         let id = self.elements.len() as u32;
         let parent = self.open.last().copied().unwrap_or(0);
-        self.elements.push(Element { open, close: open, parent, subtree_end: id + 1 });
+        self.elements.push(Element {
+            open,
+            close: open,
+            parent,
+            subtree_end: id + 1,
+            name_len: name_len as u32,
+        });
         self.open.push(id);
         Ok(())
     }

@@ -60,6 +60,8 @@ pub struct Element {
     pub parent: u32,
     /// First element after this one and all below it.
     pub subtree_end: u32,
+    /// Length of the tag name, which starts one byte after the `<`.
+    pub name_len: u32,
 }
 
 /// A scanned document.
@@ -109,6 +111,7 @@ impl<'a> Tree<'a> {
             close: 0,
             parent: 0,
             subtree_end: 0,
+            name_len: 0,
         })
     }
 
@@ -154,10 +157,9 @@ impl<'a> Tree<'a> {
     /// The tag name, as written.
     #[must_use]
     pub fn name(&self, id: ElementId) -> &str {
-        let tag = self.slice(self.open_span(id));
-        let body = tag.get(1..).unwrap_or_default();
-        let end = body.find(|c: char| c.is_ascii_whitespace() || c == '>' || c == '/').unwrap_or(body.len());
-        body.get(..end).unwrap_or_default()
+        let element = self.element(id);
+        let start = self.pieces.get(element.open as usize).map_or(0, |piece| piece.start as usize) + 1;
+        self.slice(start..start + element.name_len as usize)
     }
 
     /// The decoded value of attribute `key`, if the start tag has it.
@@ -165,6 +167,10 @@ impl<'a> Tree<'a> {
     pub fn attribute(&self, id: ElementId, key: &str) -> Option<Cow<'_, str>> {
         let tag = self.slice(self.open_span(id));
         let name = self.name(id);
+        // `<name>` and `<name/>` have no attributes.
+        if tag.len() <= name.len() + 3 {
+            return None;
+        }
         let body = tag.get(1..).unwrap_or_default().trim_end_matches('>').trim_end_matches('/');
         if body.len() == name.len() {
             return None;
