@@ -86,6 +86,10 @@ warning_codes! {
     DefaultStiffness = "default-stiffness":
         "OpenSim's default stiffness (1 N/m2 in SmoothSphereHalfSpaceForce) carries nothing; it is nearly always a forgotten value.";
         "Set a stiffness, for example with transfer --from falisse2022".
+    /// A SmoothSphereHalfSpaceForce has a constant_contact_force of 0.
+    ZeroConstantContactForce = "zero-constant-contact-force":
+        "Simbody divides by the root of the squared slip speed plus constant_contact_force: with 0, the force is NaN whenever the sphere does not slip, even without friction.";
+        "Give it a small value, for example design MODEL --constant-indentation 0.05".
     /// The file has a derivative_smoothing element, which OpenSim ignores.
     DeadDerivativeSmoothing = "dead-derivative-smoothing":
         "derivative_smoothing was the name of constant_contact_force in early Moco. OpenSim ignores it and uses its default of 1e-5 m2 for constant_contact_force.";

@@ -42,6 +42,7 @@ impl Model<'_, '_> {
         self.several_spheres(&mut found);
         self.spheres_in_two_forces(&mut found);
         self.default_stiffness(&mut found);
+        self.zero_constant_contact_force(&mut found);
         self.left_and_right(&mut found);
         self.contact_defaults(&mut found);
         self.objects_of_note(&mut found);
@@ -140,6 +141,18 @@ impl Model<'_, '_> {
                         format!("{}: stiffness is OpenSim's default, {} N/m2", force.path, value.number);
                     found.push(Warning::at(WarningCode::DefaultStiffness, set.line, text));
                 }
+            }
+        }
+    }
+
+    fn zero_constant_contact_force(&self, found: &mut Vec<Warning>) {
+        for force in &self.forces {
+            let zero = force.value(0, Property::ConstantContactForce).filter(|value| value.number == 0.0);
+            if let Some(value) = zero {
+                let line = self.file(force.file).line(value.offset);
+                let text =
+                    format!("{}: constant_contact_force is 0: OpenSim computes NaN without slip", force.path);
+                found.push(Warning::at(WarningCode::ZeroConstantContactForce, line, text));
             }
         }
     }

@@ -1,0 +1,146 @@
+//! The plan and its edits: lines, scopes, notes, and files that belong together.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    missing_docs,
+    reason = "a test fails by panicking"
+)]
+
+use osim_patch::{
+    Document, Mass, MassRequest, MassSource, Model, Origin, Part, Plan, Property, PropertySet, RadiusRule,
+    Rescale, Scope, Selection, rescale,
+};
+
+const ONE_FOOT: &str = include_str!("data/one_foot.osim");
+
+fn wanted(target_mass_kg: f64, origin_kg: f64) -> Rescale {
+    Rescale {
+        target_mass_kg,
+        contacts_mass: Mass { kg: origin_kg, source: MassSource::Option, told_by: "the test".into() },
+        radius: RadiusRule::Isometric,
+        properties: PropertySet::default(),
+        dissipation_by: Default::default(),
+        target_gravity_m_s2: None,
+        level: None,
+    }
+}
+
+fn plan(model: &Model<'_, '_>, wanted: &Rescale) -> Plan {
+    let selected = Selection::default().apply(model).unwrap();
+    rescale(model, &selected, wanted).unwrap()
+}
+
+/// Rescales `text` and returns the plan and the new text.
+fn rescaled(text: &str, change: impl FnOnce(&mut Rescale), note: bool) -> (Plan, String) {
+    let document = Document::parse(text.as_bytes()).unwrap();
+    let model = Model::read(&document).unwrap();
+    let origin = MassRequest::default().of_contacts(&model, &mut vec![]).unwrap().kg;
+    let mut wanted = wanted(8.0 * origin, origin);
+    change(&mut wanted);
+    let mut plan = plan(&model, &wanted);
+    if !note {
+        plan.without_note();
+    }
+    let bytes = plan.patched(&model, 0).unwrap();
+    (plan, String::from_utf8(bytes).unwrap())
+}
+
+/// Line (from 1) of the first line that holds `what`.
+fn line_of(text: &str, what: &str) -> usize {
+    text.lines().position(|line| line.contains(what)).unwrap() + 1
+}
+
+#[test]
+fn changes_name_the_line_of_the_number_or_of_the_object_that_gets_it() {
+    let (plan, _) = rescaled(ONE_FOOT, |_| (), true);
+    let line = |property| plan.changes.iter().find(|change| change.property == property).unwrap().line;
+    assert_eq!(line(Property::Radius), line_of(ONE_FOOT, "<radius>"));
+    assert_eq!(line(Property::Stiffness), line_of(ONE_FOOT, "<stiffness>"));
+    assert_eq!(line(Property::HertzSmoothing), line_of(ONE_FOOT, "<SmoothSphereHalfSpaceForce"));
+}
+
+#[test]
+fn origins_are_called_as_the_json_has_them() {
+    let names = [Origin::Element, Origin::Defaults, Origin::ClassDefault].map(Origin::as_str);
+    assert_eq!(names, ["element", "defaults", "class default"]);
+}
+
+#[test]
+fn the_scope_is_partial_once_a_default_property_is_left_behind() {
+    let scope = |change: fn(&mut Rescale)| rescaled(ONE_FOOT, change, true).0.note().unwrap().scope;
+    assert_eq!(scope(|_| ()), Scope::All);
+    // With radii that stay, the others follow from that: nothing is left behind.
+    assert_eq!(scope(|wanted| wanted.radius = RadiusRule::Keep), Scope::All);
+    assert_eq!(
+        scope(|wanted| wanted.properties = PropertySet::default().restricted(&[Property::Stiffness], &[])),
+        Scope::Partial
+    );
+    assert_eq!(
+        scope(
+            |wanted| wanted.properties = PropertySet::default().restricted(&[], &[Property::HertzSmoothing])
+        ),
+        Scope::Partial
+    );
+    assert_eq!(
+        scope(|wanted| wanted.properties = PropertySet::default().restricted(&[], &[Property::Radius])),
+        Scope::All
+    );
+}
+
+#[test]
+fn a_note_is_one_line_more_and_without_a_new_one_the_old_one_goes() {
+    let lines = |text: &str| text.lines().count();
+    let (_, noted) = rescaled(ONE_FOOT, |_| (), true);
+    let (_, plain) = rescaled(ONE_FOOT, |_| (), false);
+    assert_eq!(lines(&noted), lines(&plain) + 1);
+    let (_, again) = rescaled(&noted, |_| (), true);
+    assert_eq!((lines(&again), again.matches("osim-contact-scale").count()), (lines(&noted), 1));
+    let (_, without) = rescaled(&noted, |_| (), false);
+    assert_eq!((lines(&without), without.matches("osim-contact-scale").count()), (lines(&plain), 0));
+    // Nothing to change: the note stays, and every other byte.
+    let (nothing, same) = rescaled(&noted, |wanted| wanted.target_mass_kg = wanted.contacts_mass.kg, false);
+    assert!(nothing.is_empty());
+    assert_eq!(same, noted);
+}
+
+#[test]
+fn every_file_of_a_standalone_pair_gets_its_edits_and_the_model_beside_it_none() {
+    let forces = include_str!("../../../fixtures/format/standalone_ForceSet.xml");
+    let geometry = include_str!("../../../fixtures/format/standalone_ContactGeometrySet.xml");
+    let bones = include_str!("../../../fixtures/format/standalone_model_without_contacts.osim");
+    let documents = [forces, geometry, bones].map(|text| Document::parse(text.as_bytes()).unwrap());
+    let part = |index: usize| Part { document: &documents[index], included_by: None };
+    let model = Model::read_with(&documents[0], &[part(1), part(2)]).unwrap();
+    let mut wanted = wanted(8.0, 1.0);
+    let plan_of = |wanted: &Rescale| plan(&model, wanted);
+    let grown = plan_of(&wanted);
+    let text = |plan: &Plan, file| String::from_utf8(plan.patched(&model, file).unwrap()).unwrap();
+    let digest = &grown.note().unwrap().digest;
+    assert!(text(&grown, 0).contains(digest) && text(&grown, 1).contains(digest));
+    assert_eq!(text(&grown, 2), bones);
+    assert!(grown.changes.iter().any(|change| change.file == 1 && change.property == Property::Radius));
+    // Radii that stay: the geometry set still gets the common note, so that the pair stays one.
+    wanted.radius = RadiusRule::Keep;
+    let kept = plan_of(&wanted);
+    assert_eq!(kept.edits(&model, 1).len(), 1);
+    assert!(text(&kept, 1).contains(&kept.note().unwrap().digest));
+    assert_eq!(text(&kept, 2), bones);
+}
+
+#[test]
+fn a_location_is_three_finite_numbers_or_the_origin() {
+    for (location, expected) in [
+        ("1 2 3", [1.0, 2.0, 3.0]),
+        ("1,2,3", [1.0, 2.0, 3.0]),
+        ("1 2 3 4", [0.0; 3]),
+        ("1 2", [0.0; 3]),
+        ("1 nan 3", [0.0; 3]),
+        ("1 2x 3", [0.0; 3]),
+    ] {
+        let text = ONE_FOOT.replace("<radius>", &format!("<location>{location}</location><radius>"));
+        let document = Document::parse(text.as_bytes()).unwrap();
+        assert_eq!(Model::read(&document).unwrap().spheres[0].location_m, expected, "{location}");
+    }
+}
