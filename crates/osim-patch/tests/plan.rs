@@ -106,6 +106,24 @@ fn a_note_is_one_line_more_and_without_a_new_one_the_old_one_goes() {
 }
 
 #[test]
+fn the_note_goes_on_saying_which_gravity_the_contacts_stand_for() {
+    let gravity = |plan: &Plan| plan.note().unwrap().gravity_m_s2;
+    let (moon, on_moon) = rescaled(ONE_FOOT, |wanted| wanted.target_gravity_m_s2 = Some(1.62), true);
+    assert_eq!(gravity(&moon), Some(1.62));
+    // Another mass, and no word of gravity: still the moon's.
+    let (heavier, _) = rescaled(&on_moon, |_| (), true);
+    assert_eq!(gravity(&heavier), Some(1.62));
+    // Back to where the model itself is: the factors are those of a return, not of a second departure.
+    let back = |wanted: &mut Rescale| {
+        wanted.target_mass_kg = wanted.contacts_mass.kg;
+        wanted.target_gravity_m_s2 = Some(9.81);
+    };
+    let (home, _) = rescaled(&on_moon, back, true);
+    let stiffness = home.changes.iter().find(|change| change.property == Property::Stiffness).unwrap();
+    assert!((stiffness.factor.unwrap() - 9.81 / 1.62).abs() < 1e-12);
+}
+
+#[test]
 fn every_file_of_a_standalone_pair_gets_its_edits_and_the_model_beside_it_none() {
     let forces = include_str!("../../../fixtures/format/standalone_ForceSet.xml");
     let geometry = include_str!("../../../fixtures/format/standalone_ContactGeometrySet.xml");
