@@ -1,1 +1,79 @@
-//! The verbs that work with the paper's equations, from outside.
+//! The verbs that work with the paper's equations, from outside: design, set, drop-test, fit, presets.
+//!
+//! Expected numbers come from the paper's Table 1, from the real OpenSim, or from mpmath 1.3.0 with 40 digits; the comment
+//! beside them says which. None is copied from what the command prints. Layout and wording are snapshots.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::print_stderr,
+    missing_docs,
+    reason = "a test fails by panicking and says aloud what it skips"
+)]
+
+#[path = "physics/design.rs"]
+mod design;
+#[path = "physics/drop_test.rs"]
+mod drop_test;
+#[path = "physics/fit.rs"]
+mod fit;
+#[path = "physics/presets.rs"]
+mod presets;
+#[path = "physics/set.rs"]
+mod set;
+#[path = "command/support.rs"]
+#[allow(dead_code, reason = "shared with the tests of the command, which use all of it")]
+mod support;
+
+use std::collections::BTreeMap;
+
+use serde_json::Value;
+
+use support::Ran;
+
+/// The one JSON object that a run prints.
+#[track_caller]
+fn object(ran: &Ran) -> Value {
+    let text = ran.out();
+    assert_eq!(text.lines().count(), 1, "{text}");
+    serde_json::from_str(&text).unwrap_or_else(|error| panic!("{error}: {text}"))
+}
+
+/// A number of a JSON object.
+#[track_caller]
+fn figure(object: &Value, name: &str) -> f64 {
+    object[name].as_f64().unwrap_or_else(|| panic!("no number '{name}' in {object}"))
+}
+
+/// `seen` is `expected` within a relative distance.
+#[track_caller]
+fn assert_close(seen: f64, expected: f64, within: f64, what: &str) {
+    assert!((seen - expected).abs() <= within * expected.abs(), "{what}: {seen:?}, expected {expected:?}");
+}
+
+/// What a run of a changing verb, with `--format json`, changes: property to `(from, to)`, equal for all that have it.
+#[track_caller]
+fn changes(ran: &Ran) -> BTreeMap<String, (f64, f64)> {
+    let plan = object(ran);
+    let mut seen: BTreeMap<String, (f64, f64)> = BTreeMap::new();
+    for change in plan["changes"].as_array().unwrap() {
+        let name = change["property"].as_str().unwrap().to_owned();
+        let values = (figure(change, "from"), figure(change, "to"));
+        let first = *seen.entry(name.clone()).or_insert(values);
+        assert_eq!(values, first, "{name} is not the same everywhere");
+    }
+    seen
+}
+
+/// Lines that differ between two texts of the same number of lines, without notes: `(before, after)`, trimmed.
+#[track_caller]
+fn changed_lines(before: &str, after: &str) -> Vec<(String, String)> {
+    let body = |text: &str| -> Vec<String> {
+        let lines = text.lines().filter(|line| !line.contains("<!-- osim-contact-scale"));
+        lines.map(|line| line.trim().to_owned()).collect()
+    };
+    let (before, after) = (body(before), body(after));
+    assert_eq!(before.len(), after.len(), "lines came or went");
+    before.into_iter().zip(after).filter(|(old, new)| old != new).collect()
+}

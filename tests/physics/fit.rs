@@ -1,0 +1,226 @@
+//! `fit`: a measured curve gives back what made it, whatever spreadsheet it went through.
+
+use crate::support::{Bench, Ran};
+use crate::{assert_close, figure, object};
+
+/// What made the curve: n, R, E*, α and the onset.
+const COUNT: f64 = 6.0;
+const RADIUS: f64 = 0.032;
+const MODULUS: f64 = 4e5;
+const DISSIPATION: f64 = 0.8;
+const ONSET: f64 = 0.0005;
+
+/// Time, indentation, speed and force by (1) with (12), in SI units: in and out again within 0.2 s.
+fn curve() -> Vec<[f64; 4]> {
+    let half = std::f64::consts::PI / 0.2;
+    (0..=40)
+        .map(|step| {
+            let time = 0.005 * f64::from(step);
+            let indentation = 0.0002 + 0.0045 * (half * time).sin().powi(2);
+            let speed = 0.0045 * half * (2.0 * half * time).sin();
+            let depth = (indentation - ONSET).max(0.0);
+            let elastic = COUNT * 4.0 / 3.0 * RADIUS.sqrt() * MODULUS * depth.powf(1.5);
+            [time, indentation, speed, elastic * (1.0 + 1.5 * DISSIPATION * speed)]
+        })
+        .collect()
+}
+
+/// The curve as CSV text: columns in other units, cells joined by `between`, `decimal` for the point.
+fn csv(header: &str, units: [f64; 4], between: &str, decimal: &str) -> String {
+    let mut text = format!("{}\n", header.replace(',', between));
+    for row in curve() {
+        let cells =
+            row.iter().zip(units).map(|(value, unit)| format!("{:?}", value / unit).replace('.', decimal));
+        text.push_str(&format!("{}\n", cells.collect::<Vec<_>>().join(between)));
+    }
+    text
+}
+
+const HEADER: &str = "time,indentation,speed,force";
+const SI: [f64; 4] = [1.0; 4];
+
+fn plain() -> Bench {
+    let bench = Bench::new();
+    bench.write("curve.csv", csv(HEADER, SI, ",", "."));
+    bench
+}
+
+#[track_caller]
+fn is_the_truth(ran: &Ran) {
+    let fit = object(ran);
+    let value = |name: &str| figure(&fit[name], "value");
+    assert_close(value("composite_modulus_n_m2"), MODULUS, 1e-9, "E*");
+    // (A.4): 2^(3/2) · 4e5 = 8e5 √2.
+    assert_close(value("stiffness"), 8e5 * std::f64::consts::SQRT_2, 1e-9, "E1*");
+    assert_close(value("dissipation"), DISSIPATION, 1e-8, "dissipation");
+    assert_close(value("onset_m"), ONSET, 1e-8, "onset");
+    assert_close(figure(&fit, "r_squared"), 1.0, 1e-12, "R²");
+    // The deepest row: (0.0047 − 0.0005)/0.032; the fastest: 0.0045 π/0.2.
+    assert_close(figure(&fit, "largest_relative_indentation"), 0.131_25, 1e-7, "x̂");
+    assert_close(figure(&fit, "largest_speed_m_s"), 0.0045 * std::f64::consts::PI / 0.2, 1e-9, "speed");
+    // (13): 1 − α ẋ.
+    assert_close(
+        figure(&fit, "restitution"),
+        1.0 - DISSIPATION * 0.0045 * std::f64::consts::PI / 0.2,
+        1e-8,
+        "c_r",
+    );
+    assert_eq!(
+        (fit["hertz_holds"].as_bool(), fit["hunt_crossley_holds"].as_bool()),
+        (Some(true), Some(true))
+    );
+}
+
+const ALL: &str = "--radius 0.032 --spheres 6 --onset fit --speed-column speed --format json";
+
+#[test]
+fn a_curve_gives_back_what_made_it() {
+    let bench = plain();
+    let ran = bench.run(&format!("fit curve.csv {ALL}")).done().wrote_nothing();
+    is_the_truth(&ran);
+    let fit = object(&ran);
+    assert_eq!(fit["schema_version"], 1);
+    assert_eq!(fit["file"], "curve.csv");
+    assert_eq!((figure(&fit, "sphere_count"), figure(&fit, "radius_m")), (COUNT, RADIUS));
+    assert_eq!(fit["parameters"], serde_json::json!(["composite_modulus_n_m2", "dissipation", "onset_m"]));
+    assert_eq!(fit["degrees_of_freedom"], 38);
+    let covariance = fit["covariance"].as_array().unwrap();
+    assert!(covariance.len() == 3 && covariance.iter().all(|row| row.as_array().unwrap().len() == 3));
+    let lines: Vec<_> =
+        fit["residuals"]["line"].as_array().unwrap().iter().map(|l| l.as_u64().unwrap()).collect();
+    assert_eq!(lines, (2..=42).collect::<Vec<_>>());
+    // From standard input too.
+    is_the_truth(
+        &bench.run_with(&format!("fit - {ALL}"), &std::fs::read(bench.path("curve.csv")).unwrap()).done(),
+    );
+}
+
+#[test]
+fn units_delimiters_and_decimal_commas_change_nothing() {
+    let bench = Bench::new();
+    // A spreadsheet of continental Europe: a byte order mark, ; between cells, decimal commas, CRLF, mm, kN, ms.
+    let names = "Zeit,Eindringtiefe,Geschwindigkeit,Kraft";
+    let columns = "--indentation-column eindringtiefe --force-column KRAFT --speed-column Geschwindigkeit \
+                   --indentation-unit mm --force-unit kN --speed-unit mm/s --radius 0.032 --spheres 6 --onset fit --format json";
+    let text = csv(names, [1e-3, 1e-3, 1e-3, 1e3], ";", ",").replace('\n', "\r\n");
+    bench.write("eu.csv", [b"\xEF\xBB\xBF".as_slice(), text.as_bytes()].concat());
+    is_the_truth(&bench.run(&format!("fit eu.csv {columns}")).done());
+    bench.write("tabs.tsv", csv(HEADER, SI, "\t", "."));
+    is_the_truth(&bench.run(&format!("fit tabs.tsv {ALL}")).done());
+    bench.write("comma_tabs.tsv", csv(HEADER, SI, "\t", ","));
+    is_the_truth(&bench.run(&format!("fit comma_tabs.tsv {ALL}")).done());
+    bench.write("micro.csv", csv(HEADER, [1.0, 1e-6, 1.0, 1e-3], ",", "."));
+    is_the_truth(&bench.run(&format!("fit micro.csv {ALL} --indentation-unit um --force-unit mN")).done());
+}
+
+#[test]
+fn a_time_stands_in_for_a_speed() {
+    let bench = Bench::new();
+    bench.write("curve.csv", csv(HEADER, [1e-3, 1.0, 1.0, 1.0], ",", "."));
+    let options = "--radius 0.032 --spheres 6 --onset 0.0005 --time-column time --time-unit ms --format json";
+    let fit = object(&bench.run(&format!("fit curve.csv {options}")).done());
+    // Differences of 5 ms: sin(2π/40)/(2π/40) = 0.9959 of the speed, so α comes out 0.4 % high.
+    assert_close(figure(&fit["dissipation"], "value"), DISSIPATION, 6e-3, "dissipation");
+    assert_close(figure(&fit["composite_modulus_n_m2"], "value"), MODULUS, 1e-3, "E*");
+    assert!(fit["onset_m"].is_null(), "it was given");
+}
+
+#[test]
+fn without_a_rate_the_branches_lie_on_either_side() {
+    let bench = plain();
+    let fit = |branch: &str| {
+        let options = "--radius 0.032 --spheres 6 --onset 0.0005 --format json";
+        object(&bench.run(&format!("fit curve.csv {options} --branch {branch}")).done())
+    };
+    let modulus = |branch: &str| figure(&fit(branch)["composite_modulus_n_m2"], "value");
+    // Going in, dissipation adds to the force; coming out it takes away.
+    assert!(modulus("loading") > MODULUS && MODULUS > modulus("unloading"));
+    let both = fit("both");
+    assert!(
+        both["dissipation"].is_null()
+            && both["restitution"].is_null()
+            && both["hunt_crossley_holds"].is_null()
+    );
+    let rows = |branch: &str| fit(branch)["residuals"]["force_n"].as_array().unwrap().len();
+    assert_eq!((rows("loading"), rows("unloading"), rows("both")), (21, 20, 41));
+}
+
+#[test]
+fn limits_are_told() {
+    let bench = plain();
+    // The same curve on a sphere of 10 mm: x̂ = 0.42.
+    bench
+        .run("fit curve.csv --radius 0.01 --onset 0.0005")
+        .done()
+        .says(&["outside the Hertz law (at most 0.16)"]);
+    bench
+        .run("fit curve.csv --radius 0.032 --onset 0.0005")
+        .done()
+        .says(&["within the Hertz law", "no speed is known"]);
+}
+
+#[test]
+fn bad_tables_name_the_place() {
+    let bench = Bench::new();
+    for (text, words) in [
+        ("indentation,force\n0.001,1\n0.002,abc\n", ["line 3, column 'force'", "'abc' is no number"]),
+        ("indentation,force\n0.001,1\n0.002,\n", ["line 3, column 'force'", "is empty"]),
+        ("indentation,force\n0.001,1\n0.002\n", ["line 3", "1 cells, expected 2"]),
+        ("indentation,force\n0.001,nan\n", ["line 2, column 'force'", "'nan'"]),
+        ("indentation,force\n\"0,001\",1\n", ["line 2, column 'indentation'", "decimal comma"]),
+        ("indentation;force\n1.000,5;1\n", ["line 2, column 'indentation'", "separators between thousands"]),
+        ("indentation,force\nm,N\n0.001,1\n", ["line 2, column 'indentation'", "'m' is no number"]),
+        ("depth,load\n0.001,1\n", ["no column 'indentation'", "'depth', 'load'"]),
+        ("", ["no column 'indentation'", "nothing"]),
+        ("indentation,force\n0.001,1\n", ["1 rows are in contact", "at least 2"]),
+        (
+            "indentation,force\n0.001,2\n0.002,-4\n0.003,-9\n",
+            ["composite modulus", "rises with the indentation"],
+        ),
+    ] {
+        bench.write("bad.csv", text);
+        bench.run("fit bad.csv --radius 0.032").failed().says(&["bad.csv: "]).says(&words);
+    }
+    bench.write("bad.csv", "time,indentation,force\n0,0.001,1\n1,0.002,3\n1,0.003,5\n2,0.003,5\n");
+    bench
+        .run("fit bad.csv --radius 0.032 --time-column time")
+        .failed()
+        .says(&["line 3", "time does not rise"]);
+    let utf16: Vec<u8> = "indentation,force\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+    bench.write("wide.csv", [b"\xFF\xFE".as_slice(), &utf16].concat());
+    bench.run("fit wide.csv --radius 0.032").failed().says(&["UTF-16", "UTF-8"]);
+    bench.run("fit nowhere.csv --radius 0.032").failed().says(&["no such file"]);
+}
+
+#[test]
+fn wrong_usage_is_wrong_usage() {
+    let bench = plain();
+    bench.run("fit curve.csv").usage().says(&["--radius"]);
+    bench.run("fit curve.csv --radius 0.032 --onset late").usage().says(&["--onset 'late'"]);
+    bench
+        .run("fit curve.csv --radius 0.032 --speed-column speed --time-column time")
+        .usage()
+        .says(&["--time-column"]);
+    bench.run("fit curve.csv --radius 0.032 --force-unit lbf").usage().says(&["--force-unit"]);
+}
+
+#[test]
+fn how_it_looks() {
+    let bench = Bench::new();
+    // Measured numbers with scatter.
+    let scatter = [0.4, -0.3, 0.1, -0.5, 0.6, -0.2, 0.3, -0.4, 0.0, 0.2];
+    let mut text = "depth_mm;force_N\n".to_owned();
+    for (step, error) in (1..).zip(scatter) {
+        let depth = 0.4 * f64::from(step);
+        let force = 6.0 * 4.0 / 3.0 * RADIUS.sqrt() * MODULUS * (depth * 1e-3).powf(1.5) + error;
+        text.push_str(&format!("{depth:.1};{force:.2}\n").replace('.', ","));
+    }
+    bench.write("heel.csv", text);
+    let columns = "--indentation-column depth_mm --indentation-unit mm --force-column force_N";
+    bench.run(&format!("fit heel.csv --radius 0.032 --spheres 6 {columns}")).looks_like("physics_fit");
+    bench
+        .run(&format!("fit heel.csv --radius 0.032 --spheres 6 {columns} --onset fit"))
+        .looks_like("physics_fit_onset");
+    bench.write("bad.csv", "indentation,force\n0.001,1\n0.002,abc\n");
+    bench.run("fit bad.csv --radius 0.032 --format json").looks_like("physics_fit_bad_cell");
+}
