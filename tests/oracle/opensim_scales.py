@@ -1,0 +1,73 @@
+"""Scale models with the real OpenSim: `opensim_scales.py < jobs.json`
+
+A job is `{"model", "output", "factors": {body: [x, y, z]}, "mass"}`: `Model.scale` with a ScaleSet, preserving the mass
+distribution; or `{"setup", "output"}`: the Scale Tool from a setup XML, run in the folder of `output`. One fresh process for
+each job. Printed: for each job the bodies' masses and, per sphere, the rotation of its frame in its body, row by row.
+"""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+
+def scaled(job):
+    """What one job gave; the caller's process stays free of OpenSim."""
+    with tempfile.TemporaryDirectory() as folder:
+        done = subprocess.run(
+            [sys.executable, __file__], input=json.dumps(job), capture_output=True, text=True, check=True, cwd=folder
+        )
+    return json.loads(done.stdout)
+
+
+def scale_here(job):
+    """One job, in this process."""
+    import opensim
+
+    if "setup" in job:
+        os.chdir(Path(job["output"]).parent)
+        opensim.ScaleTool(job["setup"]).run()  # its answer is about markers
+        return described(opensim, opensim.Model(job["output"]))
+    model = opensim.Model(job["model"])
+    state = model.initSystem()
+    scales = opensim.ScaleSet()
+    for body, factors in job["factors"].items():
+        one = opensim.Scale()
+        one.setSegmentName(body)
+        one.setScaleFactors(opensim.Vec3(*factors))
+        one.setApply(True)
+        scales.cloneAndAppend(one)
+    if not model.scale(state, scales, True, job["mass"]):
+        raise SystemExit("Model.scale failed")
+    model.printToXML(job["output"])
+    scales.printToXML(job["output"] + ".scales.xml")
+    return described(opensim, model)
+
+
+def described(opensim, model):
+    """Masses and the frames of spheres."""
+    state = model.initSystem()
+    model.realizePosition(state)
+    bodies = model.getBodySet()
+    found = {"bodies": {bodies.get(i).getName(): bodies.get(i).getMass() for i in range(bodies.getSize())}}
+    found["rotations"] = {}
+    for component in list(model.getComponentsList()):
+        if component.getConcreteClassName() == "ContactSphere":
+            frame = opensim.PhysicalFrame.safeDownCast(component.getConnectee("frame"))
+            base = opensim.PhysicalFrame.safeDownCast(frame.findBaseFrame())
+            # Where the frame's axes point in the body: the columns.
+            axes = [opensim.Vec3(*(float(i == j) for i in range(3))) for j in range(3)]
+            axes = [frame.expressVectorInAnotherFrame(state, axis, base) for axis in axes]
+            rows = [[axis.get(i) for axis in axes] for i in range(3)]
+            found["rotations"][component.getName()] = {"body": base.getName(), "rows": rows}
+    return found
+
+
+if __name__ == "__main__":
+    import opensim
+
+    opensim.Logger.removeFileSink()
+    opensim.Logger.setLevelString("Off")
+    print(json.dumps(scale_here(json.load(sys.stdin))))

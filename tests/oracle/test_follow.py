@@ -1,0 +1,232 @@
+"""Models that the real OpenSim has scaled, and contacts that follow: the numbers come from OpenSim and from NumPy.
+
+`Model.scale` with a ScaleSet, preserving the mass distribution, and the Scale Tool from a setup XML: neither touches contacts.
+What `transfer --follow-bodies` makes of them is read by OpenSim again.
+"""
+
+import json
+import shutil
+import subprocess
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import command
+import models
+import rules
+from opensim_scales import scaled
+
+TOLERANCE = 1e-12
+AGREEMENT = 1e-9  # of sources of factors: short offsets lose digits
+COINCIDENCE = 1e-6  # of dimensionless drops
+S = 1.3
+
+OURS = [models.FIXTURES / "scale_tool" / f"generic_{kind}.osim" for kind in ("smooth", "hunt_crossley")]
+CORPUS = ("v40000_falisse_2022_human", "v40000_opencap_lai_arnold_crlf", "v30000_osim_rl_gait9dof18musc_crlf")
+
+
+def generic_models():
+    """Ours, and three of other people: new, with CRLF ends, and one of version 3, which OpenSim saves as version 4."""
+    yield from (pytest.param(path, id=path.stem) for path in OURS)
+    for name in CORPUS:
+        path = Path(models.CORPUS or ".") / f"{name}.osim"
+        skip = pytest.mark.skipif(not models.CORPUS, reason=models.NO_CORPUS)
+        yield pytest.param(path, id=name, marks=skip)
+
+
+ALL = list(generic_models())
+
+
+def bodies_of(reading):
+    return [body["path"].rsplit("/", 1)[-1] for body in reading["bodies"]]
+
+
+def mass_of(reading):
+    return float.fromhex(reading["mass_sum"])
+
+
+def uneven(bodies):
+    """Factors that differ by body and axis, always the same ones."""
+    draw = np.random.default_rng(20260521)
+    return {body: [round(float(f), 3) for f in draw.uniform(0.8, 1.25, 3)] for body in sorted(bodies)}
+
+
+def opensim_scales(path, folder, factors, mass):
+    """The model as OpenSim has scaled it, where its ScaleSet is, and what OpenSim says of its frames."""
+    output = folder / f"scaled_{path.name}"
+    found = scaled({"model": str(path), "output": str(output), "factors": factors, "mass": mass})
+    return output, Path(f"{output}.scales.xml"), found
+
+
+def follow(model, generic, output, *more):
+    outcome = command.run("transfer", model, "--from", generic, "--follow-bodies", "-o", output, *more)
+    assert outcome.status == 0, outcome
+    return outcome.report
+
+
+def numbers(reading):
+    """`{(path, set, property): value}` of contacts as OpenSim reads them; locations are arrays."""
+    found = {}
+    for force in reading["forces"]:
+        for name, value in force["parameters"].items():
+            found[force["path"], force["set"], name] = float.fromhex(value)
+    for sphere in reading["spheres"]:
+        found[sphere["path"], None, "radius"] = float.fromhex(sphere["radius"])
+        found[sphere["path"], None, "location"] = np.array([float.fromhex(value) for value in sphere["location"]])
+    return found
+
+
+def json_is_what_opensim_reads(report, before, after):
+    """Each `from` and `to` bit for bit, and nothing else has changed."""
+    old, new = numbers(before), numbers(after)
+    planned = {(change["path"], change["set"], change["property"]): change for change in report["changes"]}
+    assert len(planned) == len(report["changes"])
+    assert set(old) == set(new)
+    for place, change in planned.items():
+        for side, reading in (("from", old), ("to", new)):
+            assert isinstance(change[side], list) == (place[2] == "location")
+            assert np.array_equal(np.array(change[side]), reading[place]), (place, side)
+    for place in set(old) - set(planned):
+        assert np.array_equal(old[place], new[place]), f"not planned, and yet changed: {place}"
+
+
+def near(value, wanted, where):
+    """Relatively, to the longest of a vector."""
+    value, wanted = np.asarray(value), np.asarray(wanted)
+    assert np.max(np.abs(value - wanted)) <= TOLERANCE * np.max(np.abs(wanted)), (where, value, wanted)
+
+
+def contacts(reading):
+    """Forces of the reading, each with its moving spheres."""
+    for force in reading["forces"]:
+        paths = set(force["geometry"])
+        moving = [s for s in reading["spheres"] if s["path"] in paths and s["base"] not in reading["fixed"]]
+        if moving:
+            yield force, moving
+
+
+@pytest.mark.parametrize("path", ALL)
+def test_a_uniform_factor_scales_every_number_by_its_exponent(path, tmp_path, readings):
+    generic = readings[path]
+    output, _, _ = opensim_scales(path, tmp_path, {body: [S] * 3 for body in bodies_of(generic)}, mass_of(generic) * S**3)
+    followed = tmp_path / "followed.osim"
+    report = follow(output, path, followed)
+    json_is_what_opensim_reads(report, readings[output], readings[followed])
+    before, after = numbers(generic), numbers(readings[followed])
+    exponents = {
+        "stiffness": 1,
+        "dissipation": -0.5,
+        "constant_contact_force": 2,
+        "hertz_smoothing": -1,
+        "hunt_crossley_smoothing": -0.5,
+    }
+    for force, spheres in contacts(generic):
+        for name in rules.scaled_properties(force["type"]):
+            place = force["path"], force["set"], name
+            near(after[place], before[place] * S ** exponents[name], place)
+        for sphere in spheres:
+            for name in ("radius", "location"):
+                place = sphere["path"], None, name
+                near(after[place], before[place] * S, place)
+
+    # The same contacts as the generic model's own, scaled by mass.
+    alone = tmp_path / "by_mass.osim"
+    assert command.rescale(path, mass_of(generic) * S**3, alone).status == 0
+    for place, value in numbers(readings[alone]).items():
+        if place[2] != "location":
+            near(after[place], value, place)
+
+
+def expected(generic, scaled_reading, factors, rotations):
+    """What the rule and R^T S R give, in NumPy."""
+    mu = mass_of(scaled_reading) / mass_of(generic)
+    old, wanted = numbers(generic), {}
+    for force, spheres in contacts(generic):
+        before, after = [], []
+        for sphere in spheres:
+            frame = rotations[sphere["path"].rsplit("/", 1)[-1]]
+            turned, scale = np.array(frame["rows"]), np.array(factors[frame["body"]])
+            radius, location = old[sphere["path"], None, "radius"], old[sphere["path"], None, "location"]
+            before.append(radius)
+            after.append(radius * np.prod(scale) ** (1 / 3))
+            wanted[sphere["path"], None, "radius"] = after[-1]
+            wanted[sphere["path"], None, "location"] = turned.T @ np.diag(scale) @ turned @ location
+        rho = np.sqrt(np.mean(np.square(after)) / np.mean(np.square(before)))
+        factor = rules.factors(mu, rho)
+        for name in rules.scaled_properties(force["type"]):
+            place = force["path"], force["set"], name
+            wanted[place] = old[place] * factor[name]
+    return wanted
+
+
+@pytest.mark.parametrize("path", ALL)
+def test_uneven_factors_and_turned_frames(path, tmp_path, readings):
+    generic = readings[path]
+    factors = uneven(bodies_of(generic))
+    output, scale_file, found = opensim_scales(path, tmp_path, factors, 0.8 * mass_of(generic))
+    followed = tmp_path / "followed.osim"
+    report = follow(output, path, followed, "--body-scale-file", scale_file)
+    json_is_what_opensim_reads(report, readings[output], readings[followed])
+    after = numbers(readings[followed])
+    for place, value in expected(generic, readings[output], factors, found["rotations"]).items():
+        near(after[place], value, place)
+
+
+@pytest.mark.parametrize("path", ALL)
+def test_sources_of_factors_agree(path, tmp_path, readings):
+    """Scale file, meshes and joint offsets, wherever they determine an axis; each alone gives what it determines."""
+    factors = uneven(bodies_of(readings[path]))
+    output, scale_file, _ = opensim_scales(path, tmp_path, factors, 0.8 * mass_of(readings[path]))
+    outcome = command.inspect(output, "--from", path, "--body-scale-file", scale_file)
+    assert outcome.status == 0
+    said = {}
+    for body in outcome.report["body_factors"]:
+        for source, values in body["said"].items():
+            told = [(body["body"], axis, value) for axis, value in zip("xyz", values) if value is not None]
+            said.setdefault(source, []).extend(told)
+    assert said["joint offset"] and said["scale file"]
+    if path in OURS:
+        assert len(said["mesh"]) == 3 * len(factors)
+    for source, values in said.items():
+        for body, axis, value in values:
+            assert np.isclose(value, factors[body]["xyz".index(axis)], rtol=AGREEMENT, atol=0), (source, body, axis)
+    assert not [warning for warning in outcome.report["warnings"] if warning["code"] == "factors-disagree"]
+
+
+@pytest.mark.parametrize("kind", ["smooth", "hunt_crossley"])
+def test_the_scale_tool_from_a_setup(kind, tmp_path, readings):
+    """The fixture is what the Scale Tool writes; the applied ScaleSet is read as OpenSim's Scale Tool wrote it."""
+    for name in (f"generic_{kind}.osim", f"setup_{kind}.xml"):
+        shutil.copy(models.FIXTURES / "scale_tool" / name, tmp_path)
+    output = tmp_path / f"scaled_{kind}.osim"
+    found = scaled({"setup": str(tmp_path / f"setup_{kind}.xml"), "output": str(output)})
+    for name in (output.name, "applied_scale_set.xml"):
+        assert (tmp_path / name).read_bytes() == (models.FIXTURES / "scale_tool" / name).read_bytes()
+    applied = ElementTree.parse(tmp_path / "applied_scale_set.xml")
+    factors = {s.findtext("segment"): [float(f) for f in s.findtext("scales").split()] for s in applied.iter("Scale")}
+    generic, followed = tmp_path / f"generic_{kind}.osim", tmp_path / "followed.osim"
+    report = follow(output, generic, followed, "--body-scale-file", tmp_path / "applied_scale_set.xml")
+    json_is_what_opensim_reads(report, readings[output], readings[followed])
+    after = numbers(readings[followed])
+    for place, value in expected(readings[generic], readings[output], factors, found["rotations"]).items():
+        near(after[place], value, place)
+
+
+def apart(model, other):
+    """How far two drops lie apart in dimensionless form: height over radius, force over body weight."""
+    call = [str(command.BINARY), "drop-test", str(model), "--compare", str(other), "--format", "json"]
+    done = subprocess.run(call, capture_output=True, timeout=120, check=True)
+    compared = json.loads(done.stdout)["compare"]
+    return compared["height_over_radius"], compared["force_bw"]
+
+
+@pytest.mark.parametrize("kind", ["smooth", "hunt_crossley"])
+def test_drops_coincide_when_contacts_follow_and_do_not_otherwise(kind, tmp_path):
+    folder = models.FIXTURES / "scale_tool"
+    generic, output = folder / f"generic_{kind}.osim", folder / f"scaled_{kind}.osim"
+    followed = tmp_path / "followed.osim"
+    follow(output, generic, followed)
+    assert max(apart(followed, generic)) < COINCIDENCE
+    assert min(apart(output, generic)) > 0.05
