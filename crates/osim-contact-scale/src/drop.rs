@@ -21,6 +21,9 @@ use crate::verbs::sphere_count;
 /// OpenSim's gravity where nobody says another.
 pub(crate) const STANDARD_GRAVITY: f64 = 9.80665;
 
+/// Curves closer than this (in radii and body weights) differ by the rounding of the integration.
+const ROUNDING: f64 = 1e-9;
+
 /// A drop and what it was made from.
 struct Drop {
     name: String,
@@ -285,17 +288,22 @@ fn text(drop: &Drop, report: &DropReport, compared: Option<(&Difference, &str)>)
     }
     if let Some((difference, other)) = compared {
         text.push_str(&format!(
-            "\nagainst {other}, dimensionless, up to t/sqrt(R/g) = {}:\n  largest difference of height/radius {:.3e}, \
-             of force/body weight {:.3e}\n",
+            "\nagainst {other}, dimensionless, up to t/sqrt(R/g) = {}:\n  largest difference of height/radius {}, \
+             of force/body weight {}\n",
             number(difference.until),
-            difference.height,
-            difference.force
+            apart(difference.height),
+            apart(difference.force)
         ));
     }
     if std::io::stdout().is_terminal() {
         text.push_str(&chart(report));
     }
     text
+}
+
+/// A difference; what is left of rounding is none.
+fn apart(difference: f64) -> String {
+    if difference < ROUNDING { "below 1e-9".to_owned() } else { format!("{difference:.3e}") }
 }
 
 /// Force over body weight against time; only for terminals, which can draw it.
