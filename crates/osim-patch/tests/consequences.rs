@@ -105,7 +105,8 @@ fn level_spheres_keep_their_bottoms() {
     assert!((place.to[1] - 0.01).abs() < 1e-15 && place.to[0] == 0.1 && place.to[2] == 0.3);
     assert!(!place.inserted);
     // A sphere without a location stands at the origin, and gets one.
-    let plan = rescaled(ONE_FOOT, |wanted| wanted.level = Some(LevelAxis { axis: 2, down: true, of_body: false }));
+    let plan =
+        rescaled(ONE_FOOT, |wanted| wanted.level = Some(LevelAxis { axis: 2, down: true, of_body: false }));
     assert!(plan.moves[0].inserted);
     assert_eq!(plan.moves[0].to, [0.0, 0.0, -0.03]);
 }

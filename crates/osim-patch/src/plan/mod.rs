@@ -2,12 +2,14 @@
 //!
 //! Tables, diffs, JSON, dry runs and writing are all views of a [`Plan`]; there is no other way to change a model.
 
+mod choice;
 mod design;
 mod draft;
 mod loaded;
 mod radii;
 mod rescale;
 mod set;
+mod similarity;
 mod surfaces;
 mod transfer;
 

@@ -23,6 +23,9 @@ pub enum RadiusRule {
     /// As large against the body as the reference's: this, m (transfers only).
     #[doc(hidden)]
     Like(f64),
+    /// As its body grew: this, m (spheres that follow their bodies only).
+    #[doc(hidden)]
+    Followed(f64),
 }
 
 /// Old and new radius of each moving sphere of the chosen forces.
@@ -39,6 +42,7 @@ impl RadiusRule {
     fn equation(self) -> &'static str {
         match self {
             Self::Isometric | Self::Like(_) => "8",
+            Self::Followed(_) => "follow",
             _ => "given",
         }
     }
@@ -49,7 +53,7 @@ impl RadiusRule {
             Self::Isometric => times(isometric),
             Self::Keep => times(1.0),
             Self::Factor(factor) => times(factor),
-            Self::Metres(new) | Self::Like(new) => Pair { old, new, ratio: new / old },
+            Self::Metres(new) | Self::Like(new) | Self::Followed(new) => Pair { old, new, ratio: new / old },
         }
     }
 }
@@ -76,7 +80,9 @@ impl Radii {
             if pair.new != pair.old {
                 users.refuse(model, forces, sphere)?;
             }
-            let factor = (!matches!(rule, RadiusRule::Metres(_) | RadiusRule::Like(_))).then_some(pair.ratio);
+            let factor =
+                (!matches!(rule, RadiusRule::Metres(_) | RadiusRule::Like(_) | RadiusRule::Followed(_)))
+                    .then_some(pair.ratio);
             draft.radius(sphere, New { to: pair.new, factor, equation: rule.equation() })?;
             radii.insert(sphere, pair);
         }

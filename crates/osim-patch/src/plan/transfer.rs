@@ -1,14 +1,16 @@
 //! Contacts of a reference, given the dimensions of another body: (10), (14), (C.2), (C.5), (C.10).
 
-use contact_scaling::{Contact, DimensionlessContact, Preset, RatioValues, Ratios, Scale, ScaleValues};
+use contact_scaling::{Contact, Preset, RatioValues, Ratios};
 
+use super::choice::Choice;
 use super::draft::{Draft, New, PropertySet};
 use super::loaded::contact_of_set;
 use super::radii::{Radii, RadiusRule};
 use super::rescale::{bottoms_remark, factor, gravity_ratio, warn_forces};
+use super::similarity::{check_spread, predsim, similarity};
 use super::surfaces::{Surfaces, sphere_sets, write_composite};
 use super::{DissipationBy, Masses, NoteFacts, Plan};
-use crate::error::{Fault, FaultKind};
+use crate::error::Fault;
 use crate::follow::Follow;
 use crate::mass::{Mass, MassSource};
 use crate::model::{Force, ForceKind, Model};
@@ -17,11 +19,6 @@ use crate::number::readable;
 use crate::property::Property;
 use crate::select::Selected;
 use crate::warning::{Warning, WarningCode};
-
-/// Two dimensionless contacts this close (relative) are one.
-const SAME_CONTACT: f64 = 1e-6;
-/// Comparing contacts of one model needs some gravity, and any will do: it cancels.
-const ANY_GRAVITY: f64 = 9.80665;
 
 /// One contact of a reference.
 #[derive(Debug, Clone, PartialEq)]
@@ -158,9 +155,6 @@ pub enum ScalingRule {
     },
 }
 
-/// More than this between the factors of one force's spheres is said (relative).
-const SPREAD: f64 = 0.01;
-
 /// Plans a transfer onto the forces `selected` of `model`.
 ///
 /// # Errors
@@ -175,7 +169,7 @@ pub fn transfer(model: &Model<'_, '_>, selected: &Selected, wanted: &Transfer) -
     let followed = |sphere: usize| wanted.follow.as_ref().and_then(|follow| follow.spheres.get(&sphere));
     let rule_of = |sphere: usize| match wanted.radius {
         _ if followed(sphere).is_some() => {
-            RadiusRule::Like(followed(sphere).map_or(f64::NAN, |followed| followed.radius_m))
+            RadiusRule::Followed(followed(sphere).map_or(f64::NAN, |followed| followed.radius_m))
         }
         // As large against the body as the reference's.
         RadiusRule::Isometric => RadiusRule::Like(chosen.of_sphere(model, sphere).radius_m * isometric),
@@ -281,213 +275,6 @@ impl Target<'_> {
         }
         Ok(())
     }
-}
-
-/// PredSim's rule, for users who compare; what it does not scale is the reference's.
-fn predsim(property: Property, ratios: &Ratios, height_ratio: f64) -> Option<(f64, &'static str)> {
-    Some(match property {
-        Property::Stiffness => (ratios.mass() / (height_ratio * height_ratio), "predsim"),
-        Property::Dissipation => (1.0 / height_ratio, "predsim"),
-        Property::ConstantContactForce | Property::HertzSmoothing | Property::HuntCrossleySmoothing => {
-            (1.0, "predsim")
-        }
-        _ => return None,
-    })
-}
-
-/// Spheres of one modulus that follow bodies of different factors.
-fn check_spread(
-    draft: &mut Draft<'_, '_, '_>,
-    selected: &Selected,
-    wanted: &Transfer,
-    chosen: &Choice<'_>,
-    radii: &Radii,
-) -> Result<(), Fault> {
-    let model = draft.model;
-    for force in selected.forces.iter().filter_map(|&index| model.forces.get(index)) {
-        // Radii of a reference force stand for all its spheres; what differs here is the bodies' factors.
-        let old = |sphere: usize| match wanted.follow.as_ref().and_then(|follow| follow.old_radius(sphere)) {
-            Some(radius) => radius,
-            None => chosen.of_sphere(model, sphere).radius_m,
-        };
-        let spread = radii.spread(force, old);
-        if spread <= 1.0 + SPREAD {
-            continue;
-        }
-        let text = format!(
-            "{}: its spheres grow by factors that differ by {:.1} %; the mean of R squared is used",
-            force.path,
-            (spread - 1.0) * 100.0
-        );
-        if wanted.strict {
-            return Err(
-                Fault::refused(format!("{text} (refused because of --strict)")).of(force.path.clone())
-            );
-        }
-        draft.warnings.push(Warning::at(WarningCode::FactorSpread, force.line, text));
-    }
-    Ok(())
-}
-
-/// x̂ at body weight and c_r of the reference and of the result, so that rules can be compared.
-fn similarity(
-    model: &Model<'_, '_>,
-    selected: &Selected,
-    wanted: &Transfer,
-    chosen: &Choice<'_>,
-    radii: &Radii,
-) -> Option<String> {
-    let force = selected.forces.iter().find_map(|&index| model.forces.get(index))?;
-    let from = chosen.of_force(model, force).ok()?;
-    let gravity = wanted.reference.gravity_m_s2.or(model.gravity()).filter(|&gravity| gravity > 0.0)?;
-    let here_gravity = model.gravity().filter(|&gravity| gravity > 0.0)?;
-    let there = Scale::new(ScaleValues {
-        mass_kg: wanted.reference.mass.kg,
-        radius_m: from.radius_m,
-        sphere_count: wanted.reference.sphere_count,
-        gravity_m_s2: gravity,
-    });
-    let here = Scale::new(ScaleValues {
-        mass_kg: wanted.mass.kg,
-        radius_m: radii.mean_new(force),
-        sphere_count: wanted.sphere_count,
-        gravity_m_s2: here_gravity,
-    });
-    let (there, here) = (there.ok()?, here.ok()?);
-    let contact = match wanted.rule {
-        ScalingRule::Paper => from.contact.scaled(&Ratios::between(&there, &here).ok()?),
-        ScalingRule::PredSim { height_ratio } => {
-            let mut values = from.contact.values();
-            values.plane_strain_modulus *=
-                wanted.mass.kg / wanted.reference.mass.kg / (height_ratio * height_ratio);
-            values.dissipation /= height_ratio;
-            Contact::new(values).ok()?
-        }
-    };
-    let describe = |contact: &Contact, scale: &Scale| {
-        let x = DimensionlessContact::of(contact, scale).relative_indentation();
-        let speed = (scale.gravity_m_s2() * scale.radius_m() / 2.0).sqrt();
-        let restitution = contact_scaling::restitution::exact(contact.dissipation(), speed);
-        restitution.map(|restitution| (x, restitution)).ok()
-    };
-    let (x_there, c_there) = describe(&from.contact, &there)?;
-    let (x_here, c_here) = describe(&contact, &here)?;
-    Some(format!(
-        "relative indentation at body weight {x_there:.4} in the reference, {x_here:.4} here; \
-         restitution (exact law) at sqrt(gR/2) {c_there:.4} and {c_here:.4}"
-    ))
-}
-
-/// Which contact of the reference each sphere gets.
-enum Choice<'t> {
-    One(&'t ReferenceContact),
-    /// By sphere name; every moving sphere of the chosen forces is in it.
-    Paired {
-        first: &'t ReferenceContact,
-        all: &'t [ReferenceContact],
-    },
-}
-
-impl<'t> Choice<'t> {
-    fn make(model: &Model<'_, '_>, selected: &Selected, wanted: &'t Transfer) -> Result<Self, Fault> {
-        let contacts = &wanted.reference.contacts;
-        let Some(first) = contacts.first() else {
-            return Err(Fault::refused(format!(
-                "the reference {} has no contacts to take",
-                wanted.reference.name
-            )));
-        };
-        if let Some(name) = &wanted.reference_sphere {
-            let named = contacts.iter().find(|contact| contact.spheres.contains(name));
-            return named.map(Self::One).ok_or_else(|| {
-                let known: Vec<_> = contacts.iter().flat_map(|contact| &contact.spheres).cloned().collect();
-                Fault::refused(format!(
-                    "--reference-sphere {name} is not in {}, which has {}",
-                    wanted.reference.name,
-                    known.join(", ")
-                ))
-            });
-        }
-        if wanted.follow.is_some() {
-            // Following has matched every sphere with its namesake already.
-            return Ok(Self::Paired { first, all: contacts });
-        }
-        let base = dimensionless(first)?;
-        let mut same = true;
-        for contact in contacts {
-            same &= dimensionless(contact)?.agrees_with(&base, SAME_CONTACT);
-        }
-        if same {
-            return Ok(Self::One(first));
-        }
-        let unpaired: Vec<&str> = super::radii::moving_spheres(model, &selected.forces)
-            .into_iter()
-            .filter_map(|index| model.spheres.get(index))
-            .map(|sphere| sphere.name.as_str())
-            .filter(|name| find(contacts, name).is_none())
-            .collect();
-        if unpaired.is_empty() {
-            return Ok(Self::Paired { first, all: contacts });
-        }
-        Err(Fault::new(FaultKind::NeedsAnswer {
-            code: "which-reference",
-            question: format!(
-                "the contacts of {} differ from each other, and these spheres have no namesake there: {}",
-                wanted.reference.name,
-                unpaired.join(", ")
-            ),
-            way_out: "say whose contact to take with --reference-sphere NAME".to_owned(),
-        }))
-    }
-
-    fn of_sphere(&self, model: &Model<'_, '_>, sphere: usize) -> &'t ReferenceContact {
-        match self {
-            Self::One(contact) => contact,
-            Self::Paired { first, all } => {
-                let name = model.spheres.get(sphere).map_or("", |sphere| sphere.name.as_str());
-                // `make` has seen that every name is there.
-                find(all, name).unwrap_or(first)
-            }
-        }
-    }
-
-    fn of_force(&self, model: &Model<'_, '_>, force: &Force) -> Result<&'t ReferenceContact, Fault> {
-        let moving: Vec<usize> =
-            sphere_sets(model, force).into_iter().flat_map(|(_, spheres)| spheres).collect();
-        let mut contacts = moving.iter().map(|&sphere| self.of_sphere(model, sphere));
-        let Some(first) = contacts.next() else {
-            return Err(Fault::refused(format!("{} has no moving sphere", force.path)));
-        };
-        let base = dimensionless(first)?;
-        for other in contacts {
-            if !dimensionless(other)?.agrees_with(&base, SAME_CONTACT) {
-                return Err(Fault::new(FaultKind::NeedsAnswer {
-                    code: "which-reference",
-                    question: format!(
-                        "the spheres of {} have different contacts in the reference",
-                        force.path
-                    ),
-                    way_out: "say whose contact to take with --reference-sphere NAME".to_owned(),
-                })
-                .of(force.path.clone()));
-            }
-        }
-        Ok(first)
-    }
-}
-
-fn find<'t>(contacts: &'t [ReferenceContact], name: &str) -> Option<&'t ReferenceContact> {
-    contacts.iter().find(|contact| contact.spheres.iter().any(|sphere| sphere == name))
-}
-
-fn dimensionless(contact: &ReferenceContact) -> Result<DimensionlessContact, Fault> {
-    let values = ScaleValues {
-        mass_kg: 1.0,
-        radius_m: contact.radius_m,
-        sphere_count: 1.0,
-        gravity_m_s2: ANY_GRAVITY,
-    };
-    Ok(DimensionlessContact::of(&contact.contact, &Scale::new(values).map_err(Fault::new)?))
 }
 
 fn finish(draft: Draft<'_, '_, '_>, wanted: &Transfer, selected: &Selected, radii: &Radii) -> Plan {
