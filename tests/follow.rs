@@ -401,6 +401,39 @@ fn one_modulus_for_bodies_of_different_factors() {
     assert!(!codes(&plan(&apart, more)).contains(&"factor-spread"));
 }
 
+#[test]
+fn spheres_of_several_materials_keep_what_tells_them_apart() {
+    let bench = Bench::with(&[
+        ("format/three_materials.osim", "generic.osim"),
+        ("format/three_materials.osim", "scaled.osim"),
+    ]);
+    let text = bench.text("scaled.osim");
+    let bodies: Vec<&str> = ["calcn_r", "calcn_l", "toes_r", "toes_l"]
+        .into_iter()
+        .filter(|name| text.contains(&format!("<Body name=\"{name}\">")))
+        .collect();
+    let told: String = bodies.iter().map(|body| format!(" --body-scale {body}=2,2,2")).collect();
+    let report = plan(&bench, &told);
+    let of = |property: &str| {
+        let changes = report["changes"].as_array().unwrap().iter();
+        changes.filter(|change| change["property"] == property).cloned().collect::<Vec<_>>()
+    };
+    // The same mass on twice the radius: a quarter of the modulus, for floor, heel and toe alike.
+    assert!(of("stiffness").len() >= 3);
+    for change in of("stiffness") {
+        close(&change["to"], change["from"].as_f64().unwrap() / 4.0);
+    }
+    assert!(!of("dissipation").is_empty());
+    for change in of("dissipation") {
+        close(&change["to"], change["from"].as_f64().unwrap() * 0.5_f64.sqrt());
+    }
+    // A floor made harder since then: heel and toe would need different factors.
+    let moduli = text.match_indices("<stiffness>").map(|(at, tag)| at + tag.len()).collect::<Vec<_>>();
+    let end = moduli[0] + text[moduli[0]..].find('<').unwrap();
+    bench.write("scaled.osim", format!("{}9e6{}", &text[..moduli[0]], &text[end..]));
+    refuses(&bench, &format!("{CALL}{told}"), &["stiffness", "materials"]);
+}
+
 // Documents of version 3.
 
 /// A foot of a version 3 document: joints inside bodies, `VisibleObject` factors.

@@ -9,6 +9,7 @@ mod loaded;
 mod radii;
 mod rescale;
 mod set;
+mod several_sets;
 mod similarity;
 mod surfaces;
 mod transfer;

@@ -9,7 +9,7 @@ use super::radii::{Radii, RadiusRule};
 use super::rescale::{bottoms_remark, factor, gravity_ratio, warn_forces};
 use super::similarity::{check_spread, predsim, similarity};
 use super::surfaces::{Surfaces, sphere_sets, write_composite};
-use super::{DissipationBy, Masses, NoteFacts, Plan};
+use super::{DissipationBy, Masses, NoteFacts, Plan, several_sets};
 use crate::error::Fault;
 use crate::follow::Follow;
 use crate::mass::{Mass, MassSource};
@@ -187,6 +187,10 @@ pub fn transfer(model: &Model<'_, '_>, selected: &Selected, wanted: &Transfer) -
     let mut without_smoothing = false;
     for &index in &selected.forces {
         let Some(force) = model.forces.get(index) else { continue };
+        if several_sets::has_several(&draft, force, wanted) {
+            several_sets::plan(&mut draft, (index, force), wanted, &chosen, &radii, gravity)?;
+            continue;
+        }
         let from = chosen.of_force(model, force)?;
         let radius = radii.mean_new(force) / from.radius_m;
         let values =
