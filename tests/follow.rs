@@ -378,6 +378,8 @@ fn predsim_scales_otherwise() {
     }
     let alone = bench.run("transfer scaled.osim --from generic.osim --rule predsim").failed();
     says(&alone, &["--height-ratio"]);
+    // The paper's rule has no heights.
+    says(&bench.run(&format!("{CALL} --height-ratio 0.93")).usage(), &["--rule"]);
 }
 
 #[test]

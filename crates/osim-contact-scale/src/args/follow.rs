@@ -34,7 +34,7 @@ pub(crate) struct FollowArgs {
     #[arg(long, value_enum, default_value = "paper")]
     pub rule: RuleArg,
     /// Height of this model over that of the reference [default: mean of the body factors]
-    #[arg(long, value_name = "RATIO", value_parser = positive_number, hide_short_help = true)]
+    #[arg(long, value_name = "RATIO", value_parser = positive_number, requires = "rule", hide_short_help = true)]
     pub height_ratio: Option<f64>,
 }
 
