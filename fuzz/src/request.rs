@@ -45,6 +45,7 @@ impl Request {
             properties,
             dissipation_by,
             target_gravity_m_s2: (roll(8) == 0).then_some(1.62),
+            contacts_gravity_m_s2: None,
             level: None,
         };
         Ok(Self { selected, wanted })

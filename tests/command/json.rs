@@ -113,6 +113,7 @@ struct Force {
     selected: bool,
     parameters: BTreeMap<String, Option<f64>>,
     origin: BTreeMap<String, String>,
+    dimensionless: Option<BTreeMap<String, Option<f64>>>,
     line: usize,
 }
 

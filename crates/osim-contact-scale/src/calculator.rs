@@ -43,6 +43,9 @@ struct Sheet {
 /// # Errors
 /// Too little is known, or it contradicts itself.
 pub(crate) fn run(args: &DesignArgs, terminal: &mut Terminal) -> Result<Exit> {
+    if let Some(option) = without_meaning(args) {
+        bail!("{option} needs a model to work on: name one, or leave it out");
+    }
     let sheet = sheet(args)?;
     let text = match args.output.format {
         Format::Json => json::line(&sheet),
@@ -50,6 +53,28 @@ pub(crate) fn run(args: &DesignArgs, terminal: &mut Terminal) -> Result<Exit> {
     };
     terminal.print(&text)?;
     Ok(Exit::Done)
+}
+
+/// An option that only makes sense with a model.
+fn without_meaning(args: &DesignArgs) -> Option<&'static str> {
+    let output = &args.output;
+    let given = [
+        ("--output", output.output.is_some()),
+        ("--output-dir", output.output_dir.is_some()),
+        ("--in-place", output.in_place),
+        ("--dry-run", output.dry_run),
+        ("--diff", output.diff),
+        ("--force", output.force),
+        ("--no-note", output.no_note),
+        ("--select", !args.choice.select.is_empty()),
+        ("--exclude", !args.choice.exclude.is_empty()),
+        ("--skip-disabled", args.choice.skip_disabled),
+        ("--exclude-body", !args.masses.exclude_body.is_empty()),
+        ("--contacts-mass", args.masses.contacts_mass.is_some()),
+        ("--geometry", args.parts.geometry.is_some()),
+        ("--model", args.parts.model.is_some()),
+    ];
+    given.into_iter().find(|(_, given)| *given).map(|(option, _)| option)
 }
 
 /// What the options say, before anything is derived.

@@ -1,22 +1,29 @@
 //! One run of a changing verb: for each model load, plan, show, write.
 
+use std::fs::Metadata;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, anyhow, bail};
+use anyhow::{Context, Result, bail};
 use osim_patch::{Fault, Model, Plan, Warning, WarningCode};
 
 use crate::args::{Format, OutputArgs, PartArgs};
 use crate::failure::Failure;
 use crate::load::Loaded;
-use crate::place::{Place, beside, check_distinct, place};
+use crate::paths::resolved;
+use crate::place::{Ledger, Place, beside, place};
 use crate::report::{changes, diff, json};
 use crate::sources::{Source, Sources};
 use crate::terminal::{Exit, Terminal};
-use crate::write::{Mode, Prepared, back_up, is_same_file, sync_folder_of};
+use crate::write::{Mode, Prepared, backup};
 
 /// What a verb plans for a model.
 pub(crate) trait Planner {
     fn plan(&self, model: &Model<'_, '_>) -> Result<Plan, Fault>;
+
+    /// Files it reads beside the models.
+    fn reads(&self) -> Vec<PathBuf> {
+        Vec::new()
+    }
 }
 
 /// Runs `planner` over all models.
@@ -33,7 +40,7 @@ pub(crate) fn run(
     let sources = Sources::find(named, output.output_dir.as_deref());
     check_usage(named, &sources, output)?;
     let places: Vec<Place> = sources.models.iter().map(|source| place(source, output)).collect();
-    check_distinct(&sources.models, &places)?;
+    check_files(&sources.models, &places, parts, output, &planner.reads())?;
     let mut exit = Exit::Done;
     for failure in &sources.failures {
         exit = exit.and(report_failure(failure, output, terminal));
@@ -64,10 +71,14 @@ pub(crate) fn run(
 fn check_usage(named: &[PathBuf], sources: &Sources, output: &OutputArgs) -> Result<()> {
     let from_stdin = named.iter().any(|path| path.as_os_str() == "-");
     let to_stdout = output.output.as_deref() == Some(Path::new("-"))
-        || (from_stdin && output.output.is_none() && output.output_dir.is_none() && !output.dry_run);
+        || (from_stdin && output.output.is_none() && output.output_dir.is_none());
+    let to_stdout = to_stdout && !output.dry_run;
     let several = named.len() > 1 || sources.models.len() > 1 || named.iter().any(|path| path.is_dir());
     if output.output.is_some() && several {
         bail!("-o is for one model: write several into a folder with -d DIR");
+    }
+    if to_stdout && several {
+        bail!("one model goes to standard output: name it alone, or write several into a folder with -d DIR");
     }
     if to_stdout && (output.diff || output.format == Format::Json) {
         bail!(
@@ -78,6 +89,40 @@ fn check_usage(named: &[PathBuf], sources: &Sources, output: &OutputArgs) -> Res
         bail!("--in-place needs a file, standard input has none");
     }
     Ok(())
+}
+
+/// Nothing is written over what is read, and no file is written twice.
+fn check_files(
+    sources: &[Source],
+    places: &[Place],
+    parts: &PartArgs,
+    output: &OutputArgs,
+    reads: &[PathBuf],
+) -> Result<()> {
+    if parts.geometry.is_some() && sources.len() > 1 {
+        bail!("--geometry belongs to one ForceSet: change several in runs of their own");
+    }
+    let mut ledger = Ledger::default();
+    let beside_models = [&parts.geometry, &parts.model].into_iter().flatten().chain(reads);
+    sources.iter().map(|source| &source.path).chain(beside_models).for_each(|path| ledger.read(path));
+    for (source, place) in sources.iter().zip(places) {
+        if let Place::File(path) = place {
+            ledger.write(path, &source.shown())?;
+        }
+    }
+    if let (Some(geometry), false) = (&parts.geometry, output.in_place) {
+        ledger.write(&geometry_path(geometry, output), &geometry.display().to_string())?;
+    }
+    Ok(())
+}
+
+/// Where the changed geometry set of a standalone force set goes, unless it is changed in place.
+fn geometry_path(geometry: &Path, output: &OutputArgs) -> PathBuf {
+    match (&output.geometry_output, &output.output_dir) {
+        (Some(path), _) => path.clone(),
+        (None, Some(folder)) => folder.join(geometry.file_name().unwrap_or_default()),
+        (None, None) => beside(geometry),
+    }
 }
 
 fn report_failure(failure: &Failure, output: &OutputArgs, terminal: &mut Terminal) -> Exit {
@@ -106,6 +151,10 @@ impl Job<'_> {
             let mut plan = planner.plan(model).map_err(|fault| loaded.failure(fault))?;
             if self.output.no_note {
                 plan.without_note();
+                if model.note.is_some() && !plan.is_empty() {
+                    let text = "the note is removed: the next run cannot know what the contacts stand for";
+                    plan.remarks.push(text.to_owned());
+                }
             }
             plan.warnings.splice(0..0, model.warnings.iter().cloned());
             plan.warnings.extend(self.compiled_beside());
@@ -160,76 +209,52 @@ impl Job<'_> {
             return Ok(Written::Nothing("nothing written"));
         }
         let like = std::fs::metadata(&self.source.path).ok();
-        let mode = if self.output.force { Mode::Replace } else { Mode::New };
-        let mut prepared = Vec::new();
+        let mode = if self.output.force || self.output.in_place { Mode::Replace } else { Mode::New };
+        let mut successors = Vec::new();
+        let mut backups = Vec::new();
         let mut paths = Vec::new();
-        match self.place {
-            Place::Stdout => {}
-            Place::File(path) => {
-                self.refuse_inputs(loaded, path)?;
-                make_folder(path)?;
-                prepared.push(Prepared::new(path, patched, like.as_ref(), mode)?);
-                paths.push(path.clone());
+        let mut prepare = |path: &Path, new: &[u8], old: &[u8], like: Option<&Metadata>| -> Result<()> {
+            if self.output.in_place {
+                self.refuse_protected(path)?;
+                if !self.output.no_backup {
+                    backups.push(
+                        backup(path, old).context("the backup could not be kept, so nothing was changed")?,
+                    );
+                }
             }
-            Place::Itself(path) => {
-                self.back_up(path, &loaded.bytes)?;
-                prepared.push(Prepared::new(path, patched, None, Mode::Replace)?);
-                paths.push(path.clone());
-            }
+            make_folder(path)?;
+            successors.push(Prepared::new(path, new, like, mode)?);
+            paths.push(path.to_owned());
+            Ok(())
+        };
+        if let Some(path) = self.place.path() {
+            prepare(path, patched, &loaded.bytes, like.as_ref())?;
         }
         if let Some(geometry) = geometry {
-            let (path, mode) = self.geometry_place(geometry, mode)?;
-            if self.output.in_place {
-                self.back_up(&path, loaded.file(geometry.file).1)?;
-            } else {
-                self.refuse_inputs(loaded, &path)?;
-            }
-            make_folder(&path)?;
+            let in_place = self.output.in_place;
+            let path =
+                if in_place { geometry.path.clone() } else { geometry_path(&geometry.path, self.output) };
             let like = std::fs::metadata(&geometry.path).ok();
-            prepared.push(Prepared::new(&path, &geometry.bytes, like.as_ref(), mode)?);
-            paths.push(path);
+            prepare(&path, &geometry.bytes, loaded.file(geometry.file).1, like.as_ref())?;
         }
         // Two files that belong together, and a file whose old contents are about to go: all on the disk first.
-        if self.output.in_place || prepared.len() > 1 {
-            prepared.iter().try_for_each(Prepared::sync)?;
+        let together = successors.len() > 1 || successors.iter().any(Prepared::replaces);
+        let kept: Vec<PathBuf> = backups.iter().map(|(_, path)| path.clone()).collect();
+        let all = backups.into_iter().map(|(prepared, _)| prepared).chain(successors).collect::<Vec<_>>();
+        if together {
+            all.iter().try_for_each(Prepared::sync)?;
         }
-        for successor in prepared {
-            successor.commit()?;
+        for prepared in all {
+            prepared.commit()?;
         }
-        if self.output.in_place {
-            paths.iter().for_each(|path| sync_folder_of(path));
-        }
-        Ok(if to_stdout { Written::Stdout } else { Written::Files(paths) })
+        Ok(if to_stdout { Written::Stdout } else { Written::Files { paths, kept } })
     }
 
-    fn back_up(&self, path: &Path, bytes: &[u8]) -> Result<()> {
-        if !self.output.no_backup {
-            back_up(path, bytes).context("the backup could not be kept, so nothing was changed")?;
-        }
-        Ok(())
-    }
-
-    fn geometry_place(&self, geometry: &Geometry, mode: Mode) -> Result<(PathBuf, Mode)> {
-        let name = geometry.path.file_name().unwrap_or_default();
-        Ok(match (&self.output.geometry_output, &self.output.output_dir) {
-            _ if self.output.in_place => (geometry.path.clone(), Mode::Replace),
-            (Some(path), _) => (path.clone(), mode),
-            (None, Some(folder)) => (folder.join(name), mode),
-            (None, None) => (beside(&geometry.path), mode),
-        })
-    }
-
-    /// An output that is an input would lose it.
-    fn refuse_inputs(&self, loaded: &Loaded, path: &Path) -> Result<()> {
-        let inputs =
-            std::iter::once(self.source.path.as_path()).chain(loaded.parts.iter().map(|p| p.path.as_path()));
-        for input in inputs {
-            if is_same_file(path, input) {
-                return Err(anyhow!(
-                    "the output {} is the input itself: choose another name, or change the model with --in-place",
-                    path.display()
-                ));
-            }
+    /// A model that somebody protected is not changed in passing.
+    fn refuse_protected(&self, path: &Path) -> Result<()> {
+        let protected = std::fs::metadata(path).is_ok_and(|metadata| metadata.permissions().readonly());
+        if protected && !self.output.force {
+            bail!("{} is write-protected: change it all the same with --force", path.display());
         }
         Ok(())
     }
@@ -251,10 +276,19 @@ impl Job<'_> {
             let result = match written {
                 Written::Nothing(why) => (*why).to_owned(),
                 Written::Stdout => "model written to standard output".to_owned(),
-                Written::Files(_) => format!("written: {}", paths.join(", ")),
+                Written::Files { kept, .. } => {
+                    let kept: Vec<_> = kept.iter().map(|path| path.display().to_string()).collect();
+                    let kept =
+                        if kept.is_empty() { String::new() } else { format!(" (old: {})", kept.join(", ")) };
+                    format!("written: {}{kept}", paths.join(", "))
+                }
             };
             let text = changes::text(plan, &loaded.shown, &result);
-            if *self.place == Place::Stdout { terminal.note(&text)? } else { terminal.print(&text)? }
+            if *self.place == Place::Stdout && !self.output.dry_run {
+                terminal.note(&text)?;
+            } else {
+                terminal.print(&text)?;
+            }
         }
         if self.output.diff {
             let target =
@@ -287,23 +321,25 @@ enum Written {
     Nothing(&'static str),
     /// The model goes to standard output.
     Stdout,
-    /// The model, then its geometry set.
-    Files(Vec<PathBuf>),
+    /// The model, then its geometry set; and the backups of both.
+    Files { paths: Vec<PathBuf>, kept: Vec<PathBuf> },
 }
 
 impl Written {
     fn paths(&self) -> &[PathBuf] {
         match self {
-            Self::Files(paths) => paths,
+            Self::Files { paths, .. } => paths,
             Self::Nothing(_) | Self::Stdout => &[],
         }
     }
 }
 
 fn make_folder(path: &Path) -> Result<()> {
-    match path.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => std::fs::create_dir_all(folder)
-            .with_context(|| format!("cannot make the folder {}", folder.display())),
-        _ => Ok(()),
+    match resolved(path).parent() {
+        Some(folder) => {
+            let shown = path.parent().unwrap_or(Path::new(".")).display();
+            std::fs::create_dir_all(folder).with_context(|| format!("cannot make the folder {shown}"))
+        }
+        None => Ok(()),
     }
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 use anyhow::{Result, anyhow, bail};
 use contact_scaling::drop_test::{Difference, DropReport, DropTest, DropValues, compare};
 use contact_scaling::{Contact, ContactValues, Law, Preset, SmoothingValues, Spheres};
-use osim_patch::{Fault, Model, loaded_spheres};
+use osim_patch::{Fault, MassRequest, Model, loaded_spheres};
 use serde::Serialize;
 
 use crate::args::{DropArgs, DropNumbers, Length, SeriesFormat};
@@ -41,7 +41,7 @@ pub(crate) fn run(args: &DropArgs, terminal: &mut Terminal) -> Result<Exit> {
         Err(failure) => return fail(&failure, args, terminal),
     };
     let other = match &args.compare {
-        Some(path) => match named(path, args)? {
+        Some(path) => match named(path, args, &Own::of_other(args))? {
             Ok(other) => Some(other),
             Err(failure) => return fail(&failure, args, terminal),
         },
@@ -75,6 +75,32 @@ fn fail(failure: &Failure, args: &DropArgs, terminal: &mut Terminal) -> Result<E
     Ok(Exit::Failed)
 }
 
+/// What the options say of one of the two bodies; those about the first say nothing about the other.
+struct Own {
+    mass_kg: Option<f64>,
+    spheres: Option<f64>,
+    stance_limbs: f64,
+    gravity: Option<f64>,
+    spheres_option: &'static str,
+}
+
+impl Own {
+    fn of_subject(args: &DropArgs) -> Self {
+        Self {
+            mass_kg: args.mass_kg(),
+            spheres: args.counts.spheres,
+            stance_limbs: args.counts.stance_limbs,
+            gravity: args.numbers.gravity,
+            spheres_option: "--spheres",
+        }
+    }
+
+    fn of_other(args: &DropArgs) -> Self {
+        let spheres = args.compare_spheres;
+        Self { mass_kg: None, spheres, stance_limbs: 1.0, gravity: None, spheres_option: "--compare-spheres" }
+    }
+}
+
 /// The model, preset or numbers to drop.
 fn subject(args: &DropArgs) -> Result<Result<Drop, Failure>> {
     let numbers = &args.numbers;
@@ -93,33 +119,41 @@ fn subject(args: &DropArgs) -> Result<Result<Drop, Failure>> {
             if !given.is_empty() {
                 bail!("a model or preset has its own numbers: leave out {}", given.join(", "));
             }
-            named(path, args)
+            named(path, args, &Own::of_subject(args))
         }
         None => of_numbers(numbers, args).map(Ok),
     }
 }
 
-fn named(path: &Path, args: &DropArgs) -> Result<Result<Drop, Failure>> {
+fn named(path: &Path, args: &DropArgs, own: &Own) -> Result<Result<Drop, Failure>> {
     if let Some(preset) = presets::find(path, args.presets.as_deref())? {
-        return of_preset(&preset, args).map(Ok);
+        return of_preset(&preset, args, own).map(Ok);
+    }
+    let may_be_file = path.exists() || path.as_os_str() == "-" || path.components().count() > 1;
+    if !may_be_file && path.extension().is_none() {
+        let names = presets::names(args.presets.as_deref());
+        bail!(
+            "'{}': there is no such file and no such preset, expected a model or one of: {names}",
+            path.display()
+        );
     }
     let source = Source { path: path.to_owned(), folder: None };
     let loaded = match Loaded::read(&source, &args.parts) {
         Ok(loaded) => loaded,
         Err(failure) => return Ok(Err(failure)),
     };
-    let masses = args.masses.request()?;
+    let masses = MassRequest { model_kg: own.mass_kg, ..args.masses.request()? };
     let selection = args.choice.selection()?;
     Ok(loaded.with_model(|model| {
         let of_model = || -> Result<Drop, Fault> {
             let selected = selection.apply(model)?;
             let mass = masses.of_model(model)?;
-            let count = match args.counts.spheres {
+            let count = match own.spheres {
                 Some(count) => count,
-                None => sphere_count(model, &selected.forces, args.counts.stance_limbs, "--spheres")?,
+                None => sphere_count(model, own.stance_limbs, own.spheres_option)?,
             };
             let spheres = weighted(model, &selected.forces, count)?;
-            let gravity = match args.numbers.gravity.or(model.gravity().filter(|&gravity| gravity > 0.0)) {
+            let gravity = match own.gravity.or(model.gravity().filter(|&gravity| gravity > 0.0)) {
                 Some(gravity) => gravity,
                 None => {
                     return Err(Fault::new(osim_patch::FaultKind::Refused(
@@ -138,7 +172,7 @@ fn named(path: &Path, args: &DropArgs) -> Result<Result<Drop, Failure>> {
 fn weighted(model: &Model<'_, '_>, forces: &[usize], count: f64) -> Result<Vec<Spheres>, Fault> {
     let loaded = loaded_spheres(model, forces)?;
     #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
-    let found = model.loaded_spheres(forces).len() as f64;
+    let found = model.loaded_spheres(&(0..model.forces.len()).collect::<Vec<_>>()).len() as f64;
     let mut spheres = Vec::new();
     for one in loaded {
         let law = Law::of(&one.contact, one.radius_m).map_err(Fault::new)?;
@@ -147,11 +181,11 @@ fn weighted(model: &Model<'_, '_>, forces: &[usize], count: f64) -> Result<Vec<S
     Ok(spheres)
 }
 
-fn of_preset(preset: &Preset, args: &DropArgs) -> Result<Drop> {
+fn of_preset(preset: &Preset, args: &DropArgs, own: &Own) -> Result<Drop> {
     let law = Law::of(&preset.contact, preset.scale.radius_m())?;
-    let mass = args.mass_kg().unwrap_or(preset.scale.mass_kg());
-    let count = args.counts.spheres.unwrap_or(preset.scale.sphere_count());
-    let gravity = args.numbers.gravity.unwrap_or(preset.scale.gravity_m_s2());
+    let mass = own.mass_kg.unwrap_or(preset.scale.mass_kg());
+    let count = own.spheres.unwrap_or(preset.scale.sphere_count());
+    let gravity = own.gravity.unwrap_or(preset.scale.gravity_m_s2());
     make(preset.name.to_string(), vec![Spheres::new(law, count)?], mass, gravity, count, args)
 }
 
@@ -279,6 +313,7 @@ fn text(drop: &Drop, report: &DropReport, compared: Option<(&Difference, &str)>)
     right(&mut table, &[1]);
     text.push_str(&table.trim_fmt());
     text.push('\n');
+    text.push_str(&limits(&figures));
     if report.first_contact.is_none() {
         text.push_str("\nthe body does not reach the ground in this time\n");
     } else if figures.contact_time_s.is_none() {
@@ -297,6 +332,21 @@ fn text(drop: &Drop, report: &DropReport, compared: Option<(&Difference, &str)>)
     }
     if std::io::stdout().is_terminal() {
         text.push_str(&chart(report));
+    }
+    text
+}
+
+/// Whether the figures are within what the laws were made for.
+fn limits(figures: &Figures) -> String {
+    let word = |holds: bool| if holds { "within" } else { "outside" };
+    let hertz = contact_scaling::limits::hertz_holds(figures.own_relative_indentation);
+    let mut text = format!("\nindentation/radius at rest is {} the Hertz law (at most 0.16)\n", word(hertz));
+    if let (Some(exact), Some(speed)) = (figures.restitution_exact, figures.impact_speed_m_s) {
+        let holds = contact_scaling::limits::hunt_crossley_holds(exact);
+        text.push_str(&format!("restitution is {} the Hunt-Crossley law (at least 0.8)\n", word(holds)));
+        if figures.restitution_approximate.is_none() {
+            text.push_str(&format!("(13) would be below 0 at {} m/s, outside its domain\n", number(speed)));
+        }
     }
     text
 }

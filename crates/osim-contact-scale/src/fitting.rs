@@ -117,6 +117,9 @@ fn text(fitted: &Fit, args: &FitArgs) -> String {
         fitted.largest_relative_indentation,
         holds(fitted.hertz_holds)
     ));
+    if fitted.largest_relative_indentation > 1.0 {
+        text.push_str("that is more than the whole radius: is --indentation-unit right?\n");
+    }
     match (fitted.restitution, fitted.hunt_crossley_holds, fitted.largest_speed_m_s) {
         (Some(restitution), Some(within), Some(speed)) => text.push_str(&format!(
             "restitution by (13) at the largest speed ({} m/s) {restitution:.4}: {} the Hunt-Crossley law (at least 0.8)\n",

@@ -4,8 +4,10 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use anyhow::Result;
+use contact_scaling::{DimensionlessContact, Scale, ScaleValues};
 use osim_patch::{
-    Anatomy, Factors, Fault, Limbs, MassRequest, Model, Selected, Selection, Warning, WarningCode,
+    Anatomy, Factors, Fault, Limbs, Mass, MassRequest, Model, Selected, Selection, Warning, WarningCode,
+    loaded_spheres,
 };
 
 use crate::args::{Format, InspectArgs, PartArgs};
@@ -124,6 +126,7 @@ impl<'l> Look<'l> {
                 warnings.push(warning);
             }
         }
+        let dimensionless = dimensionless(model, &selected, contacts_mass.as_ref().ok(), &limbs);
         let seen = Inspected {
             path: &loaded.shown,
             model,
@@ -132,6 +135,7 @@ impl<'l> Look<'l> {
             selected: &selected,
             limbs: &limbs,
             warnings: &warnings,
+            dimensionless: &dimensionless,
             factors,
         };
         if self.format == Format::Json {
@@ -139,6 +143,35 @@ impl<'l> Look<'l> {
         }
         inspect::text(&seen)
     }
+}
+
+/// Each selected force's contact without dimensions, at the mass its contacts stand for on one limb.
+fn dimensionless(
+    model: &Model<'_, '_>,
+    selected: &Selected,
+    mass: Option<&Mass>,
+    limbs: &Limbs,
+) -> Vec<(usize, usize, DimensionlessContact)> {
+    let (Some(mass), Ok(count), Some(gravity)) = (mass, limbs.spheres_per_limb(), model.contacts_gravity())
+    else {
+        return Vec::new();
+    };
+    let Ok(loaded) = loaded_spheres(model, &selected.forces) else { return Vec::new() };
+    let mut found: Vec<(usize, usize, DimensionlessContact)> = Vec::new();
+    for sphere in loaded {
+        #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
+        let scale = Scale::new(ScaleValues {
+            mass_kg: mass.kg,
+            radius_m: sphere.radius_m,
+            sphere_count: count as f64,
+            gravity_m_s2: gravity,
+        });
+        let known = found.iter().any(|(force, set, _)| (*force, *set) == (sphere.force, sphere.set));
+        if let (Ok(scale), false) = (scale, known) {
+            found.push((sphere.force, sphere.set, DimensionlessContact::of(&sphere.contact, &scale)));
+        }
+    }
+    found
 }
 
 fn line_of(model: &Model<'_, '_>, fault: &Fault) -> Option<usize> {

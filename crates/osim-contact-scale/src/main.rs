@@ -12,6 +12,7 @@ mod fitting;
 mod load;
 mod look;
 mod measured;
+mod paths;
 mod place;
 mod presets;
 mod report;
@@ -98,12 +99,12 @@ fn rescale(args: &RescaleArgs, may_look: bool, terminal: &mut Terminal) -> Resul
     if args.models.is_empty() {
         bail!("no model given, expected one or more .osim files or folders (see --help)");
     }
+    if let Some(word) = args.models.iter().find(|path| verbs::looks_like_verb(path)).filter(|_| may_look) {
+        bail!("'{}' is neither a verb nor a file (see --help)", word.display());
+    }
     if let Some(target) = args.target_mass {
         let planner = RescaleVerb::new(args, target)?;
         return change::run(&args.models, &args.parts, &args.output, &planner, terminal);
-    }
-    if let Some(word) = args.models.iter().find(|path| verbs::looks_like_verb(path)).filter(|_| may_look) {
-        bail!("'{}' is neither a verb nor a file (see --help)", word.display());
     }
     if !may_look || args.asks_for_change() {
         bail!(

@@ -35,6 +35,9 @@ pub(crate) fn read_columns(path: &Path, columns: &ColumnArgs) -> Result<Measured
     let mut reader = csv::ReaderBuilder::new().delimiter(delimiter).trim(csv::Trim::All).from_reader(bytes);
     let header = reader.headers().with_context(|| shown.clone())?.clone();
     let find = |name: &str| -> Result<usize> {
+        if header.iter().filter(|cell| cell.eq_ignore_ascii_case(name)).count() > 1 {
+            bail!("{shown}: the column '{name}' is there twice, expected one");
+        }
         header.iter().position(|cell| cell.eq_ignore_ascii_case(name)).ok_or_else(|| {
             let known: Vec<_> = header.iter().map(|cell| format!("'{cell}'")).collect();
             let known = if known.is_empty() { "nothing".to_owned() } else { known.join(", ") };

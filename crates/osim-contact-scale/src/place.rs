@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Result, bail};
 
 use crate::args::OutputArgs;
+use crate::paths::resolved;
 use crate::sources::{OUTPUT_MARK, Source};
 
 /// Where one model's result goes.
@@ -69,22 +70,43 @@ fn relative(source: &Source) -> PathBuf {
     }
 }
 
-/// Refuses two models with one output, also where only letters' case differs (Windows and macOS see one file there).
-pub(crate) fn check_distinct(sources: &[Source], places: &[Place]) -> Result<()> {
-    let mut taken: HashMap<OsString, &Source> = HashMap::new();
-    for (source, place) in sources.iter().zip(places) {
-        let Some(path) = place.path() else { continue };
-        let key = path.as_os_str().to_string_lossy().to_lowercase().into();
-        if let Some(other) = taken.insert(key, source) {
+/// Outputs and inputs of a whole run, compared before anything is written.
+#[derive(Debug, Default)]
+pub(crate) struct Ledger {
+    inputs: HashMap<PathBuf, String>,
+    outputs: HashMap<OsString, String>,
+}
+
+impl Ledger {
+    /// A file that is read: nothing may be written over it.
+    pub(crate) fn read(&mut self, path: &Path) {
+        if path.as_os_str() != "-" {
+            self.inputs.insert(resolved(path), path.display().to_string());
+        }
+    }
+
+    /// A file that is to be written for `source`.
+    ///
+    /// # Errors
+    /// Another model has that output (also where only letters' case differs: Windows and macOS see one file there), or
+    /// it is one of the files that are read.
+    pub(crate) fn write(&mut self, path: &Path, source: &str) -> Result<()> {
+        let real = resolved(path);
+        if let Some(input) = self.inputs.get(&real) {
             bail!(
-                "{} and {} would both be written to {}: write them into different folders with -d",
-                other.shown(),
-                source.shown(),
+                "the output {} is an input of this run ({input}): choose another name, or change it with --in-place",
                 path.display()
             );
         }
+        let key = real.as_os_str().to_string_lossy().to_lowercase().into();
+        if let Some(other) = self.outputs.insert(key, source.to_owned()) {
+            bail!(
+                "{other} and {source} would both be written to {}: give them different names or folders",
+                path.display()
+            );
+        }
+        Ok(())
     }
-    Ok(())
 }
 
 #[cfg(test)]
@@ -109,8 +131,10 @@ mod tests {
 
     #[test]
     fn equal_outputs_are_found_also_but_for_case() {
-        let sources = [source("a/X.osim", None), source("b/x.osim", None)];
-        let places = [Place::File("out/X.osim".into()), Place::File("out/x.osim".into())];
-        assert!(check_distinct(&sources, &places).is_err());
+        let mut ledger = Ledger::default();
+        ledger.read(Path::new("in/a.osim"));
+        assert!(ledger.write(Path::new("out/X.osim"), "a").is_ok());
+        assert!(ledger.write(Path::new("out/x.osim"), "b").is_err());
+        assert!(ledger.write(Path::new("out/../in/a.osim"), "c").is_err());
     }
 }

@@ -6,6 +6,7 @@ use anyhow::{Context, Result, anyhow};
 use walkdir::WalkDir;
 
 use crate::failure::Failure;
+use crate::paths::resolved;
 
 /// End of the name of files that this tool writes by default.
 pub(crate) const OUTPUT_MARK: &str = ".scaled";
@@ -46,7 +47,7 @@ impl Sources {
         for path in named {
             if path.is_dir() {
                 sources.walk(path, skip);
-            } else if !sources.models.iter().any(|known| known.path == *path) {
+            } else if !sources.models.iter().any(|known| same(&known.path, path)) {
                 sources.models.push(Source { path: path.clone(), folder: None });
             }
         }
@@ -80,6 +81,9 @@ impl Sources {
             }
             self.models.push(Source { path: path.to_owned(), folder: Some(folder.to_owned()) });
         }
+        if let Some(skipped) = skip.as_ref().filter(|skipped| skipped.starts_with(resolved(folder))) {
+            self.remarks.push(format!("{}: the output folder is not read", skipped.display()));
+        }
         if own > 0 {
             let shown = folder.display();
             self.remarks
@@ -91,6 +95,11 @@ impl Sources {
             self.failures.push(Failure::outside(&folder.display().to_string(), "no-models", &error));
         }
     }
+}
+
+/// One model named twice is one model.
+fn same(a: &Path, b: &Path) -> bool {
+    a == b || (a.as_os_str() != "-" && b.as_os_str() != "-" && resolved(a) == resolved(b))
 }
 
 /// Reads a whole file, or standard input.

@@ -8,15 +8,38 @@ use osim_patch::{
     Anatomy, Assignment, Design, DesignModulus, Document, Factors, Fault, FaultKind, Follow, FollowRequest,
     Mass, MassRequest, MassSource, Model, Plan, Property, RadiusRule, Reference, Rescale, ScaleFile,
     ScalingRule, Selected, Selection, Set, Transfer, Warning, design, moving_spheres, reference_of_model,
-    rescale, set, transfer,
+    rescale, set, shortest, transfer,
 };
 
-use crate::args::{DesignArgs, PartArgs, RescaleArgs, RuleArg, SetArgs, TransferArgs, assignment};
+use crate::args::{
+    DesignArgs, OutputArgs, PartArgs, RescaleArgs, RuleArg, SetArgs, TransferArgs, assignment,
+};
 use crate::change::Planner;
 use crate::failure::Failure;
 use crate::load::Loaded;
 use crate::presets;
 use crate::sources::{Source, read};
+
+/// A factor that the note says was applied already is not applied once more in place.
+fn refuse_again(model: &Model<'_, '_>, operation: &str, output: &OutputArgs) -> Result<(), Fault> {
+    let done = model.note.as_ref().is_some_and(|note| note.operation == operation);
+    if !done || !output.in_place || output.force {
+        return Ok(());
+    }
+    Err(Fault::new(FaultKind::NeedsAnswer {
+        code: "same-operation",
+        question: format!("the note in the file says that '{operation}' was done already"),
+        way_out: "apply it once more with --force".to_owned(),
+    }))
+}
+
+/// The verb, and the factor of the radius where one is given.
+fn operation(verb: &str, radius: Option<RadiusRule>) -> String {
+    match radius {
+        Some(RadiusRule::Factor(factor)) => format!("{verb} radius=x{}", shortest(factor)),
+        _ => verb.to_owned(),
+    }
+}
 
 /// `--target-mass`.
 pub(crate) struct RescaleVerb<'v> {
@@ -28,6 +51,7 @@ pub(crate) struct RescaleVerb<'v> {
 
 impl<'v> RescaleVerb<'v> {
     pub(crate) fn new(args: &'v RescaleArgs, target_mass_kg: f64) -> Result<Self> {
+        args.scaling.check()?;
         let masses = MassRequest { target_kg: Some(target_mass_kg), ..args.masses.request()? };
         Ok(Self { args, target_mass_kg, selection: args.choice.selection()?, masses })
     }
@@ -37,8 +61,12 @@ impl Planner for RescaleVerb<'_> {
     fn plan(&self, model: &Model<'_, '_>) -> Result<Plan, Fault> {
         let selected = self.selection.apply(model)?;
         let mut warnings = Vec::new();
-        let contacts_mass = self.masses.of_contacts(model, &mut warnings)?;
         let scaling = &self.args.scaling;
+        let operation = operation("rescale", scaling.radius);
+        if matches!(scaling.radius, Some(RadiusRule::Factor(_))) {
+            refuse_again(model, &operation, &self.args.output)?;
+        }
+        let contacts_mass = self.masses.of_contacts(model, &mut warnings)?;
         let wanted = Rescale {
             target_mass_kg: self.target_mass_kg,
             contacts_mass,
@@ -46,9 +74,11 @@ impl Planner for RescaleVerb<'_> {
             properties: scaling.properties(),
             dissipation_by: scaling.dissipation(),
             target_gravity_m_s2: scaling.target_gravity,
+            contacts_gravity_m_s2: scaling.contacts_gravity,
             level: scaling.level_axis(model.gravity_m_s2),
         };
         let mut plan = rescale(model, &selected, &wanted)?;
+        plan.name_operation(&operation);
         plan.warnings.append(&mut warnings);
         Ok(plan)
     }
@@ -167,7 +197,7 @@ fn reference_from_model(
     // --stance-limbs is about this model; a reference that stands on several limbs says --reference-spheres.
     let (count, unknown) = match args.reference.reference_spheres {
         Some(count) => (count, None),
-        None => match sphere_count(model, &selected.forces, 1.0, "--reference-spheres") {
+        None => match sphere_count(model, 1.0, "--reference-spheres") {
             Ok(count) => (count, None),
             // A sphere that is missing on one side is named first, by comparing the two models.
             Err(fault) if args.follow.follow_bodies => (f64::NAN, Some(fault)),
@@ -181,13 +211,11 @@ fn reference_from_model(
 }
 
 /// n as found per limb times the stance limbs, or a question.
-pub(crate) fn sphere_count(
-    model: &Model<'_, '_>,
-    forces: &[usize],
-    stance_limbs: f64,
-    option: &str,
-) -> Result<f64, Fault> {
-    let limbs = model.limbs(forces);
+///
+/// All spheres that stand count, whichever forces were selected: those left out carry weight too.
+pub(crate) fn sphere_count(model: &Model<'_, '_>, stance_limbs: f64, option: &str) -> Result<f64, Fault> {
+    let all: Vec<usize> = (0..model.forces.len()).collect();
+    let limbs = model.limbs(&all);
     match limbs.spheres_per_limb() {
         #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
         Ok(count) => Ok(count as f64 * stance_limbs),
@@ -200,6 +228,10 @@ pub(crate) fn sphere_count(
 }
 
 impl Planner for TransferVerb<'_> {
+    fn reads(&self) -> Vec<PathBuf> {
+        std::iter::once(&self.args.from).chain(&self.args.follow.body_scale_file).cloned().collect()
+    }
+
     fn plan(&self, model: &Model<'_, '_>) -> Result<Plan, Fault> {
         let selected = self.selection.apply(model)?;
         let scaling = &self.args.scaling;
@@ -210,8 +242,14 @@ impl Planner for TransferVerb<'_> {
         };
         let sphere_count = match self.args.counts.spheres {
             Some(count) => count,
-            None => sphere_count(model, &selected.forces, self.args.counts.stance_limbs, "--spheres")?,
+            None => sphere_count(model, self.args.counts.stance_limbs, "--spheres")?,
         };
+        let operation = operation("transfer", scaling.radius);
+        if matches!(scaling.radius, Some(RadiusRule::Factor(_))) {
+            refuse_again(model, &operation, &self.args.output)?;
+        }
+        let mass = self.masses.of_model(model)?;
+        self.masses.compare(model, &mass, &mut warnings);
         let rule = self.rule(follow.as_ref())?;
         let mut plan = transfer(
             model,
@@ -219,7 +257,7 @@ impl Planner for TransferVerb<'_> {
             &Transfer {
                 reference: self.reference.clone(),
                 reference_sphere: self.args.reference.reference_sphere.clone(),
-                mass: self.masses.of_model(model)?,
+                mass,
                 sphere_count,
                 radius: scaling.radius.unwrap_or(RadiusRule::Keep),
                 properties: scaling.properties(),
@@ -230,6 +268,7 @@ impl Planner for TransferVerb<'_> {
                 strict: self.args.follow.strict,
             },
         )?;
+        plan.name_operation(&operation);
         plan.warnings.append(&mut warnings);
         Ok(plan)
     }
@@ -327,7 +366,11 @@ impl Planner for SetVerb {
         let selected = self.selection.apply(model)?;
         let mut warnings = Vec::new();
         // A plain change needs no mass; where one is known, the note goes on saying it.
-        let contacts_mass = self.masses.of_contacts(model, &mut warnings).ok();
+        let of_note = || {
+            let kg = model.note.as_ref()?.mass_kg?;
+            Some(Mass { kg, source: MassSource::Note, told_by: "note in the file".to_owned() })
+        };
+        let contacts_mass = self.masses.of_contacts(model, &mut warnings).ok().or_else(of_note);
         let assignments = self.assignments.clone();
         let mut plan = set(model, &selected, &Set { assignments, contacts_mass, again: self.again })?;
         plan.warnings.append(&mut warnings);
@@ -354,6 +397,19 @@ impl<'v> DesignVerb<'v> {
             || wanted.state_width.is_some()
             || wanted.speed_width.is_some()
             || wanted.radius.is_some();
+        if args.masses.contacts_mass.is_some() {
+            bail!("--contacts-mass says nothing here: a design follows from --mass and the load");
+        }
+        if wanted.indentation.is_none() && (args.load.load.is_some() || args.load.body_weights.is_some()) {
+            bail!(
+                "a load says nothing without --indentation X: leave it out, or say the indentation it shall give"
+            );
+        }
+        if wanted.radius == Some(RadiusRule::Isometric) {
+            bail!(
+                "--radius isometric says nothing here, expected keep, a radius in metres or a factor like x1.5"
+            );
+        }
         if wanted.stiffness.is_some() {
             bail!("--stiffness is known, not designed: write it with set MODEL stiffness=VALUE");
         }
@@ -373,18 +429,14 @@ impl<'v> DesignVerb<'v> {
         Ok(Self { args, selection: args.choice.selection()?, masses: args.masses.request()? })
     }
 
-    fn load(
-        &self,
-        model: &Model<'_, '_>,
-        forces: &[usize],
-    ) -> Result<(Option<SharedLoad>, Option<Mass>), Fault> {
+    fn load(&self, model: &Model<'_, '_>) -> Result<(Option<SharedLoad>, Option<Mass>), Fault> {
         let args = self.args;
         if args.wanted.indentation.is_none() {
             return Ok((None, None));
         }
         let count = match args.counts.spheres {
             Some(count) => count,
-            None => sphere_count(model, forces, args.counts.stance_limbs, "--spheres")?,
+            None => sphere_count(model, args.counts.stance_limbs, "--spheres")?,
         };
         let (load_n, mass) = match args.load.load {
             Some(load) => (load, None),
@@ -409,7 +461,7 @@ impl Planner for DesignVerb<'_> {
     fn plan(&self, model: &Model<'_, '_>) -> Result<Plan, Fault> {
         let selected = self.selection.apply(model)?;
         let wanted = &self.args.wanted;
-        let (load, mass) = self.load(model, &selected.forces)?;
+        let (load, mass) = self.load(model)?;
         let modulus = match (wanted.indentation, wanted.young.zip(wanted.poisson)) {
             (Some(x), _) => Some(DesignModulus::Indentation(x)),
             (None, Some((young_n_m2, poisson))) => Some(DesignModulus::Young { young_n_m2, poisson }),
@@ -418,7 +470,7 @@ impl Planner for DesignVerb<'_> {
         let radius = match (wanted.contact_stiffness, wanted.indentation, &load) {
             (Some(k), Some(x), Some(load)) => {
                 let radius = contact_scaling::design::radius_for_stiffness(k, x, load).map_err(Fault::new)?;
-                RadiusRule::Metres(radius)
+                RadiusRule::Designed(radius)
             }
             _ => wanted.radius.unwrap_or(RadiusRule::Keep),
         };
@@ -435,6 +487,7 @@ impl Planner for DesignVerb<'_> {
                 speed_width: width(wanted.speed_width),
                 radius,
                 mass,
+                gravity_m_s2: self.args.load.gravity,
             },
         )
     }

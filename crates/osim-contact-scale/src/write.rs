@@ -9,6 +9,8 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, anyhow, bail};
 use tempfile::NamedTempFile;
 
+use crate::paths::resolved;
+
 /// A complete successor that does not have its name yet.
 pub(crate) struct Prepared {
     temporary: NamedTempFile,
@@ -32,11 +34,17 @@ impl Prepared {
     /// # Errors
     /// The target exists and may not be replaced, or the folder cannot be written.
     pub(crate) fn new(target: &Path, bytes: &[u8], like: Option<&Metadata>, mode: Mode) -> Result<Self> {
-        // A symlink stays one: its target is what is replaced.
-        let target = target.canonicalize().unwrap_or_else(|_| target.to_owned());
+        if target.is_symlink() && !target.exists() {
+            bail!("{} is a link that leads nowhere: remove it, or write to another name", target.display());
+        }
+        // A symlink stays one: what it leads to is replaced.
+        let target = resolved(target);
         let existing = std::fs::metadata(&target).ok();
         if existing.as_ref().is_some_and(Metadata::is_dir) {
             bail!("cannot write {}: a folder has that name", target.display());
+        }
+        if existing.as_ref().is_some_and(|metadata| !metadata.is_file()) {
+            bail!("{} is no ordinary file: write to another name", target.display());
         }
         if existing.is_some() && mode == Mode::New {
             bail!(
@@ -54,7 +62,13 @@ impl Prepared {
             .map_err(|error| without_name(&error))
             .with_context(cannot)?;
         temporary.write_all(bytes).with_context(cannot)?;
+        keep_permissions(&temporary, existing.as_ref().or(like)).with_context(cannot)?;
         Ok(Self { temporary, target, replaces: existing.is_some() })
+    }
+
+    /// Whether a file is there whose contents are about to go.
+    pub(crate) fn replaces(&self) -> bool {
+        self.replaces
     }
 
     /// Makes sure the bytes are on the disk, not only on their way there.
@@ -67,6 +81,7 @@ impl Prepared {
     /// # Errors
     /// Somebody else made a file of that name in the meantime, or the folder cannot be changed.
     pub(crate) fn commit(self) -> Result<()> {
+        let durable = self.replaces;
         let target = self.target;
         let result = if self.replaces {
             self.temporary.persist(&target)
@@ -74,7 +89,12 @@ impl Prepared {
             self.temporary.persist_noclobber(&target)
         };
         match result {
-            Ok(_) => Ok(()),
+            Ok(_) => {
+                if durable {
+                    sync_folder_of(&target);
+                }
+                Ok(())
+            }
             Err(error) if error.error.kind() == ErrorKind::AlreadyExists => {
                 bail!("{} appeared while it was being written: nothing was replaced", target.display())
             }
@@ -108,41 +128,47 @@ fn builder(_like: Option<&Metadata>) -> tempfile::Builder<'static, 'static> {
     builder
 }
 
-/// Keeps the old `bytes` of `path` as `NAME.bak`; an older backup is never replaced, the next is `NAME.bak2`.
+/// The mode bits of the file that is replaced or copied, exactly: a process's mask takes nothing from them.
+#[cfg(unix)]
+fn keep_permissions(file: &NamedTempFile, like: Option<&Metadata>) -> std::io::Result<()> {
+    use std::os::unix::fs::PermissionsExt;
+    match like {
+        Some(like) => {
+            let mode = std::fs::Permissions::from_mode(like.permissions().mode() & 0o777);
+            file.as_file().set_permissions(mode)
+        }
+        None => Ok(()),
+    }
+}
+
+#[cfg(not(unix))]
+fn keep_permissions(_file: &NamedTempFile, _like: Option<&Metadata>) -> std::io::Result<()> {
+    Ok(())
+}
+
+/// A backup of `path` as it is: `NAME.bak`; an older backup is never replaced, the next is `NAME.bak2`.
 ///
 /// # Errors
 /// The folder cannot be written.
-pub(crate) fn back_up(path: &Path, bytes: &[u8]) -> Result<PathBuf> {
-    let path = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+pub(crate) fn backup(path: &Path, bytes: &[u8]) -> Result<(Prepared, PathBuf)> {
+    let path = resolved(path);
     let metadata = std::fs::metadata(&path).ok();
     for count in 1_u32.. {
         let mut name = path.file_name().unwrap_or_default().to_owned();
         name.push(if count == 1 { ".bak".to_owned() } else { format!(".bak{count}") });
         let backup = path.with_file_name(name);
-        if backup.symlink_metadata().is_ok() {
-            continue;
+        if backup.symlink_metadata().is_err() {
+            return Ok((Prepared::new(&backup, bytes, metadata.as_ref(), Mode::New)?, backup));
         }
-        let prepared = Prepared::new(&backup, bytes, metadata.as_ref(), Mode::New)?;
-        prepared.sync()?;
-        prepared.commit()?;
-        return Ok(backup);
     }
     bail!("cannot keep a backup of {}", path.display())
 }
 
 /// After a rename, the folder's entry itself has to reach the disk.
-pub(crate) fn sync_folder_of(path: &Path) {
+fn sync_folder_of(path: &Path) {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     // Windows cannot open folders; the rename is durable there by itself. A failure loses nothing but speed of certainty.
     if let Ok(folder) = File::open(folder) {
         let _ = folder.sync_all();
-    }
-}
-
-/// `true` where both paths are one file, through links and spellings.
-pub(crate) fn is_same_file(a: &Path, b: &Path) -> bool {
-    match (a.canonicalize(), b.canonicalize()) {
-        (Ok(a), Ok(b)) => a == b,
-        _ => a == b,
     }
 }

@@ -21,6 +21,7 @@
 //!     properties: Default::default(),
 //!     dissipation_by: Default::default(),
 //!     target_gravity_m_s2: None,
+//!     contacts_gravity_m_s2: None,
 //!     level: None,
 //! })?;
 //! // Eight times the mass is twice the length, and twice the stiffness (10).

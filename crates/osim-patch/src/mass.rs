@@ -4,7 +4,6 @@ use globset::GlobSet;
 
 use crate::error::{Fault, FaultKind};
 use crate::model::Model;
-use crate::note::{Note, Scope, digest};
 use crate::number::shortest;
 use crate::warning::{Warning, WarningCode};
 
@@ -92,7 +91,7 @@ impl MassRequest {
         Err(Fault::new(FaultKind::NeedsAnswer {
             code: "no-mass",
             question: if count == 0 {
-                "the mass is not in the file: it has no bodies".to_owned()
+                "the mass is not in the file: no body is left to sum".to_owned()
             } else {
                 format!("the {count} bodies weigh {} kg in all", shortest(kg))
             },
@@ -109,25 +108,30 @@ impl MassRequest {
         let mass = if let Some(kg) = self.contacts_kg {
             let kg = checked("--contacts-mass", kg)?;
             Mass { kg, source: MassSource::Option, told_by: "--contacts-mass".to_owned() }
-        } else if let Some(note) = &model.note {
-            let kg = trusted(model, note)?;
+        } else if let Some(why) = model.doubt_about_note() {
+            return Err(uncertain(model, why));
+        } else if let Some(kg) = model.note.as_ref().and_then(|note| note.mass_kg) {
             Mass { kg, source: MassSource::Note, told_by: "note in the file".to_owned() }
         } else {
-            return self.of_model(model);
+            self.of_model(model)?
         };
         self.compare(model, &mass, warnings);
         Ok(mass)
     }
 
     /// Says where the other sources disagree with the one that was taken.
-    fn compare(&self, model: &Model<'_, '_>, taken: &Mass, warnings: &mut Vec<Warning>) {
+    pub fn compare(&self, model: &Model<'_, '_>, taken: &Mass, warnings: &mut Vec<Warning>) {
         let mut others = Vec::new();
         if taken.source != MassSource::Note
             && let Some(kg) = model.note.as_ref().and_then(|note| note.mass_kg)
         {
             others.push((kg, "the note in the file".to_owned()));
         }
-        if let Ok(mass) = self.of_model(model) {
+        if let (Some(kg), true) = (self.model_kg, taken.source != MassSource::Mass) {
+            others.push((kg, "--mass".to_owned()));
+        }
+        let bodies = Self { model_kg: None, ..self.clone() };
+        if let (Ok(mass), true) = (bodies.of_model(model), taken.source != MassSource::Bodies) {
             others.push((mass.kg, format!("the {}", mass.told_by)));
         }
         // The usual case: the body was scaled to the target already, and the user says what the contacts were made for.
@@ -155,26 +159,14 @@ pub fn same_mass(a: f64, b: f64) -> bool {
     (a - b).abs() <= SAME_MASS * b.abs()
 }
 
-/// A note speaks for the contacts only while all of them are as it left them.
-fn trusted(model: &Model<'_, '_>, note: &Note) -> Result<f64, Fault> {
-    let why = match note.mass_kg {
-        None => "its mass was not known then",
-        Some(_) if note.digest != digest(model, |_| None) => {
-            "the values are no longer those the note was written for"
-        }
-        Some(_) if note.scope == Scope::Partial => {
-            "only some values were changed by the run that left the note"
-        }
-        Some(kg) => return Ok(kg),
-    };
-    let said = note.mass_kg.map_or("unknown".to_owned(), shortest);
-    Err(Fault::new(FaultKind::NeedsAnswer {
+fn uncertain(model: &Model<'_, '_>, why: &str) -> Fault {
+    let said = model.note.as_ref().and_then(|note| note.mass_kg);
+    let said = said.map(|kg| format!(" (the note says {} kg)", shortest(kg))).unwrap_or_default();
+    Fault::new(FaultKind::NeedsAnswer {
         code: "stale-note",
-        question: format!(
-            "what the contacts stand for is not certain: the note in the file says {said} kg, but {why}"
-        ),
+        question: format!("what the contacts stand for is not certain{said}: {why}"),
         way_out: "say it with --contacts-mass KG".to_owned(),
-    }))
+    })
 }
 
 pub(crate) fn checked(what: &str, kg: f64) -> Result<f64, Fault> {

@@ -48,6 +48,24 @@ impl Note {
         Self::parse(document.tree().slice(span))
     }
 
+    /// Whether there is a comment that begins like a note, readable or not.
+    pub(crate) fn is_there(document: &Document<'_>) -> bool {
+        Self::span(document).is_some()
+    }
+
+    /// Why the note no longer speaks for the contacts of `model`, if it does not.
+    pub(crate) fn doubt(&self, model: &Model<'_, '_>) -> Option<&'static str> {
+        if self.digest != digest(model, |_| None) {
+            Some("the values are no longer those the note was written for")
+        } else if self.scope == Scope::Partial {
+            Some("only some values were changed by the run that left the note")
+        } else if self.mass_kg.is_none() {
+            Some("the mass was not known when the note was written")
+        } else {
+            None
+        }
+    }
+
     /// The bytes of the note's comment.
     pub(crate) fn span(document: &Document<'_>) -> Option<Range<usize>> {
         let tree = document.tree();

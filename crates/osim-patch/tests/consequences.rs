@@ -28,6 +28,7 @@ fn wanted() -> Rescale {
         properties: PropertySet::default(),
         dissipation_by: Default::default(),
         target_gravity_m_s2: None,
+        contacts_gravity_m_s2: None,
         level: None,
     }
 }

@@ -23,6 +23,7 @@ fn wanted(target_mass_kg: f64, origin_kg: f64) -> Rescale {
         properties: PropertySet::default(),
         dissipation_by: Default::default(),
         target_gravity_m_s2: None,
+        contacts_gravity_m_s2: None,
         level: None,
     }
 }

@@ -114,6 +114,7 @@ fn planned(model: &Model<'_, '_>, factor: f64, radius: RadiusRule) -> Option<Pla
         properties: osim_patch::PropertySet::default().with_friction(),
         dissipation_by: osim_patch::DissipationBy::default(),
         target_gravity_m_s2: None,
+        contacts_gravity_m_s2: None,
         level: None,
     };
     rescale(model, &selected, &wanted).ok()

@@ -61,6 +61,9 @@ pub(crate) struct ScalingArgs {
     /// Scale transition_velocity and viscous_friction too (an extension of the paper)
     #[arg(long, hide_short_help = true)]
     pub friction: bool,
+    /// Gravity the contacts stand for now, m/s2 [default: the note's, else the model's]
+    #[arg(long, value_name = "G", value_parser = acceleration, hide_short_help = true)]
+    pub contacts_gravity: Option<f64>,
     /// Scale to this gravity too, m/s2 (an extension of the paper)
     #[arg(long, value_name = "G", value_parser = acceleration, hide_short_help = true)]
     pub target_gravity: Option<f64>,
@@ -73,6 +76,22 @@ pub(crate) enum DissipationArg {
 }
 
 impl ScalingArgs {
+    /// Refuses a choice of properties that leaves nothing.
+    pub(crate) fn check(&self) -> anyhow::Result<()> {
+        let never =
+            self.only.iter().find(|p| matches!(p, Property::StaticFriction | Property::DynamicFriction));
+        if let Some(property) = never {
+            anyhow::bail!(
+                "--only {property}: it has no dimension, so it is the same at every size; change it with set"
+            );
+        }
+        let properties = self.properties();
+        if Property::ALL.iter().all(|&property| !properties.contains(property)) {
+            anyhow::bail!("--only and --keep leave no property to change");
+        }
+        Ok(())
+    }
+
     pub(crate) fn properties(&self) -> PropertySet {
         // Naming a friction property in --only asks for it.
         let friction = self.friction

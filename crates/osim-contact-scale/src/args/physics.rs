@@ -58,7 +58,7 @@ pub(crate) struct WantedArgs {
     #[arg(long, value_name = "CR", value_parser = restitution)]
     pub restitution: Option<f64>,
     /// Impact speed, m/s [default: sqrt(gR/2), a fall from a quarter of the radius]
-    #[arg(long, value_name = "M/S", value_parser = positive_number)]
+    #[arg(long, value_name = "M/S", value_parser = positive_number, requires = "restitution")]
     pub impact_speed: Option<f64>,
     /// Constant indentation over radius, for constant_contact_force (C.2)
     #[arg(long, value_name = "X", value_parser = positive_number)]
@@ -121,6 +121,12 @@ pub(crate) struct DropArgs {
     /// Say how far this drop and that of OTHER (a model or preset) lie apart in dimensionless form
     #[arg(long, value_name = "OTHER")]
     pub compare: Option<PathBuf>,
+    /// With --compare: the spheres that share OTHER's weight [default: as found on one limb]
+    #[arg(long, value_name = "N", value_parser = count, requires = "compare")]
+    pub compare_spheres: Option<f64>,
+    /// A file with presets of your own (TOML)
+    #[arg(long, value_name = "FILE", hide_short_help = true)]
+    pub presets: Option<PathBuf>,
     /// How to print
     #[arg(long, value_enum, default_value_t)]
     pub format: SeriesFormat,
@@ -134,9 +140,6 @@ pub(crate) struct DropArgs {
     pub choice: ForceChoice,
     #[command(flatten)]
     pub parts: PartArgs,
-    /// A file with presets of your own (TOML)
-    #[arg(long, value_name = "FILE")]
-    pub presets: Option<PathBuf>,
 }
 
 /// A contact given by its numbers.
@@ -201,11 +204,11 @@ pub(crate) struct FitArgs {
     /// Which part of the measurement
     #[arg(long, value_enum, default_value = "both")]
     pub branch: BranchArg,
-    #[command(flatten)]
-    pub columns: ColumnArgs,
     /// How to print
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
+    #[command(flatten)]
+    pub columns: ColumnArgs,
 }
 
 #[derive(Debug, Clone, Copy, ValueEnum)]

@@ -141,7 +141,14 @@ fn positive(text: &str, expected: &str, units: &[(&str, f64)]) -> Result<f64, St
         };
     }
     if let Some(value) = plain(&text.replacen(',', ".", 1)).filter(|_| text.matches(',').count() == 1) {
-        return Err(format!("it has a decimal comma: type {}", shortest(value)));
+        // `1,190` may be a thousand and something: then the comma is not a decimal one.
+        let grouped = |tail: &str| tail.len() == 3 && tail.bytes().all(|byte| byte.is_ascii_digit());
+        return Err(match text.split_once(',') {
+            Some((head, tail)) if head != "0" && grouped(tail) => {
+                format!("it has a comma: type {} (or {head}{tail}, if it parts thousands)", shortest(value))
+            }
+            _ => format!("it has a decimal comma: type {}", shortest(value)),
+        });
     }
     for (unit, factor) in units {
         let number = text.strip_suffix(unit).map(str::trim_end).and_then(plain);
@@ -151,7 +158,13 @@ fn positive(text: &str, expected: &str, units: &[(&str, f64)]) -> Result<f64, St
             return Err(format!("units are not written here, expected {expected}: type {}", shortest(value)));
         }
     }
-    Err(format!("expected {expected}"))
+    let number = text.trim_end_matches(|c: char| !c.is_ascii_digit() && c != '.').trim_end();
+    match plain(number) {
+        Some(value) if number.len() < text.len() => {
+            Err(format!("units are not written here, expected {expected} such as {}", shortest(value)))
+        }
+        _ => Err(format!("expected {expected}")),
+    }
 }
 
 /// A decimal number without words such as `inf` or `nan`.
@@ -204,6 +217,7 @@ mod tests {
             ("20.9g", "type 0.0209"),
             ("20.9 g", "type 0.0209"),
             ("0,0209", "type 0.0209"),
+            ("1,190", "1190"),
             ("-3", "above 0"),
             ("0", "above 0"),
             ("inf", "a mass in kg"),

@@ -51,7 +51,7 @@ fn rows(changes: &[Change]) -> String {
     for group in groups {
         let Some(first) = group.first() else { continue };
         let factor = first.factor.map(|factor| format!("x{}", number(factor))).unwrap_or_default();
-        let equation = if first.equation.starts_with(|c: char| c.is_ascii_digit() || c == 'C') {
+        let equation = if first.equation.starts_with(|c: char| c.is_ascii_digit() || c == 'A' || c == 'C') {
             format!("({})", first.equation)
         } else {
             first.equation.to_owned()

@@ -91,6 +91,12 @@ fn spheres(seen: &Inspected<'_>) -> String {
     format!("{}\n", table.trim_fmt())
 }
 
+/// Four significant digits, to compare by eye.
+fn four(value: f64) -> String {
+    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
+    number(rounded)
+}
+
 /// Parameters, one block for each group of forces that have the same.
 fn forces(seen: &Inspected<'_>) -> String {
     let mut groups: Vec<(Vec<String>, Vec<String>)> = Vec::new();
@@ -104,6 +110,23 @@ fn forces(seen: &Inspected<'_>) -> String {
                     any_default |= !mark.is_empty();
                     cells.push(format!("{property} {}{mark}", number(value.number)));
                 }
+            }
+            if let Some(pure) = seen.dimensionless_of(index, number_of_set) {
+                cells.push(format!(
+                    "relative indentation at body weight on one limb (Hertz) {:.4}",
+                    pure.relative_indentation()
+                ));
+                let optional = |value: Option<f64>, name: &str| {
+                    value.map(|value| format!(", {name} {}", four(value))).unwrap_or_default()
+                };
+                cells.push(format!(
+                    "without dimensions: modulus {}, dissipation {}{}{}{}",
+                    four(pure.modulus()),
+                    four(pure.dissipation()),
+                    optional(pure.constant_indentation(), "cf"),
+                    optional(pure.hertz_smoothing(), "bd"),
+                    optional(pure.hunt_crossley_smoothing(), "bv")
+                ));
             }
             let mut name = force.name.clone();
             if force.sets.len() > 1 {

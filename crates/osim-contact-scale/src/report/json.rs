@@ -1,5 +1,6 @@
 //! The JSON contract: one object per model and line. `docs/json.md` describes every field.
 
+use contact_scaling::DimensionlessContact;
 use osim_patch::{BodyFactors, Change, Factors, Limbs, Mass, Model, Move, Plan, Property, Selected, Warning};
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -226,7 +227,32 @@ struct JsonForce<'m> {
     selected: bool,
     parameters: Map<String, Value>,
     origin: Map<String, Value>,
+    dimensionless: Option<JsonDimensionless>,
     line: usize,
+}
+
+/// The form in which contacts of different sizes are compared.
+#[derive(Serialize)]
+struct JsonDimensionless {
+    modulus: f64,
+    relative_indentation: f64,
+    dissipation: f64,
+    constant_indentation: Option<f64>,
+    hertz_smoothing: Option<f64>,
+    hunt_crossley_smoothing: Option<f64>,
+}
+
+impl From<&DimensionlessContact> for JsonDimensionless {
+    fn from(contact: &DimensionlessContact) -> Self {
+        Self {
+            modulus: contact.modulus(),
+            relative_indentation: contact.relative_indentation(),
+            dissipation: contact.dissipation(),
+            constant_indentation: contact.constant_indentation(),
+            hertz_smoothing: contact.hertz_smoothing(),
+            hunt_crossley_smoothing: contact.hunt_crossley_smoothing(),
+        }
+    }
 }
 
 /// Everything `inspect` knows.
@@ -238,8 +264,16 @@ pub(crate) struct Inspected<'i> {
     pub selected: &'i Selected,
     pub limbs: &'i Limbs,
     pub warnings: &'i [Warning],
+    /// For each force (and parameter set) its contact without dimensions, where mass, n and gravity are known.
+    pub dimensionless: &'i [(usize, usize, DimensionlessContact)],
     /// Factors against the generic model, where one was named.
     pub factors: Option<&'i Factors>,
+}
+
+impl Inspected<'_> {
+    pub(crate) fn dimensionless_of(&self, force: usize, set: usize) -> Option<&DimensionlessContact> {
+        self.dimensionless.iter().find(|(f, s, _)| (*f, *s) == (force, set)).map(|(.., contact)| contact)
+    }
 }
 
 /// What a model holds.
@@ -275,6 +309,7 @@ pub(crate) fn inspect(seen: &Inspected<'_>) -> String {
             selected: seen.selected.forces.contains(&index),
             parameters: parameters(force, number, |value| Value::from(value.number)),
             origin: parameters(force, number, |value| Value::from(value.origin.as_str())),
+            dimensionless: seen.dimensionless_of(index, number).map(Into::into),
             line: set.line,
         })
     });

@@ -53,6 +53,8 @@ pub struct Model<'d, 'a> {
     pub note: Option<Note>,
     /// Traps found while reading.
     pub warnings: Vec<Warning>,
+    /// A comment that begins like the note and cannot be read, or a pair whose notes differ.
+    pub(crate) note_fault: Option<&'static str>,
     /// For each part, the `file="…"` that names it, where one does.
     included: Vec<Option<String>>,
 }
@@ -94,14 +96,26 @@ impl<'d, 'a> Model<'d, 'a> {
             .or(Some(DEFAULT_GRAVITY));
         let name = document.tree().attribute(document.data_root(), "name").unwrap_or_default().into_owned();
         let note = Note::find(document);
+        let note_fault =
+            (note.is_none() && Note::is_there(document)).then_some("the note in the file cannot be read");
         let included = parts
             .iter()
             .map(|part| {
                 document.tree().attribute(part.included_by?, "file").map(|file| file.trim().to_owned())
             })
             .collect();
-        let mut model =
-            Self { files, skeleton, name, gravity_m_s2, spheres, forces, note, warnings, included };
+        let mut model = Self {
+            files,
+            skeleton,
+            name,
+            gravity_m_s2,
+            spheres,
+            forces,
+            note,
+            warnings,
+            note_fault,
+            included,
+        };
         model.find_traps();
         model.compare_notes(parts);
         Ok(model)
@@ -114,6 +128,7 @@ impl<'d, 'a> Model<'d, 'a> {
                 (self.note.as_ref().map(|n| &n.digest), Note::find(part.document).map(|n| n.digest));
             if ours != theirs.as_ref() {
                 let text = "the force set and its geometry set were not written by the same run";
+                self.note_fault = Some(text);
                 self.warnings.push(Warning::new(WarningCode::MixedPair, text));
             }
         }
@@ -152,6 +167,12 @@ impl<'d, 'a> Model<'d, 'a> {
     #[must_use]
     pub fn contacts_gravity(&self) -> Option<f64> {
         self.note.as_ref().and_then(|note| note.gravity_m_s2).or(self.gravity())
+    }
+
+    /// Why the note's word on the contacts cannot be taken; `None` where it can, or where there is no note.
+    #[must_use]
+    pub fn doubt_about_note(&self) -> Option<&'static str> {
+        self.note_fault.or_else(|| self.note.as_ref()?.doubt(self))
     }
 
     pub(crate) fn skeleton(&self) -> &Skeleton {

@@ -3,7 +3,7 @@
 use contact_scaling::{DimensionlessContact, Scale, ScaleValues};
 
 use super::surfaces::sphere_sets;
-use super::transfer::{ReferenceContact, Transfer};
+use super::transfer::{Reference, ReferenceContact, Transfer};
 use crate::error::{Fault, FaultKind};
 use crate::model::{Force, Model};
 use crate::select::Selected;
@@ -88,6 +88,51 @@ impl<'t> Choice<'t> {
                 find(all, name).unwrap_or(first)
             }
         }
+    }
+
+    /// The reference radius that a sphere's follows from: its namesake's, else the one radius all have there.
+    pub(super) fn radius_for(
+        &self,
+        model: &Model<'_, '_>,
+        sphere: usize,
+        reference: &Reference,
+    ) -> Option<f64> {
+        let name = model.spheres.get(sphere).map_or("", |sphere| sphere.name.as_str());
+        let named = reference.contacts.iter().find_map(|contact| {
+            let at = contact.spheres.iter().position(|known| known == name)?;
+            contact.radii_m.get(at).copied()
+        });
+        let first = self.of_sphere(model, sphere).radius_m;
+        let one =
+            reference.contacts.iter().flat_map(|contact| &contact.radii_m).all(|radius| *radius == first);
+        named.or(one.then_some(first))
+    }
+
+    /// Isometric radii need a namesake for each sphere, or one radius in the reference.
+    pub(super) fn refuse_unclear_radii(
+        &self,
+        model: &Model<'_, '_>,
+        selected: &Selected,
+        reference: &Reference,
+    ) -> Result<(), Fault> {
+        let unclear: Vec<&str> = super::radii::moving_spheres(model, &selected.forces)
+            .into_iter()
+            .filter(|&sphere| self.radius_for(model, sphere, reference).is_none())
+            .filter_map(|sphere| model.spheres.get(sphere))
+            .map(|sphere| sphere.name.as_str())
+            .collect();
+        if unclear.is_empty() {
+            return Ok(());
+        }
+        Err(Fault::new(FaultKind::NeedsAnswer {
+            code: "which-reference",
+            question: format!(
+                "radii differ in {}, and these spheres have no namesake there: {}",
+                reference.name,
+                unclear.join(", ")
+            ),
+            way_out: "say the radius with --radius METRES, or keep radii with --radius keep".to_owned(),
+        }))
     }
 
     pub(super) fn of_force(

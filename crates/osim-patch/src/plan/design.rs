@@ -16,6 +16,7 @@ use crate::note::Scope;
 use crate::number::readable;
 use crate::property::Property;
 use crate::select::Selected;
+use crate::warning::{Warning, WarningCode};
 
 /// How E₁* is found.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,6 +51,8 @@ pub struct Design {
     pub radius: RadiusRule,
     /// Mass the result stands for, where the load is body weight.
     pub mass: Option<Mass>,
+    /// Gravity, m/s², where it is not the model's.
+    pub gravity_m_s2: Option<f64>,
 }
 
 /// Plans a design onto the forces `selected` of `model`.
@@ -75,15 +78,21 @@ pub fn design(model: &Model<'_, '_>, selected: &Selected, wanted: &Design) -> Re
     }
     let mut remarks = vec!["body masses and sphere locations stay as they are".to_owned()];
     remarks.extend(bottoms_remark(&radii));
-    let Draft { changes, moves, warnings, .. } = draft;
+    let Draft { changes, moves, mut warnings, .. } = draft;
+    if changes.is_empty() {
+        let text = "nothing that is wanted applies to these forces, or every value is already as wanted";
+        warnings.push(Warning::new(WarningCode::NothingToChange, text));
+    }
+    let is_smooth = |force: &Force| force.kind == ForceKind::SmoothSphereHalfSpace;
+    let smooth = selected.forces.iter().filter_map(|&index| model.forces.get(index)).any(is_smooth);
     let masses = wanted.mass.clone().map(|from| Masses { to_kg: from.kg, from });
     let plan = Plan { changes, moves, masses, taken: wanted.taken(), warnings, remarks, note: None };
     Ok(plan.with_note(
         model,
         &NoteFacts {
             mass_kg: wanted.mass.as_ref().map(|mass| mass.kg),
-            gravity_m_s2: model.contacts_gravity(),
-            scope: if wanted.is_complete() && selected.complete { Scope::All } else { Scope::Partial },
+            gravity_m_s2: wanted.gravity_m_s2.or(model.gravity()),
+            scope: if wanted.is_complete(smooth) && selected.complete { Scope::All } else { Scope::Partial },
             operation: "design",
         },
     ))
@@ -107,12 +116,11 @@ fn carry(
 }
 
 impl Design {
-    fn is_complete(&self) -> bool {
-        self.modulus.is_some()
-            && self.restitution.is_some()
-            && self.constant_indentation.is_some()
-            && self.state_width.is_some()
-            && self.speed_width.is_some()
+    /// Whether every property the paper scales is designed; a HuntCrossleyForce has no smoothing.
+    fn is_complete(&self, smooth: bool) -> bool {
+        let smoothing =
+            self.constant_indentation.is_some() && self.state_width.is_some() && self.speed_width.is_some();
+        self.modulus.is_some() && self.restitution.is_some() && (smoothing || !smooth)
     }
 
     fn value(
@@ -130,7 +138,8 @@ impl Design {
             },
             Property::Dissipation => match self.restitution {
                 Some((restitution, speed)) => {
-                    let speed = speed.map_or_else(|| default_speed(model, radius_m), Ok)?;
+                    let speed = speed
+                        .map_or_else(|| default_speed(self.gravity_m_s2.or(model.gravity()), radius_m), Ok)?;
                     Some((restitution::dissipation(restitution, speed).map_err(Fault::new)?, "13"))
                 }
                 None => None,
@@ -198,13 +207,22 @@ impl Design {
         if let Some((restitution, _)) = self.restitution {
             parts.push(format!("restitution {}", readable(restitution)));
         }
-        if parts.is_empty() { "design".to_owned() } else { parts.join("; ") }
+        if let Some(x) = self.constant_indentation {
+            parts.push(format!("constant indentation {}", readable(x)));
+        }
+        if let Some((t, width)) = self.state_width {
+            parts.push(format!("contact transition over {} radii (threshold {t})", readable(width)));
+        }
+        if let Some((t, width)) = self.speed_width {
+            parts.push(format!("speed transition over {} m/s (threshold {t})", readable(width)));
+        }
+        if parts.is_empty() { "another radius".to_owned() } else { parts.join("; ") }
     }
 }
 
 /// The impact speed of a fall from a quarter of the radius, √(gR/2): the paper's drop test.
-fn default_speed(model: &Model<'_, '_>, radius_m: f64) -> Result<f64, Fault> {
-    match model.gravity().filter(|&gravity| gravity > 0.0) {
+fn default_speed(gravity: Option<f64>, radius_m: f64) -> Result<f64, Fault> {
+    match gravity.filter(|&gravity| gravity > 0.0) {
         Some(gravity) => Ok((gravity * radius_m / 2.0).sqrt()),
         None => Err(Fault::refused(
             "the model has no gravity: say how fast contacts begin with --impact-speed M/S",

@@ -15,6 +15,8 @@ pub struct LoadedSphere {
     pub sphere: usize,
     /// Index into [`Model::forces`].
     pub force: usize,
+    /// Number of its parameter set in the force.
+    pub set: usize,
     /// Its radius, m.
     pub radius_m: f64,
     /// E₁* of two equal surfaces (A.3, A.4), α, and the smoothing where the class has it.
@@ -39,7 +41,7 @@ pub fn loaded_spheres(model: &Model<'_, '_>, forces: &[usize]) -> Result<Vec<Loa
             let contact = contact_of_set(&draft, (index, force), &surfaces, set)?;
             for sphere in spheres {
                 let radius_m = draft.current_radius(sphere)?;
-                loaded.push(LoadedSphere { sphere, force: index, radius_m, contact });
+                loaded.push(LoadedSphere { sphere, force: index, set, radius_m, contact });
             }
         }
     }

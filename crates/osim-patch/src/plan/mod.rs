@@ -154,6 +154,13 @@ impl Plan {
         self.note = None;
     }
 
+    /// Records in the note what was done, where that is more than the verb: `rescale radius=x2`.
+    pub fn name_operation(&mut self, operation: &str) {
+        if let Some(note) = &mut self.note {
+            note.operation = operation.to_owned();
+        }
+    }
+
     /// The note that would be written; none when nothing changes.
     #[must_use]
     pub fn note(&self) -> Option<&Note> {

@@ -23,6 +23,9 @@ pub enum RadiusRule {
     /// As large against the body as the reference's: this, m (transfers only).
     #[doc(hidden)]
     Like(f64),
+    /// As the wanted stiffness and indentation need: this, m (designs only).
+    #[doc(hidden)]
+    Designed(f64),
     /// As its body grew: this, m (spheres that follow their bodies only).
     #[doc(hidden)]
     Followed(f64),
@@ -43,8 +46,14 @@ impl RadiusRule {
         match self {
             Self::Isometric | Self::Like(_) => "8",
             Self::Followed(_) => "follow",
+            Self::Designed(_) => "11, B.2",
             _ => "given",
         }
+    }
+
+    /// Whether the new radius is a multiple of the old one.
+    fn is_relative(self) -> bool {
+        matches!(self, Self::Isometric | Self::Keep | Self::Factor(_))
     }
 
     fn pair(self, old: f64, isometric: f64) -> Pair {
@@ -53,7 +62,9 @@ impl RadiusRule {
             Self::Isometric => times(isometric),
             Self::Keep => times(1.0),
             Self::Factor(factor) => times(factor),
-            Self::Metres(new) | Self::Like(new) | Self::Followed(new) => Pair { old, new, ratio: new / old },
+            Self::Metres(new) | Self::Like(new) | Self::Followed(new) | Self::Designed(new) => {
+                Pair { old, new, ratio: new / old }
+            }
         }
     }
 }
@@ -80,9 +91,7 @@ impl Radii {
             if pair.new != pair.old {
                 users.refuse(model, forces, sphere)?;
             }
-            let factor =
-                (!matches!(rule, RadiusRule::Metres(_) | RadiusRule::Like(_) | RadiusRule::Followed(_)))
-                    .then_some(pair.ratio);
+            let factor = rule.is_relative().then_some(pair.ratio);
             draft.radius(sphere, New { to: pair.new, factor, equation: rule.equation() })?;
             radii.insert(sphere, pair);
         }
@@ -159,7 +168,7 @@ impl Radii {
 }
 
 /// Exactly the common value where all are equal.
-fn root_mean_square(radii: impl Iterator<Item = f64> + Clone) -> f64 {
+pub(super) fn root_mean_square(radii: impl Iterator<Item = f64> + Clone) -> f64 {
     let mut others = radii.clone();
     match others.next() {
         None => f64::NAN,
@@ -184,14 +193,14 @@ pub fn moving_spheres(model: &Model<'_, '_>, forces: &[usize]) -> Vec<usize> {
 }
 
 /// Forces that use a sphere and are not changed with it.
-struct Users<'m> {
+pub(super) struct Users<'m> {
     forces: HashMap<usize, Vec<&'m str>>,
     /// By sphere name: contact classes that are not Hertz's.
     others: HashMap<String, Vec<String>>,
 }
 
 impl<'m> Users<'m> {
-    fn outside(model: &'m Model<'_, '_>, chosen: &[usize]) -> Self {
+    pub(super) fn outside(model: &'m Model<'_, '_>, chosen: &[usize]) -> Self {
         let chosen: HashSet<usize> = chosen.iter().copied().collect();
         let mut forces: HashMap<usize, Vec<&str>> = HashMap::new();
         for (index, force) in model.forces.iter().enumerate() {
@@ -205,7 +214,7 @@ impl<'m> Users<'m> {
     }
 
     /// A radius may change only if every applied force that uses the sphere changes with it.
-    fn refuse(&self, model: &Model<'_, '_>, chosen: &[usize], sphere: usize) -> Result<(), Fault> {
+    pub(super) fn refuse(&self, model: &Model<'_, '_>, chosen: &[usize], sphere: usize) -> Result<(), Fault> {
         let Some(shared) = model.spheres.get(sphere) else { return Ok(()) };
         let mut left: Vec<&str> = self.forces.get(&sphere).cloned().unwrap_or_default();
         left.extend(self.others.get(&shared.name).into_iter().flatten().map(String::as_str));

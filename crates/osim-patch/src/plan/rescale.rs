@@ -5,7 +5,7 @@ use contact_scaling::{RatioValues, Ratios};
 use super::draft::{Draft, New, PropertySet};
 use super::radii::{Radii, RadiusRule};
 use super::{DissipationBy, Masses, NoteFacts, Plan};
-use crate::error::Fault;
+use crate::error::{Fault, FaultKind};
 use crate::follow::LevelAxis;
 use crate::mass::{Mass, checked, same_mass};
 use crate::model::{ForceKind, Model};
@@ -30,6 +30,8 @@ pub struct Rescale {
     pub dissipation_by: DissipationBy,
     /// Gravity afterwards, m/s², where it differs. What the contacts stand for now is the note's, else the model's.
     pub target_gravity_m_s2: Option<f64>,
+    /// Gravity the contacts stand for now, m/s², where the note and the model do not say it rightly.
+    pub contacts_gravity_m_s2: Option<f64>,
     /// Move sphere centres so that their bottoms stay where they are.
     pub level: Option<LevelAxis>,
 }
@@ -42,7 +44,8 @@ pub fn rescale(model: &Model<'_, '_>, selected: &Selected, wanted: &Rescale) -> 
     let target = checked("--target-mass", wanted.target_mass_kg)?;
     let origin = wanted.contacts_mass.kg;
     let mut draft = Draft::new(model);
-    let gravity = gravity_ratio(model.contacts_gravity(), wanted.target_gravity_m_s2)?;
+    let gravity = gravity_now(model, wanted)?;
+    let gravity = gravity_ratio(gravity, wanted.target_gravity_m_s2)?;
     let other_radius = matches!(wanted.radius, RadiusRule::Metres(_) | RadiusRule::Factor(_));
     if same_mass(target, origin) && gravity == 1.0 && !other_radius {
         draft.warnings.push(already_there(origin, &wanted.contacts_mass));
@@ -108,6 +111,23 @@ fn scale_set(
     Ok(())
 }
 
+/// Gravity that the contacts stand for; a doubtful note is not taken at its word where a factor depends on it.
+fn gravity_now(model: &Model<'_, '_>, wanted: &Rescale) -> Result<Option<f64>, Fault> {
+    let noted = model.note.as_ref().and_then(|note| note.gravity_m_s2);
+    let differs = noted.is_some() && noted != model.gravity();
+    match (wanted.contacts_gravity_m_s2, model.doubt_about_note()) {
+        (Some(given), _) => Ok(Some(given)),
+        (None, Some(why)) if wanted.target_gravity_m_s2.is_some() && differs => {
+            Err(Fault::new(FaultKind::NeedsAnswer {
+                code: "stale-note",
+                question: format!("which gravity the contacts stand for is not certain: {why}"),
+                way_out: "say it with --contacts-gravity G".to_owned(),
+            }))
+        }
+        _ => Ok(model.contacts_gravity()),
+    }
+}
+
 /// γ = g_b/g_a where a target is given, else 1.
 pub(super) fn gravity_ratio(now: Option<f64>, target: Option<f64>) -> Result<f64, Fault> {
     let Some(target) = target else { return Ok(1.0) };
@@ -119,7 +139,8 @@ pub(super) fn gravity_ratio(now: Option<f64>, target: Option<f64>) -> Result<f64
     match now {
         Some(now) if now.is_finite() && now > 0.0 => Ok(target / now),
         _ => Err(Fault::refused(
-            "--target-gravity needs the gravity of the contacts' model, which has none: say it with --reference-gravity",
+            "--target-gravity needs the gravity that the contacts stand for now, and the model has none: say it with \
+             --contacts-gravity G (in a transfer: --reference-gravity G)",
         )),
     }
 }
@@ -193,8 +214,18 @@ pub(super) fn warn_forces(draft: &mut Draft<'_, '_, '_>, forces: &[usize], prope
 /// How far the soles move because radii change and centres do not.
 pub(super) fn bottoms_remark(radii: &Radii) -> Option<String> {
     let (least, most) = radii.bottoms()?;
-    let direction = if most > 0.0 { "down" } else { "up" };
-    let mm = |metres: f64| format!("{:.2}", metres.abs() * 1e3);
-    let range = if mm(least) == mm(most) { mm(most) } else { format!("{} to {}", mm(least), mm(most)) };
-    Some(format!("sphere bottoms move {range} mm {direction}, because radii change and centres stay"))
+    let mm = |metres: f64| {
+        let millimetres = metres.abs() * 1e3;
+        if millimetres < 1e6 { format!("{millimetres:.2}") } else { readable(millimetres) }
+    };
+    let way = |metres: f64| if metres > 0.0 { "down" } else { "up" };
+    let moves = if mm(least) == mm(most) && way(least) == way(most) {
+        format!("{} mm {}", mm(most), way(most))
+    } else if least >= 0.0 || most <= 0.0 {
+        let (small, large) = if most > 0.0 { (least, most) } else { (most, least) };
+        format!("{} to {} mm {}", mm(small), mm(large), way(large))
+    } else {
+        format!("from {} mm up to {} mm down", mm(least), mm(most))
+    };
+    Some(format!("sphere bottoms move {moves}, because radii change and centres stay"))
 }

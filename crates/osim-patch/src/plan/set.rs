@@ -1,7 +1,7 @@
 //! Plain changes: a property becomes a value, or is multiplied by a factor. Nothing else follows.
 
 use super::draft::{Draft, New};
-use super::radii::moving_spheres;
+use super::radii::{Users, moving_spheres};
 use super::{Masses, NoteFacts, Plan};
 use crate::error::{Fault, FaultKind};
 use crate::mass::Mass;
@@ -11,6 +11,9 @@ use crate::number::{readable, shortest};
 use crate::property::Property;
 use crate::select::Selected;
 use crate::warning::{Warning, WarningCode};
+
+/// Between the operations that a note lists.
+const AND: &str = " + ";
 
 /// What becomes of a property.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -65,7 +68,10 @@ impl Set {
 pub fn set(model: &Model<'_, '_>, selected: &Selected, wanted: &Set) -> Result<Plan, Fault> {
     let operation = wanted.operation();
     let relative = wanted.assignments.iter().any(|(_, value)| matches!(value, Assignment::Factor(_)));
-    if relative && !wanted.again && model.note.as_ref().is_some_and(|note| note.operation == operation) {
+    let before =
+        model.note.as_ref().map(|note| note.operation.as_str()).filter(|done| done.starts_with("set "));
+    let done = before.is_some_and(|done| done.split(AND).any(|one| one == operation));
+    if relative && !wanted.again && done {
         return Err(Fault::new(FaultKind::NeedsAnswer {
             code: "same-operation",
             question: format!("the note in the file says that '{operation}' was done already"),
@@ -76,8 +82,12 @@ pub fn set(model: &Model<'_, '_>, selected: &Selected, wanted: &Set) -> Result<P
     for &(property, value) in &wanted.assignments {
         let mut found = false;
         if property == Property::Radius {
+            let users = Users::outside(model, &selected.forces);
             for sphere in moving_spheres(model, &selected.forces) {
                 let from = draft.current_radius(sphere)?;
+                if value.applied_to(from).to != from {
+                    users.refuse(model, &selected.forces, sphere)?;
+                }
                 draft.radius(sphere, value.applied_to(from))?;
                 found = true;
             }
@@ -112,7 +122,8 @@ pub fn set(model: &Model<'_, '_>, selected: &Selected, wanted: &Set) -> Result<P
             mass_kg: wanted.contacts_mass.as_ref().map(|mass| mass.kg),
             gravity_m_s2: model.contacts_gravity(),
             scope: Scope::Partial,
-            operation: &operation,
+            // Every change since the last whole rescaling counts: none may be applied twice without a word.
+            operation: &before.map_or(operation.clone(), |before| format!("{before}{AND}{operation}")),
         },
     ))
 }

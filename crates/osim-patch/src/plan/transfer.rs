@@ -5,7 +5,7 @@ use contact_scaling::{Contact, Preset, RatioValues, Ratios};
 use super::choice::Choice;
 use super::draft::{Draft, New, PropertySet};
 use super::loaded::contact_of_set;
-use super::radii::{Radii, RadiusRule};
+use super::radii::{Radii, RadiusRule, root_mean_square};
 use super::rescale::{bottoms_remark, factor, gravity_ratio, warn_forces};
 use super::similarity::{check_spread, predsim, similarity};
 use super::surfaces::{Surfaces, sphere_sets, write_composite};
@@ -23,8 +23,10 @@ use crate::warning::{Warning, WarningCode};
 /// One contact of a reference.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReferenceContact {
-    /// Names of the spheres that have it.
+    /// Names of the spheres that have it, and their radii, m.
     pub spheres: Vec<String>,
+    /// Radius of each of `spheres`, m.
+    pub radii_m: Vec<f64>,
     /// Their radius (the root of the mean R² where they differ), m.
     pub radius_m: f64,
     /// E₁* of two equal surfaces, α, and the smoothing where the class has it.
@@ -62,6 +64,7 @@ impl From<&Preset> for Reference {
             gravity_m_s2: Some(preset.scale.gravity_m_s2()),
             contacts: vec![ReferenceContact {
                 spheres: vec![],
+                radii_m: vec![],
                 radius_m: preset.scale.radius_m(),
                 contact: preset.contact,
                 friction: None,
@@ -86,23 +89,17 @@ pub fn reference_of_model(
         let Some(force) = model.forces.get(index) else { continue };
         let surfaces = Surfaces::of(&draft, index, force)?;
         for (set, spheres) in sphere_sets(model, force) {
-            let mut square = 0.0;
+            let mut radii_m = Vec::new();
             for &sphere in &spheres {
-                square += draft.current_radius(sphere)?.powi(2);
+                radii_m.push(draft.current_radius(sphere)?);
             }
-            let first = draft.current_radius(spheres.first().copied().unwrap_or_default())?;
-            let mut same = true;
-            for &sphere in &spheres {
-                same &= draft.current_radius(sphere)? == first;
-            }
-            #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
-            let radius_m = if same { first } else { (square / spheres.len() as f64).sqrt() };
+            let radius_m = root_mean_square(radii_m.iter().copied());
             let contact = contact_of_set(&draft, (index, force), &surfaces, set)?;
             let get = |property| draft.current(index, set, property);
             let friction = get(Property::TransitionVelocity)?.zip(get(Property::ViscousFriction)?);
             let names =
                 spheres.iter().filter_map(|&s| model.spheres.get(s)).map(|s| s.name.clone()).collect();
-            contacts.push(ReferenceContact { spheres: names, radius_m, contact, friction });
+            contacts.push(ReferenceContact { spheres: names, radii_m, radius_m, contact, friction });
         }
     }
     let name = model.name.clone();
@@ -172,9 +169,15 @@ pub fn transfer(model: &Model<'_, '_>, selected: &Selected, wanted: &Transfer) -
             RadiusRule::Followed(followed(sphere).map_or(f64::NAN, |followed| followed.radius_m))
         }
         // As large against the body as the reference's.
-        RadiusRule::Isometric => RadiusRule::Like(chosen.of_sphere(model, sphere).radius_m * isometric),
+        RadiusRule::Isometric => {
+            let radius = chosen.radius_for(model, sphere, &wanted.reference);
+            RadiusRule::Like(radius.map_or(f64::NAN, |radius| radius * isometric))
+        }
         other => other,
     };
+    if wanted.radius == RadiusRule::Isometric && wanted.follow.is_none() {
+        chosen.refuse_unclear_radii(model, selected, &wanted.reference)?;
+    }
     let radii = Radii::plan(&mut draft, &selected.forces, rule_of, isometric, &wanted.properties)?;
     for (&sphere, place) in wanted.follow.iter().flat_map(|follow| &follow.spheres) {
         draft.location(sphere, place.location_m, "follow")?;
@@ -215,11 +218,12 @@ pub fn transfer(model: &Model<'_, '_>, selected: &Selected, wanted: &Transfer) -
     if wanted.follow.is_some() || wanted.rule != ScalingRule::Paper {
         draft.remarks.extend(similarity(model, selected, wanted, &chosen, &radii));
     }
+    let whole = !without_smoothing;
     if without_smoothing {
         let text = format!("{} has no smoothing parameters: the model's own stay", reference.name);
         draft.warnings.push(Warning::new(WarningCode::ReferenceWithoutSmoothing, text));
     }
-    Ok(finish(draft, wanted, selected, &radii))
+    Ok(finish(draft, wanted, selected.complete && whole, &radii))
 }
 
 struct Target<'t> {
@@ -281,7 +285,7 @@ impl Target<'_> {
     }
 }
 
-fn finish(draft: Draft<'_, '_, '_>, wanted: &Transfer, selected: &Selected, radii: &Radii) -> Plan {
+fn finish(draft: Draft<'_, '_, '_>, wanted: &Transfer, complete: bool, radii: &Radii) -> Plan {
     let Draft { model, changes, moves, mut warnings, remarks, .. } = draft;
     let mut remarks = remarks;
     if changes.is_empty() {
@@ -315,7 +319,7 @@ fn finish(draft: Draft<'_, '_, '_>, wanted: &Transfer, selected: &Selected, radi
         remarks,
         note: None,
     };
-    let all = selected.complete && wanted.properties.is_complete();
+    let all = complete && wanted.properties.is_complete();
     plan.with_note(
         model,
         &NoteFacts {

@@ -249,6 +249,7 @@ impl Given {
                 properties: given.properties(),
                 dissipation_by: given.by,
                 target_gravity_m_s2: given.gravity,
+                contacts_gravity_m_s2: None,
                 level: None,
             };
             let mut plan = rescale(model, &selected, &wanted)?;
