@@ -18,5 +18,6 @@ mod corpus;
 mod files;
 mod json;
 mod masses;
+mod never_lost;
 mod shown;
 mod support;
