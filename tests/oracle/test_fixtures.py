@@ -6,7 +6,7 @@ import sys
 import pytest
 
 import models
-from models import FIXTURES
+from models import animals, FIXTURES
 
 
 @pytest.fixture(scope="module")
@@ -47,7 +47,7 @@ def verdict(file, reading):
     return "reads" if reading["builds"] else "loads"
 
 
-@pytest.mark.parametrize("path", sorted((FIXTURES / "table1").glob("*.osim")), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", animals(), ids=lambda path: path.stem)
 def test_bodies_of_an_animal_weigh_exactly_its_mass(path, readings):
     masses = {
         "human_62kg": 62.0,
