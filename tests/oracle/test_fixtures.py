@@ -6,7 +6,7 @@ import sys
 import pytest
 
 import models
-from models import animals, FIXTURES
+from models import FIXTURES, animals
 
 
 @pytest.fixture(scope="module")
@@ -26,7 +26,8 @@ def written_anew(tmp_path_factory):
 @pytest.mark.parametrize("folder", ["table1", "format", "bad"])
 def test_generators_write_what_is_committed(folder, written_anew):
     anew = {path.name: path.read_bytes() for path in (written_anew / folder).iterdir()}
-    assert anew == {path.name: path.read_bytes() for path in (FIXTURES / folder).iterdir()}
+    committed = {path for path in (FIXTURES / folder).iterdir() if not path.stem.endswith(".scaled")}
+    assert anew == {path.name: path.read_bytes() for path in committed}
     assert (written_anew / "README.md").read_bytes() == (FIXTURES / "README.md").read_bytes()
 
 
