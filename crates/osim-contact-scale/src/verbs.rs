@@ -12,7 +12,7 @@ use osim_patch::{
 };
 
 use crate::args::{
-    DesignArgs, OutputArgs, PartArgs, RescaleArgs, RuleArg, SetArgs, TransferArgs, assignment,
+    DesignArgs, OutputArgs, PartArgs, RescaleArgs, RuleArg, SetArgs, TransferArgs, assignment, set_of,
 };
 use crate::change::Planner;
 use crate::failure::Failure;
@@ -165,7 +165,7 @@ fn reference_mass(kg: f64) -> Mass {
 fn reference_from_file(args: &TransferArgs) -> Result<(Reference, Option<Generic>), Failure> {
     let source = Source { path: args.from.clone(), folder: None };
     let loaded = Loaded::read(&source, &PartArgs { geometry: None, model: None })?;
-    loaded.with_model(|model| {
+    let reference = loaded.with_model(|model| {
         let (reference, count_unknown) =
             reference_from_model(model, args).map_err(|fault| loaded.failure(fault))?;
         if !args.follow.follow_bodies {
@@ -174,6 +174,14 @@ fn reference_from_file(args: &TransferArgs) -> Result<(Reference, Option<Generic
         let anatomy = Anatomy::of(model).map_err(|fault| loaded.failure(fault))?;
         let file = args.follow.body_scale_file.as_deref().map(scale_file).transpose()?;
         Ok((reference, Some(Generic { anatomy, file, count_unknown })))
+    });
+    reference.map_err(|failure| match failure.code {
+        // The usual way out, --geometry, is about the model that gets the contacts.
+        "incomplete-set" => Failure {
+            message: "a set that stands alone cannot be a reference: name the model it belongs to".to_owned(),
+            ..failure
+        },
+        _ => failure,
     })
 }
 
@@ -189,7 +197,9 @@ fn reference_from_model(
     model: &Model<'_, '_>,
     args: &TransferArgs,
 ) -> Result<(Reference, Option<Fault>), Fault> {
-    let selected = Selection::default().apply(model)?;
+    let select = set_of(&args.reference.reference_select).unwrap_or_default();
+    let selection = Selection { select, ..Selection::default() };
+    let selected = selection.apply(model).map_err(about_reference)?;
     let mass = match args.reference.reference_mass {
         Some(kg) => reference_mass(kg),
         None => MassRequest::default().of_contacts(model, &mut Vec::new())?,
@@ -208,6 +218,14 @@ fn reference_from_model(
     reference.name =
         args.from.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
     Ok((reference, unknown))
+}
+
+/// Ways out that are about the reference, not about the model that gets its contacts.
+fn about_reference(mut fault: Fault) -> Fault {
+    if let FaultKind::NeedsAnswer { way_out, .. } = &mut fault.kind {
+        *way_out = way_out.replace("--select", "--reference-select");
+    }
+    fault
 }
 
 /// n as found per limb times the stance limbs, or a question.
@@ -334,7 +352,8 @@ impl SetVerb {
         let mut models = Vec::new();
         let mut assignments: Vec<(Property, Assignment)> = Vec::new();
         for item in &args.items {
-            match item.split_once('=') {
+            // A name that is not UTF-8 is no assignment.
+            match item.to_str().and_then(|item| item.split_once('=')) {
                 Some((name, value)) if !Path::new(item).exists() => {
                     let new = assignment(name, value).map_err(|why| anyhow!(why))?;
                     if assignments.iter().any(|(property, _)| *property == new.0) {

@@ -203,7 +203,8 @@ pub(crate) enum Format {
     Json,
 }
 
-fn set_of(globs: &[Glob]) -> anyhow::Result<GlobSet> {
+/// Patterns as one matcher.
+pub(crate) fn set_of(globs: &[Glob]) -> anyhow::Result<GlobSet> {
     let mut builder = GlobSetBuilder::new();
     for glob in globs {
         builder.add(glob.clone());

@@ -10,12 +10,13 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand};
 
 pub(crate) use follow::{FollowArgs, RuleArg};
-pub(crate) use groups::{ForceChoice, Format, MassArgs, OutputArgs, PartArgs, ScalingArgs};
+use globset::Glob;
+pub(crate) use groups::{ForceChoice, Format, MassArgs, OutputArgs, PartArgs, ScalingArgs, set_of};
 pub(crate) use physics::{
     BranchArg, ColumnArgs, DesignArgs, DropArgs, DropNumbers, FitArgs, ForceUnit, Length, LengthUnit,
     PresetsArgs, SeriesFormat, SetArgs, SpeedUnit, TimeUnit,
 };
-use values::{acceleration, count, mass};
+use values::{acceleration, count, glob, mass};
 pub(crate) use values::{assignment, usage_line};
 
 /// Makes the contact parameters of OpenSim models right at every body size.
@@ -151,6 +152,9 @@ pub(crate) struct ReferenceArgs {
     /// Its gravity, m/s2
     #[arg(long, value_name = "G", value_parser = acceleration, hide_short_help = true)]
     pub reference_gravity: Option<f64>,
+    /// Only its forces with such a name; may be repeated
+    #[arg(long, value_name = "GLOB", value_parser = glob, hide_short_help = true)]
+    pub reference_select: Vec<Glob>,
     /// Take the contact of this sphere for all
     #[arg(long, value_name = "NAME")]
     pub reference_sphere: Option<String>,

@@ -1,5 +1,6 @@
 //! Options of the verbs that work with the paper's equations: design, drop-test, fit, presets; and of set.
 
+use std::ffi::OsString;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
@@ -93,7 +94,7 @@ pub(crate) struct LoadArgs {
 pub(crate) struct SetArgs {
     /// Models, and what to set: PROPERTY=VALUE or PROPERTY=xFACTOR
     #[arg(value_name = "MODEL|PROPERTY=VALUE|PROPERTY=xFACTOR", required = true)]
-    pub items: Vec<String>,
+    pub items: Vec<OsString>,
     #[command(flatten)]
     pub masses: MassArgs,
     #[command(flatten)]
