@@ -36,7 +36,7 @@ pub struct Note {
     pub scope: Scope,
     /// What was done, for example `rescale` or `set stiffness=x2`.
     pub operation: String,
-    /// [`digest`] of the values written.
+    /// Digest of all contact values as written: the first 16 digits of their SHA-256.
     pub digest: String,
 }
 

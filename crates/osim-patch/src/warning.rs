@@ -98,7 +98,7 @@ warning_codes! {
     SeveralSpheres = "several-spheres-one-force":
         "In Simbody, when one sphere of a HuntCrossleyForce leaves the ground faster than 2/(3 dissipation), the spheres evaluated after it lose their force in that step.";
         "Give each sphere a HuntCrossleyForce of its own, or use SmoothSphereHalfSpaceForce".
-    /// A compiled F_<model> file lies beside the output.
+    /// A compiled file, F_ and the name of the model, lies beside the output.
     CompiledModelBeside = "compiled-model-beside":
         "PredSim and OpenCap compile a model to F_<name> and reuse it without looking at the model's content: the old contacts would stay in use.";
         "Delete the compiled file, or write the model under a new name".
@@ -110,7 +110,7 @@ warning_codes! {
     LeftRightDiffer = "left-right-differ":
         "Contacts of a symmetric model are nearly always meant to be symmetric; a difference usually is a slip of the hand.";
         "Compare the two sides with inspect and mend the one that is wrong".
-    /// The document's <defaults> hold contact objects.
+    /// The defaults of the document hold contact objects.
     ContactDefaults = "contact-defaults":
         "OpenSim keeps the defaults of one model for every model loaded later in the same session, so another model can silently take these values.";
         "Write the values into the forces themselves, or load the model in a fresh OpenSim".
