@@ -13,11 +13,11 @@ pub(crate) use follow::{FollowArgs, RuleArg};
 use globset::Glob;
 pub(crate) use groups::{ForceChoice, Format, MassArgs, OutputArgs, PartArgs, ScalingArgs, set_of};
 pub(crate) use physics::{
-    BranchArg, ColumnArgs, DesignArgs, DropArgs, DropNumbers, FitArgs, ForceUnit, Length, LengthUnit,
-    PresetsArgs, SeriesFormat, SetArgs, SpeedUnit, TimeUnit,
+    BranchArg, ColumnArgs, DesignArgs, DropArgs, DropNumbers, FitArgs, ForceUnit, LengthUnit, PresetsArgs,
+    SeriesFormat, SetArgs, SpeedUnit, TimeUnit,
 };
+pub(crate) use values::{Length, assignment, usage_line};
 use values::{acceleration, count, glob, mass};
-pub(crate) use values::{assignment, usage_line};
 
 /// Makes the contact parameters of OpenSim models right at every body size.
 ///

@@ -8,7 +8,8 @@ use osim_patch::RadiusRule;
 
 use super::groups::{ForceChoice, MassArgs, OutputArgs, PartArgs};
 use super::values::{
-    acceleration, count, fraction, indentation, length, number, poisson, positive_number, radius, restitution,
+    Length, acceleration, count, fraction, indentation, length, number, poisson, positive_number, radius,
+    restitution,
 };
 use super::{CountArgs, Format};
 
@@ -168,13 +169,6 @@ pub(crate) struct DropNumbers {
     /// Gravity, m/s2 [default: the model's, else 9.80665]
     #[arg(long, value_name = "G", value_parser = acceleration)]
     pub gravity: Option<f64>,
-}
-
-/// Metres, or a multiple of the sphere radius.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Length {
-    Metres(f64),
-    Radii(f64),
 }
 
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]

@@ -4,7 +4,12 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use globset::{Glob, GlobBuilder};
 use osim_patch::{Assignment, Property, RadiusRule, shortest};
 
-use super::physics::Length;
+/// Metres, or a multiple of the sphere radius.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Length {
+    Metres(f64),
+    Radii(f64),
+}
 
 /// A mass in kg.
 pub(super) fn mass(text: &str) -> Result<f64, String> {

@@ -1,0 +1,74 @@
+//! `set`: plain changes.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Result, anyhow, bail};
+use osim_patch::{
+    Assignment, Fault, Mass, MassRequest, MassSource, Model, Plan, Property, Selection, Set, set,
+};
+
+use crate::args::{SetArgs, assignment};
+use crate::change::Planner;
+
+/// `set`.
+pub(crate) struct SetVerb {
+    pub models: Vec<PathBuf>,
+    assignments: Vec<(Property, Assignment)>,
+    selection: Selection,
+    masses: MassRequest,
+    again: bool,
+}
+
+impl SetVerb {
+    /// Parts the words of the command line into models and assignments.
+    ///
+    /// # Errors
+    /// No model, nothing to set, an unknown property or a value that is no number.
+    pub(crate) fn new(args: &SetArgs) -> Result<Self> {
+        let mut models = Vec::new();
+        let mut assignments: Vec<(Property, Assignment)> = Vec::new();
+        for item in &args.items {
+            // A name that is not UTF-8 is no assignment.
+            match item.to_str().and_then(|item| item.split_once('=')) {
+                Some((name, value)) if !Path::new(item).exists() => {
+                    let new = assignment(name, value).map_err(|why| anyhow!(why))?;
+                    if assignments.iter().any(|(property, _)| *property == new.0) {
+                        bail!("{} is set twice", new.0);
+                    }
+                    assignments.push(new);
+                }
+                _ => models.push(PathBuf::from(item)),
+            }
+        }
+        if models.is_empty() {
+            bail!("no model given, expected one or more .osim files or folders (see set --help)");
+        }
+        if assignments.is_empty() {
+            bail!("nothing to set, expected PROPERTY=VALUE or PROPERTY=xFACTOR, for example stiffness=x2");
+        }
+        Ok(Self {
+            models,
+            assignments,
+            selection: args.choice.selection()?,
+            masses: args.masses.request()?,
+            again: args.output.force || !args.output.in_place,
+        })
+    }
+}
+
+impl Planner for SetVerb {
+    fn plan(&self, model: &Model<'_, '_>) -> Result<Plan, Fault> {
+        let selected = self.selection.apply(model)?;
+        let mut warnings = Vec::new();
+        // A plain change needs no mass; where one is known, the note goes on saying it.
+        let of_note = || {
+            let kg = model.note.as_ref()?.mass_kg?;
+            Some(Mass { kg, source: MassSource::Note, told_by: "note in the file".to_owned() })
+        };
+        let contacts_mass = self.masses.of_contacts(model, &mut warnings).ok().or_else(of_note);
+        let assignments = self.assignments.clone();
+        let mut plan = set(model, &selected, &Set { assignments, contacts_mass, again: self.again })?;
+        plan.warnings.append(&mut warnings);
+        Ok(plan)
+    }
+}
