@@ -95,8 +95,14 @@ class Table:
         return 1 if self.failed else 0
 
 
-def run(call, status=0):
-    """Wall time in seconds and the time on a processor of one process, start to end, its output thrown away."""
+def run(call, status=0, fresh=None):
+    """Wall time in seconds and the time on a processor of one process, start to end, its output thrown away.
+
+    `fresh` is a file the process writes anew: replacing an old one would time the disk, which is told to keep the
+    successor before the old contents go.
+    """
+    if fresh is not None:
+        fresh.unlink(missing_ok=True)
     nothing = [(os.POSIX_SPAWN_OPEN, fd, os.devnull, os.O_RDWR, 0) for fd in (0, 1, 2)]
     start = time.perf_counter()
     process = os.posix_spawn(shutil.which(call[0]), call, os.environ, file_actions=nothing)
@@ -129,11 +135,12 @@ def one_model(table, command, folder, rounds):
     """A published model, and the same with OpenSim's API, by turns."""
     model = corpus_model(table)
     table.head(f"{model.name} ({model.stat().st_size / 1000:.0f} kB) to {TARGET_KG} kg, whole process")
-    ours = rescale(command, model, "-o", str(folder / "out.osim"), "--force")
+    out = folder / "out.osim"
+    ours = rescale(command, model, "-o", str(out), "--force")
     theirs = opensim_call(model, folder)
     times = {"ours": [], "theirs": []}
     for _ in range(rounds):
-        times["ours"].append(run(ours))
+        times["ours"].append(run(ours, fresh=out))
         if theirs:
             times["theirs"].append(run(theirs))
     wall = statistics.median(wall for wall, _ in times["ours"])
@@ -177,7 +184,7 @@ def sizes(table, command, folder, megabytes, repeats):
         length = model.stat().st_size
         for name, options in [("written", ["-o", str(out), "--force"]), ("dry run", ["--dry-run"])]:
             call = rescale(command, model, *options)
-            runs = [run(call) for _ in range(repeats)]
+            runs = [run(call, fresh=out) for _ in range(repeats)]
             table.row(
                 f"{size} MB, {name}", length / min(wall for wall, _ in runs) / 1e6, "MB/s", LIMIT_MB_PER_S, True
             )

@@ -152,7 +152,7 @@ impl<'a> Document<'a> {
     /// Line (from 1) of a byte.
     #[must_use]
     pub fn line(&self, offset: usize) -> usize {
-        self.lines().line(offset)
+        self.lines().line(self.bytes, offset)
     }
 
     /// Line and column of a byte.

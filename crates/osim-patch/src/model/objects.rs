@@ -64,15 +64,21 @@ impl Objects {
             let Ok(number) = u32::try_from(index) else { return };
             let id = ElementId(number);
             let Some(parent) = tree.parent(id) else { continue };
+            let is_root = id == document.data_root();
+            let above = roles.get(parent.index()).copied().unwrap_or(Role::Nothing);
+            // Most elements are properties of properties: they cost no further look.
+            if matches!(above, Role::Nothing) && !is_root {
+                continue;
+            }
             let tag = tree.name(id);
             // What stands in another file hangs here once that file is added.
             let elsewhere = tree.attribute(id, "file").is_some_and(|file| !file.trim().is_empty());
             let role = if elsewhere {
                 Role::Nothing
-            } else if id == document.data_root() {
+            } else if is_root {
                 Role::Object(self.push_root(file, document, mount))
             } else {
-                match roles.get(parent.index()).copied().unwrap_or(Role::Nothing) {
+                match above {
                     Role::Nothing => Role::Nothing,
                     Role::Components(_) if !classes::is_known(tag) => {
                         self.skipped.push((file, id));

@@ -11,42 +11,57 @@ pub struct Position {
     pub column: usize,
 }
 
-/// Where the lines of a file start; built once, then every look-up is a binary search.
+/// How many lines end before each block of a file; built once, then a look-up counts within one block.
+///
+/// Counting is far cheaper than remembering every line end, and few places are ever asked for.
 #[derive(Debug, Clone)]
 pub struct LineIndex {
-    newlines: Vec<u32>,
+    before_block: Vec<usize>,
 }
 
+/// Bytes of a block.
+const BLOCK: usize = 1 << 14;
+
 impl LineIndex {
-    /// Finds all line ends of `bytes` (LF and CRLF alike; a lone CR does not end a line).
+    /// Counts the line ends of `bytes` (LF and CRLF alike; a lone CR does not end a line).
     #[must_use]
     pub fn new(bytes: &[u8]) -> Self {
-        // A file longer than 4 GiB was refused before anybody asks for a line of it.
-        let newlines = memchr::memchr_iter(b'\n', bytes).filter_map(|at| u32::try_from(at).ok()).collect();
-        Self { newlines }
+        let mut lines = 0;
+        let counted = bytes.chunks(BLOCK).map(|block| {
+            let before = lines;
+            lines += line_ends(block);
+            before
+        });
+        Self { before_block: counted.collect() }
     }
 
-    /// The line (from 1) on which byte `offset` stands.
+    /// The line (from 1) on which byte `offset` of `bytes` stands, the same bytes this index was built from.
     #[must_use]
-    pub fn line(&self, offset: usize) -> usize {
-        self.newlines.partition_point(|&newline| (newline as usize) < offset) + 1
+    pub fn line(&self, bytes: &[u8], offset: usize) -> usize {
+        let offset = offset.min(bytes.len());
+        // A file that ends with a block has no block of its own for the place behind its last byte.
+        let block = (offset / BLOCK).min(self.before_block.len().saturating_sub(1));
+        let before = self.before_block.get(block).copied().unwrap_or(0);
+        before + line_ends(bytes.get(block * BLOCK..offset).unwrap_or_default()) + 1
     }
 
     /// Line and column of byte `offset` of `bytes`, the same bytes this index was built from.
     #[must_use]
     pub fn position(&self, bytes: &[u8], offset: usize) -> Position {
         let offset = offset.min(bytes.len());
-        let line = self.line(offset);
-        let start = match line.checked_sub(2).and_then(|before| self.newlines.get(before)) {
-            Some(&newline) => newline as usize + 1,
-            None => 0,
-        };
-        let before = bytes.get(start..offset).unwrap_or_default();
+        let line = self.line(bytes, offset);
+        let head = bytes.get(..offset).unwrap_or_default();
+        let start = memchr::memrchr(b'\n', head).map_or(0, |newline| newline + 1);
+        let before = head.get(start..).unwrap_or_default();
         // A byte order mark takes no column, and the tail bytes of a UTF-8 character take none either.
         let before = if start == 0 { before.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(before) } else { before };
         let column = before.iter().filter(|&&byte| byte & 0xC0 != 0x80).count() + 1;
         Position { offset, line, column }
     }
+}
+
+fn line_ends(bytes: &[u8]) -> usize {
+    memchr::memchr_iter(b'\n', bytes).count()
 }
 
 #[cfg(test)]
@@ -66,6 +81,15 @@ mod tests {
         assert_eq!(at("ab\ncd", 3), (2, 1));
         assert_eq!(at("ab\r\ncd", 5), (2, 2));
         assert_eq!(at("ab", 99), (1, 3));
+    }
+
+    #[test]
+    fn lines_are_counted_across_blocks() {
+        // One line end in every eight bytes, and a file of exactly three blocks.
+        let text = "1234567\n".repeat(3 * BLOCK / 8);
+        for offset in [0, 7, 8, BLOCK - 1, BLOCK, BLOCK + 8, 2 * BLOCK + 1, 3 * BLOCK - 1, 3 * BLOCK] {
+            assert_eq!(at(&text, offset).0, offset / 8 + 1, "{offset}");
+        }
     }
 
     #[test]
