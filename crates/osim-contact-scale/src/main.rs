@@ -19,6 +19,8 @@ mod report;
 mod sources;
 mod terminal;
 mod verbs;
+#[allow(dead_code, reason = "the verbs that work on many models begin to use it next")]
+mod workers;
 mod write;
 
 use std::process::ExitCode;

@@ -1,0 +1,100 @@
+//! Work on many models at once, told in the order in which they were named.
+
+use std::collections::VecDeque;
+use std::num::NonZeroUsize;
+use std::sync::mpsc;
+use std::thread::available_parallelism;
+
+use anyhow::{Context, Result};
+use rayon::ThreadPoolBuilder;
+
+/// How many results may wait for an earlier one. A slow model holds up the reports behind it, never the memory.
+const WINDOW: usize = 512;
+
+/// Threads to use: those asked for, else one per processor; never more than there are items.
+pub(crate) fn threads(asked: Option<NonZeroUsize>, items: usize) -> usize {
+    let all = || available_parallelism().map_or(1, NonZeroUsize::get);
+    asked.map_or_else(all, NonZeroUsize::get).min(items.max(1))
+}
+
+/// Does `work` for every item on `threads` threads and hands the results to `each` in the order of the items.
+///
+/// # Errors
+/// The first error of `each`: no further item is begun. Or the threads cannot be started.
+pub(crate) fn in_order<T: Sync, R: Send>(
+    items: &[T],
+    threads: usize,
+    work: impl Fn(&T) -> R + Sync,
+    mut each: impl FnMut(&T, R) -> Result<()>,
+) -> Result<()> {
+    if threads <= 1 {
+        return items.iter().try_for_each(|item| each(item, work(item)));
+    }
+    let pool = ThreadPoolBuilder::new().num_threads(threads).build().context("cannot start threads")?;
+    let (work, (sender, receiver)) = (&work, mpsc::channel());
+    pool.in_place_scope_fifo(|scope| {
+        let mut waiting: VecDeque<Option<R>> = VecDeque::new();
+        let mut begun = 0;
+        let mut told = items.iter();
+        loop {
+            while let Some(item) = items.get(begun).filter(|_| waiting.len() < WINDOW) {
+                let (sender, index) = (sender.clone(), begun);
+                // Nobody listens any more only after an error of `each`; the result is of no use then.
+                scope.spawn_fifo(move |_| drop(sender.send((index, work(item)))));
+                waiting.push_back(None);
+                begun += 1;
+            }
+            let first = begun - waiting.len();
+            if waiting.is_empty() {
+                return Ok(());
+            }
+            let (index, result) = receiver.recv().context("a thread ended without a result")?;
+            if let Some(place) = waiting.get_mut(index - first) {
+                *place = Some(result);
+            }
+            while let Some(Some(result)) = waiting.pop_front_if(|result| result.is_some()) {
+                if let Some(item) = told.next() {
+                    each(item, result)?;
+                }
+            }
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::{AtomicUsize, Ordering};
+    use std::time::Duration;
+
+    use super::*;
+
+    #[test]
+    fn results_come_in_the_order_of_the_items_whoever_is_ready_first() {
+        let items: Vec<usize> = (0..2000).collect();
+        for threads in [1, 2, 7] {
+            let mut told = Vec::new();
+            let slow = |&item: &usize| {
+                if item.is_multiple_of(500) {
+                    std::thread::sleep(Duration::from_millis(5));
+                }
+                item * 2
+            };
+            in_order(&items, threads, slow, |&item, result| {
+                told.push((item, result));
+                Ok(())
+            })
+            .unwrap();
+            assert_eq!(told, items.iter().map(|&item| (item, item * 2)).collect::<Vec<_>>());
+        }
+    }
+
+    #[test]
+    fn an_error_ends_the_work_early() {
+        let items: Vec<usize> = (0..10_000).collect();
+        let done = AtomicUsize::new(0);
+        let count = |_: &usize| done.fetch_add(1, Ordering::Relaxed);
+        let stop = |&item: &usize, _| if item == 3 { anyhow::bail!("stop") } else { Ok(()) };
+        assert!(in_order(&items, 2, count, stop).is_err());
+        assert!(done.load(Ordering::Relaxed) <= 4 + WINDOW);
+    }
+}
