@@ -15,6 +15,7 @@
 mod bad_input;
 mod bytes;
 mod corpus;
+mod explained;
 mod files;
 mod json;
 mod masses;

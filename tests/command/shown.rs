@@ -159,6 +159,9 @@ fn explaining() {
     bench.run("explain").done().looks_like("explain");
     bench.run("explain already-at-target").done().looks_like("explain_code");
     bench.run("explain no-such-code").usage().looks_like("explain_unknown");
+    bench.run("explain (C.10)").done().looks_like("explain_equation");
+    bench.run("explain 11, B.2 --ascii").done().looks_like("explain_ascii");
+    bench.run("explain given out-of-domain --format json").done().looks_like("explain_json");
 }
 
 #[test]

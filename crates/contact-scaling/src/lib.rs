@@ -33,6 +33,7 @@ mod contact;
 pub mod design;
 mod dimensionless;
 pub mod drop_test;
+pub mod equations;
 pub mod equilibrium;
 mod error;
 pub mod fit;
@@ -55,6 +56,7 @@ pub mod stiffness;
 
 pub use contact::{Contact, ContactValues, EQUAL_SURFACES, SmoothingValues};
 pub use dimensionless::DimensionlessContact;
+pub use equations::Equation;
 pub use error::DomainError;
 pub use hertz::{Hertz, HertzValues};
 pub use hunt_crossley::HuntCrossley;

@@ -93,7 +93,7 @@ fn run(cli: &Cli, terminal: &mut Terminal) -> Result<Exit> {
         Some(Verb::Fit(args)) => fitting::run(args, terminal),
         Some(Verb::Presets(args)) => presets::run(args, terminal).map(|()| Exit::Done),
         Some(Verb::Inspect(args)) => Look::new(args)?.run(terminal),
-        Some(Verb::Explain(args)) => explain::run(args.code.as_deref(), terminal).map(|()| Exit::Done),
+        Some(Verb::Explain(args)) => explain::run(args, terminal).map(|()| Exit::Done),
     }
 }
 

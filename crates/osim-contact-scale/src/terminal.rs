@@ -54,6 +54,11 @@ impl Terminal {
         }
     }
 
+    /// Whether standard output can show letters beyond ASCII; files and pipes always can.
+    pub(crate) fn shows_unicode() -> bool {
+        supports_unicode::on(supports_unicode::Stream::Stdout)
+    }
+
     /// Things said beside the results, on standard error.
     pub(crate) fn note(&mut self, text: &str) -> io::Result<()> {
         match io::stderr().lock().write_all(text.as_bytes()) {

@@ -56,7 +56,7 @@ pub(crate) enum Verb {
     Fit(Box<FitArgs>),
     /// List presets, or show one
     Presets(PresetsArgs),
-    /// Explain a warning code (without one: list them all)
+    /// Explain an equation, or the code of a warning or an error (alone: list them all)
     Explain(ExplainArgs),
 }
 
@@ -184,8 +184,15 @@ pub(crate) struct InspectArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct ExplainArgs {
-    /// Code of a warning, as printed behind it in brackets
-    pub code: Option<String>,
+    /// Number of an equation (10, C.5), a word from the column "equation", or a code as printed behind a warning
+    #[arg(value_name = "EQUATION|CODE")]
+    pub topics: Vec<String>,
+    /// How to print
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+    /// Spell symbols in plain letters, for consoles that cannot show them
+    #[arg(long)]
+    pub ascii: bool,
 }
 
 #[cfg(test)]

@@ -1,0 +1,53 @@
+//! What the paper has no equation for.
+
+use super::symbols::{ALPHA, C_EXACT, D, E_I, F_LOAD, F_S, G, IMPACT, N, R, R_EQUIVALENT, R_I, U_V, V_T, X};
+use super::{Equation, form};
+
+pub(super) const ALL: &[Equation] = &[
+    Equation {
+        label: "exact restitution",
+        aliases: &["exact", "exact law"],
+        title: "Coefficient of restitution, exact",
+        forms: &[
+            form("", "d − ln(1 + d) = −c d − ln(1 − c d), d = 3/2 α ẋ⁻", "restitution::exact", "1"),
+            form("for α", "the same, solved for d", "restitution::exact_dissipation", "s/m"),
+        ],
+        symbols: &[D, C_EXACT, ALPHA, IMPACT],
+        source: "beyond the paper: the integral of (12) over an impact without gravity",
+    },
+    Equation {
+        label: "rest by (1)",
+        aliases: &["rest by Hertz"],
+        title: "Indentation at rest by the Hertz law",
+        forms: &[form("", "Σ 4/3 E*_i √R_i x^(3/2) = F", "equilibrium::hertz_indentation", "m")],
+        symbols: &[E_I, R_I, X, F_LOAD],
+        source: "beyond the paper: (1) summed over spheres whose bottoms are level",
+    },
+    Equation {
+        label: "rest by (C.3)",
+        aliases: &["rest by the own law"],
+        title: "Indentation at rest by the file's own law",
+        forms: &[form("", "Σ F_s,i(x) = F", "equilibrium::indentation", "m")],
+        symbols: &[F_S, X, F_LOAD],
+        source: "beyond the paper: (C.3) summed over spheres whose bottoms are level",
+    },
+    Equation {
+        label: "mixed radii",
+        aliases: &["mean square"],
+        title: "One radius for spheres of different size",
+        forms: &[form("", "R² = Σ R_i² / n", "mixed_radii::mean_square", "m²")],
+        symbols: &[R_EQUIVALENT, R_I, N],
+        source: "beyond the paper: (3) summed over spheres of equal x̂ and E*",
+    },
+    Equation {
+        label: "friction",
+        aliases: &[],
+        title: "How friction speeds follow body size",
+        forms: &[
+            form("", "transition_velocity ∝ √(g R)", "Ratios::transition_velocity", "1"),
+            form("", "viscous_friction ∝ 1/√(g R)", "Ratios::viscous_friction", "1"),
+        ],
+        symbols: &[V_T, U_V, G, R],
+        source: "beyond the paper: speeds grow as √(g R). The friction coefficients have no size and stay. The friction of SmoothSphereHalfSpaceForce is similar only in part",
+    },
+];

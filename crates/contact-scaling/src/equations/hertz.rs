@@ -1,0 +1,170 @@
+//! The force laws and how they scale: (1) to (15).
+
+use super::symbols::{
+    ALPHA, C_R, E, E_A, E_B, ETA, F, F_C, F_D, F_E, IMPACT, M, M_A, M_B, N, N_A, N_B, R, R_A, R_B, SIGMA,
+    SPEED, X, X_HAT,
+};
+use super::{Equation, form};
+
+pub(super) const ALL: &[Equation] = &[
+    Equation {
+        label: "1",
+        aliases: &[],
+        title: "Hertz force of one sphere",
+        forms: &[
+            form("", "F_e = 4/3 η √R E* x^(3/2)", "Hertz::force", "N"),
+            form("for x", "x = (F_e / (4/3 η √R E*))^(2/3)", "Hertz::indentation_from_force", "m"),
+        ],
+        symbols: &[F_E, ETA, R, E, X],
+        source: "Van Bijlert (2026), section 2; Hertz's law as in Johnson (1985) and Sherman et al. (2011)",
+    },
+    Equation {
+        label: "2",
+        aliases: &[],
+        title: "Relative indentation",
+        forms: &[
+            form("", "x̂ = x / R", "Hertz::relative_indentation", "1"),
+            form("for x", "x = x̂ R", "Hertz::indentation", "m"),
+        ],
+        symbols: &[X_HAT, X, R],
+        source: "Van Bijlert (2026), section 2",
+    },
+    Equation {
+        label: "3",
+        aliases: &[],
+        title: "Hertz force by relative indentation",
+        forms: &[form("", "F_e = 4/3 η R² E* x̂^(3/2)", "Hertz::force_at_relative_indentation", "N")],
+        symbols: &[F_E, ETA, R, E, X_HAT],
+        source: "Van Bijlert (2026), section 2; it is (1) with (2)",
+    },
+    Equation {
+        label: "4",
+        aliases: &[],
+        title: "Body weight is shared equally by the spheres",
+        forms: &[form("", "F_e ∝ M / n", "", "N")],
+        symbols: &[F_E, M, N],
+        source: "Van Bijlert (2026), section 2; a step to (8)",
+    },
+    Equation {
+        label: "5",
+        aliases: &[],
+        title: "What the Hertz force grows with",
+        forms: &[form("", "F_e ∝ R² E* x̂^(3/2)", "", "")],
+        symbols: &[F_E, R, E, X_HAT],
+        source: "Van Bijlert (2026), section 2; it is (3), a step to (8)",
+    },
+    Equation {
+        label: "6",
+        aliases: &[],
+        title: "Load per sphere and indentation",
+        forms: &[form("", "M / n ∝ E* x̂^(3/2) R²", "", "")],
+        symbols: &[M, N, E, X_HAT, R],
+        source: "Van Bijlert (2026), section 2; (4) with (5), a step to (8)",
+    },
+    Equation {
+        label: "7",
+        aliases: &[],
+        title: "Load per sphere at the same relative indentation",
+        forms: &[form("", "M / n ∝ E* R²", "", "")],
+        symbols: &[M, N, E, R],
+        source: "Van Bijlert (2026), section 2; a step to (8)",
+    },
+    Equation {
+        label: "8",
+        aliases: &[],
+        title: "How the modulus grows with body size at the same relative indentation",
+        forms: &[form("", "E* ∝ M / (n R²)", "Ratios::plane_strain_modulus", "1")],
+        symbols: &[E, M, N, R],
+        source: "Van Bijlert (2026), section 2. With geometric similarity R ∝ M^(1/3), so E* ∝ M^(1/3) too: this is what sets isometric radii",
+    },
+    Equation {
+        label: "9",
+        aliases: &[],
+        title: "Ratio of the moduli of two animals",
+        forms: &[form(
+            "",
+            "E*_b / E*_a = (M_b / M_a) (n_a / n_b) (R_a² / R_b²)",
+            "Ratios::plane_strain_modulus",
+            "1",
+        )],
+        symbols: &[E_B, E_A, M_B, M_A, N_A, N_B, R_A, R_B],
+        source: "Van Bijlert (2026), section 2.1; it is (8) for a and b",
+    },
+    Equation {
+        label: "10",
+        aliases: &[],
+        title: "The modulus of another animal",
+        forms: &[form(
+            "",
+            "E*_b = (M_b / M_a) (n_a / n_b) (R_a² / R_b²) E*_a",
+            "Ratios::plane_strain_modulus",
+            "1",
+        )],
+        symbols: &[E_B, E_A, M_B, M_A, N_A, N_B, R_A, R_B],
+        source: "Van Bijlert (2026), section 2.1. It holds for E₁* (OpenSim's stiffness) as well, since both surfaces are equal (A.4). With another gravity also × g_b / g_a (an extension)",
+    },
+    Equation {
+        label: "11",
+        aliases: &[],
+        title: "The modulus for a wanted relative indentation under a known load",
+        forms: &[
+            form("", "E* = 3 F / (4 η R² x̂^(3/2) n)", "design::composite_modulus", "N/m²"),
+            form("for x̂", "x̂ = (3 F / (4 η E* R² n))^(2/3)", "design::relative_indentation", "1"),
+        ],
+        symbols: &[E, F, ETA, R, X_HAT, N],
+        source: "Van Bijlert (2026), section 2.2. Multiply by 2^(3/2) (A.4) to get OpenSim's stiffness",
+    },
+    Equation {
+        label: "12",
+        aliases: &[],
+        title: "Hunt–Crossley dissipation",
+        forms: &[
+            form("", "F_d = 3/2 F_e α ẋ", "HuntCrossley::dissipative_force", "N"),
+            form("the sum", "F_c = F_e (1 + 3/2 α ẋ)", "HuntCrossley::force", "N"),
+        ],
+        symbols: &[F_D, F_E, ALPHA, SPEED, F_C],
+        source: "Van Bijlert (2026), section 2.3; Hunt and Crossley (1975)",
+    },
+    Equation {
+        label: "13",
+        aliases: &[],
+        title: "Coefficient of restitution, approximate",
+        forms: &[
+            form("", "c_r = 1 − α ẋ⁻", "restitution::approximate", "1"),
+            form("for α", "α = (1 − c_r) / ẋ⁻", "restitution::dissipation", "s/m"),
+        ],
+        symbols: &[C_R, ALPHA, IMPACT],
+        source: "Van Bijlert (2026), section 2.3; Hunt and Crossley (1975). Accurate for c_r of about 0.8 and above; refused where it is negative",
+    },
+    Equation {
+        label: "14",
+        aliases: &[],
+        title: "How dissipation follows body size at the same restitution",
+        forms: &[
+            form("", "α ∝ R^(−1/2)", "Ratios::dissipation", "1"),
+            form("by mass", "α ∝ M^(−1/6)", "Ratios::dissipation_by_mass", "1"),
+        ],
+        symbols: &[ALPHA, R, M],
+        source: "Van Bijlert (2026), section 2.3. With another gravity also × (g_b / g_a)^(−1/2) (an extension)",
+    },
+    Equation {
+        label: "15",
+        aliases: &[],
+        title: "Mean stress on the contact patch",
+        forms: &[form("", "σ = F_c / (π R² x̂)", "patch::mean_stress", "N/m²")],
+        symbols: &[SIGMA, F_C, R, X_HAT],
+        source: "Van Bijlert (2026), section 4.3; the patch is the circle of Fig. 3",
+    },
+    Equation {
+        label: "Fig. 3",
+        aliases: &["patch"],
+        title: "Size of the contact patch",
+        forms: &[
+            form("", "patch radius √(x R)", "patch::radius", "m"),
+            form("", "patch diameter 2 √(x R)", "patch::diameter", "m"),
+            form("", "patch radius / R = √x̂", "patch::relative_radius", "1"),
+        ],
+        symbols: &[X, R, X_HAT],
+        source: "Van Bijlert (2026), Fig. 3; for small x",
+    },
+];

@@ -1,0 +1,175 @@
+//! Whatever a table, JSON or a failure names can be asked for with `explain`.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+use crate::support::{Bench, root};
+
+/// Files below `folder` with one of these extensions.
+fn files(folder: &Path, extensions: &[&str]) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            found.extend(files(&path, extensions));
+        } else if path.extension().is_some_and(|e| extensions.iter().any(|wanted| e == *wanted)) {
+            found.push(path);
+        }
+    }
+    found
+}
+
+/// Everything `explain` knows, as its JSON has it: `label` or `code` of one kind.
+fn known(kind: &str, key: &str) -> BTreeSet<String> {
+    let out = Bench::new().run("explain --format json").done().out();
+    let topics = out.lines().map(|line| serde_json::from_str::<Value>(line).unwrap());
+    topics
+        .filter(|topic| topic["kind"] == kind)
+        .map(|topic| topic[key].as_str().unwrap().to_owned())
+        .collect()
+}
+
+/// Values of `"equation":"…"` in lines of JSON.
+fn in_json(text: &str, found: &mut BTreeSet<String>) {
+    for part in text.split("\"equation\":\"").skip(1) {
+        found.insert(part.split('"').next().unwrap().to_owned());
+    }
+}
+
+/// Cells below the header "equation" of a table for people (`by`, for centres).
+fn in_tables(text: &str, found: &mut BTreeSet<String>) {
+    let mut column = None;
+    for line in text.lines() {
+        let header =
+            ["  equation", "new z  by"].iter().find_map(|header| line.find(header).map(|at| (header, at)));
+        if let (Some((header, at)), false) = (header, line.starts_with('|')) {
+            column = Some(
+                line[..at].chars().count() + header.len()
+                    - header.trim_start().rsplit(' ').next().unwrap().len(),
+            );
+        } else if line.is_empty() || line.starts_with("  (+") || line.starts_with("note:") {
+            column = None;
+        } else if let Some(column) = column {
+            let cell: String = line.chars().skip(column).collect();
+            let cell = cell.split("  ").next().unwrap();
+            if !cell.is_empty() {
+                found.insert(cell.to_owned());
+            }
+        }
+    }
+}
+
+/// Text in quotes that looks like equation numbers, in code outside tests: `"C.5"`, `"11, B.2"`, `"(12)"`.
+fn in_source(text: &str, found: &mut BTreeSet<String>) {
+    let code = text.split("#[cfg(test)]").next().unwrap();
+    for line in code.lines().filter(|line| !line.trim_start().starts_with("//")) {
+        for literal in line.split('"').skip(1).step_by(2) {
+            let number = |part: &str| {
+                let part = part.trim_start_matches('(').trim_end_matches(')');
+                let digits = ["A.", "B.", "C."].iter().find_map(|letter| part.strip_prefix(letter));
+                digits.is_some_and(|digits| digits.parse::<u8>().is_ok())
+            };
+            if literal.split(", ").any(number) {
+                found.insert(literal.to_owned());
+            }
+        }
+    }
+}
+
+/// What the tool prints as an equation, wherever that is on record.
+fn printed() -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    let mut pages = files(&root().join("tests/snapshots"), &["snap"]);
+    pages.extend(files(&root().join("docs"), &["md"]));
+    pages.push(root().join("README.md"));
+    for page in pages {
+        let text = std::fs::read_to_string(page).unwrap();
+        in_json(&text, &mut found);
+        in_tables(&text, &mut found);
+    }
+    for source in ["crates/osim-patch/src/plan", "crates/osim-contact-scale/src"] {
+        for file in files(&root().join(source), &["rs"]) {
+            in_source(&std::fs::read_to_string(file).unwrap(), &mut found);
+        }
+    }
+    found
+}
+
+#[test]
+fn every_equation_that_is_printed_can_be_explained() {
+    let printed = printed();
+    for witness in
+        ["10", "(C.5)", "11, B.2", "given", "follow", "predsim", "exact law", "(A.1, A.5)", "C.8", "(12)"]
+    {
+        assert!(printed.contains(witness), "{witness} is not among {printed:?}");
+    }
+    let bench = Bench::new();
+    let named = known("equation", "label");
+    for name in printed.iter().chain(&named) {
+        let output = bench.command("explain").arg(name).output().unwrap();
+        let error = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success() && !output.stdout.is_empty(), "{name}: {error}");
+    }
+}
+
+/// Text in quotes after each of `marks`.
+fn after(text: &str, marks: &[&str]) -> BTreeSet<String> {
+    let literal = |part: &str| part.split('"').next().unwrap().to_owned();
+    marks.iter().flat_map(|mark| text.split(mark).skip(1).map(literal)).collect()
+}
+
+#[test]
+fn every_error_code_can_be_explained() {
+    let mut raised = BTreeSet::new();
+    for source in ["crates/osim-patch/src", "crates/osim-contact-scale/src"] {
+        for file in files(&root().join(source), &["rs"]) {
+            let text = std::fs::read_to_string(file).unwrap();
+            raised.extend(after(&text, &["code: \""]));
+            let outside = text.split("Failure::outside(").skip(1).filter_map(|call| call.split('"').nth(1));
+            raised.extend(outside.map(str::to_owned));
+        }
+    }
+    let faults = std::fs::read_to_string(root().join("crates/osim-patch/src/error.rs")).unwrap();
+    let codes = faults.split("pub fn code(&self)").nth(1).unwrap().split("\n    }\n").next().unwrap();
+    raised.extend(after(codes, &["=> \""]));
+    assert_eq!(known("error", "code"), raised);
+}
+
+/// A cell of a Markdown table as plain text: no code marks, links as their text.
+fn plain(cell: &str) -> String {
+    let mut out = String::new();
+    let mut rest = cell;
+    while let Some((before, link)) = rest.split_once('[') {
+        match link.split_once("](").and_then(|(text, link)| Some((text, link.split_once(')')?.1))) {
+            Some((text, after)) => {
+                out.push_str(&format!("{before}{text}"));
+                rest = after;
+            }
+            None => {
+                out.push_str(&format!("{before}["));
+                rest = link;
+            }
+        }
+    }
+    format!("{out}{rest}").replace('`', "")
+}
+
+#[test]
+fn the_page_of_errors_says_the_same() {
+    let page = std::fs::read_to_string(root().join("docs/errors.md")).unwrap();
+    let rows: Vec<Vec<String>> = page
+        .lines()
+        .filter(|line| line.starts_with("| `"))
+        .map(|line| line.trim_matches('|').split(" | ").map(|cell| plain(cell.trim())).collect())
+        .collect();
+    let out = Bench::new().run("explain --format json").done().out();
+    let topics: Vec<Value> = out.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let explained: Vec<Vec<String>> = topics
+        .iter()
+        .filter(|topic| topic["kind"] == "error")
+        .map(|topic| ["code", "means", "way_out"].map(|key| topic[key].as_str().unwrap().to_owned()).to_vec())
+        .collect();
+    assert_eq!(explained, rows);
+}
