@@ -20,5 +20,6 @@ mod files;
 mod json;
 mod masses;
 mod never_lost;
+mod shells;
 mod shown;
 mod support;

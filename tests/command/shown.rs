@@ -3,8 +3,20 @@
 use crate::support::{Bench, HUMAN};
 
 const MOUSE: (&str, &str) = ("table1/mouse_hunt_crossley.osim", "mouse.osim");
-const VERBS: [&str; 10] =
-    ["", "rescale", "transfer", "design", "set", "inspect", "drop-test", "fit", "presets", "explain"];
+const VERBS: [&str; 12] = [
+    "",
+    "rescale",
+    "transfer",
+    "design",
+    "set",
+    "inspect",
+    "drop-test",
+    "fit",
+    "presets",
+    "explain",
+    "completions",
+    "man",
+];
 const TWO_FEET: (&str, &str) = ("format/v30000_two_feet.osim", "feet.osim");
 
 #[test]

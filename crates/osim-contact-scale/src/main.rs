@@ -5,12 +5,14 @@
 mod args;
 mod calculator;
 mod change;
+mod completions;
 mod drop;
 mod explain;
 mod failure;
 mod fitting;
 mod load;
 mod look;
+mod manual;
 mod measured;
 mod paths;
 mod place;
@@ -94,6 +96,8 @@ fn run(cli: &Cli, terminal: &mut Terminal) -> Result<Exit> {
         Some(Verb::Presets(args)) => presets::run(args, terminal).map(|()| Exit::Done),
         Some(Verb::Inspect(args)) => Look::new(args)?.run(terminal),
         Some(Verb::Explain(args)) => explain::run(args, terminal).map(|()| Exit::Done),
+        Some(Verb::Completions(args)) => completions::run(args, terminal).map(|()| Exit::Done),
+        Some(Verb::Man(args)) => manual::run(args, terminal),
     }
 }
 

@@ -58,6 +58,10 @@ pub(crate) enum Verb {
     Presets(PresetsArgs),
     /// Explain an equation, or the code of a warning or an error (alone: list them all)
     Explain(ExplainArgs),
+    /// Let the shell complete verbs and options
+    Completions(CompletionsArgs),
+    /// Print the manual page, or write all of them
+    Man(ManArgs),
 }
 
 #[derive(Debug, Args)]
@@ -193,6 +197,41 @@ pub(crate) struct ExplainArgs {
     /// Spell symbols in plain letters, for consoles that cannot show them
     #[arg(long)]
     pub ascii: bool,
+}
+
+/// Prints a script for the shell that completes verbs, options and file names.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Where to put it (NAME is osim-contact-scale):
+  bash        NAME completions bash > ~/.local/share/bash-completion/completions/NAME
+              (the folder must be there: mkdir -p; needs the package bash-completion)
+  zsh         NAME completions zsh > FOLDER/_NAME, with FOLDER a folder of $fpath
+  fish        NAME completions fish > ~/.config/fish/completions/NAME.fish
+  PowerShell  add this line to the file that $PROFILE names:
+              NAME completions powershell | Out-String | Invoke-Expression
+  elvish      NAME completions elvish > ~/.config/elvish/lib/NAME.elv,
+              and the line 'use NAME' in ~/.config/elvish/rc.elv
+Then open a new terminal.")]
+pub(crate) struct CompletionsArgs {
+    /// The shell
+    pub shell: clap_complete::Shell,
+}
+
+/// Prints the manual page of the command or of one verb, or writes all pages into a folder.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+On macOS and Linux (NAME is osim-contact-scale):
+  to read one   NAME man transfer > page.1; man ./page.1
+  to keep all   NAME man -d ~/.local/share/man/man1, then: man NAME-transfer")]
+pub(crate) struct ManArgs {
+    /// The verb [default: the page of the command]
+    pub verb: Option<String>,
+    /// Write all pages into this folder
+    #[arg(short = 'd', long, value_name = "DIR", conflicts_with = "verb")]
+    pub output_dir: Option<PathBuf>,
+    /// Replace existing files
+    #[arg(long, requires = "output_dir")]
+    pub force: bool,
 }
 
 #[cfg(test)]

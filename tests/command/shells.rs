@@ -1,0 +1,127 @@
+//! Completions and manual pages, read by the programs they are for.
+
+use std::process::{Command, Stdio};
+
+use crate::support::Bench;
+
+const SHELLS: [&str; 5] = ["bash", "zsh", "fish", "powershell", "elvish"];
+
+/// A run of another program on files of `bench`; `None`, said aloud, where the program is not there.
+fn run(bench: &Bench, test: &str, program: &str, arguments: &[&str]) -> Option<(String, String)> {
+    let output = Command::new(program)
+        .args(arguments)
+        .current_dir(bench.path(""))
+        .env("LC_ALL", "C.UTF-8")
+        .stdin(Stdio::null())
+        .output();
+    let output = match output {
+        Ok(output) => output,
+        Err(error) => {
+            // Straight to the terminal: the test harness keeps what a passing test prints to itself.
+            let text = format!("skipped: {test} needs {program}: {error}\n");
+            let _ = std::io::Write::write_all(&mut std::io::stderr(), text.as_bytes());
+            return None;
+        }
+    };
+    let text = |bytes| String::from_utf8_lossy(bytes).into_owned();
+    let (out, err) = (text(&output.stdout), text(&output.stderr));
+    assert!(output.status.success(), "{program} {arguments:?}\n{out}{err}");
+    Some((out, err))
+}
+
+/// A folder with `completions.SHELL` for each shell.
+fn scripts() -> Bench {
+    let bench = Bench::new();
+    for shell in SHELLS {
+        let script = bench.run(&format!("completions {shell}")).done().wrote_nothing().stdout;
+        bench.write(&format!("completions.{shell}"), script);
+    }
+    bench
+}
+
+#[test]
+fn bash_completes_verbs_options_and_values() {
+    let bench = scripts();
+    let complete = |line: &[&str]| {
+        let script = format!(
+            "source completions.bash; COMP_WORDS=({}); COMP_CWORD={}; COMPREPLY=(); {}; echo \"${{COMPREPLY[@]}}\"",
+            line.join(" "),
+            line.len() - 1,
+            // What `complete -p` says bash would call, with the command, the word and the word before it.
+            "f=$(complete -p osim-contact-scale | sed 's/.*-F \\([^ ]*\\).*/\\1/'); \
+             $f osim-contact-scale \"${COMP_WORDS[COMP_CWORD]}\" \"${COMP_WORDS[COMP_CWORD-1]}\"",
+        );
+        run(&bench, "bash's completion", "bash", &["-c", &script]).map(|(out, _)| out.trim().to_owned())
+    };
+    if run(&bench, "bash's completion", "bash", &["-n", "completions.bash"]).is_none() {
+        return;
+    }
+    assert_eq!(complete(&["osim-contact-scale", "tran"]).unwrap(), "transfer");
+    assert_eq!(complete(&["osim-contact-scale", "rescale", "--target-m"]).unwrap(), "--target-mass");
+    assert_eq!(complete(&["osim-contact-scale", "inspect", "--format", "j"]).unwrap(), "json");
+    assert_eq!(complete(&["osim-contact-scale", "drop-test", "--compare-s"]).unwrap(), "--compare-spheres");
+    assert_eq!(complete(&["osim-contact-scale", "completions", "z"]).unwrap(), "zsh");
+}
+
+#[test]
+fn other_shells_can_read_theirs() {
+    let bench = scripts();
+    run(&bench, "zsh's completion", "zsh", &["-n", "completions.zsh"]);
+    run(&bench, "fish's completion", "fish", &["--no-execute", "completions.fish"]);
+    let powershell = "$e=$null; [void][System.Management.Automation.Language.Parser]::ParseFile(\
+                      (Resolve-Path completions.powershell), [ref]$null, [ref]$e); exit $e.Count";
+    run(&bench, "PowerShell's completion", "pwsh", &["-NoProfile", "-Command", powershell]);
+    run(&bench, "elvish's completion", "elvish", &["-compileonly", "completions.elvish"]);
+    let fish = "source completions.fish; complete -C 'osim-contact-scale tran'";
+    if let Some((out, _)) = run(&bench, "fish's completion", "fish", &["-c", fish]) {
+        assert!(out.starts_with("transfer\t"), "{out}");
+    }
+}
+
+#[test]
+fn every_verb_has_a_page_that_groff_can_set() {
+    let bench = Bench::new();
+    bench.run("man -d pages").done();
+    let pages: Vec<String> = bench.files().into_keys().collect();
+    let help = bench.run("-h").done().out();
+    let verbs: Vec<&str> = help
+        .split("Commands:\n")
+        .nth(1)
+        .unwrap()
+        .lines()
+        .take_while(|line| !line.is_empty())
+        // A long description goes on in the next line, further in.
+        .filter(|line| !line.starts_with("   "))
+        .map(|line| line.split_whitespace().next().unwrap())
+        .collect();
+    let mut expected: Vec<String> =
+        verbs.iter().map(|verb| format!("pages/osim-contact-scale-{verb}.1")).collect();
+    expected.push("pages/osim-contact-scale.1".to_owned());
+    expected.sort();
+    assert_eq!(pages, expected);
+    for page in &pages {
+        let groff = ["-man", "-Tutf8", "-Kutf8", "-ww", "-P-cbou", page.as_str()];
+        let Some((text, warnings)) = run(&bench, "the manual", "groff", &groff) else { return };
+        assert!(warnings.is_empty(), "{page}: {warnings}");
+        assert!(text.contains("NAME") && text.contains("SYNOPSIS"), "{page}\n{text}");
+    }
+    let rescale = ["-man", "-Tascii", "-P-cbou", "pages/osim-contact-scale-rescale.1"];
+    let (text, _) = run(&bench, "the manual", "groff", &rescale).unwrap();
+    // Also what the short help leaves out.
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    for words in ["Mass the contacts shall stand for, kg", "Leave these bodies out of the sum"] {
+        assert!(text.contains(words), "{words}\n{text}");
+    }
+}
+
+#[test]
+fn one_page_is_printed_and_nothing_is_replaced() {
+    let bench = Bench::new();
+    let page = bench.run("man transfer").done().wrote_nothing().out();
+    assert!(page.contains("osim\\-contact\\-scale\\-transfer"), "{page}");
+    assert!(bench.run("man").done().out().contains("SUBCOMMANDS"));
+    bench.run("man no-such-verb").usage().says(&["'no-such-verb' is no verb"]);
+    bench.run("man -d pages").done();
+    bench.run("man -d pages").failed().wrote_nothing().says(&["--force"]);
+    bench.run("man -d pages --force").done();
+}
