@@ -9,7 +9,7 @@ use contact_scaling::{
 use osim_patch::{Property, RadiusRule};
 use serde::Serialize;
 
-use crate::args::{DesignArgs, Format};
+use crate::args::DesignArgs;
 use crate::drop::STANDARD_GRAVITY;
 use crate::report::{json, number, right, table};
 use crate::terminal::{Exit, Terminal};
@@ -47,10 +47,7 @@ pub(crate) fn run(args: &DesignArgs, terminal: &mut Terminal) -> Result<Exit> {
         bail!("{option} needs a model to work on: name one, or leave it out");
     }
     let sheet = sheet(args)?;
-    let text = match args.output.format {
-        Format::Json => json::line(&sheet),
-        Format::Table => text(&sheet),
-    };
+    let text = if args.run.is_json() { json::line(&sheet) } else { text(&sheet) };
     terminal.print(&text)?;
     Ok(Exit::Done)
 }
@@ -62,8 +59,10 @@ fn without_meaning(args: &DesignArgs) -> Option<&'static str> {
         ("--output", output.output.is_some()),
         ("--output-dir", output.output_dir.is_some()),
         ("--in-place", output.in_place),
-        ("--dry-run", output.dry_run),
-        ("--diff", output.diff),
+        ("--dry-run", args.run.dry_run),
+        ("--diff", args.run.diff),
+        ("--summary", args.run.summary.is_some()),
+        ("--shard", args.run.shard.is_some()),
         ("--force", output.force),
         ("--no-note", output.no_note),
         ("--select", !args.choice.select.is_empty()),

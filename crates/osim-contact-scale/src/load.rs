@@ -1,24 +1,30 @@
 //! A model with all the files that belong to it.
 
+use std::fs::{File, Metadata};
+use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
+use std::time::SystemTime;
 
-use anyhow::Context;
+use anyhow::{Context, Result, anyhow, bail};
 use osim_patch::{Document, ElementId, Model, Part};
 
 use crate::args::PartArgs;
 use crate::failure::Failure;
-use crate::sources::{Source, read};
+use crate::sources::Source;
 
 /// Bytes of a model's files; documents and models borrow from it.
 pub(crate) struct Loaded {
     pub shown: String,
     pub bytes: Vec<u8>,
+    /// The model as the file system saw it when it was read; none for standard input.
+    pub stamp: Option<Stamp>,
     pub parts: Vec<LoadedPart>,
 }
 
 pub(crate) struct LoadedPart {
     pub path: PathBuf,
     bytes: Vec<u8>,
+    stamp: Option<Stamp>,
     included_by: Option<ElementId>,
 }
 
@@ -26,13 +32,14 @@ impl Loaded {
     /// Reads `source`, the files it includes and those given beside it.
     pub(crate) fn read(source: &Source, beside: &PartArgs) -> Result<Self, Failure> {
         let shown = source.shown();
-        let bytes = read(&source.path).map_err(|error| Failure::outside(&shown, "unreadable", &error))?;
+        let (bytes, stamp) =
+            read_stamped(&source.path).map_err(|error| Failure::outside(&shown, "unreadable", &error))?;
         let mut parts = Vec::new();
         for path in [&beside.geometry, &beside.model].into_iter().flatten() {
             parts.push(Self::part(path.clone(), None)?);
         }
         if !osim_patch::may_include(&bytes) {
-            return Ok(Self { shown, bytes, parts });
+            return Ok(Self { shown, bytes, stamp, parts });
         }
         let document = Document::parse(&bytes).map_err(|fault| Failure::of_fault(&shown, fault, &bytes))?;
         for (element, file) in document.included_files() {
@@ -49,15 +56,15 @@ impl Loaded {
             parts.push(part);
         }
         drop(document);
-        Ok(Self { shown, bytes, parts })
+        Ok(Self { shown, bytes, stamp, parts })
     }
 
     fn part(path: PathBuf, included_by: Option<ElementId>) -> Result<LoadedPart, Failure> {
         let shown = path.display().to_string();
-        let bytes = read(&path)
+        let (bytes, stamp) = read_stamped(&path)
             .with_context(|| "a file that belongs to the model".to_owned())
             .map_err(|error| Failure::outside(&shown, "unreadable", &error))?;
-        Ok(LoadedPart { path, bytes, included_by })
+        Ok(LoadedPart { path, bytes, stamp, included_by })
     }
 
     /// Bytes of file number `file`.
@@ -65,6 +72,14 @@ impl Loaded {
         match file.checked_sub(1).and_then(|part| self.parts.get(part)) {
             Some(part) => (part.path.to_str().unwrap_or(&self.shown), &part.bytes),
             None => (&self.shown, &self.bytes),
+        }
+    }
+
+    /// File number `file` as it was when it was read.
+    pub(crate) fn stamp_of(&self, file: usize) -> Option<&Stamp> {
+        match file.checked_sub(1) {
+            Some(part) => self.parts.get(part)?.stamp.as_ref(),
+            None => self.stamp.as_ref(),
         }
     }
 
@@ -97,4 +112,62 @@ impl Loaded {
         let (shown, bytes) = self.file(fault.source_file);
         Failure::of_fault(shown, fault, bytes)
     }
+}
+
+/// A file's metadata at a moment, to notice that somebody else writes it.
+#[derive(Debug, Clone)]
+pub(crate) struct Stamp {
+    pub metadata: Metadata,
+    modified: Option<SystemTime>,
+}
+
+impl Stamp {
+    fn of(metadata: Metadata) -> Self {
+        let modified = metadata.modified().ok();
+        Self { metadata, modified }
+    }
+
+    /// Refuses a file that is no longer as it was read.
+    ///
+    /// # Errors
+    /// It was changed or removed since.
+    pub(crate) fn still_holds(&self, path: &Path) -> Result<()> {
+        let now = std::fs::metadata(path).context("the model is no longer there, so nothing was written")?;
+        if now.len() != self.metadata.len() || now.modified().ok() != self.modified {
+            bail!(
+                "another program changed the model while it was being worked on, so nothing was written: run again"
+            );
+        }
+        Ok(())
+    }
+}
+
+/// Reads a whole file, or standard input.
+///
+/// # Errors
+/// It is not there, cannot be read, or changes while it is being read.
+pub(crate) fn read(path: &Path) -> Result<Vec<u8>> {
+    read_stamped(path).map(|(bytes, _)| bytes)
+}
+
+fn read_stamped(path: &Path) -> Result<(Vec<u8>, Option<Stamp>)> {
+    let mut bytes = Vec::new();
+    if path.as_os_str() == "-" {
+        std::io::stdin().lock().read_to_end(&mut bytes).context("cannot read standard input")?;
+        return Ok((bytes, None));
+    }
+    let mut file = File::open(path).map_err(|error| match error.kind() {
+        ErrorKind::NotFound => anyhow!("there is no such file: check the name and the folder"),
+        _ => anyhow!(error).context("cannot be read"),
+    })?;
+    let stamp = Stamp::of(file.metadata().context("cannot be read")?);
+    let length = usize::try_from(stamp.metadata.len()).unwrap_or(0);
+    bytes.try_reserve_exact(length).context("cannot be read: too large for this computer's memory")?;
+    file.read_to_end(&mut bytes).context("cannot be read")?;
+    let after = file.metadata().context("cannot be read")?;
+    let changed = after.modified().ok() != stamp.modified || bytes.len() as u64 != after.len();
+    if changed && after.is_file() {
+        bail!("another program changed it while it was being read: run again when that is done");
+    }
+    Ok((bytes, Some(stamp)))
 }

@@ -4,12 +4,12 @@
 
 mod args;
 mod calculator;
-mod change;
 mod completions;
 mod drop;
 mod explain;
 mod failure;
 mod fitting;
+mod folders;
 mod load;
 mod look;
 mod manual;
@@ -18,10 +18,11 @@ mod paths;
 mod place;
 mod presets;
 mod report;
+mod run;
 mod sources;
+mod temporary;
 mod terminal;
 mod verbs;
-#[allow(dead_code, reason = "the verbs that work on many models begin to use it next")]
 mod workers;
 mod write;
 
@@ -31,15 +32,15 @@ use anyhow::{Result, bail};
 use clap::Parser;
 use clap::error::ErrorKind;
 
-use args::{Cli, Format, RescaleArgs, Verb};
+use args::{Cli, Format, RescaleArgs, RunArgs, Verb};
 use look::Look;
+use run::tasks_of;
 use terminal::{Exit, Terminal};
-use verbs::{DesignVerb, RescaleVerb, SetVerb, TransferVerb};
 
 fn main() -> ExitCode {
     let mut terminal = Terminal::default();
     let exit = match Cli::try_parse() {
-        Ok(cli) => run(&cli, &mut terminal).unwrap_or_else(|error| {
+        Ok(cli) => run(cli, &mut terminal).unwrap_or_else(|error| {
             terminal.error(&format!("error: {error:#}\n"));
             Exit::Usage
         }),
@@ -68,60 +69,63 @@ fn usage(error: &clap::Error, terminal: &mut Terminal) -> Exit {
 }
 
 /// Runs the verb; an `Err` is wrong usage, found before anything was written.
-fn run(cli: &Cli, terminal: &mut Terminal) -> Result<Exit> {
-    match &cli.verb {
-        None => rescale(&cli.rescale, true, terminal),
-        Some(Verb::Rescale(args)) => rescale(args, false, terminal),
-        Some(Verb::Transfer(args)) => match TransferVerb::new(args)? {
-            Ok(planner) => change::run(&args.models, &args.parts, &args.output, &planner, terminal),
-            Err(failure) => {
-                if args.output.format == Format::Json {
-                    terminal.print(&failure.json())?;
+fn run(cli: Cli, terminal: &mut Terminal) -> Result<Exit> {
+    match cli.verb {
+        None => rescale(cli.rescale, true, terminal),
+        Some(Verb::Rescale(args)) => rescale(*args, false, terminal),
+        Some(Verb::Transfer(args)) => {
+            let run = args.run.clone();
+            match verbs::transfer::verb(*args)? {
+                Ok(verb) => change(verb, &run, terminal),
+                Err(failure) => {
+                    if run.is_json() {
+                        terminal.print(&failure.json())?;
+                    }
+                    terminal.error(&failure.text());
+                    Ok(Exit::Failed)
                 }
-                terminal.error(&failure.text());
-                Ok(Exit::Failed)
             }
-        },
-        Some(Verb::Design(args)) if args.models.is_empty() => calculator::run(args, terminal),
+        }
+        Some(Verb::Design(args)) if args.models.is_empty() => calculator::run(&args, terminal),
         Some(Verb::Design(args)) => {
-            let planner = DesignVerb::new(args)?;
-            change::run(&args.models, &args.parts, &args.output, &planner, terminal)
+            let run = args.run.clone();
+            change(verbs::design::verb(*args)?, &run, terminal)
         }
         Some(Verb::Set(args)) => {
-            let planner = SetVerb::new(args)?;
-            change::run(&planner.models, &args.parts, &args.output, &planner, terminal)
+            let run = args.run.clone();
+            change(verbs::set::verb(*args)?, &run, terminal)
         }
-        Some(Verb::DropTest(args)) => drop::run(args, terminal),
-        Some(Verb::Fit(args)) => fitting::run(args, terminal),
-        Some(Verb::Presets(args)) => presets::run(args, terminal).map(|()| Exit::Done),
-        Some(Verb::Inspect(args)) => Look::new(args)?.run(terminal),
-        Some(Verb::Explain(args)) => explain::run(args, terminal).map(|()| Exit::Done),
-        Some(Verb::Completions(args)) => completions::run(args, terminal).map(|()| Exit::Done),
-        Some(Verb::Man(args)) => manual::run(args, terminal),
+        Some(Verb::DropTest(args)) => drop::run(&args, terminal),
+        Some(Verb::Fit(args)) => fitting::run(&args, terminal),
+        Some(Verb::Presets(args)) => presets::run(&args, terminal).map(|()| Exit::Done),
+        Some(Verb::Inspect(args)) => Look::new(&args)?.run(terminal),
+        Some(Verb::Explain(args)) => explain::run(&args, terminal).map(|()| Exit::Done),
+        Some(Verb::Completions(args)) => completions::run(&args, terminal).map(|()| Exit::Done),
+        Some(Verb::Man(args)) => manual::run(&args, terminal),
     }
 }
 
-fn rescale(args: &RescaleArgs, may_look: bool, terminal: &mut Terminal) -> Result<Exit> {
+/// A changing verb over its models.
+fn change(verb: run::Verb, args: &RunArgs, terminal: &mut Terminal) -> Result<Exit> {
+    run::run(tasks_of(verb, args)?, args, terminal)
+}
+
+fn rescale(args: RescaleArgs, may_look: bool, terminal: &mut Terminal) -> Result<Exit> {
     if args.models.is_empty() {
         bail!("no model given, expected one or more .osim files or folders (see --help)");
     }
     if let Some(word) = args.models.iter().find(|path| verbs::looks_like_verb(path)).filter(|_| may_look) {
         bail!("'{}' is neither a verb nor a file (see --help)", word.display());
     }
-    if let Some(target) = args.target_mass {
-        let planner = RescaleVerb::new(args, target)?;
-        return change::run(&args.models, &args.parts, &args.output, &planner, terminal);
-    }
-    if !may_look || args.asks_for_change() {
-        bail!(
-            "the target is missing: say what the contacts shall stand for with --target-mass KG (see --help)"
-        );
+    if args.target_mass.is_some() || !may_look || args.asks_for_change() {
+        let run = args.run.clone();
+        return change(verbs::rescale::verb(args)?, &run, terminal);
     }
     // A model alone, perhaps dropped on the program: show something useful.
     let look = Look {
         models: &args.models,
         parts: &args.parts,
-        format: args.output.format,
+        format: if args.run.is_json() { Format::Json } else { Format::Table },
         masses: args.masses.request()?,
         selection: args.choice.selection()?,
         hint: true,

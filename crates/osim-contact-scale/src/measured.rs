@@ -5,7 +5,7 @@ use std::path::Path;
 use anyhow::{Context, Result, anyhow, bail};
 
 use crate::args::{ColumnArgs, ForceUnit, LengthUnit, SpeedUnit, TimeUnit};
-use crate::sources::read;
+use crate::load::read;
 
 /// Columns in SI units; row `i` of each belongs together.
 pub(crate) struct Measured {

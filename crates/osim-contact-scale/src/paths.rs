@@ -1,9 +1,13 @@
 //! Paths as the file system sees them, also where parts of them do not exist yet.
 
+use std::collections::HashMap;
 use std::path::{Component, Path, PathBuf};
 
 /// The absolute path without links, `.` and `..`; what does not exist yet is taken as written.
 pub(crate) fn resolved(path: &Path) -> PathBuf {
+    if let Ok(real) = path.canonicalize() {
+        return real;
+    }
     let start = if path.is_absolute() { PathBuf::new() } else { std::env::current_dir().unwrap_or_default() };
     let mut real = start;
     for component in path.components() {
@@ -21,6 +25,33 @@ pub(crate) fn resolved(path: &Path) -> PathBuf {
     real
 }
 
+/// The folder of a file: `.` for a bare name.
+pub(crate) fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// [`resolved`] for very many paths: every folder is asked for once.
+#[derive(Debug, Default)]
+pub(crate) struct Resolver {
+    folders: HashMap<PathBuf, PathBuf>,
+}
+
+impl Resolver {
+    pub(crate) fn resolved(&mut self, path: &Path) -> PathBuf {
+        let Some(name) = path.file_name() else { return resolved(path) };
+        if path.is_symlink() {
+            return resolved(path);
+        }
+        let folder = folder_of(path);
+        if let Some(real) = self.folders.get(folder) {
+            return real.join(name);
+        }
+        let real = resolved(folder);
+        self.folders.insert(folder.to_owned(), real.clone());
+        real.join(name)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -32,5 +63,10 @@ mod tests {
         std::fs::write(&file, "").unwrap();
         assert_eq!(resolved(&folder.path().join("new/../a.osim")), resolved(&file));
         assert_eq!(resolved(&folder.path().join("./new")), resolved(folder.path()).join("new"));
+        let mut resolver = Resolver::default();
+        for path in ["new/../a.osim", "./a.osim", "new/b.osim", ".."] {
+            let path = folder.path().join(path);
+            assert_eq!(resolver.resolved(&path), resolved(&path));
+        }
     }
 }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Result, bail};
 
 use crate::args::OutputArgs;
-use crate::paths::resolved;
+use crate::paths::Resolver;
 use crate::sources::{OUTPUT_MARK, Source};
 
 /// Where one model's result goes.
@@ -18,14 +18,16 @@ pub(crate) enum Place {
     /// A file of its own.
     File(PathBuf),
     /// The model itself.
-    Itself(PathBuf),
+    Itself,
 }
 
 impl Place {
-    pub(crate) fn path(&self) -> Option<&Path> {
+    /// The file that is written for `source`.
+    pub(crate) fn path<'p>(&'p self, source: &'p Source) -> Option<&'p Path> {
         match self {
             Self::Stdout => None,
-            Self::File(path) | Self::Itself(path) => Some(path),
+            Self::File(path) => Some(path),
+            Self::Itself => Some(&source.path),
         }
     }
 }
@@ -53,27 +55,30 @@ pub(crate) fn place(source: &Source, output: &OutputArgs) -> Place {
         };
     }
     if output.in_place {
-        return Place::Itself(source.path.clone());
+        return Place::Itself;
     }
     match &output.output_dir {
-        Some(folder) => Place::File(folder.join(relative(source))),
+        // A file goes to DIR/its name, a folder's files to DIR/their path below that folder.
+        Some(folder) => Place::File(folder.join(source.below_folder())),
         None => Place::File(beside(&source.path)),
     }
 }
 
-/// A file goes to DIR/its name, a folder's files to DIR/their path below that folder.
-fn relative(source: &Source) -> PathBuf {
-    let below = source.folder.as_ref().and_then(|folder| source.path.strip_prefix(folder).ok());
-    match below {
-        Some(path) => path.to_owned(),
-        None => source.path.file_name().map(PathBuf::from).unwrap_or_default(),
+/// Where the changed geometry set of a standalone force set goes.
+pub(crate) fn geometry_place(geometry: &Path, output: &OutputArgs) -> PathBuf {
+    match (&output.geometry_output, &output.output_dir) {
+        _ if output.in_place => geometry.to_owned(),
+        (Some(path), _) => path.clone(),
+        (None, Some(folder)) => folder.join(geometry.file_name().unwrap_or_default()),
+        (None, None) => beside(geometry),
     }
 }
 
 /// Outputs and inputs of a whole run, compared before anything is written.
 #[derive(Debug, Default)]
 pub(crate) struct Ledger {
-    inputs: HashMap<PathBuf, String>,
+    resolver: Resolver,
+    inputs: HashMap<OsString, String>,
     outputs: HashMap<OsString, String>,
 }
 
@@ -81,31 +86,52 @@ impl Ledger {
     /// A file that is read: nothing may be written over it.
     pub(crate) fn read(&mut self, path: &Path) {
         if path.as_os_str() != "-" {
-            self.inputs.insert(resolved(path), path.display().to_string());
+            let real = self.resolver.resolved(path);
+            self.inputs.insert(without_case(real), path.display().to_string());
         }
     }
 
-    /// A file that is to be written for `source`.
+    /// A file that is to be written for `who`.
     ///
     /// # Errors
-    /// Another model has that output (also where only letters' case differs: Windows and macOS see one file there), or
-    /// it is one of the files that are read.
-    pub(crate) fn write(&mut self, path: &Path, source: &str) -> Result<()> {
-        let real = resolved(path);
+    /// Another model has that output, or it is one of the files that are read; also where only the letters' case
+    /// differs, because Windows and macOS see one file there.
+    pub(crate) fn write(&mut self, path: &Path, who: &str) -> Result<()> {
+        let real = without_case(self.resolver.resolved(path));
         if let Some(input) = self.inputs.get(&real) {
             bail!(
                 "the output {} is an input of this run ({input}): choose another name, or change it with --in-place",
                 path.display()
             );
         }
-        let key = real.as_os_str().to_string_lossy().to_lowercase().into();
-        if let Some(other) = self.outputs.insert(key, source.to_owned()) {
+        self.once(real, path, who)
+    }
+
+    /// A file that is changed itself, for `who`.
+    ///
+    /// # Errors
+    /// It is changed for another one too.
+    pub(crate) fn change(&mut self, path: &Path, who: &str) -> Result<()> {
+        let real = without_case(self.resolver.resolved(path));
+        self.once(real, path, who)
+    }
+
+    fn once(&mut self, real: OsString, path: &Path, who: &str) -> Result<()> {
+        if let Some(other) = self.outputs.insert(real, who.to_owned()) {
             bail!(
-                "{other} and {source} would both be written to {}: give them different names or folders",
+                "{other} and {who} would both be written to {}: give them different names or folders",
                 path.display()
             );
         }
         Ok(())
+    }
+}
+
+/// Names that are not UTF-8 have no case that anybody knows of.
+fn without_case(path: PathBuf) -> OsString {
+    match path.into_os_string().into_string() {
+        Ok(text) => text.to_lowercase().into(),
+        Err(name) => name,
     }
 }
 
@@ -114,7 +140,7 @@ mod tests {
     use super::*;
 
     fn source(path: &str, folder: Option<&str>) -> Source {
-        Source { path: path.into(), folder: folder.map(Into::into) }
+        Source { path: path.into(), folder: folder.map(|folder| Path::new(folder).into()) }
     }
 
     #[test]
@@ -125,8 +151,8 @@ mod tests {
 
     #[test]
     fn a_folder_keeps_its_shape() {
-        assert_eq!(relative(&source("lib/a/x.osim", Some("lib"))), Path::new("a/x.osim"));
-        assert_eq!(relative(&source("lib/a/x.osim", None)), Path::new("x.osim"));
+        assert_eq!(source("lib/a/x.osim", Some("lib")).below_folder(), Path::new("a/x.osim"));
+        assert_eq!(source("lib/a/x.osim", None).below_folder(), Path::new("x.osim"));
     }
 
     #[test]
@@ -136,5 +162,7 @@ mod tests {
         assert!(ledger.write(Path::new("out/X.osim"), "a").is_ok());
         assert!(ledger.write(Path::new("out/x.osim"), "b").is_err());
         assert!(ledger.write(Path::new("out/../in/a.osim"), "c").is_err());
+        assert!(ledger.change(Path::new("in/a.osim"), "d").is_ok());
+        assert!(ledger.change(Path::new("in/A.osim"), "e").is_err());
     }
 }

@@ -11,8 +11,8 @@ use serde::{Deserialize, Serialize};
 use toml::Spanned;
 
 use crate::args::{Format, PresetsArgs};
+use crate::load::read;
 use crate::report::{json, number, table};
-use crate::sources::read;
 use crate::terminal::Terminal;
 
 #[derive(Deserialize)]

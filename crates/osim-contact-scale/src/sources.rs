@@ -1,12 +1,14 @@
 //! Which models a call is about: files, folders and standard input.
 
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
-use anyhow::{Context, Result, anyhow};
-use walkdir::WalkDir;
+use anyhow::anyhow;
+use walkdir::{DirEntry, WalkDir};
 
 use crate::failure::Failure;
-use crate::paths::resolved;
+use crate::paths::{Resolver, resolved};
 
 /// End of the name of files that this tool writes by default.
 pub(crate) const OUTPUT_MARK: &str = ".scaled";
@@ -17,10 +19,15 @@ pub(crate) struct Source {
     /// Where it is; `-` is standard input.
     pub path: PathBuf,
     /// The folder that was named, when the model was found by walking it.
-    pub folder: Option<PathBuf>,
+    pub folder: Option<Arc<Path>>,
 }
 
 impl Source {
+    /// A model that was named itself.
+    pub(crate) fn file(path: &Path) -> Self {
+        Self { path: path.to_owned(), folder: None }
+    }
+
     pub(crate) fn is_stdin(&self) -> bool {
         self.path.as_os_str() == "-"
     }
@@ -28,6 +35,12 @@ impl Source {
     /// As shown to the user.
     pub(crate) fn shown(&self) -> String {
         self.path.display().to_string()
+    }
+
+    /// Its name, or its path below the folder that was named.
+    pub(crate) fn below_folder(&self) -> &Path {
+        let below = self.folder.as_ref().and_then(|folder| self.path.strip_prefix(folder).ok());
+        below.or_else(|| self.path.file_name().map(Path::new)).unwrap_or(&self.path)
     }
 }
 
@@ -44,77 +57,92 @@ impl Sources {
     /// Expands `named`; `skip` is the output folder, which is never walked.
     pub(crate) fn find(named: &[PathBuf], skip: Option<&Path>) -> Self {
         let mut sources = Self::default();
+        let mut known = Known::default();
         for path in named {
             if path.is_dir() {
-                sources.walk(path, skip);
-            } else if !sources.models.iter().any(|known| same(&known.path, path)) {
-                sources.models.push(Source { path: path.clone(), folder: None });
+                sources.walk(path, skip, &mut known);
+            } else if known.is_new(path) {
+                sources.models.push(Source::file(path));
             }
         }
         sources
     }
 
-    fn walk(&mut self, folder: &Path, skip: Option<&Path>) {
+    fn walk(&mut self, folder: &Path, skip: Option<&Path>, known: &mut Known) {
         let skip = skip.and_then(|path| path.canonicalize().ok());
         let is_skipped = |path: &Path| skip.is_some() && path.canonicalize().ok() == skip;
-        let mut own = 0;
-        let before = self.models.len();
-        let walk = WalkDir::new(folder).sort_by_file_name().into_iter();
+        let (mut own, mut again) = (0, 0);
+        let mut found = false;
+        let shared: Arc<Path> = Arc::from(folder);
+        // Links are followed, as a file manager does; a link that leads back into its own folder is a failure.
+        let walk = WalkDir::new(folder).follow_links(true).sort_by_file_name().into_iter();
         for entry in walk.filter_entry(|entry| !(entry.file_type().is_dir() && is_skipped(entry.path()))) {
-            let entry = match entry {
-                Ok(entry) => entry,
-                Err(error) => {
-                    let path = error.path().unwrap_or(folder).display().to_string();
-                    self.failures.push(Failure::outside(&path, "unreadable", &anyhow!(error)));
-                    continue;
+            match entry {
+                Err(error) => self.failures.push(unreadable(folder, error)),
+                Ok(entry) if !is_model(&entry) => {}
+                Ok(entry) if is_own_output(entry.path()) => own += 1,
+                Ok(entry) => {
+                    found = true;
+                    if known.is_new(entry.path()) {
+                        let folder = Some(Arc::clone(&shared));
+                        self.models.push(Source { path: entry.into_path(), folder });
+                    } else {
+                        again += 1;
+                    }
                 }
-            };
-            let path = entry.path();
-            let is_model = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("osim"));
-            if !is_model || entry.file_type().is_dir() {
-                continue;
             }
-            let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-            if stem.ends_with(OUTPUT_MARK) {
-                own += 1;
-                continue;
-            }
-            self.models.push(Source { path: path.to_owned(), folder: Some(folder.to_owned()) });
         }
         if let Some(skipped) = skip.as_ref().filter(|skipped| skipped.starts_with(resolved(folder))) {
             self.remarks.push(format!("{}: the output folder is not read", skipped.display()));
         }
+        let shown = folder.display();
         if own > 0 {
-            let shown = folder.display();
             self.remarks
                 .push(format!("{shown}: outputs of this tool (*{OUTPUT_MARK}.osim) passed over: {own}"));
         }
-        if self.models.len() == before {
+        if again > 0 {
+            self.remarks
+                .push(format!("{shown}: models that are there a second time (named or linked): {again}"));
+        }
+        if !found {
             let error =
                 anyhow!("no .osim models in this folder: name a model, or the folder that holds them");
-            self.failures.push(Failure::outside(&folder.display().to_string(), "no-models", &error));
+            self.failures.push(Failure::outside(&shown.to_string(), "no-models", &error));
         }
     }
 }
 
-/// One model named twice is one model.
-fn same(a: &Path, b: &Path) -> bool {
-    a == b || (a.as_os_str() != "-" && b.as_os_str() != "-" && resolved(a) == resolved(b))
+fn is_model(entry: &DirEntry) -> bool {
+    let is_model = entry.path().extension().is_some_and(|extension| extension.eq_ignore_ascii_case("osim"));
+    is_model && !entry.file_type().is_dir()
 }
 
-/// Reads a whole file, or standard input.
-pub(crate) fn read(path: &Path) -> Result<Vec<u8>> {
-    if path.as_os_str() == "-" {
-        let mut bytes = Vec::new();
-        std::io::Read::read_to_end(&mut std::io::stdin().lock(), &mut bytes)
-            .context("cannot read standard input")?;
-        return Ok(bytes);
-    }
-    match std::fs::read(path) {
-        Ok(bytes) => Ok(bytes),
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
-            Err(anyhow!("there is no such file: check the name and the folder"))
-        }
-        Err(error) => Err(anyhow!(error).context("cannot be read")),
+fn is_own_output(path: &Path) -> bool {
+    path.file_stem().unwrap_or_default().as_encoded_bytes().ends_with(OUTPUT_MARK.as_bytes())
+}
+
+fn unreadable(folder: &Path, error: walkdir::Error) -> Failure {
+    let path = error.path().unwrap_or(folder).display().to_string();
+    let error = match error.loop_ancestor() {
+        Some(ancestor) => anyhow!(
+            "a link that leads back to {}: remove the link, or name the folders that hold the models",
+            ancestor.display()
+        ),
+        None => anyhow!(error).context("cannot be read"),
+    };
+    Failure::outside(&path, "unreadable", &error)
+}
+
+/// One model named twice, or linked, is one model.
+#[derive(Debug, Default)]
+struct Known {
+    resolver: Resolver,
+    files: HashSet<PathBuf>,
+}
+
+impl Known {
+    fn is_new(&mut self, path: &Path) -> bool {
+        let real = if path.as_os_str() == "-" { path.to_owned() } else { self.resolver.resolved(path) };
+        self.files.insert(real)
     }
 }

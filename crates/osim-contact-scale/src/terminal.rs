@@ -11,11 +11,13 @@ pub(crate) enum Exit {
     Failed,
     /// Wrong usage.
     Usage,
+    /// Stopped by Ctrl-C.
+    Interrupted,
 }
 
 impl Exit {
     pub(crate) fn and(self, other: Self) -> Self {
-        if self == Self::Done { other } else { self }
+        if self == Self::Done || other == Self::Interrupted { other } else { self }
     }
 
     pub(crate) fn code(self) -> u8 {
@@ -23,6 +25,8 @@ impl Exit {
             Self::Done => 0,
             Self::Failed => 1,
             Self::Usage => 2,
+            // As shells have it for a program that SIGINT ended.
+            Self::Interrupted => 130,
         }
     }
 }

@@ -52,8 +52,8 @@ pub(crate) fn in_order<T: Sync, R: Send>(
             if let Some(place) = waiting.get_mut(index - first) {
                 *place = Some(result);
             }
-            while let Some(Some(result)) = waiting.pop_front_if(|result| result.is_some()) {
-                if let Some(item) = told.next() {
+            while waiting.front().is_some_and(Option::is_some) {
+                if let (Some(Some(result)), Some(item)) = (waiting.pop_front(), told.next()) {
                     each(item, result)?;
                 }
             }

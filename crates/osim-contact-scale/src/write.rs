@@ -9,7 +9,8 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, anyhow, bail};
 use tempfile::NamedTempFile;
 
-use crate::paths::resolved;
+use crate::paths::{folder_of, resolved};
+use crate::temporary;
 
 /// A complete successor that does not have its name yet.
 pub(crate) struct Prepared {
@@ -34,6 +35,16 @@ impl Prepared {
     /// # Errors
     /// The target exists and may not be replaced, or the folder cannot be written.
     pub(crate) fn new(target: &Path, bytes: &[u8], like: Option<&Metadata>, mode: Mode) -> Result<Self> {
+        let mut prepared = Self::begin(target, like, mode)?;
+        prepared.add(bytes)?;
+        Ok(prepared)
+    }
+
+    /// An empty successor of `target`, for [`add`](Self::add).
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub(crate) fn begin(target: &Path, like: Option<&Metadata>, mode: Mode) -> Result<Self> {
         if target.is_symlink() && !target.exists() {
             bail!("{} is a link that leads nowhere: remove it, or write to another name", target.display());
         }
@@ -52,18 +63,21 @@ impl Prepared {
                 target.display()
             );
         }
-        let folder = match target.parent() {
-            Some(folder) if !folder.as_os_str().is_empty() => folder.to_owned(),
-            _ => PathBuf::from("."),
-        };
+        let folder = folder_of(&target);
         let cannot = || format!("cannot write into {}", folder.display());
-        let mut temporary = builder(existing.as_ref().or(like))
-            .tempfile_in(&folder)
-            .map_err(|error| without_name(&error))
-            .with_context(cannot)?;
-        temporary.write_all(bytes).with_context(cannot)?;
-        keep_permissions(&temporary, existing.as_ref().or(like)).with_context(cannot)?;
+        let like = existing.as_ref().or(like);
+        let temporary = temporary::file(folder, like).with_context(cannot)?;
+        keep_permissions(&temporary, like).with_context(cannot)?;
         Ok(Self { temporary, target, replaces: existing.is_some() })
+    }
+
+    /// Writes more bytes of the successor.
+    ///
+    /// # Errors
+    /// The disk is full, or the folder is no longer there.
+    pub(crate) fn add(&mut self, bytes: &[u8]) -> Result<()> {
+        let folder = folder_of(&self.target);
+        self.temporary.write_all(bytes).with_context(|| format!("cannot write into {}", folder.display()))
     }
 
     /// Whether a file is there whose contents are about to go.
@@ -103,31 +117,6 @@ impl Prepared {
     }
 }
 
-/// The reason alone: the temporary name that tempfile puts into its message says nothing to a user.
-fn without_name(error: &std::io::Error) -> std::io::Error {
-    let kind = error.kind();
-    let inner = error.get_ref().and_then(std::error::Error::source).map(ToString::to_string);
-    std::io::Error::new(kind, inner.unwrap_or_else(|| kind.to_string()))
-}
-
-#[cfg(unix)]
-fn builder(like: Option<&Metadata>) -> tempfile::Builder<'static, 'static> {
-    use std::os::unix::fs::PermissionsExt;
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".osim-contact-scale-");
-    // Without a file to be like, what any new file gets; the process's mask still applies.
-    let mode = like.map_or(0o666, |metadata| metadata.permissions().mode() & 0o777);
-    builder.permissions(std::fs::Permissions::from_mode(mode));
-    builder
-}
-
-#[cfg(not(unix))]
-fn builder(_like: Option<&Metadata>) -> tempfile::Builder<'static, 'static> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".osim-contact-scale-");
-    builder
-}
-
 /// The mode bits of the file that is replaced or copied, exactly: a process's mask takes nothing from them.
 #[cfg(unix)]
 fn keep_permissions(file: &NamedTempFile, like: Option<&Metadata>) -> std::io::Result<()> {
@@ -146,19 +135,24 @@ fn keep_permissions(_file: &NamedTempFile, _like: Option<&Metadata>) -> std::io:
     Ok(())
 }
 
-/// A backup of `path` as it is: `NAME.bak`; an older backup is never replaced, the next is `NAME.bak2`.
+/// A backup of `path` as it is: `NAME.bak`. An older backup is never replaced, the next is `NAME.bak2`; one that holds
+/// these bytes already, left by a run that was stopped, is as good as a new one.
 ///
 /// # Errors
 /// The folder cannot be written.
-pub(crate) fn backup(path: &Path, bytes: &[u8]) -> Result<(Prepared, PathBuf)> {
+pub(crate) fn backup(path: &Path, bytes: &[u8]) -> Result<(Option<Prepared>, PathBuf)> {
     let path = resolved(path);
     let metadata = std::fs::metadata(&path).ok();
     for count in 1_u32.. {
         let mut name = path.file_name().unwrap_or_default().to_owned();
         name.push(if count == 1 { ".bak".to_owned() } else { format!(".bak{count}") });
         let backup = path.with_file_name(name);
-        if backup.symlink_metadata().is_err() {
-            return Ok((Prepared::new(&backup, bytes, metadata.as_ref(), Mode::New)?, backup));
+        let Ok(there) = backup.symlink_metadata() else {
+            return Ok((Some(Prepared::new(&backup, bytes, metadata.as_ref(), Mode::New)?), backup));
+        };
+        let same_length = there.is_file() && there.len() == bytes.len() as u64;
+        if same_length && std::fs::read(&backup).is_ok_and(|kept| kept == bytes) {
+            return Ok((None, backup));
         }
     }
     bail!("cannot keep a backup of {}", path.display())
@@ -166,9 +160,8 @@ pub(crate) fn backup(path: &Path, bytes: &[u8]) -> Result<(Prepared, PathBuf)> {
 
 /// After a rename, the folder's entry itself has to reach the disk.
 fn sync_folder_of(path: &Path) {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     // Windows cannot open folders; the rename is durable there by itself. A failure loses nothing but speed of certainty.
-    if let Ok(folder) = File::open(folder) {
+    if let Ok(folder) = File::open(folder_of(path)) {
         let _ = folder.sync_all();
     }
 }

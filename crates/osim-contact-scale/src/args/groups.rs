@@ -1,5 +1,6 @@
 //! Options that several verbs share, grouped as the help shows them.
 
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
@@ -8,6 +9,7 @@ use osim_patch::{DissipationBy, LevelAxis, MassRequest, Property, PropertySet, R
 
 use super::follow::AxisArg;
 use super::values::{acceleration, glob, mass, property, radius};
+use crate::run::Shard;
 
 /// Masses: which one is meant.
 #[derive(Debug, Args)]
@@ -156,7 +158,7 @@ pub(crate) struct PartArgs {
 }
 
 /// Where results go.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Output")]
 pub(crate) struct OutputArgs {
     /// Write to this file (one model; - is standard output) [default: NAME.scaled.osim beside the model]
@@ -177,21 +179,55 @@ pub(crate) struct OutputArgs {
     /// Replace existing files
     #[arg(long)]
     pub force: bool,
+    /// Leave no note (a comment line) in the model
+    #[arg(long, hide_short_help = true)]
+    pub no_note: bool,
+}
+
+/// How a run goes about its work and what it tells.
+#[derive(Debug, Clone, Default, Args)]
+#[command(next_help_heading = "Output")]
+pub(crate) struct RunArgs {
     /// Write nothing, only say what would change
     #[arg(long)]
     pub dry_run: bool,
     /// Show the changes as a unified diff too
     #[arg(long)]
     pub diff: bool,
-    /// Leave no note (a comment line) in the model
-    #[arg(long, hide_short_help = true)]
-    pub no_note: bool,
-    /// How to print
-    #[arg(long, value_enum, default_value_t)]
-    pub format: Format,
+    /// How to print [default: table; lines if more than 10 models]
+    #[arg(long, value_enum)]
+    pub format: Option<RunFormat>,
     /// Print errors only
     #[arg(long)]
     pub quiet: bool,
+    /// Models to work on at once [default: one per processor]
+    #[arg(long, value_name = "N", hide_short_help = true)]
+    pub jobs: Option<NonZeroUsize>,
+    /// Keep a line per model in this file (.csv or .ndjson)
+    #[arg(long, value_name = "FILE", hide_short_help = true)]
+    pub summary: Option<PathBuf>,
+    /// Pass over models that --summary says are done, if nothing has changed since
+    #[arg(long, requires = "summary", conflicts_with = "dry_run", hide_short_help = true)]
+    pub resume: bool,
+    /// Only share I of N of the models, for job arrays
+    #[arg(long, value_name = "I/N", hide_short_help = true)]
+    pub shard: Option<Shard>,
+}
+
+impl RunArgs {
+    pub(crate) fn is_json(&self) -> bool {
+        self.format == Some(RunFormat::Json)
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum RunFormat {
+    /// Every number that changes
+    Table,
+    /// One line per model
+    Lines,
+    /// One JSON object per model and line
+    Json,
 }
 
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]

@@ -11,10 +11,12 @@ use clap::{Args, Parser, Subcommand};
 
 pub(crate) use follow::{FollowArgs, RuleArg};
 use globset::Glob;
-pub(crate) use groups::{ForceChoice, Format, MassArgs, OutputArgs, PartArgs, ScalingArgs, set_of};
+pub(crate) use groups::{
+    ForceChoice, Format, MassArgs, OutputArgs, PartArgs, RunArgs, RunFormat, ScalingArgs, set_of,
+};
 pub(crate) use physics::{
-    BranchArg, ColumnArgs, DesignArgs, DropArgs, DropNumbers, FitArgs, ForceUnit, LengthUnit, PresetsArgs,
-    SeriesFormat, SetArgs, SpeedUnit, TimeUnit,
+    BranchArg, ColumnArgs, DesignArgs, DropArgs, DropNumbers, FitArgs, ForceUnit, LengthUnit, LoadArgs,
+    PresetsArgs, SeriesFormat, SetArgs, SpeedUnit, TimeUnit, WantedArgs,
 };
 pub(crate) use values::{Length, assignment, usage_line};
 use values::{acceleration, count, glob, mass};
@@ -81,13 +83,15 @@ pub(crate) struct RescaleArgs {
     #[command(flatten)]
     pub output: OutputArgs,
     #[command(flatten)]
+    pub run: RunArgs,
+    #[command(flatten)]
     pub parts: PartArgs,
 }
 
 impl RescaleArgs {
     /// `true` when an option makes sense for a change only.
     pub(crate) fn asks_for_change(&self) -> bool {
-        let (scaling, output) = (&self.scaling, &self.output);
+        let (scaling, output, run) = (&self.scaling, &self.output, &self.run);
         scaling.radius.is_some()
             || !scaling.only.is_empty()
             || !scaling.keep.is_empty()
@@ -97,8 +101,10 @@ impl RescaleArgs {
             || output.output.is_some()
             || output.output_dir.is_some()
             || output.in_place
-            || output.dry_run
-            || output.diff
+            || run.dry_run
+            || run.diff
+            || run.summary.is_some()
+            || run.shard.is_some()
     }
 }
 
@@ -127,6 +133,8 @@ pub(crate) struct TransferArgs {
     pub choice: ForceChoice,
     #[command(flatten)]
     pub output: OutputArgs,
+    #[command(flatten)]
+    pub run: RunArgs,
     #[command(flatten)]
     pub parts: PartArgs,
 }

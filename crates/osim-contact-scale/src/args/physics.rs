@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use osim_patch::RadiusRule;
 
-use super::groups::{ForceChoice, MassArgs, OutputArgs, PartArgs};
+use super::groups::{ForceChoice, MassArgs, OutputArgs, PartArgs, RunArgs};
 use super::values::{
     Length, acceleration, count, fraction, indentation, length, number, poisson, positive_number, radius,
     restitution,
@@ -30,6 +30,8 @@ pub(crate) struct DesignArgs {
     pub choice: ForceChoice,
     #[command(flatten)]
     pub output: OutputArgs,
+    #[command(flatten)]
+    pub run: RunArgs,
     #[command(flatten)]
     pub parts: PartArgs,
 }
@@ -102,6 +104,8 @@ pub(crate) struct SetArgs {
     pub choice: ForceChoice,
     #[command(flatten)]
     pub output: OutputArgs,
+    #[command(flatten)]
+    pub run: RunArgs,
     #[command(flatten)]
     pub parts: PartArgs,
 }

@@ -26,6 +26,19 @@ pub(crate) fn text(plan: &Plan, model: &str, output: &str) -> String {
     text
 }
 
+/// The same in one line, for a run over many models.
+pub(crate) fn line(plan: &Plan, model: &str, output: &str) -> String {
+    let masses = plan
+        .masses
+        .as_ref()
+        .map(|masses| format!("{} -> {} kg, ", number(masses.from.kg), number(masses.to_kg)));
+    let mut codes: Vec<&str> = plan.warnings.iter().map(|warning| warning.code.as_str()).collect();
+    codes.dedup();
+    let warnings = if codes.is_empty() { String::new() } else { format!(" [{}]", codes.join(", ")) };
+    let changes = plan.changes.len() + plan.moves.len();
+    format!("{model}: {}{changes} changes; {output}{warnings}\n", masses.unwrap_or_default())
+}
+
 /// Warnings, one line each.
 pub(crate) fn warnings(warnings: &[Warning]) -> String {
     let mut text = String::new();

@@ -7,62 +7,79 @@ use osim_patch::{
 };
 
 use super::sphere_count;
-use crate::args::DesignArgs;
-use crate::change::Planner;
+use crate::args::{CountArgs, DesignArgs, LoadArgs, WantedArgs};
+use crate::run::{Planner, Verb};
 
 /// `design` with models.
-pub(crate) struct DesignVerb<'v> {
-    args: &'v DesignArgs,
+struct Designing {
+    wanted: WantedArgs,
+    load: LoadArgs,
+    counts: CountArgs,
     selection: Selection,
     masses: MassRequest,
+    options: String,
 }
 
-impl<'v> DesignVerb<'v> {
-    /// # Errors
-    /// Options that say nothing, or contradict each other.
-    pub(crate) fn new(args: &'v DesignArgs) -> Result<Self> {
-        let wanted = &args.wanted;
-        let sizes = wanted.indentation.is_some() || wanted.young.is_some();
-        let asks = sizes
-            || wanted.restitution.is_some()
-            || wanted.constant_indentation.is_some()
-            || wanted.state_width.is_some()
-            || wanted.speed_width.is_some()
-            || wanted.radius.is_some();
-        if args.masses.contacts_mass.is_some() {
-            bail!("--contacts-mass says nothing here: a design follows from --mass and the load");
-        }
-        if wanted.indentation.is_none() && (args.load.load.is_some() || args.load.body_weights.is_some()) {
-            bail!(
-                "a load says nothing without --indentation X: leave it out, or say the indentation it shall give"
-            );
-        }
-        if wanted.radius == Some(RadiusRule::Isometric) {
-            bail!(
-                "--radius isometric says nothing here, expected keep, a radius in metres or a factor like x1.5"
-            );
-        }
-        if wanted.stiffness.is_some() {
-            bail!("--stiffness is known, not designed: write it with set MODEL stiffness=VALUE");
-        }
-        if wanted.indentation.is_some() && wanted.young.is_some() {
-            bail!("--indentation and --young both say what the stiffness is: leave one out");
-        }
-        if wanted.contact_stiffness.is_some() && (wanted.indentation.is_none() || wanted.radius.is_some()) {
-            bail!(
-                "with models, --contact-stiffness needs --indentation, and gives the radius: leave out --radius"
-            );
-        }
-        if !asks {
-            bail!(
-                "nothing is wanted: say for example --indentation X, --restitution CR or --constant-indentation X"
-            );
-        }
-        Ok(Self { args, selection: args.choice.selection()?, masses: args.masses.request()? })
-    }
+/// # Errors
+/// Options that say nothing, or contradict each other.
+pub(crate) fn verb(args: DesignArgs) -> Result<Verb> {
+    check(&args)?;
+    let DesignArgs { models, wanted, load, masses, counts, choice, output, run: _, parts } = args;
+    let planner = Designing {
+        options: format!("design {wanted:?} {load:?} {masses:?} {counts:?} {choice:?}"),
+        wanted,
+        load,
+        counts,
+        selection: choice.selection()?,
+        masses: masses.request()?,
+    };
+    Ok(Verb { models, output, parts, planner: Box::new(planner) })
+}
 
+fn check(args: &DesignArgs) -> Result<()> {
+    let wanted = &args.wanted;
+    let sizes = wanted.indentation.is_some() || wanted.young.is_some();
+    let asks = sizes
+        || wanted.restitution.is_some()
+        || wanted.constant_indentation.is_some()
+        || wanted.state_width.is_some()
+        || wanted.speed_width.is_some()
+        || wanted.radius.is_some();
+    if args.masses.contacts_mass.is_some() {
+        bail!("--contacts-mass says nothing here: a design follows from --mass and the load");
+    }
+    if wanted.indentation.is_none() && (args.load.load.is_some() || args.load.body_weights.is_some()) {
+        bail!(
+            "a load says nothing without --indentation X: leave it out, or say the indentation it shall give"
+        );
+    }
+    if wanted.radius == Some(RadiusRule::Isometric) {
+        bail!(
+            "--radius isometric says nothing here, expected keep, a radius in metres or a factor like x1.5"
+        );
+    }
+    if wanted.stiffness.is_some() {
+        bail!("--stiffness is known, not designed: write it with set MODEL stiffness=VALUE");
+    }
+    if wanted.indentation.is_some() && wanted.young.is_some() {
+        bail!("--indentation and --young both say what the stiffness is: leave one out");
+    }
+    if wanted.contact_stiffness.is_some() && (wanted.indentation.is_none() || wanted.radius.is_some()) {
+        bail!(
+            "with models, --contact-stiffness needs --indentation, and gives the radius: leave out --radius"
+        );
+    }
+    if !asks {
+        bail!(
+            "nothing is wanted: say for example --indentation X, --restitution CR or --constant-indentation X"
+        );
+    }
+    Ok(())
+}
+
+impl Designing {
     fn load(&self, model: &Model<'_, '_>) -> Result<(Option<SharedLoad>, Option<Mass>), Fault> {
-        let args = self.args;
+        let args = self;
         if args.wanted.indentation.is_none() {
             return Ok((None, None));
         }
@@ -89,10 +106,14 @@ impl<'v> DesignVerb<'v> {
     }
 }
 
-impl Planner for DesignVerb<'_> {
+impl Planner for Designing {
+    fn options(&self) -> String {
+        self.options.clone()
+    }
+
     fn plan(&self, model: &Model<'_, '_>) -> Result<Plan, Fault> {
         let selected = self.selection.apply(model)?;
-        let wanted = &self.args.wanted;
+        let wanted = &self.wanted;
         let (load, mass) = self.load(model)?;
         let modulus = match (wanted.indentation, wanted.young.zip(wanted.poisson)) {
             (Some(x), _) => Some(DesignModulus::Indentation(x)),
@@ -119,7 +140,7 @@ impl Planner for DesignVerb<'_> {
                 speed_width: width(wanted.speed_width),
                 radius,
                 mass,
-                gravity_m_s2: self.args.load.gravity,
+                gravity_m_s2: self.load.gravity,
             },
         )
     }

@@ -1,28 +1,22 @@
 //! What each changing verb plans for a model.
 
-mod design;
+pub(crate) mod design;
 mod reference;
-mod rescale;
-mod set;
-mod transfer;
+pub(crate) mod rescale;
+pub(crate) mod set;
+pub(crate) mod transfer;
 
 use std::path::Path;
 
 use anyhow::Result;
 use osim_patch::{Fault, FaultKind, Model, RadiusRule, shortest};
 
-use crate::args::OutputArgs;
-
-pub(crate) use design::DesignVerb;
 pub(crate) use reference::scale_file;
-pub(crate) use rescale::RescaleVerb;
-pub(crate) use set::SetVerb;
-pub(crate) use transfer::TransferVerb;
 
-/// A factor that the note says was applied already is not applied once more in place.
-fn refuse_again(model: &Model<'_, '_>, operation: &str, output: &OutputArgs) -> Result<(), Fault> {
+/// A factor that the note says was applied already is not applied once more in place, unless `again` is wanted.
+fn refuse_again(model: &Model<'_, '_>, operation: &str, again: bool) -> Result<(), Fault> {
     let done = model.note.as_ref().is_some_and(|note| note.operation == operation);
-    if !done || !output.in_place || output.force {
+    if !done || again {
         return Ok(());
     }
     Err(Fault::new(FaultKind::NeedsAnswer {

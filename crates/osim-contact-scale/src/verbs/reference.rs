@@ -11,9 +11,9 @@ use osim_patch::{
 use super::sphere_count;
 use crate::args::{PartArgs, TransferArgs, set_of};
 use crate::failure::Failure;
-use crate::load::Loaded;
+use crate::load::{Loaded, read};
 use crate::presets;
-use crate::sources::{Source, read};
+use crate::sources::Source;
 
 /// What spheres follow from.
 pub(super) struct Generic {

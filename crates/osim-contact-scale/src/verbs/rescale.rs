@@ -1,36 +1,56 @@
 //! `--target-mass`: a model's own contacts at another mass.
 
-use anyhow::Result;
+use anyhow::{Result, bail};
 use osim_patch::{Fault, MassRequest, Model, Plan, RadiusRule, Rescale, Selection, rescale};
 
 use super::{operation, refuse_again};
-use crate::args::RescaleArgs;
-use crate::change::Planner;
+use crate::args::{RescaleArgs, ScalingArgs};
+use crate::run::{Planner, Verb};
 
 /// `--target-mass`.
-pub(crate) struct RescaleVerb<'v> {
-    args: &'v RescaleArgs,
+struct Rescaling {
+    scaling: ScalingArgs,
+    again: bool,
+    options: String,
     target_mass_kg: f64,
     selection: Selection,
     masses: MassRequest,
 }
 
-impl<'v> RescaleVerb<'v> {
-    pub(crate) fn new(args: &'v RescaleArgs, target_mass_kg: f64) -> Result<Self> {
-        args.scaling.check()?;
-        let masses = MassRequest { target_kg: Some(target_mass_kg), ..args.masses.request()? };
-        Ok(Self { args, target_mass_kg, selection: args.choice.selection()?, masses })
-    }
+/// # Errors
+/// Options that leave nothing to do.
+pub(crate) fn verb(args: RescaleArgs) -> Result<Verb> {
+    let RescaleArgs { models, target_mass, masses, scaling, choice, output, run: _, parts } = args;
+    let Some(target_mass_kg) = target_mass else {
+        bail!(
+            "the target is missing: say what the contacts shall stand for with --target-mass KG (see --help)"
+        );
+    };
+    scaling.check()?;
+    let options = format!("rescale {target_mass_kg:?} {masses:?} {scaling:?} {choice:?}");
+    let planner = Rescaling {
+        target_mass_kg,
+        selection: choice.selection()?,
+        masses: MassRequest { target_kg: Some(target_mass_kg), ..masses.request()? },
+        scaling,
+        again: output.force || !output.in_place,
+        options,
+    };
+    Ok(Verb { models, output, parts, planner: Box::new(planner) })
 }
 
-impl Planner for RescaleVerb<'_> {
+impl Planner for Rescaling {
+    fn options(&self) -> String {
+        self.options.clone()
+    }
+
     fn plan(&self, model: &Model<'_, '_>) -> Result<Plan, Fault> {
         let selected = self.selection.apply(model)?;
         let mut warnings = Vec::new();
-        let scaling = &self.args.scaling;
+        let scaling = &self.scaling;
         let operation = operation("rescale", scaling.radius);
         if matches!(scaling.radius, Some(RadiusRule::Factor(_))) {
-            refuse_again(model, &operation, &self.args.output)?;
+            refuse_again(model, &operation, self.again)?;
         }
         let contacts_mass = self.masses.of_contacts(model, &mut warnings)?;
         let wanted = Rescale {

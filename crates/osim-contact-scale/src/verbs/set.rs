@@ -1,5 +1,6 @@
 //! `set`: plain changes.
 
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Result, anyhow, bail};
@@ -8,55 +9,65 @@ use osim_patch::{
 };
 
 use crate::args::{SetArgs, assignment};
-use crate::change::Planner;
+use crate::run::{Planner, Verb};
+
+type Assignments = Vec<(Property, Assignment)>;
 
 /// `set`.
-pub(crate) struct SetVerb {
-    pub models: Vec<PathBuf>,
-    assignments: Vec<(Property, Assignment)>,
+struct Setting {
+    assignments: Assignments,
     selection: Selection,
     masses: MassRequest,
     again: bool,
+    options: String,
 }
 
-impl SetVerb {
-    /// Parts the words of the command line into models and assignments.
-    ///
-    /// # Errors
-    /// No model, nothing to set, an unknown property or a value that is no number.
-    pub(crate) fn new(args: &SetArgs) -> Result<Self> {
-        let mut models = Vec::new();
-        let mut assignments: Vec<(Property, Assignment)> = Vec::new();
-        for item in &args.items {
-            // A name that is not UTF-8 is no assignment.
-            match item.to_str().and_then(|item| item.split_once('=')) {
-                Some((name, value)) if !Path::new(item).exists() => {
-                    let new = assignment(name, value).map_err(|why| anyhow!(why))?;
-                    if assignments.iter().any(|(property, _)| *property == new.0) {
-                        bail!("{} is set twice", new.0);
-                    }
-                    assignments.push(new);
+/// # Errors
+/// No model, nothing to set, an unknown property or a value that is no number.
+pub(crate) fn verb(args: SetArgs) -> Result<Verb> {
+    let SetArgs { items, masses, choice, output, run: _, parts } = args;
+    let (models, assignments) = parted(&items)?;
+    let planner = Setting {
+        options: format!("set {assignments:?} {masses:?} {choice:?}"),
+        assignments,
+        selection: choice.selection()?,
+        masses: masses.request()?,
+        again: output.force || !output.in_place,
+    };
+    Ok(Verb { models, output, parts, planner: Box::new(planner) })
+}
+
+/// Parts the words of the command line into models and assignments.
+fn parted(items: &[OsString]) -> Result<(Vec<PathBuf>, Assignments)> {
+    let mut models = Vec::new();
+    let mut assignments: Assignments = Vec::new();
+    for item in items {
+        // A name that is not UTF-8 is no assignment.
+        match item.to_str().and_then(|item| item.split_once('=')) {
+            Some((name, value)) if !Path::new(item).exists() => {
+                let new = assignment(name, value).map_err(|why| anyhow!(why))?;
+                if assignments.iter().any(|(property, _)| *property == new.0) {
+                    bail!("{} is set twice", new.0);
                 }
-                _ => models.push(PathBuf::from(item)),
+                assignments.push(new);
             }
+            _ => models.push(PathBuf::from(item)),
         }
-        if models.is_empty() {
-            bail!("no model given, expected one or more .osim files or folders (see set --help)");
-        }
-        if assignments.is_empty() {
-            bail!("nothing to set, expected PROPERTY=VALUE or PROPERTY=xFACTOR, for example stiffness=x2");
-        }
-        Ok(Self {
-            models,
-            assignments,
-            selection: args.choice.selection()?,
-            masses: args.masses.request()?,
-            again: args.output.force || !args.output.in_place,
-        })
     }
+    if models.is_empty() {
+        bail!("no model given, expected one or more .osim files or folders (see set --help)");
+    }
+    if assignments.is_empty() {
+        bail!("nothing to set, expected PROPERTY=VALUE or PROPERTY=xFACTOR, for example stiffness=x2");
+    }
+    Ok((models, assignments))
 }
 
-impl Planner for SetVerb {
+impl Planner for Setting {
+    fn options(&self) -> String {
+        self.options.clone()
+    }
+
     fn plan(&self, model: &Model<'_, '_>) -> Result<Plan, Fault> {
         let selected = self.selection.apply(model)?;
         let mut warnings = Vec::new();

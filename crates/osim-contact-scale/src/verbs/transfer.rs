@@ -11,59 +11,75 @@ use osim_patch::{
 use super::reference::{Generic, preset, reference_from_file};
 use super::{operation, refuse_again, sphere_count};
 use crate::args::{RuleArg, TransferArgs};
-use crate::change::Planner;
 use crate::failure::Failure;
+use crate::run::{Planner, Verb};
 
 /// `transfer --from`.
-pub(crate) struct TransferVerb<'v> {
-    args: &'v TransferArgs,
+struct Transferring {
+    args: TransferArgs,
     selection: Selection,
     masses: MassRequest,
     reference: Reference,
     /// The generic model's bones and the Scale Tool's factors, where spheres follow their bodies.
     generic: Option<Generic>,
+    again: bool,
+    options: String,
 }
 
-impl<'v> TransferVerb<'v> {
-    /// Reads the reference once, for all models.
-    ///
-    /// # Errors
-    /// The reference is no preset and no file (wrong usage), or a model that cannot be a reference.
-    pub(crate) fn new(args: &'v TransferArgs) -> Result<Result<Self, Failure>> {
-        if args.masses.contacts_mass.is_some() {
-            bail!(
-                "--contacts-mass says nothing here: the reference's mass is --reference-mass, this model's --mass"
-            );
-        }
-        let selection = args.choice.selection()?;
-        let masses = args.masses.request()?;
-        if args.scaling.level && !args.follow.follow_bodies {
-            bail!("--level in a transfer needs --follow-bodies: without it neither radii nor soles change");
-        }
-        if args.scaling.radius.is_some() && args.follow.follow_bodies {
-            bail!(
-                "--radius says nothing with --follow-bodies: radii follow the bodies (--radius-axis), or stay with \
-                 --keep radius"
-            );
-        }
-        let reference = match preset(args)? {
-            Some(_) if args.follow.follow_bodies => {
-                bail!("--follow-bodies needs the generic model as --from, a preset has no bodies")
-            }
-            Some(reference) => Ok((reference, None)),
-            None => reference_from_file(args),
-        };
-        Ok(reference.map(|(mut reference, generic)| {
-            let given = &args.reference;
-            reference.gravity_m_s2 = given.reference_gravity.or(reference.gravity_m_s2);
-            Self { args, selection, masses, reference, generic }
-        }))
+/// Reads the reference once, for all models.
+///
+/// # Errors
+/// The reference is no preset and no file (wrong usage), or a model that cannot be a reference.
+pub(crate) fn verb(args: TransferArgs) -> Result<Result<Verb, Failure>> {
+    if args.masses.contacts_mass.is_some() {
+        bail!(
+            "--contacts-mass says nothing here: the reference's mass is --reference-mass, this model's --mass"
+        );
     }
+    let selection = args.choice.selection()?;
+    let masses = args.masses.request()?;
+    if args.scaling.level && !args.follow.follow_bodies {
+        bail!("--level in a transfer needs --follow-bodies: without it neither radii nor soles change");
+    }
+    if args.scaling.radius.is_some() && args.follow.follow_bodies {
+        bail!(
+            "--radius says nothing with --follow-bodies: radii follow the bodies (--radius-axis), or stay with \
+                 --keep radius"
+        );
+    }
+    let reference = match preset(&args)? {
+        Some(_) if args.follow.follow_bodies => {
+            bail!("--follow-bodies needs the generic model as --from, a preset has no bodies")
+        }
+        Some(reference) => Ok((reference, None)),
+        None => reference_from_file(&args),
+    };
+    Ok(reference.map(|(mut reference, generic)| {
+        reference.gravity_m_s2 = args.reference.reference_gravity.or(reference.gravity_m_s2);
+        let (models, output, parts) = (args.models.clone(), args.output.clone(), args.parts.clone());
+        let again = output.force || !output.in_place;
+        let options = options(&args);
+        let planner = Transferring { args, selection, masses, reference, generic, again, options };
+        Verb { models, output, parts, planner: Box::new(planner) }
+    }))
 }
 
-impl Planner for TransferVerb<'_> {
+/// The reference is told by its contents; a preset by its name, which stands for the same numbers in one version.
+fn options(args: &TransferArgs) -> String {
+    let TransferArgs { from, counts, reference, follow, masses, scaling, choice, .. } = args;
+    let preset = if from.exists() { None } else { Some(from) };
+    format!("transfer {preset:?} {counts:?} {reference:?} {follow:?} {masses:?} {scaling:?} {choice:?}")
+}
+
+impl Planner for Transferring {
+    fn options(&self) -> String {
+        self.options.clone()
+    }
+
     fn reads(&self) -> Vec<PathBuf> {
-        std::iter::once(&self.args.from).chain(&self.args.follow.body_scale_file).cloned().collect()
+        let args = &self.args;
+        let from = Some(&args.from).filter(|from| from.exists());
+        from.into_iter().chain(&args.presets).chain(&args.follow.body_scale_file).cloned().collect()
     }
 
     fn plan(&self, model: &Model<'_, '_>) -> Result<Plan, Fault> {
@@ -80,7 +96,7 @@ impl Planner for TransferVerb<'_> {
         };
         let operation = operation("transfer", scaling.radius);
         if matches!(scaling.radius, Some(RadiusRule::Factor(_))) {
-            refuse_again(model, &operation, &self.args.output)?;
+            refuse_again(model, &operation, self.again)?;
         }
         let mass = self.masses.of_model(model)?;
         self.masses.compare(model, &mass, &mut warnings);
@@ -108,7 +124,7 @@ impl Planner for TransferVerb<'_> {
     }
 }
 
-impl TransferVerb<'_> {
+impl Transferring {
     fn follow(
         &self,
         model: &Model<'_, '_>,

@@ -1,0 +1,73 @@
+//! The folders that a run writes into, looked at once and not once per model.
+
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result};
+use osim_patch::{Warning, WarningCode};
+
+use crate::paths::{folder_of, resolved};
+use crate::temporary;
+
+/// What stood in the folders when the run began.
+#[derive(Debug, Default)]
+pub(crate) struct Folders {
+    compiled: HashMap<PathBuf, Vec<String>>,
+}
+
+impl Folders {
+    /// Lists the folder of every output. With `tidy`, files that processes left behind when they were killed go.
+    pub(crate) fn look<'p>(outputs: impl Iterator<Item = &'p Path>, tidy: bool) -> Self {
+        let mut folders = Self::default();
+        for output in outputs {
+            let folder = folder_of(output);
+            if !folders.compiled.contains_key(folder) {
+                folders.compiled.insert(folder.to_owned(), list(folder, tidy));
+            }
+        }
+        folders
+    }
+
+    /// A compiled copy of the model `output`, which PredSim and OpenCap would go on using.
+    pub(crate) fn compiled_beside(&self, output: &Path) -> Option<Warning> {
+        let compiled = self.compiled.get(folder_of(output)).filter(|compiled| !compiled.is_empty())?;
+        let prefix = format!("F_{}.", output.file_stem()?.to_string_lossy());
+        let found = compiled.iter().find(|name| name.starts_with(&prefix))?;
+        let text = format!(
+            "{} lies beside the output: PredSim and OpenCap would go on using it",
+            folder_of(output).join(found).display()
+        );
+        Some(Warning::new(WarningCode::CompiledModelBeside, text))
+    }
+}
+
+/// Names in `folder` that may be compiled models; none where it does not exist yet or cannot be read.
+fn list(folder: &Path, tidy: bool) -> Vec<String> {
+    let mut compiled = Vec::new();
+    for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
+        let name = entry.file_name();
+        if name.as_encoded_bytes().starts_with(b"F_") {
+            compiled.push(name.to_string_lossy().into_owned());
+        } else if tidy && temporary::is_left_over(folder, &name) {
+            // Whoever may not remove it may not write here either, and is told so.
+            drop(std::fs::remove_file(entry.path()));
+        }
+    }
+    compiled.sort();
+    compiled
+}
+
+/// Makes the folder of `path`, with those above it.
+///
+/// # Errors
+/// A file has that name, or the folder above cannot be written.
+pub(crate) fn make(path: &Path) -> Result<()> {
+    if folder_of(path).is_dir() {
+        return Ok(());
+    }
+    let cannot = || format!("cannot make the folder {}", folder_of(path).display());
+    match resolved(path).parent() {
+        Some(folder) => std::fs::create_dir_all(folder).with_context(cannot),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,22 @@
+//! Ctrl-C: the models in hand are finished, no further one is begun. A second one ends the program at once.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+static CAME: AtomicBool = AtomicBool::new(false);
+
+/// From now on Ctrl-C is a wish, not an end.
+pub(super) fn listen() {
+    let stop = || {
+        if CAME.swap(true, Ordering::Relaxed) {
+            // Files under temporary names stay behind; the next run removes them.
+            std::process::exit(i32::from(crate::terminal::Exit::Interrupted.code()));
+        }
+    };
+    // Where it cannot be caught, it ends the program as ever: no file is torn by that.
+    drop(ctrlc::set_handler(stop));
+}
+
+/// Whether it was pressed.
+pub(super) fn came() -> bool {
+    CAME.load(Ordering::Relaxed)
+}

@@ -1,0 +1,174 @@
+//! One run of a changing verb over any number of models: compare all files, then load, plan, write and tell each.
+//!
+//! A [`Task`] is one model with its [`Order`]; tasks are independent of each other, so threads share them. What a
+//! task did is an [`Outcome`], told in the order in which the models were named.
+
+mod interrupt;
+mod journal;
+mod outcome;
+mod progress;
+mod record;
+mod resume;
+mod shard;
+mod task;
+mod writing;
+
+use std::sync::Arc;
+
+use anyhow::Result;
+
+use crate::args::{RunArgs, RunFormat};
+use crate::failure::Failure;
+use crate::folders::Folders;
+use crate::place::Ledger;
+use crate::terminal::{Exit, Terminal};
+use crate::workers::{in_order, threads};
+
+use journal::Journal;
+use outcome::{Outcome, Said};
+use progress::Progress;
+use resume::Done;
+
+pub(crate) use shard::Shard;
+pub(crate) use task::{Order, Planner, Task, Verb, tasks_of};
+
+/// More models than this are told in a line each, unless a table is asked for.
+const FEW: usize = 10;
+
+/// What is to be done in one run.
+#[derive(Default)]
+pub(crate) struct Work {
+    pub tasks: Vec<Task>,
+    /// What could not even be listed.
+    pub failures: Vec<Failure>,
+    /// Things to say aloud before anything else.
+    pub remarks: Vec<String>,
+    /// Replace an existing summary.
+    pub force: bool,
+}
+
+/// How a run goes about its work, the same for all models.
+pub(crate) struct Run<'r> {
+    args: &'r RunArgs,
+    format: RunFormat,
+    folders: Folders,
+    journal: Option<Journal>,
+    done: Done,
+}
+
+/// Does all of `work`.
+///
+/// # Errors
+/// Wrong usage: found before anything is written.
+pub(crate) fn run(mut work: Work, args: &RunArgs, terminal: &mut Terminal) -> Result<Exit> {
+    check_files(&work.tasks)?;
+    if let Some(shard) = args.shard {
+        work.tasks.retain(|task| shard.has(task));
+    }
+    let mut exit = Exit::Done;
+    let several = work.tasks.len() + work.failures.len() > 1;
+    let few = if work.tasks.len() > FEW { RunFormat::Lines } else { RunFormat::Table };
+    let format = args.format.unwrap_or(few);
+    for failure in &work.failures {
+        exit = exit.and(tell_failure(failure, format, terminal));
+    }
+    for remark in work.remarks.iter().filter(|_| !args.quiet) {
+        terminal.note(&format!("note: {remark}\n"))?;
+    }
+    let done = Done::read(args)?;
+    let journal = Journal::begin(args, work.force)?;
+    let outputs = work.tasks.iter().filter_map(Task::output);
+    let folders = Folders::look(outputs, !args.dry_run);
+    let run = Run { args, format, folders, journal, done };
+    let count = run.work_off(&work.tasks, terminal)?;
+    if let Some(journal) = run.journal {
+        journal.finish()?;
+    }
+    if !args.quiet && several {
+        terminal.note(&count.text(args))?;
+    } else if !args.quiet && count.interrupted() {
+        terminal.note("stopped\n")?;
+    }
+    Ok(exit.and(count.exit()))
+}
+
+impl Run<'_> {
+    /// Does all tasks on as many threads as there are processors.
+    fn work_off(&self, tasks: &[Task], terminal: &mut Terminal) -> Result<outcome::Count> {
+        let progress = Progress::begin(tasks.len(), self.args.quiet);
+        if tasks.len() > 1 {
+            interrupt::listen();
+        }
+        let mut count = outcome::Count::default();
+        let work = |task: &Task| {
+            let outcome = self.one(task);
+            progress.done(&outcome);
+            outcome
+        };
+        let tell = |_: &Task, outcome: Outcome| {
+            count.add(&outcome);
+            if let Some(journal) = &self.journal {
+                journal.tell(&outcome.record)?;
+            }
+            progress.suspended(|| tell(&outcome, terminal))
+        };
+        in_order(tasks, threads(self.args.jobs, tasks.len()), work, tell)?;
+        progress.end();
+        Ok(count)
+    }
+
+    fn one(&self, task: &Task) -> Outcome {
+        if interrupt::came() {
+            return Outcome::not_begun(task);
+        }
+        task.run(self)
+    }
+}
+
+/// Nothing is written over what is read, and no file is written twice.
+fn check_files(tasks: &[Task]) -> Result<()> {
+    let mut ledger = Ledger::default();
+    let mut known: Option<&Arc<Order>> = None;
+    for task in tasks {
+        ledger.read(&task.source.path);
+        // The files of an order are looked at once for all of its models.
+        if !known.is_some_and(|order| Arc::ptr_eq(order, &task.order)) {
+            task.order.reads().iter().for_each(|path| ledger.read(path));
+            known = Some(&task.order);
+        }
+    }
+    for task in tasks {
+        let who = task.who();
+        match task.output() {
+            Some(path) if task.order.in_place => ledger.change(path, &who)?,
+            Some(path) => ledger.write(path, &who)?,
+            None => {}
+        }
+        match (&task.order.parts.geometry, &task.geometry_output) {
+            (Some(_), Some(path)) if task.order.in_place => ledger.change(path, &who)?,
+            (Some(geometry), Some(path)) => ledger.write(path, &geometry.display().to_string())?,
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+fn tell_failure(failure: &Failure, format: RunFormat, terminal: &mut Terminal) -> Exit {
+    // Scripts read one object per model, also of those that failed.
+    if format == RunFormat::Json && terminal.print(&failure.json()).is_err() {
+        return Exit::Failed;
+    }
+    terminal.error(&failure.text());
+    Exit::Failed
+}
+
+fn tell(outcome: &Outcome, terminal: &mut Terminal) -> Result<()> {
+    for said in &outcome.said {
+        match said {
+            Said::Result(bytes) => terminal.write_bytes(bytes)?,
+            Said::Note(text) => terminal.note(text)?,
+            Said::Error(text) => terminal.error(text),
+        }
+    }
+    Ok(())
+}

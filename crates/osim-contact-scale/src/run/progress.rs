@@ -1,0 +1,49 @@
+//! How far a run is: on a terminal only, and only with several models.
+
+use std::io::IsTerminal;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+use super::outcome::Outcome;
+use super::record::Status;
+
+/// Models done, their rate, the time that remains, and failures.
+pub(super) struct Progress {
+    bar: ProgressBar,
+    failures: AtomicUsize,
+}
+
+impl Progress {
+    pub(super) fn begin(models: usize, quiet: bool) -> Self {
+        let hidden = models < 2 || quiet || !std::io::stderr().is_terminal();
+        let bar = if hidden { ProgressBar::hidden() } else { ProgressBar::new(models as u64) };
+        let style = ProgressStyle::with_template(
+            "{wide_bar} {human_pos}/{human_len} models, {per_sec}, {eta} left{msg}",
+        );
+        if let Ok(style) = style {
+            bar.set_style(style.progress_chars("##-"));
+        }
+        Self { bar, failures: AtomicUsize::new(0) }
+    }
+
+    pub(super) fn done(&self, outcome: &Outcome) {
+        if self.bar.is_hidden() {
+            return;
+        }
+        if outcome.record.status == Status::Failed {
+            let failures = self.failures.fetch_add(1, Ordering::Relaxed) + 1;
+            self.bar.set_message(format!(", {failures} failed"));
+        }
+        self.bar.inc(1);
+    }
+
+    /// Lets `tell` write to the terminal between two pictures of the bar.
+    pub(super) fn suspended<T>(&self, tell: impl FnOnce() -> T) -> T {
+        if self.bar.is_hidden() { tell() } else { self.bar.suspend(tell) }
+    }
+
+    pub(super) fn end(&self) {
+        self.bar.finish_and_clear();
+    }
+}

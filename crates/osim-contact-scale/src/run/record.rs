@@ -1,0 +1,131 @@
+//! One line of a summary: what became of one model. `docs/libraries.md` describes every column.
+
+use osim_patch::{Plan, Property};
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+use super::task::Task;
+use crate::failure::Failure;
+
+/// What became of a model.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum Status {
+    /// A new file is there.
+    Written,
+    /// Nothing had to change, and nothing was written.
+    Unchanged,
+    /// `--dry-run`.
+    DryRun,
+    /// A folder's model without contacts.
+    NoContacts,
+    /// The error says why.
+    Failed,
+    /// The run was stopped before its turn.
+    #[default]
+    NotBegun,
+}
+
+/// Columns of a summary. Masses in kg; factors are new over old.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
+pub(crate) struct Record {
+    /// Row of the manifest, from 1.
+    pub row: Option<usize>,
+    pub model: String,
+    pub output: Option<String>,
+    pub status: Status,
+    pub contacts_mass_from_kg: Option<f64>,
+    pub contacts_mass_source: Option<String>,
+    pub contacts_mass_to_kg: Option<f64>,
+    pub changes: usize,
+    pub radius_factor: Option<f64>,
+    pub stiffness_factor: Option<f64>,
+    pub dissipation_factor: Option<f64>,
+    pub constant_contact_force_factor: Option<f64>,
+    pub hertz_smoothing_factor: Option<f64>,
+    pub hunt_crossley_smoothing_factor: Option<f64>,
+    /// Properties whose factor is not the same everywhere.
+    pub unlike: String,
+    /// Codes of the warnings.
+    pub warnings: String,
+    pub error_code: Option<String>,
+    pub error: Option<String>,
+    pub line: Option<usize>,
+    pub column: Option<usize>,
+    pub sha256_input: Option<String>,
+    pub sha256_output: Option<String>,
+    /// SHA-256 of everything else that the output follows from: options, version, other files.
+    pub recipe: Option<String>,
+    pub tool_version: String,
+}
+
+impl Record {
+    pub(crate) fn of_task(task: &Task) -> Self {
+        Self {
+            row: task.row,
+            model: task.source.shown(),
+            output: task.output().map(|path| path.display().to_string()),
+            tool_version: env!("CARGO_PKG_VERSION").to_owned(),
+            ..Self::default()
+        }
+    }
+
+    /// What a plan does, in one line.
+    pub(crate) fn planned(&mut self, plan: &Plan) {
+        if let Some(masses) = &plan.masses {
+            self.contacts_mass_from_kg = Some(masses.from.kg);
+            self.contacts_mass_source = Some(masses.from.source.as_str().to_owned());
+            self.contacts_mass_to_kg = Some(masses.to_kg);
+        }
+        self.changes = plan.changes.len() + plan.moves.len();
+        let mut unlike = Vec::new();
+        let mut factor = |property: Property| match common_factor(plan, property) {
+            Common::Factor(factor) => Some(factor),
+            Common::Unlike => {
+                unlike.push(property.name());
+                None
+            }
+            Common::None => None,
+        };
+        self.radius_factor = factor(Property::Radius);
+        self.stiffness_factor = factor(Property::Stiffness);
+        self.dissipation_factor = factor(Property::Dissipation);
+        self.constant_contact_force_factor = factor(Property::ConstantContactForce);
+        self.hertz_smoothing_factor = factor(Property::HertzSmoothing);
+        self.hunt_crossley_smoothing_factor = factor(Property::HuntCrossleySmoothing);
+        self.unlike = unlike.join(" ");
+        let mut codes: Vec<&str> = plan.warnings.iter().map(|warning| warning.code.as_str()).collect();
+        codes.dedup();
+        self.warnings = codes.join(" ");
+    }
+
+    pub(crate) fn failed(&mut self, failure: &Failure) {
+        self.status = Status::Failed;
+        self.error_code = Some(failure.code.to_owned());
+        self.error = Some(failure.message.clone());
+        self.line = failure.line;
+        self.column = failure.column;
+        self.sha256_output = None;
+    }
+}
+
+enum Common {
+    None,
+    Factor(f64),
+    Unlike,
+}
+
+fn common_factor(plan: &Plan, property: Property) -> Common {
+    let mut of_property = plan.changes.iter().filter(|change| change.property == property);
+    let Some(first) = of_property.next() else { return Common::None };
+    match first.factor {
+        Some(factor) if of_property.all(|change| change.factor == Some(factor)) => Common::Factor(factor),
+        _ => Common::Unlike,
+    }
+}
+
+/// SHA-256 as 64 hexadecimal digits.
+pub(crate) fn sha256(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+}

@@ -1,0 +1,67 @@
+//! `--shard i/n`: a share of the models, for job arrays on clusters.
+
+use std::str::FromStr;
+
+use sha2::{Digest, Sha256};
+
+use super::task::Task;
+
+/// Share `index` (from 1) of `count`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Shard {
+    index: u64,
+    count: u64,
+}
+
+impl FromStr for Shard {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let expected = || "expected i/n with i from 1 to n, such as 2/8".to_owned();
+        let (index, count) = text.split_once('/').ok_or_else(expected)?;
+        let whole = |text: &str| text.trim().parse::<u64>().map_err(|_| expected());
+        let shard = Self { index: whole(index)?, count: whole(count)? };
+        if (1..=shard.count).contains(&shard.index) { Ok(shard) } else { Err(expected()) }
+    }
+}
+
+impl Shard {
+    /// Whether `task` is in this share.
+    ///
+    /// A row of a manifest belongs to the share of its number. A model of a folder belongs to the share of its name, so
+    /// that it stays there when other models come or go while the shares are at work.
+    pub(crate) fn has(self, task: &Task) -> bool {
+        let number = match task.row {
+            Some(row) => row as u64,
+            None => of_name(task.source.below_folder().as_os_str().as_encoded_bytes()),
+        };
+        number % self.count == self.index - 1
+    }
+}
+
+fn of_name(name: &[u8]) -> u64 {
+    // Windows parts folders with `\`; the share is the same there.
+    let name: Vec<u8> = name.iter().map(|&byte| if byte == b'\\' { b'/' } else { byte }).collect();
+    let digest = Sha256::digest(&name);
+    digest.iter().take(8).fold(0, |number, &byte| number << 8 | u64::from(byte))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_share_is_i_of_n() {
+        assert_eq!("2/8".parse(), Ok(Shard { index: 2, count: 8 }));
+        for text in ["0/8", "9/8", "1/0", "1", "a/b", "1/8/2", "-1/8"] {
+            assert!(text.parse::<Shard>().is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn the_share_of_a_name_never_changes() {
+        // First 8 bytes of `printf 'a/x.osim' | sha256sum`.
+        assert_eq!(of_name(b"a/x.osim"), 0xdc2e_ddeb_2914_d027);
+        assert_eq!(of_name(b"a\\x.osim"), of_name(b"a/x.osim"));
+    }
+}

@@ -1,0 +1,297 @@
+//! One model: load, plan, write, and what to tell about it.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, bail};
+use osim_patch::{Model, Plan};
+
+use super::Run;
+use super::outcome::{Outcome, Said};
+use super::record::{Record, Status, sha256};
+use super::resume::Earlier;
+use super::task::{Order, Task};
+use crate::args::RunFormat;
+use crate::failure::Failure;
+use crate::folders;
+use crate::load::{Loaded, Stamp};
+use crate::place::Place;
+use crate::report::{changes, diff, json};
+use crate::write::{Mode, Prepared, backup};
+
+impl Task {
+    /// Does this model. Whatever goes wrong is in the outcome.
+    pub(super) fn run(&self, run: &Run<'_>) -> Outcome {
+        let mut record = Record::of_task(self);
+        match self.attempt(run, &mut record) {
+            Ok(outcome) => outcome,
+            // A folder may hold models without contacts; one that was named may not.
+            Err(failure) if failure.code == "no-contacts" && self.source.folder.is_some() => {
+                record.status = Status::NoContacts;
+                Outcome { said: Vec::new(), record, earlier: false }
+            }
+            Err(failure) => {
+                let failure = self.located(failure);
+                Outcome::failed(&failure, record, run.format == RunFormat::Json)
+            }
+        }
+    }
+
+    fn attempt(&self, run: &Run<'_>, record: &mut Record) -> Result<Outcome, Failure> {
+        let loaded = Loaded::read(&self.source, &self.order.parts)?;
+        let mut force = self.order.force;
+        if run.journal.is_some() {
+            let input = sha256(&loaded.bytes);
+            record.recipe = Some(self.recipe(&loaded));
+            if !run.done.is_empty() {
+                match run.done.of(self, &input, record) {
+                    Earlier::Holds(record) => {
+                        return Ok(Outcome { said: Vec::new(), record: *record, earlier: true });
+                    }
+                    Earlier::Outdated => force = true,
+                    Earlier::Unknown => {}
+                }
+            }
+            record.sha256_input = Some(input);
+        }
+        loaded.with_model(|model| {
+            let mut job = Job { task: self, run, loaded: &loaded, force, record };
+            let plan = job.plan(model)?;
+            let outside = |error: anyhow::Error| Failure::outside(&loaded.shown, "output", &error);
+            let results = job.results(&plan, model)?;
+            let written = job.write(&plan, &results).map_err(outside)?;
+            let said = job.tell(&plan, &results, &written).map_err(outside)?;
+            Ok(Outcome { said, record: record.clone(), earlier: false })
+        })
+    }
+
+    /// Digest of everything the output follows from but for the model: with the files that the model includes.
+    fn recipe(&self, loaded: &Loaded) -> String {
+        let own = self.order.recipe();
+        if loaded.parts.is_empty() {
+            return own.to_owned();
+        }
+        let parts = (1..=loaded.parts.len()).map(|file| sha256(loaded.file(file).1));
+        sha256(std::iter::once(own.to_owned()).chain(parts).collect::<Vec<_>>().join("\n").as_bytes())
+    }
+
+    /// In a manifest, the row is what the user can mend.
+    fn located(&self, failure: Failure) -> Failure {
+        match self.row {
+            Some(row) => Failure { message: format!("{} (row {row})", failure.message), ..failure },
+            None => failure,
+        }
+    }
+}
+
+/// A model that is loaded.
+struct Job<'j> {
+    task: &'j Task,
+    run: &'j Run<'j>,
+    loaded: &'j Loaded,
+    force: bool,
+    record: &'j mut Record,
+}
+
+/// The bytes that a plan makes.
+struct Results {
+    model: Vec<u8>,
+    geometry: Option<Geometry>,
+}
+
+/// The changed bytes of a standalone geometry set.
+struct Geometry {
+    file: usize,
+    path: PathBuf,
+    bytes: Vec<u8>,
+}
+
+/// What was written.
+enum Written {
+    /// Nothing, and why.
+    Nothing(&'static str),
+    /// The model goes to standard output.
+    Stdout,
+    /// The model, then its geometry set; and the backups of both.
+    Files { paths: Vec<PathBuf>, kept: Vec<PathBuf> },
+}
+
+impl Written {
+    fn paths(&self) -> &[PathBuf] {
+        match self {
+            Self::Files { paths, .. } => paths,
+            Self::Nothing(_) | Self::Stdout => &[],
+        }
+    }
+}
+
+impl Job<'_> {
+    fn order(&self) -> &Order {
+        &self.task.order
+    }
+
+    fn plan(&mut self, model: &Model<'_, '_>) -> Result<Plan, Failure> {
+        let planned = self.order().planner().plan(model);
+        let mut plan = planned.map_err(|fault| self.loaded.failure(fault))?;
+        if self.order().no_note {
+            plan.without_note();
+            if model.note.is_some() && !plan.is_empty() {
+                let text = "the note is removed: the next run cannot know what the contacts stand for";
+                plan.remarks.push(text.to_owned());
+            }
+        }
+        plan.warnings.splice(0..0, model.warnings.iter().cloned());
+        let compiled = self.task.output().and_then(|path| self.run.folders.compiled_beside(path));
+        plan.warnings.extend(compiled);
+        self.record.planned(&plan);
+        Ok(plan)
+    }
+
+    fn results(&self, plan: &Plan, model: &Model<'_, '_>) -> Result<Results, Failure> {
+        let patched = |file| plan.patched(model, file).map_err(|fault| self.loaded.failure(fault));
+        let mut geometry = None;
+        // The standalone geometry set that changes with the force set.
+        let mut parts = 1..=self.loaded.parts.len();
+        let changed = parts.find(|&file| !plan.edits(model, file).is_empty());
+        if let (Some(path), Some(file)) = (&self.task.geometry_output, changed) {
+            geometry = Some(Geometry { file, path: path.clone(), bytes: patched(file)? });
+        }
+        Ok(Results { model: patched(0)?, geometry })
+    }
+
+    /// Writes what is to be written; where it went.
+    fn write(&mut self, plan: &Plan, results: &Results) -> Result<Written> {
+        if self.run.args.dry_run {
+            self.record.status = Status::DryRun;
+            return Ok(Written::Nothing("dry run: nothing written"));
+        }
+        let to_stdout = self.task.place == Place::Stdout;
+        if plan.is_empty() && !self.task.asked && !to_stdout {
+            self.record.status = Status::Unchanged;
+            return Ok(Written::Nothing("nothing written"));
+        }
+        self.record.status = Status::Written;
+        let mut files = Files::default();
+        if let Some(path) = self.task.output() {
+            self.prepare(&mut files, path, &results.model, 0)?;
+        }
+        if let Some(geometry) = &results.geometry {
+            self.prepare(&mut files, &geometry.path, &geometry.bytes, geometry.file)?;
+        }
+        if self.run.journal.is_some() {
+            self.record.sha256_output = Some(sha256(&results.model));
+        }
+        if let Some(journal) = self.run.journal.as_ref().filter(|_| !to_stdout) {
+            journal.about_to_finish(self.record)?;
+        }
+        let Files { backups, successors, paths, kept } = files;
+        // Two files that belong together, and a file whose old contents are about to go: all on the disk first.
+        let together = successors.len() > 1 || successors.iter().any(Prepared::replaces);
+        let all: Vec<Prepared> = backups.into_iter().chain(successors).collect();
+        if together {
+            all.iter().try_for_each(Prepared::sync)?;
+        }
+        if let Some(stamp) = self.loaded.stamp.as_ref().filter(|_| self.order().in_place) {
+            stamp.still_holds(&self.task.source.path)?;
+        }
+        for prepared in all {
+            prepared.commit()?;
+        }
+        Ok(if to_stdout { Written::Stdout } else { Written::Files { paths, kept } })
+    }
+
+    /// A complete successor of `path`, made from file number `file` of the model.
+    fn prepare(&self, files: &mut Files, path: &Path, bytes: &[u8], file: usize) -> Result<()> {
+        if self.order().in_place {
+            self.refuse_protected(path)?;
+            if !self.order().no_backup {
+                let (prepared, kept) = backup(path, self.loaded.file(file).1)
+                    .context("the backup could not be kept, so nothing was changed")?;
+                files.backups.extend(prepared);
+                files.kept.push(kept);
+            }
+        }
+        folders::make(path)?;
+        let mode = if self.force || self.order().in_place { Mode::Replace } else { Mode::New };
+        let stamp = self.loaded.stamp_of(file);
+        files.successors.push(Prepared::new(path, bytes, stamp.map(|stamp: &Stamp| &stamp.metadata), mode)?);
+        files.paths.push(path.to_owned());
+        Ok(())
+    }
+
+    /// A model that somebody protected is not changed in passing.
+    fn refuse_protected(&self, path: &Path) -> Result<()> {
+        let protected = std::fs::metadata(path).is_ok_and(|metadata| metadata.permissions().readonly());
+        if protected && !self.order().force {
+            bail!("{} is write-protected: change it all the same with --force", path.display());
+        }
+        Ok(())
+    }
+
+    fn tell(&self, plan: &Plan, results: &Results, written: &Written) -> Result<Vec<Said>> {
+        let mut said = Vec::new();
+        let to_stdout = matches!(written, Written::Stdout);
+        let args = self.run.args;
+        if let Some(text) = self.report(plan, written) {
+            said.push(if to_stdout { Said::Note(text) } else { Said::Result(text.into_bytes()) });
+        }
+        if args.diff {
+            let text = self.diff(results);
+            // With JSON on standard output, the diff would not be JSON.
+            let aside = self.run.format == RunFormat::Json;
+            said.push(if aside { Said::Note(text) } else { Said::Result(text.into_bytes()) });
+        }
+        if to_stdout {
+            said.push(Said::Result(results.model.clone()));
+        }
+        Ok(said)
+    }
+
+    /// What changed, as the run is told; nothing with `--quiet`.
+    fn report(&self, plan: &Plan, written: &Written) -> Option<String> {
+        let paths: Vec<String> = written.paths().iter().map(|path| path.display().to_string()).collect();
+        let shown = &self.loaded.shown;
+        let format = self.run.format;
+        if format == RunFormat::Json {
+            let output = paths.first().map(String::as_str);
+            return Some(json::plan(plan, shown, output, paths.get(1).map(String::as_str)));
+        }
+        if self.run.args.quiet {
+            return None;
+        }
+        let result = match written {
+            Written::Nothing(why) => (*why).to_owned(),
+            Written::Stdout => "model written to standard output".to_owned(),
+            Written::Files { kept, .. } => {
+                let kept: Vec<_> = kept.iter().map(|path| path.display().to_string()).collect();
+                let kept =
+                    if kept.is_empty() { String::new() } else { format!(" (old: {})", kept.join(", ")) };
+                format!("written: {}{kept}", paths.join(", "))
+            }
+        };
+        Some(match format {
+            RunFormat::Lines => changes::line(plan, shown, &result),
+            _ => changes::text(plan, shown, &result),
+        })
+    }
+
+    fn diff(&self, results: &Results) -> String {
+        let loaded = self.loaded;
+        let target =
+            self.task.output().map_or_else(|| loaded.shown.clone(), |path| path.display().to_string());
+        let mut text = diff::unified(&loaded.bytes, &results.model, &loaded.shown, &target);
+        if let Some(geometry) = &results.geometry {
+            let (name, bytes) = loaded.file(geometry.file);
+            text.push_str(&diff::unified(bytes, &geometry.bytes, name, name));
+        }
+        text
+    }
+}
+
+/// Files that are complete under temporary names.
+#[derive(Default)]
+struct Files {
+    backups: Vec<Prepared>,
+    successors: Vec<Prepared>,
+    paths: Vec<PathBuf>,
+    kept: Vec<PathBuf>,
+}

@@ -1,0 +1,128 @@
+//! Names of files that are being written, and what is left of them when a process is killed.
+//!
+//! `.osim-contact-scale-HOST-PROCESS-XXXXXX.tmp`: a later run on the same computer sees whose file it is. If that
+//! process is gone, nobody will ever finish the file, and it is removed.
+
+use std::ffi::OsStr;
+use std::fs::{File, Metadata};
+use std::path::Path;
+use std::sync::OnceLock;
+
+use sysinfo::{Pid, ProcessesToUpdate, System};
+use tempfile::NamedTempFile;
+
+const PREFIX: &str = ".osim-contact-scale-";
+const SUFFIX: &str = ".tmp";
+
+/// A new file in `folder` that only this process writes, with the mode bits of `like`.
+///
+/// It is locked as long as it is open, so that it counts as alive also where processes of several containers share a
+/// folder and a host name, and cannot see each other.
+///
+/// # Errors
+/// The folder cannot be written.
+pub(crate) fn file(folder: &Path, like: Option<&Metadata>) -> std::io::Result<NamedTempFile> {
+    let prefix = format!("{PREFIX}{}-{}-", host(), std::process::id());
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(&prefix).suffix(SUFFIX);
+    permissions(&mut builder, like);
+    let temporary = builder.tempfile_in(folder).map_err(|error| without_name(&error))?;
+    // Some network file systems know no locks: the process in the name has to do there.
+    drop(temporary.as_file().try_lock());
+    Ok(temporary)
+}
+
+/// Whether `name` is that of a file left by a process of this computer that is gone.
+pub(crate) fn is_left_over(folder: &Path, name: &OsStr) -> bool {
+    let Some(process) = name.to_str().and_then(process_of) else { return false };
+    process != std::process::id() && !is_alive(process) && nobody_has_open(&folder.join(name))
+}
+
+/// The process in the name of a temporary file of this computer.
+fn process_of(name: &str) -> Option<u32> {
+    let rest = name.strip_prefix(PREFIX)?.strip_suffix(SUFFIX)?.strip_prefix(host())?.strip_prefix('-')?;
+    let (process, random) = rest.split_once('-')?;
+    process.parse().ok().filter(|_| !random.is_empty() && !random.contains('-'))
+}
+
+fn is_alive(process: u32) -> bool {
+    let process = Pid::from_u32(process);
+    let mut system = System::new();
+    system.refresh_processes(ProcessesToUpdate::Some(&[process]), true);
+    system.process(process).is_some()
+}
+
+fn nobody_has_open(path: &Path) -> bool {
+    File::options().write(true).open(path).is_ok_and(|file| file.try_lock().is_ok())
+}
+
+/// The computer's name, of letters that every file system takes.
+fn host() -> &'static str {
+    static HOST: OnceLock<String> = OnceLock::new();
+    HOST.get_or_init(|| {
+        let name = gethostname::gethostname().to_string_lossy().into_owned();
+        let plain = |c: char| if c.is_ascii_alphanumeric() || c == '.' || c == '_' { c } else { '_' };
+        let name: String = name.chars().take(64).map(plain).collect();
+        if name.is_empty() { "unnamed".to_owned() } else { name }
+    })
+}
+
+/// The reason alone: the temporary name that tempfile puts into its message says nothing to a user.
+fn without_name(error: &std::io::Error) -> std::io::Error {
+    let kind = error.kind();
+    let inner = error.get_ref().and_then(std::error::Error::source).map(ToString::to_string);
+    std::io::Error::new(kind, inner.unwrap_or_else(|| kind.to_string()))
+}
+
+#[cfg(unix)]
+fn permissions(builder: &mut tempfile::Builder<'_, '_>, like: Option<&Metadata>) {
+    use std::os::unix::fs::PermissionsExt;
+    // Without a file to be like, what any new file gets; the process's mask still applies.
+    let mode = like.map_or(0o666, |metadata| metadata.permissions().mode() & 0o777);
+    builder.permissions(std::fs::Permissions::from_mode(mode));
+}
+
+#[cfg(not(unix))]
+fn permissions(_builder: &mut tempfile::Builder<'_, '_>, _like: Option<&Metadata>) {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_tells_whose_file_it_is() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = file(folder.path(), None).unwrap();
+        let name = file.path().file_name().unwrap();
+        assert_eq!(process_of(name.to_str().unwrap()), Some(std::process::id()));
+        assert!(!is_left_over(folder.path(), name));
+        let of_other_host = format!("{PREFIX}not.{}-1-abcdef{SUFFIX}", host());
+        assert_eq!(process_of(&of_other_host), None);
+        assert_eq!(process_of(&format!("{PREFIX}{}-x-abcdef{SUFFIX}", host())), None);
+    }
+
+    #[test]
+    fn only_a_file_of_a_dead_process_that_nobody_has_open_is_left_over() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut child = std::process::Command::new(std::env::current_exe().unwrap())
+            .arg("--list")
+            .stdout(std::process::Stdio::null())
+            .spawn()
+            .unwrap();
+        let dead = child.id();
+        child.wait().unwrap();
+        let name = |process: u32| format!("{PREFIX}{}-{process}-abcdef{SUFFIX}", host());
+        let of_dead = folder.path().join(name(dead));
+        let held = File::create(&of_dead).unwrap();
+        held.lock().unwrap();
+        assert!(!is_left_over(folder.path(), name(dead).as_ref()), "somebody has it open");
+        drop(held);
+        assert!(is_left_over(folder.path(), name(dead).as_ref()));
+        #[cfg(unix)]
+        {
+            let alive = std::os::unix::process::parent_id();
+            std::fs::write(folder.path().join(name(alive)), "").unwrap();
+            assert!(!is_left_over(folder.path(), name(alive).as_ref()));
+        }
+    }
+}
