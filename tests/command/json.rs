@@ -71,6 +71,69 @@ struct Inspection {
     forces: Vec<Force>,
     warnings: Vec<Warning>,
     bodies: Vec<Body>,
+    figures: Figures,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Figures {
+    mass_kg: Option<f64>,
+    gravity_m_s2: Option<f64>,
+    impact_speed_m_s: Option<f64>,
+    without_weight: Option<String>,
+    limbs: Vec<LimbFigures>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct LimbFigures {
+    limb: Option<String>,
+    side: Option<String>,
+    sphere_count: Option<f64>,
+    spheres: Vec<SphereFigures>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SphereFigures {
+    sphere: String,
+    path: String,
+    forces: Vec<String>,
+    radius_m: f64,
+    composite_modulus_n_m2: f64,
+    loads: Vec<LoadFigures>,
+    contact_stiffness_n_m: Option<f64>,
+    dimensionless_stiffness: Option<f64>,
+    natural_frequency_hz: Option<f64>,
+    mean_contact_stress_n_m2: Option<f64>,
+    dissipation_s_m: Option<f64>,
+    restitution_exact: Option<f64>,
+    restitution_approximate: Option<f64>,
+    constant_indentation: Option<f64>,
+    transition_width: Option<f64>,
+    force_just_touching_n: Option<f64>,
+    touching_share: Option<f64>,
+    limits: Vec<Verdict>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct LoadFigures {
+    body_weights: f64,
+    load_n: f64,
+    hertz: Option<f64>,
+    own: Option<f64>,
+    level_hertz: Option<f64>,
+    level_own: Option<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Verdict {
+    figure: String,
+    value: Option<f64>,
+    limit: f64,
+    holds: bool,
 }
 
 #[derive(Debug, Deserialize)]
@@ -98,6 +161,8 @@ struct Sphere {
     frame: String,
     body: Option<String>,
     line: usize,
+    limb: Option<String>,
+    lowest_point_m: Option<[f64; 3]>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -115,6 +180,7 @@ struct Force {
     origin: BTreeMap<String, String>,
     dimensionless: Option<BTreeMap<String, Option<f64>>>,
     line: usize,
+    composite_modulus_n_m2: Option<f64>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -210,6 +276,80 @@ fn inspect_says_what_the_model_holds() {
     assert_eq!(weight, 62.0);
     assert!(seen.bodies.iter().all(|body| body.path == format!("/bodyset/{}", body.name)));
     assert!(seen.warnings.is_empty(), "{:?}", seen.warnings);
+}
+
+#[test]
+fn the_figures_of_inspect_belong_to_what_it_holds() {
+    for model in ["table1/human_62kg_smooth_sphere.osim", "format/mixed_radii.osim", "format/no_sides.osim"] {
+        let bench = Bench::with(&[(model, "model.osim")]);
+        let [seen]: [Inspection; 1] =
+            lines(&bench.run("inspect model.osim --format json --impact-speed 0.3").done())
+                .try_into()
+                .unwrap();
+        let figures = seen.figures;
+        assert_eq!(
+            (figures.mass_kg, figures.gravity_m_s2, figures.impact_speed_m_s),
+            (seen.mass_kg, Some(9.81), Some(0.3))
+        );
+        assert_eq!(figures.without_weight.is_some(), seen.limbs.is_none(), "{model}");
+        for limb in figures.limbs {
+            assert_eq!(limb.limb.is_some(), limb.side.is_some());
+            assert_eq!(limb.sphere_count, seen.spheres_per_limb.map(|count| count as f64));
+            for one in limb.spheres {
+                let sphere = seen.spheres.iter().find(|sphere| sphere.path == one.path).unwrap();
+                assert_eq!((&sphere.name, sphere.radius_m), (&one.sphere, Some(one.radius_m)));
+                assert_eq!(sphere.limb, limb.limb);
+                // These feet stand upright, their frames are the bodies'.
+                let [x, y, z] = sphere.location_m;
+                assert_eq!(sphere.lowest_point_m, Some([x, y - one.radius_m, z]));
+                let force = seen.forces.iter().find(|force| force.name == one.forces[0]).unwrap();
+                assert!(force.spheres.contains(&one.sphere));
+                assert_eq!(force.composite_modulus_n_m2, Some(one.composite_modulus_n_m2));
+                assert_eq!(one.dissipation_s_m, force.parameters["dissipation"]);
+                check_figures(&one, limb.sphere_count.is_some());
+            }
+        }
+    }
+}
+
+/// Figures under body weight are there together or not at all, and so are those of the smoothing; each limit is that of
+/// the paper and judged by its value.
+#[track_caller]
+fn check_figures(sphere: &SphereFigures, weight: bool) {
+    let all = |values: &[Option<f64>], known: bool| values.iter().all(|value| value.is_some() == known);
+    assert!(all(
+        &[
+            sphere.contact_stiffness_n_m,
+            sphere.dimensionless_stiffness,
+            sphere.natural_frequency_hz,
+            sphere.mean_contact_stress_n_m2
+        ],
+        weight
+    ));
+    assert_eq!(sphere.loads.len(), if weight { 2 } else { 0 });
+    for (load, weights) in sphere.loads.iter().zip([1.0, 2.0]) {
+        assert_eq!(load.body_weights, weights);
+        assert_eq!(load.load_n, weights * sphere.loads[0].load_n);
+        assert!(all(&[load.hertz, load.own, load.level_hertz, load.level_own], true));
+    }
+    let smooth = sphere.constant_indentation.is_some();
+    assert!(all(&[sphere.transition_width, sphere.force_just_touching_n], smooth));
+    assert_eq!(sphere.touching_share.is_some(), smooth && weight);
+    assert!(sphere.restitution_exact > sphere.restitution_approximate);
+    assert!(!sphere.limits.is_empty());
+    for verdict in &sphere.limits {
+        let (limit, sign) = match verdict.figure.as_str() {
+            "restitution" => (0.8, -1.0),
+            "constant_indentation" | "touching_share" => (0.1, 1.0),
+            "transition_width" => (0.31, 1.0),
+            name => {
+                assert!(name.starts_with("hertz") || name.starts_with("own") || name.starts_with("level_"));
+                (0.16, 1.0)
+            }
+        };
+        assert_eq!(verdict.limit, limit, "{}", verdict.figure);
+        assert_eq!(verdict.holds, sign * (verdict.value.unwrap() - limit) <= 0.0, "{}", verdict.figure);
+    }
 }
 
 #[test]

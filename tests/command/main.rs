@@ -16,6 +16,7 @@ mod bad_input;
 mod bytes;
 mod corpus;
 mod explained;
+mod figures;
 mod files;
 mod json;
 mod masses;

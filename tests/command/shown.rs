@@ -129,6 +129,7 @@ fn inspecting() {
     let ran = bench.run("inspect feet.osim --format json").done();
     assert!(ran.stdout.ends_with(b"}\n") && ran.stderr.is_empty());
     ran.looks_like("inspect_json");
+    bench.run("inspect mouse.osim feet.osim --format csv").done().looks_like("inspect_csv");
 }
 
 #[test]

@@ -49,6 +49,24 @@ pub fn dissipation(restitution: f64, impact_speed_m_s: f64) -> Result<f64, Domai
     Ok((1.0 - c) / positive("impact speed", impact_speed_m_s)?)
 }
 
+/// Speed of the paper's drop when the spheres touch, ẋ⁻ = √(2 g · R/4) = √(g R / 2), in m/s.
+///
+/// A fall from a quarter of the radius. Gravity g in m/s², sphere radius R in m, both above 0.
+///
+/// Source: the drop tests of Table 1.
+///
+/// # Errors
+/// [`DomainError`] unless both are finite and above 0.
+///
+/// ```
+/// # use contact_scaling::restitution;
+/// assert!((restitution::drop_speed(9.81, 0.032)? - 0.4).abs() < 5e-3); // section 4.2: about 0.4 m/s
+/// # Ok::<(), contact_scaling::DomainError>(())
+/// ```
+pub fn drop_speed(gravity_m_s2: f64, radius_m: f64) -> Result<f64, DomainError> {
+    Ok((positive("gravity", gravity_m_s2)? * positive("sphere radius", radius_m)? / 2.0).sqrt())
+}
+
 /// Restitution c of the law itself: d − ln(1 + d) = −c d − ln(1 − c d) with d = 3/2 α ẋ⁻, without unit.
 ///
 /// Dissipation α in s/m, speed before the impact ẋ⁻ in m/s, both 0 or above. Of an impact without gravity

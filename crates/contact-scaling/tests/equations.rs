@@ -193,6 +193,9 @@ const TABLE: &[Equation] = &[
     eq("restitution::dissipation", &[ONE, SPEED], PER_SPEED, |i| {
         restitution::dissipation(i[0], i[1]).unwrap()
     }),
+    eq("restitution::drop_speed", &[ACCELERATION, LENGTH], SPEED, |i| {
+        restitution::drop_speed(i[0], i[1]).unwrap()
+    }),
     eq("restitution::exact", &[PER_SPEED, SPEED], ONE, |i| restitution::exact(i[0], i[1]).unwrap()),
     eq("restitution::exact_dissipation", &[ONE, SPEED], PER_SPEED, |i| {
         restitution::exact_dissipation(i[0], i[1]).unwrap()

@@ -312,7 +312,7 @@ fn dissipation(sheet: &mut Sheet, args: &DesignArgs, radius: Option<f64>, gravit
         (None, Some(radius)) => {
             let text = "the impact speed is that of a fall from a quarter of the radius, sqrt(gR/2)";
             sheet.notes.push(text.to_owned());
-            (gravity * radius / 2.0).sqrt()
+            restitution::drop_speed(gravity, radius)?
         }
         (None, None) => bail!("--restitution needs --impact-speed M/S, or a radius to take sqrt(gR/2) from"),
     };

@@ -33,7 +33,7 @@ use clap::Parser;
 use clap::error::ErrorKind;
 
 use args::{Cli, Format, RescaleArgs, RunArgs, Verb};
-use look::Look;
+use look::{Look, Stance};
 use run::tasks_of;
 use terminal::{Exit, Terminal};
 
@@ -125,9 +125,10 @@ fn rescale(args: RescaleArgs, may_look: bool, terminal: &mut Terminal) -> Result
     let look = Look {
         models: &args.models,
         parts: &args.parts,
-        format: if args.run.is_json() { Format::Json } else { Format::Table },
+        format: if args.run.is_json() { Format::Json.into() } else { Format::Table.into() },
         masses: args.masses.request()?,
         selection: args.choice.selection()?,
+        stance: Stance::on_one_limb(),
         hint: true,
         from: None,
         body_scale_file: None,

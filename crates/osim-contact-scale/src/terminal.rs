@@ -43,6 +43,21 @@ impl Terminal {
         self.write_bytes(text.as_bytes())
     }
 
+    /// Results with colours, which reach terminals only.
+    pub(crate) fn print_painted(&mut self, text: &str) -> io::Result<()> {
+        if self.gone {
+            return Ok(());
+        }
+        let mut out = anstream::stdout().lock();
+        match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+            Err(error) if error.kind() == ErrorKind::BrokenPipe => {
+                self.gone = true;
+                Ok(())
+            }
+            result => result,
+        }
+    }
+
     /// A model, on standard output.
     pub(crate) fn write_bytes(&mut self, bytes: &[u8]) -> io::Result<()> {
         if self.gone {

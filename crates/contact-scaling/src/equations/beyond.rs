@@ -16,6 +16,14 @@ pub(super) const ALL: &[Equation] = &[
         source: "beyond the paper: the integral of (12) over an impact without gravity",
     },
     Equation {
+        label: "drop speed",
+        aliases: &["impact speed"],
+        title: "Impact speed of the paper's drop",
+        forms: &[form("", "ẋ⁻ = √(2 g · R/4) = √(g R / 2)", "restitution::drop_speed", "m/s")],
+        symbols: &[IMPACT, G, R],
+        source: "the drops of Table 1: a fall from a quarter of the radius",
+    },
+    Equation {
         label: "rest by (1)",
         aliases: &["rest by Hertz"],
         title: "Indentation at rest by the Hertz law",

@@ -119,6 +119,8 @@ ROWS = [
     ("stiffness::equilibrium_frequency", lambda xh, r, g: sqrt(half3 / xh * g / r) / (2 * pi), (XH, R, G)),
     ("restitution::approximate", lambda a, v: 1 - a * v, ([2.0, 0.5, 0.01], [0.396, 0.4, 0.02])),
     ("restitution::dissipation", lambda c, v: (1 - c) / v, ([0.8, 0.55, 0.99], [0.4, 0.1, 3.0])),
+    # From the height R/4, by the energy.
+    ("restitution::drop_speed", lambda g, r: sqrt(2 * g * (r / 4)), (G, R)),
     ("restitution::exact", restitution, ([2.0, 2.0, 0.5, 0.01, 1e-6, 40.0], [0.396, 0.1, 0.4, 0.02, 0.5, 7.0])),
     ("restitution::exact_dissipation", restitution_dissipation, ([0.8, 0.55, 0.1, 0.99], [0.4, 0.1, 1.0, 3.0])),
     ("smoothing::constant_contact_force", lambda xc, r: (r * xc) ** 2, ([0.0988, 0.05, 0.1], R)),

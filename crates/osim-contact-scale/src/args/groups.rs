@@ -8,7 +8,8 @@ use globset::{Glob, GlobSet, GlobSetBuilder};
 use osim_patch::{DissipationBy, LevelAxis, MassRequest, Property, PropertySet, RadiusRule, Selection};
 
 use super::follow::AxisArg;
-use super::values::{acceleration, glob, mass, property, radius};
+use super::values::{acceleration, count, glob, mass, positive_number, property, radius};
+use crate::look::Stance;
 use crate::run::Shard;
 
 /// Masses: which one is meant.
@@ -237,6 +238,48 @@ pub(crate) enum Format {
     Table,
     /// One JSON object per model and line
     Json,
+}
+
+/// How `inspect` and `check` print.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum SheetFormat {
+    /// For people
+    #[default]
+    Table,
+    /// One JSON object per model and line
+    Json,
+    /// One table for spreadsheets, one header for all models
+    Csv,
+}
+
+impl From<Format> for SheetFormat {
+    fn from(format: Format) -> Self {
+        match format {
+            Format::Table => Self::Table,
+            Format::Json => Self::Json,
+        }
+    }
+}
+
+/// What the figures are made for.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "What the figures are made for")]
+pub(crate) struct StanceArgs {
+    /// Spheres that share the body weight, all stance limbs together [default: as found per limb]
+    #[arg(long, value_name = "N", value_parser = count)]
+    pub spheres: Option<f64>,
+    /// Limbs that share the body weight
+    #[arg(long, value_name = "N", value_parser = count, default_value = "1")]
+    pub stance_limbs: f64,
+    /// Impact speed for the restitution, m/s [default: sqrt(gR/2), a fall from a quarter of the radius]
+    #[arg(long, value_name = "M/S", value_parser = positive_number)]
+    pub impact_speed: Option<f64>,
+}
+
+impl StanceArgs {
+    pub(crate) fn stance(&self) -> Stance {
+        Stance { spheres: self.spheres, limbs: self.stance_limbs, impact_speed_m_s: self.impact_speed }
+    }
 }
 
 /// Patterns as one matcher.

@@ -12,7 +12,8 @@ use clap::{Args, Parser, Subcommand};
 pub(crate) use follow::{FollowArgs, RuleArg};
 use globset::Glob;
 pub(crate) use groups::{
-    ForceChoice, Format, MassArgs, OutputArgs, PartArgs, RunArgs, RunFormat, ScalingArgs, set_of,
+    ForceChoice, Format, MassArgs, OutputArgs, PartArgs, RunArgs, RunFormat, ScalingArgs, SheetFormat,
+    StanceArgs, set_of,
 };
 pub(crate) use physics::{
     BranchArg, ColumnArgs, DesignArgs, DropArgs, DropNumbers, FitArgs, ForceUnit, LengthUnit, LoadArgs,
@@ -185,7 +186,9 @@ pub(crate) struct InspectArgs {
     pub body_scale_file: Option<PathBuf>,
     /// How to print
     #[arg(long, value_enum, default_value_t)]
-    pub format: Format,
+    pub format: SheetFormat,
+    #[command(flatten)]
+    pub stance: StanceArgs,
     #[command(flatten)]
     pub masses: MassArgs,
     #[command(flatten)]

@@ -2,8 +2,8 @@
 
 pub(crate) mod changes;
 pub(crate) mod diff;
-pub(crate) mod inspect;
 pub(crate) mod json;
+pub(crate) mod paint;
 
 pub(crate) use osim_patch::readable as number;
 
@@ -20,5 +20,50 @@ pub(crate) fn right(table: &mut comfy_table::Table, columns: &[usize]) {
         if let Some(column) = table.column_mut(index) {
             column.set_cell_alignment(comfy_table::CellAlignment::Right);
         }
+    }
+}
+
+/// Columns of an old terminal.
+pub(crate) const WIDTH: usize = 80;
+
+/// Text in lines of at most [`WIDTH`] columns, the second and later ones behind `indent`.
+pub(crate) fn wrapped(text: &str, indent: &str) -> String {
+    let options = textwrap::Options::new(WIDTH).subsequent_indent(indent).break_words(false);
+    format!("{}\n", textwrap::fill(text, options))
+}
+
+/// A name in at most `width` columns: its middle is left out, since names differ at their ends.
+pub(crate) fn clipped(name: &str, width: usize) -> String {
+    let letters: Vec<char> = name.chars().collect();
+    if letters.len() <= width || width < 3 {
+        return name.to_owned();
+    }
+    let end = width / 2;
+    let start = width - end - 1;
+    let (first, last) = (letters.iter().take(start), letters.iter().skip(letters.len() - end));
+    first.chain(&['~']).chain(last).collect()
+}
+
+/// Four significant digits, to compare by eye.
+pub(crate) fn four(value: f64) -> String {
+    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
+    number(rounded)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_keep_both_ends() {
+        assert_eq!(clipped("heel_r", 10), "heel_r");
+        assert_eq!(clipped("SmoothSphere_forefoot_med_r", 11), "Smoot~med_r");
+        assert_eq!(clipped("SmoothSphere_forefoot_med_r", 11).chars().count(), 11);
+    }
+
+    #[test]
+    fn four_digits_are_kept() {
+        assert_eq!(four(0.353_300_157), "0.3533");
+        assert_eq!(four(13_449.52), "13450");
     }
 }

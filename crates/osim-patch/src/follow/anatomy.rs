@@ -2,9 +2,10 @@
 
 use std::collections::BTreeMap;
 
+use super::LevelAxis;
 use crate::document::Document;
 use crate::error::Fault;
-use crate::model::{Base, Files, Model, ObjectId};
+use crate::model::{Base, Files, MAX_FRAME_CHAIN, Model, ObjectId};
 use crate::xml::ElementId;
 
 /// Rotation of a frame in its body, row by row.
@@ -194,6 +195,47 @@ pub(crate) fn rotation_of(files: &Files<'_, '_>, frame: Option<ObjectId>) -> Res
             .and_then(|found| found.object);
     }
     Ok(rotation)
+}
+
+impl Model<'_, '_> {
+    /// The lowest point of sphere number `sphere` in the frame of the body that carries it (or of ground), m: its centre, less
+    /// the radius along the body's axis that is nearest to −gravity, as when the body is not turned.
+    ///
+    /// `None` where the frame is in a file that was not given, or a number is not finite.
+    #[must_use]
+    pub fn lowest_point_m(&self, sphere: usize) -> Option<[f64; 3]> {
+        let sphere = self.spheres.get(sphere)?;
+        if matches!(sphere.base, Base::Unknown) {
+            return None;
+        }
+        let mut point = self.in_body(sphere.frame_object, sphere.location_m)?;
+        let up = LevelAxis::of_gravity(self.gravity_m_s2);
+        point[up.axis] += if up.down { sphere.radius.number } else { -sphere.radius.number };
+        point.iter().all(|value| value.is_finite()).then_some(point)
+    }
+
+    /// A point of a frame, seen from the body at the end of its chain of offset frames.
+    fn in_body(&self, frame: Option<ObjectId>, point: [f64; 3]) -> Option<[f64; 3]> {
+        let files = self.files();
+        let (mut point, mut at) = (point, frame);
+        // Chains that close on themselves were refused when the model was read.
+        for _ in 0..=MAX_FRAME_CHAIN {
+            let Some(id) = at.filter(|&id| files.tag(id) != "Body" && files.tag(id) != "Ground") else {
+                return Some(point);
+            };
+            let of = |tag| files.doc(id).triple(files.element(id), tag).unwrap_or([0.0; 3]);
+            let rotation = body_fixed_xyz(of("orientation"));
+            let translation = of("translation");
+            point = std::array::from_fn(|i| {
+                translation[i] + (0..3).map(|k| rotation[i][k] * point[k]).sum::<f64>()
+            });
+            at = files
+                .connectee(id, "parent", &["parent_frame"])
+                .and_then(|parent| files.frame(id, &parent))
+                .and_then(|found| found.object);
+        }
+        None
+    }
 }
 
 /// OpenSim's `orientation`: body-fixed X, then Y, then Z angles, rad.

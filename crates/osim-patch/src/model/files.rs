@@ -44,7 +44,7 @@ pub(crate) struct Found {
 }
 
 /// Offset frames on offset frames, at most; deeper is a cycle.
-const MAX_FRAME_CHAIN: usize = 64;
+pub(crate) const MAX_FRAME_CHAIN: usize = 64;
 
 impl<'d, 'a> Files<'d, 'a> {
     /// `parts` are the files after the first, each with the component of an earlier file that includes it.

@@ -17,7 +17,7 @@ use crate::xml::ElementId;
 
 pub(crate) use contacts::Dialect;
 pub use contacts::{Force, ForceKind, ParameterSet, Sphere};
-pub(crate) use files::{Base, Files};
+pub(crate) use files::{Base, Files, MAX_FRAME_CHAIN};
 pub use limbs::{Limb, Limbs, Side};
 pub(crate) use objects::ObjectId;
 pub(crate) use read_contacts::ContactReader;

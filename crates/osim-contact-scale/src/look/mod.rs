@@ -1,4 +1,12 @@
-//! `inspect`: what contacts a model has.
+//! `inspect`: what contacts a model has, and what they do under its weight.
+//!
+//! [`Look::at`] makes an [`Inspection`] of each model, on any thread; the renderers only read it.
+
+mod csv;
+mod figures;
+mod inspection;
+mod table;
+mod verdict;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -10,22 +18,27 @@ use osim_patch::{
     loaded_spheres,
 };
 
-use crate::args::{Format, InspectArgs, PartArgs};
+use crate::args::{InspectArgs, PartArgs, SheetFormat};
 use crate::failure::Failure;
 use crate::load::Loaded;
-use crate::report::json::Inspected;
-use crate::report::{inspect, json};
+use crate::report::json;
 use crate::sources::{Source, Sources};
 use crate::terminal::{Exit, Terminal};
 use crate::verbs::scale_file;
+use crate::workers::{in_order, threads};
+
+use figures::Figures;
+pub(crate) use figures::Stance;
+use inspection::{Found, Inspection, SetContact};
 
 /// What to look at and how to print it.
 pub(crate) struct Look<'l> {
     pub models: &'l [PathBuf],
     pub parts: &'l PartArgs,
-    pub format: Format,
+    pub format: SheetFormat,
     pub masses: MassRequest,
     pub selection: Selection,
+    pub stance: Stance,
     /// Say what to do next, once, behind all models.
     pub hint: bool,
     /// The generic model the models were scaled from, and the Scale Tool's factors.
@@ -41,6 +54,7 @@ impl<'l> Look<'l> {
             format: args.format,
             masses: args.masses.request()?,
             selection: args.choice.selection()?,
+            stance: args.stance.stance(),
             hint: false,
             from: args.from.as_deref(),
             body_scale_file: args.body_scale_file.as_deref(),
@@ -57,37 +71,58 @@ impl<'l> Look<'l> {
             terminal.note(&format!("note: {remark}\n"))?;
         }
         let mut first = true;
-        for source in &sources.models {
-            match self.one(source) {
-                Ok(text) => {
-                    if !first && self.format == Format::Table {
-                        terminal.print("\n")?;
+        let threads = threads(None, sources.models.len());
+        in_order(
+            &sources.models,
+            threads,
+            |source| self.at(source),
+            |_, seen| {
+                match seen {
+                    Ok(seen) => self.tell(&seen, first, terminal)?,
+                    Err(failure) => {
+                        exit = exit.and(self.fail(&failure, terminal)?);
+                        return Ok(());
                     }
-                    first = false;
-                    terminal.print(&text)?;
                 }
-                Err(failure) => exit = exit.and(self.fail(&failure, terminal)?),
-            }
-        }
-        if self.hint && !first && self.format == Format::Table {
+                first = false;
+                Ok(())
+            },
+        )?;
+        if self.hint && !first && self.format == SheetFormat::Table {
             terminal.print(HINT)?;
         }
         Ok(exit)
     }
 
+    fn tell(&self, seen: &Inspection, first: bool, terminal: &mut Terminal) -> Result<()> {
+        match self.format {
+            SheetFormat::Json => terminal.print(&json::line(seen))?,
+            SheetFormat::Csv => terminal.print(&csv::rows(seen, first)?)?,
+            SheetFormat::Table => {
+                let gap = if first { "" } else { "\n" };
+                terminal.print_painted(&format!("{gap}{}", table::text(seen)))?;
+            }
+        }
+        Ok(())
+    }
+
     fn fail(&self, failure: &Failure, terminal: &mut Terminal) -> Result<Exit> {
-        if self.format == Format::Json {
+        if self.format == SheetFormat::Json {
             terminal.print(&failure.json())?;
         }
         terminal.error(&failure.text());
         Ok(Exit::Failed)
     }
 
-    fn one(&self, source: &Source) -> Result<String, Failure> {
+    /// Everything about one model.
+    ///
+    /// # Errors
+    /// A model that cannot be read.
+    pub(crate) fn at(&self, source: &Source) -> Result<Inspection, Failure> {
         let loaded = Loaded::read(source, self.parts)?;
         loaded.with_model(|model| {
             let factors = self.factors(&loaded, model)?;
-            Ok(self.show(&loaded, model, factors.as_ref()))
+            Ok(self.inspection(&loaded, model, factors.as_ref()))
         })
     }
 
@@ -104,12 +139,11 @@ impl<'l> Look<'l> {
     }
 
     /// Looking never refuses: what is not known is left open.
-    fn show(&self, loaded: &Loaded, model: &Model<'_, '_>, factors: Option<&Factors>) -> String {
+    fn inspection(&self, loaded: &Loaded, model: &Model<'_, '_>, factors: Option<&Factors>) -> Inspection {
         let mut warnings = model.warnings.clone();
         let mass = self.masses.of_model(model);
         let contacts_mass = self.masses.of_contacts(model, &mut warnings);
-        let selection = self.selection.apply(model);
-        let (selected, unknown) = match selection {
+        let (selected, unknown) = match self.selection.apply(model) {
             Ok(selected) => (selected, None),
             Err(fault) => (Selected { forces: vec![], complete: false }, Some(fault.to_string())),
         };
@@ -126,50 +160,51 @@ impl<'l> Look<'l> {
                 warnings.push(warning);
             }
         }
-        let dimensionless = dimensionless(model, &selected, contacts_mass.as_ref().ok(), &limbs);
-        let seen = Inspected {
+        let (mass, contacts_mass) = (mass.ok(), contacts_mass.ok());
+        let weight = mass.as_ref().or(contacts_mass.as_ref());
+        let figures = Figures::of(model, &selected, &limbs, weight, &self.stance);
+        let contacts = contacts(model, &selected, contacts_mass.as_ref(), &limbs);
+        let found = Found {
             path: &loaded.shown,
-            model,
-            mass: mass.as_ref().ok(),
-            contacts_mass: contacts_mass.as_ref().ok(),
+            mass: mass.as_ref(),
+            contacts_mass: contacts_mass.as_ref(),
             selected: &selected,
             limbs: &limbs,
             warnings: &warnings,
-            dimensionless: &dimensionless,
+            contacts: &contacts,
             factors,
+            figures: figures.unwrap_or_else(|fault| Figures::absent(fault.to_string())),
         };
-        if self.format == Format::Json {
-            return json::inspect(&seen);
-        }
-        inspect::text(&seen)
+        Inspection::new(model, found)
     }
 }
 
-/// Each selected force's contact without dimensions, at the mass its contacts stand for on one limb.
-fn dimensionless(
+/// Each selected force's contact, without dimensions at the mass its contacts stand for on one limb.
+fn contacts(
     model: &Model<'_, '_>,
     selected: &Selected,
     mass: Option<&Mass>,
     limbs: &Limbs,
-) -> Vec<(usize, usize, DimensionlessContact)> {
-    let (Some(mass), Ok(count), Some(gravity)) = (mass, limbs.spheres_per_limb(), model.contacts_gravity())
-    else {
-        return Vec::new();
-    };
+) -> Vec<SetContact> {
     let Ok(loaded) = loaded_spheres(model, &selected.forces) else { return Vec::new() };
-    let mut found: Vec<(usize, usize, DimensionlessContact)> = Vec::new();
+    let mut found: Vec<SetContact> = Vec::new();
     for sphere in loaded {
-        #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
-        let scale = Scale::new(ScaleValues {
-            mass_kg: mass.kg,
-            radius_m: sphere.radius_m,
-            sphere_count: count as f64,
-            gravity_m_s2: gravity,
-        });
-        let known = found.iter().any(|(force, set, _)| (*force, *set) == (sphere.force, sphere.set));
-        if let (Ok(scale), false) = (scale, known) {
-            found.push((sphere.force, sphere.set, DimensionlessContact::of(&sphere.contact, &scale)));
+        if found.iter().any(|known| (known.force, known.set) == (sphere.force, sphere.set)) {
+            continue;
         }
+        let scale = || {
+            #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
+            let sphere_count = limbs.spheres_per_limb().ok()? as f64;
+            let gravity_m_s2 = model.contacts_gravity()?;
+            let (mass_kg, radius_m) = (mass?.kg, sphere.radius_m);
+            Scale::new(ScaleValues { mass_kg, radius_m, sphere_count, gravity_m_s2 }).ok()
+        };
+        found.push(SetContact {
+            force: sphere.force,
+            set: sphere.set,
+            composite_modulus_n_m2: sphere.contact.composite_modulus(),
+            dimensionless: scale().map(|scale| DimensionlessContact::of(&sphere.contact, &scale)),
+        });
     }
     found
 }

@@ -1,0 +1,394 @@
+//! What a model's contacts do under its weight: one source for the table, CSV, JSON and `check`.
+//!
+//! Each sphere is looked at with its share of the weight of the body on one limb, W/n, and with all spheres of the limb
+//! level on the floor, where they have one indentation x (theory of mixed radii). Both are the same where the spheres of a
+//! limb are alike.
+
+use contact_scaling::{
+    Contact, EQUAL_SURFACES, Law, SharedLoad, Spheres, equilibrium, limits, mixed_radii, patch, restitution,
+    smoothing, stiffness,
+};
+use osim_patch::{Fault, Limbs, LoadedSphere, Mass, Model, Selected, loaded_spheres};
+use serde::Serialize;
+
+use super::verdict::{Verdict, verdicts};
+
+/// The loads that are looked at, in body weights.
+pub(crate) const BODY_WEIGHTS: [f64; 2] = [1.0, 2.0];
+
+/// What the command line says about the load.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Stance {
+    /// Spheres that share the body weight, all stance limbs together; `None`: as found on a limb.
+    pub spheres: Option<f64>,
+    /// Limbs that share the body weight.
+    pub limbs: f64,
+    /// Speed before an impact, m/s; `None`: √(gR/2).
+    pub impact_speed_m_s: Option<f64>,
+}
+
+impl Stance {
+    /// As found, on one limb.
+    pub(crate) const fn on_one_limb() -> Self {
+        Self { spheres: None, limbs: 1.0, impact_speed_m_s: None }
+    }
+}
+
+/// Figures of one model.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(crate) struct Figures {
+    /// Mass whose weight the spheres carry: what the model weighs, else what its contacts stand for, kg.
+    pub mass_kg: Option<f64>,
+    /// Gravity of the model, m/s²; `None` without gravity.
+    pub gravity_m_s2: Option<f64>,
+    /// Speed before an impact, m/s: given, or √(gR/2) with R = √(Σ R_i²/n) of all spheres, as in a drop test.
+    pub impact_speed_m_s: Option<f64>,
+    /// Why figures under body weight are absent, in words.
+    pub without_weight: Option<String>,
+    /// Each limb; one entry without a name where limbs are not known.
+    pub limbs: Vec<LimbFigures>,
+}
+
+/// Figures of one limb.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(crate) struct LimbFigures {
+    /// First body below the place where left and right part; `None` where limbs are not known.
+    pub limb: Option<String>,
+    /// `right` or `left`.
+    pub side: Option<&'static str>,
+    /// Spheres n that share the body weight; `None` where it cannot be told.
+    pub sphere_count: Option<f64>,
+    /// Each sphere, in file order.
+    pub spheres: Vec<SphereFigures>,
+}
+
+/// Figures of one sphere.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(crate) struct SphereFigures {
+    /// Name of the sphere.
+    pub sphere: String,
+    /// Its component path.
+    pub path: String,
+    /// Names of the forces that press it on the floor.
+    pub forces: Vec<String>,
+    /// Radius R, m.
+    pub radius_m: f64,
+    /// Composite modulus E* (A.3), N/m²; the sum where several forces press the sphere.
+    pub composite_modulus_n_m2: f64,
+    /// Under body weights; empty where the weight is not known.
+    pub loads: Vec<LoadFigures>,
+    /// Stiffness k of the Hertz law under one body weight (B.2), N/m.
+    pub contact_stiffness_n_m: Option<f64>,
+    /// k̂ = k R n / F at one body weight (B.3), without unit.
+    pub dimensionless_stiffness: Option<f64>,
+    /// Natural frequency f_n about the rest under one body weight, by k and M/n (B.4), Hz.
+    pub natural_frequency_hz: Option<f64>,
+    /// Mean contact stress σ under one body weight (15), N/m².
+    pub mean_contact_stress_n_m2: Option<f64>,
+    /// Dissipation α, s/m; `None` where forces of different α press the sphere.
+    pub dissipation_s_m: Option<f64>,
+    /// Restitution c_r of the law at the impact speed, without unit.
+    pub restitution_exact: Option<f64>,
+    /// Restitution by (13); `None` where it is below 0, or the speed is not known.
+    pub restitution_approximate: Option<f64>,
+    /// √cf / R (C.2), without unit; `None` for a `HuntCrossleyForce`.
+    pub constant_indentation: Option<f64>,
+    /// Width Δx̂ over which the contact state goes from 5 % to 95 % (C.7), in radii.
+    pub transition_width: Option<f64>,
+    /// Elastic force while the sphere just touches, x = 0 (C.3), N.
+    pub force_just_touching_n: Option<f64>,
+    /// The same over the sphere's share of one body weight.
+    pub touching_share: Option<f64>,
+    /// Each figure that has a limit, against it.
+    pub limits: Vec<Verdict>,
+}
+
+/// One sphere under one load.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(crate) struct LoadFigures {
+    /// The load in body weights.
+    pub body_weights: f64,
+    /// The sphere's share W/n, N.
+    pub load_n: f64,
+    /// x̂ under its share, by the Hertz law (11).
+    pub hertz: Option<f64>,
+    /// x̂ under its share, by the law of the file (C.3); below 0 where the sphere floats.
+    pub own: Option<f64>,
+    /// x̂ with all spheres of the limb level, by the Hertz law.
+    pub level_hertz: Option<f64>,
+    /// x̂ with all spheres of the limb level, by the law of the file.
+    pub level_own: Option<f64>,
+}
+
+/// One sphere with all laws that press it.
+struct Pressed {
+    sphere: usize,
+    forces: Vec<usize>,
+    radius_m: f64,
+    contacts: Vec<Contact>,
+    laws: Vec<Spheres>,
+}
+
+impl Figures {
+    /// Figures of the `selected` forces of `model`.
+    ///
+    /// # Errors
+    /// A value that is no plain number or outside its domain, with its place.
+    pub(crate) fn of(
+        model: &Model<'_, '_>,
+        selected: &Selected,
+        limbs: &Limbs,
+        mass: Option<&Mass>,
+        stance: &Stance,
+    ) -> Result<Self, Fault> {
+        let pressed = pressed(&loaded_spheres(model, &selected.forces)?)?;
+        let gravity = model.gravity().filter(|&gravity| gravity > 0.0 && gravity.is_finite());
+        let speed = stance.impact_speed_m_s.or_else(|| default_speed(&pressed, gravity));
+        let weight =
+            mass.zip(gravity).map(|(mass, gravity)| Weight { mass_kg: mass.kg, gravity_m_s2: gravity });
+        let groups = groups(limbs, &pressed);
+        let mut without = match (mass, gravity) {
+            (None, _) => Some("what the model weighs is not known".to_owned()),
+            (_, None) => Some("the model has no gravity".to_owned()),
+            _ => None,
+        };
+        let mut figures = Vec::new();
+        for group in groups {
+            let count = sphere_count(limbs, &group, stance);
+            if count.is_none() && without.is_none() {
+                without = limbs_unknown(limbs);
+            }
+            let limb = Stand { model, members: &group.members, count, weight, speed };
+            figures.push(LimbFigures {
+                limb: group.name,
+                side: group.side,
+                sphere_count: count,
+                spheres: group.members.iter().map(|one| limb.sphere(one)).collect(),
+            });
+        }
+        Ok(Self {
+            mass_kg: mass.map(|mass| mass.kg),
+            gravity_m_s2: gravity,
+            impact_speed_m_s: speed,
+            without_weight: without,
+            limbs: figures,
+        })
+    }
+
+    /// No figures, and why.
+    pub(crate) fn absent(why: String) -> Self {
+        Self {
+            mass_kg: None,
+            gravity_m_s2: None,
+            impact_speed_m_s: None,
+            without_weight: Some(why),
+            limbs: Vec::new(),
+        }
+    }
+
+    /// Every sphere.
+    pub(crate) fn spheres(&self) -> impl Iterator<Item = &SphereFigures> {
+        self.limbs.iter().flat_map(|limb| &limb.spheres)
+    }
+}
+
+impl LimbFigures {
+    /// `true` where the spheres differ, so that level figures say something of their own.
+    pub(crate) fn is_mixed(&self) -> bool {
+        let differs = |load: &LoadFigures| match (load.hertz, load.level_hertz) {
+            (Some(equal), Some(level)) => (equal - level).abs() > 1e-9 * equal.abs(),
+            _ => false,
+        };
+        self.spheres.iter().any(|sphere| sphere.loads.iter().any(differs))
+    }
+}
+
+impl SphereFigures {
+    /// The figures under `body_weights`.
+    pub(crate) fn load(&self, body_weights: f64) -> Option<&LoadFigures> {
+        self.loads.iter().find(|load| load.body_weights == body_weights)
+    }
+}
+
+#[derive(Clone, Copy)]
+struct Weight {
+    mass_kg: f64,
+    gravity_m_s2: f64,
+}
+
+struct Group<'p> {
+    name: Option<String>,
+    side: Option<&'static str>,
+    members: Vec<&'p Pressed>,
+}
+
+/// Spheres with all their laws, in the order of the model's spheres.
+fn pressed(loaded: &[LoadedSphere]) -> Result<Vec<Pressed>, Fault> {
+    let mut all: Vec<Pressed> = Vec::new();
+    for one in loaded {
+        let law =
+            Law::of(&one.contact, one.radius_m).and_then(|law| Spheres::new(law, 1.0)).map_err(Fault::new)?;
+        match all.iter_mut().find(|known| known.sphere == one.sphere) {
+            Some(known) => {
+                known.forces.push(one.force);
+                known.contacts.push(one.contact);
+                known.laws.push(law);
+            }
+            None => all.push(Pressed {
+                sphere: one.sphere,
+                forces: vec![one.force],
+                radius_m: one.radius_m,
+                contacts: vec![one.contact],
+                laws: vec![law],
+            }),
+        }
+    }
+    all.sort_by_key(|one| one.sphere);
+    Ok(all)
+}
+
+/// √(gR/2) with R = √(Σ R_i²/n) of all spheres.
+fn default_speed(pressed: &[Pressed], gravity: Option<f64>) -> Option<f64> {
+    let radii: Vec<f64> = pressed.iter().map(|one| one.radius_m).collect();
+    let radius = mixed_radii::mean_square(&radii).ok()?.sqrt();
+    restitution::drop_speed(gravity?, radius).ok()
+}
+
+/// The spheres of each limb; all together where limbs are not known.
+fn groups<'p>(limbs: &Limbs, pressed: &'p [Pressed]) -> Vec<Group<'p>> {
+    let Some(limbs) = limbs.known() else {
+        let members: Vec<&Pressed> = pressed.iter().collect();
+        let none = members.is_empty();
+        let group = Group { name: None, side: None, members };
+        return if none { Vec::new() } else { vec![group] };
+    };
+    let of_limb = |spheres: &[usize]| pressed.iter().filter(|one| spheres.contains(&one.sphere)).collect();
+    limbs
+        .iter()
+        .map(|limb| Group {
+            name: Some(limb.name.clone()),
+            side: Some(limb.side.as_str()),
+            members: of_limb(&limb.spheres),
+        })
+        .collect()
+}
+
+/// n: as said, else as found on this limb times the stance limbs.
+fn sphere_count(limbs: &Limbs, group: &Group<'_>, stance: &Stance) -> Option<f64> {
+    #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
+    let found = group.members.len() as f64 * stance.limbs;
+    stance.spheres.or_else(|| limbs.known().map(|_| found)).filter(|&count| count >= 1.0)
+}
+
+fn limbs_unknown(limbs: &Limbs) -> Option<String> {
+    match limbs {
+        Limbs::Unknown(why) => {
+            Some(format!("how many spheres share the weight is not known ({why}); say it with --spheres N"))
+        }
+        Limbs::Known(_) => None,
+    }
+}
+
+/// A limb on the floor.
+struct Stand<'s, 'm> {
+    model: &'s Model<'m, 'm>,
+    members: &'s [&'s Pressed],
+    count: Option<f64>,
+    weight: Option<Weight>,
+    speed: Option<f64>,
+}
+
+impl Stand<'_, '_> {
+    fn load(&self, body_weights: f64) -> Option<SharedLoad> {
+        let weight = self.weight?;
+        SharedLoad::new(body_weights * weight.mass_kg * weight.gravity_m_s2, self.count?).ok()
+    }
+
+    fn sphere(&self, one: &Pressed) -> SphereFigures {
+        let name = self.model.spheres.get(one.sphere);
+        let force = |&index: &usize| self.model.forces.get(index).map(|force| force.name.clone());
+        let composite: f64 = one.contacts.iter().map(Contact::composite_modulus).sum();
+        let dissipation = one.contacts.first().map(Contact::dissipation);
+        let dissipation = dissipation.filter(|&alpha| one.contacts.iter().all(|c| c.dissipation() == alpha));
+        let mut figures = SphereFigures {
+            sphere: name.map(|sphere| sphere.name.clone()).unwrap_or_default(),
+            path: name.map(|sphere| sphere.path.clone()).unwrap_or_default(),
+            forces: one.forces.iter().filter_map(force).collect(),
+            radius_m: one.radius_m,
+            composite_modulus_n_m2: composite,
+            loads: BODY_WEIGHTS.iter().filter_map(|&weights| self.under(one, weights)).collect(),
+            contact_stiffness_n_m: None,
+            dimensionless_stiffness: None,
+            natural_frequency_hz: None,
+            mean_contact_stress_n_m2: None,
+            dissipation_s_m: dissipation,
+            restitution_exact: self.speed.zip(dissipation).and_then(|(v, a)| restitution::exact(a, v).ok()),
+            restitution_approximate: self
+                .speed
+                .zip(dissipation)
+                .and_then(|(v, a)| restitution::approximate(a, v).ok()),
+            constant_indentation: None,
+            transition_width: None,
+            force_just_touching_n: None,
+            touching_share: None,
+            limits: Vec::new(),
+        };
+        self.stiffness(&mut figures);
+        self.smoothing(one, &mut figures);
+        figures.limits = verdicts(&figures, self.speed);
+        figures
+    }
+
+    fn under(&self, one: &Pressed, body_weights: f64) -> Option<LoadFigures> {
+        let load = self.load(body_weights)?;
+        let relative = |x: f64| Some(x / one.radius_m).filter(|x| x.is_finite());
+        let all: Vec<Spheres> = self.members.iter().flat_map(|member| member.laws.iter().copied()).collect();
+        #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
+        let on_limb = load.per_sphere_n() * self.members.len() as f64;
+        Some(LoadFigures {
+            body_weights,
+            load_n: load.per_sphere_n(),
+            hertz: equilibrium::hertz_indentation(&one.laws, load.per_sphere_n()).ok().and_then(relative),
+            own: equilibrium::indentation(&one.laws, load.per_sphere_n()).ok().and_then(relative),
+            level_hertz: equilibrium::hertz_indentation(&all, on_limb).ok().and_then(relative),
+            level_own: equilibrium::indentation(&all, on_limb).ok().and_then(relative),
+        })
+    }
+
+    /// k, k̂, f_n and σ under one body weight, by the Hertz law.
+    fn stiffness(&self, figures: &mut SphereFigures) {
+        let (Some(load), Some(weight)) = (self.load(1.0), self.weight) else { return };
+        let Some(x_hat) = figures.load(1.0).and_then(|load| load.hertz) else { return };
+        let hertz = contact_scaling::Hertz::sphere(figures.composite_modulus_n_m2, figures.radius_m);
+        let Ok(k) = hertz.map(|hertz| hertz.stiffness_at_relative_indentation(x_hat)) else { return };
+        figures.contact_stiffness_n_m = Some(k);
+        figures.dimensionless_stiffness = stiffness::dimensionless(k, figures.radius_m, &load).ok();
+        figures.natural_frequency_hz =
+            stiffness::natural_frequency(k, weight.mass_kg / load.sphere_count()).ok();
+        figures.mean_contact_stress_n_m2 =
+            patch::mean_stress(load.per_sphere_n(), figures.radius_m, x_hat).ok();
+    }
+
+    /// What the smoothing does; of several forces the one that does most.
+    fn smoothing(&self, one: &Pressed, figures: &mut SphereFigures) {
+        let smoothed = || one.contacts.iter().filter_map(Contact::smoothing);
+        let most = |values: &mut dyn Iterator<Item = f64>| values.reduce(f64::max);
+        figures.constant_indentation =
+            most(&mut smoothed().filter_map(|s| {
+                smoothing::constant_indentation(s.constant_contact_force, one.radius_m).ok()
+            }));
+        figures.transition_width = most(&mut smoothed().filter_map(|s| {
+            smoothing::transition_width(limits::TRANSITION_THRESHOLD, s.hertz_smoothing, one.radius_m).ok()
+        }));
+        if smoothed().next().is_some() {
+            let touching: f64 = one.laws.iter().map(|law| law.law().elastic_force(0.0)).sum();
+            figures.force_just_touching_n = Some(touching);
+            figures.touching_share = self.load(1.0).map(|load| touching / load.per_sphere_n());
+        }
+    }
+}
+
+/// E* of a sphere and a plane of one material, from its `stiffness` (A.4), N/m².
+pub(crate) fn composite_of(stiffness_n_m2: f64) -> f64 {
+    stiffness_n_m2 / EQUAL_SURFACES
+}
