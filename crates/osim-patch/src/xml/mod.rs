@@ -3,6 +3,7 @@
 //! Nothing here knows what OpenSim is. [`scan`] cuts the bytes into gap-free [`Piece`]s, links them into
 //! elements, and refuses what is not one well-formed document; [`value`] reads the text of a leaf.
 
+mod plain;
 mod position;
 mod scan;
 mod tree;

@@ -1,6 +1,6 @@
 //! Bytes → [`Tree`], or the first place where the bytes are not one well-formed document.
 //!
-//! quick-xml finds the pieces; what it lets pass (several roots, text outside the root, elements left open, a second
+//! Plain files are scanned by [`plain`](super::plain). For all others, quick-xml finds the pieces; what it lets pass (several roots, text outside the root, elements left open, a second
 //! byte order mark) is refused here. Its comment checks stay off: real models have `<!--` inside a comment.
 
 use std::borrow::Cow;
@@ -9,6 +9,7 @@ use std::collections::HashSet;
 use quick_xml::events::{BytesStart, Event};
 use quick_xml::reader::Reader;
 
+use super::plain::scan_plain;
 use super::tree::{Element, Piece, PieceKind, Tree};
 use crate::error::{Fault, SyntaxFault};
 
@@ -24,7 +25,13 @@ pub(crate) fn scan(bytes: &[u8]) -> Result<Tree<'_>, Fault> {
     refuse_foreign_encodings(bytes)?;
     let text = as_text(bytes);
     let mark = if bytes.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len() } else { 0 };
-    let (pieces, elements) = Scanner::new(&text, mark).run()?;
+    let (pieces, elements) = match scan_plain(&text, mark) {
+        Some(found) => {
+            debug_assert_eq!(Scanner::new(&text, mark).run().ok().as_ref(), Some(&found));
+            found
+        }
+        None => Scanner::new(&text, mark).run()?,
+    };
     Ok(Tree { text, pieces, elements })
 }
 
@@ -297,6 +304,36 @@ mod tests {
         assert!(matches!(refused(b"<a></b>"), (SyntaxFault::MismatchedEnd { .. }, 3)));
         assert!(matches!(refused(b"<a x='1' x='2'/>"), (SyntaxFault::Attribute { .. }, 0)));
         assert!(matches!(refused(b"<a><b"), (SyntaxFault::Truncated { .. }, 3)));
+    }
+
+    /// Models with one byte changed: both scans agree on all of them, or the plain one leaves the file to the other.
+    #[test]
+    fn the_plain_scan_finds_what_the_full_scan_finds() {
+        let text = "\u{feff}<?xml version='1.0'?>\r\n<a x='1' y=\"2 > 1\">t<!-- <!-- -->&amp;<b/>\n<c d='é' ><e>\
+                    </e></c ><![CDATA[<]]><f/ ></a>\n";
+        let plain = "<?xml version=\"1.0\"?>\n<a x='1' y=\"2\">t > é<!-- <!-- -- -->\n<b/><c d='' ><e>1</e></c></a>\n";
+        assert!(scan_plain(plain, 0).is_some());
+        let mut left = 0;
+        for text in [text, plain] {
+            for at in 0..text.len() {
+                for byte in *b"<>/&'\"= \n!-?ax1:[]\x96\x0c" {
+                    let mut bytes = text.as_bytes().to_vec();
+                    bytes[at] = byte;
+                    let text = as_text(&bytes);
+                    match scan_plain(&text, 0) {
+                        Some(found) => assert_eq!(Scanner::new(&text, 0).run(), Ok(found), "{text}"),
+                        None => left += 1,
+                    }
+                }
+                for bytes in [&text.as_bytes()[..at], &text.as_bytes()[at..]] {
+                    let text = as_text(bytes);
+                    if let Some(found) = scan_plain(&text, 0) {
+                        assert_eq!(Scanner::new(&text, 0).run(), Ok(found), "{text}");
+                    }
+                }
+            }
+        }
+        assert!(left > 1000);
     }
 
     #[test]
