@@ -3,7 +3,7 @@
 //! A successor is complete under a temporary name in the target's folder before it takes the target's name.
 
 use std::fs::{File, Metadata};
-use std::io::{ErrorKind, Write};
+use std::io::{ErrorKind, IoSlice, Write};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, anyhow, bail};
@@ -35,8 +35,22 @@ impl Prepared {
     /// # Errors
     /// The target exists and may not be replaced, or the folder cannot be written.
     pub(crate) fn new(target: &Path, bytes: &[u8], like: Option<&Metadata>, mode: Mode) -> Result<Self> {
+        Self::of_parts(target, std::iter::once(bytes), like, mode)
+    }
+
+    /// The same of bytes that lie in several places.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub(crate) fn of_parts<'p>(
+        target: &Path,
+        parts: impl Iterator<Item = &'p [u8]>,
+        like: Option<&Metadata>,
+        mode: Mode,
+    ) -> Result<Self> {
         let mut prepared = Self::begin(target, like, mode)?;
-        prepared.add(bytes)?;
+        let mut slices: Vec<IoSlice<'_>> = parts.filter(|part| !part.is_empty()).map(IoSlice::new).collect();
+        write_all(prepared.temporary.as_file_mut(), &mut slices).with_context(|| prepared.cannot_write())?;
         Ok(prepared)
     }
 
@@ -76,8 +90,12 @@ impl Prepared {
     /// # Errors
     /// The disk is full, or the folder is no longer there.
     pub(crate) fn add(&mut self, bytes: &[u8]) -> Result<()> {
-        let folder = folder_of(&self.target);
-        self.temporary.write_all(bytes).with_context(|| format!("cannot write into {}", folder.display()))
+        let written = self.temporary.write_all(bytes);
+        written.with_context(|| self.cannot_write())
+    }
+
+    fn cannot_write(&self) -> String {
+        format!("cannot write into {}", folder_of(&self.target).display())
     }
 
     /// Whether a file is there whose contents are about to go.
@@ -115,6 +133,20 @@ impl Prepared {
             Err(error) => Err(anyhow!(error.error).context(format!("cannot write {}", target.display()))),
         }
     }
+}
+
+/// Many slices with few calls; a full disk takes only some of the bytes, which is found by asking again.
+fn write_all(file: &mut File, slices: &mut [IoSlice<'_>]) -> std::io::Result<()> {
+    let mut left = slices;
+    while !left.is_empty() {
+        match file.write_vectored(left) {
+            Ok(0) => return Err(ErrorKind::WriteZero.into()),
+            Ok(written) => IoSlice::advance_slices(&mut left, written),
+            Err(error) if error.kind() == ErrorKind::Interrupted => {}
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(())
 }
 
 /// The mode bits of the file that is replaced or copied, exactly: a process's mask takes nothing from them.

@@ -13,28 +13,56 @@ pub struct Edit {
     pub text: String,
 }
 
-/// Applies `edits` to `bytes`, all or nothing. Edits at the same place are applied in the order given.
+/// The new bytes of a file, as the slices they are made of: nothing is copied before it is written.
+#[derive(Debug, Clone)]
+pub struct Patch<'b> {
+    bytes: &'b [u8],
+    /// By place, without overlaps.
+    edits: Vec<Edit>,
+}
+
+impl<'b> Patch<'b> {
+    /// All of `edits` or none. Edits at the same place are applied in the order given.
+    ///
+    /// # Errors
+    /// Two edits overlap, or one reaches past the end.
+    pub fn new(bytes: &'b [u8], mut edits: Vec<Edit>) -> Result<Self, Fault> {
+        edits.sort_by_key(|edit| edit.span.start);
+        let mut at = 0;
+        for Edit { span, .. } in &edits {
+            if span.start < at || span.end < span.start || span.end > bytes.len() {
+                return Err(Fault::new(FaultKind::OverlappingEdits { at: span.start }));
+            }
+            at = span.end;
+        }
+        Ok(Self { bytes, edits })
+    }
+
+    /// The slices, in order: kept bytes and new text by turns.
+    pub fn parts(&self) -> impl Iterator<Item = &[u8]> {
+        let starts = std::iter::once(0).chain(self.edits.iter().map(|edit| edit.span.end));
+        let new = self.edits.iter().map(|edit| (edit.span.start, edit.text.as_bytes()));
+        let ends = new.chain(std::iter::once((self.bytes.len(), &b""[..])));
+        let parts = starts.zip(ends);
+        parts.flat_map(|(start, (end, text))| [self.bytes.get(start..end).unwrap_or_default(), text])
+    }
+
+    /// The new file as one.
+    #[must_use]
+    pub fn to_vec(&self) -> Vec<u8> {
+        let added: usize = self.edits.iter().map(|edit| edit.text.len()).sum();
+        let mut output = Vec::with_capacity(self.bytes.len() + added);
+        self.parts().for_each(|part| output.extend_from_slice(part));
+        output
+    }
+}
+
+/// Applies `edits` to `bytes`, all or nothing.
 ///
 /// # Errors
-/// Two edits overlap, or one reaches past the end.
+/// As [`Patch::new`].
 pub fn splice(bytes: &[u8], edits: &[Edit]) -> Result<Vec<u8>, Fault> {
-    let mut sorted: Vec<&Edit> = edits.iter().collect();
-    sorted.sort_by_key(|edit| edit.span.start);
-    let added: usize = edits.iter().map(|edit| edit.text.len()).sum();
-    let mut output = Vec::with_capacity(bytes.len() + added);
-    let mut at = 0;
-    for edit in sorted {
-        let kept = bytes.get(at..edit.span.start);
-        let (Some(kept), true) = (kept, edit.span.start <= edit.span.end && edit.span.end <= bytes.len())
-        else {
-            return Err(Fault::new(FaultKind::OverlappingEdits { at: edit.span.start }));
-        };
-        output.extend_from_slice(kept);
-        output.extend_from_slice(edit.text.as_bytes());
-        at = edit.span.end;
-    }
-    output.extend_from_slice(bytes.get(at..).unwrap_or_default());
-    Ok(output)
+    Patch::new(bytes, edits.to_vec()).map(|patch| patch.to_vec())
 }
 
 #[cfg(test)]

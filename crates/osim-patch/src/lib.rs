@@ -54,7 +54,7 @@ mod warning;
 mod xml;
 
 pub use document::{Document, Origin, Value, may_include};
-pub use edit::{Edit, splice};
+pub use edit::{Edit, Patch, splice};
 pub use error::{Fault, FaultKind, NumberFault, SyntaxFault};
 pub use follow::{
     Anatomy, AnatomySphere, AxisFactor, BodyFactors, FactorSource, Factors, Follow, FollowRequest, Followed,

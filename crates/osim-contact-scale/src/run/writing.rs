@@ -3,11 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
-use osim_patch::{Model, Plan};
+use osim_patch::{Model, Patch, Plan};
 
 use super::Run;
 use super::outcome::{Outcome, Said};
-use super::record::{Record, Status, sha256};
+use super::record::{Record, Status, sha256, sha256_of_parts};
 use super::resume::Earlier;
 use super::task::{Order, Task};
 use crate::args::RunFormat;
@@ -93,16 +93,16 @@ struct Job<'j> {
 }
 
 /// The bytes that a plan makes.
-struct Results {
-    model: Vec<u8>,
-    geometry: Option<Geometry>,
+struct Results<'m> {
+    model: Patch<'m>,
+    geometry: Option<Geometry<'m>>,
 }
 
 /// The changed bytes of a standalone geometry set.
-struct Geometry {
+struct Geometry<'m> {
     file: usize,
     path: PathBuf,
-    bytes: Vec<u8>,
+    patch: Patch<'m>,
 }
 
 /// What was written.
@@ -146,20 +146,20 @@ impl Job<'_> {
         Ok(plan)
     }
 
-    fn results(&self, plan: &Plan, model: &Model<'_, '_>) -> Result<Results, Failure> {
-        let patched = |file| plan.patched(model, file).map_err(|fault| self.loaded.failure(fault));
+    fn results<'m>(&self, plan: &Plan, model: &'m Model<'_, '_>) -> Result<Results<'m>, Failure> {
+        let patched = |file| plan.patch(model, file).map_err(|fault| self.loaded.failure(fault));
         let mut geometry = None;
         // The standalone geometry set that changes with the force set.
         let mut parts = 1..=self.loaded.parts.len();
         let changed = parts.find(|&file| !plan.edits(model, file).is_empty());
         if let (Some(path), Some(file)) = (&self.task.geometry_output, changed) {
-            geometry = Some(Geometry { file, path: path.clone(), bytes: patched(file)? });
+            geometry = Some(Geometry { file, path: path.clone(), patch: patched(file)? });
         }
         Ok(Results { model: patched(0)?, geometry })
     }
 
     /// Writes what is to be written; where it went.
-    fn write(&mut self, plan: &Plan, results: &Results) -> Result<Written> {
+    fn write(&mut self, plan: &Plan, results: &Results<'_>) -> Result<Written> {
         if self.run.args.dry_run {
             self.record.status = Status::DryRun;
             return Ok(Written::Nothing("dry run: nothing written"));
@@ -175,10 +175,10 @@ impl Job<'_> {
             self.prepare(&mut files, path, &results.model, 0)?;
         }
         if let Some(geometry) = &results.geometry {
-            self.prepare(&mut files, &geometry.path, &geometry.bytes, geometry.file)?;
+            self.prepare(&mut files, &geometry.path, &geometry.patch, geometry.file)?;
         }
         if self.run.journal.is_some() {
-            self.record.sha256_output = Some(sha256(&results.model));
+            self.record.sha256_output = Some(sha256_of_parts(results.model.parts()));
         }
         if let Some(journal) = self.run.journal.as_ref().filter(|_| !to_stdout) {
             journal.about_to_finish(self.record)?;
@@ -200,7 +200,7 @@ impl Job<'_> {
     }
 
     /// A complete successor of `path`, made from file number `file` of the model.
-    fn prepare(&self, files: &mut Files, path: &Path, bytes: &[u8], file: usize) -> Result<()> {
+    fn prepare(&self, files: &mut Files, path: &Path, patch: &Patch<'_>, file: usize) -> Result<()> {
         if self.order().in_place {
             self.refuse_protected(path)?;
             if !self.order().no_backup {
@@ -213,7 +213,8 @@ impl Job<'_> {
         folders::make(path)?;
         let mode = if self.force || self.order().in_place { Mode::Replace } else { Mode::New };
         let stamp = self.loaded.stamp_of(file);
-        files.successors.push(Prepared::new(path, bytes, stamp.map(|stamp: &Stamp| &stamp.metadata), mode)?);
+        let like = stamp.map(|stamp: &Stamp| &stamp.metadata);
+        files.successors.push(Prepared::of_parts(path, patch.parts(), like, mode)?);
         files.paths.push(path.to_owned());
         Ok(())
     }
@@ -227,7 +228,7 @@ impl Job<'_> {
         Ok(())
     }
 
-    fn tell(&self, plan: &Plan, results: &Results, written: &Written) -> Result<Vec<Said>> {
+    fn tell(&self, plan: &Plan, results: &Results<'_>, written: &Written) -> Result<Vec<Said>> {
         let mut said = Vec::new();
         let to_stdout = matches!(written, Written::Stdout);
         let args = self.run.args;
@@ -241,7 +242,7 @@ impl Job<'_> {
             said.push(if aside { Said::Note(text) } else { Said::Result(text.into_bytes()) });
         }
         if to_stdout {
-            said.push(Said::Result(results.model.clone()));
+            said.push(Said::Result(results.model.to_vec()));
         }
         Ok(said)
     }
@@ -274,14 +275,14 @@ impl Job<'_> {
         })
     }
 
-    fn diff(&self, results: &Results) -> String {
+    fn diff(&self, results: &Results<'_>) -> String {
         let loaded = self.loaded;
         let target =
             self.task.output().map_or_else(|| loaded.shown.clone(), |path| path.display().to_string());
-        let mut text = diff::unified(&loaded.bytes, &results.model, &loaded.shown, &target);
+        let mut text = diff::unified(&loaded.bytes, &results.model.to_vec(), &loaded.shown, &target);
         if let Some(geometry) = &results.geometry {
             let (name, bytes) = loaded.file(geometry.file);
-            text.push_str(&diff::unified(bytes, &geometry.bytes, name, name));
+            text.push_str(&diff::unified(bytes, &geometry.patch.to_vec(), name, name));
         }
         text
     }

@@ -17,7 +17,7 @@ mod transfer;
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 
-use crate::edit::{Edit, splice};
+use crate::edit::{Edit, Patch};
 use crate::error::Fault;
 use crate::insert::{insert, insert_first, with_white_space_before};
 use crate::mass::Mass;
@@ -235,6 +235,14 @@ impl Plan {
     /// # Errors
     /// Overlapping edits, which would be a defect of this crate; nothing is returned then.
     pub fn patched(&self, model: &Model<'_, '_>, file: usize) -> Result<Vec<u8>, Fault> {
-        splice(model.file(file).bytes(), &self.edits(model, file))
+        self.patch(model, file).map(|patch| patch.to_vec())
+    }
+
+    /// The same without a copy: slices of the original and new text by turns.
+    ///
+    /// # Errors
+    /// As [`patched`](Self::patched).
+    pub fn patch<'m>(&self, model: &'m Model<'_, '_>, file: usize) -> Result<Patch<'m>, Fault> {
+        Patch::new(model.file(file).bytes(), self.edits(model, file))
     }
 }

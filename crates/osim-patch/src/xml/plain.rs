@@ -126,7 +126,9 @@ impl Scan<'_> {
         if !is_comment || rest.starts_with(b">") || rest.starts_with(b"->") {
             return None;
         }
-        let end = from + memchr::memmem::find(rest, b"-->")? + 3;
+        // Few comments hold a `>` before their end, so looking for one letter is quicker than for three.
+        let is_end = |&at: &usize| rest.get(..at).is_some_and(|before| before.ends_with(b"--"));
+        let end = from + memchr::memchr_iter(b'>', rest).find(is_end)? + 1;
         self.push(PieceKind::Comment, end);
         Some(())
     }
@@ -136,7 +138,9 @@ impl Scan<'_> {
         if !self.byte(from).is_ascii_alphabetic() {
             return None;
         }
-        let end = from + memchr::memmem::find(self.bytes.get(from..)?, b"?>")? + 2;
+        let rest = self.bytes.get(from..)?;
+        let is_end = |&at: &usize| rest.get(..at).is_some_and(|before| before.ends_with(b"?"));
+        let end = from + memchr::memchr_iter(b'>', rest).find(is_end)? + 1;
         self.push(PieceKind::Other, end);
         Some(())
     }
