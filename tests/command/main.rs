@@ -21,6 +21,7 @@ mod files;
 mod json;
 mod masses;
 mod never_lost;
+mod recipes;
 mod shells;
 mod shown;
 mod support;

@@ -23,6 +23,7 @@ mod sources;
 mod temporary;
 mod terminal;
 mod verbs;
+mod window;
 mod workers;
 mod write;
 
@@ -46,6 +47,7 @@ fn main() -> ExitCode {
         }),
         Err(error) => usage(&error, &mut terminal),
     };
+    window::keep_open(&mut terminal);
     ExitCode::from(exit.code())
 }
 
