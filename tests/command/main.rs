@@ -13,6 +13,7 @@
 )]
 
 mod bad_input;
+mod batch;
 mod bytes;
 mod corpus;
 mod explained;

@@ -3,6 +3,7 @@
 //! Exit status: 0 all done, 1 a model failed or needs an answer, 2 wrong usage.
 
 mod args;
+mod batch;
 mod calculator;
 mod completions;
 mod drop;
@@ -20,6 +21,7 @@ mod presets;
 mod report;
 mod run;
 mod sources;
+mod spreadsheet;
 mod temporary;
 mod terminal;
 mod verbs;
@@ -97,6 +99,7 @@ fn run(cli: Cli, terminal: &mut Terminal) -> Result<Exit> {
             let run = args.run.clone();
             change(verbs::set::verb(*args)?, &run, terminal)
         }
+        Some(Verb::Batch(args)) => batch::batch(&args, terminal),
         Some(Verb::DropTest(args)) => drop::run(&args, terminal),
         Some(Verb::Fit(args)) => fitting::run(&args, terminal),
         Some(Verb::Presets(args)) => presets::run(&args, terminal).map(|()| Exit::Done),

@@ -6,6 +6,7 @@ use anyhow::{Context, Result, anyhow, bail};
 
 use crate::args::{ColumnArgs, ForceUnit, LengthUnit, SpeedUnit, TimeUnit};
 use crate::load::read;
+use crate::spreadsheet::Sheet;
 
 /// Columns in SI units; row `i` of each belongs together.
 pub(crate) struct Measured {
@@ -17,8 +18,6 @@ pub(crate) struct Measured {
     pub lines: Vec<u64>,
 }
 
-const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
-
 /// Reads the columns that `columns` names.
 ///
 /// # Errors
@@ -27,13 +26,8 @@ const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
 pub(crate) fn read_columns(path: &Path, columns: &ColumnArgs) -> Result<Measured> {
     let shown = path.display().to_string();
     let bytes = read(path).with_context(|| shown.clone())?;
-    if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") || bytes.contains(&0) {
-        bail!("{shown}: the file is UTF-16 or binary: save it as CSV in UTF-8");
-    }
-    let bytes = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(&bytes);
-    let delimiter = delimiter(bytes);
-    let mut reader = csv::ReaderBuilder::new().delimiter(delimiter).trim(csv::Trim::All).from_reader(bytes);
-    let header = reader.headers().with_context(|| shown.clone())?.clone();
+    let sheet = Sheet::read(&bytes).with_context(|| shown.clone())?;
+    let header = &sheet.header;
     let find = |name: &str| -> Result<usize> {
         if header.iter().filter(|cell| cell.eq_ignore_ascii_case(name)).count() > 1 {
             bail!("{shown}: the column '{name}' is there twice, expected one");
@@ -55,36 +49,21 @@ pub(crate) fn read_columns(path: &Path, columns: &ColumnArgs) -> Result<Measured
         wanted.push(Column::new(find(name)?, time(columns.time_unit)));
     }
     let mut lines = Vec::new();
-    for record in reader.records() {
-        let record = record.map_err(|error| anyhow!("{shown}: {}", in_words(&error)))?;
-        let line = record.position().map_or(0, csv::Position::line);
+    for row in &sheet.rows {
         for column in &mut wanted {
-            let cell = record.get(column.index).unwrap_or_default();
-            let name = header.get(column.index).unwrap_or_default();
-            let value = cell_number(cell, delimiter)
-                .map_err(|why| anyhow!("{shown}: line {line}, column '{name}': '{cell}' {why}"))?;
+            let cell = row.cells.get(column.index).map_or("", String::as_str);
+            let name = header.get(column.index).map_or("", String::as_str);
+            let value = cell_number(cell, &sheet)
+                .map_err(|why| anyhow!("{shown}: line {}, column '{name}': '{cell}' {why}", row.line))?;
             column.values.push(value * column.unit);
         }
-        lines.push(line);
+        lines.push(row.line);
     }
     let mut taken = wanted.into_iter().map(|column| column.values);
     let (indentation_m, force_n) = (taken.next().unwrap_or_default(), taken.next().unwrap_or_default());
     let rate = taken.next();
     let (speed_m_s, time_s) = if columns.speed_column.is_some() { (rate, None) } else { (None, rate) };
     Ok(Measured { indentation_m, force_n, speed_m_s, time_s, lines })
-}
-
-/// What the CSV reader refuses.
-fn in_words(error: &csv::Error) -> String {
-    match error.kind() {
-        csv::ErrorKind::UnequalLengths { pos: Some(place), expected_len, len } => {
-            format!("line {}: {len} cells, expected {expected_len} as in the first row", place.line())
-        }
-        csv::ErrorKind::Utf8 { pos: Some(place), .. } => {
-            format!("line {}: not UTF-8 text: save it as CSV in UTF-8", place.line())
-        }
-        _ => error.to_string(),
-    }
 }
 
 struct Column {
@@ -99,23 +78,12 @@ impl Column {
     }
 }
 
-/// `;` and tabs part the cells where commas are decimal; the first line tells.
-fn delimiter(bytes: &[u8]) -> u8 {
-    let first = bytes.split(|&byte| byte == b'\n').next().unwrap_or_default();
-    [b';', b'\t'].into_iter().find(|delimiter| first.contains(delimiter)).unwrap_or(b',')
-}
-
-/// A finite number, with a decimal comma only where cells are not parted by commas.
-fn cell_number(cell: &str, delimiter: u8) -> Result<f64, &'static str> {
+/// A finite number.
+fn cell_number(cell: &str, sheet: &Sheet) -> Result<f64, &'static str> {
     if cell.is_empty() {
         return Err("is empty, expected a number");
     }
-    let text = match (cell.matches(',').count(), cell.contains('.')) {
-        (0, _) => cell.to_owned(),
-        (1, false) if delimiter != b',' => cell.replace(',', "."),
-        (1, false) => return Err("has a decimal comma: part the columns by ; or write a decimal point"),
-        _ => return Err("has separators between thousands, expected a plain number"),
-    };
+    let text = sheet.with_point(cell)?;
     match text.parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
         Ok(_) => Err("is not finite, expected a number"),
@@ -158,20 +126,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_of_european_spreadsheets_are_read_where_they_are_clear() {
-        assert_eq!(cell_number("1,5", b';'), Ok(1.5));
-        assert_eq!(cell_number("1.5", b';'), Ok(1.5));
-        assert!(cell_number("1.234,5", b';').is_err());
-        assert!(cell_number("1,5", b',').is_err());
-        assert!(cell_number("nan", b',').is_err());
-        assert!(cell_number("", b',').is_err());
-        assert!(cell_number("5 N", b',').is_err());
-    }
-
-    #[test]
-    fn the_first_line_tells_the_delimiter() {
-        assert_eq!(delimiter(b"a;b\n1,5;2"), b';');
-        assert_eq!(delimiter(b"a\tb\n"), b'\t');
-        assert_eq!(delimiter(b"a,b\n"), b',');
+    fn a_cell_is_one_plain_finite_number() {
+        let commas = Sheet::read(b"a,b\n").unwrap();
+        let semicolons = Sheet::read(b"a;b\n").unwrap();
+        assert_eq!(cell_number("1,5", &semicolons), Ok(1.5));
+        assert_eq!(cell_number("1.5", &commas), Ok(1.5));
+        for cell in ["nan", "", "5 N", "1,5"] {
+            assert!(cell_number(cell, &commas).is_err(), "{cell}");
+        }
     }
 }

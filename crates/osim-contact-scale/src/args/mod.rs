@@ -2,6 +2,7 @@
 
 mod follow;
 mod groups;
+mod library;
 mod physics;
 mod values;
 
@@ -15,11 +16,12 @@ pub(crate) use groups::{
     ForceChoice, Format, MassArgs, OutputArgs, PartArgs, RunArgs, RunFormat, ScalingArgs, SheetFormat,
     StanceArgs, set_of,
 };
+pub(crate) use library::BatchArgs;
 pub(crate) use physics::{
     BranchArg, ColumnArgs, DesignArgs, DropArgs, DropNumbers, FitArgs, ForceUnit, LengthUnit, LoadArgs,
     PresetsArgs, SeriesFormat, SetArgs, SpeedUnit, TimeUnit, WantedArgs,
 };
-pub(crate) use values::{Length, assignment, usage_line};
+pub(crate) use values::{Length, assignment, usage_line, usage_parts};
 use values::{acceleration, count, glob, mass};
 
 /// Makes the contact parameters of OpenSim models right at every body size.
@@ -51,6 +53,8 @@ pub(crate) enum Verb {
     Design(Box<DesignArgs>),
     /// Set properties to a value, or multiply them by a factor
     Set(Box<SetArgs>),
+    /// Change many models, as a table says: one row per model
+    Batch(Box<BatchArgs>),
     /// Show what contacts a model has
     Inspect(Box<InspectArgs>),
     /// Let a model fall on its contacts and see what they do

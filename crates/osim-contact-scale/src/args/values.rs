@@ -178,6 +178,27 @@ fn plain(text: &str) -> Option<f64> {
     if digits { text.parse().ok() } else { None }
 }
 
+/// A usage error in two parts: the option it is about, and what is wrong with its value.
+pub(crate) fn usage_parts(error: &clap::Error) -> (Option<String>, String) {
+    let option = context(error, ContextKind::InvalidArg);
+    let reason = std::error::Error::source(error).map(ToString::to_string);
+    let message = match (context(error, ContextKind::InvalidValue), reason) {
+        (Some(value), Some(reason)) if error.kind() == ErrorKind::ValueValidation => {
+            format!("'{value}': {reason}")
+        }
+        _ => usage_line(error),
+    };
+    (option, message)
+}
+
+fn context(error: &clap::Error, kind: ContextKind) -> Option<String> {
+    match error.get(kind) {
+        Some(ContextValue::String(text)) => Some(text.clone()),
+        Some(ContextValue::Strings(texts)) => texts.first().cloned(),
+        _ => None,
+    }
+}
+
 /// A usage error in one line: what is wrong and what was expected.
 pub(crate) fn usage_line(error: &clap::Error) -> String {
     let context = |kind| match error.get(kind) {

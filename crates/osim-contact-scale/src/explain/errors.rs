@@ -155,6 +155,11 @@ pub(super) const ALL: &[ErrorCode] = &[
         "another name with -o or -d, or --force; for the input itself --in-place",
     ),
     code(
+        "manifest",
+        "a row of a manifest is wrong: the message names row and column. No row was done",
+        "mend the cells that are named, and run again",
+    ),
+    code(
         "internal",
         "a defect of this program; nothing was changed",
         "please report it, with the model if you may",

@@ -1,0 +1,110 @@
+//! Tables as spreadsheets of any country write them: CSV parted by commas, semicolons or tabs.
+
+use std::borrow::Cow;
+
+use anyhow::{Result, anyhow, bail};
+
+const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
+
+/// A table with a header.
+pub(crate) struct Sheet {
+    pub header: Vec<String>,
+    pub rows: Vec<Row>,
+    delimiter: u8,
+}
+
+/// One row of cells, as many as the header has.
+pub(crate) struct Row {
+    /// Line in the file; the header is line 1.
+    pub line: u64,
+    pub cells: Vec<String>,
+}
+
+impl Sheet {
+    /// Reads a whole table.
+    ///
+    /// # Errors
+    /// It is no text in UTF-8, or a row has more or fewer cells than the header: with the line.
+    pub(crate) fn read(bytes: &[u8]) -> Result<Self> {
+        if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") || bytes.contains(&0) {
+            bail!("the file is UTF-16 or binary: save it as CSV in UTF-8");
+        }
+        let bytes = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
+        let delimiter = delimiter(bytes);
+        let mut reader =
+            csv::ReaderBuilder::new().delimiter(delimiter).trim(csv::Trim::All).from_reader(bytes);
+        let header = reader.headers().map_err(|error| anyhow!(in_words(&error)))?;
+        let header = header.iter().map(str::to_owned).collect();
+        let row = |record: csv::Result<csv::StringRecord>| {
+            let record = record.map_err(|error| anyhow!(in_words(&error)))?;
+            let line = record.position().map_or(0, csv::Position::line);
+            Ok(Row { line, cells: record.iter().map(str::to_owned).collect() })
+        };
+        Ok(Self { header, rows: reader.records().map(row).collect::<Result<_>>()?, delimiter })
+    }
+
+    /// A number's text with a decimal point. A decimal comma is clear only where commas do not part the cells.
+    ///
+    /// # Errors
+    /// The comma may mean something else.
+    pub(crate) fn with_point<'c>(&self, cell: &'c str) -> Result<Cow<'c, str>, &'static str> {
+        with_point(cell, self.delimiter)
+    }
+}
+
+/// `;` and tabs part the cells where commas are decimal; the first line tells.
+fn delimiter(bytes: &[u8]) -> u8 {
+    let first = bytes.split(|&byte| byte == b'\n').next().unwrap_or_default();
+    [b';', b'\t'].into_iter().find(|delimiter| first.contains(delimiter)).unwrap_or(b',')
+}
+
+fn with_point(cell: &str, delimiter: u8) -> Result<Cow<'_, str>, &'static str> {
+    match (cell.matches(',').count(), cell.contains('.')) {
+        (0, _) => Ok(cell.into()),
+        (1, false) if delimiter != b',' => Ok(cell.replace(',', ".").into()),
+        (1, false) => Err("has a decimal comma: part the columns by ; or write a decimal point"),
+        _ => Err("has separators between thousands, expected a plain number"),
+    }
+}
+
+/// What the CSV reader refuses.
+fn in_words(error: &csv::Error) -> String {
+    match error.kind() {
+        csv::ErrorKind::UnequalLengths { pos: Some(place), expected_len, len } => {
+            format!("line {}: {len} cells, expected {expected_len} as in the first row", place.line())
+        }
+        csv::ErrorKind::Utf8 { pos: Some(place), .. } => {
+            format!("line {}: not UTF-8 text: save it as CSV in UTF-8", place.line())
+        }
+        _ => error.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_of_european_spreadsheets_are_read_where_they_are_clear() {
+        assert_eq!(with_point("1,5", b';').unwrap(), "1.5");
+        assert_eq!(with_point("1.5", b';').unwrap(), "1.5");
+        assert!(with_point("1.234,5", b';').is_err());
+        assert!(with_point("1,5", b',').is_err());
+    }
+
+    #[test]
+    fn the_first_line_tells_the_delimiter() {
+        assert_eq!(delimiter(b"a;b\n1,5;2"), b';');
+        assert_eq!(delimiter(b"a\tb\n"), b'\t');
+        assert_eq!(delimiter(b"a,b\n"), b',');
+    }
+
+    #[test]
+    fn a_byte_order_mark_is_no_part_of_the_first_column() {
+        let sheet = Sheet::read(b"\xEF\xBB\xBFmodel;target-mass\r\na.osim;0,02\r\n").unwrap();
+        assert_eq!(sheet.header, ["model", "target-mass"]);
+        assert_eq!((sheet.rows[0].line, sheet.rows[0].cells[1].as_str()), (2, "0,02"));
+        assert!(Sheet::read(b"\xFF\xFEm\0").is_err());
+        assert!(Sheet::read(b"a,b\n1\n").is_err_and(|error| error.to_string().contains("line 2")));
+    }
+}

@@ -1,0 +1,178 @@
+//! `batch`: a manifest with a row per model.
+
+use serde_json::Value;
+
+use crate::support::Bench;
+
+const MANIFEST: &str = include_str!("../../fixtures/libraries/table1.csv");
+/// What the paper prints, row by row as in the manifest.
+const PRINTED: &str = include_str!("../../crates/contact-scaling/tests/data/table1.csv");
+
+/// The animals of Table 1, every one with the contacts of the 62 kg human.
+fn unscaled_animals() -> Bench {
+    let names: Vec<&str> = MANIFEST.lines().skip(1).map(|row| row.split(',').nth(1).unwrap()).collect();
+    let bench = Bench::new();
+    for name in &names {
+        bench.write(name, crate::support::fixture(&format!("table1/{name}")));
+    }
+    let models = names.join(" ");
+    bench
+        .run(&format!("set {models} stiffness=1e6 dissipation=2 --in-place --no-backup --no-note --quiet"))
+        .done();
+    bench
+}
+
+/// Every value of `property` in a model, which are all alike.
+fn common(bench: &Bench, model: &str, property: &str) -> f64 {
+    let seen: Value =
+        serde_json::from_str(&bench.run(&format!("inspect {model} --format json")).done().out()).unwrap();
+    let forces = seen["forces"].as_array().unwrap();
+    let values: Vec<f64> =
+        forces.iter().map(|force| force["parameters"][property].as_f64().unwrap()).collect();
+    assert!(values.iter().all(|value| *value == values[0]), "{values:?}");
+    values[0]
+}
+
+#[test]
+fn table_1_of_the_paper_is_a_manifest() {
+    let bench = unscaled_animals();
+    bench.write("table1.csv", MANIFEST);
+    bench.run("batch table1.csv --quiet").done();
+    for (row, printed) in MANIFEST.lines().skip(1).zip(PRINTED.lines().skip(2)) {
+        let output = row.rsplit(',').next().unwrap();
+        let printed: Vec<&str> = printed.split(',').collect();
+        for (property, unit, printed) in [("stiffness", 1e6, printed[5]), ("dissipation", 1.0, printed[7])] {
+            let value = common(&bench, output, property) / unit;
+            let decimals = printed.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+            assert_eq!(format!("{value:.decimals$}"), printed, "{output}: {property}");
+        }
+    }
+}
+
+#[test]
+fn spreadsheets_of_other_countries_mean_the_same() {
+    let plain = unscaled_animals();
+    plain.write("table1.csv", MANIFEST);
+    plain.run("batch table1.csv --quiet").done();
+    let european =
+        format!("\u{feff}{}", MANIFEST.replace(',', ";").replace("0.0", "0,0").replace('\n', "\r\n"));
+    let tabs = MANIFEST.replace(',', "\t").replace("37.80", "37,80");
+    for manifest in [european, tabs] {
+        let bench = unscaled_animals();
+        bench.write("table1.csv", manifest);
+        bench.run("batch table1.csv --quiet").done();
+        for name in plain.files().keys().filter(|name| name.starts_with("table1/")) {
+            assert_eq!(bench.read(name), plain.read(name), "{name}");
+        }
+    }
+}
+
+#[test]
+fn all_rows_are_read_before_the_first_file_is_written() {
+    let bench = Bench::human();
+    bench.write(
+        "wrong.csv",
+        "model,target-mass,from,spheres,radius,friction,verb,set,output\n\
+         human.osim,1190,,,,,,,good.osim\n\
+         human.osim,1190kg,,,,,,,a.osim\n\
+         human.osim,\"0,0209\",,,,,,,b.osim\n\
+         nowhere.osim,5,,,,,,,c.osim\n\
+         human.osim,,,,,,,,d.osim\n\
+         human.osim,5,,2,,,,,e.osim\n\
+         human.osim,5,,,wide,,,,f.osim\n\
+         human.osim,5,,,,maybe,,,g.osim\n\
+         human.osim,,nobody2020,,,,,,h.osim\n\
+         human.osim,,,,,,scale,,i.osim\n\
+         human.osim,,,,,,,stifness=2,j.osim\n\
+         ,5,,,,,,,k.osim\n\
+         human.osim,5,,,,,,,-\n",
+    );
+    bench.run("batch wrong.csv").usage().looks_like("batch_wrong_rows");
+    bench.run("batch wrong.csv --format json").usage().looks_like("batch_wrong_rows_json");
+}
+
+#[test]
+fn a_table_that_is_no_manifest_is_refused_with_what_to_mend() {
+    let bench = Bench::human();
+    for (manifest, says) in [
+        ("model,targt-mass\nhuman.osim,5\n", "did you mean 'target-mass'"),
+        ("file,target-mass\nhuman.osim,5\n", "'file' is no option"),
+        ("#file,target-mass\nhuman.osim,5\n", "no column 'model'"),
+        ("model,model\nhuman.osim,5\n", "there twice"),
+        ("model,target-mass,dry-run\nhuman.osim,5,yes\n", "behind the manifest's name"),
+        ("model,target-mass\nhuman.osim\n", "line 2: 1 cells, expected 2"),
+        ("model,target-mass\n", "no rows"),
+        ("m\0o\0", "UTF-16"),
+    ] {
+        bench.write("m.csv", manifest);
+        bench.run("batch m.csv").usage().wrote_nothing().says(&[says]);
+    }
+    bench.run("batch nowhere.csv").usage().says(&["nowhere.csv: there is no such file"]);
+    bench.run("batch m.csv -o x.osim").usage().says(&["column 'output'"]);
+}
+
+#[test]
+fn rows_may_share_a_model_but_not_an_output() {
+    let bench = Bench::human();
+    bench.write("m.csv", "model,target-mass,output\nhuman.osim,5,mouse.osim\nhuman.osim,500,Mouse.osim\n");
+    bench.run("batch m.csv").usage().wrote_nothing().says(&["row 2", "row 3", "would both be written"]);
+    bench.write("m.csv", "model,target-mass,output\nhuman.osim,5,a.osim\nhuman.osim,500,b.osim\n");
+    bench.run("batch m.csv").done().wrote(&["a.osim", "b.osim"]);
+    bench.run("human.osim --target-mass 5 -o c.osim").done();
+    assert_eq!(bench.read("a.osim"), bench.read("c.osim"));
+}
+
+#[test]
+fn paths_begin_at_the_manifest_and_options_of_the_call_fill_what_rows_leave_open() {
+    let bench = Bench::with(&[("table1/human_62kg_smooth_sphere.osim", "lib/human.osim")]);
+    let rows = "model,target-mass,output,no-note\nhuman.osim,5,,\nhuman.osim,500,big/b.osim,yes\n";
+    bench.write("lib/m.csv", rows);
+    bench.run("batch lib/m.csv -d out").done().wrote(&["lib/big/b.osim", "out/human.osim"]);
+    assert!(!bench.text("lib/big/b.osim").contains("<!-- osim-contact-scale"));
+    assert!(bench.text("out/human.osim").contains("<!-- osim-contact-scale"));
+    // From standard input, paths begin where the call is made.
+    bench
+        .run_with("batch - -d out2", b"model,target-mass\nlib/human.osim,5\n")
+        .done()
+        .wrote(&["out2/human.osim"]);
+}
+
+#[test]
+fn every_verb_has_its_rows() {
+    let bench = Bench::human();
+    bench.write(
+        "m.csv",
+        "model,verb,target-mass,set,indentation,select,output\n\
+         human.osim,,5,,,,rescale.osim\n\
+         human.osim,,,stiffness=x2 dissipation=1,,,set.osim\n\
+         human.osim,design,,,0.16,,design.osim\n\
+         human.osim,set,,stiffness=x2,,contact_s1_r;contact_s2_*,some.osim\n",
+    );
+    bench.run("batch m.csv").done();
+    for (name, call) in [
+        ("rescale.osim", "human.osim --target-mass 5"),
+        ("set.osim", "set human.osim stiffness=x2 dissipation=1"),
+        ("design.osim", "design human.osim --indentation 0.16"),
+        ("some.osim", "set human.osim stiffness=x2 --select contact_s1_r --select contact_s2_*"),
+    ] {
+        bench.run(&format!("{call} -o same.osim --force")).done();
+        assert_eq!(bench.read(name), bench.read("same.osim"), "{name}");
+    }
+}
+
+#[test]
+fn a_model_that_fails_names_its_row_and_the_others_are_done() {
+    let bench = Bench::with(&[
+        ("table1/human_62kg_smooth_sphere.osim", "human.osim"),
+        ("bad/truncated.osim", "bad.osim"),
+    ]);
+    bench.write("m.csv", "model,target-mass\nbad.osim,5\nhuman.osim,5\n");
+    bench.run("batch m.csv -d out --summary s.csv").failed().wrote(&["out/human.osim", "s.csv"]).says(&[
+        "bad.osim:37:6",
+        "(row 2)",
+        "2 models: 1 written, 1 failed",
+    ]);
+    let summary = bench.text("s.csv");
+    let rows: Vec<&str> = summary.lines().map(|line| line.split(',').next().unwrap()).collect();
+    assert_eq!(rows, ["row", "2", "3"]);
+}
