@@ -8,6 +8,14 @@ const SHELLS: [&str; 5] = ["bash", "zsh", "fish", "powershell", "elvish"];
 
 /// A run of another program on files of `bench`; `None`, said aloud, where the program is not there.
 fn run(bench: &Bench, test: &str, program: &str, arguments: &[&str]) -> Option<(String, String)> {
+    if cfg!(windows) && program == "bash" {
+        // There it may be the door to another system, which sees other paths.
+        let _ = std::io::Write::write_all(
+            &mut std::io::stderr(),
+            format!("skipped: {test} on Windows\n").as_bytes(),
+        );
+        return None;
+    }
     let output = Command::new(program)
         .args(arguments)
         .current_dir(bench.path(""))
