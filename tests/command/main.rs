@@ -15,6 +15,7 @@
 mod bad_input;
 mod batch;
 mod bytes;
+mod checked;
 mod corpus;
 mod explained;
 mod figures;

@@ -3,13 +3,14 @@
 use crate::support::{Bench, HUMAN};
 
 const MOUSE: (&str, &str) = ("table1/mouse_hunt_crossley.osim", "mouse.osim");
-const VERBS: [&str; 12] = [
+const VERBS: [&str; 13] = [
     "",
     "rescale",
     "transfer",
     "design",
     "set",
     "inspect",
+    "check",
     "drop-test",
     "fit",
     "presets",

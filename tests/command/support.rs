@@ -127,6 +127,13 @@ impl Bench {
         }
     }
 
+    /// The same with arguments that hold blanks.
+    pub(crate) fn run_words(&self, words: &[&str]) -> std::process::Output {
+        let mut command = self.command("");
+        command.args(words);
+        command.output().unwrap()
+    }
+
     /// The command, ready to be spawned.
     pub(crate) fn command(&self, arguments: &str) -> std::process::Command {
         let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_osim-contact-scale"));

@@ -14,7 +14,7 @@ NO_CORPUS = "OSIM_CORPUS is not set: the models of other people are not part of 
 def readme_rows():
     """`(folder, file, what OpenSim makes of it)` for each row of the generated tables in fixtures/README.md."""
     text = (FIXTURES / "README.md").read_text(encoding="utf-8")
-    for folder in ("format", "bad"):
+    for folder in ("format", "bad", "check"):
         table = text.split(f"<!-- {folder}: begin -->")[1].split(f"<!-- {folder}: end -->")[0]
         for file, opensim in re.findall(r"^\| `([^`]+)` \|.*\| ([^|]+) \|$", table, re.MULTILINE):
             yield folder, file, opensim

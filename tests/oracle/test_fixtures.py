@@ -23,7 +23,7 @@ def written_anew(tmp_path_factory):
     return root
 
 
-@pytest.mark.parametrize("folder", ["table1", "format", "bad"])
+@pytest.mark.parametrize("folder", ["table1", "format", "bad", "check"])
 def test_generators_write_what_is_committed(folder, written_anew):
     anew = {path.name: path.read_bytes() for path in (written_anew / folder).iterdir()}
     committed = {path for path in (FIXTURES / folder).iterdir() if not path.stem.endswith(".scaled")}

@@ -5,6 +5,7 @@
 mod args;
 mod batch;
 mod calculator;
+mod check;
 mod completions;
 mod drop;
 mod explain;
@@ -104,6 +105,7 @@ fn run(cli: Cli, terminal: &mut Terminal) -> Result<Exit> {
         Some(Verb::Fit(args)) => fitting::run(&args, terminal),
         Some(Verb::Presets(args)) => presets::run(&args, terminal).map(|()| Exit::Done),
         Some(Verb::Inspect(args)) => Look::new(&args)?.run(terminal),
+        Some(Verb::Check(args)) => check::run(&args, terminal),
         Some(Verb::Explain(args)) => explain::run(&args, terminal).map(|()| Exit::Done),
         Some(Verb::Completions(args)) => completions::run(&args, terminal).map(|()| Exit::Done),
         Some(Verb::Man(args)) => manual::run(&args, terminal),

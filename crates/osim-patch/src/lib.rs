@@ -71,5 +71,5 @@ pub use plan::{
 };
 pub use property::Property;
 pub use select::{Selected, Selection};
-pub use warning::{Warning, WarningCode};
+pub use warning::{Seen, Severity, Warning, WarningCode};
 pub use xml::{Children, Element, ElementId, LineIndex, Piece, PieceKind, Position, Tree};

@@ -57,6 +57,8 @@ pub(crate) enum Verb {
     Batch(Box<BatchArgs>),
     /// Show what contacts a model has
     Inspect(Box<InspectArgs>),
+    /// Hold models against the limits of the paper and the traps of the format
+    Check(Box<CheckArgs>),
     /// Let a model fall on its contacts and see what they do
     DropTest(Box<DropArgs>),
     /// Find contact parameters from a measured indentation and force
@@ -199,6 +201,46 @@ pub(crate) struct InspectArgs {
     pub choice: ForceChoice,
     #[command(flatten)]
     pub parts: PartArgs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CheckArgs {
+    /// Models (.osim), a ForceSet (.xml) with --geometry, folders, or - for standard input
+    #[arg(value_name = "MODEL", required = true)]
+    pub models: Vec<PathBuf>,
+    /// Exit with 1 where a finding is as bad as this, or worse
+    #[arg(long, value_enum, default_value_t)]
+    pub deny: Deny,
+    /// How to print
+    #[arg(long, value_enum, default_value_t)]
+    pub format: SheetFormat,
+    #[command(flatten)]
+    pub stance: StanceArgs,
+    #[command(flatten)]
+    pub masses: MassArgs,
+    #[command(flatten)]
+    pub choice: ForceChoice,
+    #[command(flatten)]
+    pub parts: PartArgs,
+}
+
+/// From which severity on a finding is a failure.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum Deny {
+    /// Limits of the paper and traps, too
+    Warn,
+    /// What OpenSim computes otherwise than it looks, or as nonsense
+    #[default]
+    Error,
+}
+
+impl Deny {
+    pub(crate) const fn severity(self) -> osim_patch::Severity {
+        match self {
+            Self::Warn => osim_patch::Severity::Warn,
+            Self::Error => osim_patch::Severity::Error,
+        }
+    }
 }
 
 #[derive(Debug, Args)]

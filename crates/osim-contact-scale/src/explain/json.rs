@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::ascii::ascii;
 use super::{Topic, uses};
 use crate::report::json;
+use osim_patch::Seen;
 
 #[derive(Serialize)]
 #[serde(tag = "kind", rename_all = "lowercase")]
@@ -21,6 +22,9 @@ enum Explained {
     Warning {
         schema_version: u32,
         code: &'static str,
+        severity: &'static str,
+        /// Whether `check` looks for it; else it is said of changes alone.
+        checked: bool,
         what: &'static str,
         why: &'static str,
         remedy: &'static str,
@@ -65,6 +69,8 @@ pub(super) fn of(topic: Topic) -> String {
         Topic::Warning(code) => Explained::Warning {
             schema_version,
             code: code.as_str(),
+            severity: code.severity().as_str(),
+            checked: code.seen() == Seen::Model,
             what: code.what().trim(),
             why: code.why(),
             remedy: code.remedy(),

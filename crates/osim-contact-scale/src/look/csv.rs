@@ -80,7 +80,9 @@ const COLUMNS: [Column; 45] = [
     ("touching_share", |p| text(p.sphere.touching_share)),
     ("hertz_holds", |p| holds(p, Figure::Hertz)),
     ("restitution_holds", |p| holds(p, Figure::Restitution)),
-    ("warnings", |p| p.model.warnings.iter().map(|warning| warning.code).collect::<Vec<_>>().join(" ")),
+    ("warnings", |p| {
+        p.model.warnings.iter().map(|warning| warning.code.as_str()).collect::<Vec<_>>().join(" ")
+    }),
 ];
 
 /// The rows of one model, behind a header where `header`.

@@ -36,7 +36,8 @@ pub(crate) struct Inspection {
     pub limbs_unknown: Option<String>,
     pub spheres: Vec<SphereSeen>,
     pub forces: Vec<ForceSeen>,
-    pub warnings: Vec<WarningSeen>,
+    #[serde(serialize_with = "warnings")]
+    pub warnings: Vec<Warning>,
     pub bodies: Vec<BodySeen>,
     /// Factors against the generic model, where one was named.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -178,18 +179,20 @@ impl From<&DimensionlessContact> for Dimensionless {
     }
 }
 
-/// Something to know.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub(crate) struct WarningSeen {
-    pub code: &'static str,
-    pub message: String,
-    pub line: Option<usize>,
+/// Something to know, as the JSON has it.
+#[derive(Serialize)]
+struct WarningSeen<'w> {
+    code: &'static str,
+    message: &'w str,
+    line: Option<usize>,
 }
 
-impl From<&Warning> for WarningSeen {
-    fn from(warning: &Warning) -> Self {
-        Self { code: warning.code.as_str(), message: warning.message.clone(), line: warning.line }
-    }
+fn warnings<S: Serializer>(warnings: &[Warning], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(warnings.iter().map(|warning| WarningSeen {
+        code: warning.code.as_str(),
+        message: &warning.message,
+        line: warning.line,
+    }))
 }
 
 /// A body.
@@ -274,7 +277,7 @@ impl Inspection {
             limbs_unknown: found.limbs.spheres_per_limb().err(),
             spheres: spheres(model, found.limbs),
             forces: forces(model, &found),
-            warnings: found.warnings.iter().map(WarningSeen::from).collect(),
+            warnings: found.warnings.to_vec(),
             bodies: model
                 .bodies()
                 .iter()

@@ -18,7 +18,7 @@ use osim_patch::{
     loaded_spheres,
 };
 
-use crate::args::{InspectArgs, PartArgs, SheetFormat};
+use crate::args::{CheckArgs, InspectArgs, PartArgs, SheetFormat};
 use crate::failure::Failure;
 use crate::load::Loaded;
 use crate::report::json;
@@ -28,8 +28,10 @@ use crate::verbs::scale_file;
 use crate::workers::{in_order, threads};
 
 use figures::Figures;
-pub(crate) use figures::Stance;
-use inspection::{Found, Inspection, SetContact};
+pub(crate) use figures::{SphereFigures, Stance};
+pub(crate) use inspection::Inspection;
+use inspection::{Found, SetContact};
+pub(crate) use verdict::Figure;
 
 /// What to look at and how to print it.
 pub(crate) struct Look<'l> {
@@ -58,6 +60,21 @@ impl<'l> Look<'l> {
             hint: false,
             from: args.from.as_deref(),
             body_scale_file: args.body_scale_file.as_deref(),
+        })
+    }
+
+    /// As `check` looks.
+    pub(crate) fn of_check(args: &'l CheckArgs) -> Result<Self> {
+        Ok(Self {
+            models: &args.models,
+            parts: &args.parts,
+            format: args.format,
+            masses: args.masses.request()?,
+            selection: args.choice.selection()?,
+            stance: args.stance.stance(),
+            hint: false,
+            from: None,
+            body_scale_file: None,
         })
     }
 
@@ -119,10 +136,22 @@ impl<'l> Look<'l> {
     /// # Errors
     /// A model that cannot be read.
     pub(crate) fn at(&self, source: &Source) -> Result<Inspection, Failure> {
+        self.with(source, |_, _, seen| Ok(seen))
+    }
+
+    /// Hands everything about one model to `then`, with the model.
+    ///
+    /// # Errors
+    /// A model that cannot be read, or an error of `then`.
+    pub(crate) fn with<T>(
+        &self,
+        source: &Source,
+        then: impl FnOnce(&Loaded, &Model<'_, '_>, Inspection) -> Result<T, Failure>,
+    ) -> Result<T, Failure> {
         let loaded = Loaded::read(source, self.parts)?;
         loaded.with_model(|model| {
             let factors = self.factors(&loaded, model)?;
-            Ok(self.inspection(&loaded, model, factors.as_ref()))
+            then(&loaded, model, self.inspection(&loaded, model, factors.as_ref()))
         })
     }
 
@@ -155,7 +184,8 @@ impl<'l> Look<'l> {
         for fault in [mass.as_ref().err(), contacts_mass.as_ref().err()].into_iter().flatten() {
             let code =
                 if fault.code() == "stale-note" { WarningCode::StaleNote } else { WarningCode::MassUnknown };
-            let warning = Warning { code, message: fault.to_string(), line: line_of(model, fault) };
+            let line = line_of(model, fault);
+            let warning = Warning { code, message: fault.to_string(), line, subject: None };
             if !warnings.contains(&warning) {
                 warnings.push(warning);
             }
@@ -215,6 +245,7 @@ fn line_of(model: &Model<'_, '_>, fault: &Fault) -> Option<usize> {
 
 const HINT: &str = "
 Nothing was changed. Next (MODEL is the name of the file, in quotes where it has blanks):
+  osim-contact-scale check MODEL                    what to mend, and how
   osim-contact-scale MODEL --target-mass KG         scale its contacts to another mass
   osim-contact-scale transfer MODEL --from OTHER    take the contacts of a known model
   osim-contact-scale --help                         everything else

@@ -6,7 +6,7 @@ use super::figures::{LoadFigures, SphereFigures};
 use super::inspection::{ForceSeen, Inspection, SphereSeen};
 use super::verdict::Figure;
 use crate::report::paint::{OUTSIDE, painted};
-use crate::report::{clipped, four, number, right, table, wrapped};
+use crate::report::{changes, clipped, four, number, right, table, wrapped};
 
 /// Figures of more groups of spheres than this go into a further table.
 const GROUPS_ABREAST: usize = 4;
@@ -30,10 +30,7 @@ pub(crate) fn text(seen: &Inspection) -> String {
         text.push('\n');
         text.push_str(&body_factors(seen));
     }
-    for warning in &seen.warnings {
-        let line = warning.line.map(|line| format!("line {line}: ")).unwrap_or_default();
-        text.push_str(&format!("warning: {line}{} [{}]\n", warning.message, warning.code));
-    }
+    text.push_str(&changes::warnings(&seen.warnings));
     text
 }
 
@@ -233,7 +230,7 @@ fn figures(seen: &Inspection) -> String {
         text.push_str(&sheet(seen, chunk, number * GROUPS_ABREAST));
     }
     if text.contains(OUTSIDE) {
-        text.push_str(&format!("  ({OUTSIDE} outside the limit)\n"));
+        text.push_str(&format!("  ({OUTSIDE} outside the limit: check MODEL says more)\n"));
     }
     text
 }

@@ -28,7 +28,11 @@ pub(crate) const WIDTH: usize = 80;
 
 /// Text in lines of at most [`WIDTH`] columns, the second and later ones behind `indent`.
 pub(crate) fn wrapped(text: &str, indent: &str) -> String {
-    let options = textwrap::Options::new(WIDTH).subsequent_indent(indent).break_words(false);
+    // Options such as --contacts-mass are never parted at their hyphens.
+    let options = textwrap::Options::new(WIDTH)
+        .subsequent_indent(indent)
+        .break_words(false)
+        .word_splitter(textwrap::WordSplitter::NoHyphenation);
     format!("{}\n", textwrap::fill(text, options))
 }
 

@@ -1,6 +1,7 @@
 //! Colours for verdicts that are readable without them. They reach terminals only: see `Terminal::print_painted`.
 
 use anstyle::{AnsiColor, Style};
+use osim_patch::Severity;
 
 /// Stands behind a figure that is outside its limit.
 pub(crate) const OUTSIDE: char = '!';
@@ -20,6 +21,16 @@ pub(crate) fn painted(text: &str) -> String {
     }
     out.push_str(rest);
     out
+}
+
+/// The word for `severity`, in its colour.
+pub(crate) fn severity(severity: Severity) -> String {
+    let style = match severity {
+        Severity::Error => AnsiColor::Red.on_default().bold(),
+        Severity::Warn => OUTSIDE_STYLE,
+        Severity::Info => Style::new(),
+    };
+    format!("{style}{}{style:#}", severity.as_str())
 }
 
 #[cfg(test)]

@@ -131,14 +131,9 @@ impl<'r, 'd, 'a> ContactReader<'r, 'd, 'a> {
     fn say_by_name(&mut self, owner: ObjectId, text: &str, element: ElementId, found: Option<ObjectId>) {
         let path = found.map(|id| self.files.objects.path(id)).unwrap_or_default();
         let line = self.files.doc(owner).line(self.files.doc(owner).tree().span(element).start);
-        self.warnings.push(Warning::at(
-            WarningCode::ConnecteeByName,
-            line,
-            format!(
-                "'{text}' of {} leads nowhere; took {path}, the only one of that name",
-                self.files.objects.path(owner)
-            ),
-        ));
+        let whose = self.files.objects.path(owner);
+        let text = format!("'{text}' of {whose} leads nowhere; took {path}, the only one of that name");
+        self.warnings.push(Warning::at(WarningCode::ConnecteeByName, line, text).about(&whose));
     }
 
     fn surface(
@@ -265,14 +260,12 @@ impl<'r, 'd, 'a> ContactReader<'r, 'd, 'a> {
         let set = tree.children(element).find(|&child| tree.name(child) == CONTACT_PARAMETERS_SET);
         if let Some(set) = set {
             let name = tree.attribute(set, "name").unwrap_or_default();
-            self.warnings.push(Warning::at(
-                WarningCode::MisnamedParameterSet,
-                document.line(tree.span(set).start),
-                format!(
-                    "{}: the parameter set is called '{name}', so OpenSim reads no parameters at all; call it contact_parameters",
-                    self.files.objects.path(id)
-                ),
-            ));
+            let whose = self.files.objects.path(id);
+            let text = format!(
+                "{whose}: the parameter set is called '{name}', so OpenSim reads no parameters at all; call it contact_parameters"
+            );
+            let line = document.line(tree.span(set).start);
+            self.warnings.push(Warning::at(WarningCode::MisnamedParameterSet, line, text).about(&whose));
         }
     }
 

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
-use super::Model;
 use super::limbs::Side;
+use super::{Force, Model};
 use crate::document::{Origin, Value};
 use crate::property::{Class, Property};
 use crate::warning::{Warning, WarningCode};
@@ -32,6 +32,14 @@ impl Model<'_, '_> {
             }
         }
         users
+    }
+
+    /// The force on the right that has the name of `left` but for the side.
+    #[must_use]
+    pub fn right_of(&self, left: &Force) -> Option<&Force> {
+        let name = without_side(&left.name);
+        let is_right = |force: &&Force| Side::of_name(&force.name) == Some(Side::Right);
+        self.forces.iter().filter(is_right).find(|force| without_side(&force.name) == name)
     }
 
     pub(super) fn find_traps(&mut self) {
@@ -71,7 +79,7 @@ impl Model<'_, '_> {
                 continue;
             };
             let line = self.file(file).line(value.offset);
-            found.push(Warning::at(code, line, format!("{} of {path} {text}", value.property)));
+            found.push(Warning::at(code, line, format!("{} of {path} {text}", value.property)).about(path));
         }
     }
 
@@ -95,7 +103,7 @@ impl Model<'_, '_> {
             if let Some(dead) = document.tree().child(force.element, "derivative_smoothing") {
                 let line = document.line(document.tree().span(dead).start);
                 let text = format!("{}: derivative_smoothing is ignored by OpenSim", force.path);
-                found.push(Warning::at(WarningCode::DeadDerivativeSmoothing, line, text));
+                found.push(Warning::at(WarningCode::DeadDerivativeSmoothing, line, text).about(&force.path));
             }
         }
     }
@@ -110,7 +118,7 @@ impl Model<'_, '_> {
             if matches!(force.kind, super::ForceKind::HuntCrossley) && moving > 1 {
                 let text =
                     format!("{} holds {moving} spheres: Simbody can drop the force of some", force.path);
-                found.push(Warning::at(WarningCode::SeveralSpheres, force.line, text));
+                found.push(Warning::at(WarningCode::SeveralSpheres, force.line, text).about(&force.path));
             }
         }
     }
@@ -127,7 +135,7 @@ impl Model<'_, '_> {
         for (index, forces) in shared {
             let Some(sphere) = self.spheres.get(index) else { continue };
             let text = format!("sphere {} meets the ground through {}", sphere.path, forces.join(" and "));
-            found.push(Warning::at(WarningCode::SphereInTwoForces, sphere.line, text));
+            found.push(Warning::at(WarningCode::SphereInTwoForces, sphere.line, text).about(&sphere.path));
         }
     }
 
@@ -139,7 +147,7 @@ impl Model<'_, '_> {
                 if let Some(value) = default {
                     let text =
                         format!("{}: stiffness is OpenSim's default, {} N/m2", force.path, value.number);
-                    found.push(Warning::at(WarningCode::DefaultStiffness, set.line, text));
+                    found.push(Warning::at(WarningCode::DefaultStiffness, set.line, text).about(&force.path));
                 }
             }
         }
@@ -152,7 +160,7 @@ impl Model<'_, '_> {
                 let line = self.file(force.file).line(value.offset);
                 let text =
                     format!("{}: constant_contact_force is 0: OpenSim computes NaN without slip", force.path);
-                found.push(Warning::at(WarningCode::ZeroConstantContactForce, line, text));
+                found.push(Warning::at(WarningCode::ZeroConstantContactForce, line, text).about(&force.path));
             }
         }
     }
@@ -177,7 +185,7 @@ impl Model<'_, '_> {
                     .zip(&right.values)
                     .find(|(l, r)| l.number != r.number && !l.number.is_nan())
             });
-            let radii = |force: &super::Force| -> Vec<u64> {
+            let radii = |force: &Force| -> Vec<u64> {
                 let spheres = force.spheres().into_iter().filter_map(|index| self.spheres.get(index));
                 spheres.map(|sphere| sphere.radius.number.to_bits()).collect()
             };
@@ -187,7 +195,7 @@ impl Model<'_, '_> {
                 None => continue,
             };
             let text = format!("{} and {} differ: {what}", force.path, other.path);
-            found.push(Warning::at(WarningCode::LeftRightDiffer, force.line, text));
+            found.push(Warning::at(WarningCode::LeftRightDiffer, force.line, text).about(&force.path));
         }
     }
 
@@ -220,7 +228,7 @@ impl Model<'_, '_> {
         for sphere in self.spheres.iter().filter(|sphere| sphere.dialect == super::Dialect::InsideForce) {
             let text =
                 format!("{} keeps its sphere inside: OpenSim 4.2 and later cannot read it", sphere.path);
-            found.push(Warning::at(WarningCode::MocoDialect, sphere.line, text));
+            found.push(Warning::at(WarningCode::MocoDialect, sphere.line, text).about(&sphere.path));
         }
         let files = self.files();
         for &(file, element) in &files.objects.skipped {
@@ -245,14 +253,14 @@ impl Model<'_, '_> {
             let path = files.objects.path(id);
             if NOT_HERTZ.contains(&tag) {
                 let text = format!("{path} is a {tag}: left as it is");
-                found.push(Warning::at(WarningCode::NotHertz, files.line(id), text));
+                found.push(Warning::at(WarningCode::NotHertz, files.line(id), text).about(&path));
             }
             let name = files.name(id);
             let ours =
                 tag.starts_with("Contact") || tag == "HuntCrossleyForce" || tag.starts_with("SmoothSphere");
             if ours && tag != Class::ContactParameters.tag() && object.segment != name && !name.is_empty() {
                 let text = format!("'{name}' is there twice: OpenSim calls this one {path}");
-                found.push(Warning::at(WarningCode::DuplicateNames, files.line(id), text));
+                found.push(Warning::at(WarningCode::DuplicateNames, files.line(id), text).about(&path));
             }
         }
     }

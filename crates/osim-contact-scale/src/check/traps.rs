@@ -1,0 +1,132 @@
+//! Findings from the model itself: what reading it showed, and what only matters once it is asked.
+
+use osim_patch::{Force, Model, Property, WarningCode};
+
+use super::finding::Finding;
+use super::mend::Mend;
+use crate::look::Inspection;
+
+/// Everything that the model shows apart from its figures.
+pub(super) fn findings(model: &Model<'_, '_>, seen: &Inspection, mend: &Mend<'_>) -> Vec<Finding> {
+    let mut found: Vec<Finding> = seen
+        .warnings
+        .iter()
+        .map(|warning| {
+            let command = command(model, warning.code, warning.subject.as_deref(), mend);
+            Finding::from(warning).mended_by(command)
+        })
+        .collect();
+    for force in &model.forces {
+        found.extend(mixed_radii(model, force));
+        found.extend(several_sets(force));
+        found.extend(disabled(model, force));
+    }
+    found.extend(terrain(model));
+    found.extend(unknown(seen));
+    found
+}
+
+fn command(
+    model: &Model<'_, '_>,
+    code: WarningCode,
+    subject: Option<&str>,
+    mend: &Mend<'_>,
+) -> Option<String> {
+    match code {
+        WarningCode::DefaultStiffness => mend.preset(),
+        WarningCode::ZeroConstantContactForce => mend.constant_indentation(0.05),
+        WarningCode::LeftRightDiffer => {
+            let left = model.forces.iter().find(|force| Some(force.path.as_str()) == subject)?;
+            mend.copy(&left.name, &differing(model, left, model.right_of(left)?)?)
+        }
+        _ => None,
+    }
+}
+
+/// What to write into `left` so that it is like `right`; `None` where one `set` cannot say it.
+fn differing(model: &Model<'_, '_>, left: &Force, right: &Force) -> Option<Vec<(Property, f64)>> {
+    let ([of_left], [of_right]) = (left.sets.as_slice(), right.sets.as_slice()) else { return None };
+    let mut changes: Vec<(Property, f64)> = of_left
+        .values
+        .iter()
+        .zip(&of_right.values)
+        .filter(|(l, r)| l.number != r.number)
+        .map(|(_, r)| (r.property, r.number))
+        .collect();
+    let radii = |force: &Force| -> Vec<f64> {
+        let spheres = force.spheres().into_iter().filter_map(|index| model.spheres.get(index));
+        spheres.map(|sphere| sphere.radius.number).collect()
+    };
+    let (ours, theirs) = (radii(left), radii(right));
+    if ours != theirs {
+        let first = *theirs.first()?;
+        if theirs.iter().any(|&radius| radius != first) {
+            return None;
+        }
+        changes.push((Property::Radius, first));
+    }
+    Some(changes).filter(|changes| !changes.is_empty())
+}
+
+/// Spheres of different radii under one modulus.
+pub(super) fn mixed_radii(model: &Model<'_, '_>, force: &Force) -> Option<Finding> {
+    let set = force.sets.iter().find(|set| {
+        let mut radii = set
+            .spheres
+            .iter()
+            .filter_map(|&index| model.spheres.get(index))
+            .filter(|sphere| !sphere.fixed)
+            .map(|sphere| sphere.radius.number);
+        radii.next().is_some_and(|first| radii.any(|radius| radius != first))
+    })?;
+    let text = format!("{} holds spheres of different radii", force.path);
+    Some(Finding::new(WarningCode::MixedRadii, text).at(Some(&force.path), Some(set.line)))
+}
+
+fn several_sets(force: &Force) -> Option<Finding> {
+    let text = format!("{} has {} ContactParameters", force.path, force.sets.len());
+    let several = force.sets.len() > 1;
+    several.then(|| {
+        Finding::new(WarningCode::SeveralParameterSets, text).at(Some(&force.path), Some(force.line))
+    })
+}
+
+fn disabled(model: &Model<'_, '_>, force: &Force) -> Option<Finding> {
+    let text = format!("{} is switched off", force.path);
+    let off = !force.applies && model.meets_half_space(force);
+    off.then(|| Finding::new(WarningCode::DisabledForce, text).at(Some(&force.path), Some(force.line)))
+}
+
+/// Spheres that stand on ground and are used by a contact force.
+fn terrain(model: &Model<'_, '_>) -> Option<Finding> {
+    let used = |index: &usize| model.forces.iter().any(|force| force.spheres().contains(index));
+    let fixed: Vec<usize> = (0..model.spheres.len())
+        .filter(|&index| model.spheres.get(index).is_some_and(|sphere| sphere.fixed))
+        .filter(used)
+        .collect();
+    let first = model.spheres.get(*fixed.first()?)?;
+    let text = match fixed.len() {
+        1 => format!("{} stands on ground", first.path),
+        count => format!("{} and {} more spheres stand on ground", first.path, count - 1),
+    };
+    let mut finding = Finding::new(WarningCode::Terrain, text).at(Some(&first.path), Some(first.line));
+    finding.spheres = fixed
+        .iter()
+        .filter_map(|&index| model.spheres.get(index))
+        .map(|sphere| sphere.name.clone())
+        .collect();
+    Some(finding)
+}
+
+/// What keeps figures under body weight away.
+fn unknown(seen: &Inspection) -> Vec<Finding> {
+    let mut found = Vec::new();
+    if seen.gravity_m_s2.is_none_or(|gravity| gravity == 0.0) {
+        found.push(Finding::new(WarningCode::NoGravity, "the model has no gravity"));
+    }
+    let counted = seen.figures.limbs.iter().all(|limb| limb.sphere_count.is_some());
+    if let (false, Some(why)) = (counted, &seen.limbs_unknown) {
+        found.push(Finding::new(WarningCode::CountUnknown, why.clone()));
+    }
+    found
+}

@@ -1,0 +1,377 @@
+//! `check`: every code has a case that triggers it and one that does not, and every command it proposes works.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use serde::Deserialize;
+use serde_json::Value;
+
+use crate::support::{Bench, HUMAN, corpus, root};
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Report {
+    schema_version: u32,
+    model: String,
+    counts: BTreeMap<String, usize>,
+    findings: Vec<Finding>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Finding {
+    code: String,
+    severity: String,
+    message: String,
+    why: String,
+    remedy: String,
+    place: Option<String>,
+    spheres: Vec<String>,
+    line: Option<usize>,
+    command: Option<String>,
+}
+
+/// The report of one model, whatever the exit status.
+#[track_caller]
+fn report(bench: &Bench, arguments: &str) -> Report {
+    let ran = bench.run(&format!("check {arguments} --format json")).wrote_nothing();
+    serde_json::from_str(&ran.out()).unwrap_or_else(|error| panic!("{error}: {}{}", ran.out(), ran.err()))
+}
+
+fn codes(report: &Report) -> BTreeSet<&str> {
+    report.findings.iter().map(|finding| finding.code.as_str()).collect()
+}
+
+/// What is needed to see a code: fixtures, commands that go before, and what is checked.
+struct Case {
+    code: &'static str,
+    fixtures: &'static [(&'static str, &'static str)],
+    before: &'static str,
+    check: &'static str,
+}
+
+const fn case(code: &'static str, fixture: &'static [(&'static str, &'static str)]) -> Case {
+    Case { code, fixtures: fixture, before: "", check: "model.osim" }
+}
+
+macro_rules! triggers {
+    ($($code:literal: $fixture:literal),+ $(,)?) => { &[$(case($code, &[($fixture, "model.osim")])),+] };
+}
+
+/// Codes that one fixture shows as it is.
+const PLAIN: &[Case] = triggers! {
+    "beyond-hertz": "check/beyond_hertz.osim",
+    "beyond-hertz-at-two": "check/beyond_hertz_at_two.osim",
+    "sunk-in": "check/sunk_in.osim",
+    "beyond-hunt-crossley": "check/beyond_hunt_crossley.osim",
+    "large-constant-indentation": "check/large_constant_indentation.osim",
+    "wide-transition": "check/wide_transition.osim",
+    "force-before-contact": "check/force_before_contact.osim",
+    "floats": "check/floats.osim",
+    "contacts-of-another-mass": "check/contacts_of_another_mass.osim",
+    "stale-note": "check/stale_note.osim",
+    "sphere-count-unknown": "format/no_sides.osim",
+    "no-gravity": "format/no_gravity.osim",
+    "connectee-by-name": "format/connectee_bare.osim",
+    "misnamed-parameter-set": "format/parameters_misnamed.osim",
+    "default-stiffness": "format/left_out_stiffness.osim",
+    "zero-constant-contact-force": "format/zero_dissipation.osim",
+    "dead-derivative-smoothing": "format/dead_derivative_smoothing.osim",
+    "several-spheres-one-force": "format/one_force_for_all.osim",
+    "sphere-in-two-forces": "format/shared_sphere.osim",
+    "left-right-differ": "format/unequal_stiffness.osim",
+    "contact-defaults": "format/defaults_smooth.osim",
+    "not-hertz": "format/not_hertz.osim",
+    "mixed-radii": "format/mixed_radii.osim",
+    "several-parameter-sets": "format/three_materials.osim",
+    "terrain": "format/terrain_welded.osim",
+    "not-finite": "bad/number_inf.osim",
+    "odd-number": "bad/number_decimal_comma.osim",
+    "moco-dialect": "format/moco_sphere_in_force.osim",
+    "disabled-force": "format/applies_force_false.osim",
+    "unknown-class": "format/components_unknown_class.osim",
+    "duplicate-names": "format/same_force_name_twice.osim",
+    "mass-unknown": "bad/mass_missing.osim",
+    "out-of-domain": "bad/dissipation_negative.osim",
+};
+
+/// Codes that need more than one file.
+const COMPOSED: &[Case] = &[
+    Case {
+        code: "mass-sources-disagree",
+        fixtures: &[("check/within_limits.osim", "model.osim")],
+        before: "",
+        check: "model.osim --contacts-mass 70",
+    },
+    Case {
+        code: "compiled-model-beside",
+        // Only its name counts.
+        fixtures: &[("check/within_limits.osim", "model.osim"), ("bad/empty.osim", "F_model.so")],
+        before: "",
+        check: "model.osim",
+    },
+    Case {
+        code: "included-file",
+        fixtures: &[
+            ("format/file_forceset.osim", "model.osim"),
+            ("format/standalone_ForceSet.xml", "standalone_ForceSet.xml"),
+        ],
+        before: "",
+        check: "model.osim",
+    },
+    Case {
+        code: "mixed-pair",
+        fixtures: &[
+            ("format/standalone_ForceSet.xml", "forces.xml"),
+            ("format/standalone_ContactGeometrySet.xml", "geometry.xml"),
+            ("format/standalone_model_without_contacts.osim", "body.osim"),
+        ],
+        before: "forces.xml --geometry geometry.xml --model body.osim --target-mass 200 -d out",
+        check: "out/forces.xml --geometry geometry.xml --model body.osim",
+    },
+];
+
+fn cases() -> impl Iterator<Item = &'static Case> {
+    PLAIN.iter().chain(COMPOSED)
+}
+
+fn bench(case: &Case) -> Bench {
+    let bench = Bench::with(case.fixtures);
+    if !case.before.is_empty() {
+        bench.run(case.before).done();
+    }
+    bench
+}
+
+/// The register, as `explain` knows it: code, and whether `check` looks for it.
+fn register() -> Vec<Value> {
+    let out = Bench::new().run("explain --format json").done().out();
+    let topics = out.lines().map(|line| serde_json::from_str::<Value>(line).unwrap());
+    topics.filter(|topic| topic["kind"] == "warning").collect()
+}
+
+#[test]
+fn every_code_has_a_case_that_triggers_it_and_one_that_does_not() {
+    let clean = report(&Bench::with(&[("check/within_limits.osim", "model.osim")]), "model.osim");
+    assert!(clean.findings.is_empty(), "{:?}", clean.findings);
+    let checked: BTreeSet<String> = register()
+        .iter()
+        .filter(|topic| topic["checked"] == true)
+        .map(|topic| topic["code"].as_str().unwrap().to_owned())
+        .collect();
+    let here: BTreeSet<String> = cases().map(|case| case.code.to_owned()).collect();
+    assert_eq!(here, checked, "codes with a case, and codes of the register that check looks for");
+    for case in cases() {
+        let report = report(&bench(case), case.check);
+        assert!(codes(&report).contains(case.code), "{}: {:?}", case.code, report.findings);
+    }
+}
+
+#[test]
+fn a_report_is_what_the_register_says_of_it() {
+    let register = register();
+    for case in cases() {
+        let report = report(&bench(case), case.check);
+        assert_eq!(report.schema_version, 1);
+        assert!(report.model.ends_with(case.check.split(' ').next().unwrap()));
+        let mut counts = BTreeMap::from([("error".into(), 0), ("warn".into(), 0), ("info".into(), 0)]);
+        let mut worst = 0;
+        for finding in &report.findings {
+            let known = register.iter().find(|topic| topic["code"] == finding.code.as_str()).unwrap();
+            assert_eq!(known["severity"], finding.severity.as_str());
+            assert_eq!(
+                (&known["why"], &known["remedy"]),
+                (&finding.why.as_str().into(), &finding.remedy.as_str().into())
+            );
+            assert!(!finding.message.is_empty() && finding.line != Some(0));
+            let about_spheres = !finding.spheres.is_empty();
+            assert!(!about_spheres || finding.place.is_some() && finding.line.is_some(), "{finding:?}");
+            assert!(finding.place.as_ref().is_none_or(|place| place.starts_with('/')), "{:?}", finding.place);
+            *counts.get_mut(&finding.severity).unwrap() += 1;
+            let rank = ["error", "warn", "info"].iter().position(|name| *name == finding.severity).unwrap();
+            assert!(rank >= worst, "the worst comes first");
+            worst = rank;
+        }
+        assert_eq!(report.counts, counts);
+    }
+}
+
+/// Every model among the fixtures that can be read.
+fn fixtures() -> Vec<String> {
+    let mut found = Vec::new();
+    for folder in ["check", "format", "table1"] {
+        for entry in std::fs::read_dir(root().join("fixtures").join(folder)).unwrap() {
+            let name = entry.unwrap().file_name().into_string().unwrap();
+            if name.ends_with(".osim") && !name.ends_with(".scaled.osim") {
+                found.push(format!("{folder}/{name}"));
+            }
+        }
+    }
+    found.sort();
+    found
+}
+
+#[test]
+fn every_command_that_is_proposed_mends_what_it_is_proposed_for() {
+    let mut mended: BTreeMap<String, usize> = BTreeMap::new();
+    for fixture in fixtures() {
+        let bench = Bench::with(&[(fixture.as_str(), "model.osim")]);
+        let ran = bench.run("check model.osim --format json");
+        let Ok(report) = serde_json::from_str::<Report>(&ran.out()) else { continue };
+        for finding in &report.findings {
+            let Some(command) = &finding.command else { continue };
+            let arguments = command.strip_prefix("osim-contact-scale ").unwrap();
+            let place = |finding: &Finding| (finding.code.clone(), finding.place.clone());
+            bench.run(&format!("{arguments} --force -o mended.osim")).done();
+            let after = self::report(&bench, "mended.osim");
+            assert!(
+                !after.findings.iter().any(|left| place(left) == place(finding)),
+                "{fixture}: {command} leaves {finding:?}"
+            );
+            *mended.entry(finding.code.clone()).or_default() += 1;
+        }
+    }
+    for code in [
+        "beyond-hertz",
+        "beyond-hertz-at-two",
+        "sunk-in",
+        "beyond-hunt-crossley",
+        "large-constant-indentation",
+        "wide-transition",
+        "force-before-contact",
+        "floats",
+        "contacts-of-another-mass",
+        "default-stiffness",
+        "zero-constant-contact-force",
+        "left-right-differ",
+    ] {
+        assert!(mended.contains_key(code), "nothing that {code} proposes was tried: {mended:?}");
+    }
+}
+
+#[test]
+fn the_exit_status_is_that_of_the_worst_finding() {
+    let of = |fixture: &str| Bench::with(&[(fixture, "model.osim")]);
+    let (info, warn, error) =
+        (of("check/beyond_hertz_at_two.osim"), of("check/beyond_hertz.osim"), of("check/floats.osim"));
+    of("check/within_limits.osim").run("check model.osim --deny warn").done();
+    info.run("check model.osim --deny warn").done();
+    warn.run("check model.osim").done();
+    warn.run("check model.osim --deny warn").failed();
+    error.run("check model.osim").failed();
+    error.run("check model.osim --deny sometimes").usage();
+}
+
+#[test]
+fn what_is_said_of_the_model_is_said_in_the_commands() {
+    let bench = Bench::with(&[("format/no_sides.osim", "my model.osim")]);
+    let ran = bench.run_words(&[
+        "check",
+        "my model.osim",
+        "--spheres",
+        "2",
+        "--mass",
+        "80",
+        "--exclude",
+        "contact_toe_*",
+        "--format",
+        "json",
+    ]);
+    let report: Report = serde_json::from_slice(&ran.stdout).unwrap();
+    let hertz = report
+        .findings
+        .iter()
+        .find(|finding| finding.code == "beyond-hertz" || finding.code == "sunk-in")
+        .unwrap();
+    let command = hertz.command.as_deref().unwrap();
+    let name = if cfg!(windows) { "\"my model.osim\"" } else { "'my model.osim'" };
+    assert!(
+        command.starts_with(&format!("osim-contact-scale design {name} --indentation 0.16")),
+        "{command}"
+    );
+    for said in ["--mass 80", "--spheres 2", "--exclude"] {
+        assert!(command.contains(said), "{command}");
+    }
+    let from_stdin = bench.run_with("check - --spheres 2 --format json", &bench.read("my model.osim"));
+    let report: Report = serde_json::from_str(&from_stdin.out()).unwrap();
+    assert!(
+        report.findings.iter().all(|finding| finding.command.is_none()),
+        "standard input is gone by then"
+    );
+}
+
+#[test]
+fn checking() {
+    let bench = Bench::with(&[
+        HUMAN,
+        ("check/within_limits.osim", "lib/good.osim"),
+        ("check/floats.osim", "lib/floats.osim"),
+        ("check/wide_transition.osim", "lib/wide.osim"),
+        ("bad/no_contacts.osim", "lib/bones.osim"),
+        ("bad/not_xml.osim", "lib/broken.osim"),
+    ]);
+    bench.run("check human.osim").done().wrote_nothing().looks_like("check");
+    bench.run("check human.osim --format json").done().looks_like("check_json");
+    bench.run("check lib").failed().wrote_nothing().looks_like("check_folder");
+    bench.run("check lib --format csv").failed().looks_like("check_csv");
+    bench.run("check lib --format json").failed().looks_like("check_folder_json");
+    bench.run("check lib/good.osim --deny warn").done().looks_like("check_good");
+    bench.run("check lib/bones.osim").failed().looks_like("check_no_contacts");
+}
+
+#[test]
+fn tables_fit_80_columns() {
+    for fixture in ["check/floats.osim", "format/mixed_radii.osim", "format/terrain_welded.osim"] {
+        let bench = Bench::with(&[(fixture, "model.osim"), ("check/within_limits.osim", "other.osim")]);
+        for arguments in ["check model.osim", "check model.osim other.osim"] {
+            let text = bench.run(arguments).out();
+            assert!(!text.contains('\u{1b}'));
+            for line in text.lines().filter(|line| !line.trim_start().starts_with("$ ")) {
+                assert!(line.chars().count() <= 80, "{line}");
+            }
+        }
+    }
+}
+
+#[test]
+fn published_models_and_what_is_known_of_them() {
+    let Some(folder) = corpus("published_models_and_what_is_known_of_them") else { return };
+    let of = |model: &str| {
+        let bench = Bench::new();
+        bench.write("model.osim", std::fs::read(folder.join(format!("{model}.osim"))).unwrap());
+        report(&bench, "model.osim").findings.into_iter().map(|finding| finding.code).collect::<BTreeSet<_>>()
+    };
+    // Falisse's smoothing "does not have the issue" of the paper's Fig. C.5; its indentation and damping are beyond both laws.
+    assert_eq!(
+        of("v40000_falisse_2022_human"),
+        BTreeSet::from(["beyond-hertz".into(), "beyond-hunt-crossley".into()])
+    );
+    // The same contacts under 78 kg.
+    assert!(of("v40000_opencap_lai_arnold_crlf").contains("contacts-of-another-mass"));
+    let dhondt = of("v40000_dhondt_2024_3seg_human");
+    assert!(dhondt.contains("force-before-contact") && dhondt.contains("large-constant-indentation"));
+    assert!(of("v40000_moco_2d_gait").contains("dead-derivative-smoothing"));
+    let landing = of("v40000_toy_landing");
+    assert!(landing.contains("mixed-radii") && !landing.contains("beyond-hertz"));
+}
+
+#[test]
+fn the_page_lists_what_check_looks_for() {
+    let page = std::fs::read_to_string(root().join("docs/check.md")).unwrap();
+    let listed: BTreeSet<(String, String)> = page
+        .lines()
+        .filter_map(|line| {
+            let cells: Vec<&str> = line.strip_prefix("| `")?.split(" | ").collect();
+            Some((cells[0].trim_end_matches('`').to_owned(), cells[1].to_owned()))
+        })
+        .collect();
+    let text = |topic: &Value, key: &str| topic[key].as_str().unwrap().to_owned();
+    let known = register();
+    let checked = known.iter().filter(|topic| topic["checked"] == true);
+    assert_eq!(listed, checked.map(|topic| (text(topic, "code"), text(topic, "severity"))).collect());
+    let warnings = std::fs::read_to_string(root().join("docs/warnings.md")).unwrap();
+    for topic in &known {
+        let code = text(topic, "code");
+        assert!(warnings.contains(&format!("- [`{code}`](#{code})\n")), "{code} is not in docs/warnings.md");
+        assert!(warnings.contains(&format!("$ osim-contact-scale explain {code}\n")), "{code} is not shown");
+    }
+}
