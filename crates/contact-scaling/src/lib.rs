@@ -30,6 +30,7 @@
 //! gait models stand outside both.
 
 mod contact;
+pub mod continuation;
 pub mod design;
 mod dimensionless;
 pub mod drop_test;

@@ -21,6 +21,7 @@ pub(crate) struct Loaded {
     pub parts: Vec<LoadedPart>,
 }
 
+#[derive(Clone)]
 pub(crate) struct LoadedPart {
     pub path: PathBuf,
     bytes: Vec<u8>,
@@ -57,6 +58,11 @@ impl Loaded {
         }
         drop(document);
         Ok(Self { shown, bytes, stamp, parts })
+    }
+
+    /// The same model with other bytes of its own; included files stay.
+    pub(crate) fn with_bytes(&self, bytes: Vec<u8>) -> Self {
+        Self { shown: self.shown.clone(), bytes, stamp: self.stamp.clone(), parts: self.parts.clone() }
     }
 
     fn part(path: PathBuf, included_by: Option<ElementId>) -> Result<LoadedPart, Failure> {

@@ -23,6 +23,7 @@ mod report;
 mod run;
 mod sources;
 mod spreadsheet;
+mod sweep;
 mod temporary;
 mod terminal;
 mod verbs;
@@ -101,6 +102,7 @@ fn run(cli: Cli, terminal: &mut Terminal) -> Result<Exit> {
             change(verbs::set::verb(*args)?, &run, terminal)
         }
         Some(Verb::Batch(args)) => batch::batch(&args, terminal),
+        Some(Verb::Sweep(args)) => sweep::sweep(&args, terminal),
         Some(Verb::DropTest(args)) => drop::run(&args, terminal),
         Some(Verb::Fit(args)) => fitting::run(&args, terminal),
         Some(Verb::Presets(args)) => presets::run(&args, terminal).map(|()| Exit::Done),

@@ -37,7 +37,7 @@ impl Sheet {
         let header = header.iter().map(str::to_owned).collect();
         let row = |record: csv::Result<csv::StringRecord>| {
             let record = record.map_err(|error| anyhow!(in_words(&error)))?;
-            let line = record.position().map_or(0, csv::Position::line);
+            let line = record.position().map_or(0, |position| line_of(bytes, position.byte()));
             Ok(Row { line, cells: record.iter().map(str::to_owned).collect() })
         };
         Ok(Self { header, rows: reader.records().map(row).collect::<Result<_>>()?, delimiter })
@@ -50,6 +50,15 @@ impl Sheet {
     pub(crate) fn with_point<'c>(&self, cell: &'c str) -> Result<Cow<'c, str>, &'static str> {
         with_point(cell, self.delimiter)
     }
+}
+
+/// Line of the first letter of a record. The reader's own count is one short where lines end with CR and LF.
+fn line_of(bytes: &[u8], start: u64) -> u64 {
+    let start = usize::try_from(start).unwrap_or(bytes.len()).min(bytes.len());
+    let (before, after) = bytes.split_at(start);
+    let ends = |bytes: &[u8]| memchr::memchr_iter(b'\n', bytes).count() as u64;
+    let blank = after.iter().position(|&byte| byte != b'\r' && byte != b'\n').unwrap_or(after.len());
+    1 + ends(before) + ends(after.get(..blank).unwrap_or_default())
 }
 
 /// `;` and tabs part the cells where commas are decimal; the first line tells.

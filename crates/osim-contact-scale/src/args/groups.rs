@@ -13,7 +13,7 @@ use crate::look::Stance;
 use crate::run::Shard;
 
 /// Masses: which one is meant.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Masses")]
 pub(crate) struct MassArgs {
     /// Mass the contacts in the file stand for now, kg [default: the note in the file, else --mass]
@@ -39,7 +39,7 @@ impl MassArgs {
 }
 
 /// What changes, and how.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 #[command(next_help_heading = "What changes")]
 pub(crate) struct ScalingArgs {
     /// Radii: isometric (R ~ M^1/3), keep, a radius in metres, or a factor like x1.5
@@ -72,8 +72,9 @@ pub(crate) struct ScalingArgs {
     pub target_gravity: Option<f64>,
 }
 
-#[derive(Debug, Clone, Copy, ValueEnum)]
+#[derive(Debug, Clone, Copy, Default, ValueEnum)]
 pub(crate) enum DissipationArg {
+    #[default]
     Radius,
     Mass,
 }
@@ -122,7 +123,7 @@ impl ScalingArgs {
 }
 
 /// Which forces.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Which forces")]
 pub(crate) struct ForceChoice {
     /// Only forces with such a name; may be repeated

@@ -16,12 +16,12 @@ pub(crate) use groups::{
     ForceChoice, Format, MassArgs, OutputArgs, PartArgs, RunArgs, RunFormat, ScalingArgs, SheetFormat,
     StanceArgs, set_of,
 };
-pub(crate) use library::BatchArgs;
+pub(crate) use library::{BatchArgs, SweepArgs};
 pub(crate) use physics::{
     BranchArg, ColumnArgs, DesignArgs, DropArgs, DropNumbers, FitArgs, ForceUnit, LengthUnit, LoadArgs,
     PresetsArgs, SeriesFormat, SetArgs, SpeedUnit, TimeUnit, WantedArgs,
 };
-pub(crate) use values::{Length, assignment, usage_line, usage_parts};
+pub(crate) use values::{Length, assignment, positive_number, usage_line, usage_parts};
 use values::{acceleration, count, glob, mass};
 
 /// Makes the contact parameters of OpenSim models right at every body size.
@@ -55,6 +55,8 @@ pub(crate) enum Verb {
     Set(Box<SetArgs>),
     /// Change many models, as a table says: one row per model
     Batch(Box<BatchArgs>),
+    /// Make a grid of variants of a model, or a ladder of them from soft to stiff
+    Sweep(Box<SweepArgs>),
     /// Show what contacts a model has
     Inspect(Box<InspectArgs>),
     /// Hold models against the limits of the paper and the traps of the format
@@ -147,7 +149,7 @@ pub(crate) struct TransferArgs {
 }
 
 /// How many spheres share the body weight.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Spheres that share the weight")]
 pub(crate) struct CountArgs {
     /// Spheres that share the body weight, all stance limbs together [default: as found per limb]

@@ -37,7 +37,7 @@ pub(crate) struct DesignArgs {
 }
 
 /// What is wanted or known of the contact.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "What is wanted or known")]
 pub(crate) struct WantedArgs {
     /// Sphere radius in metres (with models also keep or a factor like x1.5)
@@ -79,7 +79,7 @@ pub(crate) struct WantedArgs {
 }
 
 /// The load on the spheres.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "The load")]
 pub(crate) struct LoadArgs {
     /// Total load on all spheres, N

@@ -30,7 +30,7 @@ pub(super) fn number(text: &str) -> Result<f64, String> {
 }
 
 /// A finite number above 0.
-pub(super) fn positive_number(text: &str) -> Result<f64, String> {
+pub(crate) fn positive_number(text: &str) -> Result<f64, String> {
     positive(text, "a number", &[])
 }
 

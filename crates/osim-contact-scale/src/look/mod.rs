@@ -3,7 +3,7 @@
 //! [`Look::at`] makes an [`Inspection`] of each model, on any thread; the renderers only read it.
 
 mod csv;
-mod figures;
+pub(crate) mod figures;
 mod inspection;
 mod table;
 mod verdict;

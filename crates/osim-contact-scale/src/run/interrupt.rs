@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 static CAME: AtomicBool = AtomicBool::new(false);
 
 /// From now on Ctrl-C is a wish, not an end.
-pub(super) fn listen() {
+pub(crate) fn listen() {
     let stop = || {
         if CAME.swap(true, Ordering::Relaxed) {
             // Files under temporary names stay behind; the next run removes them.
@@ -17,6 +17,6 @@ pub(super) fn listen() {
 }
 
 /// Whether it was pressed.
-pub(super) fn came() -> bool {
+pub(crate) fn came() -> bool {
     CAME.load(Ordering::Relaxed)
 }

@@ -3,7 +3,7 @@
 //! A [`Task`] is one model with its [`Order`]; tasks are independent of each other, so threads share them. What a
 //! task did is an [`Outcome`], told in the order in which the models were named.
 
-mod interrupt;
+pub(crate) mod interrupt;
 mod journal;
 mod outcome;
 mod progress;
@@ -26,9 +26,10 @@ use crate::workers::{in_order, threads};
 
 use journal::Journal;
 use outcome::{Outcome, Said};
-use progress::Progress;
 use resume::Done;
 
+pub(crate) use progress::Progress;
+pub(crate) use record::sha256;
 pub(crate) use shard::Shard;
 pub(crate) use task::{Order, Planner, Task, Verb, tasks_of};
 
@@ -102,7 +103,7 @@ impl Run<'_> {
         let mut count = outcome::Count::default();
         let work = |task: &Task| {
             let outcome = self.one(task);
-            progress.done(&outcome);
+            progress.done(outcome.record.status == record::Status::Failed);
             outcome
         };
         let tell = |_: &Task, outcome: Outcome| {

@@ -5,17 +5,14 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-use super::outcome::Outcome;
-use super::record::Status;
-
 /// Models done, their rate, the time that remains, and failures.
-pub(super) struct Progress {
+pub(crate) struct Progress {
     bar: ProgressBar,
     failures: AtomicUsize,
 }
 
 impl Progress {
-    pub(super) fn begin(models: usize, quiet: bool) -> Self {
+    pub(crate) fn begin(models: usize, quiet: bool) -> Self {
         let hidden = models < 2 || quiet || !std::io::stderr().is_terminal();
         let bar = if hidden { ProgressBar::hidden() } else { ProgressBar::new(models as u64) };
         let style = ProgressStyle::with_template(
@@ -27,11 +24,11 @@ impl Progress {
         Self { bar, failures: AtomicUsize::new(0) }
     }
 
-    pub(super) fn done(&self, outcome: &Outcome) {
+    pub(crate) fn done(&self, failed: bool) {
         if self.bar.is_hidden() {
             return;
         }
-        if outcome.record.status == Status::Failed {
+        if failed {
             let failures = self.failures.fetch_add(1, Ordering::Relaxed) + 1;
             self.bar.set_message(format!(", {failures} failed"));
         }
@@ -39,11 +36,11 @@ impl Progress {
     }
 
     /// Lets `tell` write to the terminal between two pictures of the bar.
-    pub(super) fn suspended<T>(&self, tell: impl FnOnce() -> T) -> T {
+    pub(crate) fn suspended<T>(&self, tell: impl FnOnce() -> T) -> T {
         if self.bar.is_hidden() { tell() } else { self.bar.suspend(tell) }
     }
 
-    pub(super) fn end(&self) {
+    pub(crate) fn end(&self) {
         self.bar.finish_and_clear();
     }
 }

@@ -86,7 +86,16 @@ pub fn design(model: &Model<'_, '_>, selected: &Selected, wanted: &Design) -> Re
     let is_smooth = |force: &Force| force.kind == ForceKind::SmoothSphereHalfSpace;
     let smooth = selected.forces.iter().filter_map(|&index| model.forces.get(index)).any(is_smooth);
     let masses = wanted.mass.clone().map(|from| Masses { to_kg: from.kg, from });
-    let plan = Plan { changes, moves, masses, taken: wanted.taken(), warnings, remarks, note: None };
+    let plan = Plan {
+        changes,
+        moves,
+        masses,
+        taken: wanted.taken(),
+        warnings,
+        remarks,
+        note: None,
+        note_anyway: false,
+    };
     Ok(plan.with_note(
         model,
         &NoteFacts {

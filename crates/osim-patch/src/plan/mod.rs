@@ -123,6 +123,7 @@ pub struct Plan {
     /// Things that always hold and are said once: what the run did not do.
     pub remarks: Vec<String>,
     note: Option<Note>,
+    note_anyway: bool,
 }
 
 /// What contacts stand for, before and after.
@@ -149,6 +150,11 @@ struct NoteFacts<'o> {
 }
 
 impl Plan {
+    /// Leaves a note also where no number changes, so that the output is told from its original.
+    pub fn note_anyway(&mut self) {
+        self.note_anyway = true;
+    }
+
     /// Leaves no note in the file.
     pub fn without_note(&mut self) {
         self.note = None;
@@ -164,19 +170,16 @@ impl Plan {
     /// The note that would be written; none when nothing changes.
     #[must_use]
     pub fn note(&self) -> Option<&Note> {
-        self.note.as_ref()
+        self.note.as_ref().filter(|_| !self.is_empty())
     }
 
     /// `true` when the output equals the input byte for byte.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.changes.is_empty() && self.moves.is_empty()
+        self.changes.is_empty() && self.moves.is_empty() && !(self.note_anyway && self.note.is_some())
     }
 
     fn with_note(mut self, model: &Model<'_, '_>, facts: &NoteFacts<'_>) -> Self {
-        if self.is_empty() {
-            return self;
-        }
         let changed: HashMap<Key, f64> = self
             .changes
             .iter()

@@ -179,7 +179,7 @@ fn finish(draft: Draft<'_, '_, '_>, wanted: &Rescale, selected: &Selected, radii
         taken.push_str(&format!("; scaled to {} kg (mass x{ratio})", readable(to_mass_kg)));
     }
     let masses = Some(Masses { from: from_mass, to_kg: to_mass_kg });
-    let plan = Plan { changes, moves, masses, taken, warnings, remarks, note: None };
+    let plan = Plan { changes, moves, masses, taken, warnings, remarks, note: None, note_anyway: false };
     let all = selected.complete && wanted.properties.is_complete();
     plan.with_note(
         model,

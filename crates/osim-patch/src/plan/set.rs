@@ -115,7 +115,8 @@ pub fn set(model: &Model<'_, '_>, selected: &Selected, wanted: &Set) -> Result<P
         taken = format!("contacts stand for {} kg ({}); {taken}", readable(mass.kg), mass.told_by);
     }
     let masses = wanted.contacts_mass.clone().map(|from| Masses { to_kg: from.kg, from });
-    let plan = Plan { changes, moves, masses, taken, warnings, remarks: vec![], note: None };
+    let plan =
+        Plan { changes, moves, masses, taken, warnings, remarks: vec![], note: None, note_anyway: false };
     Ok(plan.with_note(
         model,
         &NoteFacts {

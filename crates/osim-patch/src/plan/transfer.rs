@@ -318,6 +318,7 @@ fn finish(draft: Draft<'_, '_, '_>, wanted: &Transfer, complete: bool, radii: &R
         warnings,
         remarks,
         note: None,
+        note_anyway: false,
     };
     let all = complete && wanted.properties.is_complete();
     plan.with_note(

@@ -1,0 +1,104 @@
+//! From compliant contacts to the wanted ones in steps: the paper's advice for finding gaits (section 4.3).
+//!
+//! Stiff contacts make an optimisation fail more often, and compliant ones are not realistic. So a gait is first searched
+//! with compliant contacts, then E* is raised and α lowered, each solution being the next one's initial guess.
+
+use crate::error::{DomainError, positive, within};
+
+/// One step, as factors of the contact that is wanted in the end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Step {
+    /// Dimensionless stiffness k̂ at the load of the last step, without unit (B.3).
+    pub dimensionless_stiffness: f64,
+    /// What E* of the last step is multiplied by.
+    pub modulus_factor: f64,
+    /// What α of the last step is multiplied by.
+    pub dissipation_factor: f64,
+}
+
+/// `count` steps from k̂ = `first` to k̂ = `last`, equally far apart in the logarithm of k̂; α falls likewise from
+/// `dissipation_ratio` times its last value to that value.
+///
+/// At one load F, (11) gives E* ∝ x̂^(−3/2), and (B.3) under the Hertz law k̂ = 3/(2 x̂): so E* ∝ k̂^(3/2), and the
+/// factor of a step is (k̂ / `last`)^(3/2). k̂ and the factors are without unit. The first step of the paper's Fig. 1(C)
+/// has k̂ = 1.2. The factors of the last step are exactly 1.
+///
+/// Source: (11), (B.3), section 4.3.
+///
+/// # Errors
+/// [`DomainError`] unless 0 < `first` < `last`, `dissipation_ratio` ≥ 1, all finite, and `count` ≥ 2.
+///
+/// ```
+/// use contact_scaling::continuation::steps;
+/// let steps = steps(1.2, 9.375, 8.0, 3)?; // to 1.5/0.16, with α from 8 times its last value
+/// assert!((steps[0].modulus_factor - 0.0457947).abs() < 5e-8); // 0.128^1.5
+/// assert!((steps[1].dissipation_factor - 8f64.sqrt()).abs() < 1e-14);
+/// assert_eq!(steps[2].modulus_factor, 1.0);
+/// # Ok::<(), contact_scaling::DomainError>(())
+/// ```
+pub fn steps(first: f64, last: f64, dissipation_ratio: f64, count: u32) -> Result<Vec<Step>, DomainError> {
+    let last = positive("dimensionless stiffness of the last step", last)?;
+    let first = positive("dimensionless stiffness of the first step", first)?;
+    within(
+        first < last,
+        "dimensionless stiffness of the first step",
+        first,
+        "less than that of the last step",
+    )?;
+    let ratio = positive("ratio of the dissipations", dissipation_ratio)?;
+    within(ratio >= 1.0, "ratio of the dissipations", ratio, "1 or more")?;
+    within(count >= 2, "number of steps", f64::from(count), "2 or more")?;
+    Ok((0..count).map(|index| step(first / last, last, ratio, index, count)).collect())
+}
+
+fn step(ratio_of_stiffness: f64, last: f64, ratio_of_dissipation: f64, index: u32, count: u32) -> Step {
+    if index + 1 == count {
+        return Step { dimensionless_stiffness: last, modulus_factor: 1.0, dissipation_factor: 1.0 };
+    }
+    // The part of the way that is still to go: 1 at the first step.
+    let remaining = f64::from(count - 1 - index) / f64::from(count - 1);
+    let relative = libm::pow(ratio_of_stiffness, remaining);
+    Step {
+        dimensionless_stiffness: last * relative,
+        modulus_factor: relative * relative.sqrt(),
+        dissipation_factor: libm::pow(ratio_of_dissipation, remaining),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_are_equally_far_apart_and_end_exactly() {
+        // mpmath 1.3.0, 50 digits: (1.2/9.375)^(j/4) and ^(3j/8) for j = 4, 3, 2, 1.
+        let expected = [
+            (1.2, 0.045_794_672_179_195_69),
+            (2.006_220_914_929_266, 0.098_994_534_054_216_32),
+            (3.354_101_966_249_684_5, 0.213_996_897_592_455_05),
+            (5.607_547_929_579_577, 0.462_597_987_017_296_75),
+        ];
+        let steps = steps(1.2, 9.375, 2.0, 5).unwrap();
+        for (step, (stiffness, modulus)) in steps.iter().zip(expected) {
+            assert!((step.dimensionless_stiffness / stiffness - 1.0).abs() < 1e-15, "{step:?}");
+            assert!((step.modulus_factor / modulus - 1.0).abs() < 1e-15, "{step:?}");
+        }
+        let end = Step { dimensionless_stiffness: 9.375, modulus_factor: 1.0, dissipation_factor: 1.0 };
+        assert_eq!(steps[4], end);
+        assert_eq!(steps[0].dissipation_factor, 2.0);
+    }
+
+    #[test]
+    fn steps_that_lead_nowhere_are_refused() {
+        for (first, last, ratio, count) in [
+            (1.2, 1.2, 1.0, 3),
+            (1.2, 0.5, 1.0, 3),
+            (0.0, 9.0, 1.0, 3),
+            (1.2, 9.0, 0.5, 3),
+            (1.2, 9.0, 1.0, 1),
+        ] {
+            assert!(steps(first, last, ratio, count).is_err());
+        }
+        assert!(steps(1.2, f64::INFINITY, 1.0, 2).is_err());
+    }
+}
