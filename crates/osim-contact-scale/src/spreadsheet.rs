@@ -35,9 +35,10 @@ impl Sheet {
             csv::ReaderBuilder::new().delimiter(delimiter).trim(csv::Trim::All).from_reader(bytes);
         let header = reader.headers().map_err(|error| anyhow!(in_words(&error)))?;
         let header = header.iter().map(str::to_owned).collect();
+        let mut lines = Lines { bytes, at: 0, line: 1 };
         let row = |record: csv::Result<csv::StringRecord>| {
             let record = record.map_err(|error| anyhow!(in_words(&error)))?;
-            let line = record.position().map_or(0, |position| line_of(bytes, position.byte()));
+            let line = record.position().map_or(0, |position| lines.of(position.byte()));
             Ok(Row { line, cells: record.iter().map(str::to_owned).collect() })
         };
         Ok(Self { header, rows: reader.records().map(row).collect::<Result<_>>()?, delimiter })
@@ -52,13 +53,24 @@ impl Sheet {
     }
 }
 
-/// Line of the first letter of a record. The reader's own count is one short where lines end with CR and LF.
-fn line_of(bytes: &[u8], start: u64) -> u64 {
-    let start = usize::try_from(start).unwrap_or(bytes.len()).min(bytes.len());
-    let (before, after) = bytes.split_at(start);
-    let ends = |bytes: &[u8]| memchr::memchr_iter(b'\n', bytes).count() as u64;
-    let blank = after.iter().position(|&byte| byte != b'\r' && byte != b'\n').unwrap_or(after.len());
-    1 + ends(before) + ends(after.get(..blank).unwrap_or_default())
+/// Lines of records that come one after the other. The reader's own count is one short where lines end with CR and LF.
+struct Lines<'b> {
+    bytes: &'b [u8],
+    at: usize,
+    line: u64,
+}
+
+impl Lines<'_> {
+    /// Line of the first letter of the record that begins at `start`, or behind the line ends there.
+    fn of(&mut self, start: u64) -> u64 {
+        let start = usize::try_from(start).unwrap_or(self.bytes.len());
+        let rest = self.bytes.get(start..).unwrap_or_default();
+        let blank = rest.iter().position(|&byte| byte != b'\r' && byte != b'\n').unwrap_or(0);
+        let passed = self.bytes.get(self.at..start + blank).unwrap_or_default();
+        self.line += memchr::memchr_iter(b'\n', passed).count() as u64;
+        self.at = start + blank;
+        self.line
+    }
 }
 
 /// `;` and tabs part the cells where commas are decimal; the first line tells.
