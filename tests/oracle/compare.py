@@ -62,6 +62,7 @@ def inspect_equals_opensim(report, reading):
     assert used <= set(listed), f"spheres not listed: {used - set(listed)}"
     for path, sphere in listed.items():
         sphere_equals(sphere, spheres[path])
+        lowest_point_equals(sphere, spheres[path], reading)
     model_equals(report, reading)
 
 
@@ -77,6 +78,18 @@ def sphere_equals(ours, theirs):
     assert hexed(ours["radius_m"]) == finite(theirs["radius"]), ours["path"]
     assert [hexed(value) for value in ours["location_m"]] == [finite(text) for text in theirs["location"]], ours["path"]
     assert (ours["name"], ours["frame"]) == (theirs["name"], theirs["frame"])
+
+
+def lowest_point_equals(ours, theirs, reading):
+    """The sphere's centre in its body, less the radius along the axis nearest to the opposite of gravity (y for none)."""
+    if theirs["centre_in_base"] is None or ours["lowest_point_m"] is None:
+        return
+    point = [float.fromhex(text) for text in theirs["centre_in_base"]]
+    gravity = [float.fromhex(text) for text in reading["gravity"]]
+    axis = max((1, 0, 2), key=lambda index: abs(gravity[index]))
+    point[axis] += math.copysign(float.fromhex(theirs["radius"]), gravity[axis] if gravity[axis] else -1.0)
+    for one, other in zip(ours["lowest_point_m"], point, strict=True):
+        assert math.isclose(one, other, rel_tol=1e-14, abs_tol=1e-14), (ours["path"], ours["lowest_point_m"], point)
 
 
 def model_equals(report, reading):

@@ -124,7 +124,20 @@ def geometry(component):
         "location": [opensim.PropertyHelper.getValueVec3(location, i).hex() for i in range(3)],
         "frame": connectee(component, "frame"),
         "base": base(component, "frame"),
+        "centre_in_base": centre_in_base(component, location),
     }
+
+
+def centre_in_base(component, location):
+    """A sphere's centre, seen from the body (or ground) under its frame; None where nothing is connected."""
+    import opensim
+
+    try:
+        transform = downcast_frame(component.getConnectee("frame")).findTransformInBaseFrame()
+        values = [opensim.PropertyHelper.getValueVec3(location, i) for i in range(3)]
+        return vector(transform.shiftFrameStationToBase(opensim.Vec3(*values)))
+    except Exception:
+        return None
 
 
 def smooth(force):

@@ -4,14 +4,12 @@
 //! level on the floor, where they have one indentation x (theory of mixed radii). Both are the same where the spheres of a
 //! limb are alike.
 
-use contact_scaling::{
-    Contact, EQUAL_SURFACES, Law, SharedLoad, Spheres, equilibrium, limits, mixed_radii, patch, restitution,
-    smoothing, stiffness,
-};
-use osim_patch::{Fault, Limbs, LoadedSphere, Mass, Model, Selected, loaded_spheres};
+use contact_scaling::{EQUAL_SURFACES, mixed_radii, restitution};
+use osim_patch::{Fault, Limbs, Mass, Model, Selected, loaded_spheres};
 use serde::Serialize;
 
-use super::verdict::{Verdict, verdicts};
+use super::standing::{Pressed, Stand, Weight, pressed};
+use super::verdict::Verdict;
 
 /// The loads that are looked at, in body weights.
 pub(crate) const BODY_WEIGHTS: [f64; 2] = [1.0, 2.0];
@@ -120,15 +118,6 @@ pub(crate) struct LoadFigures {
     pub level_own: Option<f64>,
 }
 
-/// One sphere with all laws that press it.
-struct Pressed {
-    sphere: usize,
-    forces: Vec<usize>,
-    radius_m: f64,
-    contacts: Vec<Contact>,
-    laws: Vec<Spheres>,
-}
-
 impl Figures {
     /// Figures of the `selected` forces of `model`.
     ///
@@ -163,7 +152,7 @@ impl Figures {
                 limb: group.name,
                 side: group.side,
                 sphere_count: count,
-                spheres: group.members.iter().map(|one| limb.sphere(one)).collect(),
+                spheres: limb.spheres(),
             });
         }
         Ok(Self {
@@ -210,41 +199,10 @@ impl SphereFigures {
     }
 }
 
-#[derive(Clone, Copy)]
-struct Weight {
-    mass_kg: f64,
-    gravity_m_s2: f64,
-}
-
 struct Group<'p> {
     name: Option<String>,
     side: Option<&'static str>,
     members: Vec<&'p Pressed>,
-}
-
-/// Spheres with all their laws, in the order of the model's spheres.
-fn pressed(loaded: &[LoadedSphere]) -> Result<Vec<Pressed>, Fault> {
-    let mut all: Vec<Pressed> = Vec::new();
-    for one in loaded {
-        let law =
-            Law::of(&one.contact, one.radius_m).and_then(|law| Spheres::new(law, 1.0)).map_err(Fault::new)?;
-        match all.iter_mut().find(|known| known.sphere == one.sphere) {
-            Some(known) => {
-                known.forces.push(one.force);
-                known.contacts.push(one.contact);
-                known.laws.push(law);
-            }
-            None => all.push(Pressed {
-                sphere: one.sphere,
-                forces: vec![one.force],
-                radius_m: one.radius_m,
-                contacts: vec![one.contact],
-                laws: vec![law],
-            }),
-        }
-    }
-    all.sort_by_key(|one| one.sphere);
-    Ok(all)
 }
 
 /// √(gR/2) with R = √(Σ R_i²/n) of all spheres.
@@ -286,105 +244,6 @@ fn limbs_unknown(limbs: &Limbs) -> Option<String> {
             Some(format!("how many spheres share the weight is not known ({why}); say it with --spheres N"))
         }
         Limbs::Known(_) => None,
-    }
-}
-
-/// A limb on the floor.
-struct Stand<'s, 'm> {
-    model: &'s Model<'m, 'm>,
-    members: &'s [&'s Pressed],
-    count: Option<f64>,
-    weight: Option<Weight>,
-    speed: Option<f64>,
-}
-
-impl Stand<'_, '_> {
-    fn load(&self, body_weights: f64) -> Option<SharedLoad> {
-        let weight = self.weight?;
-        SharedLoad::new(body_weights * weight.mass_kg * weight.gravity_m_s2, self.count?).ok()
-    }
-
-    fn sphere(&self, one: &Pressed) -> SphereFigures {
-        let name = self.model.spheres.get(one.sphere);
-        let force = |&index: &usize| self.model.forces.get(index).map(|force| force.name.clone());
-        let composite: f64 = one.contacts.iter().map(Contact::composite_modulus).sum();
-        let dissipation = one.contacts.first().map(Contact::dissipation);
-        let dissipation = dissipation.filter(|&alpha| one.contacts.iter().all(|c| c.dissipation() == alpha));
-        let mut figures = SphereFigures {
-            sphere: name.map(|sphere| sphere.name.clone()).unwrap_or_default(),
-            path: name.map(|sphere| sphere.path.clone()).unwrap_or_default(),
-            forces: one.forces.iter().filter_map(force).collect(),
-            radius_m: one.radius_m,
-            composite_modulus_n_m2: composite,
-            loads: BODY_WEIGHTS.iter().filter_map(|&weights| self.under(one, weights)).collect(),
-            contact_stiffness_n_m: None,
-            dimensionless_stiffness: None,
-            natural_frequency_hz: None,
-            mean_contact_stress_n_m2: None,
-            dissipation_s_m: dissipation,
-            restitution_exact: self.speed.zip(dissipation).and_then(|(v, a)| restitution::exact(a, v).ok()),
-            restitution_approximate: self
-                .speed
-                .zip(dissipation)
-                .and_then(|(v, a)| restitution::approximate(a, v).ok()),
-            constant_indentation: None,
-            transition_width: None,
-            force_just_touching_n: None,
-            touching_share: None,
-            limits: Vec::new(),
-        };
-        self.stiffness(&mut figures);
-        self.smoothing(one, &mut figures);
-        figures.limits = verdicts(&figures, self.speed);
-        figures
-    }
-
-    fn under(&self, one: &Pressed, body_weights: f64) -> Option<LoadFigures> {
-        let load = self.load(body_weights)?;
-        let relative = |x: f64| Some(x / one.radius_m).filter(|x| x.is_finite());
-        let all: Vec<Spheres> = self.members.iter().flat_map(|member| member.laws.iter().copied()).collect();
-        #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
-        let on_limb = load.per_sphere_n() * self.members.len() as f64;
-        Some(LoadFigures {
-            body_weights,
-            load_n: load.per_sphere_n(),
-            hertz: equilibrium::hertz_indentation(&one.laws, load.per_sphere_n()).ok().and_then(relative),
-            own: equilibrium::indentation(&one.laws, load.per_sphere_n()).ok().and_then(relative),
-            level_hertz: equilibrium::hertz_indentation(&all, on_limb).ok().and_then(relative),
-            level_own: equilibrium::indentation(&all, on_limb).ok().and_then(relative),
-        })
-    }
-
-    /// k, k̂, f_n and σ under one body weight, by the Hertz law.
-    fn stiffness(&self, figures: &mut SphereFigures) {
-        let (Some(load), Some(weight)) = (self.load(1.0), self.weight) else { return };
-        let Some(x_hat) = figures.load(1.0).and_then(|load| load.hertz) else { return };
-        let hertz = contact_scaling::Hertz::sphere(figures.composite_modulus_n_m2, figures.radius_m);
-        let Ok(k) = hertz.map(|hertz| hertz.stiffness_at_relative_indentation(x_hat)) else { return };
-        figures.contact_stiffness_n_m = Some(k);
-        figures.dimensionless_stiffness = stiffness::dimensionless(k, figures.radius_m, &load).ok();
-        figures.natural_frequency_hz =
-            stiffness::natural_frequency(k, weight.mass_kg / load.sphere_count()).ok();
-        figures.mean_contact_stress_n_m2 =
-            patch::mean_stress(load.per_sphere_n(), figures.radius_m, x_hat).ok();
-    }
-
-    /// What the smoothing does; of several forces the one that does most.
-    fn smoothing(&self, one: &Pressed, figures: &mut SphereFigures) {
-        let smoothed = || one.contacts.iter().filter_map(Contact::smoothing);
-        let most = |values: &mut dyn Iterator<Item = f64>| values.reduce(f64::max);
-        figures.constant_indentation =
-            most(&mut smoothed().filter_map(|s| {
-                smoothing::constant_indentation(s.constant_contact_force, one.radius_m).ok()
-            }));
-        figures.transition_width = most(&mut smoothed().filter_map(|s| {
-            smoothing::transition_width(limits::TRANSITION_THRESHOLD, s.hertz_smoothing, one.radius_m).ok()
-        }));
-        if smoothed().next().is_some() {
-            let touching: f64 = one.laws.iter().map(|law| law.law().elastic_force(0.0)).sum();
-            figures.force_just_touching_n = Some(touching);
-            figures.touching_share = self.load(1.0).map(|load| touching / load.per_sphere_n());
-        }
     }
 }
 

@@ -5,6 +5,7 @@
 mod csv;
 pub(crate) mod figures;
 mod inspection;
+mod standing;
 mod table;
 mod verdict;
 

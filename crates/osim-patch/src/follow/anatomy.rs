@@ -201,11 +201,11 @@ impl Model<'_, '_> {
     /// The lowest point of sphere number `sphere` in the frame of the body that carries it (or of ground), m: its centre, less
     /// the radius along the body's axis that is nearest to −gravity, as when the body is not turned.
     ///
-    /// `None` where the frame is in a file that was not given, or a number is not finite.
+    /// `None` where the frame is in a file that was not given, a number is not finite or the radius not above 0.
     #[must_use]
     pub fn lowest_point_m(&self, sphere: usize) -> Option<[f64; 3]> {
         let sphere = self.spheres.get(sphere)?;
-        if matches!(sphere.base, Base::Unknown) {
+        if matches!(sphere.base, Base::Unknown) || !sphere.radius.property.allows(sphere.radius.number) {
             return None;
         }
         let mut point = self.in_body(sphere.frame_object, sphere.location_m)?;
