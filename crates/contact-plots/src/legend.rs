@@ -1,0 +1,147 @@
+//! The legend: one for all panels, below them, where it can hide no curve.
+
+use plotters::coord::Shift;
+use plotters::element::{Circle, DashedPathElement, PathElement, Rectangle};
+use plotters::prelude::{DrawingArea, SVGBackend};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::{Color, RGBColor, ShapeStyle};
+
+use crate::error::PlotError;
+use crate::figure::{Direction, Figure};
+use crate::style::{LIMIT, Look, SHADE, SHADE_OPACITY, TEXT_PT, fitting, stroke, text, units, width_pt};
+use crate::svg::printable;
+
+const ROW_PT: f64 = 10.0;
+const SAMPLE_PT: f64 = 18.0;
+const GAP_PT: f64 = 4.0;
+
+/// What stands before the name.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Sample {
+    Line(Look),
+    Shade,
+    Dot(Look),
+    Limit,
+    Border,
+    Cross,
+    Blank,
+}
+
+/// The entries of a legend and how they are laid out.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Legend {
+    entries: Vec<(Sample, String)>,
+    columns: usize,
+    column_pt: f64,
+}
+
+impl Legend {
+    /// The legend of a figure's panels.
+    pub(crate) fn of(figure: &Figure, room_pt: f64) -> Self {
+        let mut entries: Vec<(Sample, String)> = Vec::new();
+        for panel in &figure.panels {
+            let curves = panel.curves.iter().map(|curve| (Sample::Line(curve.look), &curve.label));
+            let marks = panel.marks.iter().map(|mark| (Sample::Dot(mark.look), &mark.label));
+            let areas = panel.areas.iter().map(|area| (Sample::Shade, &area.label));
+            let across = panel.limits.iter().filter(|limit| limit.direction == Direction::Horizontal);
+            let limits = across.map(|limit| (Sample::Limit, &limit.label));
+            for (sample, label) in curves.chain(marks).chain(areas).chain(limits) {
+                if !label.is_empty() && !entries.iter().any(|known| *known == (sample, label.clone())) {
+                    entries.push((sample, label.clone()));
+                }
+            }
+        }
+        Self::new(entries, room_pt)
+    }
+
+    pub(crate) fn new(entries: Vec<(Sample, String)>, room_pt: f64) -> Self {
+        let name = |(_, label): &(Sample, String)| width_pt(label, TEXT_PT);
+        let widest = SAMPLE_PT + 3.0 * GAP_PT + entries.iter().map(name).fold(0.0, f64::max);
+        let columns = (1..=entries.len().max(1)).rev().find(|&n| room_pt >= widest * float(n)).unwrap_or(1);
+        Self { column_pt: room_pt / float(columns), entries, columns }
+    }
+
+    /// How much room it takes below the panels.
+    pub(crate) fn height_pt(&self) -> f64 {
+        if self.entries.is_empty() {
+            0.0
+        } else {
+            float(self.entries.len().div_ceil(self.columns)) * ROW_PT + GAP_PT
+        }
+    }
+
+    /// Draws it with its upper left corner at `(left_pt, top_pt)`.
+    pub(crate) fn draw(
+        &self,
+        area: &DrawingArea<SVGBackend<'_>, Shift>,
+        (left_pt, top_pt): (f64, f64),
+    ) -> Result<(), PlotError> {
+        let rows = self.entries.len().div_ceil(self.columns);
+        for (index, (sample, label)) in self.entries.iter().enumerate() {
+            // Down the first column, then down the next.
+            let left = left_pt + float(index / rows) * self.column_pt;
+            let middle = top_pt + GAP_PT + ROW_PT * (float(index % rows) + 0.5);
+            draw_sample(area, *sample, left, middle)?;
+            let label = fitting(&printable(label), TEXT_PT, self.column_pt - SAMPLE_PT - 2.0 * GAP_PT);
+            let style = text(TEXT_PT).pos(Pos::new(HPos::Left, VPos::Center));
+            let at = (units(left + SAMPLE_PT + GAP_PT), units(middle));
+            area.draw_text(&label, &style, at).map_err(PlotError::drawing)?;
+        }
+        Ok(())
+    }
+}
+
+fn draw_sample(
+    area: &DrawingArea<SVGBackend<'_>, Shift>,
+    sample: Sample,
+    left: f64,
+    middle: f64,
+) -> Result<(), PlotError> {
+    let at = |dx: f64, dy: f64| (units(left + dx), units(middle + dy));
+    let line = vec![at(0.0, 0.0), at(SAMPLE_PT, 0.0)];
+    match sample {
+        Sample::Line(look) => match look.dash.lengths_pt() {
+            None => area.draw(&PathElement::new(line, look.stroke())),
+            Some((dash, gap)) => {
+                area.draw(&DashedPathElement::new(line, units(dash), units(gap), look.stroke()))
+            }
+        },
+        Sample::Shade => {
+            area.draw(&Rectangle::new([at(0.0, -3.0), at(SAMPLE_PT, 3.0)], SHADE.mix(SHADE_OPACITY).filled()))
+        }
+        Sample::Dot(look) => {
+            let (r, g, b) = look.colour;
+            area.draw(&Circle::new(at(SAMPLE_PT / 2.0, 0.0), units(2.2), RGBColor(r, g, b).filled()))
+        }
+        Sample::Limit => area.draw(&DashedPathElement::new(line, units(2.0), units(1.6), stroke(LIMIT, 0.7))),
+        Sample::Border => {
+            area.draw(&PathElement::new(line.clone(), casing())).map_err(PlotError::drawing)?;
+            area.draw(&PathElement::new(line, filling()))
+        }
+        Sample::Cross => return draw_cross(area, at(SAMPLE_PT / 2.0, 0.0)),
+        Sample::Blank => area
+            .draw(&Rectangle::new([at(0.0, -3.0), at(SAMPLE_PT, 3.0)], RGBColor(0xBB, 0xBB, 0xBB).filled())),
+    }
+    .map_err(PlotError::drawing)
+}
+
+/// Below and above of a white line with a dark rim, visible on every colour of a heat map.
+pub(crate) fn casing() -> ShapeStyle {
+    stroke(RGBColor(0, 0, 0), 2.2)
+}
+
+pub(crate) fn filling() -> ShapeStyle {
+    stroke(RGBColor(255, 255, 255), 1.0)
+}
+
+/// A white ring with a dark rim: visible on every colour of a heat map.
+pub(crate) fn draw_cross(area: &DrawingArea<SVGBackend<'_>, Shift>, at: (i32, i32)) -> Result<(), PlotError> {
+    let ring = |pt: f64, colour: RGBColor, width: f64| Circle::new(at, units(pt), stroke(colour, width));
+    area.draw(&ring(2.6, RGBColor(0, 0, 0), 2.0)).map_err(PlotError::drawing)?;
+    area.draw(&ring(2.6, RGBColor(255, 255, 255), 1.0)).map_err(PlotError::drawing)
+}
+
+#[expect(clippy::cast_precision_loss, reason = "entries of a legend")]
+fn float(count: usize) -> f64 {
+    count as f64
+}

@@ -1,0 +1,69 @@
+//! PNG from SVG, with a font of its own: the picture is the same on every machine.
+
+use std::sync::{Arc, OnceLock};
+
+use resvg::usvg::fontdb::Database;
+use resvg::{tiny_skia, usvg};
+
+use crate::error::PlotError;
+
+/// Arimo (SIL Open Font License 1.1), the letters figures need; `fonts/README.md` says how it was made.
+const FONT: &[u8] = include_bytes!("../fonts/Arimo-subset.ttf");
+const FONT_NAME: &str = "Arimo";
+
+/// The font, read when the first picture is made.
+fn fonts() -> Arc<Database> {
+    static FONTS: OnceLock<Arc<Database>> = OnceLock::new();
+    let read = || {
+        let mut fonts = Database::new();
+        fonts.load_font_data(FONT.to_vec());
+        fonts.set_sans_serif_family(FONT_NAME);
+        Arc::new(fonts)
+    };
+    Arc::clone(FONTS.get_or_init(read))
+}
+
+/// The picture of a figure, as the bytes of a PNG file: white below, `dpi` pixels to the inch of its size on paper.
+///
+/// # Errors
+/// [`PlotError::Raster`] where the SVG is none, or the picture would be too large.
+pub fn png(svg: &str, dpi: f32) -> Result<Vec<u8>, PlotError> {
+    let raster = |error: &dyn std::fmt::Display| PlotError::Raster(error.to_string());
+    // usvg counts 96 pixels to the inch.
+    let options =
+        usvg::Options { fontdb: fonts(), font_family: FONT_NAME.to_owned(), ..usvg::Options::default() };
+    let tree = usvg::Tree::from_str(svg, &options).map_err(|error| raster(&error))?;
+    let scale = dpi / 96.0;
+    let size = tree.size().to_int_size().scale_by(scale).ok_or_else(|| raster(&"no size"))?;
+    let mut pixels = tiny_skia::Pixmap::new(size.width(), size.height())
+        .ok_or_else(|| raster(&"it would be too large"))?;
+    pixels.fill(tiny_skia::Color::WHITE);
+    resvg::render(&tree, tiny_skia::Transform::from_scale(scale, scale), &mut pixels.as_mut());
+    encoded(&pixels, dpi).map_err(|error| raster(&error))
+}
+
+/// PNG bytes that say how large a pixel is, so that word processors place the figure in its true size.
+fn encoded(pixels: &tiny_skia::Pixmap, dpi: f32) -> Result<Vec<u8>, png::EncodingError> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, pixels.width(), pixels.height());
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "some thousand pixels to the metre"
+    )]
+    let per_metre = (dpi / 0.0254).round() as u32;
+    encoder.set_pixel_dims(Some(png::PixelDimensions {
+        xppu: per_metre,
+        yppu: per_metre,
+        unit: png::Unit::Meter,
+    }));
+    // Nothing shows through white: colours are plain already.
+    let rgb: Vec<u8> =
+        pixels.data().chunks_exact(4).flat_map(|pixel| pixel.iter().take(3).copied()).collect();
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(&rgb)?;
+    writer.finish()?;
+    Ok(bytes)
+}

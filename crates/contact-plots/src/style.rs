@@ -1,0 +1,173 @@
+//! Sizes, colours and dashes.
+//!
+//! The plotting library draws in whole pixels. A figure is therefore drawn large, [`UNITS_PER_PT`] pixels to the point,
+//! and its `viewBox` brings it down to its size.
+
+use plotters::style::{Color, FontFamily, FontStyle, FontTransform, RGBColor, ShapeStyle, TextStyle};
+use plotters::style::{FontDesc, IntoFont};
+
+/// Drawing units per point (1/72 inch).
+pub(crate) const UNITS_PER_PT: f64 = 20.0;
+/// Text of ticks, labels and legends: the 7 pt that journals ask for at least.
+pub(crate) const TEXT_PT: f64 = 7.0;
+/// Text of titles.
+pub(crate) const TITLE_PT: f64 = 8.0;
+/// Width of a letter over the size of the text, a mean of Arial's.
+const LETTER: f64 = 0.53;
+/// Arial, or a font of the same metrics: Helvetica on macOS, Liberation Sans or Arimo (the PNG's) on Linux.
+pub(crate) const FAMILY: &str = "Arial, Helvetica, 'Liberation Sans', Arimo, sans-serif";
+
+pub(crate) const INK: RGBColor = RGBColor(0x22, 0x22, 0x22);
+pub(crate) const LIMIT: RGBColor = RGBColor(0x66, 0x66, 0x66);
+/// A shaded area's colour.
+pub(crate) const SHADE: RGBColor = RGBColor(0xD5, 0x5E, 0x00);
+pub(crate) const SHADE_OPACITY: f64 = 0.28;
+
+/// Points as drawing units.
+#[expect(clippy::cast_possible_truncation, reason = "a page is some thousand units wide")]
+pub(crate) fn units(pt: f64) -> i32 {
+    (pt * UNITS_PER_PT).round() as i32
+}
+
+/// The estimated width of a text, in points.
+pub(crate) fn width_pt(text: &str, size_pt: f64) -> f64 {
+    // A combining mark takes no room.
+    let letters = text.chars().filter(|c| !('\u{300}'..='\u{36f}').contains(c)).count();
+    #[expect(clippy::cast_precision_loss, reason = "a label")]
+    let letters = letters as f64;
+    letters * LETTER * size_pt
+}
+
+/// The text, cut with an ellipsis where it would be wider than `most_pt`.
+pub(crate) fn fitting(text: &str, size_pt: f64, most_pt: f64) -> String {
+    if width_pt(text, size_pt) <= most_pt {
+        return text.to_owned();
+    }
+    let mut short = String::new();
+    for letter in text.chars() {
+        if width_pt(&short, size_pt) + 2.0 * LETTER * size_pt > most_pt {
+            break;
+        }
+        short.push(letter);
+    }
+    format!("{}…", short.trim_end())
+}
+
+/// Text of a size in points; never bold, which the font of PNG pictures does not have.
+pub(crate) fn text<'a>(size_pt: f64) -> TextStyle<'a> {
+    // The library divides every font size by 1.24 when it writes SVG.
+    let size = size_pt * UNITS_PER_PT * 1.24;
+    let font: FontDesc<'a> = FontDesc::new(FontFamily::Name(FAMILY), size, FontStyle::Normal);
+    TextStyle::from(font.into_font()).color(&INK).transform(FontTransform::None)
+}
+
+/// A line of a width in points.
+pub(crate) fn stroke(colour: RGBColor, width_pt: f64) -> ShapeStyle {
+    colour.stroke_width(units(width_pt).unsigned_abs())
+}
+
+/// How a curve is dashed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Dash {
+    /// One stroke.
+    Solid,
+    /// Long dashes.
+    Dashed,
+    /// Short dashes, as dots.
+    Dotted,
+}
+
+impl Dash {
+    /// Lengths of dash and gap, in points; `None` for a solid line.
+    pub(crate) fn lengths_pt(self) -> Option<(f64, f64)> {
+        match self {
+            Self::Solid => None,
+            Self::Dashed => Some((5.0, 2.2)),
+            Self::Dotted => Some((1.5, 1.5)),
+        }
+    }
+}
+
+/// How a curve looks: a colour (red, green, blue), a dash, a width in points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Look {
+    /// Red, green and blue, 0 to 255.
+    pub colour: (u8, u8, u8),
+    /// Its dash.
+    pub dash: Dash,
+    /// Its width, in points.
+    pub width_pt: f64,
+}
+
+impl Look {
+    /// The law without its smoothing.
+    pub const HERTZ: Self = Self::of((0x00, 0x72, 0xB2), Dash::Solid, 1.1);
+    /// The Hertz law with the constant indentation.
+    pub const WITH_CONSTANT: Self = Self::of((0xD5, 0x5E, 0x00), Dash::Dashed, 1.1);
+    /// The law of the file, where it is smoothed.
+    pub const OWN: Self = Self::of((0x22, 0x22, 0x22), Dash::Dotted, 1.5);
+
+    /// Okabe and Ito's colours that are dark enough for thin lines on white, each dash in turn.
+    const SERIES: [Self; 8] = [
+        Self::of((0x00, 0x72, 0xB2), Dash::Solid, 1.2),
+        Self::of((0xD5, 0x5E, 0x00), Dash::Dashed, 1.2),
+        Self::of((0x00, 0x80, 0x60), Dash::Dotted, 1.5),
+        Self::of((0x22, 0x22, 0x22), Dash::Solid, 0.7),
+        Self::of((0xA8, 0x4F, 0x84), Dash::Dashed, 1.2),
+        Self::of((0x00, 0x72, 0xB2), Dash::Dotted, 1.5),
+        Self::of((0xD5, 0x5E, 0x00), Dash::Solid, 0.7),
+        Self::of((0x22, 0x22, 0x22), Dash::Dotted, 1.2),
+    ];
+
+    /// How many series can be told apart.
+    pub const MOST_SERIES: usize = Self::SERIES.len();
+
+    const fn of(colour: (u8, u8, u8), dash: Dash, width_pt: f64) -> Self {
+        Self { colour, dash, width_pt }
+    }
+
+    /// The look of series number `index` of several; they repeat after [`Look::MOST_SERIES`].
+    #[must_use]
+    pub fn series(index: usize) -> Self {
+        Self::SERIES.get(index % Self::MOST_SERIES).copied().unwrap_or(Self::HERTZ)
+    }
+
+    pub(crate) fn stroke(self) -> ShapeStyle {
+        stroke(RGBColor(self.colour.0, self.colour.1, self.colour.2), self.width_pt)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_two_series_look_alike() {
+        for first in 0..Look::MOST_SERIES {
+            for second in 0..first {
+                assert_ne!(Look::series(first), Look::series(second));
+            }
+        }
+    }
+
+    #[test]
+    fn long_names_are_cut_and_short_ones_stay() {
+        assert_eq!(fitting("human", 7.0, 100.0), "human");
+        let cut = fitting(&"a very long name ".repeat(9), 7.0, 100.0);
+        assert!(cut.ends_with('…') && width_pt(&cut, 7.0) <= 100.0, "{cut}");
+    }
+
+    /// Relative luminance and contrast on white, as WCAG 2.1 defines them: thin lines need 3 : 1.
+    #[test]
+    fn every_line_stands_out_from_white() {
+        let linear = |c: u8| {
+            let c = f64::from(c) / 255.0;
+            if c <= 0.040_45 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
+        };
+        for look in Look::SERIES.iter().chain([&Look::HERTZ, &Look::WITH_CONSTANT, &Look::OWN]) {
+            let (r, g, b) = look.colour;
+            let luminance = 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
+            assert!(1.05 / (luminance + 0.05) >= 3.0, "{look:?}");
+        }
+    }
+}
