@@ -5,7 +5,7 @@ use osim_patch::Fault;
 use serde::Serialize;
 
 /// One model that could not be done.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct Failure {
     pub model: String,
     pub code: &'static str,

@@ -18,6 +18,7 @@ mod manual;
 mod measured;
 mod paths;
 mod place;
+mod plotting;
 mod presets;
 mod report;
 mod run;
@@ -104,6 +105,7 @@ fn run(cli: Cli, terminal: &mut Terminal) -> Result<Exit> {
         Some(Verb::Batch(args)) => batch::batch(&args, terminal),
         Some(Verb::Sweep(args)) => sweep::sweep(&args, terminal),
         Some(Verb::DropTest(args)) => drop::run(&args, terminal),
+        Some(Verb::Plot(args)) => plotting::run(&args, terminal),
         Some(Verb::Fit(args)) => fitting::run(&args, terminal),
         Some(Verb::Presets(args)) => presets::run(&args, terminal).map(|()| Exit::Done),
         Some(Verb::Inspect(args)) => Look::new(&args)?.run(terminal),

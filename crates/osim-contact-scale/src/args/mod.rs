@@ -4,6 +4,7 @@ mod follow;
 mod groups;
 mod library;
 mod physics;
+mod plot;
 mod values;
 
 use std::path::PathBuf;
@@ -21,6 +22,7 @@ pub(crate) use physics::{
     BranchArg, ColumnArgs, DesignArgs, DropArgs, DropNumbers, FitArgs, ForceUnit, LengthUnit, LoadArgs,
     PresetsArgs, SeriesFormat, SetArgs, SpeedUnit, TimeUnit, WantedArgs,
 };
+pub(crate) use plot::{AxesArg, PlotArgs, PlotKind, Quantity};
 pub(crate) use values::{Length, assignment, positive_number, usage_line, usage_parts};
 use values::{acceleration, count, glob, mass};
 
@@ -63,6 +65,8 @@ pub(crate) enum Verb {
     Check(Box<CheckArgs>),
     /// Let a model fall on its contacts and see what they do
     DropTest(Box<DropArgs>),
+    /// Draw what contacts do, as SVG or PNG
+    Plot(Box<PlotArgs>),
     /// Find contact parameters from a measured indentation and force
     Fit(Box<FitArgs>),
     /// List presets, or show one

@@ -11,6 +11,47 @@ pub(crate) enum Length {
     Radii(f64),
 }
 
+/// Values equally spaced on a logarithmic axis, as numbers or as factors of what is there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Grid {
+    from: f64,
+    to: f64,
+    count: u32,
+    factors: bool,
+}
+
+impl Grid {
+    /// The values; factors are multiplied by `now`.
+    pub(crate) fn values(self, now: f64) -> Vec<f64> {
+        let unit = if self.factors { now } else { 1.0 };
+        let step = (self.to / self.from).ln() / f64::from(self.count - 1);
+        (0..self.count).map(|i| unit * self.from * (step * f64::from(i)).exp()).collect()
+    }
+}
+
+/// `FROM..TO/COUNT`, both ends with an `x` for factors.
+pub(super) fn grid(text: &str) -> Result<Grid, String> {
+    const MOST: u32 = 200;
+    let expected = "expected FROM..TO/COUNT like 1e5..1e7/25, or factors like x0.1..x10/25";
+    let (ends, count) = text.trim().split_once('/').ok_or(expected)?;
+    let (from, to) = ends.split_once("..").ok_or(expected)?;
+    let factor = |end: &str| end.trim().strip_prefix(['x', 'X']).map(str::to_owned);
+    let (from, to, factors) = match (factor(from), factor(to)) {
+        (Some(from), Some(to)) => (from, to, true),
+        (None, None) => (from.to_owned(), to.to_owned(), false),
+        _ => return Err("both ends are numbers, or both are factors like x0.1..x10/25".to_owned()),
+    };
+    let (from, to) = (positive_number(&from)?, positive_number(&to)?);
+    let count: u32 = count.trim().parse().map_err(|_| expected.to_owned())?;
+    if from >= to {
+        return Err("the first value must be below the last".to_owned());
+    }
+    if !(2..=MOST).contains(&count) {
+        return Err(format!("expected 2 to {MOST} values"));
+    }
+    Ok(Grid { from, to, count, factors })
+}
+
 /// A mass in kg.
 pub(super) fn mass(text: &str) -> Result<f64, String> {
     positive(text, "a mass in kg", &[("kg", 1.0), ("g", 1e-3), ("mg", 1e-6), ("t", 1e3)])
@@ -234,6 +275,21 @@ mod tests {
         assert_eq!(mass(" 2.09e-2 "), Ok(0.0209));
         assert_eq!(radius("x1.5"), Ok(RadiusRule::Factor(1.5)));
         assert_eq!(radius("0.032"), Ok(RadiusRule::Metres(0.032)));
+    }
+
+    #[test]
+    fn a_grid_is_equally_spaced_on_a_logarithmic_axis() {
+        let values = grid("x0.1..x10/3").unwrap().values(2e6);
+        for (seen, expected) in values.iter().zip([2e5, 2e6, 2e7]) {
+            assert!((seen / expected - 1.0).abs() < 1e-12, "{values:?}");
+        }
+        assert_eq!(values.len(), 3);
+        assert_eq!(grid("1..4/2").unwrap().values(9.0).first(), Some(&1.0));
+        for refused in
+            ["1..4", "1/3", "4..1/3", "x1..4/3", "0..4/3", "1..4/1", "1..4/x", "1kg..4/3", "1..4/9999"]
+        {
+            assert!(grid(refused).is_err(), "{refused}");
+        }
     }
 
     #[test]

@@ -1,0 +1,24 @@
+//! `plot`, from outside: what it writes, what stands in the figures, what it refuses.
+//!
+//! Expected numbers are those of `tests/plots/reference.py` (mpmath 1.3.0, and a Runge–Kutta method of its own).
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::print_stderr,
+    missing_docs,
+    reason = "a test fails by panicking and says aloud what it skips"
+)]
+
+#[path = "../crates/contact-plots/tests/document/mod.rs"]
+mod document;
+#[path = "plots/documented.rs"]
+mod documented;
+#[path = "plots/figures.rs"]
+mod figures;
+#[path = "plots/files.rs"]
+mod files;
+#[path = "command/support.rs"]
+#[allow(dead_code, reason = "shared with the tests of the command, which use all of it")]
+mod support;

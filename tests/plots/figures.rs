@@ -1,0 +1,212 @@
+//! What stands in the figures.
+
+use crate::document::{Scale, Svg};
+use crate::support::{Bench, HUMAN};
+
+const HERTZ: &str = "#0072B2";
+const OWN: &str = "#222222";
+const MOUSE: &str = "#0072B2";
+const GIRAFFE: &str = "#D55E00";
+
+/// The figure that `plot ARGUMENTS` draws.
+#[track_caller]
+fn drawn(bench: &Bench, arguments: &str) -> Svg {
+    bench.run(&format!("plot {arguments} -o figure.svg --force")).done().wrote(&["figure.svg"]);
+    Svg::read(&bench.text("figure.svg"))
+}
+
+/// The value of a curve at `at`, between the two nearest of its points.
+#[track_caller]
+fn value(curve: &[(f64, f64)], (x, y): (&Scale, &Scale), at: f64) -> f64 {
+    let points: Vec<(f64, f64)> = curve.iter().map(|(px, py)| (x.value(*px), y.value(*py))).collect();
+    let pair = points.windows(2).find(|pair| pair[0].0 <= at && at <= pair[1].0);
+    let [from, to] = *pair.unwrap_or_else(|| panic!("no point at {at}")) else { unreachable!() };
+    if to.0 == from.0 { to.1 } else { from.1 + (to.1 - from.1) * (at - from.0) / (to.0 - from.0) }
+}
+
+#[test]
+fn the_preset_shows_its_three_laws() {
+    let svg = drawn(&Bench::new(), "force falisse2022");
+    svg.says(&[
+        "Contact force: falisse2022",
+        "Hertz (1)",
+        "Hertz with cf (C.1)",
+        "smoothed (C.3)",
+        "x̂ = 0.16",
+    ]);
+    let axes = (&svg.scale_of_x(), &svg.scale_of_y());
+    let near =
+        |seen: f64, expected: f64| assert!((seen - expected).abs() < 0.4, "{seen}, expected {expected}");
+    near(value(svg.curves(HERTZ)[0], axes, 0.4999), 170.667);
+    let own = svg.curves(OWN)[0];
+    near(value(own, axes, 0.4999), 175.631);
+    near(value(own, axes, 0.0), 7.498);
+    near(value(svg.curves("#D55E00")[0], axes, 0.0), 14.996);
+    // Far above the ground nothing pushes.
+    near(value(own, axes, -0.49), 0.0);
+}
+
+#[test]
+fn several_bodies_are_drawn_in_shares_of_their_weight() {
+    let bench = Bench::with(&[HUMAN, ("table1/mouse_smooth_sphere.osim", "mouse.osim")]);
+    let svg = drawn(&bench, "force human.osim mouse.osim --stance-limbs 1");
+    svg.says(&["human", "mouse", "force of one sphere / its share Mg/n (–)"]);
+}
+
+#[test]
+fn scaled_contacts_are_the_same_without_dimensions() {
+    let svg = drawn(&Bench::new(), "force falisse2022 --target-mass 1190");
+    svg.says(&["falisse2022", "falisse2022, scaled to 1190 kg"]);
+    let axes = (&svg.scale_of_x(), &svg.scale_of_y());
+    let (before, after) = (svg.curves(MOUSE)[0], svg.curves(GIRAFFE)[0]);
+    for at in [-0.2, 0.0, 0.1, 0.3, 0.45] {
+        // The dashed curve is known at the ends of its dashes, some 0.02 apart.
+        let (first, second) = (value(before, axes, at), value(after, axes, at));
+        assert!((first - second).abs() < 6e-3, "{at}: {first}, {second}");
+    }
+    // At rest each carries its share: falisse2022 rests at 0.33948.
+    assert!((value(before, axes, 0.339_48) - 1.0).abs() < 4e-3);
+    // With their dimensions they are far apart: 32 mm and 85.7 mm.
+    let real = drawn(&Bench::new(), "force falisse2022 --target-mass 1190 --axes real");
+    real.says(&["indentation x (mm)", "force of one sphere (N)", "−40", "40"]);
+}
+
+#[test]
+fn unlike_spheres_are_curves_of_their_own() {
+    let bench = Bench::with(&[("format/unequal_radii.osim", "unequal.osim")]);
+    let svg = drawn(&bench, "force unequal.osim --spheres 2");
+    assert!(svg.texts.iter().filter(|text| text.starts_with("unequal: ")).count() >= 2, "{:?}", svg.texts);
+}
+
+#[test]
+fn fig_c5_shows_what_default_smoothing_does_to_small_spheres() {
+    let svg = drawn(&Bench::new(), "fig-c5");
+    svg.says(&[
+        "A",
+        "B",
+        "C",
+        "D",
+        "default cf, bd",
+        "scaled cf, bd",
+        "state 0.05",
+        "state 0.95",
+        "x̂ = 0.16",
+    ]);
+    assert_eq!(svg.attribute("width"), "190.0mm");
+    // All four panels have the same width; the force panels the same scale, from the Hertz curve: 0 to 62.431 N.
+    let hertz = svg.curves(HERTZ);
+    let own = svg.curves(OWN);
+    assert_eq!((hertz.len(), own.len()), (2, 4));
+    let force = |panel: usize, at: f64| {
+        let curve = hertz[panel];
+        let (first, last) = (curve[0], curve[curve.len() - 1]);
+        let x = Scale { from: (first.0, -0.5), to: (last.0, 0.5) };
+        let y = Scale { from: (first.1, 0.0), to: (last.1, 62.430_97) };
+        value(own[panel], (&x, &y), at)
+    };
+    let near =
+        |seen: f64, expected: f64| assert!((seen - expected).abs() < 0.15, "{seen}, expected {expected}");
+    near(force(0, 0.0), 8.546_3);
+    near(force(0, 0.499_9), 69.807_1);
+    near(force(1, 0.0), 2.742_8);
+    // Thresholds of the state, at 0.32716 and 0.15336 (C.6): on the axis of their panel.
+    for (column, at) in [(0, 0.327_16), (1, 0.153_36)] {
+        // The panel above has the same axis, and a curve without gaps at its ends.
+        let curve = hertz[column];
+        let x = Scale { from: (curve[0].0, -0.5), to: (curve[curve.len() - 1].0, 0.5) };
+        let seen = x.value(svg.places_of("state 0.95")[column].0);
+        assert!((seen - at).abs() < 3e-4, "{seen}, expected {at}");
+    }
+}
+
+#[test]
+fn fig_4_shows_the_mouse_bouncing_until_its_dissipation_is_scaled() {
+    let svg = drawn(&Bench::new(), "fig4");
+    svg.says(&[
+        "mouse",
+        "giraffe",
+        "body weight",
+        "time t (s)",
+        "non-dimensional time t/√(R/g) (–)",
+        "α = 2 s/m for both",
+    ]);
+    let (mouse, giraffe) = (svg.curves(MOUSE), svg.curves(GIRAFFE));
+    assert_eq!((mouse.len(), giraffe.len()), (4, 4));
+    // A falling body weighs 0, and at the end it rests at 1: the scale of each panel.
+    let y = |panel: usize| {
+        let curve = mouse[panel];
+        Scale { from: (curve[0].1, 0.0), to: (curve[curve.len() - 1].1, 1.0) }
+    };
+    let top = |panel: usize, curve: &[(f64, f64)]| {
+        curve.iter().map(|point| y(panel).value(point.1)).fold(0.0_f64, f64::max)
+    };
+    let near =
+        |seen: f64, expected: f64| assert!((seen - expected).abs() < 0.01, "{seen}, expected {expected}");
+    near(top(0, mouse[0]), 2.8396);
+    near(top(0, giraffe[0]), 2.6490);
+    near(top(1, mouse[1]), 2.6487);
+    near(top(1, giraffe[1]), 2.6487);
+    // A: the mouse's second peak, 1.8558 at 0.067973 s, which scaling takes away (1.0536).
+    let x = |panel: usize| {
+        let curve = mouse[panel];
+        Scale { from: (curve[0].0, 0.0), to: (curve[curve.len() - 1].0, 0.499_8) }
+    };
+    near(value(mouse[0], (&x(0), &y(0)), 0.067_973), 1.8558);
+    near(value(mouse[1], (&x(1), &y(1)), 0.067_499), 1.0536);
+    near(value(mouse[0], (&x(0), &y(0)), 0.047_750), 0.1397);
+    // D: in non-dimensional time both are one curve; C: they are not.
+    let apart = |panel: usize| {
+        let pixel = Scale { from: (0.0, 0.0), to: (1.0, 1.0) };
+        let ends = (mouse[panel][0].0, mouse[panel][mouse[panel].len() - 1].0);
+        let inside = giraffe[panel].iter().filter(|(px, _)| *px > ends.0 && *px < ends.1);
+        let heights = inside.map(|(px, py)| {
+            let other = value(mouse[panel], (&pixel, &pixel), *px);
+            (y(panel).value(*py) - y(panel).value(other)).abs()
+        });
+        heights.fold(0.0_f64, f64::max)
+    };
+    // Where the force rises, 6 body weights in one √(R/g), a drawing unit to the side is 0.025 body weights.
+    assert!(apart(3) < 0.03, "{}", apart(3));
+    assert!(apart(2) > 0.5, "{}", apart(2));
+}
+
+#[test]
+fn drops_states_and_loops_name_their_axes() {
+    let bench = Bench::with(&[HUMAN]);
+    drawn(&bench, "drop human.osim").says(&["Drop test: human", "time t (s)", "body weight"]);
+    drawn(&bench, "state human.osim").says(&["contact state (–)", "smoothed (C.4)", "state 0.05"]);
+    let svg = drawn(&bench, "loop falisse2022");
+    // √(gR/2) = 0.39611 m/s; theory.md: the exact restitution at α ẋ⁻ = 0.792 is 0.550.
+    svg.says(&["0.396 m/s, restitution 0.55", "elastic force alone"]);
+}
+
+#[test]
+fn sweeps_show_their_quantity_over_stiffness_and_dissipation() {
+    let bench = Bench::new();
+    let grid = "--stiffness x0.1..x10/7 --dissipation x0.1..x4/6";
+    for (quantity, label) in [
+        ("indentation", "x̂ at rest under body weight (–)"),
+        ("restitution", "coefficient of restitution (–)"),
+        ("peak-force", "peak force / body weight (–)"),
+    ] {
+        let svg = drawn(&bench, &format!("sweep falisse2022 --quantity {quantity} {grid}"));
+        svg.says(&[
+            label,
+            "stiffness E₁* (N/m²)",
+            "dissipation α (s/m)",
+            "10⁵",
+            "10⁶",
+            "10⁷",
+            "falisse2022 now",
+        ]);
+        assert!(svg.fills.len() > 6, "{quantity}: {:?}", svg.fills);
+    }
+}
+
+#[test]
+fn a_model_whose_weight_is_unknown_is_drawn_in_newtons() {
+    let bench = Bench::with(&[("format/no_gravity.osim", "weightless.osim")]);
+    let ran = bench.run("plot force weightless.osim -o figure.svg").done();
+    ran.says(&["its share of the weight is not drawn", "--gravity G"]);
+    bench.run("plot drop weightless.osim -o drop.svg").failed().wrote_nothing().says(&["--gravity G"]);
+}
