@@ -3,7 +3,7 @@
 use crate::support::{Bench, HUMAN};
 
 const MOUSE: (&str, &str) = ("table1/mouse_hunt_crossley.osim", "mouse.osim");
-const VERBS: [&str; 13] = [
+const VERBS: [&str; 14] = [
     "",
     "rescale",
     "transfer",
@@ -12,6 +12,7 @@ const VERBS: [&str; 13] = [
     "inspect",
     "check",
     "drop-test",
+    "plot",
     "fit",
     "presets",
     "explain",

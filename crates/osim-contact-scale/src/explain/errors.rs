@@ -145,6 +145,11 @@ pub(super) const ALL: &[ErrorCode] = &[
         "a shorter --duration, or check the numbers with inspect",
     ),
     code(
+        "plot",
+        "the figure cannot be drawn: the message says what of the model it lacks, or that there are too many curves",
+        "as the message says; see docs/plots.md",
+    ),
+    code(
         "fit",
         "the CSV file, or what is in it: the message names line and column, or what the data do not tell",
         "see docs/fit.md",

@@ -24,6 +24,9 @@ const SAMPLES: usize = 1601;
 /// Where the force axes end, in body weights.
 const TOP: f64 = 3.0;
 
+/// Whose sphere Fig. C.5 is taken to show.
+const EMU: &str = "emu";
+
 /// An animal of Table 1: M in kg, n, R in m.
 fn animal(mass_kg: f64, sphere_count: f64, radius_m: f64) -> Result<Scale> {
     Ok(Scale::new(ScaleValues { mass_kg, radius_m, sphere_count, gravity_m_s2: GRAVITY })?)
@@ -128,9 +131,8 @@ pub(super) fn fig_c5(title: Option<&str>) -> Result<Figure> {
 
 fn body(scale: &Scale, contact: Contact) -> Body {
     let kind = Kind { spheres: String::new(), radius_m: scale.radius_m(), contact };
-    let unknown =
-        Failure::outside("the paper", "plot", &anyhow::anyhow!("the figure says nothing of weight"));
-    Body::without_weight("emu".to_owned(), vec![kind], &unknown)
+    let unknown = Failure::outside(EMU, "plot", &anyhow::anyhow!("Fig. C.5 says nothing of weight"));
+    Body::without_weight(EMU.to_owned(), vec![kind], &unknown)
 }
 
 fn forces(title: &str, body: &Body, axes: Axes) -> Result<Panel> {
