@@ -24,6 +24,19 @@ fn value(curve: &[(f64, f64)], (x, y): (&Scale, &Scale), at: f64) -> f64 {
     if to.0 == from.0 { to.1 } else { from.1 + (to.1 - from.1) * (at - from.0) / (to.0 - from.0) }
 }
 
+/// From a point to a curve, in drawing units.
+fn distance((px, py): (f64, f64), curve: &[(f64, f64)]) -> f64 {
+    let to_segment = |pair: &[(f64, f64)]| {
+        let ((ax, ay), (bx, by)) = (pair[0], pair[1]);
+        let length = (bx - ax).powi(2) + (by - ay).powi(2);
+        let along =
+            if length == 0.0 { 0.0 } else { ((px - ax) * (bx - ax) + (py - ay) * (by - ay)) / length };
+        let along = along.clamp(0.0, 1.0);
+        (px - ax - along * (bx - ax)).hypot(py - ay - along * (by - ay))
+    };
+    curve.windows(2).map(to_segment).fold(f64::INFINITY, f64::min)
+}
+
 #[test]
 fn the_preset_shows_its_three_laws() {
     let svg = drawn(&Bench::new(), "force falisse2022");
@@ -143,31 +156,27 @@ fn fig_4_shows_the_mouse_bouncing_until_its_dissipation_is_scaled() {
     let near =
         |seen: f64, expected: f64| assert!((seen - expected).abs() < 0.01, "{seen}, expected {expected}");
     near(top(0, mouse[0]), 2.8396);
-    near(top(0, giraffe[0]), 2.6490);
     near(top(1, mouse[1]), 2.6487);
-    near(top(1, giraffe[1]), 2.6487);
+    // The giraffe's (2.6490 and 2.6487) may lie in the gap between two dashes.
+    for panel in [0, 1] {
+        let seen = top(panel, giraffe[panel]);
+        assert!((2.61..2.66).contains(&seen), "{seen}");
+    }
     // A: the mouse's second peak, 1.8558 at 0.067973 s, which scaling takes away (1.0536).
     let x = |panel: usize| {
         let curve = mouse[panel];
-        Scale { from: (curve[0].0, 0.0), to: (curve[curve.len() - 1].0, 0.499_8) }
+        Scale { from: (curve[0].0, 0.0), to: (curve[curve.len() - 1].0, 0.5) }
     };
     near(value(mouse[0], (&x(0), &y(0)), 0.067_973), 1.8558);
     near(value(mouse[1], (&x(1), &y(1)), 0.067_499), 1.0536);
     near(value(mouse[0], (&x(0), &y(0)), 0.047_750), 0.1397);
-    // D: in non-dimensional time both are one curve; C: they are not.
+    // D: in non-dimensional time both are one curve, within two drawing units (a tenth of a point); C: they are not.
     let apart = |panel: usize| {
-        let pixel = Scale { from: (0.0, 0.0), to: (1.0, 1.0) };
-        let ends = (mouse[panel][0].0, mouse[panel][mouse[panel].len() - 1].0);
-        let inside = giraffe[panel].iter().filter(|(px, _)| *px > ends.0 && *px < ends.1);
-        let heights = inside.map(|(px, py)| {
-            let other = value(mouse[panel], (&pixel, &pixel), *px);
-            (y(panel).value(*py) - y(panel).value(other)).abs()
-        });
-        heights.fold(0.0_f64, f64::max)
+        let distances = giraffe[panel].iter().map(|point| distance(*point, mouse[panel]));
+        distances.fold(0.0_f64, f64::max)
     };
-    // Where the force rises, 6 body weights in one √(R/g), a drawing unit to the side is 0.025 body weights.
-    assert!(apart(3) < 0.03, "{}", apart(3));
-    assert!(apart(2) > 0.5, "{}", apart(2));
+    assert!(apart(3) <= 2.0, "{}", apart(3));
+    assert!(apart(2) > 100.0, "{}", apart(2));
 }
 
 #[test]

@@ -73,6 +73,8 @@ pub enum Dash {
     Solid,
     /// Long dashes.
     Dashed,
+    /// Longer dashes.
+    LongDashed,
     /// Short dashes, as dots.
     Dotted,
 }
@@ -82,7 +84,8 @@ impl Dash {
     pub(crate) fn lengths_pt(self) -> Option<(f64, f64)> {
         match self {
             Self::Solid => None,
-            Self::Dashed => Some((5.0, 2.2)),
+            Self::Dashed => Some((4.0, 2.0)),
+            Self::LongDashed => Some((10.0, 2.2)),
             Self::Dotted => Some((1.5, 1.5)),
         }
     }
@@ -107,16 +110,16 @@ impl Look {
     /// The law of the file, where it is smoothed.
     pub const OWN: Self = Self::of((0x22, 0x22, 0x22), Dash::Dotted, 1.5);
 
-    /// Okabe and Ito's colours that are dark enough for thin lines on white, each dash in turn.
+    /// Okabe and Ito's colours that are dark enough for thin lines on white; without colour, dash and width differ.
     const SERIES: [Self; 8] = [
         Self::of((0x00, 0x72, 0xB2), Dash::Solid, 1.2),
         Self::of((0xD5, 0x5E, 0x00), Dash::Dashed, 1.2),
         Self::of((0x00, 0x80, 0x60), Dash::Dotted, 1.5),
-        Self::of((0x22, 0x22, 0x22), Dash::Solid, 0.7),
-        Self::of((0xA8, 0x4F, 0x84), Dash::Dashed, 1.2),
-        Self::of((0x00, 0x72, 0xB2), Dash::Dotted, 1.5),
-        Self::of((0xD5, 0x5E, 0x00), Dash::Solid, 0.7),
-        Self::of((0x22, 0x22, 0x22), Dash::Dotted, 1.2),
+        Self::of((0x22, 0x22, 0x22), Dash::Solid, 0.6),
+        Self::of((0xA8, 0x4F, 0x84), Dash::LongDashed, 1.2),
+        Self::of((0x00, 0x72, 0xB2), Dash::Dashed, 0.7),
+        Self::of((0xD5, 0x5E, 0x00), Dash::LongDashed, 0.7),
+        Self::of((0x22, 0x22, 0x22), Dash::Dotted, 0.8),
     ];
 
     /// How many series can be told apart.
@@ -145,7 +148,11 @@ mod tests {
     fn no_two_series_look_alike() {
         for first in 0..Look::MOST_SERIES {
             for second in 0..first {
-                assert_ne!(Look::series(first), Look::series(second));
+                let (first, second) = (Look::series(first), Look::series(second));
+                assert!(
+                    first.dash != second.dash || first.width_pt != second.width_pt,
+                    "alike without colour"
+                );
             }
         }
     }

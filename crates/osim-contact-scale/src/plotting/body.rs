@@ -14,6 +14,24 @@ use crate::presets;
 use crate::sources::Source;
 use crate::verbs::sphere_count;
 
+/// What the user says of how a body stands, where its file does not.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Stance {
+    /// `--spheres`.
+    pub(crate) spheres: Option<f64>,
+    /// `--stance-limbs`.
+    pub(crate) stance_limbs: f64,
+    /// `--gravity`.
+    pub(crate) gravity_m_s2: Option<f64>,
+}
+
+impl Stance {
+    fn of(args: &PlotArgs) -> Self {
+        let counts = &args.counts;
+        Self { spheres: counts.spheres, stance_limbs: counts.stance_limbs, gravity_m_s2: args.gravity }
+    }
+}
+
 /// What a body weighs and on how many spheres it stands.
 #[derive(Debug, Clone)]
 pub(crate) struct Weight {
@@ -78,26 +96,29 @@ impl Body {
         let read = |loaded: &Loaded| {
             loaded.with_model(|model| {
                 let selected = selection.apply(model).map_err(|fault| loaded.failure(fault))?;
-                Self::of_model(short_name(path), model, &selected.forces, &masses, args, &|fault| {
-                    loaded.failure(fault)
-                })
+                let failed = |fault| loaded.failure(fault);
+                let (name, stance) = (short_name(path), Stance::of(args));
+                Self::of_model(name, model, &selected.forces, &masses, stance, &failed)
             })
         };
         let source = Source { path: path.to_owned(), folder: None };
         Ok(Loaded::read(&source, &args.parts).and_then(|loaded| read(&loaded)))
     }
 
-    /// A model's chosen forces. The report draws with it too.
+    /// A model's chosen forces; `failed` names the file a fault is in.
+    ///
+    /// # Errors
+    /// No chosen force applies, or a value is no number. What is not known of the weight is no error until it is needed.
     pub(crate) fn of_model(
         name: String,
         model: &Model<'_, '_>,
         forces: &[usize],
         masses: &MassRequest,
-        args: &PlotArgs,
+        stance: Stance,
         failed: &dyn Fn(Fault) -> Failure,
     ) -> Result<Self, Failure> {
         let kinds = kinds(model, forces).map_err(failed)?;
-        let weight = weight(model, forces, masses, args).map_err(failed);
+        let weight = weight(model, forces, masses, stance).map_err(failed);
         let contacts_mass_kg = masses.of_contacts(model, &mut Vec::new()).map(|mass| mass.kg).map_err(failed);
         Ok(Self { name, kinds, weight, contacts_mass_kg })
     }
@@ -223,14 +244,14 @@ fn weight(
     model: &Model<'_, '_>,
     forces: &[usize],
     masses: &MassRequest,
-    args: &PlotArgs,
+    stance: Stance,
 ) -> Result<Weight, Fault> {
     let mass_kg = masses.of_model(model)?.kg;
-    let sphere_count = match args.counts.spheres {
+    let sphere_count = match stance.spheres {
         Some(count) => count,
-        None => sphere_count(model, args.counts.stance_limbs, "--spheres")?,
+        None => sphere_count(model, stance.stance_limbs, "--spheres")?,
     };
-    let gravity = args.gravity.or(model.gravity().filter(|&gravity| gravity > 0.0));
+    let gravity = stance.gravity_m_s2.or(model.gravity().filter(|&gravity| gravity > 0.0));
     let Some(gravity_m_s2) = gravity else {
         return Err(Fault::new(FaultKind::Refused(
             "the model has no gravity: say it with --gravity G".to_owned(),

@@ -27,11 +27,11 @@ use series::Axes;
 /// Wrong usage: an ending that is no picture's, a body too many or too few, a file that is there already.
 pub(crate) fn run(args: &PlotArgs, terminal: &mut Terminal) -> Result<Exit> {
     let output = Output::of(args)?;
-    if matches!(args.kind, PlotKind::Fig4 | PlotKind::FigC5) {
-        let svg = of_paper(args)?;
-        return output.write(&svg, &[], args, terminal);
+    let of_paper = matches!(args.kind, PlotKind::Fig4 | PlotKind::FigC5);
+    if of_paper && (!args.models.is_empty() || args.target_mass.is_some()) {
+        bail!("fig4 and fig-c5 redraw the paper's own animals: leave out models and --target-mass");
     }
-    if args.models.is_empty() {
+    if !of_paper && args.models.is_empty() {
         bail!("nothing to draw: name a model, or a preset such as falisse2022");
     }
     let drawn = match bodies(args)? {
@@ -45,15 +45,6 @@ pub(crate) fn run(args: &PlotArgs, terminal: &mut Terminal) -> Result<Exit> {
             Ok(Exit::Failed)
         }
     }
-}
-
-fn of_paper(args: &PlotArgs) -> Result<String> {
-    if !args.models.is_empty() || args.target_mass.is_some() {
-        bail!("fig4 and fig-c5 redraw the paper's own animals: leave out models and --target-mass");
-    }
-    let title = args.title.as_deref();
-    let drawn = if args.kind == PlotKind::Fig4 { paper::fig4(title)? } else { paper::fig_c5(title)? };
-    Ok(figure(&drawn)?)
 }
 
 /// All bodies of the figure: those that were named, each followed by its scaled self where one is asked for.
@@ -94,9 +85,9 @@ fn svg(bodies: &[Body], args: &PlotArgs) -> Result<String, Failure> {
         PlotKind::State => state_figure(&state(bodies, axes, args)?),
         PlotKind::Loop => loop_figure(&loops(bodies, axes, args)?),
         PlotKind::Drop => drop_figure(&drop(bodies, args)?),
-        PlotKind::Sweep | PlotKind::Fig4 | PlotKind::FigC5 => {
-            heat_map(&sweep::map(only(bodies, "a sweep")?, args)?)
-        }
+        PlotKind::Sweep => heat_map(&sweep::map(only(bodies, "a sweep")?, args)?),
+        PlotKind::Fig4 => figure(&paper::fig4(args.title.as_deref()).map_err(|error| of_paper(&error))?),
+        PlotKind::FigC5 => figure(&paper::fig_c5(args.title.as_deref()).map_err(|error| of_paper(&error))?),
     };
     let name = names(bodies);
     drawn.map_err(|error| {
@@ -106,6 +97,11 @@ fn svg(bodies: &[Body], args: &PlotArgs) -> Result<String, Failure> {
         };
         Failure::outside(&name, "plot", &error)
     })
+}
+
+fn of_paper(error: &anyhow::Error) -> Failure {
+    let name = paper::SOURCE;
+    Failure::outside(name, "plot", error)
 }
 
 fn names(bodies: &[Body]) -> String {

@@ -5,12 +5,15 @@ use contact_plots::{
     DropCurve, Figure, ForceAxis, ForceFigure, IndentationAxis, Panel, StateFigure, TimeAxis, Width,
     drop_panel, force_panel, state_panel,
 };
-use contact_scaling::drop_test::DropTest;
+use contact_scaling::drop_test::{DropTest, DropValues};
 use contact_scaling::{Contact, ContactValues, Ratios, Scale, ScaleValues, SmoothingValues, falisse2022};
 
 use super::body::{Body, Kind};
 use super::series::{self, Axes};
 use crate::failure::Failure;
+
+/// Where the numbers come from.
+pub(super) const SOURCE: &str = "Table 1";
 
 /// Gravity of Table 1, m/s².
 const GRAVITY: f64 = 9.81;
@@ -19,7 +22,8 @@ const HEIGHT_RADII: f64 = 0.25;
 const DURATION_S: f64 = 1.1;
 /// Where the time axis ends, in s: both animals are at rest.
 const SHOWN_S: f64 = 0.5;
-const SAMPLES: usize = 1601;
+/// Points for each √(R/g): as many for the mouse as for the giraffe in their own time.
+const SAMPLES_PER_UNIT: f64 = 40.0;
 
 /// Where the force axes end, in body weights.
 const TOP: f64 = 3.0;
@@ -87,7 +91,9 @@ fn drop(name: &str, scale: &Scale, scale_dissipation: bool) -> Result<DropCurve>
         if scale_dissipation { values.dissipation } else { falisse2022().contact.dissipation() };
     let contact = Contact::new(ContactValues { dissipation, smoothing: None, ..values })?;
     let test = DropTest::of(&contact, scale, HEIGHT_RADII, DURATION_S)?;
-    let values = contact_scaling::drop_test::DropValues { samples: SAMPLES, ..test.values() };
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousand points")]
+    let samples = (SAMPLES_PER_UNIT * DURATION_S / scale.time_s()) as usize;
+    let values = DropValues { samples, ..test.values() };
     let report = DropTest::new(test.spheres().iter().copied(), values)?.run()?;
     let points = report.series.iter().map(|sample| (sample.time_s, sample.force_n / report.body_weight_n));
     Ok(DropCurve { name: name.to_owned(), points: points.collect(), time_unit_s: report.reference_time_s })
