@@ -27,3 +27,4 @@ mod recipes;
 mod shells;
 mod shown;
 mod support;
+mod sweep;

@@ -9,6 +9,7 @@ use walkdir::{DirEntry, WalkDir};
 
 use crate::failure::Failure;
 use crate::paths::{Resolver, resolved};
+use crate::sweep::FOLDER_MARK;
 
 /// End of the name of files that this tool writes by default.
 pub(crate) const OUTPUT_MARK: &str = ".scaled";
@@ -71,12 +72,18 @@ impl Sources {
     fn walk(&mut self, folder: &Path, skip: Option<&Path>, known: &mut Known) {
         let skip = skip.and_then(|path| path.canonicalize().ok());
         let is_skipped = |path: &Path| skip.is_some() && path.canonicalize().ok() == skip;
-        let (mut own, mut again) = (0, 0);
+        let (mut own, mut again, mut sweeps) = (0, 0, 0);
         let mut found = false;
         let shared: Arc<Path> = Arc::from(folder);
         // Links are followed, as a file manager does; a link that leads back into its own folder is a failure.
         let walk = WalkDir::new(folder).follow_links(true).sort_by_file_name().into_iter();
-        for entry in walk.filter_entry(|entry| !(entry.file_type().is_dir() && is_skipped(entry.path()))) {
+        let enters = |entry: &DirEntry| {
+            let is_sweep = entry.depth() > 0 && entry.file_type().is_dir() && is_sweep(entry.path());
+            sweeps += usize::from(is_sweep);
+            let skipped = is_sweep || (entry.file_type().is_dir() && is_skipped(entry.path()));
+            !skipped
+        };
+        for entry in walk.filter_entry(enters) {
             match entry {
                 Err(error) => self.failures.push(unreadable(folder, error)),
                 Ok(entry) if !is_model(&entry) => {}
@@ -100,6 +107,9 @@ impl Sources {
             self.remarks
                 .push(format!("{shown}: outputs of this tool (*{OUTPUT_MARK}.osim) passed over: {own}"));
         }
+        if sweeps > 0 {
+            self.remarks.push(format!("{shown}: folders of sweeps (*{FOLDER_MARK}) passed over: {sweeps}"));
+        }
         if again > 0 {
             self.remarks
                 .push(format!("{shown}: models that are there a second time (named or linked): {again}"));
@@ -119,6 +129,10 @@ fn is_model(entry: &DirEntry) -> bool {
 
 fn is_own_output(path: &Path) -> bool {
     path.file_stem().unwrap_or_default().as_encoded_bytes().ends_with(OUTPUT_MARK.as_bytes())
+}
+
+fn is_sweep(folder: &Path) -> bool {
+    folder.file_name().unwrap_or_default().as_encoded_bytes().ends_with(FOLDER_MARK.as_bytes())
 }
 
 fn unreadable(folder: &Path, error: walkdir::Error) -> Failure {

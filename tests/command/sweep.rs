@@ -1,0 +1,188 @@
+//! `sweep`: grids and ladders of variants, and their manifests.
+
+use std::collections::BTreeMap;
+
+use serde_json::Value;
+
+use crate::support::{Bench, fixture};
+
+const EMU: (&str, &str) = ("table1/emu_10_spheres_smooth_sphere.osim", "emu.osim");
+
+/// Rows of a manifest, as column to cell.
+fn rows(bench: &Bench, name: &str) -> Vec<BTreeMap<String, String>> {
+    let bytes = bench.read(name);
+    let mut reader = csv::Reader::from_reader(bytes.as_slice());
+    reader.deserialize().collect::<Result<_, _>>().unwrap()
+}
+
+/// A value that all forces (or spheres) of a model have.
+fn common(bench: &Bench, model: &str, property: &str) -> f64 {
+    let seen: Value =
+        serde_json::from_str(&bench.run(&format!("inspect {model} --format json")).done().out()).unwrap();
+    let values: Vec<f64> = if property == "radius" {
+        seen["spheres"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|sphere| sphere["radius_m"].as_f64().unwrap())
+            .collect()
+    } else {
+        let forces = seen["forces"].as_array().unwrap().iter();
+        forces.map(|force| force["parameters"][property].as_f64().unwrap()).collect()
+    };
+    assert!(values.iter().all(|value| *value == values[0]), "{values:?}");
+    values[0]
+}
+
+#[test]
+fn a_grid_has_one_file_per_point_and_the_manifest_says_what_is_in_it() {
+    let bench = Bench::with(&[EMU]);
+    let ran = bench.run("sweep emu.osim --grid stiffness=x0.1,x1,x10 --grid dissipation=0.5,1,2").done();
+    assert_eq!(ran.changed.len(), 10);
+    let rows = rows(&bench, "emu.sweep/emu_sweep.csv");
+    assert_eq!(rows.len(), 9);
+    let now = common(&bench, "emu.osim", "stiffness");
+    for row in &rows {
+        let file = format!("emu.sweep/{}", row["file"]);
+        for property in ["radius", "stiffness", "dissipation", "constant_contact_force", "hertz_smoothing"] {
+            assert_eq!(row[property].parse::<f64>().unwrap(), common(&bench, &file, property), "{file}");
+        }
+        let factor: f64 = row["grid_stiffness"].trim_start_matches('x').parse().unwrap();
+        assert_eq!(row["stiffness"].parse::<f64>().unwrap(), now * factor, "{file}");
+        assert_eq!(row["dissipation"], row["grid_dissipation"], "{file}");
+        let point =
+            format!("by sweep stiffness={} dissipation={};", row["grid_stiffness"], row["grid_dissipation"]);
+        assert!(bench.text(&file).contains(&point), "{file}");
+    }
+    // The point x1 with the model's own α changes nothing but the note.
+    let own = common(&bench, "emu.osim", "dissipation");
+    bench
+        .run(&format!("sweep emu.osim --grid stiffness=x1 --grid dissipation={own} -d own --no-note"))
+        .done();
+    let file = format!("own/emu_stiffness-x1_dissipation-{own}.osim");
+    assert_eq!(bench.read(&file), fixture(EMU.0));
+}
+
+#[test]
+fn a_grid_of_indentations_is_what_design_makes_of_each() {
+    let bench = Bench::with(&[EMU]);
+    bench
+        .run("sweep emu.osim --grid indentation=0.05,0.16 --grid restitution=0.8,0.9 -d out --no-note")
+        .done();
+    for (x, restitution) in [("0.05", "0.8"), ("0.05", "0.9"), ("0.16", "0.8"), ("0.16", "0.9")] {
+        let design = format!(
+            "design emu.osim --indentation {x} --restitution {restitution} --no-note -o one.osim --force"
+        );
+        bench.run(&design).done();
+        let file = format!("out/emu_indentation-{x}_restitution-{restitution}.osim");
+        assert_eq!(bench.read(&file), bench.read("one.osim"), "{file}");
+    }
+    for row in rows(&bench, "out/emu_sweep.csv") {
+        let (wanted, found) =
+            (row["grid_indentation"].parse::<f64>(), row["relative_indentation"].parse::<f64>());
+        assert!((found.unwrap() / wanted.unwrap() - 1.0).abs() < 1e-14);
+    }
+}
+
+#[test]
+fn masses_properties_and_designs_go_together() {
+    let bench = Bench::with(&[EMU]);
+    bench.run("sweep emu.osim --grid target-mass=5,500 --no-note -d out").done();
+    bench.run("emu.osim --target-mass 500 --no-note -o one.osim").done();
+    assert_eq!(bench.read("out/emu_target-mass-500.osim"), bench.read("one.osim"));
+    // Similar contacts sink in alike under the weight that they stand for.
+    let found: Vec<f64> = rows(&bench, "out/emu_sweep.csv")
+        .iter()
+        .map(|row| row["relative_indentation"].parse().unwrap())
+        .collect();
+    assert!((found[0] / found[1] - 1.0).abs() < 1e-12, "{found:?}");
+    bench.run("sweep emu.osim --grid radius=x2 --grid indentation=0.16 -d mixed").done();
+    let row = &rows(&bench, "mixed/emu_sweep.csv")[0];
+    assert_eq!(row["radius"], "0.03");
+    assert!((row["relative_indentation"].parse::<f64>().unwrap() / 0.16 - 1.0).abs() < 1e-14);
+}
+
+#[test]
+fn a_ladder_climbs_from_soft_to_what_design_makes() {
+    let bench = Bench::with(&[EMU]);
+    let call = "sweep emu.osim --ladder 4 --indentation 0.16 --restitution 0.9 -d out";
+    bench.run(call).done().wrote(&[
+        "out/emu_ladder-1-of-4.osim",
+        "out/emu_ladder-2-of-4.osim",
+        "out/emu_ladder-3-of-4.osim",
+        "out/emu_ladder-4-of-4.osim",
+        "out/emu_ladder.csv",
+    ]);
+    bench.run("design emu.osim --indentation 0.16 --restitution 0.9 -o end.osim").done();
+    let rows = rows(&bench, "out/emu_ladder.csv");
+    let column = |name: &str| -> Vec<f64> { rows.iter().map(|row| row[name].parse().unwrap()).collect() };
+    let (stiffness, dissipation, k) =
+        (column("stiffness"), column("dissipation"), column("dimensionless_stiffness"));
+    assert!(stiffness.is_sorted() && dissipation.is_sorted_by(|a, b| a > b), "{stiffness:?} {dissipation:?}");
+    // The paper's softest contact; 9.375 is 3/(2 · 0.16), and the steps between are 7.8125^(1/3) apart (mpmath).
+    for (found, expected) in k.iter().zip([1.2, 2.381_101_577_952_3, 4.724_703_937_105_8, 9.375]) {
+        assert!((found / expected - 1.0).abs() < 1e-12, "{k:?}");
+    }
+    assert_eq!(dissipation[0], common(&bench, "emu.osim", "dissipation"));
+    for property in ["stiffness", "dissipation", "radius"] {
+        assert_eq!(rows[3][property].parse::<f64>().unwrap(), common(&bench, "end.osim", property));
+    }
+    assert!(bench.text("out/emu_ladder-2-of-4.osim").contains("by ladder step 2 of 4;"));
+}
+
+#[test]
+fn count_and_size_come_first_and_many_models_ask_for_yes() {
+    let bench = Bench::with(&[EMU]);
+    let many = "sweep emu.osim --grid stiffness=x0.1..x10/101 --grid dissipation=0.1..10/100";
+    bench.run(many).usage().wrote_nothing().says(&["more than 10,000", "--yes"]);
+    bench
+        .run("sweep emu.osim --grid stiffness=x0.1..x10/9 --dry-run")
+        .done()
+        .wrote_nothing()
+        .says(&["9 models of"]);
+    bench.run("sweep emu.osim --grid stiffness=x1,x2 -d out").done().looks_like("sweep");
+    bench
+        .run("sweep emu.osim --grid stiffness=x1,x2 -d out")
+        .usage()
+        .wrote_nothing()
+        .says(&["3 of these files exist"]);
+    bench
+        .run("sweep emu.osim --grid stiffness=x1,x2 -d out --force --format json")
+        .done()
+        .looks_like("sweep_json");
+}
+
+#[test]
+fn what_makes_no_sense_is_refused_before_anything_is_written() {
+    let bench = Bench::with(&[EMU, ("bad/no_contacts.osim", "bare.osim")]);
+    for (arguments, says) in [
+        ("emu.osim", "--grid"),
+        ("emu.osim --grid stifness=x2", "unknown property"),
+        ("emu.osim --grid stiffness=x2,x2", "there twice"),
+        ("emu.osim --grid stiffness=x2 --grid stiffness=x3", "there twice"),
+        ("emu.osim --grid stiffness=x0.1..x10", "expected a range"),
+        ("emu.osim --grid indentation=0.1 --grid stiffness=x2", "both say"),
+        ("emu.osim --grid indentation=0.1 --grid target-mass=2", "contradict"),
+        ("emu.osim --grid indentation=0.1 --indentation 0.2", "both say"),
+        ("emu.osim --ladder 1 --indentation 0.16", "2 steps or more"),
+        ("emu.osim --ladder 3 --indentation 0.16 --soft 20", "--soft"),
+        ("emu.osim --ladder 3", "--indentation"),
+        ("- --grid stiffness=x2", "one model"),
+    ] {
+        bench.run(&format!("sweep {arguments}")).usage().wrote_nothing().says(&[says]);
+    }
+    bench.run("sweep nowhere.osim --grid stiffness=x2").failed().says(&["no such file"]);
+    bench.run("sweep bare.osim --grid stiffness=x2").failed().wrote_nothing().says(&["bare.osim"]);
+    // A point that cannot be is told; the others are made.
+    bench.run("sweep emu.osim --grid indentation=0.1,2 -d out").failed().says(&["indentation=2"]);
+    assert!(bench.has("out/emu_indentation-0.1.osim") && !bench.has("out/emu_indentation-2.osim"));
+}
+
+#[test]
+fn walks_over_folders_pass_sweeps_over_aloud() {
+    let bench = Bench::with(&[(EMU.0, "lib/emu.osim")]);
+    bench.run("sweep lib/emu.osim --grid stiffness=x1,x2").done();
+    let ran =
+        bench.run("lib --target-mass 5 -d out").done().says(&["folders of sweeps (*.sweep) passed over: 1"]);
+    assert_eq!(ran.changed, ["out/emu.osim"]);
+}
