@@ -249,6 +249,26 @@ fn every_command_that_is_proposed_mends_what_it_is_proposed_for() {
 }
 
 #[test]
+fn it_says_why_figures_are_absent() {
+    for (fixture, option, why) in [
+        ("format/player_and_ball.osim", "--select contact_* --spheres 2", "--select GLOB"),
+        ("format/no_sides.osim", "--spheres 2", "left or right cannot be told"),
+    ] {
+        let bench = Bench::with(&[(fixture, "model.osim")]);
+        let before = report(&bench, "model.osim");
+        let told = before.findings.iter().find(|finding| finding.code == "sphere-count-unknown").unwrap();
+        assert!(told.message.contains(why), "{}", told.message);
+        let after = report(&bench, &format!("model.osim {option}"));
+        assert!(!codes(&after).contains("sphere-count-unknown"), "{:?}", after.findings);
+        assert!(
+            codes(&after).contains("beyond-hertz") || codes(&after).contains("sunk-in"),
+            "{:?}",
+            after.findings
+        );
+    }
+}
+
+#[test]
 fn the_exit_status_is_that_of_the_worst_finding() {
     let of = |fixture: &str| Bench::with(&[(fixture, "model.osim")]);
     let (info, warn, error) =

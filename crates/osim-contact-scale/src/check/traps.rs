@@ -124,8 +124,10 @@ fn unknown(seen: &Inspection) -> Vec<Finding> {
     if seen.gravity_m_s2.is_none_or(|gravity| gravity == 0.0) {
         found.push(Finding::new(WarningCode::NoGravity, "the model has no gravity"));
     }
-    let counted = seen.figures.limbs.iter().all(|limb| limb.sphere_count.is_some());
-    if let (false, Some(why)) = (counted, &seen.limbs_unknown) {
+    // Limbs are not known either where forces of several animals are there and nobody chose among them.
+    let limbs = &seen.figures.limbs;
+    let counted = !limbs.is_empty() && limbs.iter().all(|limb| limb.sphere_count.is_some());
+    if let (None, false, Some(why)) = (&seen.limbs, counted, &seen.limbs_unknown) {
         found.push(Finding::new(WarningCode::CountUnknown, why.clone()));
     }
     found

@@ -22,9 +22,10 @@ pub(crate) fn text(seen: &Inspection) -> String {
         text.push('\n');
         text.push_str(&forces(seen));
     }
-    if seen.figures.spheres().next().is_some() {
-        text.push('\n');
-        text.push_str(&painted(&figures(seen)));
+    if !seen.forces.is_empty() {
+        let figures = figures(seen);
+        text.push_str(if figures.is_empty() { "" } else { "\n" });
+        text.push_str(&painted(&figures));
     }
     if seen.body_factors.is_some() {
         text.push('\n');
@@ -199,7 +200,7 @@ struct Alike<'a> {
     names: Vec<&'a str>,
     first: &'a SphereFigures,
     mixed: bool,
-    level: Vec<String>,
+    key: Vec<String>,
 }
 
 fn figures(seen: &Inspection) -> String {
@@ -208,9 +209,9 @@ fn figures(seen: &Inspection) -> String {
         let mixed = limb.is_mixed();
         for sphere in &limb.spheres {
             let key = key(sphere);
-            match groups.iter_mut().find(|group| group.level == key) {
+            match groups.iter_mut().find(|group| group.key == key) {
                 Some(group) => group.names.push(&sphere.sphere),
-                None => groups.push(Alike { names: vec![&sphere.sphere], first: sphere, mixed, level: key }),
+                None => groups.push(Alike { names: vec![&sphere.sphere], first: sphere, mixed, key }),
             }
         }
     }
