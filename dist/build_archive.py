@@ -78,6 +78,10 @@ def licences(metadata, target):
             if file.is_file() and LICENCE_FILES.match(file.name):
                 text = file.read_text(encoding="utf-8", errors="replace").strip()
                 texts.setdefault(text, []).append(f"{name} ({file.name})")
+    # The font of PNG pictures is compiled in, but is no library.
+    font = ROOT / "crates/contact-plots/fonts/OFL.txt"
+    head.append("Arimo 1.33: OFL-1.1")
+    texts.setdefault(font.read_text(encoding="utf-8").strip(), []).append("Arimo 1.33 (OFL.txt)")
     head.append("\nThe standard library of Rust: MIT OR Apache-2.0 (https://www.rust-lang.org).")
     if target.endswith("linux-gnu"):
         head.append("The GNU C Library: LGPL-2.1-or-later (https://www.gnu.org/software/libc). The program's sources are\n"
