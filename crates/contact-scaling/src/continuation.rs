@@ -16,14 +16,34 @@ pub struct Step {
     pub dissipation_factor: f64,
 }
 
+/// Ratio of the composite moduli that belong to two dimensionless stiffnesses at one load,
+/// E*_a / E*_b = (k̂_a / k̂_b)^(3/2), without unit.
+///
+/// k̂ without unit. At one load (11) gives E* ∝ x̂^(−3/2), and (B.3) under the Hertz law k̂ = 3/(2 x̂).
+///
+/// Source: (11), (B.3).
+///
+/// # Errors
+/// [`DomainError`] unless both are finite and above 0.
+///
+/// ```
+/// # use contact_scaling::continuation::modulus_ratio;
+/// // From k̂ = 1.2, the softest contacts of the paper's Fig. 1(C), to 1.5/0.16: E* rises about 22 times.
+/// assert!((1.0 / modulus_ratio(1.2, 9.375)? - 21.8366).abs() < 5e-4);
+/// # Ok::<(), contact_scaling::DomainError>(())
+/// ```
+pub fn modulus_ratio(stiffness_a: f64, stiffness_b: f64) -> Result<f64, DomainError> {
+    let a = positive("dimensionless stiffness", stiffness_a)?;
+    let ratio = a / positive("dimensionless stiffness", stiffness_b)?;
+    Ok(ratio * ratio.sqrt())
+}
+
 /// `count` steps from k̂ = `first` to k̂ = `last`, equally far apart in the logarithm of k̂; α falls likewise from
 /// `dissipation_ratio` times its last value to that value.
 ///
-/// At one load F, (11) gives E* ∝ x̂^(−3/2), and (B.3) under the Hertz law k̂ = 3/(2 x̂): so E* ∝ k̂^(3/2), and the
-/// factor of a step is (k̂ / `last`)^(3/2). k̂ and the factors are without unit. The first step of the paper's Fig. 1(C)
-/// has k̂ = 1.2. The factors of the last step are exactly 1.
-///
-/// Source: (11), (B.3), section 4.3.
+/// The modulus factor of a step is the [`modulus_ratio`] of k̂ and `last`. k̂ and the factors are without unit. The
+/// factors of the last step are exactly 1. This is the advice of the paper's section 4.3; how far apart the steps
+/// are is our choice.
 ///
 /// # Errors
 /// [`DomainError`] unless 0 < `first` < `last`, `dissipation_ratio` ≥ 1, all finite, and `count` ≥ 2.
@@ -48,21 +68,27 @@ pub fn steps(first: f64, last: f64, dissipation_ratio: f64, count: u32) -> Resul
     let ratio = positive("ratio of the dissipations", dissipation_ratio)?;
     within(ratio >= 1.0, "ratio of the dissipations", ratio, "1 or more")?;
     within(count >= 2, "number of steps", f64::from(count), "2 or more")?;
-    Ok((0..count).map(|index| step(first / last, last, ratio, index, count)).collect())
+    (0..count).map(|index| step(first / last, last, ratio, index, count)).collect()
 }
 
-fn step(ratio_of_stiffness: f64, last: f64, ratio_of_dissipation: f64, index: u32, count: u32) -> Step {
+fn step(
+    ratio_of_stiffness: f64,
+    last: f64,
+    ratio_of_dissipation: f64,
+    index: u32,
+    count: u32,
+) -> Result<Step, DomainError> {
     if index + 1 == count {
-        return Step { dimensionless_stiffness: last, modulus_factor: 1.0, dissipation_factor: 1.0 };
+        return Ok(Step { dimensionless_stiffness: last, modulus_factor: 1.0, dissipation_factor: 1.0 });
     }
     // The part of the way that is still to go: 1 at the first step.
     let remaining = f64::from(count - 1 - index) / f64::from(count - 1);
     let relative = libm::pow(ratio_of_stiffness, remaining);
-    Step {
+    Ok(Step {
         dimensionless_stiffness: last * relative,
-        modulus_factor: relative * relative.sqrt(),
+        modulus_factor: modulus_ratio(relative, 1.0)?,
         dissipation_factor: libm::pow(ratio_of_dissipation, remaining),
-    }
+    })
 }
 
 #[cfg(test)]

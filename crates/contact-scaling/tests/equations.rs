@@ -11,8 +11,8 @@ use std::path::{Path, PathBuf};
 use contact_scaling::modulus::{MixingRule, SurfaceValues};
 use contact_scaling::{
     Contact, ContactValues, EQUAL_SURFACES, Hertz, HertzValues, HuntCrossley, Law, RatioValues, Ratios,
-    SharedLoad, SmoothSphere, SmoothingValues, Spheres, design, equilibrium, mixed_radii, modulus, patch,
-    restitution, smoothing, stiffness,
+    SharedLoad, SmoothSphere, SmoothingValues, Spheres, continuation, design, equilibrium, mixed_radii,
+    modulus, patch, restitution, smoothing, stiffness,
 };
 
 /// Powers of length, mass and time.
@@ -193,6 +193,7 @@ const TABLE: &[Equation] = &[
     eq("restitution::dissipation", &[ONE, SPEED], PER_SPEED, |i| {
         restitution::dissipation(i[0], i[1]).unwrap()
     }),
+    eq("continuation::modulus_ratio", &[ONE, ONE], ONE, |i| continuation::modulus_ratio(i[0], i[1]).unwrap()),
     eq("restitution::drop_speed", &[ACCELERATION, LENGTH], SPEED, |i| {
         restitution::drop_speed(i[0], i[1]).unwrap()
     }),

@@ -1,6 +1,9 @@
 //! What the paper has no equation for.
 
-use super::symbols::{ALPHA, C_EXACT, D, E_I, F_LOAD, F_S, G, IMPACT, N, R, R_EQUIVALENT, R_I, U_V, V_T, X};
+use super::symbols::{
+    ALPHA, C_EXACT, D, E_A, E_B, E_I, F_LOAD, F_S, G, IMPACT, K_HAT_A, K_HAT_B, N, R, R_EQUIVALENT, R_I, U_V,
+    V_T, X,
+};
 use super::{Equation, form};
 
 pub(super) const ALL: &[Equation] = &[
@@ -38,6 +41,14 @@ pub(super) const ALL: &[Equation] = &[
         forms: &[form("", "Σ F_s,i(x) = F", "equilibrium::indentation", "m")],
         symbols: &[F_S, X, F_LOAD],
         source: "beyond the paper: (C.3) summed over spheres whose bottoms are level",
+    },
+    Equation {
+        label: "continuation",
+        aliases: &["ladder"],
+        title: "Modulus for a dimensionless stiffness",
+        forms: &[form("", "E*_a / E*_b = (k̂_a / k̂_b)^(3/2)", "continuation::modulus_ratio", "1")],
+        symbols: &[E_A, E_B, K_HAT_A, K_HAT_B],
+        source: "(11) and (B.3) at one load; the steps of section 4.3",
     },
     Equation {
         label: "mixed radii",

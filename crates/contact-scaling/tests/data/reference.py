@@ -134,6 +134,7 @@ ROWS = [
     ("smoothing::hunt_crossley_smoothing_for_reduced_width", lambda t, w, r: 2 * atanh(1 - 2 * t) / (w * sqrt(r)), (T, [0.3, 0.2, 1.0], R)),
     ("equilibrium::hertz_indentation", lambda e, r, cf, bd, n, f: (f / (n * mpf(4) / 3 * sqrt(r) * e)) ** (mpf(2) / 3), ([353553.39, 91540.5], [0.032, 0.002], [1e-5, 3.90625e-8], [300.0, 4800.0], [6.0, 2.0], [608.22, 0.205])),
     ("equilibrium::indentation", rest, ([353553.39, 91540.5], [0.032, 0.002], [1e-5, 3.90625e-8], [300.0, 4800.0], [6.0, 2.0], [608.22, 0.205])),
+    ("continuation::modulus_ratio", lambda a, b: (a / b) ** half3, ([1.2, 2.5, 4.246], [9.375, 4.246, 1.5])),
     ("mixed_radii::mean_square", lambda a, b, c: (a**2 + b**2 + c**2) / 3, ([0.032, 0.015], [0.03, 0.002], [0.0637, 0.1])),
 ]
 

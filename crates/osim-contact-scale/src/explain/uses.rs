@@ -44,6 +44,7 @@ pub(super) fn of(label: &str) -> &'static str {
         "exact restitution" => "inspect, design, drop-test, transfer: restitution by the exact law",
         "rest by (1)" => "inspect, drop-test: indentation at rest by the Hertz law",
         "rest by (C.3)" => "inspect, drop-test: indentation at rest by the model's own law",
+        "continuation" => "sweep --ladder: stiffness of the steps",
         "mixed radii" => "rescale, transfer: one ContactParameters with spheres of several radii",
         "friction" => "--friction: transition_velocity and viscous_friction",
         "given" => "set, --radius",
