@@ -1,9 +1,10 @@
 //! How far a run is: on a terminal only, and only with several models.
 
+use std::fmt::Write;
 use std::io::IsTerminal;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 
 /// Models done, their rate, the time that remains, and failures.
 pub(crate) struct Progress {
@@ -16,10 +17,14 @@ impl Progress {
         let hidden = models < 2 || quiet || !std::io::stderr().is_terminal();
         let bar = if hidden { ProgressBar::hidden() } else { ProgressBar::new(models as u64) };
         let style = ProgressStyle::with_template(
-            "{wide_bar} {human_pos}/{human_len} models, {per_sec}, {eta} left{msg}",
+            "{wide_bar} {human_pos}/{human_len} models, {rate}, {eta} left{msg}",
         );
         if let Ok(style) = style {
-            bar.set_style(style.progress_chars("##-"));
+            let rate = |state: &ProgressState, text: &mut dyn Write| {
+                // A terminal that cannot be written to shows no bar at all.
+                let _ = write!(text, "{:.0}/s", state.per_sec());
+            };
+            bar.set_style(style.with_key("rate", rate).progress_chars("##-"));
         }
         Self { bar, failures: AtomicUsize::new(0) }
     }
