@@ -1,16 +1,26 @@
-"""The same rescaling with OpenSim's own API: `python rescale_with_opensim.py MODEL OUTPUT TARGET_MASS_KG`.
+"""The same rescaling with OpenSim's own API: `python rescale_with_opensim.py MODEL OUTPUT TARGET_MASS_KG`, or
+`... FOLDER OUTPUT_FOLDER TARGET_MASS_KG` for all models of a folder.
 
 The script a user would write without this project: load, multiply by the paper's ratios, print. Equations (10), (14),
 (C.2), (C.5) and (C.10), with radii that follow the body.
 """
 
 import sys
+from pathlib import Path
 
 import opensim
 
 
 def main(path, output, target_mass):
     opensim.Logger.setLevelString("off")
+    if not Path(path).is_dir():
+        rescale(path, output, target_mass)
+        return
+    for model in sorted(Path(path).glob("*.osim")):
+        rescale(str(model), str(Path(output) / model.name), target_mass)
+
+
+def rescale(path, output, target_mass):
     model = opensim.Model(path)
     bodies = model.getBodySet()
     mass = sum(bodies.get(i).getMass() for i in range(bodies.getSize()))

@@ -2,24 +2,16 @@
 """Builds the command, measures it as a whole process and compares with the limits it is to keep: see README.md."""
 
 import argparse
-import json
 import os
-import platform
-import shutil
 import statistics
-import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 
 import synthetic
+from measure import MIB, ROOT, TARGET_KG, Table, build, opensim_call, opensim_python, peak, rescale, run
 
-HERE = Path(__file__).resolve().parent
-ROOT = HERE.parent
 CORPUS_MODEL = "v40000_falisse_2022_human.osim"
-TARGET_KG = "500"
-MIB = 1 << 20
 
 LIMIT_MS = 5.0
 LIMIT_MIB = 16.0
@@ -61,83 +53,14 @@ def arguments():
     return options
 
 
-def build():
-    """The path of the release build."""
-    call = ["cargo", "build", "--release", "-p", "osim-contact-scale", "--message-format=json-render-diagnostics"]
-    lines = subprocess.run(call, cwd=ROOT, stdout=subprocess.PIPE, check=True, text=True).stdout.splitlines()
-    built = [json.loads(line).get("executable") for line in lines]
-    return [path for path in built if path][-1]
-
-
-class Table:
-    """Prints a row as soon as it is measured, and remembers what failed."""
-
-    def __init__(self):
-        self.failed = 0
-        print(f"{platform.machine()}, {os.cpu_count()} processors, load {os.getloadavg()[0]:.1f}")
-
-    def head(self, text):
-        print(f"\n{text}")
-
-    def row(self, what, value, unit, limit=None, at_least=False):
-        """One figure against its limit, which it must not exceed (or, `at_least`, must reach)."""
-        if limit is None:
-            verdict = ""
-        elif value >= limit if at_least else value <= limit:
-            verdict = f"pass ({'at least' if at_least else 'at most'} {limit:g})"
-        else:
-            verdict = f"FAIL ({'at least' if at_least else 'at most'} {limit:g})"
-            self.failed += 1
-        print(f"  {what:<52} {value:>10.4g} {unit:<6} {verdict}", flush=True)
-
-    def finish(self):
-        print(f"\n{self.failed} limits missed" if self.failed else "\nall limits kept")
-        return 1 if self.failed else 0
-
-
-def run(call, status=0, fresh=None):
-    """Wall time in seconds and the time on a processor of one process, start to end, its output thrown away.
-
-    `fresh` is a file the process writes anew: replacing an old one would time the disk, which is told to keep the
-    successor before the old contents go.
-    """
-    if fresh is not None:
-        fresh.unlink(missing_ok=True)
-    nothing = [(os.POSIX_SPAWN_OPEN, fd, os.devnull, os.O_RDWR, 0) for fd in (0, 1, 2)]
-    start = time.perf_counter()
-    process = os.posix_spawn(shutil.which(call[0]), call, os.environ, file_actions=nothing)
-    _, code, usage = os.wait4(process, 0)
-    elapsed = time.perf_counter() - start
-    if os.waitstatus_to_exitcode(code) != status:
-        sys.exit(f"failed: {' '.join(call)}")
-    return elapsed, usage.ru_utime + usage.ru_stime
-
-
-def peak(call, status=0):
-    """Peak memory in bytes, asked of GNU time: what Python itself uses would count as the child's otherwise."""
-    timer = shutil.which("time")
-    if timer is None:
-        sys.exit("GNU time is needed to measure memory, for example from the package 'time'")
-    with tempfile.NamedTemporaryFile("r") as report:
-        done = subprocess.run(
-            [timer, "-q", "-o", report.name, "-f", "%M", *call], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
-        )
-        if done.returncode != status:
-            sys.exit(f"failed: {' '.join(call)}")
-        return int(report.read()) * 1024
-
-
-def rescale(command, model, *options):
-    return [command, str(model), "--target-mass", TARGET_KG, *options]
-
-
 def one_model(table, command, folder, rounds):
     """A published model, and the same with OpenSim's API, by turns."""
     model = corpus_model(table)
     table.head(f"{model.name} ({model.stat().st_size / 1000:.0f} kB) to {TARGET_KG} kg, whole process")
     out = folder / "out.osim"
     ours = rescale(command, model, "-o", str(out), "--force")
-    theirs = opensim_call(model, folder)
+    python = opensim_python()
+    theirs = python and opensim_call(python, model, folder / "opensim.osim")
     times = {"ours": [], "theirs": []}
     for _ in range(rounds):
         times["ours"].append(run(ours, fresh=out))
@@ -166,13 +89,6 @@ def corpus_model(table):
     largest = max((ROOT / "fixtures").rglob("*.osim"), key=lambda path: path.stat().st_size)
     table.head(f"OSIM_CORPUS names no folder with {CORPUS_MODEL}: the largest fixture stands in for it")
     return largest
-
-
-def opensim_call(model, folder):
-    python = os.environ.get("OPENSIM_PYTHON")
-    if not python or subprocess.run([python, "-c", "import opensim"], capture_output=True).returncode != 0:
-        return None
-    return [python, str(HERE / "rescale_with_opensim.py"), str(model), str(folder / "opensim.osim"), TARGET_KG]
 
 
 def sizes(table, command, folder, megabytes, repeats):

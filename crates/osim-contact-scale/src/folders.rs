@@ -20,12 +20,19 @@ impl Folders {
     pub(crate) fn look<'p>(outputs: impl Iterator<Item = &'p Path>, tidy: bool) -> Self {
         let mut folders = Self::default();
         for output in outputs {
-            let folder = folder_of(output);
-            if !folders.compiled.contains_key(folder) {
-                folders.compiled.insert(folder.to_owned(), list(folder, tidy));
+            folders.look_at(folder_of(output), tidy);
+            // A file is replaced where it really is.
+            if tidy && output.is_symlink() {
+                folders.look_at(folder_of(&resolved(output)), tidy);
             }
         }
         folders
+    }
+
+    fn look_at(&mut self, folder: &Path, tidy: bool) {
+        if !self.compiled.contains_key(folder) {
+            self.compiled.insert(folder.to_owned(), list(folder, tidy));
+        }
     }
 
     /// A compiled copy of the model `output`, which PredSim and OpenCap would go on using.

@@ -138,10 +138,12 @@ impl Stamp {
     /// # Errors
     /// It was changed or removed since.
     pub(crate) fn still_holds(&self, path: &Path) -> Result<()> {
-        let now = std::fs::metadata(path).context("the model is no longer there, so nothing was written")?;
+        let gone = || format!("{} is no longer there, so nothing was written", path.display());
+        let now = std::fs::metadata(path).with_context(gone)?;
         if now.len() != self.metadata.len() || now.modified().ok() != self.modified {
             bail!(
-                "another program changed the model while it was being worked on, so nothing was written: run again"
+                "another program changed {} while it was being worked on, so nothing was written: run again",
+                path.display()
             );
         }
         Ok(())

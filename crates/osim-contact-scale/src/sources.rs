@@ -85,8 +85,17 @@ impl Sources {
         };
         for entry in walk.filter_entry(enters) {
             match entry {
-                Err(error) => self.failures.push(unreadable(folder, error)),
+                Err(error) if is_dead_link_beside_models(&error) => {}
+                Err(error) => self.failures.push(unreadable(folder, &error)),
                 Ok(entry) if !is_model(&entry) => {}
+                // A pipe would never end, or never begin.
+                Ok(entry) if !entry.file_type().is_file() => {
+                    found = true;
+                    let shown = entry.path().display().to_string();
+                    let error =
+                        anyhow!("this is no ordinary file, and is read only where it is named itself");
+                    self.failures.push(Failure::outside(&shown, "unreadable", &error));
+                }
                 Ok(entry) if is_own_output(entry.path()) => own += 1,
                 Ok(entry) => {
                     found = true;
@@ -123,8 +132,21 @@ impl Sources {
 }
 
 fn is_model(entry: &DirEntry) -> bool {
-    let is_model = entry.path().extension().is_some_and(|extension| extension.eq_ignore_ascii_case("osim"));
-    is_model && !entry.file_type().is_dir()
+    has_name_of_model(entry.path()) && !entry.file_type().is_dir()
+}
+
+fn has_name_of_model(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("osim"))
+}
+
+/// A link that leads nowhere and, by its name, never led to a model or a folder.
+fn is_dead_link_beside_models(error: &walkdir::Error) -> bool {
+    let path = error.path().filter(|path| path.extension().is_some() && !has_name_of_model(path));
+    error.loop_ancestor().is_none() && path.is_some_and(is_dead_link)
+}
+
+fn is_dead_link(path: &Path) -> bool {
+    path.is_symlink() && !path.exists()
 }
 
 fn is_own_output(path: &Path) -> bool {
@@ -135,16 +157,21 @@ fn is_sweep(folder: &Path) -> bool {
     folder.file_name().unwrap_or_default().as_encoded_bytes().ends_with(FOLDER_MARK.as_bytes())
 }
 
-fn unreadable(folder: &Path, error: walkdir::Error) -> Failure {
-    let path = error.path().unwrap_or(folder).display().to_string();
-    let error = match error.loop_ancestor() {
-        Some(ancestor) => anyhow!(
+fn unreadable(folder: &Path, error: &walkdir::Error) -> Failure {
+    let path = error.path().unwrap_or(folder);
+    let reason = match (error.loop_ancestor(), error.io_error()) {
+        (Some(ancestor), _) => anyhow!(
             "a link that leads back to {}: remove the link, or name the folders that hold the models",
             ancestor.display()
         ),
-        None => anyhow!(error).context("cannot be read"),
+        _ if is_dead_link(path) => {
+            anyhow!("a link that leads nowhere: remove it, or bring back what it leads to")
+        }
+        // Without the path, which stands before it.
+        (None, Some(error)) => anyhow!("cannot be read: {error}"),
+        (None, None) => anyhow!("cannot be read"),
     };
-    Failure::outside(&path, "unreadable", &error)
+    Failure::outside(&path.display().to_string(), "unreadable", &reason)
 }
 
 /// One model named twice, or linked, is one model.

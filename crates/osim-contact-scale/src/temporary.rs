@@ -53,7 +53,9 @@ fn is_alive(process: u32) -> bool {
 }
 
 fn nobody_has_open(path: &Path) -> bool {
-    File::options().write(true).open(path).is_ok_and(|file| file.try_lock().is_ok())
+    // Like the model it was made from, it may be write-protected; network file systems lock only what can be written.
+    let file = File::options().write(true).open(path).or_else(|_| File::open(path));
+    file.is_ok_and(|file| file.try_lock().is_ok())
 }
 
 /// The computer's name, of letters that every file system takes.

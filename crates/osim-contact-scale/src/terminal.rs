@@ -64,11 +64,11 @@ impl Terminal {
             return Ok(());
         }
         let mut out = io::stdout().lock();
-        match out.write_all(bytes).and_then(|()| out.flush()) {
-            Err(error) if error.kind() == ErrorKind::BrokenPipe => {
-                self.gone = true;
-                Ok(())
-            }
+        let written = out.write_all(bytes).and_then(|()| out.flush());
+        // What follows a gap is of no use: it is left out, and the failure is said once.
+        self.gone = written.is_err();
+        match written {
+            Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
             result => result,
         }
     }

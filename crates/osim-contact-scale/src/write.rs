@@ -15,6 +15,9 @@ use crate::temporary;
 /// A complete successor that does not have its name yet.
 pub(crate) struct Prepared {
     temporary: NamedTempFile,
+    /// As the user knows it.
+    shown: PathBuf,
+    /// Where it really is.
     target: PathBuf,
     replaces: bool,
 }
@@ -59,30 +62,25 @@ impl Prepared {
     /// # Errors
     /// As [`new`](Self::new).
     pub(crate) fn begin(target: &Path, like: Option<&Metadata>, mode: Mode) -> Result<Self> {
-        if target.is_symlink() && !target.exists() {
-            bail!("{} is a link that leads nowhere: remove it, or write to another name", target.display());
-        }
-        // A symlink stays one: what it leads to is replaced.
-        let target = resolved(target);
+        let (target, shown) = (real(target)?, target.to_owned());
         let existing = std::fs::metadata(&target).ok();
         if existing.as_ref().is_some_and(Metadata::is_dir) {
-            bail!("cannot write {}: a folder has that name", target.display());
+            bail!("cannot write {}: a folder has that name", shown.display());
         }
         if existing.as_ref().is_some_and(|metadata| !metadata.is_file()) {
-            bail!("{} is no ordinary file: write to another name", target.display());
+            bail!("{} is no ordinary file: write to another name", shown.display());
         }
         if existing.is_some() && mode == Mode::New {
             bail!(
                 "{} exists already: choose another name with -o, or replace it with --force",
-                target.display()
+                shown.display()
             );
         }
-        let folder = folder_of(&target);
-        let cannot = || format!("cannot write into {}", folder.display());
+        let cannot = || format!("cannot write into {}", folder_of(&shown).display());
         let like = existing.as_ref().or(like);
-        let temporary = temporary::file(folder, like).with_context(cannot)?;
+        let temporary = temporary::file(folder_of(&target), like).with_context(cannot)?;
         keep_permissions(&temporary, like).with_context(cannot)?;
-        Ok(Self { temporary, target, replaces: existing.is_some() })
+        Ok(Self { temporary, shown, target, replaces: existing.is_some() })
     }
 
     /// Writes more bytes of the successor.
@@ -95,7 +93,7 @@ impl Prepared {
     }
 
     fn cannot_write(&self) -> String {
-        format!("cannot write into {}", folder_of(&self.target).display())
+        format!("cannot write {}", self.shown.display())
     }
 
     /// Whether a file is there whose contents are about to go.
@@ -105,7 +103,7 @@ impl Prepared {
 
     /// Makes sure the bytes are on the disk, not only on their way there.
     pub(crate) fn sync(&self) -> Result<()> {
-        self.temporary.as_file().sync_all().with_context(|| format!("cannot write {}", self.target.display()))
+        self.temporary.as_file().sync_all().with_context(|| self.cannot_write())
     }
 
     /// Gives the successor its name, in one step.
@@ -114,7 +112,7 @@ impl Prepared {
     /// Somebody else made a file of that name in the meantime, or the folder cannot be changed.
     pub(crate) fn commit(self) -> Result<()> {
         let durable = self.replaces;
-        let target = self.target;
+        let (target, shown) = (self.target, self.shown.display());
         let result = if self.replaces {
             self.temporary.persist(&target)
         } else {
@@ -128,11 +126,22 @@ impl Prepared {
                 Ok(())
             }
             Err(error) if error.error.kind() == ErrorKind::AlreadyExists => {
-                bail!("{} appeared while it was being written: nothing was replaced", target.display())
+                bail!("{shown} appeared while it was being written: nothing was replaced")
             }
-            Err(error) => Err(anyhow!(error.error).context(format!("cannot write {}", target.display()))),
+            Err(error) => Err(anyhow!(error.error).context(format!("cannot write {shown}"))),
         }
     }
+}
+
+/// The file that takes the bytes. A symlink stays one: what it leads to is replaced.
+fn real(target: &Path) -> Result<PathBuf> {
+    if !target.is_symlink() {
+        return Ok(target.to_owned());
+    }
+    if !target.exists() {
+        bail!("{} is a link that leads nowhere: remove it, or write to another name", target.display());
+    }
+    Ok(resolved(target))
 }
 
 /// Many slices with few calls; a full disk takes only some of the bytes, which is found by asking again.

@@ -32,6 +32,22 @@ impl Form {
         }
     }
 
+    /// Records, one per line.
+    ///
+    /// # Errors
+    /// The lines hold something else; also where a table has another header and not one line.
+    pub(super) fn read(self, lines: &[u8]) -> Result<Vec<Record>> {
+        if self == Self::Ndjson {
+            let lines = lines.split(|&byte| byte == b'\n').filter(|line| !line.is_empty());
+            return Ok(lines.map(serde_json::from_slice).collect::<Result<_, _>>()?);
+        }
+        let mut reader = csv::Reader::from_reader(lines);
+        if !lines.is_empty() && !reader.headers()?.iter().any(|column| column == "sha256_output") {
+            bail!("there is no column 'sha256_output'");
+        }
+        Ok(reader.deserialize().collect::<Result<_, _>>()?)
+    }
+
     /// One record and a line end; `first` with the header.
     fn line(self, record: &Record, first: bool) -> Result<Vec<u8>> {
         if self == Self::Ndjson {
@@ -63,12 +79,57 @@ pub(super) struct Journal {
     partial: Mutex<Partial>,
     partial_path: PathBuf,
     /// In the order of the models.
-    summary: Mutex<(Prepared, bool)>,
+    summary: Mutex<Summary>,
 }
 
+struct Summary {
+    file: Prepared,
+    first: bool,
+    /// Why it is not whole; then no more is added.
+    broken: Option<anyhow::Error>,
+}
+
+impl Summary {
+    fn add(&mut self, form: Form, record: &Record) -> Result<()> {
+        let line = form.line(record, self.first)?;
+        self.first = false;
+        self.file.add(&line)
+    }
+}
+
+/// Whole lines only.
 struct Partial {
     file: File,
-    first: bool,
+    length: u64,
+}
+
+impl Partial {
+    /// Opens the file for this run alone, with the whole lines that are there if it goes on with them.
+    fn open(path: &Path, summary: &Path, resume: bool) -> Result<Self> {
+        let cannot = || format!("cannot write {}", path.display());
+        let file = OpenOptions::new().create(true).append(true).open(path).with_context(cannot)?;
+        if file.try_lock().is_err_and(|error| matches!(error, std::fs::TryLockError::WouldBlock)) {
+            bail!(
+                "{} is being written by another run: give each run a summary of its own",
+                summary.display()
+            );
+        }
+        // A line cut off when the run was killed must not run into the next one.
+        let kept =
+            if resume { whole_lines(&std::fs::read(path).with_context(cannot)?).len() as u64 } else { 0 };
+        file.set_len(kept).with_context(cannot)?;
+        Ok(Self { file, length: kept })
+    }
+
+    fn add(&mut self, line: &[u8]) -> std::io::Result<()> {
+        if let Err(error) = self.file.write_all(line) {
+            // On a full disk a part of the line may be there: the next one would run into it.
+            self.file.set_len(self.length)?;
+            return Err(error);
+        }
+        self.length += line.len() as u64;
+        Ok(())
+    }
 }
 
 impl Journal {
@@ -93,47 +154,35 @@ impl Journal {
                 partial_path.display()
             );
         }
-        let mut options = OpenOptions::new();
-        options.create(true).append(true);
-        let cannot = || format!("cannot write {}", partial_path.display());
-        let file = options.open(&partial_path).with_context(cannot)?;
-        if file.try_lock().is_err_and(|error| matches!(error, std::fs::TryLockError::WouldBlock)) {
-            bail!("{} is being written by another run: give each run a summary of its own", path.display());
-        }
-        if !args.resume {
-            file.set_len(0).with_context(cannot)?;
-        } else {
-            // A line cut off when the run was killed must not run into the next one.
-            let bytes = std::fs::read(&partial_path).with_context(cannot)?;
-            file.set_len(whole_lines(&bytes).len() as u64).with_context(cannot)?;
-        }
-        let first = file.metadata().with_context(cannot)?.len() == 0;
         let mode = if replace { Mode::Replace } else { Mode::New };
-        let summary = Mutex::new((Prepared::begin(path, None, mode)?, true));
-        let partial = Mutex::new(Partial { file, first });
-        Ok(Some(Self { form, partial, partial_path, summary }))
+        let summary = Summary { file: Prepared::begin(path, None, mode)?, first: true, broken: None };
+        let partial = Mutex::new(Partial::open(&partial_path, path, args.resume)?);
+        Ok(Some(Self { form, partial, partial_path, summary: Mutex::new(summary) }))
     }
 
     /// An output is complete and about to take its name.
     pub(super) fn about_to_finish(&self, record: &Record) -> Result<()> {
         let mut partial = self.partial.lock().map_err(|_| anyhow!("a thread ended early"))?;
-        let line = self.form.line(record, partial.first)?;
-        partial.first = false;
-        partial.file.write_all(&line).with_context(|| format!("cannot write {}", self.partial_path.display()))
+        let line = self.form.line(record, partial.length == 0)?;
+        partial.add(&line).with_context(|| format!("cannot write {}", self.partial_path.display()))
     }
 
-    /// The next model in order.
-    pub(super) fn tell(&self, record: &Record) -> Result<()> {
-        let mut summary = self.summary.lock().map_err(|_| anyhow!("a thread ended early"))?;
-        let line = self.form.line(record, summary.1)?;
-        summary.1 = false;
-        summary.0.add(&line)
+    /// The next model in order. Whether that went well, [`finish`](Self::finish) says: models do not wait for it.
+    pub(super) fn tell(&self, record: &Record) {
+        let Ok(mut summary) = self.summary.lock() else { return };
+        if summary.broken.is_none() {
+            summary.broken = summary.add(self.form, record).err();
+        }
     }
 
     /// The summary is whole; the partial one is no longer needed.
+    ///
+    /// # Errors
+    /// The summary could not be written. What is done stays in the partial one.
     pub(super) fn finish(self) -> Result<()> {
-        let (summary, _) = self.summary.into_inner().map_err(|_| anyhow!("a thread ended early"))?;
-        summary.commit()?;
+        let summary = self.summary.into_inner().map_err(|_| anyhow!("a thread ended early"))?;
+        let written = summary.broken.map_or_else(|| summary.file.commit(), Err);
+        written.context("the summary is missing: make room for it, then go on with --resume")?;
         drop(self.partial);
         std::fs::remove_file(&self.partial_path)
             .with_context(|| format!("cannot remove {}", self.partial_path.display()))

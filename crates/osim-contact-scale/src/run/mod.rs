@@ -13,6 +13,7 @@ mod shard;
 mod task;
 mod writing;
 
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use anyhow::Result;
@@ -26,6 +27,7 @@ use crate::workers::{in_order, threads};
 
 use journal::Journal;
 use outcome::{Outcome, Said};
+use record::Record;
 use resume::Done;
 
 pub(crate) use progress::Progress;
@@ -44,6 +46,8 @@ pub(crate) struct Work {
     pub failures: Vec<Failure>,
     /// Things to say aloud before anything else.
     pub remarks: Vec<String>,
+    /// Files that were read to know the tasks, such as a manifest.
+    pub reads: Vec<PathBuf>,
     /// Replace an existing summary.
     pub force: bool,
 }
@@ -62,7 +66,7 @@ pub(crate) struct Run<'r> {
 /// # Errors
 /// Wrong usage: found before anything is written.
 pub(crate) fn run(mut work: Work, args: &RunArgs, terminal: &mut Terminal) -> Result<Exit> {
-    check_files(&work.tasks)?;
+    check_files(&work, args)?;
     if let Some(shard) = args.shard {
         work.tasks.retain(|task| shard.has(task));
     }
@@ -78,12 +82,16 @@ pub(crate) fn run(mut work: Work, args: &RunArgs, terminal: &mut Terminal) -> Re
     }
     let done = Done::read(args)?;
     let journal = Journal::begin(args, work.force)?;
-    let outputs = work.tasks.iter().filter_map(Task::output);
-    let folders = Folders::look(outputs, !args.dry_run);
+    let folders = look_at_folders(&work.tasks, args);
+    interrupt::outlive_size_limit();
     let run = Run { args, format, folders, journal, done };
+    if let Some(journal) = &run.journal {
+        work.failures.iter().for_each(|failure| journal.tell(&Record::of_failure(failure)));
+    }
     let count = run.work_off(&work.tasks, terminal)?;
-    if let Some(journal) = run.journal {
-        journal.finish()?;
+    if let Some(Err(error)) = run.journal.map(Journal::finish) {
+        terminal.error(&format!("error: {error:#}\n"));
+        exit = exit.and(Exit::Failed);
     }
     if !args.quiet && several {
         terminal.note(&count.text(args))?;
@@ -109,9 +117,14 @@ impl Run<'_> {
         let tell = |_: &Task, outcome: Outcome| {
             count.add(&outcome);
             if let Some(journal) = &self.journal {
-                journal.tell(&outcome.record)?;
+                journal.tell(&outcome.record);
             }
-            progress.suspended(|| tell(&outcome, terminal))
+            // Results that cannot be shown are no reason to leave the other models undone.
+            if let Err(error) = progress.suspended(|| tell(&outcome, terminal)) {
+                terminal.error(&format!("error: cannot write to standard output: {error:#}\n"));
+                count.untold();
+            }
+            Ok(())
         };
         in_order(tasks, threads(self.args.jobs, tasks.len()), work, tell)?;
         progress.end();
@@ -126,9 +139,18 @@ impl Run<'_> {
     }
 }
 
+/// Looks at every folder that the run writes into.
+fn look_at_folders(tasks: &[Task], args: &RunArgs) -> Folders {
+    let models = tasks.iter().filter_map(Task::output);
+    let geometry = tasks.iter().filter_map(|task| task.geometry_output.as_deref());
+    Folders::look(models.chain(geometry).chain(args.summary.as_deref()), !args.dry_run)
+}
+
 /// Nothing is written over what is read, and no file is written twice.
-fn check_files(tasks: &[Task]) -> Result<()> {
+fn check_files(work: &Work, args: &RunArgs) -> Result<()> {
+    let tasks = &work.tasks;
     let mut ledger = Ledger::default();
+    work.reads.iter().for_each(|path| ledger.read(path));
     let mut known: Option<&Arc<Order>> = None;
     for task in tasks {
         ledger.read(&task.source.path);
@@ -151,7 +173,7 @@ fn check_files(tasks: &[Task]) -> Result<()> {
             _ => {}
         }
     }
-    Ok(())
+    args.summary.as_ref().map_or(Ok(()), |path| ledger.write(path, "the summary"))
 }
 
 fn tell_failure(failure: &Failure, format: RunFormat, terminal: &mut Terminal) -> Exit {

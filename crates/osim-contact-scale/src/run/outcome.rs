@@ -50,6 +50,7 @@ pub(super) struct Count {
     failed: usize,
     not_begun: usize,
     earlier: usize,
+    untold: bool,
 }
 
 impl Count {
@@ -69,6 +70,11 @@ impl Count {
         *count += 1;
     }
 
+    /// Something could not be shown.
+    pub(super) fn untold(&mut self) {
+        self.untold = true;
+    }
+
     pub(super) fn interrupted(&self) -> bool {
         self.not_begun > 0
     }
@@ -76,7 +82,7 @@ impl Count {
     pub(super) fn exit(&self) -> Exit {
         match (self.interrupted(), self.failed) {
             (true, _) => Exit::Interrupted,
-            (false, 0) => Exit::Done,
+            (false, 0) if !self.untold => Exit::Done,
             (false, _) => Exit::Failed,
         }
     }

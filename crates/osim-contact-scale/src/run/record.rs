@@ -27,8 +27,10 @@ pub(crate) enum Status {
 }
 
 /// Columns of a summary. Masses in kg; factors are new over old.
+///
+/// A table without `model`, `status` and the other columns that are never empty is no summary: `--resume` refuses it
+/// rather than replace it.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[serde(default)]
 pub(crate) struct Record {
     /// Row of the manifest, from 1.
     pub row: Option<usize>,
@@ -55,6 +57,8 @@ pub(crate) struct Record {
     pub column: Option<usize>,
     pub sha256_input: Option<String>,
     pub sha256_output: Option<String>,
+    /// Of the geometry set that was written with a standalone force set.
+    pub sha256_geometry_output: Option<String>,
     /// SHA-256 of everything else that the output follows from: options, version, other files.
     pub recipe: Option<String>,
     pub tool_version: String,
@@ -69,6 +73,17 @@ impl Record {
             tool_version: env!("CARGO_PKG_VERSION").to_owned(),
             ..Self::default()
         }
+    }
+
+    /// What could not even be listed.
+    pub(crate) fn of_failure(failure: &Failure) -> Self {
+        let mut record = Self {
+            model: failure.model.clone(),
+            tool_version: env!("CARGO_PKG_VERSION").to_owned(),
+            ..Self::default()
+        };
+        record.failed(failure);
+        record
     }
 
     /// What a plan does, in one line.
@@ -107,6 +122,7 @@ impl Record {
         self.line = failure.line;
         self.column = failure.column;
         self.sha256_output = None;
+        self.sha256_geometry_output = None;
     }
 }
 

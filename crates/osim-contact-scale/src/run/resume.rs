@@ -3,17 +3,19 @@
 use std::collections::HashMap;
 use std::path::Path;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 
 use super::journal::{Form, partial, whole_lines};
 use super::record::{Record, Status, sha256};
 use super::task::Task;
 use crate::args::RunArgs;
 
-/// Records of an earlier run.
+/// Records of earlier runs.
 #[derive(Default)]
 pub(super) struct Done {
-    records: HashMap<Key, Record>,
+    /// Several of one model: a run that was killed while it replaced an output left what it was about to write beside
+    /// what an earlier one wrote. The latest is last.
+    records: HashMap<Key, Vec<Record>>,
 }
 
 type Key = (Option<usize>, String, Option<String>);
@@ -30,33 +32,37 @@ pub(super) enum Earlier {
 
 impl Done {
     /// Reads the summary, whole or partial, that `--resume` goes on with.
+    ///
+    /// # Errors
+    /// It is no summary of this tool.
     pub(super) fn read(args: &RunArgs) -> Result<Self> {
         let mut done = Self::default();
         let Some(path) = args.summary.as_ref().filter(|_| args.resume) else { return Ok(done) };
         let form = Form::of(path)?;
-        for path in [path.clone(), partial(path)] {
+        // Oldest first. Only the partial one may end in the middle of a line: a whole one gets its name in one step.
+        for (path, may_be_cut) in [(path.clone(), false), (partial(path), true)] {
             if path.exists() {
-                done.add(&path, form).with_context(|| format!("cannot go on with {}", path.display()))?;
+                done.add(&path, form, may_be_cut).with_context(|| {
+                    format!(
+                        "cannot go on with {}: give --summary the file of the earlier run",
+                        path.display()
+                    )
+                })?;
             }
         }
         Ok(done)
     }
 
-    fn add(&mut self, path: &Path, form: Form) -> Result<()> {
+    fn add(&mut self, path: &Path, form: Form, may_be_cut: bool) -> Result<()> {
         let bytes = std::fs::read(path)?;
         let whole = whole_lines(&bytes);
-        let records: Vec<Record> = match form {
-            Form::Ndjson => {
-                let lines = whole.split(|&byte| byte == b'\n').filter(|line| !line.is_empty());
-                lines.map(serde_json::from_slice).collect::<Result<_, _>>()?
-            }
-            Form::Csv => {
-                let mut reader = csv::Reader::from_reader(whole);
-                reader.deserialize().collect::<Result<_, _>>()?
-            }
-        };
-        let key = |record: &Record| (record.row, record.model.clone(), record.output.clone());
-        self.records.extend(records.into_iter().map(|record| (key(&record), record)));
+        if whole.len() < bytes.len() && !may_be_cut {
+            bail!("its last line is cut off, so this tool did not leave it like that");
+        }
+        let records = form.read(whole).context("this is no summary of this tool, or it was edited")?;
+        for record in records {
+            self.records.entry(key(&record)).or_default().push(record);
+        }
         Ok(())
     }
 
@@ -66,29 +72,57 @@ impl Done {
 
     /// What was recorded for `task`, compared with `now`: the model's digest and its recipe.
     pub(super) fn of(&self, task: &Task, input: &str, now: &Record) -> Earlier {
-        let key = (now.row, now.model.clone(), now.output.clone());
-        let Some(record) = self.records.get(&key) else { return Earlier::Unknown };
-        let same_recipe = record.recipe == now.recipe && record.tool_version == now.tool_version;
-        let same_input = record.sha256_input.as_deref() == Some(input);
-        match record.status {
-            Status::Unchanged | Status::NoContacts if same_recipe && same_input => {
-                Earlier::Holds(Box::new(record.clone()))
-            }
-            Status::Written => {
-                let wrote = record.sha256_output.as_deref();
-                if task.order.in_place {
-                    let done = same_recipe && wrote == Some(input);
-                    return if done { Earlier::Holds(Box::new(record.clone())) } else { Earlier::Unknown };
+        let Some(records) = self.records.get(&key(now)) else { return Earlier::Unknown };
+        let there = Outputs::of(task, input);
+        let holds = |record: &&Record| {
+            let same_recipe = record.recipe == now.recipe && record.tool_version == now.tool_version;
+            let same_input = record.sha256_input.as_deref() == Some(input);
+            same_recipe
+                && match record.status {
+                    Status::Unchanged | Status::NoContacts => same_input,
+                    // A model changed itself is its own output: what it was before is gone.
+                    Status::Written => (same_input || task.order.in_place) && there.are_of(record),
+                    Status::DryRun | Status::Failed | Status::NotBegun => false,
                 }
-                let there = task.output().and_then(|path| std::fs::read(path).ok());
-                match there.map(|bytes| sha256(&bytes)) {
-                    Some(there) if Some(there.as_str()) != wrote => Earlier::Unknown,
-                    Some(_) if same_recipe && same_input => Earlier::Holds(Box::new(record.clone())),
-                    Some(_) => Earlier::Outdated,
-                    None => Earlier::Unknown,
-                }
-            }
-            _ => Earlier::Unknown,
+        };
+        match records.iter().rev().find(holds) {
+            Some(record) => Earlier::Holds(Box::new(record.clone())),
+            None if !task.order.in_place && there.are_all_ours(records) => Earlier::Outdated,
+            None => Earlier::Unknown,
         }
+    }
+}
+
+fn key(record: &Record) -> Key {
+    (record.row, record.model.clone(), record.output.clone())
+}
+
+/// Digests of the files that are there under the names of a task's outputs.
+struct Outputs {
+    model: Option<String>,
+    geometry: Option<String>,
+}
+
+impl Outputs {
+    fn of(task: &Task, input: &str) -> Self {
+        let digest = |path: &Path| std::fs::read(path).ok().map(|bytes| sha256(&bytes));
+        let model = if task.order.in_place { Some(input.to_owned()) } else { task.output().and_then(digest) };
+        Self { model, geometry: task.geometry_output.as_deref().and_then(digest) }
+    }
+
+    /// Whether they are complete, and what `record` says.
+    fn are_of(&self, record: &Record) -> bool {
+        let geometry =
+            record.sha256_geometry_output.is_none() || self.geometry == record.sha256_geometry_output;
+        self.model.is_some() && self.model == record.sha256_output && geometry
+    }
+
+    /// Whether an earlier run wrote whatever is there: nobody's work is lost when it is replaced.
+    fn are_all_ours(&self, records: &[Record]) -> bool {
+        let wrote = |digest: fn(&Record) -> &Option<String>, there: &Option<String>| {
+            there.is_none() || records.iter().any(|record| digest(record) == there)
+        };
+        wrote(|record| &record.sha256_output, &self.model)
+            && wrote(|record| &record.sha256_geometry_output, &self.geometry)
     }
 }

@@ -140,6 +140,7 @@ pub(crate) fn tasks_of(verb: Verb, run: &RunArgs) -> Result<Work> {
         failures: sources.failures,
         remarks: sources.remarks,
         force: output.force,
+        ..Work::default()
     })
 }
 

@@ -179,6 +179,9 @@ impl Job<'_> {
         }
         if self.run.journal.is_some() {
             self.record.sha256_output = Some(sha256_of_parts(results.model.parts()));
+            let geometry = results.geometry.as_ref();
+            self.record.sha256_geometry_output =
+                geometry.map(|geometry| sha256_of_parts(geometry.patch.parts()));
         }
         if let Some(journal) = self.run.journal.as_ref().filter(|_| !to_stdout) {
             journal.about_to_finish(self.record)?;
@@ -190,8 +193,12 @@ impl Job<'_> {
         if together {
             all.iter().try_for_each(Prepared::sync)?;
         }
-        if let Some(stamp) = self.loaded.stamp.as_ref().filter(|_| self.order().in_place) {
-            stamp.still_holds(&self.task.source.path)?;
+        if self.order().in_place {
+            let geometry = results.geometry.as_ref().map(|geometry| (geometry.file, geometry.path.as_path()));
+            let model = (0, self.task.source.path.as_path());
+            for (file, path) in std::iter::once(model).chain(geometry) {
+                self.loaded.stamp_of(file).map_or(Ok(()), |stamp| stamp.still_holds(path))?;
+            }
         }
         for prepared in all {
             prepared.commit()?;

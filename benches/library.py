@@ -1,0 +1,195 @@
+#!/usr/bin/env python3
+"""Measures the command on a library of 1000 models against a plain copy and against OpenSim's API: see README.md."""
+
+import argparse
+import itertools
+import json
+import os
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import synthetic
+from measure import MIB, ROOT, Table, build, opensim_call, opensim_python, peak, rescale, run
+
+LIMIT_TO_COPY = 2.0
+LIMIT_DRY_TO_COPY = 1.5
+LIMIT_TIMES_FASTER = 40.0
+LIMIT_MIB = 64.0
+LIMIT_TENFOLD = 11.0
+# Ten times as many models take no more memory: what allocators and threads happen to do differs by some.
+LIMIT_TENFOLD_MEMORY = 1.1
+MEAN_BYTES = 300_000
+SMALL = "table1/emu_2_spheres_hunt_crossley.osim"
+
+
+def main():
+    options = arguments()
+    command = options.command or build()
+    table = Table()
+    with tempfile.TemporaryDirectory(prefix="osim-library-", dir=options.folder) as folder:
+        folder = Path(folder)
+        library = folder / "library"
+        size = write_library(command, library, options.models)
+        table.head(f"{options.models} models, {size / 1e6:.0f} MB, medians of {options.rounds} rounds by turns")
+        times = by_turns(command, library, folder / "runs", options.rounds)
+        against_copy(table, times)
+        report_peak(table, command, library, folder / "peak")
+        against_opensim(table, times, library, folder, options)
+        shutil.rmtree(library)
+        ten_times_as_many(table, command, folder, options)
+    return table.finish()
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--models", type=int, default=1000, help="in the library (default 1000)")
+    parser.add_argument("--rounds", type=int, default=7, help="of copy, rescaling and dry run (default 7)")
+    parser.add_argument("--opensim-models", type=int, default=40, help="that OpenSim does (default 40)")
+    parser.add_argument("--full", action="store_true", help="let OpenSim do all models, not a part of them")
+    parser.add_argument("--command", help="a command built before, instead of building one")
+    parser.add_argument("--folder", help="where the models are written (default: the system's temporary folder)")
+    return parser.parse_args()
+
+
+def write_library(command, library, count):
+    """`count` files, no two alike, of `MEAN_BYTES` in the mean; their bytes in all."""
+    library.mkdir()
+    with tempfile.TemporaryDirectory(dir=library.parent) as spare:
+        texts = [path.read_bytes() for path in models(command, Path(spare))]
+    small = itertools.cycle(text for text in texts if len(text) < MEAN_BYTES)
+    large = itertools.cycle(text for text in texts if len(text) >= MEAN_BYTES)
+    size = 0
+    for number in range(count):
+        text = next(large if size <= MEAN_BYTES * number else small)
+        text += b"<!-- model %d -->\n" % number
+        # A folder for every hundred, as libraries have them.
+        path = library / f"{number // 100:02d}" / f"model_{number:05d}.osim"
+        path.parent.mkdir(exist_ok=True)
+        path.write_bytes(text)
+        size += len(text)
+    return size
+
+
+def models(command, spare):
+    """Fixtures and models of the corpus that can be rescaled without a question."""
+    corpus = os.environ.get("OSIM_CORPUS")
+    found = sorted((ROOT / "fixtures" / "table1").glob("*.osim"))
+    if corpus:
+        found += sorted(Path(corpus).glob("*.osim"))
+    else:
+        print("OSIM_CORPUS is not set: synthetic models stand in for large ones")
+        for size in (400_000, 600_000, 800_000):
+            found.append(spare / f"{size}.osim")
+            synthetic.write(found[-1], size)
+    return [path for path in found if is_rescaled(command, path)]
+
+
+def is_rescaled(command, path):
+    call = rescale(command, path, "--dry-run", "--format", "json")
+    done = subprocess.run(call, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False)
+    return done.returncode == 0 and bool(json.loads(done.stdout)["changes"])
+
+
+def by_turns(command, library, runs, rounds):
+    """Wall and processor times of a copy, of the rescaling and of a dry run.
+
+    Every run writes into a folder of its own, and all are removed at the end: file systems are slow to use again what
+    was removed a moment ago. What earlier runs wrote is on the disk before the next begins.
+    """
+    runs.mkdir()
+    copy = shutil.which("cp")
+    calls = {
+        "copy": lambda out: [copy, "-r", "--reflink=never", str(library), str(out)],
+        "rescale": lambda out: rescale(command, library, "-d", str(out)),
+        "dry run": lambda out: rescale(command, library, "-d", str(out), "--dry-run"),
+    }
+    times = {name: [] for name in calls}
+    # The first round warms up and does not count.
+    for turn in range(rounds + 1):
+        names = list(calls)
+        for name in names[turn % 3 :] + names[: turn % 3]:
+            os.sync()
+            measured = run(calls[name](runs / f"{name} {turn}".replace(" ", "-")))
+            if turn:
+                times[name].append(measured)
+    shutil.rmtree(runs)
+    return times
+
+
+def median(times, part):
+    return statistics.median(measured[part] for measured in times)
+
+
+def ratio(ours, theirs, part):
+    """Median of the rounds' own ratios: what slows a round slows both."""
+    return statistics.median(our[part] / their[part] for our, their in zip(ours, theirs))
+
+
+def against_copy(table, times):
+    for name in times:
+        table.row(f"{name}, time", median(times[name], 0), "s")
+        table.row(f"{name}, time on processors", median(times[name], 1), "s")
+    for name, limit in [("rescale", LIMIT_TO_COPY), ("dry run", LIMIT_DRY_TO_COPY)]:
+        table.row(f"{name} against copy", ratio(times[name], times["copy"], 0), "x", limit)
+        table.row(f"{name} against copy, by time on processors", ratio(times[name], times["copy"], 1), "x")
+
+
+def report_peak(table, command, library, out):
+    table.row("peak memory", peak(rescale(command, library, "-d", str(out))) / MIB, "MiB", LIMIT_MIB)
+    shutil.rmtree(out)
+
+
+def against_opensim(table, times, library, folder, options):
+    """The same library, or every so many-th model of it, in one Python process."""
+    python = opensim_python()
+    if not python:
+        print("  no comparison with OpenSim's API: OPENSIM_PYTHON names no Python that can import opensim")
+        return
+    paths = sorted(library.rglob("*.osim"))
+    if not options.full:
+        paths = paths[:: max(1, len(paths) // options.opensim_models)]
+    sample, out = folder / "sample", folder / "opensim"
+    sample.mkdir()
+    out.mkdir()
+    for path in paths:
+        shutil.copy(path, sample)
+    seconds, _ = run(opensim_call(python, sample, out))
+    whole = seconds * options.models / len(paths)
+    how = "all models" if options.full else f"from {len(paths)} models, taken for all"
+    table.row(f"OpenSim's API, time ({how})", whole, "s")
+    table.row("times faster", whole / median(times["rescale"], 0), "x", LIMIT_TIMES_FASTER, at_least=True)
+    shutil.rmtree(out)
+
+
+def ten_times_as_many(table, command, folder, options):
+    """Small models, ten times as many: time and memory."""
+    text = (ROOT / "fixtures" / SMALL).read_bytes()
+    few, many = options.models, 10 * options.models
+    table.head(f"{few} and {many} models of {len(text) / 1000:.0f} kB, medians of 3 rounds by turns")
+    times, peaks = {few: [], many: []}, {}
+    for count in times:
+        library = folder / f"small-{count}"
+        library.mkdir()
+        for number in range(count):
+            (library / f"model_{number:05d}.osim").write_bytes(text + b"<!-- model %d -->\n" % number)
+    for turn in range(3):
+        for count in times:
+            os.sync()
+            out = folder / f"out-{count}-{turn}"
+            times[count].append(run(rescale(command, folder / f"small-{count}", "-d", str(out))))
+    for count in times:
+        peaks[count] = peak(rescale(command, folder / f"small-{count}", "-d", str(folder / f"peak-{count}")))
+        table.row(f"{count} models, time", median(times[count], 0), "s")
+        table.row(f"{count} models, time on processors", median(times[count], 1), "s")
+        table.row(f"{count} models, peak memory", peaks[count] / MIB, "MiB", LIMIT_MIB)
+    table.row("time against a tenth of the models", ratio(times[many], times[few], 0), "x", LIMIT_TENFOLD)
+    table.row("the same by time on processors", ratio(times[many], times[few], 1), "x")
+    table.row("memory against a tenth of the models", peaks[many] / peaks[few], "x", LIMIT_TENFOLD_MEMORY)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,167 @@
+//! SIGKILL at random moments: outputs are absent or complete, and `--resume` makes the result of an undisturbed run.
+
+use std::os::unix::process::ExitStatusExt;
+use std::process::Stdio;
+use std::time::{Duration, Instant};
+
+use crate::library::{Files, below, is_temporary, library, name};
+use crate::support::Bench;
+
+/// A run that is killed again and again.
+struct Run {
+    call: &'static str,
+    models: usize,
+    /// Its models are changed themselves.
+    in_place: bool,
+}
+
+const INTO_FOLDER: Run =
+    Run { call: "lib --target-mass 500 -d out --summary done.csv --jobs 2", models: 40, in_place: false };
+const NDJSON: Run = Run {
+    call: "lib --target-mass 500 -d out --summary notes/done.ndjson --format json --jobs 2",
+    models: 40,
+    in_place: false,
+};
+const IN_PLACE: Run =
+    Run { call: "lib --target-mass 500 --in-place --summary done.csv --jobs 2", models: 12, in_place: true };
+
+#[test]
+fn killed_while_writing_into_a_folder() {
+    INTO_FOLDER.kill(80);
+}
+
+#[test]
+fn killed_with_a_summary_of_json_lines() {
+    NDJSON.kill(60);
+}
+
+#[test]
+fn killed_while_changing_models_in_place() {
+    IN_PLACE.kill(60);
+}
+
+#[test]
+#[ignore = "takes minutes: cargo test --test library -- --ignored"]
+fn killed_a_thousand_times() {
+    INTO_FOLDER.kill(400);
+    NDJSON.kill(300);
+    IN_PLACE.kill(300);
+}
+
+impl Run {
+    /// Kills runs until `wanted` were hit, each going on where the one before was killed.
+    fn kill(&self, wanted: usize) {
+        let (calm, duration) = self.undisturbed();
+        let mut dice = Dice::new();
+        eprintln!("seed {}, an undisturbed run takes {duration:?}", dice.seed);
+        let (mut kills, mut in_the_middle) = (0, 0);
+        while kills < wanted {
+            let bench = library(self.models);
+            let before = bench.files();
+            let mut call = self.call.to_owned();
+            while self.is_killed(&bench, &call, dice.up_to(duration)) {
+                kills += 1;
+                let after = bench.files();
+                let done = self.check(&before, &after, &calm);
+                in_the_middle += usize::from(0 < done && done < self.models);
+                call = format!("{} --resume", self.call);
+            }
+            // The last one came to its end: all is as if nothing had happened.
+            assert_same(&bench.files(), &calm);
+        }
+        eprintln!("{kills} kills, {in_the_middle} of them in the middle");
+        assert!(in_the_middle * 4 > kills, "only {in_the_middle} of {kills} kills hit a run in the middle");
+    }
+
+    /// All files after an undisturbed run, and how long it takes.
+    fn undisturbed(&self) -> (Files, Duration) {
+        let mut runs: Vec<(Duration, Files)> = (0..3)
+            .map(|_| {
+                let bench = library(self.models);
+                let begin = Instant::now();
+                assert!(!self.is_killed(&bench, self.call, Duration::from_secs(600)));
+                (begin.elapsed(), bench.files())
+            })
+            .collect();
+        runs.sort_by_key(|(duration, _)| *duration);
+        assert_same(&runs[0].1, &runs[1].1);
+        let (duration, files) = runs.swap_remove(1);
+        let written = |name: &String| {
+            files.contains_key(&if self.in_place { format!("lib/{name}.bak") } else { format!("out/{name}") })
+        };
+        assert!((0..self.models).all(|number| written(&name(number))), "{:?}", files.keys());
+        (files, duration)
+    }
+
+    /// Whether the run had to be killed after `delay`; else it must have done all.
+    fn is_killed(&self, bench: &Bench, call: &str, delay: Duration) -> bool {
+        let mut child = bench.command(call).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+        let end = Instant::now() + delay;
+        while Instant::now() < end {
+            if child.try_wait().unwrap().is_some() {
+                break;
+            }
+            std::thread::sleep(Duration::from_micros(200).min(end.saturating_duration_since(Instant::now())));
+        }
+        child.kill().unwrap();
+        let output = child.wait_with_output().unwrap();
+        if output.status.signal() == Some(9) {
+            return true;
+        }
+        assert!(output.status.success(), "{call}: {}", String::from_utf8_lossy(&output.stderr));
+        false
+    }
+
+    /// Nothing is torn or lost; how many models are done.
+    fn check(&self, before: &Files, after: &Files, calm: &Files) -> usize {
+        for (name, bytes) in after {
+            let is_new = !before.contains_key(name);
+            if is_new && (is_temporary(name) || name.ends_with(".partial")) {
+                continue;
+            }
+            let whole = calm.get(name) == Some(bytes);
+            // Another run may have ended before: an input is as it was, or, in place, what it is to become.
+            let untouched = before.get(name) == Some(bytes);
+            assert!(if is_new { whole } else { untouched || (self.in_place && whole) }, "{name} is torn");
+        }
+        assert!(before.keys().all(|name| after.contains_key(name)), "a file is gone");
+        if !self.in_place {
+            return below(after, "out/").keys().filter(|name| !is_temporary(name)).count();
+        }
+        let changed = before.iter().filter(|(name, bytes)| after.get(*name) != Some(bytes));
+        changed
+            .inspect(|(name, bytes)| assert_eq!(after.get(&format!("{name}.bak")), Some(*bytes), "{name}"))
+            .count()
+    }
+}
+
+/// Compares the names first: what differs is told shortly.
+#[track_caller]
+fn assert_same(files: &Files, calm: &Files) {
+    assert_eq!(files.keys().collect::<Vec<_>>(), calm.keys().collect::<Vec<_>>());
+    for (name, bytes) in files {
+        assert!(calm.get(name) == Some(bytes), "{name} differs from that of an undisturbed run");
+    }
+}
+
+/// Random numbers that a seed repeats (SplitMix64): `KILL_SEED` from a failed run rolls the same moments again.
+struct Dice {
+    seed: u64,
+    state: u64,
+}
+
+impl Dice {
+    fn new() -> Self {
+        let now = || std::time::UNIX_EPOCH.elapsed().unwrap().as_nanos() as u64;
+        let seed = std::env::var("KILL_SEED").map_or_else(|_| now(), |seed| seed.parse().unwrap());
+        Self { seed, state: seed }
+    }
+
+    fn up_to(&mut self, duration: Duration) -> Duration {
+        self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.state;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        duration.mul_f64((z ^ (z >> 31)) as f64 / u64::MAX as f64)
+    }
+}

@@ -1,0 +1,25 @@
+//! Many models in one run: nothing is torn, nothing is lost, nothing is done twice.
+//!
+//! `killed.rs` ends runs at any moment; the others meet full disks, odd files, Ctrl-C, leftovers and earlier runs.
+
+#![cfg(unix)]
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::print_stderr,
+    missing_docs,
+    reason = "a test fails by panicking and says aloud what it skips"
+)]
+
+mod full;
+mod killed;
+mod left_over;
+mod library;
+mod odd_files;
+mod resumed;
+mod shares;
+mod stopped;
+#[path = "../command/support.rs"]
+#[allow(dead_code, reason = "shared with the tests of the command, which use all of it")]
+mod support;

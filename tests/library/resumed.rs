@@ -1,0 +1,213 @@
+//! `--resume`: what still holds is passed over, what changed is done again, what somebody edited is left alone.
+
+use crate::library::{column, library, model, no_temporary_files};
+use crate::support::{Bench, Ran};
+
+const CALL: &str = "lib --target-mass 500 -d out --summary done.csv";
+
+fn resume(bench: &Bench) -> Ran {
+    bench.run(&format!("{CALL} --resume"))
+}
+
+/// Five models, done.
+fn done() -> Bench {
+    let bench = library(5);
+    bench.run(CALL).done().says(&["5 models: 5 written"]);
+    bench
+}
+
+#[test]
+fn what_holds_is_passed_over() {
+    let bench = done();
+    let before = bench.files();
+    resume(&bench).done().wrote_nothing().says(&["5 models: 5 done before"]);
+    assert!(bench.files() == before);
+}
+
+#[test]
+fn a_model_that_changed_is_done_again() {
+    let bench = done();
+    bench.write("lib/odd/model03.osim", model(8));
+    resume(&bench).done().wrote(&["done.csv", "out/odd/model03.osim"]).says(&["1 written", "4 done before"]);
+    let calm = library(5);
+    calm.write("lib/odd/model03.osim", model(8));
+    calm.run(CALL).done();
+    assert!(bench.files() == calm.files());
+}
+
+#[test]
+fn other_options_do_all_again() {
+    let bench = done();
+    let other = "lib --target-mass 600 -d out --summary done.csv";
+    bench.run(&format!("{other} --resume")).done().says(&["5 written"]);
+    bench.run(&format!("{other} --no-note --resume")).done().says(&["5 written"]);
+    // Options that change no output do nothing again.
+    bench.run(&format!("{other} --no-note --jobs 1 --format json --resume")).done().says(&["5 done before"]);
+    let calm = library(5);
+    calm.run(&format!("{other} --no-note")).done();
+    assert!(bench.files() == calm.files());
+}
+
+#[test]
+fn another_reference_does_all_again() {
+    let bench = library(3);
+    bench.write("reference.osim", model(1));
+    let call = "transfer lib --from reference.osim --spheres 2 -d out --summary done.ndjson --resume";
+    let first = bench.run(call);
+    let text = first.out() + &first.err();
+    assert!(text.contains("written"), "{text}");
+    let again = bench.run(call);
+    assert!((again.out() + &again.err()).contains("done before"));
+    bench.write("reference.osim", model(6));
+    let ran = bench.run(call);
+    let text = ran.out() + &ran.err();
+    assert!(text.contains("written") && !text.contains("done before"), "{text}");
+}
+
+#[test]
+fn an_output_that_is_gone_is_made_again() {
+    let bench = done();
+    let wanted = bench.files();
+    std::fs::remove_file(bench.path("out/even/model02.osim")).unwrap();
+    resume(&bench).done().wrote(&["out/even/model02.osim"]).says(&["1 written", "4 done before"]);
+    assert!(bench.files() == wanted);
+}
+
+#[test]
+fn an_output_that_somebody_edited_is_left_alone() {
+    let bench = done();
+    bench.write("out/even/model02.osim", "my work");
+    resume(&bench).failed().says(&["exists already", "4 done before", "1 failed"]);
+    assert_eq!(bench.read("out/even/model02.osim"), b"my work");
+    // Also where the model changed since.
+    bench.write("lib/even/model02.osim", model(9));
+    resume(&bench).failed().says(&["exists already"]);
+    assert_eq!(bench.read("out/even/model02.osim"), b"my work");
+    bench.run(&format!("{CALL} --resume --force")).done().says(&["1 written", "4 done before"]);
+}
+
+#[test]
+fn models_that_failed_are_tried_again() {
+    let bench = library(3);
+    bench.write("lib/odd/model01.osim", "<OpenSimDocument>");
+    bench.run(CALL).failed().says(&["2 written, 1 failed"]);
+    let summary = bench.text("done.csv");
+    assert_eq!(column(&summary, "status")["model01.osim"], "failed");
+    assert_eq!(column(&summary, "error_code")["model01.osim"], "malformed-xml");
+    bench.write("lib/odd/model01.osim", model(1));
+    resume(&bench).done().says(&["1 written", "2 done before"]);
+    let calm = library(3);
+    calm.run(CALL).done();
+    assert!(bench.files() == calm.files());
+}
+
+/// A run that replaced an output was killed after it had said what it was about to write.
+#[test]
+fn an_output_of_the_run_before_the_last_is_known_too() {
+    let bench = done();
+    let old = bench.read("out/odd/model01.osim");
+    bench.write("lib/odd/model01.osim", model(11));
+    resume(&bench).done();
+    // As it was left: the whole summary of the first run, a line of the second, the output not yet replaced.
+    let (new, whole) = (bench.text("done.csv"), library(5));
+    whole.run(CALL).done();
+    let line = new.lines().find(|line| line.contains("odd/model01.osim")).unwrap();
+    let header = new.lines().next().unwrap();
+    bench.write("done.csv", whole.read("done.csv"));
+    bench.write("done.csv.partial", format!("{header}\n{line}\n,lib/odd/model03.o"));
+    bench.write("out/odd/model01.osim", old);
+    // The file of a run that goes on is gone at its end.
+    let mut command = bench.command(&format!("{CALL} --resume --quiet"));
+    assert!(command.status().unwrap().success());
+    assert_eq!(bench.text("done.csv"), new);
+    assert!(!bench.has("done.csv.partial"));
+    no_temporary_files(&bench);
+}
+
+#[test]
+fn in_place_a_factor_is_applied_once() {
+    let bench = library(4);
+    let call = "set lib stiffness=x2 --in-place --no-backup --summary done.csv";
+    bench.run(call).done();
+    let once = bench.files();
+    bench.run(&format!("{call} --resume")).done().wrote_nothing().says(&["4 done before"]);
+    assert!(bench.files() == once);
+}
+
+/// The geometry of a standalone force set is an output like the forces.
+#[test]
+fn a_geometry_that_is_gone_is_made_again() {
+    let bench = Bench::with(&[
+        ("format/standalone_ForceSet.xml", "forces.xml"),
+        ("format/standalone_ContactGeometrySet.xml", "geometry.xml"),
+        ("format/standalone_model_without_contacts.osim", "bones.osim"),
+    ]);
+    let call =
+        "forces.xml --geometry geometry.xml --model bones.osim --target-mass 500 -d out --summary done.csv";
+    bench.run(call).done();
+    let wanted = bench.files();
+    std::fs::remove_file(bench.path("out/geometry.xml")).unwrap();
+    bench.run(&format!("{call} --resume")).done().wrote(&["out/geometry.xml"]);
+    assert!(bench.files() == wanted);
+    std::fs::remove_file(bench.path("out/forces.xml")).unwrap();
+    bench.run(&format!("{call} --resume")).done().wrote(&["out/forces.xml"]);
+    bench.write("out/geometry.xml", "my work");
+    bench.run(&format!("{call} --resume")).failed().wrote(&["done.csv"]).says(&["exists already"]);
+}
+
+#[test]
+fn a_file_that_is_no_summary_is_neither_believed_nor_replaced() {
+    for (name, text) in [
+        ("done.csv", "frame,radius\n1,0.03\n"),
+        ("done.csv", "frame,radius\n"),
+        ("done.csv", "model,status\nlib/a.osim,written\n"),
+        ("done.csv", "my notes"),
+        ("done.ndjson", "{\"frame\": 1}\n"),
+        ("done.ndjson", "[1, 2]\n"),
+        ("done.ndjson", "my notes"),
+    ] {
+        let bench = library(2);
+        bench.write(name, text);
+        let call = format!("lib --target-mass 500 -d out --summary {name}");
+        bench.run(&format!("{call} --resume")).usage().wrote_nothing().says(&["cannot go on with", name]);
+        bench.run(&call).usage().wrote_nothing().says(&["exists already", "--resume", "--force"]);
+    }
+}
+
+#[test]
+fn a_summary_that_is_torn_or_was_saved_by_a_spreadsheet_is_refused() {
+    let bench = done();
+    let whole = bench.text("done.csv");
+    for damaged in [&whole[..whole.len() - 30], &whole.replace(',', ";"), &whole.replace("written", "writ")] {
+        bench.write("done.csv", damaged);
+        resume(&bench).usage().wrote_nothing().says(&["cannot go on with done.csv"]);
+    }
+}
+
+#[test]
+fn what_a_killed_run_left_is_not_overwritten_unasked() {
+    let bench = library(2);
+    bench.write("done.csv.partial", "");
+    bench.run(CALL).usage().wrote_nothing().says(&["left by a run that was stopped", "--resume", "--force"]);
+}
+
+#[test]
+fn the_summary_is_no_output_and_no_input() {
+    let bench = library(1);
+    bench.write("reference.csv", model(0));
+    bench
+        .run("transfer lib --from reference.csv -d out --summary reference.csv --force")
+        .usage()
+        .wrote_nothing()
+        .says(&["reference.csv"]);
+    bench
+        .run("lib/even/model00.osim --target-mass 500 -o x.csv --summary x.csv --force")
+        .usage()
+        .wrote_nothing()
+        .says(&["x.csv"]);
+    bench
+        .run("lib --target-mass 500 -d out --summary done.txt")
+        .usage()
+        .wrote_nothing()
+        .says(&[".csv or .ndjson"]);
+}
