@@ -17,8 +17,9 @@ struct Run {
 
 const INTO_FOLDER: Run =
     Run { call: "lib --target-mass 500 -d out --summary done.csv --jobs 2", models: 40, in_place: false };
-const NDJSON: Run = Run {
-    call: "lib --target-mass 500 -d out --summary notes/done.ndjson --format json --jobs 2",
+/// A row for each model, each with a mass of its own.
+const BATCH: Run = Run {
+    call: "batch masses.csv --summary notes/done.ndjson --format json --jobs 2",
     models: 40,
     in_place: false,
 };
@@ -31,8 +32,8 @@ fn killed_while_writing_into_a_folder() {
 }
 
 #[test]
-fn killed_with_a_summary_of_json_lines() {
-    NDJSON.kill(60);
+fn killed_in_a_batch_with_a_summary_of_json_lines() {
+    BATCH.kill(60);
 }
 
 #[test]
@@ -44,7 +45,7 @@ fn killed_while_changing_models_in_place() {
 #[ignore = "takes minutes: cargo test --test library -- --ignored"]
 fn killed_a_thousand_times() {
     INTO_FOLDER.kill(400);
-    NDJSON.kill(300);
+    BATCH.kill(300);
     IN_PLACE.kill(300);
 }
 
@@ -56,7 +57,7 @@ impl Run {
         eprintln!("seed {}, an undisturbed run takes {duration:?}", dice.seed);
         let (mut kills, mut in_the_middle) = (0, 0);
         while kills < wanted {
-            let bench = library(self.models);
+            let bench = self.bench();
             let before = bench.files();
             let mut call = self.call.to_owned();
             while self.is_killed(&bench, &call, dice.up_to(duration)) {
@@ -73,11 +74,19 @@ impl Run {
         assert!(in_the_middle * 4 > kills, "only {in_the_middle} of {kills} kills hit a run in the middle");
     }
 
+    fn bench(&self) -> Bench {
+        let bench = library(self.models);
+        let row = |number| format!("lib/{0},{1},out/{0}\n", name(number), 100 + number);
+        let rows: String = (0..self.models).map(row).collect();
+        bench.write("masses.csv", format!("model,target-mass,output\n{rows}"));
+        bench
+    }
+
     /// All files after an undisturbed run, and how long it takes.
     fn undisturbed(&self) -> (Files, Duration) {
         let mut runs: Vec<(Duration, Files)> = (0..3)
             .map(|_| {
-                let bench = library(self.models);
+                let bench = self.bench();
                 let begin = Instant::now();
                 assert!(!self.is_killed(&bench, self.call, Duration::from_secs(600)));
                 (begin.elapsed(), bench.files())

@@ -19,7 +19,7 @@ const fn code(code: &'static str, means: &'static str, way_out: &'static str) ->
 pub(super) const ALL: &[ErrorCode] = &[
     code(
         "unreadable",
-        "the file, or one that belongs to it, is not there or cannot be read",
+        "the file, or one that belongs to it, is not there or cannot be read; a link leads nowhere or back; another program is writing it; a folder holds a pipe or a device under the name of a model",
         "check name, folder and permissions. Dragging the file onto the terminal types its path for you",
     ),
     code("no-models", "the folder holds no .osim file", "name a model, or the folder that holds them"),
@@ -156,8 +156,8 @@ pub(super) const ALL: &[ErrorCode] = &[
     ),
     code(
         "output",
-        "the result cannot be written: the file exists already, it is the input itself, the folder cannot be written to",
-        "another name with -o or -d, or --force; for the input itself --in-place",
+        "the result cannot be written: the file exists already, it is the input itself, the folder cannot be written to, the disk is full",
+        "another name with -o or -d, or --force; for the input itself --in-place. After a full disk make room and go on with --resume (docs/libraries.md)",
     ),
     code(
         "manifest",
