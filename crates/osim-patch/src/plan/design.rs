@@ -232,7 +232,7 @@ impl Design {
 /// The impact speed of a fall from a quarter of the radius, √(gR/2): the paper's drop test.
 fn default_speed(gravity: Option<f64>, radius_m: f64) -> Result<f64, Fault> {
     match gravity.filter(|&gravity| gravity > 0.0) {
-        Some(gravity) => Ok((gravity * radius_m / 2.0).sqrt()),
+        Some(gravity) => restitution::drop_speed(gravity, radius_m).map_err(Fault::new),
         None => Err(Fault::refused(
             "the model has no gravity: say how fast contacts begin with --impact-speed M/S",
         )),

@@ -1,6 +1,6 @@
 //! What a transfer does beside the paper's rule: PredSim's, the spread of factors, and figures to compare them by.
 
-use contact_scaling::{Contact, DimensionlessContact, Ratios, Scale, ScaleValues};
+use contact_scaling::{Contact, DimensionlessContact, Ratios, Scale, ScaleValues, restitution};
 
 use super::choice::Choice;
 use super::draft::Draft;
@@ -98,9 +98,8 @@ pub(super) fn similarity(
     };
     let describe = |contact: &Contact, scale: &Scale| {
         let x = DimensionlessContact::of(contact, scale).relative_indentation();
-        let speed = (scale.gravity_m_s2() * scale.radius_m() / 2.0).sqrt();
-        let restitution = contact_scaling::restitution::exact(contact.dissipation(), speed);
-        restitution.map(|restitution| (x, restitution)).ok()
+        let speed = restitution::drop_speed(scale.gravity_m_s2(), scale.radius_m()).ok()?;
+        restitution::exact(contact.dissipation(), speed).map(|restitution| (x, restitution)).ok()
     };
     let (x_there, c_there) = describe(&from.contact, &there)?;
     let (x_here, c_here) = describe(&contact, &here)?;
