@@ -65,6 +65,13 @@ impl Loaded {
         Self { shown: self.shown.clone(), bytes, stamp: self.stamp.clone(), parts: self.parts.clone() }
     }
 
+    /// Gives file number `file`, one that belongs to the model, other bytes.
+    pub(crate) fn replace_part(&mut self, file: usize, bytes: Vec<u8>) {
+        if let Some(part) = file.checked_sub(1).and_then(|part| self.parts.get_mut(part)) {
+            part.bytes = bytes;
+        }
+    }
+
     fn part(path: PathBuf, included_by: Option<ElementId>) -> Result<LoadedPart, Failure> {
         let shown = path.display().to_string();
         let (bytes, stamp) = read_stamped(&path)

@@ -16,6 +16,7 @@ mod load;
 mod look;
 mod manual;
 mod measured;
+mod page;
 mod paths;
 mod place;
 mod plotting;
@@ -38,8 +39,8 @@ use anyhow::{Result, bail};
 use clap::Parser;
 use clap::error::ErrorKind;
 
-use args::{Cli, Format, RescaleArgs, RunArgs, Verb};
-use look::{Look, Stance};
+use args::{Cli, Format, ReportArgs, RescaleArgs, RunArgs, Verb, ViewArgs};
+use look::{Look, View};
 use run::tasks_of;
 use terminal::{Exit, Terminal};
 
@@ -133,13 +134,19 @@ fn rescale(args: RescaleArgs, may_look: bool, terminal: &mut Terminal) -> Result
         return change(verbs::rescale::verb(args)?, &run, terminal);
     }
     // A model alone, perhaps dropped on the program: show something useful.
+    let view = ViewArgs {
+        masses: args.masses.clone(),
+        choice: args.choice.clone(),
+        parts: args.parts.clone(),
+        ..ViewArgs::default()
+    };
     let look = Look {
+        verb: "inspect",
         models: &args.models,
-        parts: &args.parts,
+        view: View::new(&view)?,
+        args: view,
         format: if args.run.is_json() { Format::Json.into() } else { Format::Table.into() },
-        masses: args.masses.request()?,
-        selection: args.choice.selection()?,
-        stance: Stance::on_one_limb(),
+        report: ReportArgs { report: args.run.report.clone(), force: args.output.force },
         hint: true,
         from: None,
         body_scale_file: None,

@@ -13,7 +13,7 @@ use crate::look::Stance;
 use crate::run::Shard;
 
 /// Masses: which one is meant.
-#[derive(Debug, Clone, Args)]
+#[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Masses")]
 pub(crate) struct MassArgs {
     /// Mass the contacts in the file stand for now, kg [default: the note in the file, else --mass]
@@ -123,7 +123,7 @@ impl ScalingArgs {
 }
 
 /// Which forces.
-#[derive(Debug, Clone, Args)]
+#[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Which forces")]
 pub(crate) struct ForceChoice {
     /// Only forces with such a name; may be repeated
@@ -200,8 +200,11 @@ pub(crate) struct RunArgs {
     #[arg(long, value_enum)]
     pub format: Option<RunFormat>,
     /// Print errors only
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     pub quiet: bool,
+    /// Write a page for browsers too (.html): tables, plots, findings
+    #[arg(long, value_name = "FILE")]
+    pub report: Option<PathBuf>,
     /// Models to work on at once [default: one per processor]
     #[arg(long, value_name = "N", hide_short_help = true)]
     pub jobs: Option<NonZeroUsize>,
@@ -262,8 +265,33 @@ impl From<Format> for SheetFormat {
     }
 }
 
+/// The page that `inspect` and `check` write.
+#[derive(Debug, Clone, Default, Args)]
+#[command(next_help_heading = "Output")]
+pub(crate) struct ReportArgs {
+    /// Write a page for browsers too (.html): tables, plots, findings
+    #[arg(long, value_name = "FILE")]
+    pub report: Option<PathBuf>,
+    /// Replace an existing report
+    #[arg(long, requires = "report")]
+    pub force: bool,
+}
+
+/// How a model is looked at.
+#[derive(Debug, Clone, Default, Args)]
+pub(crate) struct ViewArgs {
+    #[command(flatten)]
+    pub stance: StanceArgs,
+    #[command(flatten)]
+    pub masses: MassArgs,
+    #[command(flatten)]
+    pub choice: ForceChoice,
+    #[command(flatten)]
+    pub parts: PartArgs,
+}
+
 /// What the figures are made for.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "What the figures are made for")]
 pub(crate) struct StanceArgs {
     /// Spheres that share the body weight, all stance limbs together [default: as found per limb]
@@ -275,6 +303,12 @@ pub(crate) struct StanceArgs {
     /// Impact speed for the restitution, m/s [default: sqrt(gR/2), a fall from a quarter of the radius]
     #[arg(long, value_name = "M/S", value_parser = positive_number)]
     pub impact_speed: Option<f64>,
+}
+
+impl Default for StanceArgs {
+    fn default() -> Self {
+        Self { spheres: None, stance_limbs: 1.0, impact_speed: None }
+    }
 }
 
 impl StanceArgs {

@@ -14,8 +14,8 @@ use clap::{Args, Parser, Subcommand};
 pub(crate) use follow::{FollowArgs, RuleArg};
 use globset::Glob;
 pub(crate) use groups::{
-    ForceChoice, Format, MassArgs, OutputArgs, PartArgs, RunArgs, RunFormat, ScalingArgs, SheetFormat,
-    StanceArgs, set_of,
+    ForceChoice, Format, MassArgs, OutputArgs, PartArgs, ReportArgs, RunArgs, RunFormat, ScalingArgs,
+    SheetFormat, StanceArgs, ViewArgs, set_of,
 };
 pub(crate) use library::{BatchArgs, SweepArgs};
 pub(crate) use physics::{
@@ -200,13 +200,9 @@ pub(crate) struct InspectArgs {
     #[arg(long, value_enum, default_value_t)]
     pub format: SheetFormat,
     #[command(flatten)]
-    pub stance: StanceArgs,
+    pub report: ReportArgs,
     #[command(flatten)]
-    pub masses: MassArgs,
-    #[command(flatten)]
-    pub choice: ForceChoice,
-    #[command(flatten)]
-    pub parts: PartArgs,
+    pub view: ViewArgs,
 }
 
 #[derive(Debug, Args)]
@@ -221,13 +217,9 @@ pub(crate) struct CheckArgs {
     #[arg(long, value_enum, default_value_t)]
     pub format: SheetFormat,
     #[command(flatten)]
-    pub stance: StanceArgs,
+    pub report: ReportArgs,
     #[command(flatten)]
-    pub masses: MassArgs,
-    #[command(flatten)]
-    pub choice: ForceChoice,
-    #[command(flatten)]
-    pub parts: PartArgs,
+    pub view: ViewArgs,
 }
 
 /// From which severity on a finding is a failure.

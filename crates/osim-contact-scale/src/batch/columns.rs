@@ -10,7 +10,8 @@ use clap::ArgAction;
 /// Verbs that a row may be about.
 pub(super) const VERBS: [&str; 4] = ["rescale", "transfer", "design", "set"];
 /// Options of the whole run: a row cannot have its own.
-const OF_THE_RUN: [&str; 8] = ["dry-run", "diff", "format", "quiet", "jobs", "summary", "resume", "shard"];
+const OF_THE_RUN: [&str; 9] =
+    ["dry-run", "diff", "format", "quiet", "jobs", "summary", "resume", "shard", "report"];
 
 /// How a cell becomes the words of a command line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -62,7 +62,7 @@ pub(crate) fn batch(args: &BatchArgs, terminal: &mut Terminal) -> Result<Exit> {
     if tasks.is_empty() {
         bail!("{shown}: no rows below the first one, which names the columns");
     }
-    run::run(Work { tasks, force: args.output.force, ..Work::default() }, &args.run, terminal)
+    run::run(Work { verb: "batch", tasks, force: args.output.force, ..Work::default() }, &args.run, terminal)
 }
 
 fn tell(wrong: &[Failure], shown: &str, args: &BatchArgs, terminal: &mut Terminal) -> Result<Exit> {

@@ -5,8 +5,9 @@ use std::fmt::Write as _;
 use contact_scaling::limits;
 use osim_patch::{Property, shortest};
 
-use crate::args::CheckArgs;
+use crate::args::ViewArgs;
 use crate::look::{Inspection, SphereFigures};
+use crate::report::quoted;
 
 const PROGRAM: &str = "osim-contact-scale";
 
@@ -26,11 +27,11 @@ pub(super) struct Mend<'m> {
     joined: bool,
     /// How many spheres share the weight is the same for all limbs.
     counted: bool,
-    args: &'m CheckArgs,
+    args: &'m ViewArgs,
 }
 
 impl<'m> Mend<'m> {
-    pub(super) fn new(seen: &Inspection, joined: bool, changes: bool, args: &'m CheckArgs) -> Self {
+    pub(super) fn new(seen: &Inspection, joined: bool, changes: bool, args: &'m ViewArgs) -> Self {
         let mut mass = String::new();
         // What the bodies do not say has to be said again.
         if let Some(kg) = args.masses.mass.or(seen.figures.mass_kg.filter(|_| seen.mass_kg.is_none())) {
@@ -174,27 +175,9 @@ fn option(text: &mut String, name: &str, value: &str) {
     let _ = write!(text, " {name} {value}");
 }
 
-/// As a shell takes it for one word.
-fn quoted(text: &str) -> String {
-    let plain = |c: char| c.is_alphanumeric() || "_-./:,+=@%".contains(c) || (cfg!(windows) && c == '\\');
-    if !text.is_empty() && text.chars().all(plain) {
-        return text.to_owned();
-    }
-    if cfg!(windows) { format!("\"{text}\"") } else { format!("'{}'", text.replace('\'', "'\\''")) }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn names_become_one_word() {
-        assert_eq!(quoted("models/a_1.osim"), "models/a_1.osim");
-        if !cfg!(windows) {
-            assert_eq!(quoted("my model.osim"), "'my model.osim'");
-            assert_eq!(quoted("it's"), r"'it'\''s'");
-        }
-    }
 
     #[test]
     fn a_tenth_of_the_load_is_not_passed() {

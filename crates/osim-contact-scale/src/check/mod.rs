@@ -11,18 +11,19 @@ mod table;
 mod traps;
 
 use anyhow::Result;
-use osim_patch::{Assignment, Model, Property, Set, Severity, set};
+use osim_patch::{Assignment, Model, Property, Set, Severity, Warning, set};
 
-use crate::args::{CheckArgs, SheetFormat};
+use crate::args::{CheckArgs, SheetFormat, ViewArgs};
 use crate::failure::Failure;
 use crate::folders::Folders;
-use crate::look::{Inspection, Look};
+use crate::look::{Inspection, Look, View};
+use crate::page::{self, Entry, Page, entry_of_look};
 use crate::report::json;
 use crate::sources::{Source, Sources};
 use crate::terminal::{Exit, Terminal};
 use crate::workers::{in_order, threads};
 
-use finding::{Finding, Report};
+pub(crate) use finding::{Counts, Finding, Report};
 use mend::Mend;
 use table::Library;
 
@@ -32,6 +33,8 @@ use table::Library;
 /// Wrong usage.
 pub(crate) fn run(args: &CheckArgs, terminal: &mut Terminal) -> Result<Exit> {
     let sources = Sources::find(&args.models, None);
+    let look = Look::of_check(args)?;
+    let mut page = Page::of_looks(&look, &sources)?;
     let mut exit = Exit::Done;
     for failure in &sources.failures {
         exit = exit.and(fail(failure, args, terminal)?);
@@ -40,9 +43,8 @@ pub(crate) fn run(args: &CheckArgs, terminal: &mut Terminal) -> Result<Exit> {
         terminal.note(&format!("note: {remark}\n"))?;
     }
     let check = Check {
-        look: Look::of_check(args)?,
+        look,
         folders: Folders::look(sources.models.iter().map(|source| source.path.as_path()), false),
-        args,
     };
     let deny = args.deny.severity();
     // One model in full; a library as one table, told when all of it is known.
@@ -52,10 +54,13 @@ pub(crate) fn run(args: &CheckArgs, terminal: &mut Terminal) -> Result<Exit> {
     in_order(
         &sources.models,
         threads,
-        |source| check.one(source),
+        |source| check.one(source, &sources),
         |source, report| {
             match report {
-                Ok(report) => {
+                Ok((report, entry)) => {
+                    if let Some((page, entry)) = page.as_mut().zip(entry) {
+                        page.tell(*entry);
+                    }
                     if report.reaches(deny) {
                         exit = exit.and(Exit::Failed);
                     }
@@ -70,9 +75,15 @@ pub(crate) fn run(args: &CheckArgs, terminal: &mut Terminal) -> Result<Exit> {
                 // A folder may hold models without contacts; one that was named may not.
                 Err(failure) if failure.code == "no-contacts" && source.folder.is_some() => {
                     without_contacts += 1;
+                    if let Some(page) = &mut page {
+                        page.tell(Entry::passed_over(&failure.model));
+                    }
                 }
                 Err(failure) => {
                     exit = exit.and(fail(&failure, args, terminal)?);
+                    if let Some(page) = &mut page {
+                        page.tell(Entry::lost(&failure));
+                    }
                     if let Some(library) = &mut library {
                         library.add_failed(&source.shown());
                     }
@@ -81,6 +92,7 @@ pub(crate) fn run(args: &CheckArgs, terminal: &mut Terminal) -> Result<Exit> {
             Ok(())
         },
     )?;
+    exit = exit.and(Page::end(page, terminal));
     if let Some(library) = library.filter(|_| args.format == SheetFormat::Table) {
         terminal.print_painted(&library.text())?;
     }
@@ -101,44 +113,50 @@ fn fail(failure: &Failure, args: &CheckArgs, terminal: &mut Terminal) -> Result<
 struct Check<'c> {
     look: Look<'c>,
     folders: Folders,
-    args: &'c CheckArgs,
 }
 
 impl Check<'_> {
-    /// Everything found in one model.
-    fn one(&self, source: &Source) -> Result<Report, Failure> {
+    /// Everything found in one model, and the page's entry of it where a page is asked for.
+    fn one(&self, source: &Source, sources: &Sources) -> Result<(Report, Option<Box<Entry>>), Failure> {
+        let Look { view, args, .. } = &self.look;
         self.look.with(source, |loaded, model, seen| {
-            if let Err(fault) = self.look.selection.apply(model)
+            if let Err(fault) = view.selection.apply(model)
                 && fault.code() == "no-contacts"
                 && !seen.warnings.iter().any(|warning| warning.code.severity() == Severity::Error)
             {
                 return Err(loaded.failure(fault));
             }
-            Ok(self.report(source, model, &seen))
+            let beside = (!source.is_stdin()).then(|| self.folders.compiled_beside(&source.path)).flatten();
+            let report = judged(view, args, model, &seen, beside.as_ref());
+            let entry = page::frame_of_look(&self.look, source, sources)
+                .map(|frame| Box::new(entry_of_look(view, loaded, model, (&seen, &report), frame)));
+            Ok((report, entry))
         })
     }
+}
 
-    /// `true` where the numbers of `model` can be changed: a command that would be refused is no help.
-    fn changes(&self, model: &Model<'_, '_>) -> bool {
-        let assignments = vec![
-            (Property::Dissipation, Assignment::Value(0.0)),
-            (Property::Stiffness, Assignment::Value(1.0)),
-        ];
-        let trial = Set { assignments, contacts_mass: None, again: true };
-        let plan = self.look.selection.apply(model).and_then(|selected| set(model, &selected, &trial));
-        plan.and_then(|plan| plan.patched(model, 0)).is_ok()
-    }
+/// Everything found in a model that was looked at; `compiled` tells of files that OpenSim would read instead of it.
+pub(crate) fn judged(
+    view: &View,
+    args: &ViewArgs,
+    model: &Model<'_, '_>,
+    seen: &Inspection,
+    compiled: Option<&Warning>,
+) -> Report {
+    let joined = |force| traps::mixed_radii(model, force).is_some() || force.sets.len() > 1;
+    let joined = model.forces.iter().any(joined);
+    let mend = Mend::new(seen, joined, changes(view, model), args);
+    let mut findings = traps::findings(model, seen, &mend);
+    findings.extend(limits::findings(seen, &mend));
+    findings.extend(compiled.map(Finding::from));
+    Report::new(seen.model.clone(), findings)
+}
 
-    fn report(&self, source: &Source, model: &Model<'_, '_>, seen: &Inspection) -> Report {
-        let joined = |force| traps::mixed_radii(model, force).is_some() || force.sets.len() > 1;
-        let joined = model.forces.iter().any(joined);
-        let mend = Mend::new(seen, joined, self.changes(model), self.args);
-        let mut findings = traps::findings(model, seen, &mend);
-        findings.extend(limits::findings(seen, &mend));
-        if !source.is_stdin() {
-            let compiled = self.folders.compiled_beside(&source.path);
-            findings.extend(compiled.iter().map(Finding::from));
-        }
-        Report::new(seen.model.clone(), findings)
-    }
+/// `true` where the numbers of `model` can be changed: a command that would be refused is no help.
+fn changes(view: &View, model: &Model<'_, '_>) -> bool {
+    let assignments =
+        vec![(Property::Dissipation, Assignment::Value(0.0)), (Property::Stiffness, Assignment::Value(1.0))];
+    let trial = Set { assignments, contacts_mass: None, again: true };
+    let plan = view.selection.apply(model).and_then(|selected| set(model, &selected, &trial));
+    plan.and_then(|plan| plan.patched(model, 0)).is_ok()
 }

@@ -24,7 +24,7 @@ enum Topic {
 }
 
 /// Equations of the paper and beyond, then the tool's own rules.
-fn equations() -> impl Iterator<Item = &'static Equation> {
+pub(crate) fn equations() -> impl Iterator<Item = &'static Equation> {
     contact_scaling::equations::all().chain(rules::ALL)
 }
 
@@ -67,11 +67,16 @@ fn find(named: &str) -> Result<Vec<Topic>> {
     bail!("'{unknown}' is no equation and no code{}", way_out(unknown))
 }
 
+/// The equation or rule of this name.
+pub(crate) fn equation(name: &str) -> Option<&'static Equation> {
+    let rule = || rules::ALL.iter().find(|rule| rule.label.eq_ignore_ascii_case(name));
+    contact_scaling::equations::find(name).or_else(rule)
+}
+
 /// Everything called so: a code may be both a warning's and an error's.
 fn called(name: &str) -> Vec<Topic> {
     let is_code = |code: &str| code == name.trim_matches(['[', ']', ' ']);
-    let rule = || rules::ALL.iter().find(|rule| rule.label.eq_ignore_ascii_case(name));
-    let equation = contact_scaling::equations::find(name).or_else(rule).map(Topic::Equation);
+    let equation = equation(name).map(Topic::Equation);
     let warning = WarningCode::ALL.iter().copied().find(|code| is_code(code.as_str())).map(Topic::Warning);
     let error = errors::ALL.iter().find(|known| is_code(known.code)).map(Topic::Error);
     [equation, warning, error].into_iter().flatten().collect()

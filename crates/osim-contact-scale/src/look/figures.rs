@@ -25,13 +25,6 @@ pub(crate) struct Stance {
     pub impact_speed_m_s: Option<f64>,
 }
 
-impl Stance {
-    /// As found, on one limb.
-    pub(crate) const fn on_one_limb() -> Self {
-        Self { spheres: None, limbs: 1.0, impact_speed_m_s: None }
-    }
-}
-
 /// Figures of one model.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(crate) struct Figures {

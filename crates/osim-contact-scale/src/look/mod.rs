@@ -5,8 +5,9 @@
 mod csv;
 pub(crate) mod figures;
 mod inspection;
+pub(crate) mod rows;
 mod standing;
-mod table;
+pub(crate) mod table;
 mod verdict;
 
 use std::collections::BTreeMap;
@@ -19,9 +20,11 @@ use osim_patch::{
     loaded_spheres,
 };
 
-use crate::args::{CheckArgs, InspectArgs, PartArgs, SheetFormat};
+use crate::args::{CheckArgs, InspectArgs, PartArgs, ReportArgs, SheetFormat, ViewArgs};
+use crate::check::judged;
 use crate::failure::Failure;
 use crate::load::Loaded;
+use crate::page::{self, Entry, Page, entry_of_look};
 use crate::report::json;
 use crate::sources::{Source, Sources};
 use crate::terminal::{Exit, Terminal};
@@ -36,12 +39,12 @@ pub(crate) use verdict::Figure;
 
 /// What to look at and how to print it.
 pub(crate) struct Look<'l> {
+    pub verb: &'static str,
     pub models: &'l [PathBuf],
-    pub parts: &'l PartArgs,
+    pub args: ViewArgs,
+    pub view: View,
     pub format: SheetFormat,
-    pub masses: MassRequest,
-    pub selection: Selection,
-    pub stance: Stance,
+    pub report: ReportArgs,
     /// Say what to do next, once, behind all models.
     pub hint: bool,
     /// The generic model the models were scaled from, and the Scale Tool's factors.
@@ -49,15 +52,35 @@ pub(crate) struct Look<'l> {
     pub body_scale_file: Option<&'l Path>,
 }
 
-impl<'l> Look<'l> {
-    pub(crate) fn new(args: &'l InspectArgs) -> Result<Self> {
+/// Whose weight, by which forces, on how many spheres.
+#[derive(Debug, Clone)]
+pub(crate) struct View {
+    pub masses: MassRequest,
+    pub selection: Selection,
+    pub stance: Stance,
+}
+
+impl View {
+    /// # Errors
+    /// Patterns that are none.
+    pub(crate) fn new(args: &ViewArgs) -> Result<Self> {
         Ok(Self {
-            models: &args.models,
-            parts: &args.parts,
-            format: args.format,
             masses: args.masses.request()?,
             selection: args.choice.selection()?,
             stance: args.stance.stance(),
+        })
+    }
+}
+
+impl<'l> Look<'l> {
+    pub(crate) fn new(args: &'l InspectArgs) -> Result<Self> {
+        Ok(Self {
+            verb: "inspect",
+            models: &args.models,
+            args: args.view.clone(),
+            view: View::new(&args.view)?,
+            format: args.format,
+            report: args.report.clone(),
             hint: false,
             from: args.from.as_deref(),
             body_scale_file: args.body_scale_file.as_deref(),
@@ -67,12 +90,12 @@ impl<'l> Look<'l> {
     /// As `check` looks.
     pub(crate) fn of_check(args: &'l CheckArgs) -> Result<Self> {
         Ok(Self {
+            verb: "check",
             models: &args.models,
-            parts: &args.parts,
+            args: args.view.clone(),
+            view: View::new(&args.view)?,
             format: args.format,
-            masses: args.masses.request()?,
-            selection: args.choice.selection()?,
-            stance: args.stance.stance(),
+            report: args.report.clone(),
             hint: false,
             from: None,
             body_scale_file: None,
@@ -81,6 +104,7 @@ impl<'l> Look<'l> {
 
     pub(crate) fn run(&self, terminal: &mut Terminal) -> Result<Exit> {
         let sources = Sources::find(self.models, None);
+        let mut page = Page::of_looks(self, &sources)?;
         let mut exit = Exit::Done;
         for failure in &sources.failures {
             exit = exit.and(self.fail(failure, terminal)?);
@@ -89,27 +113,45 @@ impl<'l> Look<'l> {
             terminal.note(&format!("note: {remark}\n"))?;
         }
         let mut first = true;
-        let threads = threads(None, sources.models.len());
         in_order(
             &sources.models,
-            threads,
-            |source| self.at(source),
+            threads(None, sources.models.len()),
+            |source| self.one(source, &sources),
             |_, seen| {
                 match seen {
-                    Ok(seen) => self.tell(&seen, first, terminal)?,
+                    Ok((seen, entry)) => {
+                        self.tell(&seen, first, terminal)?;
+                        first = false;
+                        if let Some((page, entry)) = page.as_mut().zip(entry) {
+                            page.tell(*entry);
+                        }
+                    }
                     Err(failure) => {
                         exit = exit.and(self.fail(&failure, terminal)?);
-                        return Ok(());
+                        if let Some(page) = &mut page {
+                            page.tell(Entry::lost(&failure));
+                        }
                     }
                 }
-                first = false;
                 Ok(())
             },
         )?;
+        exit = exit.and(Page::end(page, terminal));
         if self.hint && !first && self.format == SheetFormat::Table {
             terminal.print(HINT)?;
         }
         Ok(exit)
+    }
+
+    /// A model, and the page's entry of it where a page is asked for.
+    fn one(&self, source: &Source, sources: &Sources) -> Result<(Inspection, Option<Box<Entry>>), Failure> {
+        self.with(source, |loaded, model, seen| {
+            let entry = page::frame_of_look(self, source, sources).map(|frame| {
+                let report = judged(&self.view, &self.args, model, &seen, None);
+                Box::new(entry_of_look(&self.view, loaded, model, (&seen, &report), frame))
+            });
+            Ok((seen, entry))
+        })
     }
 
     fn tell(&self, seen: &Inspection, first: bool, terminal: &mut Terminal) -> Result<()> {
@@ -132,14 +174,6 @@ impl<'l> Look<'l> {
         Ok(Exit::Failed)
     }
 
-    /// Everything about one model.
-    ///
-    /// # Errors
-    /// A model that cannot be read.
-    pub(crate) fn at(&self, source: &Source) -> Result<Inspection, Failure> {
-        self.with(source, |_, _, seen| Ok(seen))
-    }
-
     /// Hands everything about one model to `then`, with the model.
     ///
     /// # Errors
@@ -149,10 +183,10 @@ impl<'l> Look<'l> {
         source: &Source,
         then: impl FnOnce(&Loaded, &Model<'_, '_>, Inspection) -> Result<T, Failure>,
     ) -> Result<T, Failure> {
-        let loaded = Loaded::read(source, self.parts)?;
+        let loaded = Loaded::read(source, &self.args.parts)?;
         loaded.with_model(|model| {
             let factors = self.factors(&loaded, model)?;
-            then(&loaded, model, self.inspection(&loaded, model, factors.as_ref()))
+            then(&loaded, model, self.view.inspection(&loaded.shown, model, factors.as_ref()))
         })
     }
 
@@ -167,9 +201,16 @@ impl<'l> Look<'l> {
         let found = Factors::find(&scaled, &generic, file.as_ref(), &BTreeMap::new());
         found.map(Some).map_err(|fault| loaded.failure(fault))
     }
+}
 
-    /// Looking never refuses: what is not known is left open.
-    fn inspection(&self, loaded: &Loaded, model: &Model<'_, '_>, factors: Option<&Factors>) -> Inspection {
+impl View {
+    /// Looking never refuses: what is not known is left open. `shown` is the model's name.
+    pub(crate) fn inspection(
+        &self,
+        shown: &str,
+        model: &Model<'_, '_>,
+        factors: Option<&Factors>,
+    ) -> Inspection {
         let mut warnings = model.warnings.clone();
         let mass = self.masses.of_model(model);
         let contacts_mass = self.masses.of_contacts(model, &mut warnings);
@@ -196,7 +237,7 @@ impl<'l> Look<'l> {
         let figures = Figures::of(model, &selected, &limbs, weight, &self.stance);
         let contacts = contacts(model, &selected, contacts_mass.as_ref(), &limbs);
         let found = Found {
-            path: &loaded.shown,
+            path: shown,
             mass: mass.as_ref(),
             contacts_mass: contacts_mass.as_ref(),
             selected: &selected,

@@ -2,8 +2,9 @@
 
 use osim_patch::Property;
 
-use super::figures::{LoadFigures, SphereFigures};
+use super::figures::SphereFigures;
 use super::inspection::{ForceSeen, Inspection, SphereSeen};
+use super::rows::{RESTITUTION, ROWS, Row, When};
 use super::verdict::Figure;
 use crate::report::paint::{OUTSIDE, painted};
 use crate::report::{changes, clipped, four, number, right, table, wrapped};
@@ -93,7 +94,7 @@ fn spheres(spheres: &[SphereSeen]) -> String {
 }
 
 /// Decimals that show a hundredth of the smallest radius.
-fn decimals(spheres: &[SphereSeen]) -> usize {
+pub(crate) fn decimals(spheres: &[SphereSeen]) -> usize {
     let radii =
         spheres.iter().map(|sphere| sphere.radius_m).filter(|radius| *radius > 0.0 && radius.is_finite());
     let smallest = radii.fold(1.0, f64::min);
@@ -106,7 +107,8 @@ fn decimals(spheres: &[SphereSeen]) -> usize {
     decimals
 }
 
-fn metres(value: f64, decimals: usize) -> String {
+/// A length or coordinate, in m.
+pub(crate) fn metres(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     // Nobody's coordinate is -0.0000.
     if text.chars().all(|letter| matches!(letter, '-' | '0' | '.')) { "0".to_owned() } else { text }
@@ -114,19 +116,7 @@ fn metres(value: f64, decimals: usize) -> String {
 
 /// Forces with the same parameters share a row; a legend says which they are.
 fn forces(seen: &Inspection) -> String {
-    let mut groups: Vec<(Vec<String>, Vec<&ForceSeen>)> = Vec::new();
-    for force in &seen.forces {
-        let row = parameters(force);
-        match groups.iter_mut().find(|(known, members)| {
-            *known == row
-                && members.first().is_some_and(|first| {
-                    (first.kind, first.applies, first.selected) == (force.kind, force.applies, force.selected)
-                })
-        }) {
-            Some((_, members)) => members.push(force),
-            None => groups.push((row, vec![force])),
-        }
-    }
+    let groups = groups(seen);
     let mut table = table(&["", "E1*", "E*", "alpha", "friction", "slip", "cf", "bd", "bv"]);
     let mut legend = String::new();
     for (index, (row, members)) in groups.iter().enumerate() {
@@ -144,11 +134,30 @@ fn forces(seen: &Inspection) -> String {
     text
 }
 
+/// Forces with the same parameters, and these as cells.
+pub(crate) fn groups(seen: &Inspection) -> Vec<(Vec<String>, Vec<&ForceSeen>)> {
+    let mut groups: Vec<(Vec<String>, Vec<&ForceSeen>)> = Vec::new();
+    for force in &seen.forces {
+        let row = parameters(force);
+        match groups.iter_mut().find(|(known, members)| {
+            *known == row
+                && members.first().is_some_and(|first| {
+                    (first.kind, first.applies, first.selected) == (force.kind, force.applies, force.selected)
+                })
+        }) {
+            Some((_, members)) => members.push(force),
+            None => groups.push((row, vec![force])),
+        }
+    }
+    groups
+}
+
 fn row_has_default(force: &ForceSeen) -> bool {
     Property::ALL.iter().any(|&property| force.origin.is_default(property))
 }
 
-fn described(members: &[&ForceSeen]) -> String {
+/// How many forces of which class, and their names.
+pub(crate) fn described(members: &[&ForceSeen]) -> String {
     const SHOWN: usize = 6;
     let Some(first) = members.first() else { return String::new() };
     let name = |force: &&ForceSeen| match force.set {
@@ -249,72 +258,6 @@ fn listed(names: &[&str]) -> String {
         more => format!("{shown} and {} more", more - SHOWN),
     }
 }
-
-/// One line of the sheet.
-struct Row {
-    name: &'static str,
-    figure: Option<Figure>,
-    value: fn(&SphereFigures) -> Option<f64>,
-    when: When,
-}
-
-/// Where a line says something of its own.
-#[derive(Clone, Copy, PartialEq)]
-enum When {
-    Always,
-    /// The law of the file is not Hertz's.
-    Smooth,
-    /// Spheres of a limb differ.
-    Mixed,
-    MixedSmooth,
-}
-
-type Value = fn(&SphereFigures) -> Option<f64>;
-
-const fn row(name: &'static str, value: Value) -> Row {
-    Row { name, figure: None, value, when: When::Always }
-}
-
-const fn judged(name: &'static str, figure: Figure, value: Value) -> Row {
-    Row { name, figure: Some(figure), value, when: When::Always }
-}
-
-const fn only(when: When, name: &'static str, figure: Figure, value: Value) -> Row {
-    Row { name, figure: Some(figure), value, when }
-}
-
-fn at(sphere: &SphereFigures, body_weights: f64, of: fn(&LoadFigures) -> Option<f64>) -> Option<f64> {
-    sphere.load(body_weights).and_then(of)
-}
-
-const RESTITUTION: &str = "restitution, exact";
-
-const ROWS: [Row; 20] = [
-    row("radius, m", |s| Some(s.radius_m)),
-    row("load at 1 BW, N", |s| at(s, 1.0, |load| Some(load.load_n))),
-    judged("x/R at 1 BW, Hertz (11)", Figure::Hertz, |s| at(s, 1.0, |load| load.hertz)),
-    only(When::Smooth, "  by the file's law (C.3)", Figure::Own, |s| at(s, 1.0, |load| load.own)),
-    only(When::Mixed, "  level, Hertz", Figure::LevelHertz, |s| at(s, 1.0, |load| load.level_hertz)),
-    only(When::MixedSmooth, "  level, the file's law", Figure::LevelOwn, |s| {
-        at(s, 1.0, |load| load.level_own)
-    }),
-    judged("x/R at 2 BW, Hertz", Figure::HertzAtTwo, |s| at(s, 2.0, |load| load.hertz)),
-    only(When::Smooth, "  by the file's law", Figure::OwnAtTwo, |s| at(s, 2.0, |load| load.own)),
-    only(When::Mixed, "  level, Hertz", Figure::LevelHertzAtTwo, |s| at(s, 2.0, |load| load.level_hertz)),
-    only(When::MixedSmooth, "  level, the file's law", Figure::LevelOwnAtTwo, |s| {
-        at(s, 2.0, |load| load.level_own)
-    }),
-    row("stiffness k, N/m (B.2)", |s| s.contact_stiffness_n_m),
-    row("k R n/F (B.3)", |s| s.dimensionless_stiffness),
-    row("frequency f_n, Hz (B.4)", |s| s.natural_frequency_hz),
-    row("mean stress, N/m2 (15)", |s| s.mean_contact_stress_n_m2),
-    row(RESTITUTION, |s| s.restitution_exact),
-    judged("  by (13)", Figure::Restitution, |s| s.restitution_approximate),
-    judged("sqrt(cf)/R (C.2)", Figure::ConstantIndentation, |s| s.constant_indentation),
-    judged("transition, in R (C.7)", Figure::TransitionWidth, |s| s.transition_width),
-    row("force at touch, N (C.3)", |s| s.force_just_touching_n),
-    judged("  over the load at 1 BW", Figure::TouchingShare, |s| s.touching_share),
-];
 
 fn sheet(seen: &Inspection, groups: &[Alike<'_>], before: usize) -> String {
     let labels = (1..=groups.len()).map(|index| format!("S{}", before + index));

@@ -10,6 +10,7 @@ use crate::args::PlotArgs;
 use crate::drop::weighted;
 use crate::failure::Failure;
 use crate::load::Loaded;
+use crate::look::View;
 use crate::presets;
 use crate::sources::Source;
 use crate::verbs::sphere_count;
@@ -121,6 +122,22 @@ impl Body {
         let weight = weight(model, forces, masses, stance).map_err(failed);
         let contacts_mass_kg = masses.of_contacts(model, &mut Vec::new()).map(|mass| mass.kg).map_err(failed);
         Ok(Self { name, kinds, weight, contacts_mass_kg })
+    }
+
+    /// A model as it was looked at.
+    ///
+    /// # Errors
+    /// As [`of_model`](Self::of_model).
+    pub(crate) fn seen(
+        name: String,
+        model: &Model<'_, '_>,
+        view: &View,
+        failed: &dyn Fn(Fault) -> Failure,
+    ) -> Result<Self, Failure> {
+        let selected = view.selection.apply(model).map_err(failed)?;
+        let looked = &view.stance;
+        let stance = Stance { spheres: looked.spheres, stance_limbs: looked.limbs, gravity_m_s2: None };
+        Self::of_model(name, model, &selected.forces, &view.masses, stance, failed)
     }
 
     fn of_preset(preset: &Preset, args: &PlotArgs) -> Result<Self> {

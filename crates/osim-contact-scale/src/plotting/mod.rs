@@ -2,10 +2,10 @@
 //!
 //! `body` reads models and presets, `series` computes points with the library of equations, `contact_plots` draws them.
 
-mod body;
+pub(crate) mod body;
 mod output;
 mod paper;
-mod series;
+pub(crate) mod series;
 mod sweep;
 
 use anyhow::{Result, anyhow, bail};

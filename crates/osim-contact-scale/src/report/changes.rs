@@ -53,15 +53,8 @@ fn rows(changes: &[Change]) -> String {
     if changes.is_empty() {
         return String::new();
     }
-    let mut groups: Vec<Vec<&Change>> = Vec::new();
-    for change in changes {
-        match groups.iter_mut().find(|group| group.first().is_some_and(|first| alike(first, change))) {
-            Some(group) => group.push(change),
-            None => groups.push(vec![change]),
-        }
-    }
     let mut table = table(&["property", "of", "now", "new", "factor", "equation"]);
-    for group in groups {
+    for group in groups(changes) {
         let Some(first) = group.first() else { continue };
         let factor = first.factor.map(|factor| format!("x{}", number(factor))).unwrap_or_default();
         let equation = if first.equation.starts_with(|c: char| c.is_ascii_digit() || c == 'A' || c == 'C') {
@@ -105,12 +98,25 @@ fn moves(moves: &[Move]) -> String {
     format!("{}\n", table.trim_fmt())
 }
 
+/// Equal changes together.
+pub(crate) fn groups(changes: &[Change]) -> Vec<Vec<&Change>> {
+    let mut groups: Vec<Vec<&Change>> = Vec::new();
+    for change in changes {
+        match groups.iter_mut().find(|group| group.first().is_some_and(|first| alike(first, change))) {
+            Some(group) => group.push(change),
+            None => groups.push(vec![change]),
+        }
+    }
+    groups
+}
+
 fn alike(a: &Change, b: &Change) -> bool {
     (a.property, a.from.to_bits(), a.to.to_bits(), a.equation, a.inserted)
         == (b.property, b.from.to_bits(), b.to.to_bits(), b.equation, b.inserted)
 }
 
-fn whose(group: &[&Change]) -> String {
+/// The force or sphere of a group, or how many there are.
+pub(crate) fn whose(group: &[&Change]) -> String {
     let one = group.first().and_then(|change| change.sphere.clone().or_else(|| change.force.clone()));
     match (group.len(), group.first().is_some_and(|change| change.sphere.is_some())) {
         (1, _) => one.unwrap_or_default(),

@@ -54,9 +54,27 @@ pub(crate) fn four(value: f64) -> String {
     number(rounded)
 }
 
+/// As a shell takes it for one word.
+pub(crate) fn quoted(text: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "_-./:,+=@%".contains(c) || (cfg!(windows) && c == '\\');
+    if !text.is_empty() && text.chars().all(plain) {
+        return text.to_owned();
+    }
+    if cfg!(windows) { format!("\"{text}\"") } else { format!("'{}'", text.replace('\'', "'\\''")) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn names_become_one_word() {
+        assert_eq!(quoted("models/a_1.osim"), "models/a_1.osim");
+        if !cfg!(windows) {
+            assert_eq!(quoted("my model.osim"), "'my model.osim'");
+            assert_eq!(quoted("it's"), r"'it'\''s'");
+        }
+    }
 
     #[test]
     fn names_keep_both_ends() {

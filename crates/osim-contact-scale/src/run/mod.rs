@@ -10,6 +10,7 @@ mod progress;
 mod record;
 mod resume;
 mod shard;
+mod sights;
 mod task;
 mod writing;
 
@@ -21,17 +22,17 @@ use anyhow::Result;
 use crate::args::{RunArgs, RunFormat};
 use crate::failure::Failure;
 use crate::folders::Folders;
+use crate::page::{self, About, Columns, Entry, Page};
 use crate::place::Ledger;
 use crate::terminal::{Exit, Terminal};
 use crate::workers::{in_order, threads};
 
 use journal::Journal;
 use outcome::{Outcome, Said};
-use record::Record;
 use resume::Done;
 
 pub(crate) use progress::Progress;
-pub(crate) use record::sha256;
+pub(crate) use record::{Record, sha256};
 pub(crate) use shard::Shard;
 pub(crate) use task::{Order, Planner, Task, Verb, tasks_of};
 
@@ -41,6 +42,8 @@ const FEW: usize = 10;
 /// What is to be done in one run.
 #[derive(Default)]
 pub(crate) struct Work {
+    /// The verb, as on the command line.
+    pub verb: &'static str,
     pub tasks: Vec<Task>,
     /// What could not even be listed.
     pub failures: Vec<Failure>,
@@ -48,7 +51,7 @@ pub(crate) struct Work {
     pub remarks: Vec<String>,
     /// Files that were read to know the tasks, such as a manifest.
     pub reads: Vec<PathBuf>,
-    /// Replace an existing summary.
+    /// Replace an existing summary or report.
     pub force: bool,
 }
 
@@ -59,6 +62,8 @@ pub(crate) struct Run<'r> {
     folders: Folders,
     journal: Option<Journal>,
     done: Done,
+    /// One model in all: its page is about it alone.
+    alone: bool,
 }
 
 /// Does all of `work`.
@@ -81,18 +86,20 @@ pub(crate) fn run(mut work: Work, args: &RunArgs, terminal: &mut Terminal) -> Re
         terminal.note(&format!("note: {remark}\n"))?;
     }
     let done = Done::read(args)?;
+    let mut page = begin_page(&work, args)?;
     let journal = Journal::begin(args, work.force)?;
     let folders = look_at_folders(&work.tasks, args);
     interrupt::outlive_size_limit();
-    let run = Run { args, format, folders, journal, done };
+    let run = Run { args, format, folders, journal, done, alone: work.is_one() };
     if let Some(journal) = &run.journal {
         work.failures.iter().for_each(|failure| journal.tell(&Record::of_failure(failure)));
     }
-    let count = run.work_off(&work.tasks, terminal)?;
+    let count = run.work_off(&work.tasks, &mut page, terminal)?;
     if let Some(Err(error)) = run.journal.map(Journal::finish) {
         terminal.error(&format!("error: {error:#}\n"));
         exit = exit.and(Exit::Failed);
     }
+    exit = exit.and(Page::end(page, terminal));
     if !args.quiet && several {
         terminal.note(&count.text(args))?;
     } else if !args.quiet && count.interrupted() {
@@ -103,21 +110,29 @@ pub(crate) fn run(mut work: Work, args: &RunArgs, terminal: &mut Terminal) -> Re
 
 impl Run<'_> {
     /// Does all tasks on as many threads as there are processors.
-    fn work_off(&self, tasks: &[Task], terminal: &mut Terminal) -> Result<outcome::Count> {
+    fn work_off(
+        &self,
+        tasks: &[Task],
+        page: &mut Option<Page>,
+        terminal: &mut Terminal,
+    ) -> Result<outcome::Count> {
         let progress = Progress::begin(tasks.len(), self.args.quiet);
         if tasks.len() > 1 {
             interrupt::listen();
         }
         let mut count = outcome::Count::default();
         let work = |task: &Task| {
-            let outcome = self.one(task);
+            let outcome = self.one(task, tasks);
             progress.done(outcome.record.status == record::Status::Failed);
             outcome
         };
-        let tell = |_: &Task, outcome: Outcome| {
+        let tell = |_: &Task, mut outcome: Outcome| {
             count.add(&outcome);
             if let Some(journal) = &self.journal {
                 journal.tell(&outcome.record);
+            }
+            if let Some(page) = page {
+                page.tell(outcome.entry());
             }
             // Results that cannot be shown are no reason to leave the other models undone.
             if let Err(error) = progress.suspended(|| tell(&outcome, terminal)) {
@@ -131,19 +146,40 @@ impl Run<'_> {
         Ok(count)
     }
 
-    fn one(&self, task: &Task) -> Outcome {
+    fn one(&self, task: &Task, tasks: &[Task]) -> Outcome {
         if interrupt::came() {
             return Outcome::not_begun(task);
         }
-        task.run(self)
+        let frame = self.args.report.as_ref().map(|_| page::frame(tasks, task, self.alone));
+        task.run(self, frame)
     }
+}
+
+impl Work {
+    fn is_one(&self) -> bool {
+        self.tasks.len() + self.failures.len() == 1
+    }
+}
+
+fn begin_page(work: &Work, args: &RunArgs) -> Result<Option<Page>> {
+    let Some(path) = &args.report else { return Ok(None) };
+    let shown = || match (work.tasks.first(), work.failures.first()) {
+        (Some(task), _) => task.source.shown(),
+        (None, failure) => failure.map(|failure| failure.model.clone()).unwrap_or_default(),
+    };
+    let about = About { verb: work.verb, model: work.is_one().then(shown), columns: Columns::Changes };
+    // A run that goes on writes its page anew, as it does its summary.
+    let mut page = Page::begin(path, work.force || args.resume, about)?;
+    work.failures.iter().for_each(|failure| page.tell(Entry::lost(failure)));
+    Ok(Some(page))
 }
 
 /// Looks at every folder that the run writes into.
 fn look_at_folders(tasks: &[Task], args: &RunArgs) -> Folders {
     let models = tasks.iter().filter_map(Task::output);
     let geometry = tasks.iter().filter_map(|task| task.geometry_output.as_deref());
-    Folders::look(models.chain(geometry).chain(args.summary.as_deref()), !args.dry_run)
+    let beside = [&args.summary, &args.report].into_iter().filter_map(|path| path.as_deref());
+    Folders::look(models.chain(geometry).chain(beside), !args.dry_run)
 }
 
 /// Nothing is written over what is read, and no file is written twice.
@@ -172,6 +208,9 @@ fn check_files(work: &Work, args: &RunArgs) -> Result<()> {
             (Some(geometry), Some(path)) => ledger.write(path, &geometry.display().to_string())?,
             _ => {}
         }
+    }
+    if let Some(path) = &args.report {
+        ledger.write(path, "the report")?;
     }
     args.summary.as_ref().map_or(Ok(()), |path| ledger.write(path, "the summary"))
 }

@@ -4,6 +4,7 @@ use super::record::{Record, Status};
 use super::task::Task;
 use crate::args::RunArgs;
 use crate::failure::Failure;
+use crate::page::Entry;
 use crate::terminal::Exit;
 
 /// One thing to tell.
@@ -22,11 +23,22 @@ pub(super) struct Outcome {
     pub record: Record,
     /// Done by an earlier run.
     pub earlier: bool,
+    /// The model on the page; none where no page is asked for, or there is nothing but the record.
+    pub entry: Option<Entry>,
 }
 
 impl Outcome {
+    /// What the page says; it can be had once.
+    pub(super) fn entry(&mut self) -> Entry {
+        let bare = || match self.earlier {
+            true => Entry::not_done(&self.record.model, "done by an earlier run".to_owned()),
+            false => Entry::of_record(&self.record),
+        };
+        self.entry.take().unwrap_or_else(bare)
+    }
+
     pub(super) fn not_begun(task: &Task) -> Self {
-        Self { said: Vec::new(), record: Record::of_task(task), earlier: false }
+        Self { said: Vec::new(), record: Record::of_task(task), earlier: false, entry: None }
     }
 
     pub(super) fn failed(failure: &Failure, mut record: Record, json: bool) -> Self {
@@ -36,7 +48,7 @@ impl Outcome {
             said.push(Said::Result(failure.json().into_bytes()));
         }
         said.push(Said::Error(failure.text()));
-        Self { said, record, earlier: false }
+        Self { said, record, earlier: false, entry: None }
     }
 }
 

@@ -26,6 +26,20 @@ pub(crate) enum Status {
     NotBegun,
 }
 
+impl Status {
+    /// As people read it.
+    pub(crate) const fn told(self) -> &'static str {
+        match self {
+            Self::Written => "written",
+            Self::Unchanged => "unchanged",
+            Self::DryRun => "dry run: nothing written",
+            Self::NoContacts => "passed over: no contacts",
+            Self::Failed => "failed",
+            Self::NotBegun => "not begun: the run was stopped",
+        }
+    }
+}
+
 /// Columns of a summary. Masses in kg; factors are new over old.
 ///
 /// A table without `model`, `status` and the other columns that are never empty is no summary: `--resume` refuses it

@@ -8,7 +8,7 @@ use osim_patch::{Fault, Model, Plan};
 
 use super::Work;
 use super::record::sha256;
-use crate::args::{OutputArgs, PartArgs, RunArgs, RunFormat};
+use crate::args::{OutputArgs, PartArgs, RunArgs, RunFormat, ViewArgs};
 use crate::load::read;
 use crate::place::{Place, geometry_place, place};
 use crate::sources::{Source, Sources};
@@ -21,6 +21,12 @@ pub(crate) trait Planner: Send + Sync {
     fn reads(&self) -> Vec<PathBuf> {
         Vec::new()
     }
+
+    /// The verb.
+    fn name(&self) -> &'static str;
+
+    /// How `inspect` and `check` would look at the model with the same options.
+    fn view(&self) -> ViewArgs;
 
     /// Everything its plans follow from but for the files: equal texts, equal plans.
     fn options(&self) -> String;
@@ -60,6 +66,16 @@ impl Order {
 
     pub(super) fn planner(&self) -> &dyn Planner {
         self.planner.as_ref()
+    }
+
+    /// The verb.
+    pub(super) fn name(&self) -> &'static str {
+        self.planner.name()
+    }
+
+    /// How `inspect` and `check` would look at the model with the same options.
+    pub(super) fn view(&self) -> ViewArgs {
+        ViewArgs { parts: self.parts.clone(), ..self.planner.view() }
     }
 
     /// Files it reads beside the models.
@@ -133,9 +149,11 @@ pub(crate) fn tasks_of(verb: Verb, run: &RunArgs) -> Result<Work> {
     if parts.geometry.is_some() && sources.models.len() > 1 {
         bail!("--geometry belongs to one ForceSet: change several in runs of their own");
     }
+    let verb = planner.name();
     let order = Arc::new(Order::new(planner, parts, &output));
     let task = |source: Source| Task::new(source, &output, Arc::clone(&order));
     Ok(Work {
+        verb,
         tasks: sources.models.into_iter().map(task).collect(),
         failures: sources.failures,
         remarks: sources.remarks,

@@ -9,25 +9,27 @@ use super::Run;
 use super::outcome::{Outcome, Said};
 use super::record::{Record, Status, sha256, sha256_of_parts};
 use super::resume::Earlier;
+use super::sights::Sights;
 use super::task::{Order, Task};
 use crate::args::RunFormat;
 use crate::failure::Failure;
 use crate::folders;
 use crate::load::{Loaded, Stamp};
+use crate::page::Frame;
 use crate::place::Place;
 use crate::report::{changes, diff, json};
 use crate::write::{Mode, Prepared, backup};
 
 impl Task {
     /// Does this model. Whatever goes wrong is in the outcome.
-    pub(super) fn run(&self, run: &Run<'_>) -> Outcome {
+    pub(super) fn run(&self, run: &Run<'_>, frame: Option<Frame>) -> Outcome {
         let mut record = Record::of_task(self);
-        match self.attempt(run, &mut record) {
+        match self.attempt(run, frame, &mut record) {
             Ok(outcome) => outcome,
             // A folder may hold models without contacts; one that was named may not.
             Err(failure) if failure.code == "no-contacts" && self.source.folder.is_some() => {
                 record.status = Status::NoContacts;
-                Outcome { said: Vec::new(), record, earlier: false }
+                Outcome { said: Vec::new(), record, earlier: false, entry: None }
             }
             Err(failure) => {
                 let failure = self.located(failure);
@@ -36,7 +38,7 @@ impl Task {
         }
     }
 
-    fn attempt(&self, run: &Run<'_>, record: &mut Record) -> Result<Outcome, Failure> {
+    fn attempt(&self, run: &Run<'_>, frame: Option<Frame>, record: &mut Record) -> Result<Outcome, Failure> {
         let loaded = Loaded::read(&self.source, &self.order.parts)?;
         let mut force = self.order.force;
         if run.journal.is_some() {
@@ -45,22 +47,29 @@ impl Task {
             if !run.done.is_empty() {
                 match run.done.of(self, &input, record) {
                     Earlier::Holds(record) => {
-                        return Ok(Outcome { said: Vec::new(), record: *record, earlier: true });
+                        let record = *record;
+                        return Ok(Outcome { said: Vec::new(), record, earlier: true, entry: None });
                     }
                     Earlier::Outdated => force = true,
                     Earlier::Unknown => {}
                 }
             }
             record.sha256_input = Some(input);
+        } else if frame.is_some() {
+            record.sha256_input = Some(sha256(&loaded.bytes));
         }
         loaded.with_model(|model| {
             let mut job = Job { task: self, run, loaded: &loaded, force, record };
             let plan = job.plan(model)?;
             let outside = |error: anyhow::Error| Failure::outside(&loaded.shown, "output", &error);
             let results = job.results(&plan, model)?;
+            let sights = frame.map(|frame| Sights::of(self, &loaded, &plan, model, &results, frame));
+            let sights = sights.transpose()?;
             let written = job.write(&plan, &results).map_err(outside)?;
             let said = job.tell(&plan, &results, &written).map_err(outside)?;
-            Ok(Outcome { said, record: record.clone(), earlier: false })
+            let result = written.told();
+            let entry = sights.map(|sights| sights.entry(&plan, &loaded, job.record, result));
+            Ok(Outcome { said, record: record.clone(), earlier: false, entry })
         })
     }
 
@@ -93,16 +102,16 @@ struct Job<'j> {
 }
 
 /// The bytes that a plan makes.
-struct Results<'m> {
-    model: Patch<'m>,
-    geometry: Option<Geometry<'m>>,
+pub(super) struct Results<'m> {
+    pub model: Patch<'m>,
+    pub geometry: Option<Geometry<'m>>,
 }
 
 /// The changed bytes of a standalone geometry set.
-struct Geometry<'m> {
-    file: usize,
+pub(super) struct Geometry<'m> {
+    pub file: usize,
     path: PathBuf,
-    patch: Patch<'m>,
+    pub patch: Patch<'m>,
 }
 
 /// What was written.
@@ -116,6 +125,21 @@ enum Written {
 }
 
 impl Written {
+    /// In words.
+    fn told(&self) -> String {
+        match self {
+            Self::Nothing(why) => (*why).to_owned(),
+            Self::Stdout => "model written to standard output".to_owned(),
+            Self::Files { paths, kept } => {
+                let listed = |paths: &[PathBuf]| {
+                    paths.iter().map(|path| path.display().to_string()).collect::<Vec<_>>().join(", ")
+                };
+                let kept = if kept.is_empty() { String::new() } else { format!(" (old: {})", listed(kept)) };
+                format!("written: {}{kept}", listed(paths))
+            }
+        }
+    }
+
     fn paths(&self) -> &[PathBuf] {
         match self {
             Self::Files { paths, .. } => paths,
@@ -177,7 +201,7 @@ impl Job<'_> {
         if let Some(geometry) = &results.geometry {
             self.prepare(&mut files, &geometry.path, &geometry.patch, geometry.file)?;
         }
-        if self.run.journal.is_some() {
+        if self.run.journal.is_some() || self.run.args.report.is_some() {
             self.record.sha256_output = Some(sha256_of_parts(results.model.parts()));
             let geometry = results.geometry.as_ref();
             self.record.sha256_geometry_output =
@@ -266,16 +290,7 @@ impl Job<'_> {
         if self.run.args.quiet {
             return None;
         }
-        let result = match written {
-            Written::Nothing(why) => (*why).to_owned(),
-            Written::Stdout => "model written to standard output".to_owned(),
-            Written::Files { kept, .. } => {
-                let kept: Vec<_> = kept.iter().map(|path| path.display().to_string()).collect();
-                let kept =
-                    if kept.is_empty() { String::new() } else { format!(" (old: {})", kept.join(", ")) };
-                format!("written: {}{kept}", paths.join(", "))
-            }
-        };
+        let result = written.told();
         Some(match format {
             RunFormat::Lines => changes::line(plan, shown, &result),
             _ => changes::text(plan, shown, &result),

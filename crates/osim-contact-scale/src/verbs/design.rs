@@ -7,7 +7,7 @@ use osim_patch::{
 };
 
 use super::sphere_count;
-use crate::args::{CountArgs, DesignArgs, LoadArgs, WantedArgs};
+use crate::args::{CountArgs, DesignArgs, LoadArgs, StanceArgs, ViewArgs, WantedArgs};
 use crate::run::{Planner, Verb};
 
 /// `design` with models.
@@ -17,6 +17,7 @@ struct Designing {
     counts: CountArgs,
     selection: Selection,
     masses: MassRequest,
+    view: ViewArgs,
     options: String,
 }
 
@@ -27,6 +28,16 @@ pub(crate) fn verb(args: DesignArgs) -> Result<Verb> {
     let DesignArgs { models, wanted, load, masses, counts, choice, output, run: _, parts } = args;
     let planner = Designing {
         options: format!("design {wanted:?} {load:?} {masses:?} {counts:?} {choice:?}"),
+        view: ViewArgs {
+            stance: StanceArgs {
+                spheres: counts.spheres,
+                stance_limbs: counts.stance_limbs,
+                impact_speed: wanted.impact_speed,
+            },
+            masses: masses.clone(),
+            choice: choice.clone(),
+            ..ViewArgs::default()
+        },
         wanted,
         load,
         counts,
@@ -107,6 +118,14 @@ impl Designing {
 }
 
 impl Planner for Designing {
+    fn name(&self) -> &'static str {
+        "design"
+    }
+
+    fn view(&self) -> ViewArgs {
+        self.view.clone()
+    }
+
     fn options(&self) -> String {
         self.options.clone()
     }

@@ -4,13 +4,14 @@ use anyhow::{Result, bail};
 use osim_patch::{Fault, MassRequest, Model, Plan, RadiusRule, Rescale, Selection, rescale};
 
 use super::{operation, refuse_again};
-use crate::args::{RescaleArgs, ScalingArgs};
+use crate::args::{RescaleArgs, ScalingArgs, ViewArgs};
 use crate::run::{Planner, Verb};
 
 /// `--target-mass`.
 struct Rescaling {
     scaling: ScalingArgs,
     again: bool,
+    view: ViewArgs,
     options: String,
     target_mass_kg: f64,
     selection: Selection,
@@ -33,6 +34,7 @@ pub(crate) fn verb(args: RescaleArgs) -> Result<Verb> {
         selection: choice.selection()?,
         masses: MassRequest { target_kg: Some(target_mass_kg), ..masses.request()? },
         scaling,
+        view: ViewArgs { masses, choice, ..ViewArgs::default() },
         again: output.force || !output.in_place,
         options,
     };
@@ -40,6 +42,14 @@ pub(crate) fn verb(args: RescaleArgs) -> Result<Verb> {
 }
 
 impl Planner for Rescaling {
+    fn name(&self) -> &'static str {
+        "rescale"
+    }
+
+    fn view(&self) -> ViewArgs {
+        self.view.clone()
+    }
+
     fn options(&self) -> String {
         self.options.clone()
     }

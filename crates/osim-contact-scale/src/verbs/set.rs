@@ -8,7 +8,7 @@ use osim_patch::{
     Assignment, Fault, Mass, MassRequest, MassSource, Model, Plan, Property, Selection, Set, set,
 };
 
-use crate::args::{SetArgs, assignment};
+use crate::args::{SetArgs, ViewArgs, assignment};
 use crate::run::{Planner, Verb};
 
 type Assignments = Vec<(Property, Assignment)>;
@@ -19,6 +19,7 @@ struct Setting {
     selection: Selection,
     masses: MassRequest,
     again: bool,
+    view: ViewArgs,
     options: String,
 }
 
@@ -33,6 +34,7 @@ pub(crate) fn verb(args: SetArgs) -> Result<Verb> {
         selection: choice.selection()?,
         masses: masses.request()?,
         again: output.force || !output.in_place,
+        view: ViewArgs { masses, choice, ..ViewArgs::default() },
     };
     Ok(Verb { models, output, parts, planner: Box::new(planner) })
 }
@@ -64,6 +66,14 @@ fn parted(items: &[OsString]) -> Result<(Vec<PathBuf>, Assignments)> {
 }
 
 impl Planner for Setting {
+    fn name(&self) -> &'static str {
+        "set"
+    }
+
+    fn view(&self) -> ViewArgs {
+        self.view.clone()
+    }
+
     fn options(&self) -> String {
         self.options.clone()
     }

@@ -10,7 +10,7 @@ use osim_patch::{
 
 use super::reference::{Generic, preset, reference_from_file};
 use super::{operation, refuse_again, sphere_count};
-use crate::args::{RuleArg, TransferArgs};
+use crate::args::{RuleArg, StanceArgs, TransferArgs, ViewArgs};
 use crate::failure::Failure;
 use crate::run::{Planner, Verb};
 
@@ -72,6 +72,24 @@ fn options(args: &TransferArgs) -> String {
 }
 
 impl Planner for Transferring {
+    fn name(&self) -> &'static str {
+        "transfer"
+    }
+
+    fn view(&self) -> ViewArgs {
+        let TransferArgs { counts, masses, choice, .. } = &self.args;
+        ViewArgs {
+            stance: StanceArgs {
+                spheres: counts.spheres,
+                stance_limbs: counts.stance_limbs,
+                impact_speed: None,
+            },
+            masses: masses.clone(),
+            choice: choice.clone(),
+            ..ViewArgs::default()
+        }
+    }
+
     fn options(&self) -> String {
         self.options.clone()
     }
