@@ -176,3 +176,38 @@ fn a_model_that_fails_names_its_row_and_the_others_are_done() {
     let rows: Vec<&str> = summary.lines().map(|line| line.split(',').next().unwrap()).collect();
     assert_eq!(rows, ["row", "2", "3"]);
 }
+
+#[test]
+fn a_row_that_changes_a_model_itself_and_one_that_reads_it_are_refused() {
+    let bench = Bench::human();
+    for rows in [
+        "human.osim,stiffness=x2,yes,,\nhuman.osim,stiffness=x3,,,b.osim\n",
+        "human.osim,stiffness=x2,yes,,\nother.osim,,,human.osim,b.osim\n",
+    ] {
+        bench.write("other.osim", crate::support::fixture("table1/mouse_smooth_sphere.osim"));
+        bench.write("m.csv", format!("model,set,in-place,from,output\n{rows}"));
+        bench.run("batch m.csv").usage().wrote_nothing().says(&["row 2", "would change human.osim itself"]);
+    }
+}
+
+#[test]
+fn the_manifest_is_never_written_over() {
+    let bench = Bench::human();
+    bench.write("m.csv", "model,target-mass,output\nhuman.osim,5,m.csv\n");
+    bench.run("batch m.csv --force").usage().wrote_nothing().says(&["is an input of this run"]);
+    bench.write("m.csv", "model,target-mass,output\nhuman.osim,5,a.osim\n");
+    bench
+        .run("batch m.csv --summary m.csv --force")
+        .usage()
+        .wrote_nothing()
+        .says(&["is an input of this run"]);
+}
+
+#[test]
+fn a_comma_that_may_part_thousands_is_refused_everywhere() {
+    let bench = Bench::human();
+    for manifest in ["model;target-mass\nhuman.osim;1,190\n", "model\ttarget-mass\nhuman.osim\t1,190\n"] {
+        bench.write("m.csv", manifest);
+        bench.run("batch m.csv").usage().wrote_nothing().says(&["'1,190' may be 1190 or 1.190"]);
+    }
+}

@@ -140,6 +140,8 @@ fn count_and_size_come_first_and_many_models_ask_for_yes() {
         .done()
         .wrote_nothing()
         .says(&["9 models of"]);
+    let huge = "sweep emu.osim --grid stiffness=1..9/1000 --grid dissipation=1..9/1000 --grid radius=1..9/1000 --dry-run";
+    bench.run(huge).done().wrote_nothing().says(&["1000000000 models of"]);
     bench.run("sweep emu.osim --grid stiffness=x1,x2 -d out").done().looks_like("sweep");
     bench
         .run("sweep emu.osim --grid stiffness=x1,x2 -d out")
@@ -185,4 +187,22 @@ fn walks_over_folders_pass_sweeps_over_aloud() {
     let ran =
         bench.run("lib --target-mass 5 -d out").done().says(&["folders of sweeps (*.sweep) passed over: 1"]);
     assert_eq!(ran.changed, ["out/emu.osim"]);
+}
+
+#[test]
+fn a_model_is_not_written_where_the_files_it_includes_are_missing() {
+    let bench = Bench::with(&[
+        ("format/file_forceset.osim", "in/file_forceset.osim"),
+        ("format/standalone_ForceSet.xml", "in/standalone_ForceSet.xml"),
+    ]);
+    bench
+        .run("in/file_forceset.osim --target-mass 5 --only radius -d out")
+        .failed()
+        .says(&["includes file=", "copy it there"]);
+    bench
+        .run("sweep in/file_forceset.osim --grid radius=x2 -d out")
+        .failed()
+        .says(&["includes file=", "no model was made"]);
+    assert!(!bench.has("out/file_forceset.osim") && !bench.has("out/file_forceset_sweep.csv"));
+    bench.run("in/file_forceset.osim --target-mass 5 --only radius").done();
 }

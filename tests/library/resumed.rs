@@ -211,3 +211,35 @@ fn the_summary_is_no_output_and_no_input() {
         .wrote_nothing()
         .says(&[".csv or .ndjson"]);
 }
+
+#[test]
+fn what_an_earlier_run_wrote_is_still_ours_after_a_run_in_which_the_model_failed() {
+    let bench = done();
+    let good = bench.read("lib/odd/model03.osim");
+    bench.write("lib/odd/model03.osim", &good[..good.len() / 2]);
+    let at = |mass: &str| format!("lib --target-mass {mass} -d out --summary done.csv --resume");
+    bench.run(&at("600")).failed().says(&["4 written", "1 failed"]);
+    bench.write("lib/odd/model03.osim", &good);
+    bench.run(&at("700")).done().says(&["5 models: 5 written"]);
+    let calm = library(5);
+    calm.run("lib --target-mass 700 -d out --summary done.csv").done();
+    assert!(bench.files() == calm.files());
+}
+
+#[test]
+fn rows_of_a_manifest_may_move() {
+    let bench = library(2);
+    let rows = "lib/model00.osim,a.osim\nlib/model02.osim,b.osim\n";
+    let files = bench.files();
+    let names: Vec<&String> = files.keys().filter(|name| name.ends_with(".osim")).collect();
+    let rows = rows.replace("lib/model00.osim", names[0]).replace("lib/model02.osim", names[1]);
+    bench.write("m.csv", format!("model,output,target-mass\n{}", rows.replace(".osim\n", ".osim,500\n")));
+    bench.run("batch m.csv --summary done.csv").done().says(&["2 written"]);
+    let new = format!("{},c.osim,500\n", names[0]);
+    bench
+        .write("m.csv", format!("model,output,target-mass\n{new}{}", rows.replace(".osim\n", ".osim,500\n")));
+    bench.run("batch m.csv --summary done.csv --resume").done().says(&["1 written", "2 done before"]);
+    let summary = bench.text("done.csv");
+    let rows: Vec<&str> = summary.lines().skip(1).map(|line| line.split(',').next().unwrap()).collect();
+    assert_eq!(rows, ["2", "3", "4"]);
+}

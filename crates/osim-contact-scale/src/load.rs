@@ -10,6 +10,7 @@ use osim_patch::{Document, ElementId, Model, Part};
 
 use crate::args::PartArgs;
 use crate::failure::Failure;
+use crate::paths::folder_of;
 use crate::sources::Source;
 
 /// Bytes of a model's files; documents and models borrow from it.
@@ -27,6 +28,8 @@ pub(crate) struct LoadedPart {
     bytes: Vec<u8>,
     stamp: Option<Stamp>,
     included_by: Option<ElementId>,
+    /// As the model names it in `file="..."`.
+    named: Option<String>,
 }
 
 impl Loaded {
@@ -54,10 +57,26 @@ impl Loaded {
                 message: format!("it includes file=\"{file}\", and {}: {}", failure.model, failure.message),
                 ..failure
             })?;
-            parts.push(part);
+            parts.push(LoadedPart { named: Some(file), ..part });
         }
         drop(document);
         Ok(Self { shown, bytes, stamp, parts })
+    }
+
+    /// Refuses to write the model where OpenSim would not find the files that it includes.
+    ///
+    /// # Errors
+    /// The first that is not there.
+    pub(crate) fn find_included_from(&self, output: &Path) -> Result<()> {
+        for file in self.parts.iter().filter_map(|part| part.named.as_deref()) {
+            if !folder_of(output).join(file).is_file() {
+                bail!(
+                    "the model includes file=\"{file}\", which is not in {}: copy it there first, or write beside the model",
+                    folder_of(output).display()
+                );
+            }
+        }
+        Ok(())
     }
 
     /// The same model with other bytes of its own; included files stay.
@@ -77,7 +96,7 @@ impl Loaded {
         let (bytes, stamp) = read_stamped(&path)
             .with_context(|| "a file that belongs to the model".to_owned())
             .map_err(|error| Failure::outside(&shown, "unreadable", &error))?;
-        Ok(LoadedPart { path, bytes, stamp, included_by })
+        Ok(LoadedPart { path, bytes, stamp, included_by, named: None })
     }
 
     /// Bytes of file number `file`.

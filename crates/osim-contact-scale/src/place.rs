@@ -78,16 +78,26 @@ pub(crate) fn geometry_place(geometry: &Path, output: &OutputArgs) -> PathBuf {
 #[derive(Debug, Default)]
 pub(crate) struct Ledger {
     resolver: Resolver,
-    inputs: HashMap<OsString, String>,
+    /// Files that are read, and for how many models.
+    inputs: HashMap<OsString, (String, usize)>,
     outputs: HashMap<OsString, String>,
 }
 
 impl Ledger {
     /// A file that is read: nothing may be written over it.
     pub(crate) fn read(&mut self, path: &Path) {
+        self.count(path, 0);
+    }
+
+    /// The same of a file that would be another one if it were changed before it is read for this model.
+    pub(crate) fn read_again(&mut self, path: &Path) {
+        self.count(path, 1);
+    }
+
+    fn count(&mut self, path: &Path, models: usize) {
         if path.as_os_str() != "-" {
-            let real = self.resolver.resolved(path);
-            self.inputs.insert(without_case(real), path.display().to_string());
+            let real = without_case(self.resolver.resolved(path));
+            self.inputs.entry(real).or_insert_with(|| (path.display().to_string(), 0)).1 += models;
         }
     }
 
@@ -98,7 +108,7 @@ impl Ledger {
     /// differs, because Windows and macOS see one file there.
     pub(crate) fn write(&mut self, path: &Path, who: &str) -> Result<()> {
         let real = without_case(self.resolver.resolved(path));
-        if let Some(input) = self.inputs.get(&real) {
+        if let Some((input, _)) = self.inputs.get(&real) {
             bail!(
                 "the output {} is an input of this run ({input}): choose another name, or change it with --in-place",
                 path.display()
@@ -110,9 +120,16 @@ impl Ledger {
     /// A file that is changed itself, for `who`.
     ///
     /// # Errors
-    /// It is changed for another one too.
+    /// It is changed, or read, for another one too.
     pub(crate) fn change(&mut self, path: &Path, who: &str) -> Result<()> {
         let real = without_case(self.resolver.resolved(path));
+        if self.inputs.get(&real).is_some_and(|(_, models)| *models > 1) {
+            bail!(
+                "{who} would change {} itself, and another one reads it: give it an output of its own, or do one after \
+                 the other",
+                path.display()
+            );
+        }
         self.once(real, path, who)
     }
 
@@ -164,5 +181,8 @@ mod tests {
         assert!(ledger.write(Path::new("out/../in/a.osim"), "c").is_err());
         assert!(ledger.change(Path::new("in/a.osim"), "d").is_ok());
         assert!(ledger.change(Path::new("in/A.osim"), "e").is_err());
+        ledger.read_again(Path::new("in/b.osim"));
+        ledger.read_again(Path::new("./in/b.osim"));
+        assert!(ledger.change(Path::new("in/b.osim"), "f").is_err());
     }
 }

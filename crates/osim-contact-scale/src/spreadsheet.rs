@@ -31,17 +31,28 @@ impl Sheet {
         }
         let bytes = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
         let delimiter = delimiter(bytes);
-        let mut reader =
-            csv::ReaderBuilder::new().delimiter(delimiter).trim(csv::Trim::All).from_reader(bytes);
-        let header = reader.headers().map_err(|error| anyhow!(in_words(&error)))?;
-        let header = header.iter().map(str::to_owned).collect();
+        if bytes.to_ascii_lowercase().starts_with(b"sep=") {
+            bail!("the first line is Excel's 'sep=': remove it, so that the first line names the columns");
+        }
+        let mut reader = csv::ReaderBuilder::new();
+        let mut reader = reader.delimiter(delimiter).trim(csv::Trim::All).flexible(true).from_reader(bytes);
+        let not_text = |error: &csv::Error| anyhow!(in_words(error, bytes));
+        let header = reader.headers().map_err(|error| not_text(&error))?;
+        let header: Vec<String> = header.iter().map(str::to_owned).collect();
         let mut lines = Lines { bytes, at: 0, line: 1 };
-        let row = |record: csv::Result<csv::StringRecord>| {
-            let record = record.map_err(|error| anyhow!(in_words(&error)))?;
+        let (mut rows, mut unequal) = (Vec::new(), Vec::new());
+        for record in reader.records() {
+            let record = record.map_err(|error| not_text(&error))?;
             let line = record.position().map_or(0, |position| lines.of(position.byte()));
-            Ok(Row { line, cells: record.iter().map(str::to_owned).collect() })
-        };
-        Ok(Self { header, rows: reader.records().map(row).collect::<Result<_>>()?, delimiter })
+            if record.len() != header.len() {
+                unequal.push(format!("line {line}: {} cells", record.len()));
+            }
+            rows.push(Row { line, cells: record.iter().map(str::to_owned).collect() });
+        }
+        if !unequal.is_empty() {
+            bail!("{}, expected {} as in the first row", unequal.join(", "), header.len());
+        }
+        Ok(Self { header, rows, delimiter })
     }
 
     /// A number's text with a decimal point. A decimal comma is clear only where commas do not part the cells.
@@ -89,13 +100,11 @@ fn with_point(cell: &str, delimiter: u8) -> Result<Cow<'_, str>, &'static str> {
 }
 
 /// What the CSV reader refuses.
-fn in_words(error: &csv::Error) -> String {
+fn in_words(error: &csv::Error, bytes: &[u8]) -> String {
     match error.kind() {
-        csv::ErrorKind::UnequalLengths { pos: Some(place), expected_len, len } => {
-            format!("line {}: {len} cells, expected {expected_len} as in the first row", place.line())
-        }
         csv::ErrorKind::Utf8 { pos: Some(place), .. } => {
-            format!("line {}: not UTF-8 text: save it as CSV in UTF-8", place.line())
+            let line = Lines { bytes, at: 0, line: 1 }.of(place.byte());
+            format!("line {line}: not UTF-8 text: save it as CSV in UTF-8")
         }
         _ => error.to_string(),
     }
@@ -126,6 +135,10 @@ mod tests {
         assert_eq!(sheet.header, ["model", "target-mass"]);
         assert_eq!((sheet.rows[0].line, sheet.rows[0].cells[1].as_str()), (2, "0,02"));
         assert!(Sheet::read(b"\xFF\xFEm\0").is_err());
-        assert!(Sheet::read(b"a,b\n1\n").is_err_and(|error| error.to_string().contains("line 2")));
+        let ragged = Sheet::read(b"a,b\r\n1,2\r\n1\r\n1,2,3\r\n").err().unwrap().to_string();
+        assert_eq!(ragged, "line 3: 1 cells, line 4: 3 cells, expected 2 as in the first row");
+        let latin = Sheet::read(b"a,b\r\n1,\xe9\r\n").err().unwrap().to_string();
+        assert!(latin.contains("line 2: not UTF-8"), "{latin}");
+        assert!(Sheet::read(b"sep=;\r\na;b\r\n").is_err());
     }
 }

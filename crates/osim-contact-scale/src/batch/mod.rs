@@ -62,7 +62,9 @@ pub(crate) fn batch(args: &BatchArgs, terminal: &mut Terminal) -> Result<Exit> {
     if tasks.is_empty() {
         bail!("{shown}: no rows below the first one, which names the columns");
     }
-    run::run(Work { verb: "batch", tasks, force: args.output.force, ..Work::default() }, &args.run, terminal)
+    let reads = vec![args.manifest.clone()];
+    let work = Work { verb: "batch", tasks, reads, force: args.output.force, ..Work::default() };
+    run::run(work, &args.run, terminal)
 }
 
 fn tell(wrong: &[Failure], shown: &str, args: &BatchArgs, terminal: &mut Terminal) -> Result<Exit> {
@@ -76,7 +78,8 @@ fn tell(wrong: &[Failure], shown: &str, args: &BatchArgs, terminal: &mut Termina
     }
     let more = wrong.len().saturating_sub(TOLD);
     let more = if more > 0 { format!(", {more} of them not shown") } else { String::new() };
-    terminal.error(&format!("error: {shown}: {} rows are wrong{more}: nothing was written\n", wrong.len()));
+    let rows = if wrong.len() == 1 { "1 row is".to_owned() } else { format!("{} rows are", wrong.len()) };
+    terminal.error(&format!("error: {shown}: {rows} wrong{more}: nothing was written\n"));
     Ok(Exit::Usage)
 }
 

@@ -20,14 +20,14 @@ pub(crate) fn listen() {
 
 /// From now on a file that grows beyond the limit is an error of that file.
 #[cfg(unix)]
-pub(super) fn outlive_size_limit() {
+pub(crate) fn outlive_size_limit() {
     let unasked = std::sync::Arc::new(AtomicBool::new(false));
     // Where it cannot be caught, it ends the program as ever: no file is torn by that.
     drop(signal_hook::flag::register(signal_hook::consts::SIGXFSZ, unasked));
 }
 
 #[cfg(not(unix))]
-pub(super) fn outlive_size_limit() {}
+pub(crate) fn outlive_size_limit() {}
 
 /// Whether it was pressed.
 pub(crate) fn came() -> bool {

@@ -148,7 +148,9 @@ impl Run<'_> {
 
     fn one(&self, task: &Task, tasks: &[Task]) -> Outcome {
         if interrupt::came() {
-            return Outcome::not_begun(task);
+            let mut outcome = Outcome::not_begun(task);
+            self.done.left_behind(&mut outcome.record);
+            return outcome;
         }
         let frame = self.args.report.as_ref().map(|_| page::frame(tasks, task, self.alone));
         task.run(self, frame)
@@ -189,10 +191,14 @@ fn check_files(work: &Work, args: &RunArgs) -> Result<()> {
     work.reads.iter().for_each(|path| ledger.read(path));
     let mut known: Option<&Arc<Order>> = None;
     for task in tasks {
-        ledger.read(&task.source.path);
+        ledger.read_again(&task.source.path);
         // The files of an order are looked at once for all of its models.
         if !known.is_some_and(|order| Arc::ptr_eq(order, &task.order)) {
-            task.order.reads().iter().for_each(|path| ledger.read(path));
+            // A reference is read before the first model, so a folder's run may change it; rows may not lean on that.
+            let reads = task.order.reads();
+            reads.iter().for_each(|path| {
+                if task.row.is_some() { ledger.read_again(path) } else { ledger.read(path) }
+            });
             known = Some(&task.order);
         }
     }

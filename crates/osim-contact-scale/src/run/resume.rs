@@ -18,7 +18,8 @@ pub(super) struct Done {
     records: HashMap<Key, Vec<Record>>,
 }
 
-type Key = (Option<usize>, String, Option<String>);
+/// Model and output. Rows of a manifest may move, and no two of them write one output.
+type Key = (String, Option<String>);
 
 /// What an earlier run means for a model now.
 pub(super) enum Earlier {
@@ -70,6 +71,16 @@ impl Done {
         self.records.is_empty()
     }
 
+    /// Keeps in `record`, of a model that was not done, what an earlier run left as its output: a later run that goes on
+    /// still knows it for ours.
+    pub(super) fn left_behind(&self, record: &mut Record) {
+        let records = self.records.get(&key(record)).map(Vec::as_slice).unwrap_or_default();
+        let last =
+            |digest: fn(&Record) -> &Option<String>| records.iter().rev().find_map(|r| digest(r).clone());
+        record.sha256_output = last(|record| &record.sha256_output);
+        record.sha256_geometry_output = last(|record| &record.sha256_geometry_output);
+    }
+
     /// What was recorded for `task`, compared with `now`: the model's digest and its recipe.
     pub(super) fn of(&self, task: &Task, input: &str, now: &Record) -> Earlier {
         let Some(records) = self.records.get(&key(now)) else { return Earlier::Unknown };
@@ -94,7 +105,7 @@ impl Done {
 }
 
 fn key(record: &Record) -> Key {
-    (record.row, record.model.clone(), record.output.clone())
+    (record.model.clone(), record.output.clone())
 }
 
 /// Digests of the files that are there under the names of a task's outputs.

@@ -33,7 +33,9 @@ impl Task {
             }
             Err(failure) => {
                 let failure = self.located(failure);
-                Outcome::failed(&failure, record, run.format == RunFormat::Json)
+                let mut outcome = Outcome::failed(&failure, record, run.format == RunFormat::Json);
+                run.done.left_behind(&mut outcome.record);
+                outcome
             }
         }
     }
@@ -46,7 +48,8 @@ impl Task {
             record.recipe = Some(self.recipe(&loaded));
             if !run.done.is_empty() {
                 match run.done.of(self, &input, record) {
-                    Earlier::Holds(record) => {
+                    Earlier::Holds(mut record) => {
+                        record.row = self.row;
                         let record = *record;
                         return Ok(Outcome { said: Vec::new(), record, earlier: true, entry: None });
                     }
@@ -196,6 +199,7 @@ impl Job<'_> {
         self.record.status = Status::Written;
         let mut files = Files::default();
         if let Some(path) = self.task.output() {
+            self.loaded.find_included_from(path)?;
             self.prepare(&mut files, path, &results.model, 0)?;
         }
         if let Some(geometry) = &results.geometry {

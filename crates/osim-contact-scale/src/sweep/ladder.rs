@@ -45,7 +45,13 @@ impl Ladder {
         self.steps.len()
     }
 
-    /// k̂ of step `index`.
+    /// Step `index` in a file's name, from 1.
+    pub(super) fn file_part(&self, index: usize) -> String {
+        let count = self.steps.len().to_string();
+        format!("ladder-{:0width$}-of-{count}", index + 1, width = count.len())
+    }
+
+    /// k̂ of step `index`, at the load of the design.
     pub(super) fn dimensionless_stiffness(&self, index: usize) -> Option<f64> {
         self.steps.get(index).map(|step| step.dimensionless_stiffness)
     }

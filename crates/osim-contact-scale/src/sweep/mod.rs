@@ -19,6 +19,7 @@ use crate::args::{Format, SweepArgs};
 use crate::failure::Failure;
 use crate::folders::{self, Folders};
 use crate::load::Loaded;
+use crate::paths::{Resolver, resolved};
 use crate::report::json;
 use crate::run::{Progress, interrupt};
 use crate::sources::Source;
@@ -26,7 +27,7 @@ use crate::terminal::{Exit, Terminal};
 use crate::workers::{in_order, threads};
 use crate::write::{Mode, Prepared};
 
-use grid::{Name, Point, count, points};
+use grid::{Name, Point, count, point};
 use ladder::Ladder;
 use stages::Stages;
 use variant::Variant;
@@ -48,9 +49,9 @@ pub(crate) fn sweep(args: &SweepArgs, terminal: &mut Terminal) -> Result<Exit> {
         bail!("a sweep makes variants of one model: name its file");
     }
     let made = args.ladder.map_or_else(|| count(&args.grid), |steps| usize::try_from(steps).ok());
-    let made = made.filter(|&made| made <= MANY || args.yes);
-    if made.is_none() && !args.dry_run {
-        bail!("more than 10,000 models would be made: say --yes, or give fewer values");
+    let Some(made) = made else { bail!("more models than can be counted: give fewer values") };
+    if made > MANY && !args.yes && !args.dry_run {
+        bail!("{made} models would be made, more than 10,000: say --yes, or give fewer values");
     }
     let loaded = match Loaded::read(&Source::file(&args.model), &crate::args::PartArgs::default()) {
         Ok(loaded) => loaded,
@@ -61,7 +62,7 @@ pub(crate) fn sweep(args: &SweepArgs, terminal: &mut Terminal) -> Result<Exit> {
         return fail(&failure, args, terminal);
     }
     let ladder = args.ladder.map(|steps| Ladder::of(args, &loaded, steps)).transpose()?;
-    let sweep = Sweep { args, loaded: &loaded, folder: folder(args), ladder };
+    let sweep = Sweep { args, loaded: &loaded, folder: folder(args), ladder, made };
     sweep.run(terminal)
 }
 
@@ -91,11 +92,12 @@ struct Sweep<'s> {
     loaded: &'s Loaded,
     folder: PathBuf,
     ladder: Option<Ladder>,
+    /// How many variants.
+    made: usize,
 }
 
 /// One file to make.
 struct Job {
-    file: String,
     /// What was asked, in the columns of the manifest.
     asked: Vec<String>,
     /// As the note has it.
@@ -125,28 +127,30 @@ struct JsonSweep<'j> {
 
 impl Sweep<'_> {
     fn run(&self, terminal: &mut Terminal) -> Result<Exit> {
-        let (asked, jobs) = self.jobs()?;
         let manifest =
             self.folder.join(self.name(if self.ladder.is_some() { "ladder" } else { "sweep" }, "csv"));
-        self.announce(jobs.len(), terminal)?;
+        // What a variant asks for may make no sense; that shows at the first.
+        self.job(0)?;
+        self.announce(terminal)?;
         if self.args.dry_run {
-            return self.tell(None, jobs.len(), 0, terminal);
+            return self.tell(None, self.made, 0, terminal);
         }
-        self.check_new(&jobs, &manifest)?;
+        self.check_new(&manifest)?;
         folders::make(&manifest)?;
         // Files left behind by a run that was killed go first.
         Folders::look(std::iter::once(manifest.as_path()), true);
         let mut table = Prepared::begin(&manifest, None, self.mode())?;
-        table.add(&manifest::header(&asked)?)?;
+        table.add(&manifest::header(&self.asked())?)?;
         let (mut failed, mut not_begun) = (0, 0);
         interrupt::listen();
-        let progress = Progress::begin(jobs.len(), self.args.quiet);
-        let work = |job: &Job| {
-            let made = self.make(job);
+        interrupt::outlive_size_limit();
+        let progress = Progress::begin(self.made, self.args.quiet);
+        let work = |&index: &usize| {
+            let made = self.make(index);
             progress.done(matches!(made, Made::Failed(_)));
             made
         };
-        let each = |_: &Job, made: Made| match made {
+        let each = |_: &usize, made: Made| match made {
             Made::Row(row) => table.add(&row),
             Made::Failed(failure) => {
                 failed += 1;
@@ -157,34 +161,48 @@ impl Sweep<'_> {
                 Ok(())
             }
         };
-        in_order(&jobs, threads(self.args.jobs, jobs.len()), work, each)?;
+        let indices: Vec<usize> = (0..self.made).collect();
+        in_order(&indices, threads(self.args.jobs, self.made), work, each)?;
         progress.end();
-        table.commit()?;
-        let done = jobs.len() - failed - not_begun;
-        if not_begun > 0 {
-            terminal.note(&format!("note: stopped: {done} of {} models are made\n", jobs.len()))?;
-            return Ok(Exit::Interrupted);
+        let done = self.made - failed - not_begun;
+        if done > 0 {
+            table.commit()?;
         }
-        self.tell(Some(&manifest), done, failed, terminal)
+        if not_begun > 0 {
+            terminal.note(&format!("note: stopped: {done} of {} models are made\n", self.made))?;
+        }
+        let exit = self.tell((done > 0).then_some(manifest.as_path()), done, failed, terminal)?;
+        Ok(if not_begun > 0 { Exit::Interrupted } else { exit })
     }
 
-    /// Columns of what is asked, and everything to make.
-    fn jobs(&self) -> Result<(Vec<String>, Vec<Job>)> {
-        let Some(ladder) = &self.ladder else {
-            let asked = self.args.grid.iter().map(|axis| format!("grid_{}", axis.name.as_str())).collect();
-            let jobs =
-                points(&self.args.grid).iter().map(|point| self.point(point)).collect::<Result<_>>()?;
-            return Ok((asked, jobs));
+    /// Columns of what is asked.
+    fn asked(&self) -> Vec<String> {
+        match self.ladder {
+            Some(_) => vec!["step".to_owned(), "wanted_dimensionless_stiffness".to_owned()],
+            None => self.args.grid.iter().map(|axis| format!("grid_{}", axis.name.as_str())).collect(),
+        }
+    }
+
+    /// What makes variant `index`.
+    fn job(&self, index: usize) -> Result<Job> {
+        match &self.ladder {
+            Some(ladder) => self.step(ladder, index),
+            None => self.point(&point(&self.args.grid, index)),
+        }
+    }
+
+    /// Name of the file of variant `index`.
+    fn file(&self, index: usize) -> String {
+        let part = match &self.ladder {
+            Some(ladder) => ladder.file_part(index),
+            None => point(&self.args.grid, index).file_part(),
         };
-        let asked = vec!["step".to_owned(), "wanted_dimensionless_stiffness".to_owned()];
-        let jobs = (0..ladder.len()).map(|index| self.step(ladder, index)).collect::<Result<_>>()?;
-        Ok((asked, jobs))
+        self.name(&part, "osim")
     }
 
     fn point(&self, point: &Point<'_>) -> Result<Job> {
         let mass = point.values.iter().find(|(name, _)| *name == Name::TargetMass);
         Ok(Job {
-            file: self.name(&point.file_part(), "osim"),
             asked: point.values.iter().map(|(_, value)| value.exact()).collect(),
             operation: format!("sweep {point}"),
             mass_kg: mass.map(|(_, value)| value.number),
@@ -194,10 +212,8 @@ impl Sweep<'_> {
 
     fn step(&self, ladder: &Ladder, index: usize) -> Result<Job> {
         let (number, count) = (index + 1, ladder.len());
-        let width = count.to_string().len();
         let stiffness = ladder.dimensionless_stiffness(index).map(osim_patch::shortest).unwrap_or_default();
         Ok(Job {
-            file: self.name(&format!("ladder-{number:0width$}-of-{count}"), "osim"),
             asked: vec![number.to_string(), stiffness],
             operation: format!("ladder step {number} of {count}"),
             mass_kg: None,
@@ -211,11 +227,11 @@ impl Sweep<'_> {
     }
 
     /// Count and size, before anything is made.
-    fn announce(&self, count: usize, terminal: &mut Terminal) -> Result<()> {
+    fn announce(&self, terminal: &mut Terminal) -> Result<()> {
         if self.args.quiet {
             return Ok(());
         }
-        let size = self.loaded.bytes.len();
+        let (size, count) = (self.loaded.bytes.len(), self.made);
         #[expect(clippy::cast_precision_loss, reason = "shown in MB")]
         let megabytes = |bytes: usize| bytes as f64 / 1e6;
         let text = format!(
@@ -228,19 +244,24 @@ impl Sweep<'_> {
     }
 
     /// Nothing is replaced without `--force`, and that is known before the first file is written.
-    fn check_new(&self, jobs: &[Job], manifest: &Path) -> Result<()> {
-        let names = jobs.iter().map(|job| self.folder.join(&job.file));
-        let all: Vec<PathBuf> = names.chain(std::iter::once(manifest.to_owned())).collect();
-        let model = crate::paths::resolved(&self.args.model);
-        if all.iter().any(|path| crate::paths::resolved(path) == model) {
-            bail!("a variant would replace the model itself: write into another folder with -d DIR");
+    fn check_new(&self, manifest: &Path) -> Result<()> {
+        let names = (0..self.made).map(|index| self.folder.join(self.file(index)));
+        let model = resolved(&self.args.model);
+        let mut resolver = Resolver::default();
+        let (mut first, mut there) = (None, 0);
+        for path in names.chain(std::iter::once(manifest.to_owned())) {
+            if resolver.resolved(&path) == model {
+                bail!("a variant would replace the model itself: write into another folder with -d DIR");
+            }
+            if path.exists() {
+                there += 1;
+                first.get_or_insert(path);
+            }
         }
-        let there: Vec<&PathBuf> = all.iter().filter(|path| path.exists()).collect();
-        match there.first() {
+        match first {
             Some(first) if !self.args.force => bail!(
-                "{} of these files exist already, such as {}: replace them with --force, or choose another folder \
+                "{there} of these files exist already, such as {}: replace them with --force, or choose another folder \
                  with -d DIR",
-                there.len(),
                 first.display()
             ),
             _ => Ok(()),
@@ -251,16 +272,21 @@ impl Sweep<'_> {
         if self.args.force { Mode::Replace } else { Mode::New }
     }
 
-    fn make(&self, job: &Job) -> Made {
+    fn make(&self, index: usize) -> Made {
         if interrupt::came() {
             return Made::NotBegun;
         }
-        let path = self.folder.join(&job.file);
+        let file = self.file(index);
+        let path = self.folder.join(&file);
+        let outside = |error: anyhow::Error| Failure::outside(&path.display().to_string(), "output", &error);
+        let job = match self.job(index) {
+            Ok(job) => job,
+            Err(error) => return Made::Failed(Failure::outside(&self.loaded.shown, "refused", &error)),
+        };
         let variant = Variant::of(self.args, self.loaded, &job.stages, &job.operation, job.mass_kg);
         let row = variant.and_then(|variant| {
-            self.write(&path, &variant)
-                .and_then(|()| manifest::row(&job.file, &job.asked, &variant))
-                .map_err(|error| Failure::outside(&path.display().to_string(), "output", &error))
+            let written = self.write(&path, &variant);
+            written.and_then(|()| manifest::row(&file, &job.asked, &variant)).map_err(outside)
         });
         match row {
             Ok(row) => Made::Row(row),
@@ -272,6 +298,7 @@ impl Sweep<'_> {
     }
 
     fn write(&self, path: &Path, variant: &Variant) -> Result<()> {
+        self.loaded.find_included_from(path)?;
         let like = self.loaded.stamp.as_ref().map(|stamp| &stamp.metadata);
         let prepared = Prepared::new(path, &variant.bytes, like, self.mode())?;
         if prepared.replaces() {
@@ -300,7 +327,8 @@ impl Sweep<'_> {
         } else if !self.args.quiet {
             let text = match &manifest {
                 Some(manifest) => format!("{made} models written; what is in which: {manifest}\n"),
-                None => "dry run: nothing written\n".to_owned(),
+                None if self.args.dry_run => "dry run: nothing written\n".to_owned(),
+                None => "no model was made\n".to_owned(),
             };
             terminal.print(&text)?;
         }
