@@ -1,13 +1,15 @@
 //! Where results go, decided and checked for all models before anything is written.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 use std::ffi::OsString;
+use std::fmt;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail};
 
 use crate::args::OutputArgs;
-use crate::paths::Resolver;
+use crate::paths::{NameDigest, Resolver, digest};
 use crate::sources::{OUTPUT_MARK, Source};
 
 /// Where one model's result goes.
@@ -74,30 +76,57 @@ pub(crate) fn geometry_place(geometry: &Path, output: &OutputArgs) -> PathBuf {
     }
 }
 
-/// Outputs and inputs of a whole run, compared before anything is written.
-#[derive(Debug, Default)]
-pub(crate) struct Ledger {
-    resolver: Resolver,
-    /// Files that are read, and for how many models.
-    inputs: HashMap<OsString, (String, usize)>,
-    outputs: HashMap<OsString, String>,
+/// For whom a file is written.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Who<'p> {
+    /// A model, with its row of the manifest.
+    Model(&'p Path, Option<usize>),
+    /// Something else.
+    Other(&'static str),
 }
 
-impl Ledger {
+impl From<&'static str> for Who<'_> {
+    fn from(name: &'static str) -> Self {
+        Self::Other(name)
+    }
+}
+
+impl fmt::Display for Who<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Model(path, Some(row)) => write!(f, "row {row} ({})", path.display()),
+            Self::Model(path, None) => path.display().fmt(f),
+            Self::Other(name) => f.write_str(name),
+        }
+    }
+}
+
+/// Outputs and inputs of a whole run, compared before anything is written.
+///
+/// Of very many files it keeps digests of the names: the names themselves stand in the tasks.
+#[derive(Debug, Default)]
+pub(crate) struct Ledger<'p> {
+    resolver: Resolver,
+    /// Files that are read, and for how many models.
+    inputs: HashMap<NameDigest, (Cow<'p, Path>, usize)>,
+    outputs: HashMap<NameDigest, Who<'p>>,
+}
+
+impl<'p> Ledger<'p> {
     /// A file that is read: nothing may be written over it.
-    pub(crate) fn read(&mut self, path: &Path) {
-        self.count(path, 0);
+    pub(crate) fn read(&mut self, path: impl Into<Cow<'p, Path>>) {
+        self.count(path.into(), 0);
     }
 
     /// The same of a file that would be another one if it were changed before it is read for this model.
-    pub(crate) fn read_again(&mut self, path: &Path) {
-        self.count(path, 1);
+    pub(crate) fn read_again(&mut self, path: impl Into<Cow<'p, Path>>) {
+        self.count(path.into(), 1);
     }
 
-    fn count(&mut self, path: &Path, models: usize) {
+    fn count(&mut self, path: Cow<'p, Path>, models: usize) {
         if path.as_os_str() != "-" {
-            let real = without_case(self.resolver.resolved(path));
-            self.inputs.entry(real).or_insert_with(|| (path.display().to_string(), 0)).1 += models;
+            let real = self.resolver.without_case(&path);
+            self.inputs.entry(real).or_insert((path, 0)).1 += models;
         }
     }
 
@@ -106,23 +135,24 @@ impl Ledger {
     /// # Errors
     /// Another model has that output, or it is one of the files that are read; also where only the letters' case
     /// differs, because Windows and macOS see one file there.
-    pub(crate) fn write(&mut self, path: &Path, who: &str) -> Result<()> {
-        let real = without_case(self.resolver.resolved(path));
+    pub(crate) fn write(&mut self, path: &Path, who: impl Into<Who<'p>>) -> Result<()> {
+        let real = self.resolver.without_case(path);
         if let Some((input, _)) = self.inputs.get(&real) {
             bail!(
-                "the output {} is an input of this run ({input}): choose another name, or change it with --in-place",
-                path.display()
+                "the output {} is an input of this run ({}): choose another name, or change it with --in-place",
+                path.display(),
+                input.display()
             );
         }
-        self.once(real, path, who)
+        self.once(real, path, who.into())
     }
 
     /// A file that is changed itself, for `who`.
     ///
     /// # Errors
     /// It is changed, or read, for another one too.
-    pub(crate) fn change(&mut self, path: &Path, who: &str) -> Result<()> {
-        let real = without_case(self.resolver.resolved(path));
+    pub(crate) fn change(&mut self, path: &Path, who: Who<'p>) -> Result<()> {
+        let real = self.resolver.without_case(path);
         if self.inputs.get(&real).is_some_and(|(_, models)| *models > 1) {
             bail!(
                 "{who} would change {} itself, and another one reads it: give it an output of its own, or do one after \
@@ -133,8 +163,8 @@ impl Ledger {
         self.once(real, path, who)
     }
 
-    fn once(&mut self, real: OsString, path: &Path, who: &str) -> Result<()> {
-        if let Some(other) = self.outputs.insert(real, who.to_owned()) {
+    fn once(&mut self, real: NameDigest, path: &Path, who: Who<'p>) -> Result<()> {
+        if let Some(other) = self.outputs.insert(real, who) {
             bail!(
                 "{other} and {who} would both be written to {}: give them different names or folders",
                 path.display()
@@ -144,11 +174,14 @@ impl Ledger {
     }
 }
 
-/// Names that are not UTF-8 have no case that anybody knows of.
-fn without_case(path: PathBuf) -> OsString {
-    match path.into_os_string().into_string() {
-        Ok(text) => text.to_lowercase().into(),
-        Err(name) => name,
+impl Resolver {
+    /// Equal for names that Windows and macOS take for one. Names that are not UTF-8 have no case that anybody knows of.
+    fn without_case(&mut self, path: &Path) -> NameDigest {
+        let name: OsString = match self.resolved(path).into_os_string().into_string() {
+            Ok(text) => text.to_lowercase().into(),
+            Err(name) => name,
+        };
+        digest(&name)
     }
 }
 
@@ -175,14 +208,15 @@ mod tests {
     #[test]
     fn equal_outputs_are_found_also_but_for_case() {
         let mut ledger = Ledger::default();
+        let who = "a model";
         ledger.read(Path::new("in/a.osim"));
-        assert!(ledger.write(Path::new("out/X.osim"), "a").is_ok());
-        assert!(ledger.write(Path::new("out/x.osim"), "b").is_err());
-        assert!(ledger.write(Path::new("out/../in/a.osim"), "c").is_err());
-        assert!(ledger.change(Path::new("in/a.osim"), "d").is_ok());
-        assert!(ledger.change(Path::new("in/A.osim"), "e").is_err());
+        assert!(ledger.write(Path::new("out/X.osim"), who).is_ok());
+        assert!(ledger.write(Path::new("out/x.osim"), who).is_err());
+        assert!(ledger.write(Path::new("out/../in/a.osim"), who).is_err());
+        assert!(ledger.change(Path::new("in/a.osim"), who.into()).is_ok());
+        assert!(ledger.change(Path::new("in/A.osim"), who.into()).is_err());
         ledger.read_again(Path::new("in/b.osim"));
         ledger.read_again(Path::new("./in/b.osim"));
-        assert!(ledger.change(Path::new("in/b.osim"), "f").is_err());
+        assert!(ledger.change(Path::new("in/b.osim"), who.into()).is_err());
     }
 }

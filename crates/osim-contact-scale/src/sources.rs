@@ -8,7 +8,7 @@ use anyhow::anyhow;
 use walkdir::{DirEntry, WalkDir};
 
 use crate::failure::Failure;
-use crate::paths::{Resolver, resolved};
+use crate::paths::{NameDigest, Resolver, digest, resolved};
 use crate::sweep::FOLDER_MARK;
 
 /// End of the name of files that this tool writes by default.
@@ -178,12 +178,12 @@ fn unreadable(folder: &Path, error: &walkdir::Error) -> Failure {
 #[derive(Debug, Default)]
 struct Known {
     resolver: Resolver,
-    files: HashSet<PathBuf>,
+    files: HashSet<NameDigest>,
 }
 
 impl Known {
     fn is_new(&mut self, path: &Path) -> bool {
         let real = if path.as_os_str() == "-" { path.to_owned() } else { self.resolver.resolved(path) };
-        self.files.insert(real)
+        self.files.insert(digest(real.as_os_str()))
     }
 }

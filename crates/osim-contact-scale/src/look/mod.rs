@@ -1,6 +1,6 @@
 //! `inspect`: what contacts a model has, and what they do under its weight.
 //!
-//! [`Look::at`] makes an [`Inspection`] of each model, on any thread; the renderers only read it.
+//! [`Look`] makes an [`Inspection`] of each model, on any thread; the renderers only read it.
 
 mod csv;
 pub(crate) mod figures;

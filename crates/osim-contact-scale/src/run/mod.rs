@@ -23,7 +23,7 @@ use crate::args::{RunArgs, RunFormat};
 use crate::failure::Failure;
 use crate::folders::Folders;
 use crate::page::{self, About, Columns, Entry, Page};
-use crate::place::Ledger;
+use crate::place::{Ledger, Who};
 use crate::terminal::{Exit, Terminal};
 use crate::workers::{in_order, threads};
 
@@ -188,15 +188,14 @@ fn look_at_folders(tasks: &[Task], args: &RunArgs) -> Folders {
 fn check_files(work: &Work, args: &RunArgs) -> Result<()> {
     let tasks = &work.tasks;
     let mut ledger = Ledger::default();
-    work.reads.iter().for_each(|path| ledger.read(path));
+    work.reads.iter().for_each(|path| ledger.read(path.as_path()));
     let mut known: Option<&Arc<Order>> = None;
     for task in tasks {
-        ledger.read_again(&task.source.path);
+        ledger.read_again(task.source.path.as_path());
         // The files of an order are looked at once for all of its models.
         if !known.is_some_and(|order| Arc::ptr_eq(order, &task.order)) {
             // A reference is read before the first model, so a folder's run may change it; rows may not lean on that.
-            let reads = task.order.reads();
-            reads.iter().for_each(|path| {
+            task.order.reads().into_iter().for_each(|path| {
                 if task.row.is_some() { ledger.read_again(path) } else { ledger.read(path) }
             });
             known = Some(&task.order);
@@ -205,13 +204,13 @@ fn check_files(work: &Work, args: &RunArgs) -> Result<()> {
     for task in tasks {
         let who = task.who();
         match task.output() {
-            Some(path) if task.order.in_place => ledger.change(path, &who)?,
-            Some(path) => ledger.write(path, &who)?,
+            Some(path) if task.order.in_place => ledger.change(path, who)?,
+            Some(path) => ledger.write(path, who)?,
             None => {}
         }
         match (&task.order.parts.geometry, &task.geometry_output) {
-            (Some(_), Some(path)) if task.order.in_place => ledger.change(path, &who)?,
-            (Some(geometry), Some(path)) => ledger.write(path, &geometry.display().to_string())?,
+            (Some(_), Some(path)) if task.order.in_place => ledger.change(path, who)?,
+            (Some(geometry), Some(path)) => ledger.write(path, Who::Model(geometry, None))?,
             _ => {}
         }
     }

@@ -10,7 +10,7 @@ use super::Work;
 use super::record::sha256;
 use crate::args::{OutputArgs, PartArgs, RunArgs, RunFormat, ViewArgs};
 use crate::load::read;
-use crate::place::{Place, geometry_place, place};
+use crate::place::{Place, Who, geometry_place, place};
 use crate::sources::{Source, Sources};
 
 /// What a verb plans for a model.
@@ -130,11 +130,8 @@ impl Task {
     }
 
     /// As named in messages about several models.
-    pub(super) fn who(&self) -> String {
-        match self.row {
-            Some(row) => format!("row {row} ({})", self.source.shown()),
-            None => self.source.shown(),
-        }
+    pub(super) fn who(&self) -> Who<'_> {
+        Who::Model(&self.source.path, self.row)
     }
 }
 
