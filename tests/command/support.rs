@@ -241,13 +241,19 @@ impl Ran {
     /// Compares the run with `tests/snapshots/NAME.snap`.
     #[track_caller]
     pub(crate) fn looks_like(self, name: &str) -> Self {
-        let mut settings = insta::Settings::clone_current();
-        settings.set_snapshot_path(root().join("tests/snapshots"));
-        settings.set_prepend_module_to_snapshot(false);
-        settings.set_omit_expression(true);
-        settings.bind(|| insta::assert_snapshot!(name, self.transcript()));
+        looks_like(name, &self.transcript());
         self
     }
+}
+
+/// Compares a text with `tests/snapshots/NAME.snap`.
+#[track_caller]
+pub(crate) fn looks_like(name: &str, text: &str) {
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path(root().join("tests/snapshots"));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(|| insta::assert_snapshot!(name, text));
 }
 
 /// Names of temporary files end in six random letters.

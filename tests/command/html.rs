@@ -1,0 +1,161 @@
+//! A page as a tree of its own: what a browser would find in it, without one.
+
+use std::collections::BTreeSet;
+
+use quick_xml::Reader;
+use quick_xml::events::{BytesStart, Event};
+
+/// Elements without an end.
+const VOID: [&str; 2] = ["meta", "br"];
+/// Elements that begin a line of their own.
+const BLOCKS: [&str; 18] = [
+    "h1",
+    "h2",
+    "h3",
+    "h4",
+    "h5",
+    "p",
+    "li",
+    "tr",
+    "caption",
+    "pre",
+    "dt",
+    "dd",
+    "figcaption",
+    "figure",
+    "details",
+    "summary",
+    "section",
+    "title",
+];
+
+/// What a page says and how it is built.
+#[derive(Debug, Default)]
+pub(crate) struct Html {
+    /// Its text, a line for each block; a plot is its title in brackets.
+    pub(crate) text: String,
+    /// Levels of its headings.
+    pub(crate) headings: Vec<u8>,
+    pub(crate) plots: usize,
+    pub(crate) details: usize,
+    ids: BTreeSet<String>,
+    links: Vec<String>,
+    labels: Vec<String>,
+}
+
+impl Html {
+    /// Reads a page and fails where a browser would have to guess, or where it would load something.
+    #[track_caller]
+    pub(crate) fn sound(page: &str) -> Self {
+        let mut html = Self::default();
+        let mut open: Vec<String> = Vec::new();
+        let mut reader = Reader::from_str(page);
+        reader.config_mut().check_end_names = false;
+        reader.config_mut().allow_unmatched_ends = true;
+        loop {
+            match reader.read_event().expect("the page can be read") {
+                Event::Start(tag) => {
+                    let name = html.begin(&tag, &open);
+                    if !VOID.contains(&name.as_str()) {
+                        open.push(name);
+                    }
+                }
+                Event::Empty(tag) => {
+                    html.begin(&tag, &open);
+                }
+                Event::End(tag) => {
+                    let name = tag.name().into_inner().to_owned();
+                    assert_eq!(open.pop().as_deref(), Some(name.as_str()), "crossed: {open:?}");
+                    if name == "svg" {
+                        html.text.push(']');
+                    }
+                    if matches!(name.as_str(), "th" | "td") {
+                        html.text.push_str(" | ");
+                    }
+                }
+                Event::Text(text) => html.say(&text, &open),
+                Event::GeneralRef(name) => {
+                    let letter = match &*name {
+                        "amp" => "&",
+                        "lt" => "<",
+                        "gt" => ">",
+                        "quot" => "\"",
+                        other => panic!("&{other};"),
+                    };
+                    html.say(letter, &open);
+                }
+                Event::Eof => break,
+                _ => {}
+            }
+        }
+        assert!(open.is_empty(), "left open: {open:?}");
+        html.check();
+        html
+    }
+
+    fn begin(&mut self, tag: &BytesStart<'_>, open: &[String]) -> String {
+        let name = tag.name().into_inner().to_owned();
+        let mut named = BTreeSet::new();
+        for attribute in tag.html_attributes() {
+            let attribute = attribute.expect("attributes are well formed");
+            let (key, value) = (attribute.key.into_inner(), attribute.value.to_string());
+            named.insert(key.to_owned());
+            match key {
+                "id" => assert!(self.ids.insert(value.clone()), "the id {value} is there twice"),
+                "href" if name == "a" => self.links.push(value),
+                "aria-labelledby" => self.labels.push(value),
+                "href" | "src" | "srcset" | "poster" | "data" => panic!("<{name}> would load {value}"),
+                _ => assert!(!key.starts_with("on"), "<{name}> has a script"),
+            }
+        }
+        assert!(
+            !["script", "link", "iframe", "object", "img"].contains(&name.as_str()),
+            "there is a <{name}>"
+        );
+        if name == "th" {
+            assert!(named.contains("scope"), "a header of a table without scope");
+        }
+        if name == "html" {
+            assert!(named.contains("lang"));
+        }
+        if let Some(level) = name.strip_prefix('h').and_then(|level| level.parse().ok()) {
+            self.headings.push(level);
+        }
+        if name == "svg" {
+            self.plots += 1;
+            self.text.push_str("\n[plot ");
+        } else if name == "details" {
+            self.details += 1;
+        }
+        if BLOCKS.contains(&name.as_str()) && !open.iter().any(|outer| outer == "svg") {
+            self.text.push('\n');
+        }
+        name
+    }
+
+    fn say(&mut self, text: &str, open: &[String]) {
+        let inside = |name: &str| open.iter().any(|outer| outer == name);
+        if inside("style") || (inside("svg") && open.last().is_none_or(|name| name != "title")) {
+            return;
+        }
+        self.text.push_str(text);
+    }
+
+    fn check(&mut self) {
+        assert_eq!(self.headings.iter().filter(|level| **level == 1).count(), 1, "one h1");
+        for pair in self.headings.windows(2) {
+            assert!(pair[1] <= pair[0] + 1, "a heading is left out: {:?}", self.headings);
+        }
+        for link in &self.links {
+            match link.strip_prefix('#') {
+                Some(id) => assert!(self.ids.contains(id), "the link {link} leads nowhere"),
+                None => assert!(link.starts_with("https://doi.org/"), "a link to {link}"),
+            }
+        }
+        for label in &self.labels {
+            assert!(self.ids.contains(label), "the label {label} is not there");
+        }
+        let lines = self.text.lines().map(|line| line.trim_end().trim_end_matches('|').trim_end());
+        self.text = lines.filter(|line| !line.is_empty()).collect::<Vec<_>>().join("\n");
+    }
+}

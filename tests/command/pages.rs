@@ -1,0 +1,189 @@
+//! `--report`: the page is whole, needs nothing from elsewhere, and says what the run did.
+
+use sha2::{Digest, Sha256};
+
+use crate::html::Html;
+use crate::support::{Bench, HUMAN, looks_like};
+
+/// A model that fails, one without contacts, and good ones.
+fn library() -> Bench {
+    Bench::with(&[
+        (HUMAN.0, "lib/a_human.osim"),
+        ("bad/number_decimal_comma.osim", "lib/b_comma.osim"),
+        ("bad/no_contacts.osim", "lib/c_no_contacts.osim"),
+        ("check/sunk_in.osim", "lib/d_sunk_in.osim"),
+    ])
+}
+
+#[track_caller]
+fn page(bench: &Bench, name: &str) -> Html {
+    Html::sound(&bench.text(name))
+}
+
+/// Compares with `tests/snapshots/NAME.snap`. Digests follow the version, which the note in the file tells.
+#[track_caller]
+fn snapshot(name: &str, text: &str) {
+    let is_digest = |word: &str| word.len() == 64 && word.chars().all(|c| c.is_ascii_hexdigit());
+    let digests: Vec<&str> = text.split_whitespace().filter(|word| is_digest(word)).collect();
+    let text = digests.iter().fold(text.to_owned(), |text, digest| text.replace(digest, "[SHA-256]"));
+    looks_like(name, &text.replace(env!("CARGO_PKG_VERSION"), "[VERSION]"));
+}
+
+#[test]
+fn a_rescaled_model() {
+    let bench = Bench::human();
+    bench
+        .run("human.osim --target-mass 1190 --report page.html")
+        .done()
+        .wrote(&["human.scaled.osim", "page.html"]);
+    let page = page(&bench, "page.html");
+    snapshot("page_rescale", &page.text);
+    assert_eq!(page.plots, 3);
+    // The paper's Table 1: R and E1* of the giraffe-heavy human follow M^(1/3), 19.19^(1/3) = 2.677; and Falisse (2022):
+    // x/R 0.353 by Hertz, 0.3396 by the file's law, k R n/F 4.246, 7.5 N just touching.
+    for number in ["0.3533", "0.3396", "4.246", "7.498", "2.6774318"] {
+        assert!(page.text.contains(number), "{number} is missing");
+    }
+}
+
+#[test]
+fn a_library_that_is_checked() {
+    let bench = library();
+    bench.run("check lib --report page.html").failed().wrote(&["page.html"]);
+    let page = page(&bench, "page.html");
+    snapshot("page_check_folder", &page.text);
+    // A number that cannot be read is a finding; a model without contacts is passed over.
+    assert_eq!(page.details, 3);
+}
+
+#[test]
+fn every_verb_writes_a_sound_page() {
+    let bench = library();
+    bench.write("table.csv", "model,target_mass\nlib/a_human.osim,100\nlib/d_sunk_in.osim,50\n");
+    let human = "lib/a_human.osim";
+    for (call, status, details) in [
+        (format!("{human} --target-mass 1190 -d out"), 0, 0),
+        (format!("transfer {human} --from falisse2022 --spheres 4 -d out"), 0, 0),
+        (format!("design {human} --indentation 0.1 -d out"), 0, 0),
+        (format!("set {human} dissipation=x2 -d out"), 0, 0),
+        (format!("inspect {human}"), 0, 0),
+        (format!("check {human}"), 0, 0),
+        (human.to_owned(), 0, 0),
+        ("lib --target-mass 100 -d out".to_owned(), 1, 2),
+        ("transfer lib --from falisse2022 --spheres 6 -d out".to_owned(), 1, 2),
+        ("batch table.csv -d out".to_owned(), 0, 2),
+        ("inspect lib".to_owned(), 0, 4),
+        ("inspect nowhere.osim".to_owned(), 1, 0),
+    ] {
+        let force = if call.contains("-d out") || !call.starts_with("lib/") { " --force" } else { "" };
+        let ran = bench.run(&format!("{call} --report page.html{force}"));
+        assert_eq!(ran.status, Some(status), "{call}: {}", ran.err());
+        let page = page(&bench, "page.html");
+        assert_eq!(page.details, details, "{call}");
+        assert!(page.text.contains(&format!("osim-contact-scale {call}")), "{call} is not told");
+        std::fs::remove_file(bench.path("page.html")).unwrap();
+    }
+}
+
+#[test]
+fn what_became_of_each_model_is_told() {
+    let bench = library();
+    bench.run("lib --target-mass 100 -d out --report page.html").failed();
+    let page = page(&bench, "page.html");
+    let row = |name: &str| page.text.lines().find(|line| line.starts_with(name)).unwrap().to_owned();
+    assert!(row("lib/a_human.osim").contains("| written | 62 | 100 |"), "{}", row("lib/a_human.osim"));
+    assert!(row("lib/b_comma.osim").contains("failed: "), "{}", row("lib/b_comma.osim"));
+    assert!(row("lib/c_no_contacts.osim").contains("passed over"), "{}", row("lib/c_no_contacts.osim"));
+}
+
+#[test]
+fn digests_are_those_of_the_files() {
+    let bench = Bench::human();
+    bench.run("human.osim --target-mass 1190 --report page.html").done();
+    let page = page(&bench, "page.html");
+    for file in ["human.osim", "human.scaled.osim"] {
+        let digest: String =
+            Sha256::digest(bench.read(file)).iter().map(|byte| format!("{byte:02x}")).collect();
+        assert!(page.text.contains(&digest), "{file}");
+    }
+}
+
+#[test]
+fn the_same_call_gives_the_same_page() {
+    let bench = library();
+    let call = "lib --target-mass 100 -d out --jobs 4 --force --report page.html";
+    bench.run(call).failed();
+    let first = bench.read("page.html");
+    bench.run(call).failed();
+    assert_eq!(bench.read("page.html"), first);
+}
+
+#[test]
+fn a_dry_run_shows_what_would_be() {
+    let bench = Bench::human();
+    bench.run("human.osim --target-mass 1190 --dry-run --report page.html").done().wrote(&["page.html"]);
+    let page = page(&bench, "page.html");
+    assert!(
+        page.text.contains("dry run: nothing written") && page.text.contains("×2.6774318"),
+        "{}",
+        page.text
+    );
+}
+
+#[test]
+fn a_page_that_is_there_stays_unless_forced() {
+    let bench = Bench::human();
+    bench.write("page.html", "mine");
+    for call in ["human.osim --target-mass 1190", "inspect human.osim", "check human.osim", "human.osim"] {
+        let ran = bench.run(&format!("{call} --report page.html")).usage().wrote(&[]);
+        assert!(ran.err().contains("--force"), "{}", ran.err());
+    }
+    bench.run("inspect human.osim --report page.html --force").done().wrote(&["page.html"]);
+}
+
+#[test]
+fn nothing_but_a_page_is_written_over() {
+    let bench = Bench::human();
+    let ran = bench.run("check human.osim --report page.txt").usage().wrote(&[]);
+    assert!(ran.err().contains("such as report.html"), "{}", ran.err());
+    bench.run("human.osim --target-mass 90 --force --report human.osim").usage().wrote(&[]);
+    bench.write("model.html", bench.read("human.osim"));
+    for call in [
+        "inspect model.html --force --report model.html",
+        "model.html --target-mass 90 --force --report model.html",
+        "human.osim --target-mass 90 -o out.html --report out.html",
+    ] {
+        bench.run(call).usage().wrote(&[]);
+    }
+}
+
+#[test]
+fn names_are_text_whatever_they_hold() {
+    let bench = Bench::human();
+    let text = bench.text("human.osim").replacen(
+        "<Model name=\"",
+        "<Model name=\"&lt;script&gt;alert(1)&lt;/script&gt;",
+        1,
+    );
+    bench.write("a&b.osim", text);
+    bench.run("inspect a&b.osim --report page.html").done();
+    let page = page(&bench, "page.html");
+    assert!(
+        page.text.contains("<script>alert(1)</script>") && page.text.contains("a&b.osim"),
+        "{}",
+        page.text
+    );
+}
+
+#[test]
+fn a_large_library_says_what_its_page_leaves_out() {
+    let bench = Bench::new();
+    let human = crate::support::fixture(HUMAN.0);
+    for number in 0..12 {
+        bench.write(&format!("lib/{number:02}.osim"), &human);
+    }
+    bench.run("check lib --report page.html").done();
+    let page = page(&bench, "page.html");
+    assert_eq!((page.details, page.plots), (12, 30));
+    assert!(page.text.contains("Only the first 10 models have plots"), "{}", page.text);
+}
