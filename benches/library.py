@@ -38,8 +38,7 @@ def main():
         times = by_turns(command, library, folder / "runs", options.rounds)
         against_copy(table, times)
         report_peak(table, command, library, folder / "peak")
-        against_opensim(table, times, library, folder, options)
-        shutil.rmtree(library)
+        against_opensim(table, library, folder, command, options.opensim_rounds)
         ten_times_as_many(table, command, folder, options)
     return table.finish()
 
@@ -48,8 +47,7 @@ def arguments():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--models", type=int, default=1000, help="in the library (default 1000)")
     parser.add_argument("--rounds", type=int, default=7, help="of copy, rescaling and dry run (default 7)")
-    parser.add_argument("--opensim-models", type=int, default=40, help="that OpenSim does (default 40)")
-    parser.add_argument("--full", action="store_true", help="let OpenSim do all models, not a part of them")
+    parser.add_argument("--opensim-rounds", type=int, default=3, help="of OpenSim's API (default 3)")
     parser.add_argument("--command", help="a command built before, instead of building one")
     parser.add_argument("--folder", help="where the models are written (default: the system's temporary folder)")
     return parser.parse_args()
@@ -143,26 +141,32 @@ def report_peak(table, command, library, out):
     shutil.rmtree(out)
 
 
-def against_opensim(table, times, library, folder, options):
-    """The same library, or every so many-th model of it, in one Python process."""
+def against_opensim(table, library, folder, command, rounds):
+    """The same library by one Python process, which starts and imports once, and by the command, by turns."""
     python = opensim_python()
     if not python:
         print("  no comparison with OpenSim's API: OPENSIM_PYTHON names no Python that can import opensim")
         return
-    paths = sorted(library.rglob("*.osim"))
-    if not options.full:
-        paths = paths[:: max(1, len(paths) // options.opensim_models)]
-    sample, out = folder / "sample", folder / "opensim"
-    sample.mkdir()
-    out.mkdir()
-    for path in paths:
-        shutil.copy(path, sample)
-    seconds, _ = run(opensim_call(python, sample, out))
-    whole = seconds * options.models / len(paths)
-    how = "all models" if options.full else f"from {len(paths)} models, taken for all"
-    table.row(f"OpenSim's API, time ({how})", whole, "s")
-    table.row("times faster", whole / median(times["rescale"], 0), "x", LIMIT_TIMES_FASTER, at_least=True)
-    shutil.rmtree(out)
+    flat = folder / "flat"
+    flat.mkdir()
+    for path in library.rglob("*.osim"):
+        path.rename(flat / path.name)
+    theirs, ours, dry = [], [], []
+    for turn in range(rounds):
+        out = folder / f"opensim-{turn}"
+        out.mkdir()
+        os.sync()
+        theirs.append(run(opensim_call(python, flat, out)))
+        os.sync()
+        ours.append(run(rescale(command, flat, "-d", str(folder / f"command-{turn}"))))
+        dry.append(run(rescale(command, flat, "-d", str(folder / f"dry-{turn}"), "--dry-run")))
+    table.row("OpenSim's API, time", median(theirs, 0), "s")
+    table.row("times faster", ratio(theirs, ours, 0), "x", LIMIT_TIMES_FASTER, at_least=True)
+    table.row("times faster, dry run", ratio(theirs, dry, 0), "x")
+    for turn in range(rounds):
+        shutil.rmtree(folder / f"opensim-{turn}")
+        shutil.rmtree(folder / f"command-{turn}")
+    shutil.rmtree(flat)
 
 
 def ten_times_as_many(table, command, folder, options):
@@ -188,6 +192,7 @@ def ten_times_as_many(table, command, folder, options):
         table.row(f"{count} models, peak memory", peaks[count] / MIB, "MiB", LIMIT_MIB)
     table.row("time against a tenth of the models", ratio(times[many], times[few], 0), "x", LIMIT_TENFOLD)
     table.row("the same by time on processors", ratio(times[many], times[few], 1), "x")
+    table.row("memory against a tenth of the models", peaks[many] / peaks[few], "x")
     more = (peaks[many] - peaks[few]) / (many - few) / 1024
     table.row("memory for each further model", more, "KiB", LIMIT_KIB_PER_MODEL)
 
