@@ -37,7 +37,7 @@ pub(super) fn section(fragment: &mut Fragment, states: &[State<'_>]) {
     let mut body = html! {
         @if let Some(why) = why { p.note { "No figures under body weight: " (why) "." } }
         @if groups.is_empty() { p { "No sphere of a chosen force touches a half-space." } }
-        @else { p { "BW: body weight, on one limb unless the call says otherwise. Restitution: at the speed of a fall from a quarter of the radius, likewise." } }
+        @else { p { "BW: body weight, on one limb unless the call says otherwise. Restitution is that of a fall from a quarter of the radius, √(gR/2), unless the call says otherwise." } }
     };
     let mut outside = false;
     for (index, chunk) in groups.chunks(abreast).enumerate() {
