@@ -61,6 +61,6 @@ fn item(fragment: &mut Fragment, finding: &Finding) -> Markup {
                 }
             }
         }
-        @if let Some(command) = &finding.command { pre.command { code { (command) } } }
+        @if let Some(command) = &finding.command { (super::shell::command_line(command)) }
     }
 }

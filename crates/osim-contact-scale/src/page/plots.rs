@@ -73,7 +73,11 @@ fn loops(bodies: &[Body]) -> Result<String, Failure> {
     for (body, kind) in series::kinds(bodies) {
         let speed = series::impact_speed(body, kind, HEIGHT)?;
         let mut one = series::hysteresis(body, kind, AXES, speed)?;
-        one.name = format!("{}: {}", series::name_of(body, kind), one.name);
+        // The page says whose it is: a model alone needs no name, which would push the figures out of the legend.
+        let name = if bodies.len() > 1 { series::name_of(body, kind) } else { kind.spheres.clone() };
+        if !name.is_empty() {
+            one.name = format!("{name}: {}", one.name);
+        }
         loops.push(one);
     }
     let figure = LoopFigure {

@@ -50,10 +50,22 @@ pub(super) fn asked(verb: &str) -> String {
         section id=(id) aria-labelledby="asked-title" {
             h2 id="asked-title" { (title) }
             p { (purpose(verb)) }
-            pre.command { code { (command()) } }
+            (command_line(&command()))
         }
     }
     .0
+}
+
+/// A command in a box. Where it is too long for a line, it breaks between words and never behind the dashes of an option.
+pub(super) fn command_line(command: &str) -> Markup {
+    html! {
+        pre.command { code {
+            @for (index, word) in command.split(' ').enumerate() {
+                @if index > 0 { " " }
+                span { (word) }
+            }
+        } }
+    }
 }
 
 fn purpose(verb: &str) -> &'static str {
