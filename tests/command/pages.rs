@@ -109,6 +109,97 @@ fn digests_are_those_of_the_files() {
 }
 
 #[test]
+fn every_file_of_a_standalone_set_has_its_digest() {
+    let bench = Bench::with(&[
+        ("format/standalone_ForceSet.xml", "forces.xml"),
+        ("format/standalone_ContactGeometrySet.xml", "geometry.xml"),
+        ("format/standalone_model_without_contacts.osim", "body.osim"),
+    ]);
+    let sets = "forces.xml --geometry geometry.xml --model body.osim";
+    bench.run(&format!("{sets} --target-mass 200 -d out --report page.html")).done();
+    bench.run(&format!("inspect {sets} --report look.html")).done();
+    let read = ["forces.xml", "geometry.xml", "body.osim"];
+    for (name, files) in [
+        ("page.html", &["forces.xml", "geometry.xml", "body.osim", "out/forces.xml", "out/geometry.xml"][..]),
+        ("look.html", &read),
+    ] {
+        let page = page(&bench, name);
+        for file in files {
+            let digest: String =
+                Sha256::digest(bench.read(file)).iter().map(|byte| format!("{byte:02x}")).collect();
+            assert!(page.text.contains(&digest), "{name}: {file}");
+        }
+    }
+}
+
+#[test]
+fn contacts_for_another_gravity_are_judged_under_it() {
+    let bench = Bench::human();
+    bench.run("human.osim --target-mass 1190 --target-gravity 1.62 --report page.html").done();
+    let page = page(&bench, "page.html");
+    // Scaling keeps x/R (Falisse 2022: 0.3533), whatever the weight.
+    let row = page.text.lines().find(|line| line.contains("x/R at 1 BW, Hertz")).unwrap().to_owned();
+    assert_eq!(row.matches("0.353").count(), 2, "{row}");
+    assert!(page.text.contains("after, under 1190 kg at 1.62 m/s²"), "{}", page.text);
+    assert!(page.text.contains("set it in OpenSim"), "{}", page.text);
+    assert!(!page.text.contains("sunk-in") && page.text.contains("--gravity 1.62"), "{}", page.text);
+}
+
+#[test]
+fn rows_of_one_model_are_told_apart() {
+    let bench = Bench::human();
+    bench.write("t.csv", "model,target-mass,output\nhuman.osim,100,a.osim\nhuman.osim,200,b.osim\n");
+    bench.run("batch t.csv --report page.html").done();
+    let page = page(&bench, "page.html");
+    for name in ["row 2: human.osim → a.osim", "row 3: human.osim → b.osim"] {
+        assert!(page.text.contains(name), "{}", page.text);
+    }
+}
+
+#[test]
+fn a_failed_model_says_where_and_its_code_is_explained() {
+    let bench = library();
+    bench.run("lib --target-mass 100 -d out --report page.html").failed();
+    let page = page(&bench, "page.html");
+    let row = page.text.lines().find(|line| line.starts_with("lib/b_comma.osim")).unwrap().to_owned();
+    assert!(row.contains("line ") && row.contains("[not-a-number]"), "{row}");
+    assert!(page.text.contains("write the number plainly") || page.text.contains("Write the number plainly"));
+}
+
+#[test]
+fn a_run_that_goes_on_shows_what_was_done_before() {
+    let bench = library();
+    let call = "lib --target-mass 100 -d out --summary done.csv --report page.html";
+    bench.run(call).failed();
+    let before = page(&bench, "page.html");
+    bench.run(&format!("{call} --resume")).failed();
+    let after = page(&bench, "page.html");
+    assert_eq!(after.details, before.details);
+    let row = after.text.lines().find(|line| line.starts_with("lib/a_human.osim")).unwrap().to_owned();
+    assert!(row.contains("done by an earlier run: written | 62 | 100 |"), "{row}");
+    // A page is replaced without --force only if it is one, and only by a run that goes on.
+    bench.write("mine.html", "mine");
+    bench.run("lib --target-mass 100 -d out --summary done.csv --resume --report mine.html").usage();
+    bench.run("lib --target-mass 100 -d new --summary new.csv --resume --report page.html").usage();
+    assert_eq!(bench.text("mine.html"), "mine");
+}
+
+#[test]
+fn models_changed_themselves_by_an_earlier_run_are_rows() {
+    let bench = Bench::with(&[(HUMAN.0, "lib/a.osim"), (HUMAN.0, "lib/b.osim")]);
+    let call = "lib --target-mass 100 --in-place --summary done.csv --report page.html";
+    bench.run(call).done();
+    bench.run(&format!("{call} --resume")).done();
+    let page = page(&bench, "page.html");
+    assert_eq!(page.details, 0);
+    assert!(
+        page.text.contains("lib/a.osim | done by an earlier run: written | 62 | 100 | 72 |"),
+        "{}",
+        page.text
+    );
+}
+
+#[test]
 fn the_same_call_gives_the_same_page() {
     let bench = library();
     let call = "lib --target-mass 100 -d out --jobs 4 --force --report page.html";
@@ -152,6 +243,9 @@ fn nothing_but_a_page_is_written_over() {
         "inspect model.html --force --report model.html",
         "model.html --target-mass 90 --force --report model.html",
         "human.osim --target-mass 90 -o out.html --report out.html",
+        "inspect human.osim --from model.html --force --report model.html",
+        "inspect human.osim --geometry model.html --force --report model.html",
+        "check human.osim --model model.html --force --report model.html",
     ] {
         bench.run(call).usage().wrote(&[]);
     }

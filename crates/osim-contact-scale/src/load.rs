@@ -11,6 +11,7 @@ use osim_patch::{Document, ElementId, Model, Part};
 use crate::args::PartArgs;
 use crate::failure::Failure;
 use crate::paths::folder_of;
+use crate::run::sha256;
 use crate::sources::Source;
 
 /// Bytes of a model's files; documents and models borrow from it.
@@ -105,6 +106,15 @@ impl Loaded {
             Some(part) => (part.path.to_str().unwrap_or(&self.shown), &part.bytes),
             None => (&self.shown, &self.bytes),
         }
+    }
+
+    /// All files by name, the model first, with the SHA-256 of each.
+    pub(crate) fn digests(&self) -> Vec<(String, String)> {
+        let file = |file| {
+            let (name, bytes) = self.file(file);
+            (name.to_owned(), sha256(bytes))
+        };
+        (0..=self.parts.len()).map(file).collect()
     }
 
     /// File number `file` as it was when it was read.

@@ -313,7 +313,12 @@ impl Default for StanceArgs {
 
 impl StanceArgs {
     pub(crate) fn stance(&self) -> Stance {
-        Stance { spheres: self.spheres, limbs: self.stance_limbs, impact_speed_m_s: self.impact_speed }
+        Stance {
+            spheres: self.spheres,
+            limbs: self.stance_limbs,
+            impact_speed_m_s: self.impact_speed,
+            gravity_m_s2: None,
+        }
     }
 }
 

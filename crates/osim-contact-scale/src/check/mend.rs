@@ -27,6 +27,8 @@ pub(super) struct Mend<'m> {
     joined: bool,
     /// How many spheres share the weight is the same for all limbs.
     counted: bool,
+    /// The gravity is the model's own.
+    weighed: bool,
     args: &'m ViewArgs,
 }
 
@@ -36,6 +38,12 @@ impl<'m> Mend<'m> {
         // What the bodies do not say has to be said again.
         if let Some(kg) = args.masses.mass.or(seen.figures.mass_kg.filter(|_| seen.mass_kg.is_none())) {
             option(&mut mass, "--mass", &shortest(kg));
+        }
+        // A gravity that the model's own file does not say, because its contacts are scaled to it first.
+        let other_gravity =
+            seen.figures.gravity_m_s2.filter(|_| seen.figures.gravity_m_s2 != seen.gravity_m_s2);
+        if let Some(gravity) = other_gravity {
+            option(&mut mass, "--gravity", &shortest(gravity));
         }
         for glob in &args.masses.exclude_body {
             option(&mut mass, "--exclude-body", &quoted(glob.glob()));
@@ -62,9 +70,10 @@ impl<'m> Mend<'m> {
                 option(&mut choice, name, &quoted(&path.display().to_string()));
             }
         }
+        let weighed = other_gravity.is_none();
         let model = Some(seen.model.as_str()).filter(|model| *model != "-" && changes).map(quoted);
         let counted = seen.spheres_per_limb.is_some() || args.stance.spheres.is_some();
-        Self { model, mass, counts, choice, joined, counted, args }
+        Self { model, mass, counts, choice, joined, counted, weighed, args }
     }
 
     fn design(&self, wanted: &str, with_load: bool) -> Option<String> {
@@ -134,7 +143,7 @@ impl<'m> Mend<'m> {
 
     /// Contacts of a published model.
     pub(super) fn preset(&self) -> Option<String> {
-        let model = self.model.as_ref()?;
+        let model = self.model.as_ref().filter(|_| self.weighed)?;
         Some(format!(
             "{PROGRAM} transfer {model} --from falisse2022{}{}{}",
             self.mass, self.counts, self.choice

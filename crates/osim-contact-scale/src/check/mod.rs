@@ -49,7 +49,7 @@ pub(crate) fn run(args: &CheckArgs, terminal: &mut Terminal) -> Result<Exit> {
     let deny = args.deny.severity();
     // One model in full; a library as one table, told when all of it is known.
     let mut library = (sources.models.len() > 1).then(Library::default);
-    let (mut without_contacts, mut first) = (0, true);
+    let (mut without_contacts, mut first, mut untold) = (0, true, None);
     let threads = threads(None, sources.models.len());
     in_order(
         &sources.models,
@@ -64,11 +64,19 @@ pub(crate) fn run(args: &CheckArgs, terminal: &mut Terminal) -> Result<Exit> {
                     if report.reaches(deny) {
                         exit = exit.and(Exit::Failed);
                     }
-                    match (args.format, &mut library) {
-                        (SheetFormat::Json, _) => terminal.print(&json::line(&report))?,
-                        (SheetFormat::Csv, _) => terminal.print(&csv::rows(&report, first)?)?,
-                        (SheetFormat::Table, None) => terminal.print_painted(&table::text(&report))?,
-                        (SheetFormat::Table, Some(library)) => library.add(report),
+                    let told = match (args.format, &mut library) {
+                        (SheetFormat::Json, _) => terminal.print(&json::line(&report)),
+                        (SheetFormat::Csv, _) => terminal.print(&csv::rows(&report, first)?),
+                        (SheetFormat::Table, None) => terminal.print_painted(&table::text(&report)),
+                        (SheetFormat::Table, Some(library)) => {
+                            library.add(report);
+                            Ok(())
+                        }
+                    };
+                    // What cannot be printed is no reason to leave a page without its models.
+                    match (told, &page) {
+                        (Err(error), Some(_)) => untold = untold.take().or(Some(error)),
+                        (told, _) => told?,
                     }
                     first = false;
                 }
@@ -93,6 +101,7 @@ pub(crate) fn run(args: &CheckArgs, terminal: &mut Terminal) -> Result<Exit> {
         },
     )?;
     exit = exit.and(Page::end(page, terminal));
+    untold.map_or(Ok(()), Err)?;
     if let Some(library) = library.filter(|_| args.format == SheetFormat::Table) {
         terminal.print_painted(&library.text())?;
     }

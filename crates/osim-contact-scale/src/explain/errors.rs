@@ -3,7 +3,7 @@
 //! `docs/errors.md` has the same texts; a test compares them, and looks for codes that are not here.
 
 /// One kind of failure.
-pub(super) struct ErrorCode {
+pub(crate) struct ErrorCode {
     /// As in the JSON `error.code`.
     pub code: &'static str,
     /// What is wrong.

@@ -13,7 +13,7 @@ use osim_patch::WarningCode;
 
 use crate::args::{ExplainArgs, Format};
 use crate::terminal::Terminal;
-use errors::ErrorCode;
+pub(crate) use errors::ErrorCode;
 
 /// Something that can be explained.
 #[derive(Clone, Copy)]
@@ -71,6 +71,11 @@ fn find(named: &str) -> Result<Vec<Topic>> {
 pub(crate) fn equation(name: &str) -> Option<&'static Equation> {
     let rule = || rules::ALL.iter().find(|rule| rule.label.eq_ignore_ascii_case(name));
     contact_scaling::equations::find(name).or_else(rule)
+}
+
+/// The error of this code.
+pub(crate) fn error(code: &str) -> Option<&'static ErrorCode> {
+    errors::ALL.iter().find(|error| error.code == code)
 }
 
 /// Everything called so: a code may be both a warning's and an error's.

@@ -23,6 +23,8 @@ pub(crate) struct Stance {
     pub limbs: f64,
     /// Speed before an impact, m/s; `None`: √(gR/2).
     pub impact_speed_m_s: Option<f64>,
+    /// Gravity instead of the model's own, m/s².
+    pub gravity_m_s2: Option<f64>,
 }
 
 /// Figures of one model.
@@ -30,7 +32,7 @@ pub(crate) struct Stance {
 pub(crate) struct Figures {
     /// Mass whose weight the spheres carry: what the model weighs, else what its contacts stand for, kg.
     pub mass_kg: Option<f64>,
-    /// Gravity of the model, m/s²; `None` without gravity.
+    /// Gravity that was taken, m/s²: the model's own as a rule; `None` without gravity.
     pub gravity_m_s2: Option<f64>,
     /// Speed before an impact, m/s: given, or √(gR/2) with R = √(Σ R_i²/n) of all spheres, as in a drop test.
     pub impact_speed_m_s: Option<f64>,
@@ -124,7 +126,8 @@ impl Figures {
         stance: &Stance,
     ) -> Result<Self, Fault> {
         let pressed = pressed(&loaded_spheres(model, &selected.forces)?)?;
-        let gravity = model.gravity().filter(|&gravity| gravity > 0.0 && gravity.is_finite());
+        let gravity =
+            stance.gravity_m_s2.or(model.gravity()).filter(|&gravity| gravity > 0.0 && gravity.is_finite());
         let speed = stance.impact_speed_m_s.or_else(|| default_speed(&pressed, gravity));
         let weight =
             mass.zip(gravity).map(|(mass, gravity)| Weight { mass_kg: mass.kg, gravity_m_s2: gravity });

@@ -102,6 +102,14 @@ impl<'l> Look<'l> {
         })
     }
 
+    /// Files it reads beside the models.
+    pub(crate) fn reads(&self) -> impl Iterator<Item = &'_ Path> {
+        let parts = [&self.args.parts.geometry, &self.args.parts.model]
+            .into_iter()
+            .filter_map(|path| path.as_deref());
+        parts.chain(self.from).chain(self.body_scale_file)
+    }
+
     pub(crate) fn run(&self, terminal: &mut Terminal) -> Result<Exit> {
         let sources = Sources::find(self.models, None);
         let mut page = Page::of_looks(self, &sources)?;
@@ -112,7 +120,7 @@ impl<'l> Look<'l> {
         for remark in &sources.remarks {
             terminal.note(&format!("note: {remark}\n"))?;
         }
-        let mut first = true;
+        let (mut first, mut untold) = (true, None);
         in_order(
             &sources.models,
             threads(None, sources.models.len()),
@@ -120,7 +128,12 @@ impl<'l> Look<'l> {
             |_, seen| {
                 match seen {
                     Ok((seen, entry)) => {
-                        self.tell(&seen, first, terminal)?;
+                        // What cannot be printed is no reason to leave a page without its models.
+                        let told = self.tell(&seen, first, terminal);
+                        match (told, &page) {
+                            (Err(error), Some(_)) => untold = untold.take().or(Some(error)),
+                            (told, _) => told?,
+                        }
                         first = false;
                         if let Some((page, entry)) = page.as_mut().zip(entry) {
                             page.tell(*entry);
@@ -137,6 +150,7 @@ impl<'l> Look<'l> {
             },
         )?;
         exit = exit.and(Page::end(page, terminal));
+        untold.map_or(Ok(()), Err)?;
         if self.hint && !first && self.format == SheetFormat::Table {
             terminal.print(HINT)?;
         }

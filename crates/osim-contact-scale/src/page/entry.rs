@@ -1,11 +1,13 @@
 //! A model in the table of a library, and its details below.
 
-use maud::html;
+use maud::{Markup, html};
 use osim_patch::{Plan, Property};
 
+use super::explained::Topics;
 use super::fragment::{Fragment, header_cell};
 use super::values::counted;
 use crate::check::Counts;
+use crate::explain::{self, ErrorCode};
 use crate::failure::Failure;
 use crate::look::Inspection;
 use crate::report::{four, number};
@@ -13,6 +15,9 @@ use crate::run::Record;
 
 pub(super) const MODELS: (&str, &str) = ("models", "Models");
 pub(super) const IN_FULL: (&str, &str) = ("in-full", "Each model in full");
+
+/// Factors that differ from place to place.
+const UNLIKE: &str = "unlike";
 
 pub(super) const TABLE_END: &str = "</tbody></table></div></section>\n";
 pub(super) const DETAILS_BEGIN: &str = "<section id=\"in-full\" aria-labelledby=\"in-full-title\">\
@@ -80,6 +85,8 @@ pub(crate) struct Entry {
     pub said: String,
     /// Everything else about it; none where it could not be done.
     pub fragment: Option<Box<Fragment>>,
+    /// What was wrong, where it could not be done.
+    pub error: Option<&'static ErrorCode>,
 }
 
 impl Entry {
@@ -99,16 +106,47 @@ impl Entry {
         ];
         cells.extend(counts(found));
         let said = format!("{became}; {} in the new model", counted(found));
-        Self { model: record.model.clone(), cells, said, fragment: Some(Box::new(fragment)) }
+        Self { model: name(record), cells, said, fragment: Some(Box::new(fragment)), error: None }
+    }
+
+    /// The same of a model that an earlier run has done.
+    pub(crate) fn of_earlier_run(mut self) -> Self {
+        for text in self.cells.first_mut().into_iter().chain([&mut self.said]) {
+            text.insert_str(0, "done by an earlier run: ");
+        }
+        self
+    }
+
+    /// A model that an earlier run has done, of which there is nothing but the record.
+    pub(crate) fn of_earlier_record(record: &Record) -> Self {
+        let mass = |kg: Option<f64>| kg.map(number).unwrap_or_default();
+        let factor = |factor: Option<f64>, property: Property| match factor {
+            Some(factor) => four(factor),
+            None if record.unlike.split(' ').any(|name| name == property.name()) => UNLIKE.to_owned(),
+            None => String::new(),
+        };
+        let became = format!("done by an earlier run: {}", record.status.told());
+        let cells = vec![
+            became.clone(),
+            mass(record.contacts_mass_from_kg),
+            mass(record.contacts_mass_to_kg),
+            record.changes.to_string(),
+            factor(record.radius_factor, Property::Radius),
+            factor(record.stiffness_factor, Property::Stiffness),
+            factor(record.dissipation_factor, Property::Dissipation),
+            some(record.warnings.split_whitespace().count()),
+        ];
+        Self { model: name(record), cells, said: became, fragment: None, error: None }
     }
 
     /// A model that was to be changed, and of which there is nothing but the record.
     pub(crate) fn of_record(record: &Record) -> Self {
         let became = match &record.error {
-            Some(error) => format!("{}: {error}", record.status.told()),
+            Some(error) => format!("{}: {}{error}", record.status.told(), place(record.line, record.column)),
             None => record.status.told().to_owned(),
         };
-        Self::not_done(&record.model, became)
+        let error = record.error_code.as_deref().and_then(explain::error);
+        Self { error, ..Self::not_done(&name(record), became) }
     }
 
     /// A model that was looked at.
@@ -124,12 +162,13 @@ impl Entry {
         ];
         cells.extend(counts(found));
         let said = counted(found);
-        Self { model: seen.model.clone(), cells, said, fragment: Some(Box::new(fragment)) }
+        Self { model: seen.model.clone(), cells, said, fragment: Some(Box::new(fragment)), error: None }
     }
 
     /// A model that could not be read.
     pub(crate) fn lost(failure: &Failure) -> Self {
-        Self::not_done(&failure.model, format!("failed: {}", failure.message))
+        let became = format!("failed: {}{}", place(failure.line, failure.column), failure.message);
+        Self { error: explain::error(failure.code), ..Self::not_done(&failure.model, became) }
     }
 
     /// A model of a folder that has no contacts.
@@ -139,7 +178,30 @@ impl Entry {
 
     /// A model of which there is nothing but what became of it.
     pub(crate) fn not_done(model: &str, became: String) -> Self {
-        Self { model: model.to_owned(), cells: vec![became.clone()], said: became, fragment: None }
+        Self {
+            model: model.to_owned(),
+            cells: vec![became.clone()],
+            said: became,
+            fragment: None,
+            error: None,
+        }
+    }
+}
+
+/// The model; in a manifest, where several rows may use one, with its row and what comes of it.
+fn name(record: &Record) -> String {
+    match (record.row, &record.output) {
+        (Some(row), Some(output)) => format!("row {row}: {} → {output}", record.model),
+        (Some(row), None) => format!("row {row}: {}", record.model),
+        (None, _) => record.model.clone(),
+    }
+}
+
+/// Where in the model something is wrong.
+fn place(line: Option<usize>, column: Option<usize>) -> String {
+    match (line, column) {
+        (Some(line), Some(column)) => format!("line {line}, column {column}: "),
+        _ => String::new(),
     }
 }
 
@@ -148,7 +210,7 @@ fn ratio(plan: &Plan, property: Property) -> String {
     let mut ratios = plan.changes.iter().filter(|change| change.property == property).map(|c| c.to / c.from);
     let Some(first) = ratios.next() else { return String::new() };
     let same = |ratio: f64| four(ratio) == four(first);
-    if ratios.all(same) { four(first) } else { "unlike".to_owned() }
+    if ratios.all(same) { four(first) } else { UNLIKE.to_owned() }
 }
 
 fn counts(found: Counts) -> [String; 3] {
@@ -179,7 +241,12 @@ pub(super) fn table_opening(columns: Columns, left_out: &[String]) -> String {
 }
 
 /// The row of model `number`, linked to its details where it has some.
-pub(super) fn row(entry: &Entry, columns: Columns, number: usize, in_full: bool) -> String {
+pub(super) fn row(
+    entry: &Entry,
+    columns: Columns,
+    (number, in_full): (usize, bool),
+    topics: &mut Topics,
+) -> String {
     let missing = columns.headers().len().saturating_sub(entry.cells.len());
     let row = html! {
         tr {
@@ -187,7 +254,7 @@ pub(super) fn row(entry: &Entry, columns: Columns, number: usize, in_full: bool)
                 @if in_full { a href={ "#model-" (number) } { (entry.model) } } @else { (entry.model) }
             }
             @for (index, cell) in entry.cells.iter().enumerate() {
-                @if index == 0 { td.words { (cell) } } @else { td { (cell) } }
+                @if index == 0 { td.words { (cell) (code(entry, topics)) } } @else { td { (cell) } }
             }
             @for _ in 0..missing { td {} }
         }
@@ -207,6 +274,11 @@ pub(super) fn details(entry: &Entry, number: usize, inside: &str) -> String {
 }
 
 /// The one model of a page, where there is nothing to show of it.
-pub(super) fn alone(entry: &Entry) -> String {
-    html! { p.note { b { (entry.model) } ": " (entry.said) } }.0
+pub(super) fn alone(entry: &Entry, topics: &mut Topics) -> String {
+    html! { p.note { b { (entry.model) } ": " (entry.said) (code(entry, topics)) } }.0
+}
+
+/// The code of what was wrong, linked to its explanation.
+fn code(entry: &Entry, topics: &mut Topics) -> Markup {
+    html! { @if let Some(error) = entry.error { " [" (topics.error(error)) "]" } }
 }

@@ -6,7 +6,8 @@ use contact_scaling::Equation;
 use maud::{Markup, html};
 use osim_patch::WarningCode;
 
-use crate::explain;
+use super::values::sentence;
+use crate::explain::{self, ErrorCode};
 
 /// The section's anchor and heading.
 pub(super) const SECTION: (&str, &str) = ("explained", "Equations and findings explained");
@@ -16,16 +17,18 @@ pub(super) const SECTION: (&str, &str) = ("explained", "Equations and findings e
 pub(crate) struct Topics {
     equations: BTreeSet<&'static str>,
     codes: BTreeSet<WarningCode>,
+    errors: BTreeSet<&'static str>,
 }
 
 impl Topics {
     pub(super) fn is_empty(&self) -> bool {
-        self.equations.is_empty() && self.codes.is_empty()
+        self.equations.is_empty() && self.codes.is_empty() && self.errors.is_empty()
     }
 
     pub(super) fn add(&mut self, other: &Self) {
         self.equations.extend(&other.equations);
         self.codes.extend(&other.codes);
+        self.errors.extend(&other.errors);
     }
 
     /// The column "equation" of a change, each equation linked to its explanation.
@@ -59,6 +62,14 @@ impl Topics {
     pub(super) fn code(&mut self, code: WarningCode) -> Markup {
         self.codes.insert(code);
         html! { a.code href={ "#" (anchor("finding", code.as_str())) } { (code.as_str()) } }
+    }
+}
+
+impl Topics {
+    /// The code of an error linked to its explanation.
+    pub(super) fn error(&mut self, error: &'static ErrorCode) -> Markup {
+        self.errors.insert(error.code);
+        html! { a.code href={ "#" (anchor("error", error.code)) } { (error.code) } }
     }
 }
 
@@ -105,6 +116,10 @@ pub(super) fn section(topics: &Topics) -> String {
                 h3 { "Findings and warnings" }
                 @for code in &topics.codes { (of_code(*code)) }
             }
+            @if !topics.errors.is_empty() {
+                h3 { "Errors" }
+                @for error in topics.errors.iter().filter_map(|code| explain::error(code)) { (of_error(error)) }
+            }
         }
     }
     .0
@@ -136,6 +151,16 @@ fn of_code(code: WarningCode) -> Markup {
             h4 { (code.as_str()) }
             p { (code.what().trim()) " " (code.why()) }
             p { b { "What to do: " } (code.remedy()) "." }
+        }
+    }
+}
+
+fn of_error(error: &ErrorCode) -> Markup {
+    html! {
+        div.explained id=(anchor("error", error.code)) {
+            h4 { (error.code) }
+            p { (sentence(error.means)) }
+            p { b { "What to do: " } (sentence(error.way_out)) }
         }
     }
 }

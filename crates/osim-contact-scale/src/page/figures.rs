@@ -3,6 +3,7 @@
 use maud::{Markup, html};
 
 use super::fragment::{Fragment, boxed};
+use super::values::listed;
 use crate::look::figures::{Figures, SphereFigures};
 use crate::look::rows::{RESTITUTION, ROWS, Row, When};
 use crate::report::{four, paint::OUTSIDE};
@@ -10,8 +11,6 @@ use crate::report::{four, paint::OUTSIDE};
 const SECTION: (&str, &str) = ("figures", "What the spheres do");
 /// Columns of numbers in one table.
 const ABREAST: usize = 6;
-/// Names of spheres that are listed, before they are counted.
-const NAMED: usize = 8;
 
 /// The model's figures in one state, and what to call it.
 pub(super) struct State<'s> {
@@ -96,14 +95,9 @@ fn key(spheres: &[Option<&SphereFigures>]) -> Vec<String> {
 }
 
 fn described(group: &Group<'_>) -> String {
-    let shown: Vec<&str> = group.names.iter().take(NAMED).copied().collect();
-    let more = match group.names.len() {
-        0..=NAMED => String::new(),
-        all => format!(" and {} more", all - NAMED),
-    };
     let limbs: Vec<&str> = group.limbs.iter().copied().filter(|limb| !limb.is_empty()).collect();
     let limbs = if limbs.is_empty() { String::new() } else { format!(" ({})", limbs.join(", ")) };
-    format!("{}{more}{limbs}", shown.join(", "))
+    format!("{}{limbs}", listed(&group.names))
 }
 
 fn sheet(
@@ -149,7 +143,7 @@ fn sheet(
             tbody { @for row in rows { (row) } }
         }
     };
-    boxed("What the spheres do", &table)
+    boxed("Figures of the spheres", &table)
 }
 
 fn line(

@@ -15,7 +15,7 @@ pub(crate) struct Frame {
 
 /// One model on the page.
 pub(crate) struct Fragment {
-    frame: Frame,
+    pub(super) frame: Frame,
     pub html: String,
     /// Their anchors and headings; anchors are there only where the model stands alone, so that none comes twice.
     pub sections: Vec<(&'static str, &'static str)>,

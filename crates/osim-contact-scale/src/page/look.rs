@@ -5,13 +5,12 @@ use osim_patch::Model;
 
 use super::figures::{self, State};
 use super::fragment::{Fragment, Frame, table};
-use super::{Entry, file_name, findings, plots};
+use super::{Entry, change, file_name, findings, plots};
 use crate::check::Report;
 use crate::load::Loaded;
 use crate::look::{self, Inspection, View};
 use crate::plotting::body::Body;
 use crate::report::{four, number};
-use crate::run::sha256;
 
 /// Everything about one model.
 pub(crate) fn entry_of_look(
@@ -31,7 +30,7 @@ pub(crate) fn entry_of_look(
     figures::section(&mut fragment, &[State { name: String::new(), figures: &seen.figures }]);
     let body = html! { (forces(seen)) (spheres(seen)) (factors(seen)) };
     fragment.section("contacts", "The contacts", &body);
-    fragment.section("model", "The model", &the_model(seen, &sha256(&loaded.bytes)));
+    fragment.section("model", "The model", &the_model(seen, loaded));
     Entry::of_inspection(seen, report.counts, fragment)
 }
 
@@ -108,14 +107,13 @@ fn sources(sources: &[Option<&'static str>]) -> String {
     named.join(", ")
 }
 
-fn the_model(seen: &Inspection, sha256: &str) -> Markup {
+fn the_model(seen: &Inspection, loaded: &Loaded) -> Markup {
     let limbs = seen.limbs.iter().flatten();
     let limbs: Vec<String> =
         limbs.map(|limb| format!("{} ({}, n = {})", limb.name, limb.side, limb.spheres.len())).collect();
     html! {
         dl {
-            dt { "File" } dd { (seen.model) }
-            @if !sha256.is_empty() { dt { "SHA-256" } dd { code.digest { (sha256) } } }
+            (change::read(&loaded.digests()))
             dt { "Name" } dd { (seen.name) ", document version " (seen.document_version) }
             dt { "Weighs" } dd { @match seen.mass_kg {
                 Some(mass) => { (number(mass)) " kg (" (seen.mass_told_by) ")" }

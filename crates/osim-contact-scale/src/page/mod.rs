@@ -16,13 +16,16 @@ mod shell;
 mod spool;
 mod values;
 
+use std::fs::File;
+use std::io::Read;
 use std::path::Path;
 
 use anyhow::{Result, bail};
 
-use crate::folders;
+use crate::folders::{self, Folders};
 use crate::look::Look;
 use crate::place::Ledger;
+use crate::run::interrupt;
 use crate::sources::{Source, Sources};
 use crate::terminal::{Exit, Terminal};
 use crate::write::{Mode, Prepared};
@@ -70,7 +73,20 @@ impl About {
 
 /// The last part of a path as it is shown.
 fn file_name(shown: &str) -> &str {
+    if shown == "-" {
+        return "standard input";
+    }
     Path::new(shown).file_name().and_then(std::ffi::OsStr::to_str).unwrap_or(shown)
+}
+
+/// What a page may take the place of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Replace {
+    Never,
+    /// Pages of this program: a run that goes on writes its page anew.
+    Pages,
+    /// Any file.
+    Files,
 }
 
 /// A page that is being written.
@@ -84,7 +100,8 @@ pub(crate) struct Page {
     sections: Vec<(&'static str, &'static str)>,
     models: usize,
     in_full: usize,
-    with_plots: bool,
+    /// Some model is shown in full and has no plots, because it is not among the first.
+    without_plots: bool,
     /// The first thing that went wrong: a page that cannot be written is no reason to leave models undone.
     broken: Option<anyhow::Error>,
 }
@@ -94,16 +111,21 @@ impl Page {
     ///
     /// # Errors
     /// A name that is no page's, a file that is there already, or a folder that cannot be written.
-    pub(crate) fn begin(path: &Path, force: bool, about: About) -> Result<Self> {
+    pub(crate) fn begin(path: &Path, replace: Replace, about: About) -> Result<Self> {
         check_name(path)?;
-        folders::make(path)?;
-        if path.exists() && !force {
+        let replaces = match replace {
+            Replace::Never => false,
+            Replace::Pages => is_page(path),
+            Replace::Files => true,
+        };
+        if path.exists() && !replaces {
             bail!(
                 "the report {} exists already: choose another name, or replace it with --force",
                 path.display()
             );
         }
-        let mode = if force { Mode::Replace } else { Mode::New };
+        folders::make(path)?;
+        let mode = if replaces { Mode::Replace } else { Mode::New };
         let prepared = Prepared::begin(path, None, mode)?;
         let (rows, details) = (Spool::beside(path)?, Spool::beside(path)?);
         Ok(Self {
@@ -115,7 +137,7 @@ impl Page {
             sections: Vec::new(),
             models: 0,
             in_full: 0,
-            with_plots: false,
+            without_plots: false,
             broken: None,
         })
     }
@@ -128,6 +150,7 @@ impl Page {
         let Some(path) = &look.report.report else { return Ok(None) };
         let mut ledger = Ledger::default();
         sources.models.iter().for_each(|source| ledger.read(&source.path));
+        look.reads().for_each(|path| ledger.read(path));
         ledger.write(path, "--report")?;
         let shown = match (sources.models.as_slice(), sources.failures.as_slice()) {
             ([source], []) => Some(source.shown()),
@@ -135,7 +158,10 @@ impl Page {
             _ => None,
         };
         let about = About { verb: look.verb, model: shown, columns: Columns::Looks };
-        let mut page = Self::begin(path, look.report.force, about)?;
+        let replace = if look.report.force { Replace::Files } else { Replace::Never };
+        interrupt::outlive_size_limit();
+        Folders::look(std::iter::once(path.as_path()), true);
+        let mut page = Self::begin(path, replace, about)?;
         sources.failures.iter().for_each(|failure| page.tell(Entry::lost(failure)));
         Ok(Some(page))
     }
@@ -152,14 +178,15 @@ impl Page {
         let alone = self.about.model.is_some();
         let fragment = entry.fragment.take().filter(|_| self.in_full < IN_FULL);
         if alone && fragment.is_none() {
-            self.details.add(&entry::alone(&entry))?;
+            self.details.add(&entry::alone(&entry, &mut self.topics))?;
         }
         if !alone {
-            self.rows.add(&entry::row(&entry, self.about.columns, self.models, fragment.is_some()))?;
+            let place = (self.models, fragment.is_some());
+            self.rows.add(&entry::row(&entry, self.about.columns, place, &mut self.topics))?;
         }
         let Some(fragment) = fragment else { return Ok(()) };
         self.in_full += 1;
-        self.with_plots |= fragment.has_plots;
+        self.without_plots |= !fragment.frame.plots;
         self.topics.add(&fragment.topics);
         if alone {
             self.sections = fragment.sections;
@@ -232,7 +259,7 @@ impl Page {
                  osim-contact-scale inspect MODEL --report FILE.html"
             ));
         }
-        if self.with_plots && self.models > WITH_PLOTS {
+        if self.without_plots {
             said.push(format!(
                 "Only the first {WITH_PLOTS} models have plots. For any other, ask for a page of its own, or for a \
                  picture: osim-contact-scale plot force MODEL -o FILE.svg"
@@ -241,6 +268,16 @@ impl Page {
         said
     }
 }
+
+/// `true` for a page that this program wrote, which says so in its head.
+fn is_page(path: &Path) -> bool {
+    let mut head = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(HEAD).read_to_end(&mut head));
+    read.is_ok() && memchr::memmem::find(&head, shell::GENERATOR.as_bytes()).is_some()
+}
+
+/// Bytes in which a page says what wrote it.
+const HEAD: u64 = 1024;
 
 fn check_name(path: &Path) -> Result<()> {
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());

@@ -21,7 +21,8 @@ const HEIGHT: Length = Length::Radii(0.25);
 /// The section: what `bodies`, states of one model, do.
 pub(super) fn section(fragment: &mut Fragment, bodies: &[Body]) {
     let pressed = if bodies.len() > 1 {
-        "Force of a sphere that is pressed into the ground. Curves on each other: one contact without dimensions."
+        "Force of a sphere that is pressed into the ground. Where curves lie on each other, the \
+         contact without dimensions is the same."
     } else {
         "Force of a sphere that is pressed into the ground."
     };
@@ -36,18 +37,19 @@ pub(super) fn section(fragment: &mut Fragment, bodies: &[Body]) {
             drop(bodies),
         ),
     ];
+    let mut reasons: Vec<&str> =
+        drawn.iter().filter_map(|(_, drawn)| Some(drawn.as_ref().err()?.message.as_str())).collect();
+    reasons.dedup();
     let body = html! {
-        div.plots { @for (what, drawn) in &drawn { (plot(what, drawn)) } }
+        div.plots { @for (what, drawn) in &drawn { @if let Ok(svg) = drawn { (plot(what, svg)) } } }
+        @for reason in reasons { p.note { "Not drawn: " (reason) "." } }
     };
     fragment.has_plots = drawn.iter().any(|(_, drawn)| drawn.is_ok());
     fragment.section(SECTION.0, SECTION.1, &body);
 }
 
-fn plot(what: &str, drawn: &Result<String, Failure>) -> Markup {
-    match drawn {
-        Ok(svg) => html! { figure { div.plot { (PreEscaped(svg)) } figcaption { (what) } } },
-        Err(failure) => html! { p.note { (what) ": not drawn: " (failure.message) "." } },
-    }
+fn plot(what: &str, svg: &str) -> Markup {
+    html! { figure { div.plot { (PreEscaped(svg)) } figcaption { (what) } } }
 }
 
 fn drawn(bodies: &[Body], svg: Result<String, contact_plots::PlotError>) -> Result<String, Failure> {

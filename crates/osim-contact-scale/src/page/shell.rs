@@ -11,6 +11,9 @@ const STYLE: &str = include_str!("style.css");
 pub(super) const ASKED: (&str, &str) = ("asked", "What was asked");
 pub(super) const ORIGIN: (&str, &str) = ("origin", "Where this comes from");
 
+/// By this a page is known for one of this program; the version follows.
+pub(super) const GENERATOR: &str = "<meta name=\"generator\" content=\"osim-contact-scale ";
+
 /// Van Bijlert (2026), as CITATION.cff has it.
 pub(super) const PAPER: &str = "van Bijlert, P. A. (2026). Scaling contact force parameters across body size, limb \
                                 count, and number of contact spheres. Journal of Biomechanics.";
@@ -22,7 +25,7 @@ pub(super) fn opening(title: &str, class: &str, sections: &[(&str, &str)]) -> St
         meta charset="utf-8";
         meta name="viewport" content="width=device-width, initial-scale=1";
         meta name="color-scheme" content="light dark";
-        meta name="generator" content={ "osim-contact-scale " (env!("CARGO_PKG_VERSION")) };
+        (PreEscaped(GENERATOR)) (env!("CARGO_PKG_VERSION")) (PreEscaped("\">"))
         title { (title) }
         style { (PreEscaped(STYLE)) }
     };

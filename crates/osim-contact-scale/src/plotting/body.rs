@@ -136,7 +136,8 @@ impl Body {
     ) -> Result<Self, Failure> {
         let selected = view.selection.apply(model).map_err(failed)?;
         let looked = &view.stance;
-        let stance = Stance { spheres: looked.spheres, stance_limbs: looked.limbs, gravity_m_s2: None };
+        let stance =
+            Stance { spheres: looked.spheres, stance_limbs: looked.limbs, gravity_m_s2: looked.gravity_m_s2 };
         Self::of_model(name, model, &selected.forces, &view.masses, stance, failed)
     }
 

@@ -22,7 +22,7 @@ use anyhow::Result;
 use crate::args::{RunArgs, RunFormat};
 use crate::failure::Failure;
 use crate::folders::Folders;
-use crate::page::{self, About, Columns, Entry, Page};
+use crate::page::{self, About, Columns, Entry, Page, Replace};
 use crate::place::{Ledger, Who};
 use crate::terminal::{Exit, Terminal};
 use crate::workers::{in_order, threads};
@@ -86,7 +86,7 @@ pub(crate) fn run(mut work: Work, args: &RunArgs, terminal: &mut Terminal) -> Re
         terminal.note(&format!("note: {remark}\n"))?;
     }
     let done = Done::read(args)?;
-    let mut page = begin_page(&work, args)?;
+    let mut page = begin_page(&work, args, &done)?;
     let journal = Journal::begin(args, work.force)?;
     let folders = look_at_folders(&work.tasks, args);
     interrupt::outlive_size_limit();
@@ -163,15 +163,20 @@ impl Work {
     }
 }
 
-fn begin_page(work: &Work, args: &RunArgs) -> Result<Option<Page>> {
+fn begin_page(work: &Work, args: &RunArgs, done: &Done) -> Result<Option<Page>> {
     let Some(path) = &args.report else { return Ok(None) };
     let shown = || match (work.tasks.first(), work.failures.first()) {
         (Some(task), _) => task.source.shown(),
         (None, failure) => failure.map(|failure| failure.model.clone()).unwrap_or_default(),
     };
     let about = About { verb: work.verb, model: work.is_one().then(shown), columns: Columns::Changes };
-    // A run that goes on writes its page anew, as it does its summary.
-    let mut page = Page::begin(path, work.force || args.resume, about)?;
+    let replace = match (work.force, done.is_empty()) {
+        (true, _) => Replace::Files,
+        // A run that goes on writes its page anew, as it does its summary.
+        (false, false) => Replace::Pages,
+        (false, true) => Replace::Never,
+    };
+    let mut page = Page::begin(path, replace, about)?;
     work.failures.iter().for_each(|failure| page.tell(Entry::lost(failure)));
     Ok(Some(page))
 }

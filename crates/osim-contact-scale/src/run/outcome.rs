@@ -31,7 +31,7 @@ impl Outcome {
     /// What the page says; it can be had once.
     pub(super) fn entry(&mut self) -> Entry {
         let bare = || match self.earlier {
-            true => Entry::not_done(&self.record.model, "done by an earlier run".to_owned()),
+            true => Entry::of_earlier_record(&self.record),
             false => Entry::of_record(&self.record),
         };
         self.entry.take().unwrap_or_else(bare)

@@ -1,5 +1,7 @@
 //! A model before and after, as the page shows it: seen before anything is written, told when it is.
 
+use std::path::PathBuf;
+
 use osim_patch::{Model, Plan, same_mass};
 
 use super::record::Record;
@@ -17,10 +19,12 @@ use crate::plotting::body::Body;
 /// What is known of both states of a model.
 pub(super) struct Sights {
     now: (Inspection, Report),
-    /// The old contacts under the new mass, where that is another one.
+    /// The old contacts under the new weight, where that is another one.
     now_heavier: Option<Figures>,
     new: Option<(Inspection, Report)>,
     bodies: Vec<Body>,
+    /// The contacts are scaled to this gravity, and the model's is another.
+    target_gravity_m_s2: Option<f64>,
     frame: Frame,
 }
 
@@ -60,11 +64,16 @@ impl Sights {
         let before = Sight { loaded, view: View::new(&args).map_err(refused)?, args };
         let now = before.seen(model);
         let args = view_after(order, &before.args, plan, &now.0);
-        let view = View::new(&args).map_err(refused)?;
-        let mut sights = Self { now, now_heavier: None, new: None, bodies: Vec::new(), frame };
-        if view.masses.model_kg != before.view.masses.model_kg {
+        let mut view = View::new(&args).map_err(refused)?;
+        view.stance.gravity_m_s2 = order.planner().target_gravity_m_s2();
+        let target_gravity_m_s2 =
+            view.stance.gravity_m_s2.filter(|&gravity| now.0.figures.gravity_m_s2 != Some(gravity));
+        let mut sights =
+            Self { now, now_heavier: None, new: None, bodies: Vec::new(), target_gravity_m_s2, frame };
+        if view.masses.model_kg != before.view.masses.model_kg || target_gravity_m_s2.is_some() {
             let mut heavier = before.view.clone();
             heavier.masses.model_kg = view.masses.model_kg;
+            heavier.stance.gravity_m_s2 = view.stance.gravity_m_s2;
             sights.now_heavier = Some(heavier.inspection(&loaded.shown, model, None).figures);
         }
         sights.bodies.extend(before.body("before", model).filter(|_| frame.plots));
@@ -80,14 +89,19 @@ impl Sights {
         Ok(sights)
     }
 
-    /// The model on the page; `result` says what became of it.
-    pub(super) fn entry(self, plan: &Plan, loaded: &Loaded, record: &Record, result: String) -> Entry {
-        let files = Files {
-            input: loaded.shown.clone(),
-            input_sha256: record.sha256_input.clone().unwrap_or_default(),
-            result,
-            output_sha256: record.sha256_output.clone(),
-        };
+    /// The model on the page; `result` says what became of it, and `outputs` are the files it is in now.
+    pub(super) fn entry(
+        self,
+        plan: &Plan,
+        loaded: &Loaded,
+        record: &Record,
+        (result, outputs): (String, &[PathBuf]),
+    ) -> Entry {
+        let in_file = !outputs.is_empty();
+        let digests = [&record.sha256_output, &record.sha256_geometry_output];
+        let outputs = outputs.iter().map(|path| path.display().to_string());
+        let outputs = outputs.zip(digests.into_iter().flatten().cloned()).collect();
+        let files = Files { inputs: loaded.digests(), result, outputs };
         let new = self.new.as_ref().map(|(seen, report)| (seen, report));
         let counts = self.new.as_ref().map_or(self.now.1.counts, |(_, report)| report.counts);
         let changed = Changed {
@@ -96,6 +110,8 @@ impl Sights {
             now_heavier: self.now_heavier.as_ref(),
             new,
             bodies: self.bodies,
+            in_file,
+            target_gravity_m_s2: self.target_gravity_m_s2,
             files,
         };
         Entry::of_change(record, plan, counts, of_change(&changed, self.frame))

@@ -28,6 +28,11 @@ pub(crate) trait Planner: Send + Sync {
     /// How `inspect` and `check` would look at the model with the same options.
     fn view(&self) -> ViewArgs;
 
+    /// Gravity that the contacts are scaled to, m/s², where that is asked for.
+    fn target_gravity_m_s2(&self) -> Option<f64> {
+        None
+    }
+
     /// Everything its plans follow from but for the files: equal texts, equal plans.
     fn options(&self) -> String;
 }

@@ -15,7 +15,7 @@ use crate::args::RunFormat;
 use crate::failure::Failure;
 use crate::folders;
 use crate::load::{Loaded, Stamp};
-use crate::page::Frame;
+use crate::page::{Entry, Frame};
 use crate::place::Place;
 use crate::report::{changes, diff, json};
 use crate::write::{Mode, Prepared, backup};
@@ -51,7 +51,8 @@ impl Task {
                     Earlier::Holds(mut record) => {
                         record.row = self.row;
                         let record = *record;
-                        return Ok(Outcome { said: Vec::new(), record, earlier: true, entry: None });
+                        let entry = frame.and_then(|frame| self.seen_again(run, &loaded, &record, frame));
+                        return Ok(Outcome { said: Vec::new(), record, earlier: true, entry });
                     }
                     Earlier::Outdated => force = true,
                     Earlier::Unknown => {}
@@ -70,10 +71,29 @@ impl Task {
             let sights = sights.transpose()?;
             let written = job.write(&plan, &results).map_err(outside)?;
             let said = job.tell(&plan, &results, &written).map_err(outside)?;
-            let result = written.told();
-            let entry = sights.map(|sights| sights.entry(&plan, &loaded, job.record, result));
+            let became = (written.told(), written.paths());
+            let entry = sights.map(|sights| sights.entry(&plan, &loaded, job.record, became));
             Ok(Outcome { said, record: record.clone(), earlier: false, entry })
         })
+    }
+
+    /// A model that an earlier run has done, on the page. None where it was changed itself: what it was before is gone.
+    fn seen_again(&self, run: &Run<'_>, loaded: &Loaded, record: &Record, frame: Frame) -> Option<Entry> {
+        if self.order.in_place {
+            return None;
+        }
+        let seen = loaded.with_model(|model| {
+            let mut job = Job { task: self, run, loaded, force: false, record: &mut record.clone() };
+            let plan = job.plan(model)?;
+            let results = job.results(&plan, model)?;
+            let sights = Sights::of(self, loaded, &plan, model, &results, frame)?;
+            let wrote = record.status == Status::Written;
+            let outputs = [self.output(), self.geometry_output.as_deref()].into_iter().flatten();
+            let outputs: Vec<PathBuf> = outputs.filter(|_| wrote).map(Path::to_owned).collect();
+            let result = format!("done by an earlier run: {}", record.status.told());
+            Ok(sights.entry(&plan, loaded, record, (result, &outputs)).of_earlier_run())
+        });
+        seen.ok()
     }
 
     /// Digest of everything the output follows from but for the model: with the files that the model includes.
@@ -242,7 +262,9 @@ impl Job<'_> {
                 let (prepared, kept) = backup(path, self.loaded.file(file).1)
                     .context("the backup could not be kept, so nothing was changed")?;
                 files.backups.extend(prepared);
-                files.kept.push(kept);
+                // As the model was named; behind a link, the backup lies where the model really is.
+                let beside = kept.file_name().filter(|_| !path.is_symlink());
+                files.kept.push(beside.map(|name| path.with_file_name(name)).unwrap_or(kept));
             }
         }
         folders::make(path)?;

@@ -73,6 +73,7 @@ impl Variant {
                 spheres: args.counts.spheres,
                 limbs: args.counts.stance_limbs,
                 impact_speed_m_s: args.wanted.impact_speed,
+                gravity_m_s2: None,
             };
             let limbs = model.limbs(&selected.forces);
             let figures = Figures::of(model, &selected, &limbs, mass.as_ref(), &stance).ok();

@@ -50,6 +50,10 @@ impl Planner for Rescaling {
         self.view.clone()
     }
 
+    fn target_gravity_m_s2(&self) -> Option<f64> {
+        self.scaling.target_gravity
+    }
+
     fn options(&self) -> String {
         self.options.clone()
     }

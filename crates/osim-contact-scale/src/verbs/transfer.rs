@@ -90,6 +90,10 @@ impl Planner for Transferring {
         }
     }
 
+    fn target_gravity_m_s2(&self) -> Option<f64> {
+        self.args.scaling.target_gravity
+    }
+
     fn options(&self) -> String {
         self.options.clone()
     }
