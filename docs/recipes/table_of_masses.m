@@ -2,7 +2,7 @@ function results = table_of_masses(table_file, output_folder)
 %TABLE_OF_MASSES Scale every model of a table; a model that fails does not stop the others.
 %   The table is a CSV file: a header, then in each line a model, the mass its contacts stand for, and the wanted mass:
 %
-%       model,contacts_mass_kg,target_mass_kg
+%       model,contacts_mass,target_mass
 %       human.osim,62,500
 %
 %   results is a struct array with the fields model, output, factor (of the stiffness) and problem.

@@ -2,7 +2,7 @@
 
     python3 table_of_masses.py masses.csv scaled
 
-The table is a CSV file with the columns model, contacts_mass_kg and target_mass_kg. A model that fails does not stop
+The table is a CSV file with the columns model, contacts_mass and target_mass. A model that fails does not stop
 the others. The result goes to scaled/summary.csv.
 """
 
@@ -15,11 +15,11 @@ from contact_scale import ModelError, UsageError, contact_scale
 
 def scaled(row, folder):
     """One model: what came of it, as a row of the summary."""
-    model, to = Path(row["model"]), row["target_mass_kg"]
+    model, to = Path(row["model"]), row["target_mass"]
     output = folder / f"{model.stem}_{to}kg.osim"
     try:
         (done,) = contact_scale(
-            model, "--contacts-mass", row["contacts_mass_kg"], "--target-mass", to, "-o", output, "--force"
+            model, "--contacts-mass", row["contacts_mass"], "--target-mass", to, "-o", output, "--force"
         )
     except (ModelError, UsageError) as problem:
         return {"model": model, "problem": problem}

@@ -204,6 +204,36 @@ fn the_manifest_is_never_written_over() {
 }
 
 #[test]
+fn a_point_that_may_part_thousands_is_refused_where_commas_are_decimal() {
+    let bench = Bench::human();
+    let refused = "'1.190' may be 1190 or 1.190: write 1190 or 1.1900";
+    for manifest in
+        ["model;target-mass\nhuman.osim;1.190\n", "model\ttarget-mass\tradius\nhuman.osim\t1.190\t0,04\n"]
+    {
+        bench.write("m.csv", manifest);
+        bench.run("batch m.csv").usage().wrote_nothing().says(&[refused]);
+    }
+    for (manifest, mass) in [
+        ("model,target-mass\nhuman.osim,1.190\n", "1.19 kg"),
+        ("model\ttarget-mass\nhuman.osim\t1.190\n", "1.19 kg"),
+        ("model;target-mass\nhuman.osim;1.1900\n", "1.19 kg"),
+        ("model;target-mass\nhuman.osim;1190\n", "1190 kg"),
+    ] {
+        bench.write("m.csv", manifest);
+        bench.run("batch m.csv --dry-run").done().says(&[mass]);
+    }
+}
+
+#[test]
+fn rows_with_too_many_cells_say_what_may_have_parted_them() {
+    let bench = Bench::human();
+    bench.write("m.csv", "model,target-mass\nhuman.osim,0,0209\n");
+    bench.run("batch m.csv").usage().wrote_nothing().says(&["line 2: 3 cells", "decimal comma"]);
+    bench.write("m.csv", "model;target-mass;select\nhuman.osim;62;*_r;*_l\n");
+    bench.run("batch m.csv").usage().wrote_nothing().says(&["line 2: 4 cells", "quotation marks"]);
+}
+
+#[test]
 fn a_comma_that_may_part_thousands_is_refused_everywhere() {
     let bench = Bench::human();
     for manifest in ["model;target-mass\nhuman.osim;1,190\n", "model\ttarget-mass\nhuman.osim\t1,190\n"] {

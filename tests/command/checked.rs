@@ -249,6 +249,39 @@ fn every_command_that_is_proposed_mends_what_it_is_proposed_for() {
 }
 
 #[test]
+fn commands_wait_until_the_mass_is_settled() {
+    let bench = Bench::human();
+    bench.run("human.osim --target-mass 0.0209").done();
+    let of = |model: &str| report(&bench, model);
+    let commands = |report: &Report| report.findings.iter().filter_map(|one| one.command.clone()).count();
+    // The note and the bodies tell different masses: a design for the body would undo the scaling.
+    let scaled = of("human.scaled.osim");
+    assert!(codes(&scaled).contains("mass-sources-disagree") && codes(&scaled).contains("sunk-in"));
+    assert_eq!(commands(&scaled), 0);
+    bench.run("check human.scaled.osim").failed().says(&["--mass 0.0209"]);
+    let settled = of("human.scaled.osim --mass 0.0209");
+    assert!(!codes(&settled).contains("sunk-in") && commands(&settled) > 0);
+    // A preset under another body is scaled first, alone.
+    bench.write("other.osim", crate::support::fixture("check/contacts_of_another_mass.osim"));
+    let other = of("other.osim");
+    let with: Vec<_> =
+        other.findings.iter().filter(|one| one.command.is_some()).map(|one| one.code.as_str()).collect();
+    assert_eq!(with, ["contacts-of-another-mass"]);
+}
+
+#[test]
+fn drops_and_plots_say_whose_weight_the_contacts_carry() {
+    let bench = Bench::human();
+    bench.run("human.osim --target-mass 0.0209").done();
+    let warned = ["stand for 0.0209 kg", "62 kg", "say --mass 0.0209"];
+    for call in ["drop-test human.scaled.osim", "plot force human.scaled.osim -o figure.svg --force"] {
+        bench.run(call).done().says(&warned);
+        let ran = bench.run(&format!("{call} --mass 0.0209")).done();
+        assert!(!ran.err().contains("mass-sources-disagree"), "{}", ran.err());
+    }
+}
+
+#[test]
 fn it_says_why_figures_are_absent() {
     for (fixture, option, why) in [
         ("format/player_and_ball.osim", "--select contact_* --spheres 2", "--select GLOB"),

@@ -23,7 +23,7 @@ fn bench() -> Bench {
     }
     bench.write(
         "masses.csv",
-        "model,contacts_mass_kg,target_mass_kg\n\
+        "model,contacts_mass,target_mass\n\
          it's a folder/human.osim,62,1190\n\
          no_contacts.osim,62,500\n\
          it's a folder/human.osim,62,0\n\

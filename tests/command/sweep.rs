@@ -175,9 +175,16 @@ fn what_makes_no_sense_is_refused_before_anything_is_written() {
     }
     bench.run("sweep nowhere.osim --grid stiffness=x2").failed().says(&["no such file"]);
     bench.run("sweep bare.osim --grid stiffness=x2").failed().wrote_nothing().says(&["bare.osim"]);
-    // A point that cannot be is told; the others are made.
-    bench.run("sweep emu.osim --grid indentation=0.1,2 -d out").failed().says(&["indentation=2"]);
-    assert!(bench.has("out/emu_indentation-0.1.osim") && !bench.has("out/emu_indentation-2.osim"));
+    // A value that cannot be shows before the first file, in a dry run, too.
+    for grid in ["indentation=0.1,2", "stiffness=1e5,0,x2", "dissipation=1,2 --grid restitution=1.5"] {
+        for dry in ["", " --dry-run"] {
+            let call = format!("sweep emu.osim --grid {grid} -d out{dry}");
+            bench.run(&call).usage().wrote_nothing();
+        }
+    }
+    bench.run("sweep emu.osim --grid indentation=0.1,2 -d out").usage().says(&["indentation=2"]);
+    let many = "sweep emu.osim --grid stiffness=x0.1..x10/200 --grid dissipation=0.1..2/200 -d out --dry-run";
+    bench.run(many).done().wrote_nothing().says(&["--yes"]);
 }
 
 #[test]

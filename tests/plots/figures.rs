@@ -194,7 +194,7 @@ fn sweeps_show_their_quantity_over_stiffness_and_dissipation() {
     let bench = Bench::new();
     let grid = "--stiffness x0.1..x10/7 --dissipation x0.1..x4/6";
     for (quantity, label) in [
-        ("indentation", "x̂ at rest under body weight (–)"),
+        ("indentation", "x̂ under body weight, Hertz (–)"),
         ("restitution", "coefficient of restitution (–)"),
         ("peak-force", "peak force / body weight (–)"),
     ] {

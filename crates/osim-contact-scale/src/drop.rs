@@ -17,6 +17,7 @@ use crate::report::{json, number, right, table};
 use crate::sources::Source;
 use crate::terminal::{Exit, Terminal};
 use crate::verbs::sphere_count;
+use crate::weighed::Weighed;
 
 /// OpenSim's gravity where nobody says another.
 pub(crate) const STANDARD_GRAVITY: f64 = 9.80665;
@@ -29,6 +30,8 @@ struct Drop {
     name: String,
     test: DropTest,
     sphere_count: f64,
+    /// What to say aloud beside its figures.
+    warning: Option<String>,
 }
 
 /// Runs the drop test.
@@ -61,6 +64,11 @@ pub(crate) fn run(args: &DropArgs, terminal: &mut Terminal) -> Result<Exit> {
                 SeriesFormat::Csv => csv_text(&report)?,
             };
             terminal.print(&text)?;
+            for warning in
+                [Some(&drop), other.as_ref()].into_iter().flatten().filter_map(|one| one.warning.as_ref())
+            {
+                terminal.note(warning)?;
+            }
             Ok(Exit::Done)
         }
         Err(error) => fail(&failure(error), args, terminal),
@@ -161,7 +169,9 @@ fn named(path: &Path, args: &DropArgs, own: &Own) -> Result<Result<Drop, Failure
                     )));
                 }
             };
+            let warning = Weighed::otherwise(model, &masses).map(|weighed| weighed.warning(&loaded.shown));
             make(loaded.shown.clone(), spheres, mass.kg, gravity, count, args)
+                .map(|drop| Drop { warning, ..drop })
                 .map_err(|error| Fault::new(osim_patch::FaultKind::Refused(error.to_string())))
         };
         of_model().map_err(|fault| loaded.failure(fault))
@@ -246,7 +256,7 @@ fn make(
         Length::Radii(radii) => radii * on_ground.reference_radius_m(),
     };
     let test = DropTest::new(on_ground.spheres().to_vec(), DropValues { height_m, ..values })?;
-    Ok(Drop { name, test, sphere_count })
+    Ok(Drop { name, test, sphere_count, warning: None })
 }
 
 /// The figures of a drop, in the order of the report.

@@ -29,6 +29,7 @@ mod sweep;
 mod temporary;
 mod terminal;
 mod verbs;
+mod weighed;
 mod window;
 mod workers;
 mod write;

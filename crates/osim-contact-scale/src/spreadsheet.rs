@@ -50,9 +50,26 @@ impl Sheet {
             rows.push(Row { line, cells: record.iter().map(str::to_owned).collect() });
         }
         if !unequal.is_empty() {
-            bail!("{}, expected {} as in the first row", unequal.join(", "), header.len());
+            let hint = match delimiter {
+                b',' => {
+                    "a number with a decimal comma needs a point instead, or columns that are parted by ;"
+                }
+                _ => "a cell that holds the mark between columns needs quotation marks",
+            };
+            bail!("{}, expected {} as in the first row: {hint}", unequal.join(", "), header.len());
         }
         Ok(Self { header, rows, delimiter })
+    }
+
+    /// `true` where a country's spreadsheet wrote it whose decimal mark is the comma: semicolons part the cells, or some number
+    /// has a comma.
+    pub(crate) fn has_decimal_commas(&self) -> bool {
+        let has_comma = |cell: &String| {
+            let (head, tail) = cell.split_once(',').unwrap_or_default();
+            let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+            digits(head) && digits(tail)
+        };
+        self.delimiter == b';' || self.rows.iter().any(|row| row.cells.iter().any(has_comma))
     }
 
     /// A number's text with a decimal point. A decimal comma is clear only where commas do not part the cells.
@@ -136,7 +153,10 @@ mod tests {
         assert_eq!((sheet.rows[0].line, sheet.rows[0].cells[1].as_str()), (2, "0,02"));
         assert!(Sheet::read(b"\xFF\xFEm\0").is_err());
         let ragged = Sheet::read(b"a,b\r\n1,2\r\n1\r\n1,2,3\r\n").err().unwrap().to_string();
-        assert_eq!(ragged, "line 3: 1 cells, line 4: 3 cells, expected 2 as in the first row");
+        assert!(
+            ragged.starts_with("line 3: 1 cells, line 4: 3 cells, expected 2 as in the first row: "),
+            "{ragged}"
+        );
         let latin = Sheet::read(b"a,b\r\n1,\xe9\r\n").err().unwrap().to_string();
         assert!(latin.contains("line 2: not UTF-8"), "{latin}");
         assert!(Sheet::read(b"sep=;\r\na;b\r\n").is_err());

@@ -260,6 +260,8 @@ pub(crate) fn usage_line(error: &clap::Error) -> String {
     let rest: Vec<&str> = lines
         .take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"))
         .map(|line| line.trim_start_matches("tip: "))
+        // Nobody who misspells an option wants it to be a file.
+        .filter(|line| !line.contains("as a value, use '--"))
         .collect();
     let joint = if first.ends_with(':') { " " } else { "; " };
     if rest.is_empty() { first } else { format!("{first}{joint}{}", rest.join(", ")) }

@@ -121,20 +121,22 @@ fn number(cell: &str, sheet: &Sheet, column: &Column) -> Result<String, Fault> {
     if !numeric {
         return Ok(cell.to_owned());
     }
-    if may_part_thousands(digits) {
-        let plain = digits.replace(',', "");
-        let message =
-            format!("'{cell}' may be {plain} or {}: write it without a comma", digits.replace(',', "."));
-        return Err(Fault::of(&column.header, message));
+    for mark in [',', '.'] {
+        // A point parts thousands only where commas are decimal.
+        if may_part_thousands(digits, mark) && (mark == ',' || sheet.has_decimal_commas()) {
+            let (plain, point) = (digits.replace(mark, ""), digits.replace(mark, "."));
+            let message = format!("'{cell}' may be {plain} or {point}: write {plain} or {point}0");
+            return Err(Fault::of(&column.header, message));
+        }
     }
     let text = sheet.with_point(cell);
     text.map(Into::into).map_err(|why| Fault::of(&column.header, format!("'{cell}' {why}")))
 }
 
-/// `1,190` is one thing here and another there; `0,190` is not.
-fn may_part_thousands(digits: &str) -> bool {
+/// `1,190` is one thing here and another there, and so is `1.190`; `0,190` is not.
+fn may_part_thousands(digits: &str, mark: char) -> bool {
     let all_digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
-    digits.split_once(',').is_some_and(|(head, tail)| {
+    digits.split_once(mark).is_some_and(|(head, tail)| {
         (1..=3).contains(&head.len())
             && all_digits(head)
             && !head.starts_with('0')

@@ -11,10 +11,14 @@ use crate::report::four;
 /// x̂ at which a sphere is in the floor up to its centre.
 const CENTRE: f64 = 1.0;
 
-/// Everything that the figures of `seen` show.
+/// A preset's contacts under a body of another mass, where no note says that this is known.
+pub(super) fn another_mass(seen: &Inspection, mend: &Mend<'_>) -> Option<Finding> {
+    Limits::new(seen, mend).another_mass()
+}
+
+/// Everything else that the figures of `seen` show.
 pub(super) fn findings(seen: &Inspection, mend: &Mend<'_>) -> Vec<Finding> {
-    let spheres: Vec<&SphereFigures> = seen.figures.spheres().collect();
-    let look = Limits { seen, mend, spheres };
+    let look = Limits::new(seen, mend);
     let found = [
         look.sunk_in(),
         look.beyond_hertz(),
@@ -24,7 +28,6 @@ pub(super) fn findings(seen: &Inspection, mend: &Mend<'_>) -> Vec<Finding> {
         look.transition(),
         look.before_contact(),
         look.floats(),
-        look.another_mass(),
     ];
     found.into_iter().flatten().collect()
 }
@@ -43,7 +46,11 @@ fn own(sphere: &SphereFigures) -> Option<f64> {
     sphere.load(1.0).and_then(|load| load.own)
 }
 
-impl Limits<'_> {
+impl<'l> Limits<'l> {
+    fn new(seen: &'l Inspection, mend: &'l Mend<'l>) -> Self {
+        Self { seen, mend, spheres: seen.figures.spheres().collect() }
+    }
+
     /// The spheres of which `concerned` tells a figure, and the one with the largest.
     fn worst(
         &self,
@@ -183,7 +190,6 @@ impl Limits<'_> {
         }
     }
 
-    /// A preset's contacts under a body of another mass, where no note says that this is known.
     fn another_mass(&self) -> Option<Finding> {
         let mass = self.seen.mass_kg?;
         let stands_for = self.seen.contacts_mass_kg.as_ref().filter(|told| told.source == "bodies")?;

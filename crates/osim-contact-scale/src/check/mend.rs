@@ -7,7 +7,7 @@ use osim_patch::{Property, shortest};
 
 use crate::args::ViewArgs;
 use crate::look::{Inspection, SphereFigures};
-use crate::report::quoted;
+use crate::report::{number, quoted};
 
 const PROGRAM: &str = "osim-contact-scale";
 
@@ -29,6 +29,8 @@ pub(super) struct Mend<'m> {
     counted: bool,
     /// The gravity is the model's own.
     weighed: bool,
+    /// Something else has to be done first: what depends on the weight would be wrong afterwards.
+    unsettled: bool,
     args: &'m ViewArgs,
 }
 
@@ -73,10 +75,18 @@ impl<'m> Mend<'m> {
         let weighed = other_gravity.is_none();
         let model = Some(seen.model.as_str()).filter(|model| *model != "-" && changes).map(quoted);
         let counted = seen.spheres_per_limb.is_some() || args.stance.spheres.is_some();
-        Self { model, mass, counts, choice, joined, counted, weighed, args }
+        Self { model, mass, counts, choice, joined, counted, weighed, unsettled: false, args }
+    }
+
+    /// Without the commands that depend on what the body weighs, or on what the contacts are now.
+    pub(super) fn unsettled(self) -> Self {
+        Self { unsettled: true, ..self }
     }
 
     fn design(&self, wanted: &str, with_load: bool) -> Option<String> {
+        if self.unsettled {
+            return None;
+        }
         let load = if with_load { format!("{}{}", self.mass, self.counts) } else { String::new() };
         Some(format!("{PROGRAM} design {} {wanted}{load}{}", self.model.as_ref()?, self.choice))
     }
@@ -93,6 +103,9 @@ impl<'m> Mend<'m> {
             let hertz = |sphere: &&SphereFigures| sphere.load(body_weights).and_then(|load| load.hertz);
             let deepest = spheres.iter().filter_map(hertz).fold(0.0, f64::max);
             let factor = (deepest / limit).powf(1.5);
+            if self.unsettled {
+                return None;
+            }
             return self.set(&format!("stiffness=x{}", shortest((factor * 1e3).ceil() / 1e3)));
         }
         let mut wanted = format!("--indentation {limit}");
@@ -112,6 +125,9 @@ impl<'m> Mend<'m> {
         let limit = limits::HUNT_CROSSLEY_RESTITUTION;
         if self.joined {
             let factor = (1.0 - limit) / impact_speed_m_s / dissipation_s_m;
+            if self.unsettled {
+                return None;
+            }
             return self.set(&format!("dissipation=x{}", shortest(two_digits_below(factor))));
         }
         let speed = shortest((impact_speed_m_s * 1e4).ceil() / 1e4);
@@ -136,8 +152,8 @@ impl<'m> Mend<'m> {
     /// Scales contacts that were made for another body to this one.
     pub(super) fn rescale(&self, contacts_kg: f64, target_kg: f64) -> Option<String> {
         let mut masses = String::new();
-        option(&mut masses, "--contacts-mass", &shortest(contacts_kg));
-        option(&mut masses, "--target-mass", &shortest(target_kg));
+        option(&mut masses, "--contacts-mass", &number(contacts_kg));
+        option(&mut masses, "--target-mass", &number(target_kg));
         Some(format!("{PROGRAM} {}{masses}{}", self.model.as_ref()?, self.choice))
     }
 

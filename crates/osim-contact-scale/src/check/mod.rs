@@ -10,8 +10,10 @@ mod mend;
 mod table;
 mod traps;
 
+use std::io::IsTerminal;
+
 use anyhow::Result;
-use osim_patch::{Assignment, Model, Property, Set, Severity, Warning, set};
+use osim_patch::{Assignment, Model, Property, Set, Severity, Warning, WarningCode, set};
 
 use crate::args::{CheckArgs, SheetFormat, ViewArgs};
 use crate::failure::Failure;
@@ -21,6 +23,7 @@ use crate::page::{self, Entry, Page, entry_of_look};
 use crate::report::json;
 use crate::sources::{Source, Sources};
 use crate::terminal::{Exit, Terminal};
+use crate::weighed::Weighed;
 use crate::workers::{in_order, threads};
 
 pub(crate) use finding::{Counts, Finding, Report};
@@ -103,7 +106,7 @@ pub(crate) fn run(args: &CheckArgs, terminal: &mut Terminal) -> Result<Exit> {
     exit = exit.and(Page::end(page, terminal));
     untold.map_or(Ok(()), Err)?;
     if let Some(library) = library.filter(|_| args.format == SheetFormat::Table) {
-        terminal.print_painted(&library.text())?;
+        terminal.print_painted(&library.text(!std::io::stdout().is_terminal()))?;
     }
     if without_contacts > 0 {
         terminal.note(&format!("note: models without contacts passed over: {without_contacts}\n"))?;
@@ -154,9 +157,20 @@ pub(crate) fn judged(
 ) -> Report {
     let joined = |force| traps::mixed_radii(model, force).is_some() || force.sets.len() > 1;
     let joined = model.forces.iter().any(joined);
-    let mend = Mend::new(seen, joined, changes(view, model), args);
+    let mut mend = Mend::new(seen, joined, changes(view, model), args);
+    let weighed = Weighed::otherwise(model, &view.masses);
+    let another_mass = limits::another_mass(seen, &mend);
+    // Contacts that are made right for the body first need other commands afterwards.
+    if weighed.is_some() || another_mass.is_some() {
+        mend = mend.unsettled();
+    }
     let mut findings = traps::findings(model, seen, &mend);
+    if let Some(weighed) = weighed {
+        let disagree = findings.iter_mut().filter(|finding| finding.code == WarningCode::MassSourcesDisagree);
+        disagree.for_each(|finding| finding.message.push_str(&weighed.aside()));
+    }
     findings.extend(limits::findings(seen, &mend));
+    findings.extend(another_mass);
     findings.extend(compiled.map(Finding::from));
     Report::new(seen.model.clone(), findings)
 }

@@ -79,7 +79,10 @@ impl Library {
     }
 
     /// One row per model, then one per code.
-    pub(super) fn text(mut self) -> String {
+    ///
+    /// Names are clipped where a line has an end; in a file or a pipe they are whole.
+    pub(super) fn text(mut self, whole_names: bool) -> String {
+        let shown = |name: &str, width| if whole_names { name.to_owned() } else { clipped(name, width) };
         let mut models = table(&["model", "errors", "warnings", "remarks"]);
         for (model, counts) in &self.models {
             let count = |count: usize| if count == 0 { "-".to_owned() } else { count.to_string() };
@@ -87,7 +90,7 @@ impl Library {
                 Some(counts) => [count(counts.error), count(counts.warn), count(counts.info)],
                 None => ["not read", "", ""].map(str::to_owned),
             };
-            models.add_row([vec![clipped(model, 48)], cells.to_vec()].concat());
+            models.add_row([vec![shown(model, 48)], cells.to_vec()].concat());
         }
         right(&mut models, &[1, 2, 3]);
         let mut text = format!("{}\n", models.trim_fmt());
@@ -98,7 +101,7 @@ impl Library {
         let mut codes = table(&["", "finding", "models", "for example"]);
         for (code, count, model, _) in &self.codes {
             let severity = code.severity().as_str().to_owned();
-            codes.add_row(vec![severity, code.to_string(), count.to_string(), clipped(model, 36)]);
+            codes.add_row(vec![severity, code.to_string(), count.to_string(), shown(model, 36)]);
         }
         right(&mut codes, &[2]);
         text.push_str(&format!("\n{}\n", codes.trim_fmt()));

@@ -14,6 +14,7 @@ use crate::look::View;
 use crate::presets;
 use crate::sources::Source;
 use crate::verbs::sphere_count;
+use crate::weighed::Weighed;
 
 /// What the user says of how a body stands, where its file does not.
 #[derive(Debug, Clone, Copy)]
@@ -73,6 +74,8 @@ pub(crate) struct Body {
     pub(crate) weight: Result<Weight, Failure>,
     /// The mass its contacts stand for, likewise.
     contacts_mass_kg: Result<f64, Failure>,
+    /// The two masses, where they disagree.
+    pub(crate) weighed: Option<Weighed>,
 }
 
 impl Body {
@@ -121,7 +124,8 @@ impl Body {
         let kinds = kinds(model, forces).map_err(failed)?;
         let weight = weight(model, forces, masses, stance).map_err(failed);
         let contacts_mass_kg = masses.of_contacts(model, &mut Vec::new()).map(|mass| mass.kg).map_err(failed);
-        Ok(Self { name, kinds, weight, contacts_mass_kg })
+        let weighed = Weighed::otherwise(model, masses);
+        Ok(Self { name, kinds, weight, contacts_mass_kg, weighed })
     }
 
     /// A model as it was looked at.
@@ -153,12 +157,18 @@ impl Body {
         };
         let kind = Kind { spheres: String::new(), radius_m: scale.radius_m(), contact: preset.contact };
         let contacts_mass_kg = Ok(args.masses.contacts_mass.unwrap_or(scale.mass_kg()));
-        Ok(Self { name: preset.name.to_string(), kinds: vec![kind], weight: Ok(weight), contacts_mass_kg })
+        Ok(Self {
+            name: preset.name.to_string(),
+            kinds: vec![kind],
+            weight: Ok(weight),
+            contacts_mass_kg,
+            weighed: None,
+        })
     }
 
     /// Contacts of which nobody asks what they carry.
     pub(crate) fn without_weight(name: String, kinds: Vec<Kind>, why: &Failure) -> Self {
-        Self { name, kinds, weight: Err(why.clone()), contacts_mass_kg: Err(why.clone()) }
+        Self { name, kinds, weight: Err(why.clone()), contacts_mass_kg: Err(why.clone()), weighed: None }
     }
 
     /// The same body after `--target-mass`: radii isometric, every parameter by its equation.
@@ -185,7 +195,7 @@ impl Body {
             }),
         };
         let name = format!("{}, scaled to {} kg", self.name, osim_patch::readable(target_kg));
-        Ok(Self { name, kinds, weight, contacts_mass_kg: Ok(target_kg) })
+        Ok(Self { name, kinds, weight, contacts_mass_kg: Ok(target_kg), weighed: None })
     }
 
     /// What it weighs, where it must be known.

@@ -39,7 +39,14 @@ pub(crate) fn run(args: &PlotArgs, terminal: &mut Terminal) -> Result<Exit> {
         Err(failure) => Err(failure),
     };
     match drawn {
-        Ok((svg, bodies)) => output.write(&svg, &bodies, args, terminal),
+        Ok((svg, bodies)) => {
+            for body in &bodies {
+                if let Some(weighed) = &body.weighed {
+                    terminal.note(&weighed.warning(&body.name))?;
+                }
+            }
+            output.write(&svg, &bodies, args, terminal)
+        }
         Err(failure) => {
             terminal.error(&failure.text());
             Ok(Exit::Failed)

@@ -96,7 +96,8 @@ impl<'s> Swept<'s> {
         match self.quantity {
             Quantity::Indentation => {
                 let load = self.values.mass_kg * self.values.gravity_m_s2;
-                let indentation = equilibrium::indentation(&[spheres], load).ok()?;
+                // By the Hertz law, as `check` and the manifest of a sweep have it: the limit is that law's.
+                let indentation = equilibrium::hertz_indentation(&[spheres], load).ok()?;
                 Some(indentation / self.kind.radius_m)
             }
             Quantity::Restitution => restitution::exact(dissipation, self.impact_speed_m_s).ok(),
@@ -117,7 +118,7 @@ impl<'s> Swept<'s> {
 
     fn label(&self) -> &'static str {
         match self.quantity {
-            Quantity::Indentation => "x̂ at rest under body weight (–)",
+            Quantity::Indentation => "x̂ under body weight, Hertz (–)",
             Quantity::Restitution => "coefficient of restitution (–)",
             Quantity::PeakForce => "peak force / body weight (–)",
         }
@@ -125,12 +126,18 @@ impl<'s> Swept<'s> {
 
     fn limit(&self) -> Option<HeatLimit> {
         let limit = |label: &str, at| Some(HeatLimit { label: label.to_owned(), at });
+        let speed = self.impact_speed_m_s;
         match self.quantity {
             Quantity::Indentation => {
                 limit("x̂ = 0.16, limit of the Hertz law", limits::HERTZ_RELATIVE_INDENTATION)
             }
             Quantity::Restitution => {
-                limit("0.8, limit of the Hunt–Crossley law", limits::HUNT_CROSSLEY_RESTITUTION)
+                // The limit is one of (13), as `check` has it; the colours are the law's own.
+                let dissipation = restitution::dissipation(limits::HUNT_CROSSLEY_RESTITUTION, speed).ok()?;
+                limit(
+                    "0.8 by (13), limit of the Hunt–Crossley law",
+                    restitution::exact(dissipation, speed).ok()?,
+                )
             }
             Quantity::PeakForce => None,
         }

@@ -173,12 +173,40 @@ pub(crate) fn point(axes: &[Axis], index: usize) -> Point<'_> {
     Point { values }
 }
 
+/// Points at the ends of every axis, the others at their first value: where one value makes no sense, one of these does
+/// not, because what a value may be is an interval.
+pub(crate) fn ends(axes: &[Axis]) -> Vec<usize> {
+    let mut indices = Vec::new();
+    let mut stride = 1_usize;
+    for axis in axes.iter().rev() {
+        let numbers = || axis.values.iter().map(|value| value.number).enumerate();
+        let least = numbers().min_by(|a, b| a.1.total_cmp(&b.1));
+        let most = numbers().max_by(|a, b| a.1.total_cmp(&b.1));
+        let ends = [least, most].into_iter().flatten();
+        indices.extend(ends.map(|(place, _)| place.saturating_mul(stride)));
+        stride = stride.saturating_mul(axis.values.len().max(1));
+    }
+    indices.sort_unstable();
+    indices.dedup();
+    indices
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn axis(text: &str) -> Axis {
         text.parse().unwrap()
+    }
+
+    #[test]
+    fn the_ends_of_every_axis_are_among_its_points() {
+        let axes = [axis("stiffness=3,1,2"), axis("dissipation=0.5,4,1")];
+        let ends: Vec<String> =
+            ends(&axes).into_iter().map(|index| point(&axes, index).to_string()).collect();
+        for wanted in ["stiffness=1", "stiffness=3", "dissipation=0.5", "dissipation=4"] {
+            assert!(ends.iter().any(|point| point.contains(wanted)), "{wanted}: {ends:?}");
+        }
     }
 
     #[test]

@@ -12,7 +12,7 @@ mod variant;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, anyhow, bail};
 use serde::Serialize;
 
 use crate::args::{Format, SweepArgs};
@@ -27,7 +27,7 @@ use crate::terminal::{Exit, Terminal};
 use crate::workers::{in_order, threads};
 use crate::write::{Mode, Prepared};
 
-use grid::{Name, Point, count, point};
+use grid::{Name, Point, count, ends, point};
 use ladder::Ladder;
 use stages::Stages;
 use variant::Variant;
@@ -129,8 +129,7 @@ impl Sweep<'_> {
     fn run(&self, terminal: &mut Terminal) -> Result<Exit> {
         let manifest =
             self.folder.join(self.name(if self.ladder.is_some() { "ladder" } else { "sweep" }, "csv"));
-        // What a variant asks for may make no sense; that shows at the first.
-        self.job(0)?;
+        self.check_points()?;
         self.announce(terminal)?;
         if self.args.dry_run {
             return self.tell(None, self.made, 0, terminal);
@@ -181,6 +180,21 @@ impl Sweep<'_> {
             Some(_) => vec!["step".to_owned(), "wanted_dimensionless_stiffness".to_owned()],
             None => self.args.grid.iter().map(|axis| format!("grid_{}", axis.name.as_str())).collect(),
         }
+    }
+
+    /// What a variant asks for may make no sense: that shows before anything is written.
+    ///
+    /// # Errors
+    /// Wrong usage, with the point.
+    fn check_points(&self) -> Result<()> {
+        let points =
+            if self.ladder.is_some() { vec![0, self.made.saturating_sub(1)] } else { ends(&self.args.grid) };
+        for index in points {
+            let job = self.job(index)?;
+            Variant::of(self.args, self.loaded, &job.stages, &job.operation, job.mass_kg)
+                .map_err(|failure| anyhow!("{} ({})", failure.message, job.operation))?;
+        }
+        Ok(())
     }
 
     /// What makes variant `index`.
@@ -326,7 +340,13 @@ impl Sweep<'_> {
             }))?;
         } else if !self.args.quiet {
             let text = match &manifest {
-                Some(manifest) => format!("{made} models written; what is in which: {manifest}\n"),
+                Some(manifest) => {
+                    let of = if made < self.made { format!(" of {}", self.made) } else { String::new() };
+                    format!("{made}{of} models written; what is in which: {manifest}\n")
+                }
+                None if self.args.dry_run && self.made > MANY => {
+                    "dry run: nothing written; more than 10,000 models need --yes\n".to_owned()
+                }
                 None if self.args.dry_run => "dry run: nothing written\n".to_owned(),
                 None => "no model was made\n".to_owned(),
             };
