@@ -258,7 +258,7 @@ fn commands_wait_until_the_mass_is_settled() {
     let scaled = of("human.scaled.osim");
     assert!(codes(&scaled).contains("mass-sources-disagree") && codes(&scaled).contains("sunk-in"));
     assert_eq!(commands(&scaled), 0);
-    bench.run("check human.scaled.osim").failed().says(&["--mass 0.0209"]);
+    assert!(scaled.findings.iter().any(|one| one.message.ends_with("for the others say --mass 0.0209")));
     let settled = of("human.scaled.osim --mass 0.0209");
     assert!(!codes(&settled).contains("sunk-in") && commands(&settled) > 0);
     // A preset under another body is scaled first, alone.
