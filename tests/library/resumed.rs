@@ -77,11 +77,15 @@ fn an_output_that_is_gone_is_made_again() {
 fn an_output_that_somebody_edited_is_left_alone() {
     let bench = done();
     bench.write("out/even/model02.osim", "my work");
-    resume(&bench).failed().says(&["exists already", "4 done before", "1 failed"]);
+    resume(&bench).failed().says(&[
+        "out/even/model02.osim is no longer what an earlier run wrote",
+        "4 done before",
+        "1 failed",
+    ]);
     assert_eq!(bench.read("out/even/model02.osim"), b"my work");
     // Also where the model changed since.
     bench.write("lib/even/model02.osim", model(9));
-    resume(&bench).failed().says(&["exists already"]);
+    resume(&bench).failed().says(&["no longer what an earlier run wrote"]);
     assert_eq!(bench.read("out/even/model02.osim"), b"my work");
     bench.run(&format!("{CALL} --resume --force")).done().says(&["1 written", "4 done before"]);
 }
@@ -152,7 +156,11 @@ fn a_geometry_that_is_gone_is_made_again() {
     std::fs::remove_file(bench.path("out/forces.xml")).unwrap();
     bench.run(&format!("{call} --resume")).done().wrote(&["out/forces.xml"]);
     bench.write("out/geometry.xml", "my work");
-    bench.run(&format!("{call} --resume")).failed().wrote(&["done.csv"]).says(&["exists already"]);
+    bench
+        .run(&format!("{call} --resume"))
+        .failed()
+        .wrote(&["done.csv"])
+        .says(&["out/geometry.xml is no longer what an earlier run wrote"]);
 }
 
 #[test]

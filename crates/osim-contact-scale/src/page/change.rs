@@ -51,7 +51,7 @@ pub(crate) fn of_change(changed: &Changed<'_>, frame: Frame) -> Fragment {
     let (now, now_report) = changed.now;
     match changed.new {
         Some((_, new)) => {
-            let new = findings::Result {
+            let new = findings::After {
                 report: new,
                 in_file: changed.in_file,
                 gravity_m_s2: changed.target_gravity_m_s2,

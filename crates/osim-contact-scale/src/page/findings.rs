@@ -23,7 +23,7 @@ pub(super) fn of_model(fragment: &mut Fragment, report: &Report) {
 }
 
 /// The new model, as far as its findings are concerned.
-pub(super) struct Result<'r> {
+pub(super) struct After<'r> {
     pub report: &'r Report,
     /// It is in a file, so that commands can name it.
     pub in_file: bool,
@@ -32,7 +32,7 @@ pub(super) struct Result<'r> {
 }
 
 /// Findings before and after: what came, what stayed, what went.
-pub(super) fn of_change(fragment: &mut Fragment, now: &Report, new: &Result<'_>) {
+pub(super) fn of_change(fragment: &mut Fragment, now: &Report, new: &After<'_>) {
     let pairs = paired(&now.findings, &new.report.findings);
     let comes: Vec<&Finding> =
         pairs.iter().filter(|(_, before)| before.is_none()).map(|(one, _)| *one).collect();

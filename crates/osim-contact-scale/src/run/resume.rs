@@ -1,7 +1,7 @@
 //! `--resume`: what an earlier run has done, and whether that still holds.
 
 use std::collections::HashMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
 
@@ -29,6 +29,8 @@ pub(super) enum Earlier {
     Holds(Box<Record>),
     /// The output is what that run wrote, but it would be another now.
     Outdated,
+    /// This output is there, and no run wrote it like that.
+    Edited(PathBuf),
 }
 
 impl Done {
@@ -98,8 +100,11 @@ impl Done {
         };
         match records.iter().rev().find(holds) {
             Some(record) => Earlier::Holds(Box::new(record.clone())),
-            None if !task.order.in_place && there.are_all_ours(records) => Earlier::Outdated,
-            None => Earlier::Unknown,
+            None if task.order.in_place => Earlier::Unknown,
+            None => match there.foreign(task, records) {
+                Some(path) => Earlier::Edited(path.to_owned()),
+                None => Earlier::Outdated,
+            },
         }
     }
 }
@@ -128,12 +133,15 @@ impl Outputs {
         self.model.is_some() && self.model == record.sha256_output && geometry
     }
 
-    /// Whether an earlier run wrote whatever is there: nobody's work is lost when it is replaced.
-    fn are_all_ours(&self, records: &[Record]) -> bool {
+    /// What is there and was not written by an earlier run; where there is none, nobody's work is lost by replacing.
+    fn foreign<'t>(&self, task: &'t Task, records: &[Record]) -> Option<&'t Path> {
         let wrote = |digest: fn(&Record) -> &Option<String>, there: &Option<String>| {
             there.is_none() || records.iter().any(|record| digest(record) == there)
         };
-        wrote(|record| &record.sha256_output, &self.model)
-            && wrote(|record| &record.sha256_geometry_output, &self.geometry)
+        if !wrote(|record| &record.sha256_output, &self.model) {
+            return task.output();
+        }
+        let ours = wrote(|record| &record.sha256_geometry_output, &self.geometry);
+        task.geometry_output.as_deref().filter(|_| !ours)
     }
 }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, anyhow, bail};
 use osim_patch::{Model, Patch, Plan};
 
 use super::Run;
@@ -55,6 +55,10 @@ impl Task {
                         return Ok(Outcome { said: Vec::new(), record, earlier: true, entry });
                     }
                     Earlier::Outdated => force = true,
+                    Earlier::Edited(path) if !force && !run.args.dry_run => {
+                        return Err(edited(&loaded.shown, &path));
+                    }
+                    Earlier::Edited(_) => {}
                     Earlier::Unknown => {}
                 }
             }
@@ -113,6 +117,15 @@ impl Task {
             None => failure,
         }
     }
+}
+
+/// Nobody's work is replaced in passing.
+fn edited(shown: &str, output: &Path) -> Failure {
+    let error = anyhow!(
+        "{} is no longer what an earlier run wrote, so it stays: move it away, or replace it with --force",
+        output.display()
+    );
+    Failure::outside(shown, "output", &error)
 }
 
 /// A model that is loaded.
