@@ -58,8 +58,7 @@ impl Task {
                     Earlier::Edited(path) if !force && !run.args.dry_run => {
                         return Err(edited(&loaded.shown, &path));
                     }
-                    Earlier::Edited(_) => {}
-                    Earlier::Unknown => {}
+                    Earlier::Edited(_) | Earlier::Unknown => {}
                 }
             }
             record.sha256_input = Some(input);
