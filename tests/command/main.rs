@@ -16,6 +16,7 @@ mod bad_input;
 mod batch;
 mod bytes;
 mod checked;
+mod contract;
 mod corpus;
 mod explained;
 mod figures;

@@ -42,7 +42,7 @@ fn killed_while_changing_models_in_place() {
 }
 
 #[test]
-#[ignore = "takes minutes: cargo test --test library -- --ignored"]
+#[ignore = "slow, .ci/run has it: cargo test --test library -- --ignored"]
 fn killed_a_thousand_times() {
     INTO_FOLDER.kill(400);
     BATCH.kill(300);

@@ -9,9 +9,9 @@ use anyhow::{Context, Result, anyhow, bail};
 use osim_patch::{Document, ElementId, Model, Part};
 
 use crate::args::PartArgs;
+use crate::digest::sha256;
 use crate::failure::Failure;
 use crate::paths::folder_of;
-use crate::run::sha256;
 use crate::sources::Source;
 
 /// Bytes of a model's files; documents and models borrow from it.

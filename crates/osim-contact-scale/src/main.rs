@@ -7,6 +7,7 @@ mod batch;
 mod calculator;
 mod check;
 mod completions;
+mod digest;
 mod drop;
 mod explain;
 mod failure;

@@ -1,10 +1,7 @@
 //! Paths as the file system sees them, also where parts of them do not exist yet.
 
 use std::collections::HashMap;
-use std::ffi::OsStr;
 use std::path::{Component, Path, PathBuf};
-
-use sha2::{Digest, Sha256};
 
 /// The absolute path without links, `.` and `..`; what does not exist yet is taken as written.
 pub(crate) fn resolved(path: &Path) -> PathBuf {
@@ -31,15 +28,6 @@ pub(crate) fn resolved(path: &Path) -> PathBuf {
 /// The folder of a file: `.` for a bare name.
 pub(crate) fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
-}
-
-/// Stands for a name where very many are compared: no two names that anybody ever met share one.
-pub(crate) type NameDigest = [u8; 16];
-
-/// The first half of the SHA-256 of a name.
-pub(crate) fn digest(name: &OsStr) -> NameDigest {
-    let whole: [u8; 32] = Sha256::digest(name.as_encoded_bytes()).into();
-    std::array::from_fn(|at| whole[at])
 }
 
 /// [`resolved`] for very many paths: every folder is asked for once.

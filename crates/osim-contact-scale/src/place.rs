@@ -9,7 +9,8 @@ use std::path::{Path, PathBuf};
 use anyhow::{Result, bail};
 
 use crate::args::OutputArgs;
-use crate::paths::{NameDigest, Resolver, digest};
+use crate::digest::{self, NameDigest};
+use crate::paths::Resolver;
 use crate::sources::{OUTPUT_MARK, Source};
 
 /// Where one model's result goes.
@@ -181,7 +182,7 @@ impl Resolver {
             Ok(text) => text.to_lowercase().into(),
             Err(name) => name,
         };
-        digest(&name)
+        digest::of_name(&name)
     }
 }
 

@@ -7,8 +7,9 @@ use std::sync::Arc;
 use anyhow::anyhow;
 use walkdir::{DirEntry, WalkDir};
 
+use crate::digest::{self, NameDigest};
 use crate::failure::Failure;
-use crate::paths::{NameDigest, Resolver, digest, resolved};
+use crate::paths::{Resolver, resolved};
 use crate::sweep::FOLDER_MARK;
 
 /// End of the name of files that this tool writes by default.
@@ -184,6 +185,6 @@ struct Known {
 impl Known {
     fn is_new(&mut self, path: &Path) -> bool {
         let real = if path.as_os_str() == "-" { path.to_owned() } else { self.resolver.resolved(path) };
-        self.files.insert(digest(real.as_os_str()))
+        self.files.insert(digest::of_name(real.as_os_str()))
     }
 }

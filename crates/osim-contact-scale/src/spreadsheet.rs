@@ -11,6 +11,8 @@ pub(crate) struct Sheet {
     pub header: Vec<String>,
     pub rows: Vec<Row>,
     delimiter: u8,
+    /// A country's spreadsheet wrote it whose decimal mark is the comma: semicolons part the cells, or some number has one.
+    pub decimal_commas: bool,
 }
 
 /// One row of cells, as many as the header has.
@@ -58,18 +60,9 @@ impl Sheet {
             };
             bail!("{}, expected {} as in the first row: {hint}", unequal.join(", "), header.len());
         }
-        Ok(Self { header, rows, delimiter })
-    }
-
-    /// `true` where a country's spreadsheet wrote it whose decimal mark is the comma: semicolons part the cells, or some number
-    /// has a comma.
-    pub(crate) fn has_decimal_commas(&self) -> bool {
-        let has_comma = |cell: &String| {
-            let (head, tail) = cell.split_once(',').unwrap_or_default();
-            let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
-            digits(head) && digits(tail)
-        };
-        self.delimiter == b';' || self.rows.iter().any(|row| row.cells.iter().any(has_comma))
+        let decimal_commas =
+            delimiter == b';' || rows.iter().flat_map(|row| &row.cells).any(|cell| has_comma(cell));
+        Ok(Self { header, rows, delimiter, decimal_commas })
     }
 
     /// A number's text with a decimal point. A decimal comma is clear only where commas do not part the cells.
@@ -105,6 +98,12 @@ impl Lines<'_> {
 fn delimiter(bytes: &[u8]) -> u8 {
     let first = bytes.split(|&byte| byte == b'\n').next().unwrap_or_default();
     [b';', b'\t'].into_iter().find(|delimiter| first.contains(delimiter)).unwrap_or(b',')
+}
+
+/// `true` for a number with a comma, such as `0,5`.
+fn has_comma(cell: &str) -> bool {
+    let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    cell.split_once(',').is_some_and(|(head, tail)| digits(head) && digits(tail))
 }
 
 fn with_point(cell: &str, delimiter: u8) -> Result<Cow<'_, str>, &'static str> {

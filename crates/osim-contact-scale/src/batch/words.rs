@@ -123,7 +123,7 @@ fn number(cell: &str, sheet: &Sheet, column: &Column) -> Result<String, Fault> {
     }
     for mark in [',', '.'] {
         // A point parts thousands only where commas are decimal.
-        if may_part_thousands(digits, mark) && (mark == ',' || sheet.has_decimal_commas()) {
+        if may_part_thousands(digits, mark) && (mark == ',' || sheet.decimal_commas) {
             let (plain, point) = (digits.replace(mark, ""), digits.replace(mark, "."));
             let message = format!("'{cell}' may be {plain} or {point}: write {plain} or {point}0");
             return Err(Fault::of(&column.header, message));

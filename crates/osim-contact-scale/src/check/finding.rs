@@ -25,6 +25,19 @@ pub(crate) struct Counts {
     pub info: usize,
 }
 
+impl Counts {
+    /// "1 error, 2 warnings"; `none` where there is nothing.
+    pub(crate) fn told(self, none: &str) -> String {
+        let all = [(self.error, "error"), (self.warn, "warning"), (self.info, "remark")];
+        let parts: Vec<String> = all
+            .into_iter()
+            .filter(|(count, _)| *count > 0)
+            .map(|(count, name)| format!("{count} {name}{}", if count == 1 { "" } else { "s" }))
+            .collect();
+        if parts.is_empty() { none.to_owned() } else { parts.join(", ") }
+    }
+}
+
 /// One thing found.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(crate) struct Finding {

@@ -13,8 +13,8 @@ const PROGRAM: &str = "osim-contact-scale";
 
 /// What all commands for one model share.
 pub(super) struct Mend<'m> {
-    /// The model, quoted where it has to be; `None` for standard input, which cannot be read twice, and for a model
-    /// that is not changed as it is.
+    /// The model, quoted where it has to be; `None` for standard input, which cannot be read twice, for a model that
+    /// is not changed as it is, and where something else has to be done first.
     model: Option<String>,
     /// Options that say what the model weighs.
     mass: String,
@@ -29,8 +29,6 @@ pub(super) struct Mend<'m> {
     counted: bool,
     /// The gravity is the model's own.
     weighed: bool,
-    /// Something else has to be done first: what depends on the weight would be wrong afterwards.
-    unsettled: bool,
     args: &'m ViewArgs,
 }
 
@@ -75,18 +73,15 @@ impl<'m> Mend<'m> {
         let weighed = other_gravity.is_none();
         let model = Some(seen.model.as_str()).filter(|model| *model != "-" && changes).map(quoted);
         let counted = seen.spheres_per_limb.is_some() || args.stance.spheres.is_some();
-        Self { model, mass, counts, choice, joined, counted, weighed, unsettled: false, args }
+        Self { model, mass, counts, choice, joined, counted, weighed, args }
     }
 
-    /// Without the commands that depend on what the body weighs, or on what the contacts are now.
+    /// Without commands: something else has to be done first, after which they would be wrong.
     pub(super) fn unsettled(self) -> Self {
-        Self { unsettled: true, ..self }
+        Self { model: None, ..self }
     }
 
     fn design(&self, wanted: &str, with_load: bool) -> Option<String> {
-        if self.unsettled {
-            return None;
-        }
         let load = if with_load { format!("{}{}", self.mass, self.counts) } else { String::new() };
         Some(format!("{PROGRAM} design {} {wanted}{load}{}", self.model.as_ref()?, self.choice))
     }
@@ -103,9 +98,6 @@ impl<'m> Mend<'m> {
             let hertz = |sphere: &&SphereFigures| sphere.load(body_weights).and_then(|load| load.hertz);
             let deepest = spheres.iter().filter_map(hertz).fold(0.0, f64::max);
             let factor = (deepest / limit).powf(1.5);
-            if self.unsettled {
-                return None;
-            }
             return self.set(&format!("stiffness=x{}", shortest((factor * 1e3).ceil() / 1e3)));
         }
         let mut wanted = format!("--indentation {limit}");
@@ -125,9 +117,6 @@ impl<'m> Mend<'m> {
         let limit = limits::HUNT_CROSSLEY_RESTITUTION;
         if self.joined {
             let factor = (1.0 - limit) / impact_speed_m_s / dissipation_s_m;
-            if self.unsettled {
-                return None;
-            }
             return self.set(&format!("dissipation=x{}", shortest(two_digits_below(factor))));
         }
         let speed = shortest((impact_speed_m_s * 1e4).ceil() / 1e4);

@@ -8,7 +8,7 @@ use crate::report::{clipped, right, table, wrapped};
 
 /// One model: every finding, worst first, with what to do.
 pub(super) fn text(report: &Report) -> String {
-    let mut text = wrapped(&format!("{}: {}", report.model, counted(report.counts)), "  ");
+    let mut text = wrapped(&format!("{}: {}", report.model, report.counts.told("nothing to say")), "  ");
     let mut rest = report.findings.as_slice();
     while let Some(first) = rest.first() {
         // The same trap in several places is explained once.
@@ -19,16 +19,6 @@ pub(super) fn text(report: &Report) -> String {
         rest = others;
     }
     text
-}
-
-fn counted(counts: Counts) -> String {
-    let all = [(counts.error, "error"), (counts.warn, "warning"), (counts.info, "remark")];
-    let parts: Vec<String> = all
-        .into_iter()
-        .filter(|(count, _)| *count > 0)
-        .map(|(count, name)| format!("{count} {name}{}", if count == 1 { "" } else { "s" }))
-        .collect();
-    if parts.is_empty() { "nothing to say".to_owned() } else { parts.join(", ") }
 }
 
 fn block(first: &Finding, alike: &[Finding]) -> String {

@@ -5,7 +5,6 @@ use osim_patch::{Plan, Property};
 
 use super::explained::Topics;
 use super::fragment::{Fragment, header_cell};
-use super::values::counted;
 use crate::check::Counts;
 use crate::explain::{self, ErrorCode};
 use crate::failure::Failure;
@@ -105,7 +104,7 @@ impl Entry {
             some(plan.warnings.len()),
         ];
         cells.extend(counts(found));
-        let said = format!("{became}; {} in the new model", counted(found));
+        let said = format!("{became}; {} in the new model", found.told("no findings"));
         Self { model: name(record), cells, said, fragment: Some(Box::new(fragment)), error: None }
     }
 
@@ -161,7 +160,7 @@ impl Entry {
             deepest.map(four).unwrap_or_default(),
         ];
         cells.extend(counts(found));
-        let said = counted(found);
+        let said = found.told("no findings");
         Self { model: seen.model.clone(), cells, said, fragment: Some(Box::new(fragment)), error: None }
     }
 

@@ -21,17 +21,6 @@ pub(super) fn listed(names: &[&str]) -> String {
     }
 }
 
-/// "1 error, 2 warnings", or nothing to say.
-pub(super) fn counted(counts: crate::check::Counts) -> String {
-    let all = [(counts.error, "error"), (counts.warn, "warning"), (counts.info, "remark")];
-    let parts: Vec<String> = all
-        .into_iter()
-        .filter(|(count, _)| *count > 0)
-        .map(|(count, name)| format!("{count} {name}{}", if count == 1 { "" } else { "s" }))
-        .collect();
-    if parts.is_empty() { "no findings".to_owned() } else { parts.join(", ") }
-}
-
 /// A clause as a sentence.
 pub(super) fn sentence(clause: &str) -> String {
     let mut letters = clause.chars();

@@ -32,7 +32,7 @@ use outcome::{Outcome, Said};
 use resume::Done;
 
 pub(crate) use progress::Progress;
-pub(crate) use record::{Record, sha256};
+pub(crate) use record::Record;
 pub(crate) use shard::Shard;
 pub(crate) use task::{Order, Planner, Task, Verb, tasks_of};
 

@@ -2,7 +2,6 @@
 
 use osim_patch::{Plan, Property};
 use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
 
 use super::task::Task;
 use crate::failure::Failure;
@@ -153,16 +152,4 @@ fn common_factor(plan: &Plan, property: Property) -> Common {
         Some(factor) if of_property.all(|change| change.factor == Some(factor)) => Common::Factor(factor),
         _ => Common::Unlike,
     }
-}
-
-/// SHA-256 as 64 hexadecimal digits.
-pub(crate) fn sha256(bytes: &[u8]) -> String {
-    sha256_of_parts(std::iter::once(bytes))
-}
-
-/// The same of bytes that lie in several places.
-pub(crate) fn sha256_of_parts<'p>(parts: impl Iterator<Item = &'p [u8]>) -> String {
-    let mut hash = Sha256::new();
-    parts.for_each(|part| hash.update(part));
-    hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }

@@ -6,9 +6,10 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail};
 
 use super::journal::{Form, partial, whole_lines};
-use super::record::{Record, Status, sha256};
+use super::record::{Record, Status};
 use super::task::Task;
 use crate::args::RunArgs;
+use crate::digest::sha256;
 
 /// Records of earlier runs.
 #[derive(Default)]

@@ -7,8 +7,8 @@ use anyhow::{Result, bail};
 use osim_patch::{Fault, Model, Plan};
 
 use super::Work;
-use super::record::sha256;
 use crate::args::{OutputArgs, PartArgs, RunArgs, RunFormat, ViewArgs};
+use crate::digest::sha256;
 use crate::load::read;
 use crate::place::{Place, Who, geometry_place, place};
 use crate::sources::{Source, Sources};

@@ -7,11 +7,12 @@ use osim_patch::{Model, Patch, Plan};
 
 use super::Run;
 use super::outcome::{Outcome, Said};
-use super::record::{Record, Status, sha256, sha256_of_parts};
+use super::record::{Record, Status};
 use super::resume::Earlier;
 use super::sights::Sights;
 use super::task::{Order, Task};
 use crate::args::RunFormat;
+use crate::digest::{sha256, sha256_of_parts};
 use crate::failure::Failure;
 use crate::folders;
 use crate::load::{Loaded, Stamp};
@@ -121,7 +122,7 @@ impl Task {
 /// Nobody's work is replaced in passing.
 fn edited(shown: &str, output: &Path) -> Failure {
     let error = anyhow!(
-        "{} is no longer what an earlier run wrote, so it stays: move it away, or replace it with --force",
+        "{} is not what an earlier run wrote, so it stays: move it away, or replace it with --force",
         output.display()
     );
     Failure::outside(shown, "output", &error)

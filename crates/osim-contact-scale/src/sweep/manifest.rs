@@ -4,6 +4,7 @@ use anyhow::{Result, anyhow};
 use osim_patch::{Property, shortest};
 
 use super::variant::Variant;
+use crate::digest::sha256;
 
 /// Properties that a manifest tells.
 const PROPERTIES: [Property; 6] = [
@@ -32,7 +33,7 @@ pub(super) fn row(file: &str, asked: &[String], variant: &Variant) -> Result<Vec
         cell(variant.indentation()),
         cell(variant.dimensionless_stiffness()),
         cell(variant.restitution()),
-        crate::run::sha256(&variant.bytes),
+        sha256(&variant.bytes),
     ];
     let first = std::iter::once(file.to_owned());
     line(first.chain(asked.iter().cloned()).chain(properties).chain(follows))

@@ -1,0 +1,205 @@
+//! The JSON contract as types: read strictly, so that a field that comes, goes or changes its type is noticed.
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Plan {
+    pub(crate) schema_version: u32,
+    pub(crate) model: String,
+    pub(crate) output: Option<String>,
+    #[serde(default)]
+    pub(crate) geometry_output: Option<String>,
+    pub(crate) contacts_mass_kg: Masses,
+    pub(crate) changes: Vec<Change>,
+    pub(crate) warnings: Vec<Warning>,
+    pub(crate) notes: Vec<String>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Masses {
+    pub(crate) from: f64,
+    pub(crate) source: String,
+    pub(crate) to: f64,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Change {
+    pub(crate) force: Option<String>,
+    pub(crate) path: String,
+    pub(crate) set: Option<usize>,
+    pub(crate) sphere: Option<String>,
+    pub(crate) property: String,
+    pub(crate) from: f64,
+    pub(crate) to: f64,
+    pub(crate) factor: Option<f64>,
+    pub(crate) equation: String,
+    pub(crate) line: usize,
+    pub(crate) inserted: bool,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Warning {
+    pub(crate) code: String,
+    pub(crate) message: String,
+    pub(crate) line: Option<usize>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Inspection {
+    pub(crate) schema_version: u32,
+    pub(crate) model: String,
+    pub(crate) document_version: u32,
+    pub(crate) name: String,
+    pub(crate) mass_kg: Option<f64>,
+    pub(crate) gravity_m_s2: Option<f64>,
+    pub(crate) contacts_mass_kg: Option<Mass>,
+    pub(crate) limbs: Option<Vec<Limb>>,
+    pub(crate) limbs_unknown: Option<String>,
+    pub(crate) spheres_per_limb: Option<usize>,
+    pub(crate) spheres: Vec<Sphere>,
+    pub(crate) forces: Vec<Force>,
+    pub(crate) warnings: Vec<Warning>,
+    pub(crate) bodies: Vec<Body>,
+    pub(crate) figures: Figures,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Figures {
+    pub(crate) mass_kg: Option<f64>,
+    pub(crate) gravity_m_s2: Option<f64>,
+    pub(crate) impact_speed_m_s: Option<f64>,
+    pub(crate) without_weight: Option<String>,
+    pub(crate) limbs: Vec<LimbFigures>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct LimbFigures {
+    pub(crate) limb: Option<String>,
+    pub(crate) side: Option<String>,
+    pub(crate) sphere_count: Option<f64>,
+    pub(crate) spheres: Vec<SphereFigures>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct SphereFigures {
+    pub(crate) sphere: String,
+    pub(crate) path: String,
+    pub(crate) forces: Vec<String>,
+    pub(crate) radius_m: f64,
+    pub(crate) composite_modulus_n_m2: f64,
+    pub(crate) loads: Vec<LoadFigures>,
+    pub(crate) contact_stiffness_n_m: Option<f64>,
+    pub(crate) dimensionless_stiffness: Option<f64>,
+    pub(crate) natural_frequency_hz: Option<f64>,
+    pub(crate) mean_contact_stress_n_m2: Option<f64>,
+    pub(crate) dissipation_s_m: Option<f64>,
+    pub(crate) restitution_exact: Option<f64>,
+    pub(crate) restitution_approximate: Option<f64>,
+    pub(crate) constant_indentation: Option<f64>,
+    pub(crate) transition_width: Option<f64>,
+    pub(crate) force_just_touching_n: Option<f64>,
+    pub(crate) touching_share: Option<f64>,
+    pub(crate) limits: Vec<Verdict>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct LoadFigures {
+    pub(crate) body_weights: f64,
+    pub(crate) load_n: f64,
+    pub(crate) hertz: Option<f64>,
+    pub(crate) own: Option<f64>,
+    pub(crate) level_hertz: Option<f64>,
+    pub(crate) level_own: Option<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Verdict {
+    pub(crate) figure: String,
+    pub(crate) value: Option<f64>,
+    pub(crate) limit: f64,
+    pub(crate) holds: bool,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Mass {
+    pub(crate) value: f64,
+    pub(crate) source: String,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Limb {
+    pub(crate) name: String,
+    pub(crate) side: String,
+    pub(crate) spheres: Vec<String>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Sphere {
+    pub(crate) name: String,
+    pub(crate) path: String,
+    pub(crate) radius_m: Option<f64>,
+    pub(crate) location_m: [f64; 3],
+    pub(crate) frame: String,
+    pub(crate) body: Option<String>,
+    pub(crate) line: usize,
+    pub(crate) limb: Option<String>,
+    pub(crate) lowest_point_m: Option<[f64; 3]>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Force {
+    pub(crate) name: String,
+    pub(crate) path: String,
+    #[serde(rename = "type")]
+    pub(crate) kind: String,
+    pub(crate) set: Option<usize>,
+    pub(crate) spheres: Vec<String>,
+    pub(crate) applies: bool,
+    pub(crate) selected: bool,
+    pub(crate) parameters: BTreeMap<String, Option<f64>>,
+    pub(crate) origin: BTreeMap<String, String>,
+    pub(crate) dimensionless: Option<BTreeMap<String, Option<f64>>>,
+    pub(crate) line: usize,
+    pub(crate) composite_modulus_n_m2: Option<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Body {
+    pub(crate) name: String,
+    pub(crate) path: String,
+    pub(crate) mass_kg: Option<f64>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Failure {
+    pub(crate) schema_version: u32,
+    pub(crate) model: String,
+    pub(crate) error: Fault,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Fault {
+    pub(crate) code: String,
+    pub(crate) message: String,
+    pub(crate) line: Option<usize>,
+    pub(crate) column: Option<usize>,
+}
