@@ -167,7 +167,7 @@ pub fn roundtrip(bytes: &[u8]) {
 /// A number of a model, found again by where it stands: force or sphere, set and place among the set's values.
 type Place = (usize, usize, usize);
 
-fn values(model: &Model<'_, '_>) -> Vec<(Place, Value)> {
+fn values(model: &Model) -> Vec<(Place, Value)> {
     let mut values = Vec::new();
     for (index, force) in model.forces.iter().enumerate() {
         for (set, parameters) in force.sets.iter().enumerate() {
@@ -182,7 +182,7 @@ fn values(model: &Model<'_, '_>) -> Vec<(Place, Value)> {
 }
 
 /// Every number of the output is either a planned one, exactly, or what it was.
-fn values_as_planned(before: &Model<'_, '_>, plan: &Plan, after: &Model<'_, '_>) {
+fn values_as_planned(before: &Model, plan: &Plan, after: &Model) {
     let mut planned: HashMap<_, Vec<(u64, u64)>> = HashMap::new();
     for change in &plan.changes {
         let bits = (change.from.to_bits(), change.to.to_bits());
@@ -209,7 +209,7 @@ fn values_as_planned(before: &Model<'_, '_>, plan: &Plan, after: &Model<'_, '_>)
 }
 
 /// What the note says is where the next run starts.
-fn second_run(again: &Model<'_, '_>, request: &Request, scope: Scope) {
+fn second_run(again: &Model, request: &Request, scope: Scope) {
     let mut warnings = Vec::new();
     let told = MassRequest::default().of_contacts(again, &mut warnings);
     if scope == Scope::Partial {
@@ -236,7 +236,7 @@ fn second_run(again: &Model<'_, '_>, request: &Request, scope: Scope) {
             values_as_planned(again, &plan, &third);
             if !plan.is_empty() {
                 assert_eq!(third.note.as_ref(), plan.note());
-                let gravity = |model: &Model<'_, '_>| model.note.as_ref().and_then(|note| note.gravity_m_s2);
+                let gravity = |model: &Model| model.note.as_ref().and_then(|note| note.gravity_m_s2);
                 assert_eq!(gravity(&third), gravity(again), "nobody asked for another gravity");
                 assert_eq!(comments(again), comments(&third), "the second run left a second note");
             }
@@ -245,12 +245,12 @@ fn second_run(again: &Model<'_, '_>, request: &Request, scope: Scope) {
     }
 }
 
-fn comments(model: &Model<'_, '_>) -> usize {
+fn comments(model: &Model) -> usize {
     let pieces = model.document().tree().pieces();
     pieces.iter().filter(|piece| piece.kind == PieceKind::Comment).count()
 }
 
-fn with_model(bytes: &[u8], check: impl FnOnce(&Model<'_, '_>)) {
+fn with_model(bytes: &[u8], check: impl FnOnce(&Model)) {
     let document = match Document::parse(bytes) {
         Ok(document) => document,
         Err(fault) => return accept(&fault),
@@ -261,7 +261,7 @@ fn with_model(bytes: &[u8], check: impl FnOnce(&Model<'_, '_>)) {
     }
 }
 
-fn with_plan(bytes: &[u8], check: impl FnOnce(&Model<'_, '_>, &Request, Plan)) {
+fn with_plan(bytes: &[u8], check: impl FnOnce(&Model, &Request, Plan)) {
     with_model(bytes, |model| {
         let request = match Request::of(bytes, model) {
             Ok(request) => request,

@@ -139,7 +139,7 @@ fn mutate_document(bytes: &[u8], dice: &mut Dice) -> Option<Vec<u8>> {
 }
 
 /// One replacement of a span by bytes.
-fn mutation(document: &Document<'_>, dice: &mut Dice) -> (Range<usize>, Vec<u8>) {
+fn mutation(document: &Document, dice: &mut Dice) -> (Range<usize>, Vec<u8>) {
     let (bytes, tree) = (document.bytes(), document.tree());
     let elements = all(tree);
     let one = *dice.pick(&elements);
@@ -166,7 +166,7 @@ fn mutation(document: &Document<'_>, dice: &mut Dice) -> (Range<usize>, Vec<u8>)
     }
 }
 
-fn all(tree: &Tree<'_>) -> Vec<ElementId> {
+fn all(tree: &Tree) -> Vec<ElementId> {
     let mut elements = vec![ElementId::ROOT];
     let mut next = 0;
     while let Some(&id) = elements.get(next) {
@@ -177,7 +177,7 @@ fn all(tree: &Tree<'_>) -> Vec<ElementId> {
 }
 
 /// Between the tags; empty after the tag of `<tag/>`.
-fn content(tree: &Tree<'_>, id: ElementId) -> Range<usize> {
+fn content(tree: &Tree, id: ElementId) -> Range<usize> {
     let (open, span) = (tree.open_span(id), tree.span(id));
     if tree.is_empty_tag(id) { span.end..span.end } else { open.end..tree.close_span(id).start }
 }
@@ -192,7 +192,7 @@ fn attribute_text(bytes: &[u8], tag: Range<usize>, dice: &mut Dice) -> Range<usi
     }
 }
 
-fn renamed(bytes: &[u8], tree: &Tree<'_>, id: ElementId, name: &str) -> Vec<u8> {
+fn renamed(bytes: &[u8], tree: &Tree, id: ElementId, name: &str) -> Vec<u8> {
     let open = tree.open_span(id);
     let mut text = format!("<{name}").into_bytes();
     text.extend_from_slice(&bytes[open.start + 1 + tree.name(id).len()..tree.span(id).end]);

@@ -19,7 +19,7 @@ impl Request {
     ///
     /// # Errors
     /// No forces to choose, or forces of several animals.
-    pub fn of(bytes: &[u8], model: &Model<'_, '_>) -> Result<Self, Fault> {
+    pub fn of(bytes: &[u8], model: &Model) -> Result<Self, Fault> {
         let mut dice = fnv(bytes);
         let mut roll = |sides: u64| {
             let rolled = dice % sides;
@@ -55,13 +55,13 @@ impl Request {
     ///
     /// # Errors
     /// As [`rescale`].
-    pub fn plan(&self, model: &Model<'_, '_>) -> Result<Plan, Fault> {
+    pub fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         rescale(model, &self.selected, &self.wanted)
     }
 }
 
 /// From the file, else any.
-fn contacts_mass(model: &Model<'_, '_>) -> Mass {
+fn contacts_mass(model: &Model) -> Mass {
     let told = MassRequest { contacts_kg: Some(ANY_MASS_KG), ..MassRequest::default() };
     let found = MassRequest::default().of_contacts(model, &mut Vec::new());
     found.or_else(|_| told.of_contacts(model, &mut Vec::new())).expect("62 kg is a mass")

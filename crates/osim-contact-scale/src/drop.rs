@@ -179,7 +179,7 @@ fn named(path: &Path, args: &DropArgs, own: &Own) -> Result<Result<Drop, Failure
 }
 
 /// The spheres of all limbs, each with its share of the n that stand: 1/2 where one of two limbs does.
-pub(crate) fn weighted(model: &Model<'_, '_>, forces: &[usize], count: f64) -> Result<Vec<Spheres>, Fault> {
+pub(crate) fn weighted(model: &Model, forces: &[usize], count: f64) -> Result<Vec<Spheres>, Fault> {
     let loaded = loaded_spheres(model, forces)?;
     #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
     let found = model.loaded_spheres(&(0..model.forces.len()).collect::<Vec<_>>()).len() as f64;

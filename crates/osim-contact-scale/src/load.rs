@@ -128,14 +128,14 @@ impl Loaded {
     /// Parses all files, reads the model and hands it to `then`.
     pub(crate) fn with_model<T>(
         &self,
-        then: impl FnOnce(&Model<'_, '_>) -> Result<T, Failure>,
+        then: impl FnOnce(&Model) -> Result<T, Failure>,
     ) -> Result<T, Failure> {
         let document = self.parse(0)?;
         let mut documents = Vec::new();
         for index in 0..self.parts.len() {
             documents.push(self.parse(index + 1)?);
         }
-        let parts: Vec<Part<'_, '_>> = documents
+        let parts: Vec<Part> = documents
             .iter()
             .zip(&self.parts)
             .map(|(document, part)| Part { document, included_by: part.included_by })
@@ -144,7 +144,7 @@ impl Loaded {
         then(&model)
     }
 
-    fn parse(&self, file: usize) -> Result<Document<'_>, Failure> {
+    fn parse(&self, file: usize) -> Result<Document, Failure> {
         let (shown, bytes) = self.file(file);
         Document::parse(bytes).map_err(|fault| Failure::of_fault(shown, fault, bytes))
     }

@@ -13,7 +13,7 @@ pub(crate) struct Weighed {
 
 impl Weighed {
     /// `None` where they agree, or `--mass` decides.
-    pub(crate) fn otherwise(model: &Model<'_, '_>, masses: &MassRequest) -> Option<Self> {
+    pub(crate) fn otherwise(model: &Model, masses: &MassRequest) -> Option<Self> {
         if masses.model_kg.is_some() {
             return None;
         }

@@ -2,9 +2,17 @@
 
 use std::ops::Range;
 
-use crate::error::{Fault, FaultKind};
+use osim_model::{Fault, FaultKind};
 
 /// Replace these bytes by this text; an empty span inserts.
+///
+/// ```
+/// use osim_patch::{Edit, splice};
+///
+/// let edit = Edit { span: 8..12, text: "0.05".to_owned() };
+/// assert_eq!(splice(b"<radius>0.03</radius>", &[edit])?, b"<radius>0.05</radius>");
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Edit {
     /// Bytes of the original.

@@ -2,12 +2,13 @@
 
 use std::ops::Range;
 
+use osim_model::{ElementId, PieceKind, Tree};
+
 use crate::edit::Edit;
-use crate::xml::{ElementId, PieceKind, Tree};
 
 /// Inserts `<tag>text</tag>` for each of `elements` into `parent`, whose children OpenSim writes in `order`.
 pub(crate) fn insert(
-    tree: &Tree<'_>,
+    tree: &Tree,
     parent: ElementId,
     order: &[&str],
     elements: &[(&str, String)],
@@ -28,16 +29,13 @@ pub(crate) fn insert(
         }
         if children.is_empty() {
             // Only comments in it: OpenSim's "All properties of this object have their default values."
-            let comment = comments(tree, parent).last();
+            let comment = comments(tree, parent).next_back();
             let span = comment.unwrap_or_else(|| tree.open_span(parent));
             return (span.end, white_space_before(tree, span.start));
         }
         // Nothing that comes before: put it first.
         let first = tree.open_span(parent).end;
-        let next = tree.content_pieces(parent).next().map_or(first, |index| {
-            let is_space = tree.pieces().get(index).is_some_and(|piece| piece.kind == PieceKind::Text);
-            if is_space { tree.piece_span(index).end } else { first }
-        });
+        let next = behind_text(tree, parent, first);
         (first, white_space_before(tree, next))
     };
     elements
@@ -50,23 +48,27 @@ pub(crate) fn insert(
 }
 
 /// Inserts `comment` as the first child of `parent`.
-pub(crate) fn insert_first(tree: &Tree<'_>, parent: ElementId, comment: &str) -> Edit {
-    let first = tree.content_pieces(parent).next();
+pub(crate) fn insert_first(tree: &Tree, parent: ElementId, comment: &str) -> Edit {
     let at = tree.open_span(parent).end;
-    let next = first.map_or(at, |index| {
-        let is_text = tree.pieces().get(index).is_some_and(|piece| piece.kind == PieceKind::Text);
-        if is_text { tree.piece_span(index).end } else { at }
-    });
+    let next = behind_text(tree, parent, at);
     Edit { span: at..at, text: format!("{}{comment}", white_space_before(tree, next)) }
 }
 
+/// Where the text ends with which the contents of `parent` begin; `start` where they begin with something else.
+fn behind_text(tree: &Tree, parent: ElementId, start: usize) -> usize {
+    match tree.content(parent).next() {
+        Some(piece) if piece.kind == PieceKind::Text => piece.span.end,
+        _ => start,
+    }
+}
+
 /// `span` and the line end and indentation before it.
-pub(crate) fn with_white_space_before(tree: &Tree<'_>, span: Range<usize>) -> Range<usize> {
+pub(crate) fn with_white_space_before(tree: &Tree, span: Range<usize>) -> Range<usize> {
     span.start - white_space_before(tree, span.start).len()..span.end
 }
 
 /// Line end and indentation before byte `at`; empty where something else stands on that line.
-fn white_space_before(tree: &Tree<'_>, at: usize) -> String {
+fn white_space_before(tree: &Tree, at: usize) -> String {
     let before = tree.slice(0..at);
     let space = &before[before.trim_ascii_end().len()..];
     match space.rfind('\n') {
@@ -84,10 +86,8 @@ fn indentation(space: &str) -> &str {
     space.rsplit('\n').next().unwrap_or_default()
 }
 
-fn comments<'t>(tree: &'t Tree<'_>, parent: ElementId) -> impl Iterator<Item = Range<usize>> + 't {
-    tree.content_pieces(parent)
-        .filter(|&index| tree.pieces().get(index).is_some_and(|piece| piece.kind == PieceKind::Comment))
-        .map(|index| tree.piece_span(index))
+fn comments(tree: &Tree, parent: ElementId) -> impl DoubleEndedIterator<Item = Range<usize>> + '_ {
+    tree.content(parent).filter(|piece| piece.kind == PieceKind::Comment).map(|piece| piece.span)
 }
 
 /// An element without content, and the white space that its children get.
@@ -102,8 +102,8 @@ struct Layout<'t> {
 }
 
 impl<'t> Layout<'t> {
-    fn of_empty(tree: &'t Tree<'_>, parent: ElementId) -> Option<Self> {
-        let nothing = tree.content_pieces(parent).all(|index| tree.piece_text(index).trim_ascii().is_empty());
+    fn of_empty(tree: &'t Tree, parent: ElementId) -> Option<Self> {
+        let nothing = tree.content(parent).all(|piece| piece.text.trim_ascii().is_empty());
         if !nothing {
             return None;
         }
@@ -141,13 +141,12 @@ impl<'t> Layout<'t> {
 mod tests {
     use super::*;
     use crate::edit::splice;
-    use crate::xml::scan;
 
     const ORDER: [&str; 4] = ["a", "b", "c", "d"];
 
     #[track_caller]
     fn inserting(tags: &[&str], into: &str, gives: &str) {
-        let tree = scan(into.as_bytes()).unwrap();
+        let tree = Tree::scan(into).unwrap();
         let elements: Vec<_> = tags.iter().map(|tag| (*tag, "1".to_owned())).collect();
         let parent = tree.children(ElementId::ROOT).next().unwrap_or(ElementId::ROOT);
         let edits = insert(&tree, parent, &ORDER, &elements);

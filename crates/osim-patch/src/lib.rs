@@ -1,32 +1,21 @@
-//! Bytes of an OpenSim model in; contacts, plan and patched bytes out.
+//! Changes the contacts of an OpenSim model: a plan, edits, and new bytes.
 //!
-//! The reading direction never turns back:
-//!
-//! bytes → [`Document`] (exact spans) → [`Model`] (typed, effective values) → [`Plan`] (old value, new value, equation)
-//! → [`Edit`]s → bytes.
+//! A [`Plan`] says every number that changes: old value, new value, equation. Its [`Edit`]s replace exactly those bytes; every
+//! other byte of the file stays.
 //!
 //! ```
-//! use osim_patch::{Document, MassRequest, Model, Rescale, RadiusRule, Selection};
+//! use osim_model::{FileId, MassRequest, Model, Selection};
+//! use osim_patch::{Rescale, rescale};
 //!
-//! # fn main() -> Result<(), osim_patch::Fault> {
-//! let bytes = include_bytes!("../tests/data/one_foot.osim");
-//! let document = Document::parse(bytes)?;
-//! let model = Model::read(&document)?;
+//! # fn main() -> Result<(), osim_model::Fault> {
+//! let bytes = include_bytes!("../../osim-model/tests/data/one_foot.osim");
+//! let model = Model::parse(bytes.as_slice())?;
 //! let selected = Selection::default().apply(&model)?;
-//! let contacts_mass = MassRequest::default().of_contacts(&model, &mut Vec::new())?;
-//! let plan = osim_patch::rescale(&model, &selected, &Rescale {
-//!     target_mass_kg: 8.0 * contacts_mass.kg,
-//!     contacts_mass,
-//!     radius: RadiusRule::Isometric,
-//!     properties: Default::default(),
-//!     dissipation_by: Default::default(),
-//!     target_gravity_m_s2: None,
-//!     contacts_gravity_m_s2: None,
-//!     level: None,
-//! })?;
+//! let (contacts_mass, _warnings) = MassRequest::default().of_contacts(&model)?;
+//! let plan = rescale(&model, &selected, &Rescale::new(8.0 * contacts_mass.kg, contacts_mass))?;
 //! // Eight times the mass is twice the length, and twice the stiffness (10).
 //! assert_eq!(plan.changes[0].to, 2.0 * plan.changes[0].from);
-//! let patched = plan.patched(&model, 0)?;
+//! let patched = plan.patched(&model, FileId::MAIN)?;
 //! # assert_ne!(patched, bytes);
 //! # Ok(())
 //! # }
@@ -34,42 +23,37 @@
 //!
 //! # What it will not do
 //!
-//! It knows no file system and no terminal, decodes and re-encodes nothing, never changes the document version, element
-//! order or names, and never edits `<defaults>`. It reads what a model says, not what OpenSim would make of a file it
-//! cannot load.
+//! It knows no file system, no terminal and no options, decodes and re-encodes nothing, never changes the document version,
+//! element order or names, and never edits `<defaults>`.
 
-mod document;
+mod builder;
+mod design;
 mod edit;
-mod error;
 mod follow;
+mod gravity;
 mod insert;
-mod mass;
-mod model;
-mod note;
-mod number;
+mod loaded_sphere;
 mod plan;
-mod property;
-mod select;
-mod warning;
-mod xml;
+mod property_set;
+mod radii;
+mod remarks;
+mod rescale;
+mod scaling;
+mod set;
+mod surfaces;
+mod transfer;
 
-pub use document::{Document, Origin, Value, may_include};
+pub use design::{Design, DesignModulus, design};
 pub use edit::{Edit, Patch, splice};
-pub use error::{Fault, FaultKind, NumberFault, SyntaxFault};
 pub use follow::{
-    Anatomy, AnatomySphere, AxisFactor, BodyFactors, FactorSource, Factors, Follow, FollowRequest, Followed,
-    LevelAxis, MovedSpheres, RadiusAxis, ScaleFile,
+    AxisFactor, BodyFactors, FactorSource, Factors, Follow, FollowRequest, Followed, MovedSpheres,
+    RadiusAxis, ScaleFile,
 };
-pub use mass::{Mass, MassRequest, MassSource, SAME_MASS, same_mass};
-pub use model::{Body, Force, ForceKind, Limb, Limbs, Model, ParameterSet, Part, Side, Sphere};
-pub use note::{Note, Scope};
-pub use number::{readable, shortest};
-pub use plan::{
-    Assignment, Change, Design, DesignModulus, DissipationBy, LoadedSphere, Masses, Move, Plan, PropertySet,
-    RadiusRule, Reference, ReferenceContact, Rescale, ScalingRule, Set, Transfer, design, loaded_spheres,
-    moving_spheres, reference_of_model, rescale, set, transfer,
-};
-pub use property::Property;
-pub use select::{Selected, Selection};
-pub use warning::{Seen, Severity, Warning, WarningCode};
-pub use xml::{Children, Element, ElementId, LineIndex, Piece, PieceKind, Position, Tree};
+pub use loaded_sphere::{LoadedSphere, loaded_spheres};
+pub use plan::{Change, Masses, Move, Plan};
+pub use property_set::PropertySet;
+pub use radii::{RadiusRule, moving_spheres};
+pub use rescale::{Rescale, rescale};
+pub use scaling::DissipationBy;
+pub use set::{Assignment, Set, set};
+pub use transfer::{Reference, ReferenceContact, ScalingRule, Transfer, reference_of_model, transfer};

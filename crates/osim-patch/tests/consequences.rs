@@ -8,34 +8,26 @@
     reason = "a test fails by panicking"
 )]
 
+use osim_model::{
+    Companion, Document, Fault, LevelAxis, Mass, MassSource, Model, Property, Selection, WarningCode,
+};
 use osim_patch::{
-    Document, Fault, LevelAxis, Mass, MassSource, Model, Part, Plan, Property, PropertySet, RadiusRule,
-    Rescale, ScalingRule, Selection, Transfer, WarningCode, reference_of_model, rescale, transfer,
+    Plan, PropertySet, RadiusRule, Rescale, Transfer, reference_of_model, rescale, transfer,
 };
 
-const ONE_FOOT: &str = include_str!("data/one_foot.osim");
+const ONE_FOOT: &str = include_str!("../../osim-model/tests/data/one_foot.osim");
 
 fn mass(kg: f64) -> Mass {
-    Mass { kg, source: MassSource::Option, told_by: "the test".into() }
+    Mass { kg, source: MassSource::ContactsMass }
 }
 
 /// From 10 kg to 80 kg: twice the length, to the last bit.
 fn wanted() -> Rescale {
-    Rescale {
-        target_mass_kg: 80.0,
-        contacts_mass: mass(10.0),
-        radius: RadiusRule::Isometric,
-        properties: PropertySet::default(),
-        dissipation_by: Default::default(),
-        target_gravity_m_s2: None,
-        contacts_gravity_m_s2: None,
-        level: None,
-    }
+    Rescale::new(80.0, mass(10.0))
 }
 
 fn try_rescaled(text: &str, change: impl FnOnce(&mut Rescale)) -> Result<Plan, Fault> {
-    let document = Document::parse(text.as_bytes()).unwrap();
-    let model = Model::read(&document).unwrap();
+    let model = Model::parse(text.as_bytes()).unwrap();
     let mut wanted = wanted();
     change(&mut wanted);
     rescale(&model, &Selection::default().apply(&model).unwrap(), &wanted)
@@ -67,7 +59,14 @@ fn a_radius_says_where_it_comes_from() {
 
 #[test]
 fn how_far_bottoms_move_is_said_with_its_direction() {
-    let remarks = |rule| rescaled(ONE_FOOT, |wanted| wanted.radius = rule).remarks.join("; ");
+    let remarks = |rule| {
+        rescaled(ONE_FOOT, |wanted| wanted.radius = rule)
+            .remarks
+            .iter()
+            .map(ToString::to_string)
+            .collect::<Vec<_>>()
+            .join("; ")
+    };
     assert!(remarks(RadiusRule::Isometric).contains("bottoms move 30.00 mm down"));
     assert!(remarks(RadiusRule::Metres(0.02)).contains("bottoms move 10.00 mm up"));
     assert!(!remarks(RadiusRule::Keep).contains("bottoms"));
@@ -84,15 +83,16 @@ fn how_far_bottoms_move_is_said_with_its_direction() {
              <socket_half_space>/contactgeometryset/floor</socket_half_space><stiffness>1e6</stiffness>\
              </SmoothSphereHalfSpaceForce>",
         );
-    let remarks = rescaled(&two, |_| ()).remarks.join("; ");
+    let remarks =
+        rescaled(&two, |_| ()).remarks.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ");
     assert!(remarks.contains("bottoms move 10.00 to 30.00 mm down"), "{remarks}");
 }
 
 #[test]
 fn the_first_line_says_by_how_much() {
     assert_eq!(
-        rescaled(ONE_FOOT, |_| ()).taken,
-        "contacts stand for 10 kg (the test); scaled to 80 kg (mass x8)"
+        rescaled(ONE_FOOT, |_| ()).taken.to_string(),
+        "contacts stand for 10 kg (`contacts_mass`); scaled to 80 kg (mass x8)"
     );
 }
 
@@ -148,7 +148,7 @@ fn gravity_scales_from_what_is_there_or_not_at_all() {
     let to = |gravity: f64| move |wanted: &mut Rescale| wanted.target_gravity_m_s2 = Some(gravity);
     let plan = rescaled(ONE_FOOT, to(2.0 * 9.81));
     assert_eq!(change(&plan, Property::Stiffness).factor, Some(4.0));
-    assert!(plan.remarks.join(";").contains("<gravity> stays"));
+    assert!(plan.remarks.iter().map(ToString::to_string).collect::<String>().contains("<gravity> stays"));
     for nonsense in [0.0, -9.81, f64::NAN, f64::INFINITY] {
         assert_eq!(try_rescaled(ONE_FOOT, to(nonsense)).unwrap_err().code(), "refused", "{nonsense}");
     }
@@ -168,25 +168,11 @@ fn an_explicit_radius_is_done_at_an_equal_mass_too() {
 #[test]
 fn a_computed_value_within_rounding_of_the_old_one_is_no_change() {
     let plan_with = |stiffness: f64| {
-        let text = ONE_FOOT.replace("1000000", &osim_patch::shortest(stiffness));
-        let bytes = [ONE_FOOT.as_bytes(), text.as_bytes()];
-        let documents = bytes.map(|bytes| Document::parse(bytes).unwrap());
-        let models: Vec<_> = documents.iter().map(|document| Model::read(document).unwrap()).collect();
+        let text = ONE_FOOT.replace("1000000", &osim_model::shortest(stiffness));
+        let models = [ONE_FOOT, text.as_str()].map(|text| Model::parse(text).unwrap());
         let selected = Selection::default().apply(&models[0]).unwrap();
         let reference = reference_of_model(&models[0], &selected, mass(10.0), 1.0).unwrap();
-        let wanted = Transfer {
-            reference,
-            reference_sphere: None,
-            mass: mass(10.0),
-            sphere_count: 1.0,
-            radius: RadiusRule::Keep,
-            properties: PropertySet::default(),
-            dissipation_by: Default::default(),
-            target_gravity_m_s2: None,
-            follow: None,
-            rule: ScalingRule::Paper,
-            strict: false,
-        };
+        let wanted = Transfer::new(reference, mass(10.0), 1.0);
         transfer(&models[1], &selected, &wanted).unwrap().changes.len()
     };
     assert_eq!(plan_with(1e6), 0);
@@ -203,14 +189,12 @@ fn contacts_in_an_included_file_are_read_and_refused() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/format/");
     let texts: Vec<Vec<u8>> =
         included.iter().map(|(_, name)| std::fs::read(format!("{folder}{name}")).unwrap()).collect();
-    let documents: Vec<_> = texts.iter().map(|bytes| Document::parse(bytes).unwrap()).collect();
-    let parts: Vec<Part<'_, '_>> = documents
-        .iter()
-        .zip(&included)
-        .map(|(document, (element, _))| Part { document, included_by: Some(*element) })
-        .collect();
-    let model = Model::read_with(&document, &parts).unwrap();
-    assert!(!model.forces.is_empty() && !model.spheres.is_empty());
+    let companions = texts.into_iter().zip(&included).map(|(bytes, (element, _))| Companion {
+        document: Document::parse(bytes).unwrap(),
+        included_by: Some(*element),
+    });
+    let model = Model::read_with(document, companions.collect()).unwrap();
+    assert!(!model.forces().is_empty() && !model.spheres().is_empty());
     let selected = Selection::default().apply(&model).unwrap();
     assert_eq!(rescale(&model, &selected, &wanted()).unwrap_err().code(), "included-file");
 }

@@ -8,43 +8,34 @@
     reason = "a test fails by panicking"
 )]
 
-use osim_patch::{
-    Document, Mass, MassRequest, MassSource, Model, Origin, Part, Plan, Property, PropertySet, RadiusRule,
-    Rescale, Scope, Selection, rescale,
+use osim_model::{
+    Companion, Document, FileId, Mass, MassRequest, MassSource, Model, Origin, Property, Scope, Selection,
 };
+use osim_patch::{Plan, PropertySet, RadiusRule, Rescale, rescale};
 
-const ONE_FOOT: &str = include_str!("data/one_foot.osim");
+const ONE_FOOT: &str = include_str!("../../osim-model/tests/data/one_foot.osim");
 
 fn wanted(target_mass_kg: f64, origin_kg: f64) -> Rescale {
-    Rescale {
-        target_mass_kg,
-        contacts_mass: Mass { kg: origin_kg, source: MassSource::Option, told_by: "the test".into() },
-        radius: RadiusRule::Isometric,
-        properties: PropertySet::default(),
-        dissipation_by: Default::default(),
-        target_gravity_m_s2: None,
-        contacts_gravity_m_s2: None,
-        level: None,
-    }
+    let contacts_mass = Mass { kg: origin_kg, source: MassSource::ContactsMass };
+    Rescale::new(target_mass_kg, contacts_mass)
 }
 
-fn plan(model: &Model<'_, '_>, wanted: &Rescale) -> Plan {
+fn plan(model: &Model, wanted: &Rescale) -> Plan {
     let selected = Selection::default().apply(model).unwrap();
     rescale(model, &selected, wanted).unwrap()
 }
 
 /// Rescales `text` and returns the plan and the new text.
 fn rescaled(text: &str, change: impl FnOnce(&mut Rescale), note: bool) -> (Plan, String) {
-    let document = Document::parse(text.as_bytes()).unwrap();
-    let model = Model::read(&document).unwrap();
-    let origin = MassRequest::default().of_contacts(&model, &mut vec![]).unwrap().kg;
+    let model = Model::parse(text.as_bytes()).unwrap();
+    let origin = MassRequest::default().of_contacts(&model).unwrap().0.kg;
     let mut wanted = wanted(8.0 * origin, origin);
     change(&mut wanted);
     let mut plan = plan(&model, &wanted);
     if !note {
         plan.without_note();
     }
-    let bytes = plan.patched(&model, 0).unwrap();
+    let bytes = plan.patched(&model, FileId::MAIN).unwrap();
     (plan, String::from_utf8(bytes).unwrap())
 }
 
@@ -129,23 +120,28 @@ fn every_file_of_a_standalone_pair_gets_its_edits_and_the_model_beside_it_none()
     let forces = include_str!("../../../fixtures/format/standalone_ForceSet.xml");
     let geometry = include_str!("../../../fixtures/format/standalone_ContactGeometrySet.xml");
     let bones = include_str!("../../../fixtures/format/standalone_model_without_contacts.osim");
-    let documents = [forces, geometry, bones].map(|text| Document::parse(text.as_bytes()).unwrap());
-    let part = |index: usize| Part { document: &documents[index], included_by: None };
-    let model = Model::read_with(&documents[0], &[part(1), part(2)]).unwrap();
+    let [forces_document, geometry_document, bones_document] =
+        [forces, geometry, bones].map(|text| Document::parse(text).unwrap());
+    let beside = |document| Companion { document, included_by: None };
+    let companions = vec![beside(geometry_document), beside(bones_document)];
+    let model = Model::read_with(forces_document, companions).unwrap();
+    let (main, geometry, bones_file) = (FileId::MAIN, FileId::companion(0), FileId::companion(1));
     let mut wanted = wanted(8.0, 1.0);
     let plan_of = |wanted: &Rescale| plan(&model, wanted);
     let grown = plan_of(&wanted);
     let text = |plan: &Plan, file| String::from_utf8(plan.patched(&model, file).unwrap()).unwrap();
     let digest = &grown.note().unwrap().digest;
-    assert!(text(&grown, 0).contains(digest) && text(&grown, 1).contains(digest));
-    assert_eq!(text(&grown, 2), bones);
-    assert!(grown.changes.iter().any(|change| change.file == 1 && change.property == Property::Radius));
+    assert!(text(&grown, main).contains(digest) && text(&grown, geometry).contains(digest));
+    assert_eq!(text(&grown, bones_file), bones);
+    assert!(
+        grown.changes.iter().any(|change| change.file() == geometry && change.property == Property::Radius)
+    );
     // Radii that stay: the geometry set still gets the common note, so that the pair stays one.
     wanted.radius = RadiusRule::Keep;
     let kept = plan_of(&wanted);
-    assert_eq!(kept.edits(&model, 1).len(), 1);
-    assert!(text(&kept, 1).contains(&kept.note().unwrap().digest));
-    assert_eq!(text(&kept, 2), bones);
+    assert_eq!(kept.edits(&model, geometry).len(), 1);
+    assert!(text(&kept, geometry).contains(&kept.note().unwrap().digest));
+    assert_eq!(text(&kept, bones_file), bones);
 }
 
 #[test]
@@ -159,7 +155,6 @@ fn a_location_is_three_finite_numbers_or_the_origin() {
         ("1 2x 3", [0.0; 3]),
     ] {
         let text = ONE_FOOT.replace("<radius>", &format!("<location>{location}</location><radius>"));
-        let document = Document::parse(text.as_bytes()).unwrap();
-        assert_eq!(Model::read(&document).unwrap().spheres[0].location_m, expected, "{location}");
+        assert_eq!(Model::parse(text).unwrap().spheres()[0].location_m, expected, "{location}");
     }
 }

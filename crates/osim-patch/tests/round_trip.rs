@@ -8,10 +8,8 @@ mod given;
 use std::sync::OnceLock;
 
 use given::{fixture, fixtures};
-use osim_patch::{
-    Document, Edit, MassRequest, Model, Plan, Property, RadiusRule, Rescale, Selection, Value, rescale,
-    splice,
-};
+use osim_model::{Document, FileId, MassRequest, Model, Property, Selection, SetId, Value};
+use osim_patch::{Edit, Plan, RadiusRule, Rescale, rescale, splice};
 use proptest::prelude::*;
 
 /// Everything in `fixtures/`.
@@ -104,28 +102,21 @@ fn spoiled(seed: usize, spoils: &[Spoil]) -> Vec<u8> {
 }
 
 /// Plans a rescaling by `factor`; `None` where the model is refused.
-fn planned(model: &Model<'_, '_>, factor: f64, radius: RadiusRule) -> Option<Plan> {
+fn planned(model: &Model, factor: f64, radius: RadiusRule) -> Option<Plan> {
     let selected = Selection::default().apply(model).ok()?;
-    let contacts_mass = MassRequest::default().of_contacts(model, &mut Vec::new()).ok()?;
-    let wanted = Rescale {
-        target_mass_kg: contacts_mass.kg * factor,
-        contacts_mass,
-        radius,
-        properties: osim_patch::PropertySet::default().with_friction(),
-        dissipation_by: osim_patch::DissipationBy::default(),
-        target_gravity_m_s2: None,
-        contacts_gravity_m_s2: None,
-        level: None,
-    };
+    let (contacts_mass, _) = MassRequest::default().of_contacts(model).ok()?;
+    let mut wanted = Rescale::new(contacts_mass.kg * factor, contacts_mass);
+    wanted.radius = radius;
+    wanted.properties = osim_patch::PropertySet::default().with_friction();
     rescale(model, &selected, &wanted).ok()
 }
 
 /// Pieces tile the file: the first starts at 0, each ends where the next starts, the last ends with the file.
-fn tiles(document: &Document<'_>) {
+fn tiles(document: &Document) {
     let tree = document.tree();
     let mut at = 0;
-    for index in 0..tree.pieces().len() {
-        let span = tree.piece_span(index);
+    for piece in tree.pieces() {
+        let span = piece.span;
         assert_eq!(span.start, at, "a gap or an overlap at byte {at}");
         assert!(span.end > span.start, "an empty piece at byte {at}");
         at = span.end;
@@ -150,30 +141,31 @@ fn only_spans_change(before: &[u8], after: &[u8], edits: &[Edit]) {
 }
 
 /// The value of a change in a model that was read again.
-fn value<'m>(model: &'m Model<'_, '_>, change: &osim_patch::Change) -> Option<&'m Value> {
+fn value<'m>(model: &'m Model, change: &osim_patch::Change) -> Option<&'m Value> {
     if change.property == Property::Radius {
-        return model.spheres.iter().find(|sphere| sphere.path == change.path).map(|sphere| &sphere.radius);
+        return model.spheres().iter().find(|sphere| sphere.path == change.path).map(|sphere| &sphere.radius);
     }
-    let force = model.forces.iter().find(|force| force.path == change.path)?;
-    force.value(change.set.unwrap_or(0), change.property)
+    let force = model.forces().iter().find(|force| force.path == change.path)?;
+    let set = force.sets.iter().find(|set| set.number == change.set).map_or(SetId::FIRST, |set| set.id);
+    force.value(set, change.property)
 }
 
 /// The whole law on one file; `true` where it was rescaled.
 fn law(bytes: &[u8], factor: f64, radius: RadiusRule) -> bool {
     let Ok(document) = Document::parse(bytes) else { return false };
+    assert_eq!(document.bytes(), bytes);
     tiles(&document);
     assert_eq!(splice(bytes, &[]).unwrap(), bytes, "without edits the bytes changed");
-    let Ok(model) = Model::read(&document) else { return false };
-    let _ = model.limbs(&(0..model.forces.len()).collect::<Vec<_>>());
+    let Ok(model) = Model::read(document) else { return false };
+    let _ = model.limbs(&model.force_ids());
     let Some(plan) = planned(&model, factor, radius) else { return false };
-    let (edits, patched) = (plan.edits(&model, 0), plan.patched(&model, 0).unwrap());
+    let (edits, patched) = (plan.edits(&model, FileId::MAIN), plan.patched(&model, FileId::MAIN).unwrap());
     only_spans_change(bytes, &patched, &edits);
     if plan.is_empty() {
         assert_eq!(patched, bytes);
         return true;
     }
-    let again = Document::parse(&patched).expect("what was written is a document");
-    let model = Model::read(&again).expect("what was written is a model");
+    let model = Model::parse(patched).expect("what was written is a model");
     for change in &plan.changes {
         assert!(change.to.is_finite());
         let value = value(&model, change).unwrap_or_else(|| panic!("{} is gone", change.path));
@@ -204,12 +196,10 @@ fn there_and_back_is_the_same_to_the_last_bits() {
     // Each way multiplies once, by a ratio that is right to a few last bits.
     for name in fixtures("table1") {
         let bytes = fixture(&name);
-        let document = Document::parse(&bytes).unwrap();
-        let model = Model::read(&document).unwrap();
+        let model = Model::parse(bytes).unwrap();
         let there = planned(&model, 19.3, RadiusRule::Isometric).unwrap();
-        let patched = there.patched(&model, 0).unwrap();
-        let document = Document::parse(&patched).unwrap();
-        let model = Model::read(&document).unwrap();
+        let patched = there.patched(&model, FileId::MAIN).unwrap();
+        let model = Model::parse(patched).unwrap();
         // The note says what the contacts stand for, so 1/19.3 leads back.
         let back = planned(&model, 1.0 / 19.3, RadiusRule::Isometric).unwrap();
         assert_eq!(back.changes.len(), there.changes.len(), "{name}");
@@ -250,7 +240,7 @@ proptest! {
 
     #[test]
     fn any_number_is_written_so_that_it_reads_the_same(number in prop::num::f64::POSITIVE | prop::num::f64::SUBNORMAL | prop::num::f64::ZERO) {
-        let text = osim_patch::shortest(number);
+        let text = osim_model::shortest(number);
         prop_assert_eq!(text.parse::<f64>().unwrap().to_bits(), number.to_bits(), "{}", text);
         prop_assert!(text.len() <= 24, "{}", text);
         // As short as any exact spelling.

@@ -5,7 +5,7 @@
 mod given;
 
 use given::{assert_close, fixture, foot, given, smooth};
-use osim_patch::Property;
+use osim_model::Property;
 
 #[test]
 fn a_standalone_pair_changes_together() {
@@ -22,10 +22,10 @@ fn a_standalone_pair_changes_together() {
     let outcome = pair().beside(fixture("format/standalone_model_without_contacts.osim")).rescaled_to(492.0);
     outcome.sets(Property::Stiffness, 1, 2_469_135.6);
     assert_eq!(outcome.file(2), fixture("format/standalone_model_without_contacts.osim"));
-    pair().rescaled_to(492.0).is_refused("no-mass", &["--mass", "--contacts-mass"]);
+    pair().rescaled_to(492.0).is_refused("no-mass", &["`mass`", "`contacts_mass`"]);
     given(fixture("format/standalone_ForceSet.xml"))
         .rescaled_to(1.0)
-        .is_refused("incomplete-set", &["--geometry"]);
+        .is_refused("incomplete-set", &["`geometry`"]);
     given(fixture("format/standalone_ContactGeometrySet.xml"))
         .rescaled_to(1.0)
         .is_refused("incomplete-set", &["ForceSet"]);
@@ -60,10 +60,10 @@ fn a_partial_or_stale_note_is_not_believed() {
     let after = |outcome: &given::Outcome| String::from_utf8(outcome.bytes().to_vec()).unwrap();
     let partial = after(&foot().with_note().only(&[Property::Stiffness]).rescaled_to(64.0));
     assert!(partial.contains("; scope partial;"), "{partial}");
-    given(partial.clone()).rescaled_to(100.0).is_refused("stale-note", &["64 kg", "--contacts-mass"]);
+    given(partial.clone()).rescaled_to(100.0).is_refused("stale-note", &["64 kg", "`contacts_mass`"]);
     given(partial).standing_for(1.0).rescaled_to(64.0).sets(Property::Radius, 1, 0.04);
     let edited = after(&foot().with_note().rescaled_to(64.0)).replace("<dissipation>1<", "<dissipation>1.1<");
-    given(edited).rescaled_to(100.0).is_refused("stale-note", &["64 kg", "--contacts-mass"]);
+    given(edited).rescaled_to(100.0).is_refused("stale-note", &["64 kg", "`contacts_mass`"]);
     // Another spelling of the same number is the same number.
     let respelled = after(&foot().with_note().rescaled_to(64.0)).replace(">4000000<", "> 4.0e6 <");
     given(respelled).rescaled_to(8.0).sets(Property::Stiffness, 1, 2e6);

@@ -151,7 +151,7 @@ impl Check<'_> {
 pub(crate) fn judged(
     view: &View,
     args: &ViewArgs,
-    model: &Model<'_, '_>,
+    model: &Model,
     seen: &Inspection,
     compiled: Option<&Warning>,
 ) -> Report {
@@ -176,7 +176,7 @@ pub(crate) fn judged(
 }
 
 /// `true` where the numbers of `model` can be changed: a command that would be refused is no help.
-fn changes(view: &View, model: &Model<'_, '_>) -> bool {
+fn changes(view: &View, model: &Model) -> bool {
     let assignments =
         vec![(Property::Dissipation, Assignment::Value(0.0)), (Property::Stiffness, Assignment::Value(1.0))];
     let trial = Set { assignments, contacts_mass: None, again: true };

@@ -7,7 +7,7 @@ use super::mend::Mend;
 use crate::look::Inspection;
 
 /// Everything that the model shows apart from its figures.
-pub(super) fn findings(model: &Model<'_, '_>, seen: &Inspection, mend: &Mend<'_>) -> Vec<Finding> {
+pub(super) fn findings(model: &Model, seen: &Inspection, mend: &Mend<'_>) -> Vec<Finding> {
     let mut found: Vec<Finding> = seen
         .warnings
         .iter()
@@ -27,7 +27,7 @@ pub(super) fn findings(model: &Model<'_, '_>, seen: &Inspection, mend: &Mend<'_>
 }
 
 fn command(
-    model: &Model<'_, '_>,
+    model: &Model,
     code: WarningCode,
     subject: Option<&str>,
     mend: &Mend<'_>,
@@ -44,7 +44,7 @@ fn command(
 }
 
 /// What to write into `left` so that it is like `right`; `None` where one `set` cannot say it.
-fn differing(model: &Model<'_, '_>, left: &Force, right: &Force) -> Option<Vec<(Property, f64)>> {
+fn differing(model: &Model, left: &Force, right: &Force) -> Option<Vec<(Property, f64)>> {
     let ([of_left], [of_right]) = (left.sets.as_slice(), right.sets.as_slice()) else { return None };
     let mut changes: Vec<(Property, f64)> = of_left
         .values
@@ -69,7 +69,7 @@ fn differing(model: &Model<'_, '_>, left: &Force, right: &Force) -> Option<Vec<(
 }
 
 /// Spheres of different radii under one modulus.
-pub(super) fn mixed_radii(model: &Model<'_, '_>, force: &Force) -> Option<Finding> {
+pub(super) fn mixed_radii(model: &Model, force: &Force) -> Option<Finding> {
     let set = force.sets.iter().find(|set| {
         let mut radii = set
             .spheres
@@ -91,14 +91,14 @@ fn several_sets(force: &Force) -> Option<Finding> {
     })
 }
 
-fn disabled(model: &Model<'_, '_>, force: &Force) -> Option<Finding> {
+fn disabled(model: &Model, force: &Force) -> Option<Finding> {
     let text = format!("{} is switched off", force.path);
     let off = !force.applies && model.meets_half_space(force);
     off.then(|| Finding::new(WarningCode::DisabledForce, text).at(Some(&force.path), Some(force.line)))
 }
 
 /// Spheres that stand on ground and are used by a contact force.
-fn terrain(model: &Model<'_, '_>) -> Option<Finding> {
+fn terrain(model: &Model) -> Option<Finding> {
     let used = |index: &usize| model.forces.iter().any(|force| force.spheres().contains(index));
     let fixed: Vec<usize> = (0..model.spheres.len())
         .filter(|&index| model.spheres.get(index).is_some_and(|sphere| sphere.fixed))

@@ -119,7 +119,7 @@ impl Figures {
     /// # Errors
     /// A value that is no plain number or outside its domain, with its place.
     pub(crate) fn of(
-        model: &Model<'_, '_>,
+        model: &Model,
         selected: &Selected,
         limbs: &Limbs,
         mass: Option<&Mass>,

@@ -251,7 +251,7 @@ pub(super) struct SetContact {
 }
 
 impl Inspection {
-    pub(super) fn new(model: &Model<'_, '_>, found: Found<'_>) -> Self {
+    pub(super) fn new(model: &Model, found: Found<'_>) -> Self {
         Self {
             schema_version: SCHEMA_VERSION,
             model: found.path.to_owned(),
@@ -293,12 +293,12 @@ impl Inspection {
     }
 }
 
-fn names(model: &Model<'_, '_>, spheres: &[usize]) -> Vec<String> {
+fn names(model: &Model, spheres: &[usize]) -> Vec<String> {
     let named = spheres.iter().filter_map(|&index| model.spheres.get(index));
     named.map(|sphere| sphere.name.clone()).collect()
 }
 
-fn spheres(model: &Model<'_, '_>, limbs: &Limbs) -> Vec<SphereSeen> {
+fn spheres(model: &Model, limbs: &Limbs) -> Vec<SphereSeen> {
     let limb_of = |index: usize| {
         let limb = limbs.known()?.iter().find(|limb| limb.spheres.contains(&index))?;
         Some(limb.name.clone())
@@ -317,7 +317,7 @@ fn spheres(model: &Model<'_, '_>, limbs: &Limbs) -> Vec<SphereSeen> {
     seen.collect()
 }
 
-fn forces(model: &Model<'_, '_>, found: &Found<'_>) -> Vec<ForceSeen> {
+fn forces(model: &Model, found: &Found<'_>) -> Vec<ForceSeen> {
     let mut seen = Vec::new();
     for (index, force) in model.forces.iter().enumerate() {
         for (number, set) in force.sets.iter().enumerate() {

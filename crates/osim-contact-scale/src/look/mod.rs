@@ -195,7 +195,7 @@ impl<'l> Look<'l> {
     pub(crate) fn with<T>(
         &self,
         source: &Source,
-        then: impl FnOnce(&Loaded, &Model<'_, '_>, Inspection) -> Result<T, Failure>,
+        then: impl FnOnce(&Loaded, &Model, Inspection) -> Result<T, Failure>,
     ) -> Result<T, Failure> {
         let loaded = Loaded::read(source, &self.args.parts)?;
         loaded.with_model(|model| {
@@ -205,7 +205,7 @@ impl<'l> Look<'l> {
     }
 
     /// Each body's factors against the generic model, where one was named.
-    fn factors(&self, loaded: &Loaded, model: &Model<'_, '_>) -> Result<Option<Factors>, Failure> {
+    fn factors(&self, loaded: &Loaded, model: &Model) -> Result<Option<Factors>, Failure> {
         let Some(from) = self.from else { return Ok(None) };
         let generic = Loaded::read(&Source { path: from.to_owned(), folder: None }, &PartArgs::default())?;
         let generic =
@@ -222,7 +222,7 @@ impl View {
     pub(crate) fn inspection(
         &self,
         shown: &str,
-        model: &Model<'_, '_>,
+        model: &Model,
         factors: Option<&Factors>,
     ) -> Inspection {
         let mut warnings = model.warnings.clone();
@@ -267,7 +267,7 @@ impl View {
 
 /// Each selected force's contact, without dimensions at the mass its contacts stand for on one limb.
 fn contacts(
-    model: &Model<'_, '_>,
+    model: &Model,
     selected: &Selected,
     mass: Option<&Mass>,
     limbs: &Limbs,
@@ -295,7 +295,7 @@ fn contacts(
     found
 }
 
-fn line_of(model: &Model<'_, '_>, fault: &Fault) -> Option<usize> {
+fn line_of(model: &Model, fault: &Fault) -> Option<usize> {
     fault.offset.map(|offset| model.file(fault.source_file).line(offset))
 }
 

@@ -16,7 +16,7 @@ use crate::report::{four, number};
 pub(crate) fn entry_of_look(
     view: &View,
     loaded: &Loaded,
-    model: &Model<'_, '_>,
+    model: &Model,
     (seen, report): (&Inspection, &Report),
     frame: Frame,
 ) -> Entry {

@@ -115,7 +115,7 @@ impl Body {
     /// No chosen force applies, or a value is no number. What is not known of the weight is no error until it is needed.
     pub(crate) fn of_model(
         name: String,
-        model: &Model<'_, '_>,
+        model: &Model,
         forces: &[usize],
         masses: &MassRequest,
         stance: Stance,
@@ -134,7 +134,7 @@ impl Body {
     /// As [`of_model`](Self::of_model).
     pub(crate) fn seen(
         name: String,
-        model: &Model<'_, '_>,
+        model: &Model,
         view: &View,
         failed: &dyn Fn(Fault) -> Failure,
     ) -> Result<Self, Failure> {
@@ -232,7 +232,7 @@ fn scaled_spheres(
 }
 
 /// The kinds of spheres among the forces, in the order of the file.
-fn kinds(model: &Model<'_, '_>, forces: &[usize]) -> Result<Vec<Kind>, Fault> {
+fn kinds(model: &Model, forces: &[usize]) -> Result<Vec<Kind>, Fault> {
     let mut kinds: Vec<(Kind, Vec<String>)> = Vec::new();
     for sphere in loaded_spheres(model, forces)? {
         let name = model.spheres.get(sphere.sphere).map(|sphere| sphere.name.clone()).unwrap_or_default();
@@ -269,7 +269,7 @@ fn shortened(names: &[String]) -> String {
 }
 
 fn weight(
-    model: &Model<'_, '_>,
+    model: &Model,
     forces: &[usize],
     masses: &MassRequest,
     stance: Stance,

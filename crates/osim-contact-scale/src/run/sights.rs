@@ -36,13 +36,13 @@ struct Sight<'s> {
 }
 
 impl Sight<'_> {
-    fn seen(&self, model: &Model<'_, '_>) -> (Inspection, Report) {
+    fn seen(&self, model: &Model) -> (Inspection, Report) {
         let seen = self.view.inspection(&self.loaded.shown, model, None);
         let report = check::judged(&self.view, &self.args, model, &seen, None);
         (seen, report)
     }
 
-    fn body(&self, name: &str, model: &Model<'_, '_>) -> Option<Body> {
+    fn body(&self, name: &str, model: &Model) -> Option<Body> {
         Body::seen(name.to_owned(), model, &self.view, &|fault| self.loaded.failure(fault)).ok()
     }
 }
@@ -54,7 +54,7 @@ impl Sights {
         task: &Task,
         loaded: &Loaded,
         plan: &Plan,
-        model: &Model<'_, '_>,
+        model: &Model,
         results: &Results<'_>,
         frame: Frame,
     ) -> Result<Self, Failure> {

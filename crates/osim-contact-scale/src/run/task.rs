@@ -15,7 +15,7 @@ use crate::sources::{Source, Sources};
 
 /// What a verb plans for a model.
 pub(crate) trait Planner: Send + Sync {
-    fn plan(&self, model: &Model<'_, '_>) -> Result<Plan, Fault>;
+    fn plan(&self, model: &Model) -> Result<Plan, Fault>;
 
     /// Files it reads beside the models.
     fn reads(&self) -> Vec<PathBuf> {

@@ -189,7 +189,7 @@ impl Job<'_> {
         &self.task.order
     }
 
-    fn plan(&mut self, model: &Model<'_, '_>) -> Result<Plan, Failure> {
+    fn plan(&mut self, model: &Model) -> Result<Plan, Failure> {
         let planned = self.order().planner().plan(model);
         let mut plan = planned.map_err(|fault| self.loaded.failure(fault))?;
         if self.order().no_note {
@@ -206,7 +206,7 @@ impl Job<'_> {
         Ok(plan)
     }
 
-    fn results<'m>(&self, plan: &Plan, model: &'m Model<'_, '_>) -> Result<Results<'m>, Failure> {
+    fn results<'m>(&self, plan: &Plan, model: &'m Model) -> Result<Results<'m>, Failure> {
         let patched = |file| plan.patch(model, file).map_err(|fault| self.loaded.failure(fault));
         let mut geometry = None;
         // The standalone geometry set that changes with the force set.

@@ -120,7 +120,7 @@ fn alike(mut values: impl Iterator<Item = f64>) -> Option<f64> {
 }
 
 /// Parameters of the selected forces, and radii of their spheres.
-fn values(model: &Model<'_, '_>, selected: &Selected) -> Vec<(Property, f64)> {
+fn values(model: &Model, selected: &Selected) -> Vec<(Property, f64)> {
     let mut values = Vec::new();
     for force in selected.forces.iter().filter_map(|&index| model.forces.get(index)) {
         for set in &force.sets {

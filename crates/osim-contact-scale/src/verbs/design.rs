@@ -89,7 +89,7 @@ fn check(args: &DesignArgs) -> Result<()> {
 }
 
 impl Designing {
-    fn load(&self, model: &Model<'_, '_>) -> Result<(Option<SharedLoad>, Option<Mass>), Fault> {
+    fn load(&self, model: &Model) -> Result<(Option<SharedLoad>, Option<Mass>), Fault> {
         let args = self;
         if args.wanted.indentation.is_none() {
             return Ok((None, None));
@@ -130,7 +130,7 @@ impl Planner for Designing {
         self.options.clone()
     }
 
-    fn plan(&self, model: &Model<'_, '_>) -> Result<Plan, Fault> {
+    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         let selected = self.selection.apply(model)?;
         let wanted = &self.wanted;
         let (load, mass) = self.load(model)?;

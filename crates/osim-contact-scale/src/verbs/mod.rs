@@ -14,7 +14,7 @@ use osim_patch::{Fault, FaultKind, Model, RadiusRule, shortest};
 pub(crate) use reference::scale_file;
 
 /// A factor that the note says was applied already is not applied once more in place, unless `again` is wanted.
-fn refuse_again(model: &Model<'_, '_>, operation: &str, again: bool) -> Result<(), Fault> {
+fn refuse_again(model: &Model, operation: &str, again: bool) -> Result<(), Fault> {
     let done = model.note.as_ref().is_some_and(|note| note.operation == operation);
     if !done || again {
         return Ok(());
@@ -37,7 +37,7 @@ fn operation(verb: &str, radius: Option<RadiusRule>) -> String {
 /// n as found per limb times the stance limbs, or a question.
 ///
 /// All spheres that stand count, whichever forces were selected: those left out carry weight too.
-pub(crate) fn sphere_count(model: &Model<'_, '_>, stance_limbs: f64, option: &str) -> Result<f64, Fault> {
+pub(crate) fn sphere_count(model: &Model, stance_limbs: f64, option: &str) -> Result<f64, Fault> {
     let all: Vec<usize> = (0..model.forces.len()).collect();
     let limbs = model.limbs(&all);
     match limbs.spheres_per_limb() {

@@ -78,7 +78,7 @@ pub(crate) fn scale_file(path: &Path) -> Result<ScaleFile, Failure> {
 }
 
 fn reference_from_model(
-    model: &Model<'_, '_>,
+    model: &Model,
     args: &TransferArgs,
 ) -> Result<(Reference, Option<Fault>), Fault> {
     let select = set_of(&args.reference.reference_select).unwrap_or_default();

@@ -58,7 +58,7 @@ impl Planner for Rescaling {
         self.options.clone()
     }
 
-    fn plan(&self, model: &Model<'_, '_>) -> Result<Plan, Fault> {
+    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         let selected = self.selection.apply(model)?;
         let mut warnings = Vec::new();
         let scaling = &self.scaling;

@@ -78,7 +78,7 @@ impl Planner for Setting {
         self.options.clone()
     }
 
-    fn plan(&self, model: &Model<'_, '_>) -> Result<Plan, Fault> {
+    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         let selected = self.selection.apply(model)?;
         let mut warnings = Vec::new();
         // A plain change needs no mass; where one is known, the note goes on saying it.

@@ -104,7 +104,7 @@ impl Planner for Transferring {
         from.into_iter().chain(&args.presets).chain(&args.follow.body_scale_file).cloned().collect()
     }
 
-    fn plan(&self, model: &Model<'_, '_>) -> Result<Plan, Fault> {
+    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         let selected = self.selection.apply(model)?;
         let scaling = &self.args.scaling;
         let mut warnings = Vec::new();
@@ -149,7 +149,7 @@ impl Planner for Transferring {
 impl Transferring {
     fn follow(
         &self,
-        model: &Model<'_, '_>,
+        model: &Model,
         selected: &Selected,
         generic: &Generic,
         warnings: &mut Vec<Warning>,

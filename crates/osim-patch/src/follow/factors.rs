@@ -2,10 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::anatomy::Anatomy;
-use crate::document::Document;
-use crate::error::{Fault, FaultKind};
-use crate::warning::{Warning, WarningCode};
+use osim_model::{Anatomy, Document, Fault, FaultKind, Needed, Warning, WarningCode};
 
 /// Offsets shorter than this say nothing about a factor, m.
 const SHORTEST_OFFSET: f64 = 1e-6;
@@ -17,7 +14,7 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum FactorSource {
-    /// `--body-scale`.
+    /// The caller.
     Given,
     /// The Scale Tool's applied ScaleSet.
     ScaleFile,
@@ -51,17 +48,19 @@ pub struct AxisFactor {
 
 /// The factors of one body.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct BodyFactors {
     /// Name of the body.
     pub body: String,
     /// x, y, z.
     pub axes: [Option<AxisFactor>; 3],
-    /// Everything the sources said, in their order.
-    pub said: Vec<(FactorSource, [Option<f64>; 3])>,
+    /// What each source says, in their order.
+    pub sources: Vec<(FactorSource, [Option<f64>; 3])>,
 }
 
 /// Factors of all bodies of a scaled model.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Factors {
     /// In file order of the scaled model.
     pub bodies: Vec<BodyFactors>,
@@ -78,11 +77,11 @@ impl ScaleFile {
     ///
     /// # Errors
     /// Another document, factors that are not three numbers above 0, or two that contradict each other.
-    pub fn read(document: &Document<'_>) -> Result<Self, Fault> {
+    pub fn read(document: &Document) -> Result<Self, Fault> {
         Self::read_unlocated(document).map_err(|fault| fault.located(document.bytes()))
     }
 
-    fn read_unlocated(document: &Document<'_>) -> Result<Self, Fault> {
+    fn read_unlocated(document: &Document) -> Result<Self, Fault> {
         let tree = document.tree();
         let root = document.data_root();
         if tree.name(root) != "ScaleSet" {
@@ -117,7 +116,7 @@ impl Factors {
     /// Compares `scaled` with the `generic` model it came from.
     ///
     /// # Errors
-    /// A factor that is zero, negative or not finite, or a `--body-scale` for a body that is not there.
+    /// A factor that is zero, negative or not finite, or one given for a body that is not there.
     pub fn find(
         scaled: &Anatomy,
         generic: &Anatomy,
@@ -125,7 +124,7 @@ impl Factors {
         given: &BTreeMap<String, [f64; 3]>,
     ) -> Result<Self, Fault> {
         if let Some(name) = given.keys().find(|name| !scaled.bodies.contains(name)) {
-            return Err(Fault::refused(format!("--body-scale {name}: the model has no body of that name")));
+            return Err(Fault::new(FaultKind::UnknownBody { body: name.clone() }));
         }
         let mut factors = Self { bodies: Vec::new(), warnings: Vec::new() };
         for body in &scaled.bodies {
@@ -168,7 +167,7 @@ impl Factors {
             }
             axes[axis] = Some(AxisFactor { factor, source });
         }
-        self.bodies.push(BodyFactors { body: body.to_owned(), axes, said });
+        self.bodies.push(BodyFactors { body: body.to_owned(), axes, sources: said });
         Ok(())
     }
 
@@ -183,16 +182,7 @@ impl Factors {
             AXES.iter().zip(&axes).filter(|(_, axis)| axis.is_none()).map(|(name, _)| *name).collect();
         match axes {
             [Some(x), Some(y), Some(z)] => Ok([x.factor, y.factor, z.factor]),
-            _ => Err(Fault::new(FaultKind::NeedsAnswer {
-                code: "body-scale",
-                question: format!(
-                    "how body {body} was scaled along {} is not in the files",
-                    missing.join(" and ")
-                ),
-                way_out: format!(
-                    "say it with --body-scale {body}=x,y,z, or give the Scale Tool's --body-scale-file FILE"
-                ),
-            })),
+            _ => Err(Fault::new(Needed::BodyFactors { body: body.to_owned(), axes: missing })),
         }
     }
 }

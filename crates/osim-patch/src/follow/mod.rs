@@ -5,11 +5,8 @@
 //! one it came from gives each body's factors ([`Factors`]); spheres of the same name then move and grow with their body
 //! ([`Follow`]).
 
-mod anatomy;
 mod factors;
 mod spheres;
 
-pub(crate) use anatomy::rotation_of;
-pub use anatomy::{Anatomy, AnatomySphere};
 pub use factors::{AxisFactor, BodyFactors, FactorSource, Factors, ScaleFile};
-pub use spheres::{Follow, FollowRequest, Followed, LevelAxis, MovedSpheres, RadiusAxis};
+pub use spheres::{Follow, FollowRequest, Followed, MovedSpheres, RadiusAxis};

@@ -2,19 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use super::anatomy::{Anatomy, AnatomySphere, Rotation, scaled_in_frame};
+use osim_model::{Anatomy, AnatomySphere, Fault, LevelAxis, Model, Needed, SphereId};
+
 use super::factors::Factors;
-use crate::error::{Fault, FaultKind};
-use crate::model::Model;
 
 /// A location or radius that differs by less than this (relative to the radius) was not touched.
 const UNTOUCHED: f64 = 1e-6;
 
-/// Two axes this close to up (difference of their cosines) are equally near.
-const TIE: f64 = 1e-9;
-
 /// How a radius follows from three factors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum RadiusAxis {
     /// One axis.
     X,
@@ -46,73 +43,9 @@ impl RadiusAxis {
     }
 }
 
-/// The direction away from the ground, foot flat.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct LevelAxis {
-    /// 0, 1 or 2.
-    pub axis: usize,
-    /// The axis points down.
-    pub down: bool,
-    /// The axis is the body's: each sphere's frame has an axis of its own that is nearest to it.
-    pub of_body: bool,
-}
-
-impl LevelAxis {
-    /// The axis nearest to −gravity; y where a model has no gravity.
-    #[must_use]
-    pub fn of_gravity(gravity: Option<[f64; 3]>) -> Self {
-        let gravity = gravity.unwrap_or([0.0, -1.0, 0.0]);
-        let mut axis = 1;
-        for (index, value) in gravity.iter().enumerate() {
-            if value.abs() > gravity[axis].abs() {
-                axis = index;
-            }
-        }
-        Self { axis, down: gravity[axis] > 0.0, of_body: true }
-    }
-
-    /// The axis of a frame that is turned by `rotation` in its body.
-    pub(crate) fn in_frame(self, rotation: &Rotation) -> Self {
-        if !self.of_body {
-            return self;
-        }
-        let sign = if self.down { -1.0 } else { 1.0 };
-        // The body's axis in the frame: a row of its rotation. The body's own axis wins a tie.
-        let turned: [f64; 3] = rotation[self.axis].map(|value| sign * value);
-        let mut axis = self.axis;
-        for (index, value) in turned.iter().enumerate() {
-            if value.abs() > turned[axis].abs() + TIE {
-                axis = index;
-            }
-        }
-        Self { axis, down: turned[axis] < 0.0, of_body: false }
-    }
-
-    fn up(self) -> [f64; 3] {
-        std::array::from_fn(|index| match index == self.axis {
-            true if self.down => -1.0,
-            true => 1.0,
-            false => 0.0,
-        })
-    }
-
-    /// Where the centre goes so that the bottom stays on the sole: the bottom point is scaled, the radius is added again.
-    pub(crate) fn centre(
-        self,
-        centre: [f64; 3],
-        old_radius: f64,
-        new_radius: f64,
-        scaled: impl Fn([f64; 3]) -> [f64; 3],
-    ) -> [f64; 3] {
-        let up = self.up();
-        let bottom = std::array::from_fn(|i| centre[i] - old_radius * up[i]);
-        let bottom = scaled(bottom);
-        std::array::from_fn(|i| bottom[i] + new_radius * up[i])
-    }
-}
-
 /// What to do with spheres of the scaled model that somebody moved or resized already.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum MovedSpheres {
     /// Ask.
     #[default]
@@ -124,7 +57,8 @@ pub enum MovedSpheres {
 }
 
 /// What is wanted.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, PartialEq)]
+#[non_exhaustive]
 pub struct FollowRequest {
     /// How radii follow.
     pub radius_axis: RadiusAxis,
@@ -150,13 +84,13 @@ pub struct Followed {
 /// New places of all moving spheres of a scaled model.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Follow {
-    pub(crate) spheres: BTreeMap<usize, Followed>,
+    pub(crate) spheres: BTreeMap<SphereId, Followed>,
     /// Geometric mean of the factors of the bodies that carry spheres: the ratio of sizes.
     pub size_ratio: f64,
 }
 
 impl Follow {
-    pub(crate) fn old_radius(&self, sphere: usize) -> Option<f64> {
+    pub(crate) fn old_radius(&self, sphere: SphereId) -> Option<f64> {
         self.spheres.get(&sphere).map(|followed| followed.old_radius_m)
     }
 
@@ -185,8 +119,8 @@ impl Follow {
     /// # Errors
     /// A sphere without a namesake, on another body, or moved already; a body whose factors are not known.
     pub fn find(
-        model: &Model<'_, '_>,
-        wanted: &[usize],
+        model: &Model,
+        wanted: &[SphereId],
         scaled: &Anatomy,
         generic: &Anatomy,
         factors: &Factors,
@@ -196,8 +130,8 @@ impl Follow {
         let (mut logarithms, mut count) = (0.0, 0.0);
         refuse_unmatched(model, wanted, generic)?;
         refuse_moved(model, wanted, scaled, generic, request.moved)?;
-        for &index in wanted {
-            let (Some(now), Some(own)) = (scaled.spheres.get(index), model.spheres.get(index)) else {
+        for &id in wanted {
+            let (Some(now), Some(own)) = (scaled.spheres.get(id.index()), model.sphere(id)) else {
                 continue;
             };
             let Some(old) = generic.sphere(&now.name) else { continue };
@@ -219,7 +153,7 @@ impl Follow {
             } else {
                 follow_one(now, old, of_body, request)
             };
-            spheres.insert(index, place);
+            spheres.insert(id, place);
         }
         let size_ratio = if count > 0.0 { libm::exp(logarithms / count) } else { 1.0 };
         Ok(Self { spheres, size_ratio })
@@ -239,7 +173,7 @@ fn follow_one(
         ratio => old.radius_m * ratio,
     };
     // The frame of the scaled model: OpenSim moves it but does not turn it.
-    let scaled = |vector: [f64; 3]| scaled_in_frame(&now.rotation, factors, vector);
+    let scaled = |vector: [f64; 3]| now.rotation.scaled_in_frame(factors, vector);
     let location_m = match request.level {
         Some(axis) => axis.in_frame(&now.rotation).centre(old.location_m, old.radius_m, radius_m, scaled),
         None => scaled(old.location_m),
@@ -254,9 +188,9 @@ fn differs(now: &AnatomySphere, old: &AnatomySphere) -> bool {
     moved || (now.radius_m - old.radius_m).abs() > limit
 }
 
-fn refuse_unmatched(model: &Model<'_, '_>, wanted: &[usize], generic: &Anatomy) -> Result<(), Fault> {
+fn refuse_unmatched(model: &Model, wanted: &[SphereId], generic: &Anatomy) -> Result<(), Fault> {
     let twins = |name: &str| generic.spheres.iter().filter(|sphere| sphere.name == name).count() > 1;
-    let names = wanted.iter().filter_map(|&index| model.spheres.get(index)).map(|sphere| &sphere.name);
+    let names = wanted.iter().filter_map(|&id| model.sphere(id)).map(|sphere| &sphere.name);
     if let Some(name) = names.into_iter().find(|name| twins(name)) {
         return Err(Fault::refused(format!(
             "the reference has several spheres called {name}: which is meant cannot be told, expected one"
@@ -264,7 +198,7 @@ fn refuse_unmatched(model: &Model<'_, '_>, wanted: &[usize], generic: &Anatomy) 
     }
     let unmatched: Vec<&str> = wanted
         .iter()
-        .filter_map(|&index| model.spheres.get(index))
+        .filter_map(|&id| model.sphere(id))
         .filter(|sphere| generic.sphere(&sphere.name).is_none())
         .map(|sphere| sphere.name.as_str())
         .collect();
@@ -280,8 +214,8 @@ fn refuse_unmatched(model: &Model<'_, '_>, wanted: &[usize], generic: &Anatomy) 
 }
 
 fn refuse_moved(
-    model: &Model<'_, '_>,
-    wanted: &[usize],
+    model: &Model,
+    wanted: &[SphereId],
     scaled: &Anatomy,
     generic: &Anatomy,
     moved: MovedSpheres,
@@ -291,49 +225,20 @@ fn refuse_moved(
     }
     let changed: Vec<&str> = wanted
         .iter()
-        .filter_map(|&index| scaled.spheres.get(index))
+        .filter_map(|&id| scaled.spheres.get(id.index()))
         .filter(|now| generic.sphere(&now.name).is_some_and(|old| differs(now, old)))
         .map(|now| now.name.as_str())
         .collect();
     if changed.is_empty() {
         return Ok(());
     }
-    Err(Fault::new(FaultKind::NeedsAnswer {
-        code: "moved-spheres",
-        question: format!(
-            "spheres of {} were moved or resized already, by another tool or by hand: {}",
-            model.name,
-            changed.join(", ")
-        ),
-        way_out: "keep them with --moved-spheres keep, or place them anew with --moved-spheres replace"
-            .to_owned(),
-    }))
+    let spheres = changed.into_iter().map(str::to_owned).collect();
+    Err(Fault::new(Needed::MovedSpheres { model: model.name.clone(), spheres }))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_bottom_stays_on_the_sole() {
-        let axis = LevelAxis::of_gravity(Some([0.0, -9.81, 0.0]));
-        assert_eq!(axis, LevelAxis { axis: 1, down: false, of_body: true });
-        // Bottom at -0.06; the sole is scaled by 2, the radius by 1.5: bottom at -0.12, centre 0.06 above.
-        let [x, y, z] = axis.centre([0.1, -0.02, 0.0], 0.04, 0.06, |v| [v[0], 2.0 * v[1], v[2]]);
-        assert!((x - 0.1).abs() < 1e-15 && (y + 0.06).abs() < 1e-15 && z == 0.0);
-    }
-
-    #[test]
-    fn up_is_found_in_a_turned_frame() {
-        let up = LevelAxis::of_gravity(None);
-        // A quarter turn about z: the frame's x is the body's y; about x: its z is the body's -y.
-        let about_z = [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
-        let about_x = [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]];
-        assert_eq!(up.in_frame(&about_z), LevelAxis { axis: 0, down: false, of_body: false });
-        assert_eq!(up.in_frame(&about_x), LevelAxis { axis: 2, down: true, of_body: false });
-        let told = LevelAxis { axis: 1, down: false, of_body: false };
-        assert_eq!(told.in_frame(&about_z), told);
-    }
 
     #[test]
     fn radii_follow_the_axis_asked_for() {

@@ -3,10 +3,9 @@
 // Every test file uses another part of these.
 #![allow(dead_code)]
 
-use globset::{Glob, GlobSet, GlobSetBuilder};
+use osim_model::{Companion, Document, Fault, FileId, MassRequest, Model, Pattern, Property, Selection};
 use osim_patch::{
-    Change, DissipationBy, Document, Fault, MassRequest, Model, Part, Plan, Property, PropertySet,
-    RadiusRule, Reference, Rescale, ScalingRule, Selection, Transfer, rescale, transfer,
+    Change, DissipationBy, Plan, PropertySet, RadiusRule, Reference, Rescale, Transfer, rescale, transfer,
 };
 
 /// Bytes of a file of `fixtures/`.
@@ -139,8 +138,8 @@ pub(crate) fn given_fixture(name: &str) -> Given {
     given(fixture(name))
 }
 
-fn globs(glob: &str) -> GlobSet {
-    GlobSetBuilder::new().add(Glob::new(glob).unwrap()).build().unwrap()
+fn patterns(pattern: &str) -> Vec<Pattern> {
+    vec![pattern.parse().unwrap()]
 }
 
 impl Given {
@@ -181,17 +180,17 @@ impl Given {
     }
 
     pub(crate) fn selecting(mut self, glob: &str) -> Self {
-        self.selection.select = globs(glob);
+        self.selection.select = patterns(glob);
         self
     }
 
     pub(crate) fn excluding(mut self, glob: &str) -> Self {
-        self.selection.exclude = globs(glob);
+        self.selection.exclude = patterns(glob);
         self
     }
 
     pub(crate) fn excluding_body(mut self, glob: &str) -> Self {
-        self.masses.exclude_bodies = globs(glob);
+        self.masses.exclude_bodies = patterns(glob);
         self
     }
 
@@ -217,24 +216,28 @@ impl Given {
         all.restricted(&self.only, &self.keep)
     }
 
-    /// Hands the model to `then`.
-    pub(crate) fn read<T>(&self, then: impl FnOnce(&Model<'_, '_>) -> Result<T, Fault>) -> Result<T, Fault> {
-        let document = Document::parse(&self.bytes)?;
-        let documents = self.parts.iter().map(|part| Document::parse(part)).collect::<Result<Vec<_>, _>>()?;
-        let parts: Vec<_> = documents.iter().map(|document| Part { document, included_by: None }).collect();
-        then(&Model::read_with(&document, &parts)?)
+    /// The model.
+    pub(crate) fn read(&self) -> Result<Model, Fault> {
+        let document = Document::parse(self.bytes.as_slice())?;
+        let beside = |bytes: &Vec<u8>| {
+            Ok(Companion { document: Document::parse(bytes.as_slice())?, included_by: None })
+        };
+        Model::read_with(document, self.parts.iter().map(beside).collect::<Result<_, Fault>>()?)
     }
 
-    fn outcome(self, plan: impl FnOnce(&Model<'_, '_>, &Self) -> Result<Plan, Fault>) -> Outcome {
-        let result = self.read(|model| {
-            let mut plan = plan(model, &self)?;
+    fn outcome(self, plan: impl FnOnce(&Model, &Self) -> Result<Plan, Fault>) -> Outcome {
+        let patched = || {
+            let model = self.read()?;
+            let mut plan = plan(&model, &self)?;
             if !self.note {
                 plan.without_note();
             }
-            let files = (0..=self.parts.len()).map(|file| plan.patched(model, file));
-            let files = files.collect::<Result<Vec<_>, _>>()?;
+            let beside = (0..self.parts.len()).map(FileId::companion);
+            let files = std::iter::once(FileId::MAIN).chain(beside);
+            let files = files.map(|file| plan.patched(&model, file)).collect::<Result<Vec<_>, _>>()?;
             Ok((plan, files))
-        });
+        };
+        let result = patched();
         Outcome { before: self.bytes, result }
     }
 
@@ -242,17 +245,12 @@ impl Given {
     pub(crate) fn rescaled_to(self, target_mass_kg: f64) -> Outcome {
         self.outcome(|model, given| {
             let selected = given.selection.apply(model)?;
-            let mut warnings = Vec::new();
-            let wanted = Rescale {
-                target_mass_kg,
-                contacts_mass: given.masses.of_contacts(model, &mut warnings)?,
-                radius: given.radius.unwrap_or(RadiusRule::Isometric),
-                properties: given.properties(),
-                dissipation_by: given.by,
-                target_gravity_m_s2: given.gravity,
-                contacts_gravity_m_s2: None,
-                level: None,
-            };
+            let (contacts_mass, warnings) = given.masses.of_contacts(model)?;
+            let mut wanted = Rescale::new(target_mass_kg, contacts_mass);
+            wanted.radius = given.radius.unwrap_or(RadiusRule::Isometric);
+            wanted.properties = given.properties();
+            wanted.dissipation_by = given.by;
+            wanted.target_gravity_m_s2 = given.gravity;
             let mut plan = rescale(model, &selected, &wanted)?;
             plan.warnings.extend(warnings);
             Ok(plan)
@@ -263,19 +261,12 @@ impl Given {
     pub(crate) fn taking_preset(self, name: &str, sphere_count: f64) -> Outcome {
         let preset = contact_scaling::preset(name).unwrap();
         self.outcome(|model, given| {
-            let wanted = Transfer {
-                reference: Reference::from(&preset),
-                reference_sphere: None,
-                mass: given.masses.of_model(model)?,
-                sphere_count,
-                radius: given.radius.unwrap_or(RadiusRule::Keep),
-                properties: given.properties(),
-                dissipation_by: given.by,
-                target_gravity_m_s2: given.gravity,
-                follow: None,
-                rule: ScalingRule::Paper,
-                strict: false,
-            };
+            let mass = given.masses.of_model(model)?;
+            let mut wanted = Transfer::new(Reference::from(&preset), mass, sphere_count);
+            wanted.radius = given.radius.unwrap_or(RadiusRule::Keep);
+            wanted.properties = given.properties();
+            wanted.dissipation_by = given.by;
+            wanted.target_gravity_m_s2 = given.gravity;
             transfer(model, &given.selection.apply(model)?, &wanted)
         })
     }

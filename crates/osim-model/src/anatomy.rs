@@ -1,0 +1,173 @@
+//! What a model's bones say about its size: mesh scale factors, joint offsets, and where its contact spheres are.
+
+use std::collections::BTreeMap;
+
+use crate::components::{ComponentId, Components};
+use crate::document::Document;
+use crate::fault::Fault;
+use crate::model::Model;
+use crate::rotation::{Rotation, times};
+use crate::xml::ElementId;
+
+/// The part of a model that scaling changes (or should have changed), by body name.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Anatomy {
+    /// Names of the bodies, in file order.
+    pub bodies: Vec<String>,
+    /// Per body: mesh file (numbered where it repeats) and its scale factors.
+    pub meshes: BTreeMap<String, BTreeMap<String, [f64; 3]>>,
+    /// Per body: translations of frames that are fixed to it, m, by the name of the joint or frame.
+    pub offsets: BTreeMap<String, BTreeMap<String, [f64; 3]>>,
+    /// Contact spheres.
+    pub spheres: Vec<AnatomySphere>,
+}
+
+/// A contact sphere and where it is.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct AnatomySphere {
+    /// Name as in the file.
+    pub name: String,
+    /// Body that carries it; `None` is ground.
+    pub body: Option<String>,
+    /// Location of its centre in its frame, m.
+    pub location_m: [f64; 3],
+    /// Radius, m.
+    pub radius_m: f64,
+    /// Rotation of its frame in the body.
+    pub rotation: Rotation,
+}
+
+impl Anatomy {
+    /// Reads the anatomy of `model`.
+    ///
+    /// # Errors
+    /// A frame that leads nowhere, or a radius that cannot be scaled.
+    pub fn of(model: &Model) -> Result<Self, Fault> {
+        let components = model.components();
+        let bodies = model.bodies().iter().map(|body| body.name.clone()).collect();
+        let mut anatomy =
+            Self { bodies, meshes: BTreeMap::new(), offsets: BTreeMap::new(), spheres: Vec::new() };
+        for (id, _) in components.tree.iter() {
+            let tag = components.tag(id);
+            if tag == "Body" {
+                anatomy.read_meshes(components, id);
+            } else if tag == "PhysicalOffsetFrame" {
+                anatomy.read_frame(components, id);
+            } else if tag.ends_with("Joint") {
+                anatomy.read_joint(components, id);
+                anatomy.read_old_joint(components, id);
+            }
+        }
+        for sphere in model.spheres() {
+            let radius_m = sphere.radius_m()?;
+            anatomy.spheres.push(AnatomySphere {
+                name: sphere.name.clone(),
+                body: sphere.body.clone(),
+                location_m: sphere.location_m,
+                radius_m,
+                rotation: model.rotation_of(sphere)?,
+            });
+        }
+        Ok(anatomy)
+    }
+
+    fn read_meshes(&mut self, components: &Components, body: ComponentId) {
+        let document = components.doc(body);
+        let tree = document.tree();
+        let element = components.element(body);
+        let name = components.name(body);
+        let mut found = Vec::new();
+        if let Some(attached) = tree.child(element, "attached_geometry") {
+            for mesh in tree.children(attached).filter(|&mesh| tree.name(mesh) == "Mesh") {
+                found.push((file_of(document, mesh, "mesh_file"), scale(document, mesh)));
+            }
+        }
+        // Documents of version 3: every display geometry has its own factors, and the whole has some too.
+        if let Some(visible) = tree.child(element, "VisibleObject") {
+            let whole = scale(document, visible);
+            let set = tree.child(visible, "GeometrySet").and_then(|set| tree.child(set, "objects"));
+            for geometry in set.into_iter().flat_map(|set| tree.children(set)) {
+                let own = scale(document, geometry);
+                found.push((file_of(document, geometry, "geometry_file"), times(whole, own)));
+            }
+        }
+        let meshes = self.meshes.entry(name).or_default();
+        for (file, factors) in found {
+            let mut key = file.clone();
+            let mut count = 2;
+            while meshes.contains_key(&key) {
+                key = format!("{file} #{count}");
+                count += 1;
+            }
+            meshes.insert(key, factors);
+        }
+    }
+
+    /// An offset frame that is fixed to a body directly: OpenSim scales its translation by that body's factors.
+    fn read_frame(&mut self, components: &Components, frame: ComponentId) {
+        let Some((body, translation)) = offset_on_body(components, frame) else { return };
+        self.offsets.entry(body).or_default().insert(components.tree.path(frame), translation);
+    }
+
+    /// The same offsets under the joint's name, which a document of version 3 has too.
+    fn read_joint(&mut self, components: &Components, joint: ComponentId) {
+        for end in ["parent", "child"] {
+            let frame = components
+                .connectee(joint, &format!("{end}_frame"), &[])
+                .and_then(|frame| components.frame(joint, &frame))
+                .and_then(|found| found.component)
+                .filter(|&frame| components.tag(frame) == "PhysicalOffsetFrame");
+            if let Some((body, translation)) = frame.and_then(|frame| offset_on_body(components, frame)) {
+                let key = format!("{} {end}", components.name(joint));
+                self.offsets.entry(body).or_default().insert(key, translation);
+            }
+        }
+    }
+
+    /// Documents of version 3: the joint inside the child body holds both translations.
+    fn read_old_joint(&mut self, components: &Components, joint: ComponentId) {
+        let document = components.doc(joint);
+        let element = components.element(joint);
+        let owner = components.tree.get(joint).and_then(|object| object.parent);
+        let Some(child) = owner.filter(|&id| components.tag(id) == "Body") else { return };
+        let name = components.name(joint);
+        if let Some(own) = document.triple(element, "location") {
+            self.offsets.entry(components.name(child)).or_default().insert(format!("{name} child"), own);
+        }
+        let parent = components.connectee(joint, "parent_frame", &["parent_body"]);
+        let parent =
+            parent.and_then(|parent| components.frame(joint, &parent)).and_then(|found| found.component);
+        if let (Some(parent), Some(there)) = (parent, document.triple(element, "location_in_parent")) {
+            self.offsets.entry(components.name(parent)).or_default().insert(format!("{name} parent"), there);
+        }
+    }
+
+    /// The first sphere of that name.
+    #[must_use]
+    pub fn sphere(&self, name: &str) -> Option<&AnatomySphere> {
+        self.spheres.iter().find(|sphere| sphere.name == name)
+    }
+}
+
+fn file_of(document: &Document, element: ElementId, tag: &str) -> String {
+    let tree = document.tree();
+    tree.child(element, tag).map(|file| tree.text_of(file)).unwrap_or_default()
+}
+
+/// Factors that are written but are no numbers stay visible as NaN: they must not pass for 1.
+fn scale(document: &Document, element: ElementId) -> [f64; 3] {
+    let missing = document.tree().child(element, "scale_factors").is_none();
+    document.triple(element, "scale_factors").unwrap_or([if missing { 1.0 } else { f64::NAN }; 3])
+}
+
+/// The body an offset frame is fixed to directly, and where it is there.
+fn offset_on_body(components: &Components, frame: ComponentId) -> Option<(String, [f64; 3])> {
+    let parent = components.connectee(frame, "parent", &["parent_frame"])?;
+    let body =
+        components.frame(frame, &parent)?.component.filter(|&found| components.tag(found) == "Body")?;
+    let translation =
+        components.doc(frame).triple(components.element(frame), "translation").unwrap_or([0.0; 3]);
+    Some((components.name(body), translation))
+}

@@ -1,0 +1,77 @@
+//! A digest of all contact values, by which a note knows its contacts again.
+
+use sha2::{Digest, Sha256};
+
+use crate::contacts::Slot;
+use crate::fault::{FileId, NoteDoubt};
+use crate::model::Model;
+use crate::note::Scope;
+use crate::property::Property;
+use crate::xml::ElementId;
+
+/// Which number of a model: of which object in which file, and which property.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ValueKey {
+    file: FileId,
+    object: ElementId,
+    property: Property,
+}
+
+impl From<(&Slot, Property)> for ValueKey {
+    fn from((slot, property): (&Slot, Property)) -> Self {
+        Self { file: slot.file, object: slot.object, property }
+    }
+}
+
+impl Model {
+    /// Digest of all contact values: parameters of every contact force and radii of their spheres.
+    ///
+    /// `changed` gives the new value of those that a plan changes. The same numbers have the same digest whatever their
+    /// spelling and wherever they stand in the file.
+    #[must_use]
+    pub fn contact_digest(&self, changed: impl Fn(ValueKey) -> Option<f64>) -> String {
+        let mut hash = Sha256::new();
+        let mut feed = |path: &str, set: usize, property: Property, number: f64| {
+            hash.update(path.as_bytes());
+            hash.update([0]);
+            hash.update((set as u64).to_le_bytes());
+            hash.update(property.name().as_bytes());
+            hash.update(number.to_bits().to_le_bytes());
+        };
+        for force in self.forces() {
+            for (index, set) in force.sets.iter().enumerate() {
+                for value in &set.values {
+                    let property = value.property;
+                    let key = ValueKey { file: force.file, object: set.element, property };
+                    feed(&force.path, index, property, changed(key).unwrap_or(value.number));
+                }
+            }
+            let value = &force.transition_velocity;
+            let key = ValueKey { file: force.file, object: force.element, property: value.property };
+            feed(&force.path, 0, value.property, changed(key).unwrap_or(value.number));
+            for sphere in force.spheres().into_iter().filter_map(|sphere| self.sphere(sphere)) {
+                let key = ValueKey { file: sphere.file, object: sphere.element, property: Property::Radius };
+                feed(&sphere.path, 0, Property::Radius, changed(key).unwrap_or(sphere.radius.number));
+            }
+        }
+        hash.finalize().iter().take(8).map(|byte| format!("{byte:02x}")).collect()
+    }
+
+    /// Why the note's word on the contacts cannot be taken; `None` where it can, or where there is no note.
+    #[must_use]
+    pub fn doubt_about_note(&self) -> Option<NoteDoubt> {
+        if self.note_fault.is_some() {
+            return self.note_fault;
+        }
+        let note = self.note.as_ref()?;
+        if note.digest != self.contact_digest(|_| None) {
+            Some(NoteDoubt::ValuesChanged)
+        } else if note.scope == Scope::Partial {
+            Some(NoteDoubt::Partial)
+        } else if note.mass_kg.is_none() {
+            Some(NoteDoubt::MassUnknown)
+        } else {
+            None
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! Contact forces as typed values over the tree.
+
+use std::collections::HashSet;
+
+use super::ids::{ForceId, SetId, SphereId};
+use super::slot::Slot;
+use crate::class::Class;
+use crate::components::Base;
+use crate::fault::{Fault, FileId};
+use crate::property::Property;
+use crate::value::Value;
+use crate::xml::ElementId;
+
+/// Which contact force class.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum ForceKind {
+    /// `HuntCrossleyForce`
+    HuntCrossley,
+    /// `SmoothSphereHalfSpaceForce`
+    SmoothSphereHalfSpace,
+}
+
+impl ForceKind {
+    /// OpenSim's class name.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::HuntCrossley => "HuntCrossleyForce",
+            Self::SmoothSphereHalfSpace => "SmoothSphereHalfSpaceForce",
+        }
+    }
+}
+
+/// One contact force.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Force {
+    /// Its handle in the model.
+    pub id: ForceId,
+    /// Name as in the file.
+    pub name: String,
+    /// Component path.
+    pub path: String,
+    /// Class.
+    pub kind: ForceKind,
+    /// `false` when it is switched off (`appliesForce`, or `isDisabled` in old documents).
+    pub applies: bool,
+    /// One for a `SmoothSphereHalfSpaceForce`, one per `ContactParameters` for a `HuntCrossleyForce`.
+    pub sets: Vec<ParameterSet>,
+    /// The force's own `transition_velocity`.
+    pub transition_velocity: Value,
+    /// Line of its element.
+    pub line: usize,
+    /// The file it stands in.
+    pub file: FileId,
+    pub(crate) element: ElementId,
+}
+
+/// Parameters and the surfaces they belong to.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct ParameterSet {
+    /// Its handle in the force.
+    pub id: SetId,
+    /// Number of the `ContactParameters`, from 0; `None` for a `SmoothSphereHalfSpaceForce`.
+    pub number: Option<usize>,
+    /// Its spheres.
+    pub spheres: Vec<SphereId>,
+    /// Number of half-spaces among the surfaces.
+    pub half_spaces: usize,
+    /// Number of surfaces that are neither sphere nor half-space (meshes and others).
+    pub other_surfaces: usize,
+    /// Effective values, in OpenSim's order; `transition_velocity` among them for a `SmoothSphereHalfSpaceForce`.
+    pub values: Vec<Value>,
+    /// The whole set stands in `<defaults>`, where other forces find it too.
+    pub inherited: bool,
+    /// Line of its element.
+    pub line: usize,
+    pub(crate) element: ElementId,
+    pub(crate) class: Class,
+    pub(crate) half_space_bases: Vec<Base>,
+}
+
+impl ParameterSet {
+    /// The value of `property`, if this class has it.
+    #[must_use]
+    pub fn value(&self, property: Property) -> Option<&Value> {
+        self.values.iter().find(|value| value.property == property)
+    }
+}
+
+impl Force {
+    /// All spheres of the force, each once, in order.
+    #[must_use]
+    pub fn spheres(&self) -> Vec<SphereId> {
+        let mut seen = HashSet::new();
+        let all = self.sets.iter().flat_map(|set| &set.spheres);
+        all.copied().filter(|&sphere| seen.insert(sphere)).collect()
+    }
+
+    /// A parameter set.
+    #[must_use]
+    pub fn set(&self, set: SetId) -> Option<&ParameterSet> {
+        self.sets.get(set.0)
+    }
+
+    /// The value of `property` in parameter set `set`, or of the force itself.
+    #[must_use]
+    pub fn value(&self, set: SetId, property: Property) -> Option<&Value> {
+        self.set(set)
+            .and_then(|set| set.value(property))
+            .or_else(|| (self.transition_velocity.property == property).then_some(&self.transition_velocity))
+    }
+
+    /// The number of `property`, if it can be scaled; `None` where the class has no such property.
+    ///
+    /// # Errors
+    /// A text that is no plain number, or a number outside its domain, with its place.
+    pub fn checked(&self, set: SetId, property: Property) -> Result<Option<f64>, Fault> {
+        let Some(value) = self.value(set, property) else { return Ok(None) };
+        value.checked().map(Some).map_err(|fault| fault.of(self.path.clone()).in_file(self.file))
+    }
+
+    /// Where `property` of parameter set `set`, or of the force itself, stands.
+    #[must_use]
+    pub fn slot(&self, set: SetId, property: Property) -> Option<Slot> {
+        let own = self.set(set).and_then(|set| Some((set, set.value(property)?)));
+        let (value, object, class) = match own {
+            Some((set, value)) => (value, set.element, set.class),
+            None if self.transition_velocity.property == property => {
+                (&self.transition_velocity, self.element, Class::HuntCrossleyForce)
+            }
+            None => return None,
+        };
+        let (span, offset) = (value.span.clone(), value.offset);
+        Some(Slot { file: self.file, object, class, tag: property.name(), span, offset })
+    }
+
+    pub(crate) fn half_space_bases(&self) -> impl Iterator<Item = Base> + '_ {
+        self.sets.iter().flat_map(|set| set.half_space_bases.iter().copied())
+    }
+}

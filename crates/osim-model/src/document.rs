@@ -1,0 +1,299 @@
+//! One file: its bytes, its tree, its version, its data root and its `<defaults>`.
+
+use std::sync::OnceLock;
+
+use crate::class::Class;
+use crate::fault::{Fault, FaultKind};
+use crate::opensim_text::{NumberFault, number, prefix};
+use crate::property::Property;
+use crate::value::{Origin, Value};
+use crate::xml::{ElementId, LineIndex, Position, SyntaxError, Tree, scan};
+
+/// A scanned OpenSim document, with its bytes.
+///
+/// ```
+/// let text = r#"<OpenSimDocument Version="40000"><Model name="walker"/></OpenSimDocument>"#;
+/// let document = osim_model::Document::parse(text)?;
+/// assert_eq!(document.version(), 40000);
+/// assert_eq!(document.tree().name(document.data_root()), "Model");
+/// assert_eq!(document.bytes(), text.as_bytes());
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Document {
+    tree: Tree,
+    version: u32,
+    data_root: ElementId,
+    defaults: Option<ElementId>,
+    /// Built when a line is first asked for.
+    lines: OnceLock<LineIndex>,
+}
+
+impl Document {
+    /// Scans `bytes` and finds version, data root and defaults.
+    ///
+    /// # Errors
+    /// What is not one well-formed XML document, or not an OpenSim document, with its place.
+    pub fn parse(bytes: impl Into<Vec<u8>>) -> Result<Self, Fault> {
+        let tree = Tree::scan(bytes)?;
+        let (version, data_root) =
+            version_and_data_root(&tree).map_err(|fault| fault.located(tree.bytes()))?;
+        let defaults = tree.child(data_root, "defaults");
+        Ok(Self { tree, version, data_root, defaults, lines: OnceLock::new() })
+    }
+
+    /// The file, untouched.
+    #[must_use]
+    pub fn bytes(&self) -> &[u8] {
+        self.tree.bytes()
+    }
+
+    /// The file, untouched, without a copy.
+    #[must_use]
+    pub fn into_bytes(self) -> Vec<u8> {
+        self.tree.into_bytes()
+    }
+
+    /// The elements and their spans.
+    #[must_use]
+    pub fn tree(&self) -> &Tree {
+        &self.tree
+    }
+
+    /// `Version` of the document, for example 40000.
+    #[must_use]
+    pub fn version(&self) -> u32 {
+        self.version
+    }
+
+    /// The element that holds everything: `Model`, `ForceSet` or `ContactGeometrySet`.
+    #[must_use]
+    pub fn data_root(&self) -> ElementId {
+        self.data_root
+    }
+
+    /// The `<defaults>` of the document.
+    #[must_use]
+    pub fn defaults(&self) -> Option<ElementId> {
+        self.defaults
+    }
+
+    fn lines(&self) -> &LineIndex {
+        self.lines.get_or_init(|| LineIndex::new(self.bytes()))
+    }
+
+    /// Line (from 1) of a byte.
+    #[must_use]
+    pub fn line(&self, offset: usize) -> usize {
+        self.lines().line(self.bytes(), offset)
+    }
+
+    /// Line and column of a byte.
+    #[must_use]
+    pub fn position(&self, offset: usize) -> Position {
+        self.lines().position(self.bytes(), offset)
+    }
+
+    /// The effective value of `property`, spelled `tag`, of `object`: element, else `<defaults>`, else class default.
+    pub(crate) fn value(&self, object: ElementId, class: Class, property: Property, tag: &str) -> Value {
+        if let Some(element) = self.tree.child(object, tag) {
+            return self.own_value(element, property, || self.inherited(object, class, property, tag).number);
+        }
+        self.inherited(object, class, property, tag)
+    }
+
+    fn own_value(&self, element: ElementId, property: Property, fallback: impl FnOnce() -> f64) -> Value {
+        let raw = self.tree.raw_text(element);
+        let (number, fault) = match number(&raw) {
+            Ok(number) => (number, None),
+            Err(NumberFault::Prefix { opensim_reads }) => {
+                (opensim_reads, Some(NumberFault::Prefix { opensim_reads }))
+            }
+            Err(fault) => (fallback(), Some(fault)),
+        };
+        let offset = if raw.span.is_empty() { self.tree.span(element).start } else { raw.span.start };
+        let span = if raw.span.is_empty() { self.tree.span(element) } else { raw.span };
+        let text = raw.text.trim_matches(|c: char| c.is_ascii_whitespace()).to_owned();
+        // A blank that is not ASCII looks like one and is none: show it.
+        let text = if text.is_ascii() { text } else { text.escape_default().to_string() };
+        Value { property, number, origin: Origin::Element, span: Some(span), fault, text, offset }
+    }
+
+    fn inherited(&self, object: ElementId, class: Class, property: Property, tag: &str) -> Value {
+        let offset = self.tree.span(object).start;
+        let default = self.default_object(class.tag()).and_then(|default| self.tree.child(default, tag));
+        match default {
+            Some(element) => Value {
+                origin: Origin::Defaults,
+                span: None,
+                offset,
+                ..self.own_value(element, property, || class.default(property))
+            },
+            None => Value {
+                property,
+                number: class.default(property),
+                origin: Origin::ClassDefault,
+                span: None,
+                fault: None,
+                text: String::new(),
+                offset,
+            },
+        }
+    }
+
+    /// Elements whose contents stand in another file, and that file as written: `<ForceSet file="x.xml"/>`.
+    #[must_use]
+    pub fn included_files(&self) -> Vec<(ElementId, String)> {
+        if !may_include(self.bytes()) {
+            return Vec::new();
+        }
+        let elements = self.tree.elements();
+        elements
+            .filter_map(|id| {
+                let file = self.tree.attribute(id, "file")?.trim().to_owned();
+                (!file.is_empty()).then_some((id, file))
+            })
+            .collect()
+    }
+
+    /// The class's object in `<defaults>`: the first of that class, whatever its name.
+    fn default_object(&self, class: &str) -> Option<ElementId> {
+        self.tree.child(self.defaults?, class)
+    }
+
+    /// The element of a property: the object's own, else that of the class's object in `<defaults>`.
+    pub(crate) fn property_element(&self, object: ElementId, tag: &str) -> Option<ElementId> {
+        self.tree.child(object, tag).or_else(|| {
+            let default = self.default_object(self.tree.name(object))?;
+            self.tree.child(default, tag)
+        })
+    }
+
+    /// The class's object in `<defaults>` for `object`, if there is one.
+    pub(crate) fn defaults_of(&self, object: ElementId) -> Option<ElementId> {
+        self.default_object(self.tree.name(object))
+    }
+
+    /// The text of a list or path.
+    ///
+    /// # Errors
+    /// Something in the middle of it, which OpenSim refuses.
+    pub(crate) fn whole_text(&self, element: ElementId) -> Result<String, Fault> {
+        let raw = self.tree.raw_text(element);
+        if raw.whole {
+            return Ok(raw.text.trim().to_owned());
+        }
+        let property = self.tree.name(element).to_owned();
+        Err(Fault::over(FaultKind::BrokenText { property }, self.tree.span(element)))
+    }
+
+    /// A flag as OpenSim reads it: the first word, in any case; another word is passed over.
+    #[must_use]
+    pub fn flag(&self, object: ElementId, tag: &str) -> Option<bool> {
+        let read = |element| match self
+            .tree
+            .text_of(element)
+            .split_ascii_whitespace()
+            .next()?
+            .to_lowercase()
+            .as_str()
+        {
+            "true" | "1" => Some(true),
+            "false" | "0" => Some(false),
+            _ => None,
+        };
+        self.tree.child(object, tag).and_then(read).or_else(|| {
+            let default = self.defaults_of(object)?;
+            read(self.tree.child(default, tag)?)
+        })
+    }
+
+    /// Three numbers such as a location, parted by blanks or commas; `None` where the text is not three finite numbers.
+    #[must_use]
+    pub fn triple(&self, object: ElementId, tag: &str) -> Option<[f64; 3]> {
+        let raw = self.tree.raw_text(self.property_element(object, tag)?);
+        let words =
+            raw.text.split(|c: char| c.is_ascii_whitespace() || c == ',').filter(|word| !word.is_empty());
+        let mut numbers = words.map(|token| {
+            let (value, length) = prefix(token)?;
+            (length == token.len() && value.is_finite()).then_some(value)
+        });
+        let triple = [numbers.next()??, numbers.next()??, numbers.next()??];
+        numbers.next().is_none().then_some(triple)
+    }
+}
+
+impl Tree {
+    /// Scans the bytes of a file, whatever they mean.
+    ///
+    /// # Errors
+    /// What is not one well-formed XML document, with its place.
+    pub fn scan(bytes: impl Into<Vec<u8>>) -> Result<Self, Fault> {
+        scan(bytes.into()).map_err(|SyntaxError { fault, offset, file }| {
+            Fault::at(FaultKind::Syntax(fault), offset).located(file.bytes())
+        })
+    }
+}
+
+fn version_and_data_root(tree: &Tree) -> Result<(u32, ElementId), Fault> {
+    let root = ElementId::ROOT;
+    if tree.name(root) != "OpenSimDocument" {
+        let kind = FaultKind::NotOpenSim { root: tree.name(root).to_owned() };
+        return Err(Fault::over(kind, tree.open_span(root)));
+    }
+    let found = tree.attribute(root, "Version").unwrap_or_default().trim().to_owned();
+    let Ok(version) = found.parse::<u32>() else {
+        return Err(Fault::over(FaultKind::NoVersion { found }, tree.open_span(root)));
+    };
+    match tree.children(root).next() {
+        Some(data_root) => Ok((version, data_root)),
+        None => {
+            let kind = FaultKind::WrongDataRoot { tag: "(nothing)".to_owned() };
+            Err(Fault::over(kind, tree.open_span(root)))
+        }
+    }
+}
+
+/// Whether `file="…"` may stand somewhere in `bytes`: cheap, and never `false` where it does.
+///
+/// Most models include nothing; finding that out must not cost a scan.
+#[must_use]
+pub fn may_include(bytes: &[u8]) -> bool {
+    memchr::memmem::find_iter(bytes, b"file").any(|at| {
+        let before = at.checked_sub(1).and_then(|at| bytes.get(at));
+        let after = bytes.get(at + 4..).unwrap_or_default().trim_ascii_start().first();
+        before.is_some_and(u8::is_ascii_whitespace) && after == Some(&b'=')
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TEXT: &str = "<OpenSimDocument Version='40000'><Model name='m'><defaults><ContactSphere name='default'>\
+        <radius>0.5</radius></ContactSphere></defaults><ContactSphere name='own'><radius> 0.1 </radius>\
+        <radius>0.2</radius></ContactSphere><ContactSphere name='none'/></Model></OpenSimDocument>";
+
+    #[test]
+    fn the_first_element_counts_then_defaults_then_the_class() {
+        let document = Document::parse(TEXT).unwrap();
+        let spheres: Vec<_> = document.tree().children(document.data_root()).skip(1).collect();
+        let radius = |id| document.value(id, Class::ContactSphere, Property::Radius, "radius");
+        assert_eq!((radius(spheres[0]).number, radius(spheres[0]).origin), (0.1, Origin::Element));
+        assert_eq!(&TEXT[radius(spheres[0]).span.unwrap()], "0.1");
+        assert_eq!((radius(spheres[1]).number, radius(spheres[1]).origin), (0.5, Origin::Defaults));
+        assert_eq!(radius(spheres[1]).span, None);
+    }
+
+    #[test]
+    fn other_documents_are_named_for_what_they_are() {
+        for (text, code) in [
+            ("<html/>", "not-opensim"),
+            ("<OpenSimDocument><Model/></OpenSimDocument>", "not-opensim"),
+            ("<OpenSimDocument Version='x'><Model/></OpenSimDocument>", "not-opensim"),
+            ("<OpenSimDocument Version='40000'/>", "not-opensim"),
+        ] {
+            assert_eq!(Document::parse(text.as_bytes()).unwrap_err().code(), code);
+        }
+    }
+}

@@ -1,0 +1,262 @@
+//! The kinds of fault.
+
+use contact_scaling::DomainError;
+
+use super::needed::Needed;
+use crate::opensim_text::NumberFault;
+use crate::wording::{Input, Phrase, phrase};
+use crate::xml::SyntaxFault;
+
+/// Kinds of fault.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum FaultKind {
+    /// Not one well-formed document.
+    Syntax(SyntaxFault),
+    /// XML, but not an OpenSim document.
+    NotOpenSim {
+        /// Tag of the root element.
+        root: String,
+    },
+    /// The `Version` attribute is missing or no number.
+    NoVersion {
+        /// The attribute as written.
+        found: String,
+    },
+    /// An OpenSim document of another kind.
+    WrongDataRoot {
+        /// Tag of the data root.
+        tag: String,
+    },
+    /// A number that a strict reader and OpenSim do not read alike.
+    Number {
+        /// OpenSim's property name.
+        property: String,
+        /// As written.
+        text: String,
+        /// Why it is no plain number.
+        fault: NumberFault,
+    },
+    /// A text that OpenSim refuses because something stands in the middle of it.
+    BrokenText {
+        /// Tag of the element.
+        property: String,
+    },
+    /// A number outside the domain in which the equations hold.
+    Domain {
+        /// OpenSim's property name.
+        property: String,
+        /// As OpenSim reads it.
+        value: f64,
+        /// The domain, in words.
+        expected: &'static str,
+    },
+    /// No contact forces in the model.
+    NoContacts {
+        /// What was looked for and what was found instead.
+        detail: String,
+    },
+    /// A path or name that leads nowhere.
+    Unresolved {
+        /// The component that points there.
+        owner: String,
+        /// The path or name as written.
+        connectee: String,
+        /// What should be there.
+        wanted: &'static str,
+    },
+    /// Something that only the caller can know.
+    Needed(Needed),
+    /// What should change stands in another file, which the model names.
+    IncludedFile {
+        /// Component path.
+        path: String,
+        /// The file, as the model names it.
+        file: String,
+    },
+    /// What should change stands in `<defaults>`.
+    ParametersInDefaults {
+        /// Component path of the force.
+        force: String,
+    },
+    /// A number that the caller said is outside its domain.
+    BadInput {
+        /// Which.
+        input: Input,
+        /// What was said.
+        value: f64,
+        /// The domain, in words.
+        expected: &'static str,
+    },
+    /// Scale factors for a body that is not there.
+    UnknownBody {
+        /// The name that was said.
+        body: String,
+    },
+    /// A sphere that is not in the reference.
+    UnknownReferenceSphere {
+        /// The name that was said.
+        sphere: String,
+        /// Name of the reference.
+        reference: String,
+        /// The spheres it has.
+        known: Vec<String>,
+    },
+    /// The choice of forces leaves none.
+    NothingSelected {
+        /// Names of the forces there are, shortened.
+        forces: String,
+    },
+    /// Spheres of one force grow by different factors, and that was to be refused.
+    FactorSpread {
+        /// What differs, and by how much.
+        text: String,
+    },
+    /// A request that makes no sense for this model. The text names no input.
+    Refused(String),
+    /// A quantity given by the caller is outside its domain.
+    Quantity(DomainError),
+    /// Edits that overlap: a defect of this program, never of the file.
+    OverlappingEdits {
+        /// Where.
+        at: usize,
+    },
+}
+
+impl FaultKind {
+    /// Stable short name, as in the JSON `code`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Syntax(SyntaxFault::NotXml) => "not-xml",
+            Self::Syntax(SyntaxFault::Utf16 | SyntaxFault::SecondByteOrderMark) => "encoding",
+            Self::Syntax(SyntaxFault::DoctypeSubset) => "doctype",
+            Self::Syntax(_) => "malformed-xml",
+            Self::NotOpenSim { .. } | Self::NoVersion { .. } | Self::WrongDataRoot { .. } => "not-opensim",
+            Self::Number { .. } => "not-a-number",
+            Self::BrokenText { .. } => "broken-text",
+            Self::Domain { .. } => "out-of-domain",
+            Self::NoContacts { .. } => "no-contacts",
+            Self::Unresolved { .. } => "unresolved",
+            Self::Needed(needed) => needed.code(),
+            Self::IncludedFile { .. } => "included-file",
+            Self::ParametersInDefaults { .. } => "parameters-in-defaults",
+            Self::BadInput { .. }
+            | Self::UnknownBody { .. }
+            | Self::UnknownReferenceSphere { .. }
+            | Self::NothingSelected { .. }
+            | Self::FactorSpread { .. }
+            | Self::Refused(_) => "refused",
+            Self::Quantity(_) => "out-of-range",
+            Self::OverlappingEdits { .. } => "internal",
+        }
+    }
+
+    /// What is wrong and what was expected.
+    #[must_use]
+    pub fn phrase(&self) -> Phrase {
+        match self {
+            Self::Needed(needed) => needed.phrase(),
+            Self::BadInput { input, value, expected } => {
+                phrase![*input, format!(" is {value}, expected {expected}")]
+            }
+            Self::UnknownBody { body } => {
+                phrase![Input::BodyScale.being(body), ": the model has no body of that name"]
+            }
+            Self::UnknownReferenceSphere { sphere, reference, known } => phrase![
+                Input::ReferenceSphere.being(sphere),
+                format!(" is not in {reference}, which has {}", known.join(", ")),
+            ],
+            Self::NothingSelected { forces } => phrase![
+                "no contact force is left by ",
+                Input::Select,
+                ", ",
+                Input::Exclude,
+                " and ",
+                Input::SkipDisabled,
+                format!("; the model has {forces}"),
+            ],
+            Self::FactorSpread { text } => {
+                phrase![text.clone(), " (refused because of ", Input::Strict, ")"]
+            }
+            other => other.without_inputs().into(),
+        }
+    }
+
+    /// The text of a fault that names nothing that the caller can say.
+    fn without_inputs(&self) -> String {
+        match self {
+            Self::Syntax(fault) => fault.to_string(),
+            Self::NotOpenSim { root } => format!(
+                "this is XML but not an OpenSim document: the outermost element is <{root}>, expected <OpenSimDocument>"
+            ),
+            Self::NoVersion { found } => format!(
+                "<OpenSimDocument> has no readable Version (found '{found}'), expected a number like 40000"
+            ),
+            Self::WrongDataRoot { tag } => {
+                format!("the document holds a <{tag}>, expected a Model, a ForceSet or a ContactGeometrySet")
+            }
+            Self::Number { property, text, fault } => {
+                format!("{property} is '{text}', {}", number_hint(fault))
+            }
+            Self::BrokenText { property } => format!(
+                "{property} has a comment or element in the middle of its text, which OpenSim cannot read: remove it"
+            ),
+            Self::Domain { property, value, expected } => {
+                format!("{property} is {value}, expected {expected}")
+            }
+            Self::NoContacts { detail } => format!("there are no contacts to work on: {detail}"),
+            Self::Unresolved { owner, connectee, wanted } => {
+                format!("{owner}: nothing called '{connectee}' is in the file, expected the {wanted}")
+            }
+            Self::IncludedFile { path, file } => format!(
+                "{path} stands in the file '{file}' that the model includes: open the model in OpenSim and save it as one \
+                 file, then change that"
+            ),
+            Self::ParametersInDefaults { force } => format!(
+                "{force} takes its ContactParameters from <defaults>, which may serve other forces too: write a \
+                 contact_parameters set into the force itself, then change that"
+            ),
+            Self::Refused(text) => text.clone(),
+            Self::Quantity(error) => error.to_string(),
+            Self::OverlappingEdits { at } => {
+                format!("internal error: two edits overlap at byte {at}; nothing was changed")
+            }
+            // All others have a phrase of their own.
+            _ => String::new(),
+        }
+    }
+}
+
+impl From<SyntaxFault> for FaultKind {
+    fn from(fault: SyntaxFault) -> Self {
+        Self::Syntax(fault)
+    }
+}
+
+impl From<Needed> for FaultKind {
+    fn from(needed: Needed) -> Self {
+        Self::Needed(needed)
+    }
+}
+
+impl From<DomainError> for FaultKind {
+    fn from(error: DomainError) -> Self {
+        Self::Quantity(error)
+    }
+}
+
+fn number_hint(fault: &NumberFault) -> String {
+    match fault {
+        NumberFault::Empty => "expected a number: OpenSim silently takes its default here".to_owned(),
+        NumberFault::Prefix { opensim_reads } => {
+            format!(
+                "expected one plain number like 1.5e6: OpenSim reads {opensim_reads} and ignores the rest"
+            )
+        }
+        NumberFault::Unreadable => "expected a number: OpenSim silently takes its default instead".to_owned(),
+        NumberFault::Interrupted => {
+            "with a comment or element in the middle of it, expected one plain number".to_owned()
+        }
+    }
+}

@@ -1,0 +1,365 @@
+//! What only the caller can know.
+
+use crate::number::shortest;
+use crate::wording::{Input, Phrase, phrase};
+
+/// Something that has to be said, because the files do not say it.
+///
+/// Each variant says what is not known; [`Needed::inputs`] are the fields that answer it.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Needed {
+    /// The mass of the model: a body has none.
+    BodyMass {
+        /// Name of the body.
+        body: String,
+    },
+    /// The mass of the model: its bodies have none together.
+    ModelMass {
+        /// How many bodies were summed.
+        bodies: usize,
+        /// Their sum, kg.
+        kg: f64,
+    },
+    /// What the contacts were made for: the note in the file cannot be relied on.
+    ContactsMass {
+        /// What the note says, kg.
+        noted_kg: Option<f64>,
+        /// Why it is in doubt.
+        doubt: NoteDoubt,
+    },
+    /// The gravity that the contacts were made for: the note in the file cannot be relied on.
+    ContactsGravity {
+        /// Why it is in doubt.
+        doubt: NoteDoubt,
+    },
+    /// The gravity that the contacts were made for: the model has none.
+    GravityNow,
+    /// Which forces are meant: they belong to several animals.
+    Selection {
+        /// The animals.
+        trees: Vec<TreeOfForces>,
+    },
+    /// How many spheres share the weight.
+    SphereCount {
+        /// Of which body.
+        of: CountOf,
+        /// Why it cannot be told.
+        why: String,
+    },
+    /// A choice of forces that leaves no sphere in two worlds.
+    SharedSphere {
+        /// Component path of the sphere.
+        sphere: String,
+        /// Names of the forces that change, shortened.
+        changed: String,
+        /// Names of the forces that stay.
+        left: Vec<String>,
+    },
+    /// Whose contact to take: those of the reference differ.
+    ReferenceContact {
+        /// Name of the reference.
+        reference: String,
+        /// Spheres without one of the same name there.
+        unmatched: Vec<String>,
+    },
+    /// Whose contact to take for one force: its spheres have different ones in the reference.
+    ReferenceContactOfForce {
+        /// Component path of the force.
+        force: String,
+    },
+    /// The radius: those of the reference differ.
+    ReferenceRadius {
+        /// Name of the reference.
+        reference: String,
+        /// Spheres without one of the same name there.
+        unmatched: Vec<String>,
+    },
+    /// How a body was scaled.
+    BodyFactors {
+        /// Name of the body.
+        body: String,
+        /// Axes of which nothing says it.
+        axes: Vec<&'static str>,
+    },
+    /// What to do with spheres that were moved already.
+    MovedSpheres {
+        /// Name of the model.
+        model: String,
+        /// Their names.
+        spheres: Vec<String>,
+    },
+    /// Whether a factor shall be applied once more.
+    Repetition {
+        /// The operation, as the note has it.
+        operation: String,
+    },
+    /// The other half of a force set that stands alone.
+    Geometry,
+    /// The other half of a geometry set that stands alone.
+    ForceSet,
+    /// The load that an indentation is about.
+    Load,
+    /// The load that an indentation is about: without gravity there is no body weight.
+    LoadOrGravity,
+    /// The gravity of the model.
+    Gravity,
+    /// The speed with which contacts begin.
+    ImpactSpeed,
+    /// The ratio of heights that PredSim's rule is about.
+    HeightRatio,
+}
+
+/// Forces of one animal.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct TreeOfForces {
+    /// Name of the body that is joined to ground.
+    pub top: String,
+    /// Names of its forces, shortened.
+    pub forces: String,
+}
+
+/// Whose spheres are to be counted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CountOf {
+    /// The model's.
+    Model,
+    /// The reference's.
+    Reference,
+    /// Those of the body that a drop is compared with.
+    Compared,
+}
+
+impl CountOf {
+    /// The field that says it.
+    #[must_use]
+    pub const fn input(self) -> Input {
+        match self {
+            Self::Model => Input::Spheres,
+            Self::Reference => Input::ReferenceSpheres,
+            Self::Compared => Input::CompareSpheres,
+        }
+    }
+}
+
+/// Why the note in a file no longer speaks for its contacts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum NoteDoubt {
+    /// It cannot be read.
+    Unreadable,
+    /// Force set and geometry set carry notes of different runs.
+    MixedPair,
+    /// Values were changed since.
+    ValuesChanged,
+    /// The run that left it changed only some values.
+    Partial,
+    /// It says itself that the mass is not known.
+    MassUnknown,
+}
+
+impl NoteDoubt {
+    /// In words.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Unreadable => "the note in the file cannot be read",
+            Self::MixedPair => "the force set and its geometry set were not written by the same run",
+            Self::ValuesChanged => "the values are no longer those the note was written for",
+            Self::Partial => "only some values were changed by the run that left the note",
+            Self::MassUnknown => "the mass was not known when the note was written",
+        }
+    }
+}
+
+impl Needed {
+    /// Stable short name, as in the JSON `code`.
+    #[must_use]
+    pub const fn code(&self) -> &'static str {
+        match self {
+            Self::BodyMass { .. } | Self::ModelMass { .. } => "no-mass",
+            Self::ContactsMass { .. } | Self::ContactsGravity { .. } => "stale-note",
+            Self::Selection { .. } => "several-trees",
+            Self::SphereCount { .. } => "sphere-count",
+            Self::SharedSphere { .. } => "shared-sphere",
+            Self::ReferenceContact { .. }
+            | Self::ReferenceContactOfForce { .. }
+            | Self::ReferenceRadius { .. } => "which-reference",
+            Self::BodyFactors { .. } => "body-scale",
+            Self::MovedSpheres { .. } => "moved-spheres",
+            Self::Repetition { .. } => "same-operation",
+            Self::Geometry | Self::ForceSet => "incomplete-set",
+            Self::GravityNow
+            | Self::Load
+            | Self::LoadOrGravity
+            | Self::Gravity
+            | Self::ImpactSpeed
+            | Self::HeightRatio => "refused",
+        }
+    }
+
+    /// The fields that answer it, the usual one first.
+    #[must_use]
+    pub fn inputs(&self) -> Vec<Input> {
+        match self {
+            // The message begins with what was asked for.
+            Self::GravityNow => vec![Input::ContactsGravity, Input::ReferenceGravity],
+            Self::HeightRatio => vec![Input::HeightRatio, Input::FollowBodies],
+            other => other.phrase().inputs(),
+        }
+    }
+
+    /// What is not known, and how to say it.
+    #[must_use]
+    pub fn phrase(&self) -> Phrase {
+        match self {
+            Self::BodyMass { body } => phrase![
+                format!(
+                    "body '{body}' has no mass (OpenSim reads NaN): give it a <mass>, or say what the model weighs with "
+                ),
+                Input::Mass.like("KG"),
+            ],
+            Self::ModelMass { bodies, kg } => phrase![
+                match bodies {
+                    0 => "the mass is not in the file: no body is left to sum".to_owned(),
+                    count => format!("the {count} bodies weigh {} kg in all", shortest(*kg)),
+                },
+                ": say what the model weighs with ",
+                Input::Mass.like("KG"),
+                ", or what its contacts stand for with ",
+                Input::ContactsMass.like("KG"),
+            ],
+            Self::ContactsMass { noted_kg, doubt } => {
+                let noted = noted_kg.map(|kg| format!(" (the note says {} kg)", shortest(kg)));
+                let what = format!("what the contacts stand for is not certain{}", noted.unwrap_or_default());
+                phrase![what, ": ", doubt.as_str(), ": say it with ", Input::ContactsMass.like("KG")]
+            }
+            Self::ContactsGravity { doubt } => phrase![
+                "which gravity the contacts stand for is not certain: ",
+                doubt.as_str(),
+                ": say it with ",
+                Input::ContactsGravity.like("G"),
+            ],
+            Self::GravityNow => phrase![
+                Input::TargetGravity,
+                " needs the gravity that the contacts stand for now, and the model has none: say it with ",
+                Input::ContactsGravity.like("G"),
+                " (in a transfer: ",
+                Input::ReferenceGravity.like("G"),
+                ")",
+            ],
+            Self::Selection { trees } => {
+                let each: Vec<_> =
+                    trees.iter().map(|tree| format!("{} (forces {})", tree.top, tree.forces)).collect();
+                phrase![
+                    "contact spheres stand on bodies that are joined only through ground: ",
+                    each.join("; "),
+                    ": say which forces are meant with ",
+                    Input::Select.like("GLOB"),
+                ]
+            }
+            Self::SphereCount { of, why } => phrase![
+                "how many spheres share the body weight is not known: ",
+                why.clone(),
+                ": say it with ",
+                of.input().like("N"),
+            ],
+            Self::SharedSphere { sphere, changed, left } => phrase![
+                format!(
+                    "sphere {sphere} is used by {changed} and by {}, which is not rescaled",
+                    left.join(", ")
+                ),
+                ": choose all of them with ",
+                Input::Select.like("GLOB"),
+                ", or leave radii as they are with ",
+                Input::Radius.being("keep"),
+            ],
+            other => other.about_reference(),
+        }
+    }
+
+    /// Questions of transfers and of what is left.
+    fn about_reference(&self) -> Phrase {
+        match self {
+            Self::ReferenceContact { reference, unmatched } => phrase![
+                format!(
+                    "the contacts of {reference} differ from each other, and these spheres have no namesake there: {}",
+                    unmatched.join(", ")
+                ),
+                ": say whose contact to take with ",
+                Input::ReferenceSphere.like("NAME"),
+            ],
+            Self::ReferenceContactOfForce { force } => phrase![
+                format!("the spheres of {force} have different contacts in the reference"),
+                ": say whose contact to take with ",
+                Input::ReferenceSphere.like("NAME"),
+            ],
+            Self::ReferenceRadius { reference, unmatched } => phrase![
+                format!(
+                    "radii differ in {reference}, and these spheres have no namesake there: {}",
+                    unmatched.join(", ")
+                ),
+                ": say the radius with ",
+                Input::Radius.like("METRES"),
+                ", or keep radii with ",
+                Input::Radius.being("keep"),
+            ],
+            Self::BodyFactors { body, axes } => phrase![
+                format!("how body {body} was scaled along {} is not in the files", axes.join(" and ")),
+                ": say it with ",
+                Input::BodyScale.being(format!("{body}=x,y,z")),
+                ", or give the Scale Tool's ",
+                Input::BodyScaleFile.like("FILE"),
+            ],
+            Self::MovedSpheres { model, spheres } => phrase![
+                format!(
+                    "spheres of {model} were moved or resized already, by another tool or by hand: {}",
+                    spheres.join(", ")
+                ),
+                ": keep them with ",
+                Input::MovedSpheres.being("keep"),
+                ", or place them anew with ",
+                Input::MovedSpheres.being("replace"),
+            ],
+            Self::Repetition { operation } => phrase![
+                format!("the note in the file says that '{operation}' was done already"),
+                ": apply it once more with ",
+                Input::Force,
+            ],
+            Self::Geometry => phrase![
+                "this is a ForceSet that stands alone: its spheres are in another file, name it with ",
+                Input::Geometry.like("FILE"),
+            ],
+            Self::ForceSet => phrase![
+                "this is a ContactGeometrySet, which has no forces: name the ForceSet file and give this one as ",
+                Input::Geometry.like("FILE"),
+            ],
+            Self::Load => phrase![
+                "an indentation needs a load: say ",
+                Input::Load.like("N"),
+                ", or ",
+                Input::BodyWeights,
+                " with a model that has gravity",
+            ],
+            Self::LoadOrGravity => phrase![
+                "the model has no gravity, so body weight is nothing: say ",
+                Input::Gravity.like("G"),
+                " or ",
+                Input::Load.like("N"),
+            ],
+            Self::Gravity => phrase!["the model has no gravity: say it with ", Input::Gravity.like("G")],
+            Self::ImpactSpeed => phrase![
+                "the model has no gravity: say how fast contacts begin with ",
+                Input::ImpactSpeed.like("M/S"),
+            ],
+            // HeightRatio; the others were answered before.
+            _ => phrase![
+                Input::Rule.being("predsim"),
+                " needs the ratio of heights: say ",
+                Input::HeightRatio.like("RATIO"),
+                ", or ",
+                Input::FollowBodies,
+            ],
+        }
+    }
+}

@@ -1,0 +1,49 @@
+//! What went wrong with one file, by its name.
+
+use crate::fault::{Excerpt, Fault};
+use crate::wording::Phrase;
+
+/// One model that could not be done, or a file that it needs.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Failure {
+    /// The file, as it was named.
+    pub model: String,
+    /// Stable short name, as in the JSON `code`.
+    pub code: &'static str,
+    /// What is wrong, what was expected, and a way out.
+    pub message: Phrase,
+    /// Line of the place, from 1.
+    pub line: Option<usize>,
+    /// Column of the place in characters, from 1.
+    pub column: Option<usize>,
+    /// The line itself.
+    pub excerpt: Option<Excerpt>,
+}
+
+impl Failure {
+    /// A fault in the file `model`, with the place that it carries.
+    #[must_use]
+    pub fn of_fault(model: &str, fault: Fault) -> Self {
+        Self {
+            model: model.to_owned(),
+            code: fault.code(),
+            message: fault.phrase(),
+            line: fault.position.map(|position| position.line),
+            column: fault.position.map(|position| position.column),
+            excerpt: fault.excerpt,
+        }
+    }
+
+    /// Something outside the contents of the file: folders, permissions, other files.
+    pub fn outside(model: &str, code: &'static str, message: impl Into<Phrase>) -> Self {
+        Self {
+            model: model.to_owned(),
+            code,
+            message: message.into(),
+            line: None,
+            column: None,
+            excerpt: None,
+        }
+    }
+}

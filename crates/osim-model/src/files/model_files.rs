@@ -1,0 +1,208 @@
+//! A model with all the files that belong to it.
+
+use std::path::{Path, PathBuf};
+
+use super::failure::Failure;
+use super::source::{FileError, Files};
+use crate::components::Companion;
+use crate::document::{Document, may_include};
+use crate::fault::{Fault, FileId};
+use crate::model::Model;
+use crate::xml::ElementId;
+
+/// Files that belong to a standalone set and are given beside it.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Beside<'p> {
+    /// The geometry set (or model) that holds the spheres.
+    pub geometry: Option<&'p Path>,
+    /// The model that has masses and joints.
+    pub model: Option<&'p Path>,
+}
+
+/// Bytes of a model and of the files that belong to it.
+#[derive(Debug, Clone)]
+pub struct ModelFiles {
+    /// As it was named.
+    name: String,
+    main: Main,
+    companions: Vec<CompanionFile>,
+}
+
+/// The model itself: parsed only where that was needed to know what it includes.
+#[derive(Debug, Clone)]
+enum Main {
+    Bytes(Vec<u8>),
+    Parsed(Box<Document>),
+}
+
+#[derive(Debug, Clone)]
+struct CompanionFile {
+    path: PathBuf,
+    bytes: Vec<u8>,
+    included_by: Option<ElementId>,
+    /// As the model names it in `file="..."`.
+    named: Option<String>,
+}
+
+impl ModelFiles {
+    /// The model at `path`, whose bytes are known, with the files that it includes and those given beside it.
+    ///
+    /// # Errors
+    /// A file that cannot be read, or a model that includes files and is no document.
+    pub fn read(path: &Path, bytes: Vec<u8>, beside: Beside<'_>, files: &dyn Files) -> Result<Self, Failure> {
+        let name = path.display().to_string();
+        let mut companions = Vec::new();
+        for path in [beside.geometry, beside.model].into_iter().flatten() {
+            companions.push(companion(path.to_owned(), None, files)?);
+        }
+        if !may_include(&bytes) {
+            return Ok(Self { name, main: Main::Bytes(bytes), companions });
+        }
+        let document = Document::parse(bytes).map_err(|fault| Failure::of_fault(&name, fault))?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        for (element, file) in document.included_files() {
+            let included = companion(folder.join(&file), Some(element), files).map_err(|failure| {
+                let place = document.position(document.tree().span(element).start);
+                Failure {
+                    // The place in the model is what the user can mend.
+                    model: name.clone(),
+                    line: Some(place.line),
+                    column: Some(place.column),
+                    message: format!(
+                        "it includes file=\"{file}\", and {}: {}",
+                        failure.model, failure.message
+                    )
+                    .into(),
+                    ..failure
+                }
+            })?;
+            companions.push(CompanionFile { named: Some(file), ..included });
+        }
+        Ok(Self { name, main: Main::Parsed(Box::new(document)), companions })
+    }
+
+    /// The model as it was named.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The same under another name.
+    #[must_use]
+    pub fn named(self, name: String) -> Self {
+        Self { name, ..self }
+    }
+
+    /// Bytes of the model itself.
+    #[must_use]
+    pub fn bytes(&self) -> &[u8] {
+        match &self.main {
+            Main::Bytes(bytes) => bytes,
+            Main::Parsed(document) => document.bytes(),
+        }
+    }
+
+    /// Names and bytes of the other files, in their order.
+    pub fn companions(&self) -> impl Iterator<Item = (&Path, &[u8])> {
+        self.companions.iter().map(|companion| (companion.path.as_path(), companion.bytes.as_slice()))
+    }
+
+    /// The files that the model includes, as it names them.
+    pub fn included(&self) -> impl Iterator<Item = &str> {
+        self.companions.iter().filter_map(|companion| companion.named.as_deref())
+    }
+
+    /// The same model with other bytes of its own; included files stay.
+    #[must_use]
+    pub fn with_bytes(&self, bytes: Vec<u8>) -> Self {
+        Self { name: self.name.clone(), main: Main::Bytes(bytes), companions: self.companions.clone() }
+    }
+
+    /// Parses all files and reads the model.
+    ///
+    /// # Errors
+    /// A file that is no document, or a connection in the model that leads nowhere.
+    pub fn open(self) -> Result<OpenModel, Failure> {
+        let names: Vec<PathBuf> = self.companions.iter().map(|companion| companion.path.clone()).collect();
+        let document = match self.main {
+            Main::Bytes(bytes) => {
+                Document::parse(bytes).map_err(|fault| Failure::of_fault(&self.name, fault))?
+            }
+            Main::Parsed(document) => *document,
+        };
+        let mut companions = Vec::new();
+        for companion in self.companions {
+            let included_by = companion.included_by;
+            let document = Document::parse(companion.bytes)
+                .map_err(|fault| Failure::of_fault(companion.path.to_str().unwrap_or(&self.name), fault))?;
+            companions.push(Companion { document, included_by });
+        }
+        let names = Names { main: self.name, companions: names };
+        match Model::read_with(document, companions) {
+            Ok(model) => Ok(OpenModel { model, names }),
+            Err(fault) => Err(Failure::of_fault(names.of(fault.file), fault)),
+        }
+    }
+}
+
+fn companion(
+    path: PathBuf,
+    included_by: Option<ElementId>,
+    files: &dyn Files,
+) -> Result<CompanionFile, Failure> {
+    let failed = |error: FileError| {
+        let message = format!("a file that belongs to the model: {error}");
+        Failure::outside(&path.display().to_string(), "unreadable", message)
+    };
+    let bytes = files.read(&path).map_err(failed)?;
+    Ok(CompanionFile { path, bytes, included_by, named: None })
+}
+
+/// A model that was read, with the names of its files.
+#[derive(Debug)]
+pub struct OpenModel {
+    /// The model.
+    pub model: Model,
+    names: Names,
+}
+
+#[derive(Debug)]
+struct Names {
+    main: String,
+    companions: Vec<PathBuf>,
+}
+
+impl Names {
+    fn of(&self, file: FileId) -> &str {
+        let companion = file.companion_index().and_then(|index| self.companions.get(index));
+        companion.and_then(|path| path.to_str()).unwrap_or(&self.main)
+    }
+}
+
+impl OpenModel {
+    /// The model as it was named.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.names.main
+    }
+
+    /// All files by name, the model first.
+    pub fn files(&self) -> impl Iterator<Item = (&str, &[u8])> {
+        let companions = self.model.companions().map(|(file, _)| file);
+        let all = std::iter::once(FileId::MAIN).chain(companions);
+        all.map(|file| (self.names.of(file), self.model.file(file).bytes()))
+    }
+
+    /// The name of one of the files.
+    #[must_use]
+    pub fn name_of(&self, file: FileId) -> &str {
+        self.names.of(file)
+    }
+
+    /// A fault in the model, with the file and the place that it is about.
+    #[must_use]
+    pub fn failure(&self, fault: Fault) -> Failure {
+        let located = fault.located_in(|file| self.model.file(file).bytes());
+        Failure::of_fault(self.names.of(located.file), located)
+    }
+}

@@ -1,0 +1,73 @@
+//! Where bytes come from.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// Reads files by the names that models and requests give them.
+///
+/// The libraries read nothing by themselves. A front end hands them what it has: the command a disk, a page the files that
+/// were dropped on it.
+pub trait Files {
+    /// The bytes of a file.
+    ///
+    /// # Errors
+    /// It is not there or cannot be read.
+    fn read(&self, path: &Path) -> Result<Vec<u8>, FileError>;
+
+    /// Whether there is such a file. What is none may be the name of a preset.
+    fn exists(&self, path: &Path) -> bool;
+}
+
+/// Why a file cannot be read.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
+pub struct FileError(String);
+
+impl FileError {
+    /// In words, without the name of the file.
+    pub fn new(why: impl Into<String>) -> Self {
+        Self(why.into())
+    }
+
+    /// There is no such file.
+    #[must_use]
+    pub fn not_found() -> Self {
+        Self::new("there is no such file: check the name and the folder")
+    }
+}
+
+/// Files in memory, by name.
+///
+/// ```
+/// use std::path::Path;
+/// use osim_model::files::{Files, InMemory};
+///
+/// let files = InMemory::from_iter([("walker.osim", "<OpenSimDocument/>")]);
+/// assert!(files.exists(Path::new("walker.osim")));
+/// assert!(files.read(Path::new("runner.osim")).is_err());
+/// ```
+#[derive(Debug, Clone, Default)]
+pub struct InMemory(BTreeMap<PathBuf, Vec<u8>>);
+
+impl InMemory {
+    /// Adds a file, or replaces the one of that name.
+    pub fn add(&mut self, path: impl Into<PathBuf>, bytes: impl Into<Vec<u8>>) {
+        self.0.insert(path.into(), bytes.into());
+    }
+}
+
+impl<P: Into<PathBuf>, B: Into<Vec<u8>>> FromIterator<(P, B)> for InMemory {
+    fn from_iter<I: IntoIterator<Item = (P, B)>>(files: I) -> Self {
+        Self(files.into_iter().map(|(path, bytes)| (path.into(), bytes.into())).collect())
+    }
+}
+
+impl Files for InMemory {
+    fn read(&self, path: &Path) -> Result<Vec<u8>, FileError> {
+        self.0.get(path).cloned().ok_or_else(FileError::not_found)
+    }
+
+    fn exists(&self, path: &Path) -> bool {
+        self.0.contains_key(path)
+    }
+}

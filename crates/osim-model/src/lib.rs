@@ -1,0 +1,76 @@
+//! What stands in an OpenSim model: bodies, limbs, contact spheres and contact forces, typed, each value with its place.
+//!
+//! The reading direction never turns back: bytes → [`Document`] (exact spans) → [`Model`] (typed, effective values).
+//! Nothing is decoded and encoded again; a [`Slot`] says where a property stands, for whoever wants to change it
+//! (the crate `osim-patch` does).
+//!
+//! ```
+//! use osim_model::{MassRequest, Model, Property, Selection, SetId};
+//!
+//! # fn main() -> Result<(), osim_model::Fault> {
+//! let model = Model::parse(include_bytes!("../tests/data/one_foot.osim").as_slice())?;
+//! let weighs = MassRequest::default().of_model(&model)?;
+//! let selected = Selection::default().apply(&model)?;
+//! let force = model.force(selected.forces[0]).unwrap();
+//! let stiffness = force.value(SetId::FIRST, Property::Stiffness).unwrap();
+//! assert_eq!((weighs.kg, stiffness.number), (10.0, 1e6));
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! # What it will not do
+//!
+//! It knows no file system (only [`files::Files`]), no terminal and no options: what the caller can say stands in messages as
+//! a [`wording::Input`]. It reads what a model says, not what OpenSim would make of a file it cannot load.
+
+mod anatomy;
+mod class;
+mod components;
+mod contact_digest;
+mod contacts;
+mod contacts_elsewhere;
+mod document;
+mod fault;
+pub mod files;
+mod frames;
+mod limbs;
+mod mass;
+mod model;
+mod note;
+mod number;
+mod opensim_text;
+mod pattern;
+mod property;
+mod read;
+mod rotation;
+mod selection;
+mod side;
+mod skeleton;
+mod traps;
+mod value;
+mod warning;
+pub mod wording;
+mod xml;
+
+pub use anatomy::{Anatomy, AnatomySphere};
+pub use class::Class;
+pub use components::Companion;
+pub use contact_digest::ValueKey;
+pub use contacts::{Force, ForceId, ForceKind, ParameterSet, SetId, Slot, Sphere, SphereId};
+pub use document::{Document, may_include};
+pub use fault::{CountOf, Excerpt, Fault, FaultKind, FileId, Needed, NoteDoubt, TreeOfForces};
+pub use limbs::{Limb, Limbs};
+pub use mass::{Mass, MassRequest, MassSource, SAME_MASS, positive_mass, same_mass};
+pub use model::Model;
+pub use note::{Note, Scope};
+pub use number::{readable, shortest};
+pub use opensim_text::NumberFault;
+pub use pattern::{Pattern, PatternError};
+pub use property::Property;
+pub use rotation::{LevelAxis, Rotation};
+pub use selection::{Selected, Selection};
+pub use side::Side;
+pub use skeleton::Body;
+pub use value::{Origin, Value};
+pub use warning::{Seen, Severity, Warning, WarningCode};
+pub use xml::{Children, ElementId, LineIndex, Piece, PieceKind, Position, RawText, SyntaxFault, Tree};

@@ -1,0 +1,197 @@
+//! Limbs: contact spheres grouped along the joint tree, split where left and right both hang below.
+
+use std::collections::{BTreeMap, HashSet};
+
+use crate::components::{Base, ComponentId};
+use crate::contacts::{Force, ForceId, SphereId};
+use crate::model::Model;
+use crate::side::Side;
+
+/// One limb that stands on the ground.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Limb {
+    /// First body below the place where left and right part.
+    pub name: String,
+    /// Its side.
+    pub side: Side,
+    /// Its spheres.
+    pub spheres: Vec<SphereId>,
+}
+
+/// The limbs, or why they cannot be told.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Limbs {
+    /// Every sphere belongs to exactly one of these.
+    Known(Vec<Limb>),
+    /// What is not known; the user is asked instead.
+    Unknown(String),
+}
+
+impl Limbs {
+    /// The limbs, if known.
+    #[must_use]
+    pub fn known(&self) -> Option<&[Limb]> {
+        match self {
+            Self::Known(limbs) => Some(limbs),
+            Self::Unknown(_) => None,
+        }
+    }
+
+    /// Spheres per limb, where all limbs have equally many.
+    ///
+    /// # Errors
+    /// Why there is no such number.
+    pub fn spheres_per_limb(&self) -> Result<usize, String> {
+        let limbs = match self {
+            Self::Known(limbs) => limbs,
+            Self::Unknown(why) => return Err(why.clone()),
+        };
+        let first = limbs.first().map_or(0, |limb| limb.spheres.len());
+        if limbs.iter().all(|limb| limb.spheres.len() == first) && first > 0 {
+            return Ok(first);
+        }
+        let counts: Vec<_> =
+            limbs.iter().map(|limb| format!("{} has {}", limb.name, limb.spheres.len())).collect();
+        Err(format!("the limbs have different numbers of spheres ({})", counts.join(", ")))
+    }
+}
+
+/// Spheres on one body, with the way down to it from the body on top.
+struct Footing {
+    way: Vec<ComponentId>,
+    side: Option<Side>,
+    spheres: Vec<SphereId>,
+}
+
+impl Model {
+    /// Groups the moving spheres of the applied forces among `forces` that meet a half-space.
+    #[must_use]
+    pub fn limbs(&self, forces: &[ForceId]) -> Limbs {
+        let footings = match self.footings(forces) {
+            Ok(footings) => footings,
+            Err(why) => return Limbs::Unknown(why),
+        };
+        let mut limbs = Vec::new();
+        match self.split(&footings, &mut limbs) {
+            Ok(()) => Limbs::Known(limbs),
+            Err(why) => Limbs::Unknown(why),
+        }
+    }
+
+    /// Moving spheres that touch a half-space through an applied force among `forces`, each once.
+    #[must_use]
+    pub fn loaded_spheres(&self, forces: &[ForceId]) -> Vec<SphereId> {
+        let mut seen = HashSet::new();
+        let mut spheres: Vec<SphereId> = Vec::new();
+        let applied = forces.iter().filter_map(|&id| self.force(id)).filter(|force| force.applies);
+        for force in applied.filter(|force| self.meets_half_space(force)) {
+            for sphere in force.spheres() {
+                if self.sphere(sphere).is_some_and(|sphere| !sphere.fixed) && seen.insert(sphere) {
+                    spheres.push(sphere);
+                }
+            }
+        }
+        spheres
+    }
+
+    /// `true` when a moving sphere of `force` can touch a half-space on another body.
+    #[must_use]
+    pub fn meets_half_space(&self, force: &Force) -> bool {
+        force.spheres().into_iter().filter_map(|id| self.sphere(id)).any(|sphere| {
+            !sphere.fixed
+                && force.half_space_bases().any(|plane| plane != sphere.base || plane == Base::Unknown)
+        })
+    }
+
+    fn footings(&self, forces: &[ForceId]) -> Result<Vec<Footing>, String> {
+        let loaded = self.loaded_spheres(forces);
+        if loaded.is_empty() {
+            return Err("no moving sphere meets a half-space through a force that applies".to_owned());
+        }
+        let mut bodies: BTreeMap<ComponentId, Vec<SphereId>> = BTreeMap::new();
+        for index in loaded {
+            let Some(sphere) = self.sphere(index) else { continue };
+            let Base::Body(body) = sphere.base else {
+                return Err(format!("the body of sphere {} is not in the files given", sphere.name));
+            };
+            bodies.entry(body).or_default().push(index);
+        }
+        let footing = |(body, spheres): (ComponentId, Vec<SphereId>)| {
+            let mut way = self.skeleton().chain(body);
+            way.reverse();
+            Footing { way, side: self.side_of(body, &spheres), spheres }
+        };
+        Ok(bodies.into_iter().map(footing).collect())
+    }
+
+    /// The side of a body from its own name, else from the names of its spheres if they agree.
+    fn side_of(&self, body: ComponentId, spheres: &[SphereId]) -> Option<Side> {
+        Side::of_name(&self.components().name(body)).or_else(|| {
+            let mut sides = spheres.iter().filter_map(|&s| self.sphere(s)).map(|s| Side::of_name(&s.name));
+            let first = sides.next()??;
+            sides.all(|side| side == Some(first)).then_some(first)
+        })
+    }
+
+    /// Splits groups of footings from the top down until none holds both sides.
+    fn split(&self, footings: &[Footing], limbs: &mut Vec<Limb>) -> Result<(), String> {
+        // A group, and how many bodies from the top all of it shares.
+        let mut groups: Vec<(Vec<&Footing>, usize)> = vec![(footings.iter().collect(), 0)];
+        while let Some((group, depth)) = groups.pop() {
+            let mut shared = depth;
+            let sides = |group: &[&Footing]| {
+                let has = |side| group.iter().any(|footing| footing.side == Some(side));
+                (has(Side::Right), has(Side::Left))
+            };
+            if sides(&group) != (true, true) {
+                limbs.push(self.limb(&group, depth)?);
+                continue;
+            }
+            let below = |level: usize| {
+                let mut parts: BTreeMap<Option<ComponentId>, Vec<&Footing>> = BTreeMap::new();
+                for footing in &group {
+                    parts.entry(footing.way.get(level).copied()).or_default().push(footing);
+                }
+                parts
+            };
+            let mut parts = below(shared);
+            while parts.len() == 1 && !parts.contains_key(&None) {
+                shared += 1;
+                parts = below(shared);
+            }
+            if parts.contains_key(&None) {
+                return Err("spheres stand on a body to which left and right limbs are joined".to_owned());
+            }
+            if shared == 0 {
+                return Err("spheres stand on bodies that are joined only through ground".to_owned());
+            }
+            groups.extend(parts.into_values().map(|part| (part, shared)));
+        }
+        limbs.sort_by_key(|limb| limb.spheres.first().copied());
+        Ok(())
+    }
+
+    fn limb(&self, group: &[&Footing], depth: usize) -> Result<Limb, String> {
+        let mut spheres: Vec<SphereId> =
+            group.iter().flat_map(|footing| footing.spheres.iter().copied()).collect();
+        spheres.sort_unstable();
+        let first = group.first();
+        let name_of = |at: usize| {
+            first
+                .and_then(|footing| footing.way.get(at).or(footing.way.last()))
+                .map(|&id| self.components().name(id))
+        };
+        let name = name_of(depth).unwrap_or_default();
+        let side = first.and_then(|footing| footing.side);
+        match side {
+            Some(side) if group.iter().all(|footing| footing.side == Some(side)) => {
+                Ok(Limb { name, side, spheres })
+            }
+            _ => {
+                let unknown = group.iter().find(|footing| footing.side.is_none()).and_then(|f| f.way.last());
+                let body = unknown.map(|&id| self.components().name(id)).unwrap_or(name);
+                Err(format!("whether body {body} is left or right cannot be told from its name"))
+            }
+        }
+    }
+}

@@ -1,0 +1,187 @@
+//! Masses: what the model weighs, and what its contacts stand for.
+
+use crate::fault::{Fault, FaultKind, Needed};
+use crate::model::Model;
+use crate::number::shortest;
+use crate::pattern::{Pattern, any_matches};
+use crate::warning::{Warning, WarningCode};
+use crate::wording::{Input, Phrase, phrase};
+
+/// Masses closer than this (relative) count as one: a scale is not read better than to 0.1 %.
+pub const SAME_MASS: f64 = 1e-3;
+
+/// What the user says about masses.
+///
+/// ```
+/// # let model = osim_model::Model::parse(include_bytes!("../tests/data/one_foot.osim").as_slice())?;
+/// use osim_model::MassRequest;
+///
+/// // Nothing is said: the bodies are summed.
+/// assert_eq!(MassRequest::default().of_model(&model)?.kg, 10.0);
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct MassRequest {
+    /// What the contacts in the file stand for, kg.
+    pub contacts_kg: Option<f64>,
+    /// What the model weighs, kg.
+    pub model_kg: Option<f64>,
+    /// What the contacts shall stand for, kg: an explicit origin need not agree with a source that says this.
+    pub target_kg: Option<f64>,
+    /// Props that do not belong to the animal.
+    pub exclude_bodies: Vec<Pattern>,
+}
+
+/// Who said how heavy.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum MassSource {
+    /// The caller, of the contacts.
+    ContactsMass,
+    /// The note in the file.
+    Note,
+    /// The caller, of the model.
+    Mass,
+    /// The sum of so many bodies.
+    Bodies(usize),
+    /// A preset of this name.
+    Preset(String),
+    /// The caller, of the reference.
+    ReferenceMass,
+    /// A point of a grid.
+    Grid,
+}
+
+impl MassSource {
+    /// As in the JSON.
+    #[must_use]
+    pub const fn as_str(&self) -> &'static str {
+        match self {
+            Self::ContactsMass => "contacts-mass",
+            Self::Note => "note",
+            Self::Mass => "mass",
+            Self::Bodies(_) => "bodies",
+            Self::Preset(_) => "preset",
+            Self::ReferenceMass => "reference-mass",
+            Self::Grid => "grid",
+        }
+    }
+
+    /// In words: `sum of 21 bodies`.
+    #[must_use]
+    pub fn describe(&self) -> Phrase {
+        match self {
+            Self::ContactsMass => Input::ContactsMass.into(),
+            Self::Note => "note in the file".into(),
+            Self::Mass => Input::Mass.into(),
+            Self::Bodies(1) => "mass of 1 body".into(),
+            Self::Bodies(count) => format!("sum of {count} bodies").into(),
+            Self::Preset(name) => format!("preset {name}").into(),
+            Self::ReferenceMass => Input::ReferenceMass.into(),
+            Self::Grid => Input::Grid.into(),
+        }
+    }
+}
+
+/// A mass and where it comes from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mass {
+    /// In kg.
+    pub kg: f64,
+    /// Who said so.
+    pub source: MassSource,
+}
+
+impl MassRequest {
+    /// What the model weighs: as said, else the sum of its bodies, left to right in file order.
+    ///
+    /// # Errors
+    /// A body without a mass, no body at all, or a sum that is not above 0.
+    pub fn of_model(&self, model: &Model) -> Result<Mass, Fault> {
+        if let Some(kg) = self.model_kg {
+            return Ok(Mass { kg: positive_mass(Input::Mass, kg)?, source: MassSource::Mass });
+        }
+        let mut kg = 0.0;
+        let mut bodies = 0;
+        for body in model.bodies().iter().filter(|body| !any_matches(&self.exclude_bodies, &body.name)) {
+            kg += body.mass_kg()?;
+            bodies += 1;
+        }
+        if kg > 0.0 && kg.is_finite() {
+            return Ok(Mass { kg, source: MassSource::Bodies(bodies) });
+        }
+        Err(Fault::new(Needed::ModelMass { bodies, kg }))
+    }
+
+    /// What the contacts stand for: as said, else the note, else what the model weighs; and where the other sources disagree
+    /// with the one that was taken.
+    ///
+    /// # Errors
+    /// A note that no longer fits the file, or any error of [`MassRequest::of_model`].
+    pub fn of_contacts(&self, model: &Model) -> Result<(Mass, Vec<Warning>), Fault> {
+        let noted_kg = model.note.as_ref().and_then(|note| note.mass_kg);
+        let mass = if let Some(kg) = self.contacts_kg {
+            Mass { kg: positive_mass(Input::ContactsMass, kg)?, source: MassSource::ContactsMass }
+        } else if let Some(doubt) = model.doubt_about_note() {
+            return Err(Fault::new(Needed::ContactsMass { noted_kg, doubt }));
+        } else if let Some(kg) = noted_kg {
+            Mass { kg, source: MassSource::Note }
+        } else {
+            self.of_model(model)?
+        };
+        let warnings = self.disagreements(model, &mass);
+        Ok((mass, warnings))
+    }
+
+    /// Says where the other sources disagree with the one that was taken.
+    #[must_use]
+    pub fn disagreements(&self, model: &Model, taken: &Mass) -> Vec<Warning> {
+        let mut others: Vec<(f64, Phrase)> = Vec::new();
+        if taken.source != MassSource::Note
+            && let Some(kg) = model.note.as_ref().and_then(|note| note.mass_kg)
+        {
+            others.push((kg, "the note in the file".into()));
+        }
+        if let (Some(kg), true) = (self.model_kg, taken.source != MassSource::Mass) {
+            others.push((kg, Input::Mass.into()));
+        }
+        let bodies = Self { model_kg: None, ..self.clone() };
+        if let (Ok(mass), false) = (bodies.of_model(model), matches!(taken.source, MassSource::Bodies(_))) {
+            others.push((mass.kg, phrase!["the ", &mass.source.describe()]));
+        }
+        // The usual case: the body was scaled to the target already, and the user says what the contacts were made for.
+        let expected = |kg: f64| {
+            taken.source == MassSource::ContactsMass
+                && self.target_kg.is_some_and(|target| same_mass(kg, target))
+        };
+        let differs = |kg: f64| !same_mass(kg, taken.kg) && !expected(kg);
+        let warning = |(kg, source): (f64, Phrase)| {
+            let message = phrase![
+                format!("contacts are taken to stand for {} kg (", shortest(taken.kg)),
+                &taken.source.describe(),
+                "), but ",
+                &source,
+                format!(" says {} kg", shortest(kg)),
+            ];
+            Warning::new(WarningCode::MassSourcesDisagree, message)
+        };
+        others.into_iter().filter(|(kg, _)| differs(*kg)).map(warning).collect()
+    }
+}
+
+/// `true` within [`SAME_MASS`].
+#[must_use]
+pub fn same_mass(a: f64, b: f64) -> bool {
+    (a - b).abs() <= SAME_MASS * b.abs()
+}
+
+/// A mass that the caller said.
+///
+/// # Errors
+/// It is not finite or not above 0.
+pub fn positive_mass(input: Input, kg: f64) -> Result<f64, Fault> {
+    if kg.is_finite() && kg > 0.0 {
+        return Ok(kg);
+    }
+    Err(Fault::new(FaultKind::BadInput { input, value: kg, expected: "a mass in kg above 0" }))
+}

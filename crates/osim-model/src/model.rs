@@ -1,0 +1,120 @@
+//! The typed view of a model: bodies, limbs, contact spheres and contact forces with their effective values.
+
+use crate::components::{Companion, Components};
+use crate::contacts::{Force, ForceId, Sphere, SphereId};
+use crate::document::Document;
+use crate::fault::{FileId, NoteDoubt};
+use crate::note::Note;
+use crate::skeleton::{Body, Skeleton};
+use crate::warning::Warning;
+
+/// Everything that is known about a model.
+///
+/// ```
+/// # let bytes: &[u8] = include_bytes!("../tests/data/one_foot.osim");
+/// let model = osim_model::Model::parse(bytes)?;
+/// let sphere = &model.spheres()[0];
+/// assert_eq!((sphere.name.as_str(), sphere.radius_m()?), ("heel_r", 0.03));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+#[derive(Debug)]
+pub struct Model {
+    pub(crate) components: Components,
+    pub(crate) skeleton: Skeleton,
+    pub(crate) spheres: Vec<Sphere>,
+    pub(crate) forces: Vec<Force>,
+    /// A comment that begins like the note and cannot be read, or a pair whose notes differ.
+    pub(crate) note_fault: Option<NoteDoubt>,
+    /// For each companion, the `file="…"` that names it, where one does.
+    pub(crate) included: Vec<Option<String>>,
+    /// Name of the model.
+    pub name: String,
+    /// Gravity vector, m/s²; `None` where its text is not three numbers.
+    pub gravity_m_s2: Option<[f64; 3]>,
+    /// The note this tool left in the file.
+    pub note: Option<Note>,
+    /// Traps found while reading.
+    pub warnings: Vec<Warning>,
+}
+
+impl Model {
+    /// Contact spheres, in file order.
+    #[must_use]
+    pub fn spheres(&self) -> &[Sphere] {
+        &self.spheres
+    }
+
+    /// Contact forces, in file order.
+    #[must_use]
+    pub fn forces(&self) -> &[Force] {
+        &self.forces
+    }
+
+    /// A contact sphere; `None` for a handle of another model.
+    #[must_use]
+    pub fn sphere(&self, id: SphereId) -> Option<&Sphere> {
+        self.spheres.get(id.index())
+    }
+
+    /// A contact force; `None` for a handle of another model.
+    #[must_use]
+    pub fn force(&self, id: ForceId) -> Option<&Force> {
+        self.forces.get(id.index())
+    }
+
+    /// Handles of all contact forces.
+    #[must_use]
+    pub fn force_ids(&self) -> Vec<ForceId> {
+        self.forces.iter().map(|force| force.id).collect()
+    }
+
+    /// The name under which the model includes `file`, if it does.
+    #[must_use]
+    pub fn included_file(&self, file: FileId) -> Option<&str> {
+        self.included.get(file.companion_index()?)?.as_deref()
+    }
+
+    /// The main file.
+    #[must_use]
+    pub fn document(&self) -> &Document {
+        self.components.main()
+    }
+
+    /// One of the files.
+    #[must_use]
+    pub fn file(&self, file: FileId) -> &Document {
+        self.components.document(file)
+    }
+
+    /// The files beside the main one, with their handles.
+    pub fn companions(&self) -> impl Iterator<Item = (FileId, &Companion)> {
+        let companions = self.components.companions().iter().enumerate();
+        companions.map(|(index, companion)| (FileId::companion(index), companion))
+    }
+
+    /// Bodies in file order, ground left out.
+    #[must_use]
+    pub fn bodies(&self) -> &[Body] {
+        &self.skeleton.bodies
+    }
+
+    /// Magnitude of gravity, m/s²; 0 or `None` makes figures by body weight meaningless.
+    #[must_use]
+    pub fn gravity(&self) -> Option<f64> {
+        self.gravity_m_s2.map(|[x, y, z]| (x * x + y * y + z * z).sqrt())
+    }
+
+    /// Gravity that the contacts stand for: the note's, else the model's.
+    #[must_use]
+    pub fn contacts_gravity(&self) -> Option<f64> {
+        self.note.as_ref().and_then(|note| note.gravity_m_s2).or(self.gravity())
+    }
+
+    pub(crate) fn skeleton(&self) -> &Skeleton {
+        &self.skeleton
+    }
+
+    pub(crate) fn components(&self) -> &Components {
+        &self.components
+    }
+}

@@ -1,0 +1,129 @@
+//! The properties that are read and written: their names, units and domains, as OpenSim has them.
+
+use std::fmt;
+use std::str::FromStr;
+
+/// A numeric property of a contact force or contact sphere.
+///
+/// ```
+/// use osim_model::Property;
+///
+/// let property: Property = "constant_contact_force".parse().unwrap();
+/// assert_eq!((property, property.unit()), (Property::ConstantContactForce, "m^2"));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum Property {
+    /// `stiffness`, the plane strain modulus E₁* in N/m².
+    Stiffness,
+    /// `dissipation`, α in s/m.
+    Dissipation,
+    /// `static_friction`, dimensionless.
+    StaticFriction,
+    /// `dynamic_friction`, dimensionless.
+    DynamicFriction,
+    /// `viscous_friction` in s/m.
+    ViscousFriction,
+    /// `transition_velocity` in m/s.
+    TransitionVelocity,
+    /// `constant_contact_force`, cf: a squared indentation in m².
+    ConstantContactForce,
+    /// `hertz_smoothing`, bd in 1/m.
+    HertzSmoothing,
+    /// `hunt_crossley_smoothing`, bv in s/m.
+    HuntCrossleySmoothing,
+    /// `radius` of a `ContactSphere`, in m.
+    Radius,
+    /// `mass` of a `Body`, in kg: read, never written.
+    Mass,
+}
+
+impl Property {
+    /// Every property that can be changed, in the order in which reports list them.
+    pub const ALL: [Self; 10] = [
+        Self::Stiffness,
+        Self::Dissipation,
+        Self::StaticFriction,
+        Self::DynamicFriction,
+        Self::ViscousFriction,
+        Self::TransitionVelocity,
+        Self::ConstantContactForce,
+        Self::HertzSmoothing,
+        Self::HuntCrossleySmoothing,
+        Self::Radius,
+    ];
+
+    /// OpenSim's name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Stiffness => "stiffness",
+            Self::Dissipation => "dissipation",
+            Self::StaticFriction => "static_friction",
+            Self::DynamicFriction => "dynamic_friction",
+            Self::ViscousFriction => "viscous_friction",
+            Self::TransitionVelocity => "transition_velocity",
+            Self::ConstantContactForce => "constant_contact_force",
+            Self::HertzSmoothing => "hertz_smoothing",
+            Self::HuntCrossleySmoothing => "hunt_crossley_smoothing",
+            Self::Radius => "radius",
+            Self::Mass => "mass",
+        }
+    }
+
+    /// SI unit, for tables.
+    #[must_use]
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::Stiffness => "N/m^2",
+            Self::Dissipation | Self::ViscousFriction | Self::HuntCrossleySmoothing => "s/m",
+            Self::StaticFriction | Self::DynamicFriction => "",
+            Self::TransitionVelocity => "m/s",
+            Self::ConstantContactForce => "m^2",
+            Self::HertzSmoothing => "1/m",
+            Self::Radius => "m",
+            Self::Mass => "kg",
+        }
+    }
+
+    /// The domain in which the contact laws hold, checked before anything is scaled.
+    #[must_use]
+    pub fn allows(self, value: f64) -> bool {
+        value.is_finite() && if self.may_be_zero() { value >= 0.0 } else { value > 0.0 }
+    }
+
+    /// [`Property::allows`] in words.
+    #[must_use]
+    pub const fn domain(self) -> &'static str {
+        if self.may_be_zero() { "a finite number, 0 or more" } else { "a finite number above 0" }
+    }
+
+    const fn may_be_zero(self) -> bool {
+        matches!(
+            self,
+            Self::Dissipation
+                | Self::StaticFriction
+                | Self::DynamicFriction
+                | Self::ViscousFriction
+                | Self::ConstantContactForce
+                | Self::Mass
+        )
+    }
+}
+
+impl fmt::Display for Property {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for Property {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        Self::ALL.into_iter().find(|property| property.name() == text).ok_or_else(|| {
+            let names: Vec<_> = Self::ALL.iter().map(|property| property.name()).collect();
+            format!("unknown property '{text}', expected one of {}", names.join(", "))
+        })
+    }
+}

@@ -1,0 +1,109 @@
+//! Documents → [`Model`].
+
+use crate::components::{Companion, Components};
+use crate::contacts::ContactReader;
+use crate::document::Document;
+use crate::fault::{Fault, FaultKind, Needed, NoteDoubt};
+use crate::model::Model;
+use crate::note::Note;
+use crate::skeleton::Skeleton;
+use crate::traps;
+use crate::warning::{Warning, WarningCode};
+
+/// OpenSim's `gravity` where a model gives none, m/s².
+const DEFAULT_GRAVITY: [f64; 3] = [0.0, -9.80665, 0.0];
+
+impl Model {
+    /// Reads a model from the bytes of one file.
+    ///
+    /// # Errors
+    /// Those of [`Document::parse`] and of [`Model::read_with`].
+    pub fn parse(bytes: impl Into<Vec<u8>>) -> Result<Self, Fault> {
+        Self::read(Document::parse(bytes)?)
+    }
+
+    /// Reads a model from one file.
+    ///
+    /// # Errors
+    /// See [`Model::read_with`].
+    pub fn read(document: Document) -> Result<Self, Fault> {
+        Self::read_with(document, vec![])
+    }
+
+    /// Reads a model from its main file and the companions that belong to it.
+    ///
+    /// # Errors
+    /// A document that is no model and no force set with its geometry, or a connection that leads nowhere.
+    pub fn read_with(document: Document, companions: Vec<Companion>) -> Result<Self, Fault> {
+        check_data_root(&document, companions.is_empty()).map_err(|fault| fault.located(document.bytes()))?;
+        let components = Components::new(document, companions);
+        let skeleton = Skeleton::read(&components);
+        let mut reader = ContactReader::new(&components, &skeleton);
+        if let Err(fault) = reader.read() {
+            let document = components.document(fault.file);
+            return Err(fault.located(document.bytes()));
+        }
+        let ContactReader { spheres, forces, warnings, .. } = reader;
+        let (document, companions) = (components.main(), components.companions());
+        let all = std::iter::once(document).chain(companions.iter().map(|companion| &companion.document));
+        let gravity_m_s2 = all
+            .clone()
+            .find(|document| is_model(document))
+            .and_then(|document| document.triple(document.data_root(), "gravity"))
+            .or(Some(DEFAULT_GRAVITY));
+        let name = document.tree().attribute(document.data_root(), "name").unwrap_or_default().into_owned();
+        let note = Note::find(document);
+        let note_fault = (note.is_none() && Note::is_there(document)).then_some(NoteDoubt::Unreadable);
+        let named = |companion: &Companion| {
+            let file = document.tree().attribute(companion.included_by?, "file")?;
+            Some(file.trim().to_owned())
+        };
+        let included = companions.iter().map(named).collect();
+        let mut model = Self {
+            components,
+            skeleton,
+            spheres,
+            forces,
+            note_fault,
+            included,
+            name,
+            gravity_m_s2,
+            note,
+            warnings,
+        };
+        let traps = traps::find(&model);
+        model.warnings.extend(traps);
+        model.compare_notes();
+        Ok(model)
+    }
+
+    /// A force set and a geometry set that were written together carry the same digest.
+    fn compare_notes(&mut self) {
+        let ours = self.note.as_ref().map(|note| note.digest.as_str());
+        let beside = self.components.companions().iter();
+        let beside = beside
+            .filter(|companion| companion.included_by.is_none() && !is_model(&companion.document))
+            .filter(|companion| Note::find(&companion.document).map(|note| note.digest).as_deref() != ours)
+            .count();
+        for _ in 0..beside {
+            self.note_fault = Some(NoteDoubt::MixedPair);
+            self.warnings.push(Warning::new(WarningCode::MixedPair, NoteDoubt::MixedPair.as_str()));
+        }
+    }
+}
+
+fn is_model(document: &Document) -> bool {
+    document.tree().name(document.data_root()) == "Model"
+}
+
+fn check_data_root(document: &Document, alone: bool) -> Result<(), Fault> {
+    let tree = document.tree();
+    let root = document.data_root();
+    let kind = match tree.name(root) {
+        "ForceSet" if alone => FaultKind::Needed(Needed::Geometry),
+        "Model" | "ForceSet" => return Ok(()),
+        "ContactGeometrySet" => FaultKind::Needed(Needed::ForceSet),
+        tag => FaultKind::WrongDataRoot { tag: tag.to_owned() },
+    };
+    Err(Fault::over(kind, tree.open_span(root)))
+}

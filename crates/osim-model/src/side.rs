@@ -1,0 +1,94 @@
+//! Left and right, as names say it.
+
+/// Side of the body, read from names.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Side {
+    /// `_r`, `right`, …
+    Right,
+    /// `_l`, `left`, …
+    Left,
+}
+
+impl Side {
+    /// As in the JSON.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Right => "right",
+            Self::Left => "left",
+        }
+    }
+
+    /// Reads a side from a name such as `calcn_r`, `RFoot`, `left_toe` or `footL`; `None` where it has none or both.
+    #[must_use]
+    pub fn of_name(name: &str) -> Option<Self> {
+        let lower = name.to_lowercase();
+        let word = |long: &str, short: &str| {
+            lower.contains(long) || lower.split(|c: char| !c.is_alphanumeric()).any(|token| token == short)
+        };
+        let camel = |letter: char| {
+            let chars: Vec<char> = name.chars().collect();
+            let leading = matches!(chars.get(..3), Some([a, b, c]) if *a == letter && b.is_uppercase() && c.is_lowercase());
+            let trailing = matches!(chars.as_slice(), [.., a, b] if *b == letter && a.is_lowercase());
+            leading || trailing
+        };
+        match (word("right", "r") || camel('R'), word("left", "l") || camel('L')) {
+            (true, false) => Some(Self::Right),
+            (false, true) => Some(Self::Left),
+            _ => None,
+        }
+    }
+}
+
+/// The name with everything that says left or right made equal.
+pub(crate) fn without_side(name: &str) -> String {
+    let lower = name.to_lowercase().replace("right", "#").replace("left", "#");
+    let tokens: Vec<&str> = lower
+        .split(|c: char| !c.is_alphanumeric() && c != '#')
+        .map(|token| if token == "r" || token == "l" { "#" } else { token })
+        .collect();
+    let joined = tokens.join("_");
+    // LFoot and RFoot, footL and footR.
+    let chars: Vec<char> = name.chars().collect();
+    match chars.as_slice() {
+        ['R' | 'L', second, third, ..] if second.is_uppercase() && third.is_lowercase() => {
+            format!("#{}", joined.get(1..).unwrap_or_default())
+        }
+        [.., before, 'R' | 'L'] if before.is_lowercase() => {
+            format!("{}#", joined.get(..joined.len().saturating_sub(1)).unwrap_or_default())
+        }
+        _ => joined,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sides_are_read_from_names_as_people_write_them() {
+        for name in ["calcn_r", "r_foot", "RFoot", "right_toe", "footR", "toes.r", "calcn_r_2", "RightFoot"] {
+            assert_eq!(Side::of_name(name), Some(Side::Right), "{name}");
+        }
+        for name in ["calcn_l", "LFoot", "leftHeel", "hind_l", "foot_left"] {
+            assert_eq!(Side::of_name(name), Some(Side::Left), "{name}");
+        }
+        for name in ["ball", "trunk", "tail", "Roller", "Leg", "r_to_l", "lateral"] {
+            assert_eq!(Side::of_name(name), None, "{name}");
+        }
+    }
+
+    #[test]
+    fn names_of_both_sides_become_equal() {
+        for (right, left) in [
+            ("heel_r", "heel_l"),
+            ("RFoot", "LFoot"),
+            ("footR", "footL"),
+            ("right_toe", "left_toe"),
+            ("s1_r_a", "s1_l_a"),
+        ] {
+            assert_eq!(without_side(right), without_side(left));
+        }
+        assert_ne!(without_side("heel_r"), without_side("toe_l"));
+    }
+}

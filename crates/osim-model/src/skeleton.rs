@@ -1,0 +1,137 @@
+//! Bodies and the joints between them, in the spelling of every document version.
+
+use std::collections::HashMap;
+
+use crate::class::Class;
+use crate::components::{Base, ComponentId, Components};
+use crate::fault::{Fault, FaultKind, FileId, Needed};
+use crate::property::Property;
+use crate::value::{Origin, Value};
+
+/// One body of the model, ground left out.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Body {
+    /// Name as in the file.
+    pub name: String,
+    /// Component path.
+    pub path: String,
+    /// `mass` in kg; NaN where the file gives none.
+    pub mass: Value,
+    /// The file it stands in.
+    pub file: FileId,
+}
+
+impl Body {
+    /// The mass, if it is one plain number that is not negative.
+    ///
+    /// # Errors
+    /// No mass, or a text that is no plain number, with its place.
+    pub fn mass_kg(&self) -> Result<f64, Fault> {
+        let missing = self.mass.origin == Origin::ClassDefault && self.mass.fault.is_none();
+        let fault = if missing {
+            Fault::at(FaultKind::Needed(Needed::BodyMass { body: self.name.clone() }), self.mass.offset)
+        } else {
+            match self.mass.checked() {
+                Ok(mass) => return Ok(mass),
+                Err(fault) => fault,
+            }
+        };
+        Err(fault.of(self.path.clone()).in_file(self.file))
+    }
+}
+
+/// The joint tree: who hangs on whom.
+#[derive(Debug, Default)]
+pub(crate) struct Skeleton {
+    pub bodies: Vec<Body>,
+    parents: HashMap<ComponentId, Link>,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Link {
+    parent: Base,
+    weld: bool,
+}
+
+impl Skeleton {
+    /// Reads all bodies and joints. A joint whose frames lead nowhere is left out: only limbs need it, and a body
+    /// without a joint to a parent stands on ground.
+    pub(crate) fn read(components: &Components) -> Self {
+        let mut skeleton = Self::default();
+        for (id, component) in components.tree.iter() {
+            let tag = components.tag(id);
+            if tag == "Body" {
+                let name = components.name(id);
+                if name != "ground" {
+                    let document = components.document(component.file);
+                    let mass = document.value(component.element, Class::Body, Property::Mass, "mass");
+                    let path = components.tree.path(id);
+                    skeleton.bodies.push(Body { name, path, mass, file: component.file });
+                }
+            } else if tag.ends_with("Joint") {
+                skeleton.add_joint(components, id, tag == "WeldJoint");
+            }
+        }
+        skeleton
+    }
+
+    fn add_joint(&mut self, components: &Components, joint: ComponentId, weld: bool) {
+        let end = |socket: &str, legacy: &[&str]| -> Option<Base> {
+            let connectee = components.connectee(joint, socket, legacy)?;
+            components.base(components.frame(joint, &connectee)?.component).ok()
+        };
+        let parent = end("parent_frame", &["parent_body"]).or_else(|| end("parent_body", &[]));
+        let owner = components.tree.get(joint).and_then(|component| component.parent);
+        let inside = owner.filter(|&id| components.tag(id) == "Body").map(Base::Body);
+        let child = end("child_frame", &["child_body"]).or_else(|| end("child_body", &[])).or(inside);
+        match (parent, child) {
+            (Some(parent), Some(Base::Body(child))) => {
+                self.parents.entry(child).or_insert(Link { parent, weld });
+            }
+            // A joint written the other way round, from the body to ground.
+            (Some(Base::Body(body)), Some(Base::Ground)) => {
+                self.parents.entry(body).or_insert(Link { parent: Base::Ground, weld });
+            }
+            _ => {}
+        }
+    }
+
+    pub(crate) fn parent(&self, body: ComponentId) -> Option<ComponentId> {
+        match self.parents.get(&body)?.parent {
+            Base::Body(parent) => Some(parent),
+            Base::Ground | Base::Unknown => None,
+        }
+    }
+
+    /// From `body` up to the body that is joined to ground.
+    pub(crate) fn chain(&self, body: ComponentId) -> Vec<ComponentId> {
+        let mut chain = vec![body];
+        let mut at = body;
+        while let Some(parent) = self.parent(at) {
+            // Joints that form a loop have no top; cut it where it closes.
+            if chain.len() > self.bodies.len() {
+                break;
+            }
+            chain.push(parent);
+            at = parent;
+        }
+        chain
+    }
+
+    /// `true` for ground and for bodies welded to it: what stands there is terrain.
+    pub(crate) fn is_fixed(&self, base: Base) -> bool {
+        let mut at = base;
+        for _ in 0..=self.bodies.len() {
+            match at {
+                Base::Ground => return true,
+                Base::Unknown => return false,
+                Base::Body(body) => match self.parents.get(&body) {
+                    Some(link) if link.weld => at = link.parent,
+                    _ => return false,
+                },
+            }
+        }
+        false
+    }
+}

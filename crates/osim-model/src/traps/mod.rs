@@ -1,0 +1,25 @@
+//! Known traps of OpenSim and its users, looked for in every model that is read.
+
+mod sides;
+mod structure;
+mod values;
+
+use crate::model::Model;
+use crate::warning::Warning;
+
+/// Everything that reading `model` showed, in the order in which it is told.
+pub(crate) fn find(model: &Model) -> Vec<Warning> {
+    let all = [
+        values::numbers,
+        structure::included_contacts,
+        values::dead_elements,
+        structure::several_spheres,
+        structure::spheres_in_two_forces,
+        values::default_stiffness,
+        values::zero_constant_contact_force,
+        sides::left_and_right,
+        values::contact_defaults,
+        structure::special_components,
+    ];
+    all.into_iter().flat_map(|find| find(model)).collect()
+}

@@ -1,0 +1,106 @@
+//! Numbers that OpenSim reads otherwise than they look, or computes nonsense from.
+
+use crate::class::Class;
+use crate::contacts::SetId;
+use crate::model::Model;
+use crate::property::Property;
+use crate::value::{Origin, Value};
+use crate::warning::{Warning, WarningCode};
+
+pub(super) fn numbers(model: &Model) -> Vec<Warning> {
+    let mut found = Vec::new();
+    let parameters = model.forces().iter().flat_map(|force| {
+        let own = force.sets.iter().flat_map(|set| &set.values);
+        own.map(move |value| (force.path.as_str(), force.file, value))
+    });
+    let radii = model.spheres().iter().map(|sphere| (sphere.path.as_str(), sphere.file, &sphere.radius));
+    let masses = model.bodies().iter().map(|body| (body.path.as_str(), body.file, &body.mass));
+    for (path, file, value) in parameters.chain(radii).chain(masses) {
+        let (code, text) = if value.fault.is_some() {
+            (WarningCode::OddNumber, format!("is '{}', which OpenSim reads as {}", value.text, value.number))
+        } else if !value.number.is_finite() {
+            (WarningCode::NotFinite, format!("is {}", value.number))
+        } else if !value.property.allows(value.number) && !is_default_stiffness(value) {
+            let expected = value.property.domain();
+            (WarningCode::OutOfDomain, format!("is {}, expected {expected}", value.number))
+        } else {
+            continue;
+        };
+        let line = model.file(file).line(value.offset);
+        found.push(Warning::at(code, line, format!("{} of {path} {text}", value.property)).about(path));
+    }
+    found
+}
+
+pub(super) fn dead_elements(model: &Model) -> Vec<Warning> {
+    let mut found = Vec::new();
+    for force in model.forces() {
+        let document = model.file(force.file);
+        if let Some(dead) = document.tree().child(force.element, "derivative_smoothing") {
+            let line = document.line(document.tree().span(dead).start);
+            let text = format!("{}: derivative_smoothing is ignored by OpenSim", force.path);
+            found.push(Warning::at(WarningCode::DeadDerivativeSmoothing, line, text).about(&force.path));
+        }
+    }
+    found
+}
+
+pub(super) fn default_stiffness(model: &Model) -> Vec<Warning> {
+    let mut found = Vec::new();
+    for force in model.forces() {
+        for set in &force.sets {
+            let default = set.value(Property::Stiffness).filter(|value| value.origin == Origin::ClassDefault);
+            if let Some(value) = default {
+                let text = format!("{}: stiffness is OpenSim's default, {} N/m2", force.path, value.number);
+                found.push(Warning::at(WarningCode::DefaultStiffness, set.line, text).about(&force.path));
+            }
+        }
+    }
+    found
+}
+
+pub(super) fn zero_constant_contact_force(model: &Model) -> Vec<Warning> {
+    let mut found = Vec::new();
+    for force in model.forces() {
+        let zero =
+            force.value(SetId::FIRST, Property::ConstantContactForce).filter(|value| value.number == 0.0);
+        if let Some(value) = zero {
+            let line = model.file(force.file).line(value.offset);
+            let text =
+                format!("{}: constant_contact_force is 0: OpenSim computes NaN without slip", force.path);
+            found.push(Warning::at(WarningCode::ZeroConstantContactForce, line, text).about(&force.path));
+        }
+    }
+    found
+}
+
+pub(super) fn contact_defaults(model: &Model) -> Vec<Warning> {
+    let mut found = Vec::new();
+    let document = model.document();
+    let tree = document.tree();
+    let Some(defaults) = document.defaults() else { return found };
+    let classes = [
+        Class::SmoothSphereHalfSpaceForce,
+        Class::HuntCrossleyForce,
+        Class::ContactParameters,
+        Class::ContactSphere,
+    ];
+    for class in classes {
+        if let Some(default) = tree.child(defaults, class.tag()) {
+            // OpenSim itself writes defaults without content; those carry nothing.
+            if tree.children(default).next().is_none() {
+                continue;
+            }
+            let line = document.line(tree.span(default).start);
+            let text =
+                format!("<defaults> holds a {}: OpenSim keeps it for models loaded later", class.tag());
+            found.push(Warning::at(WarningCode::ContactDefaults, line, text));
+        }
+    }
+    found
+}
+
+/// Said by a warning of its own.
+fn is_default_stiffness(value: &Value) -> bool {
+    value.property == Property::Stiffness && value.origin == Origin::ClassDefault
+}

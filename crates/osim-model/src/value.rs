@@ -1,0 +1,75 @@
+//! Effective numbers: what OpenSim uses, and where that stands.
+
+use std::ops::Range;
+
+use crate::fault::{Fault, FaultKind};
+use crate::opensim_text::NumberFault;
+use crate::property::Property;
+
+/// Where an effective value comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Origin {
+    /// The object's own element.
+    Element,
+    /// The class's object in the document's `<defaults>`.
+    Defaults,
+    /// OpenSim's class default.
+    ClassDefault,
+}
+
+impl Origin {
+    /// As in the JSON.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Element => "element",
+            Self::Defaults => "defaults",
+            Self::ClassDefault => "class default",
+        }
+    }
+}
+
+/// An effective number: what OpenSim uses, where it stands and whether its text is one plain number.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Value {
+    /// Which property.
+    pub property: Property,
+    /// What OpenSim reads.
+    pub number: f64,
+    /// Whose text that is.
+    pub origin: Origin,
+    /// The number's bytes, where the object's own element has it.
+    pub span: Option<Range<usize>>,
+    /// Why the text is no plain number, if it is not; then `number` is still what OpenSim reads.
+    pub fault: Option<NumberFault>,
+    /// As written (empty for a class default).
+    pub text: String,
+    /// First byte to point at: the number, or the object that lacks it.
+    pub offset: usize,
+}
+
+impl Value {
+    /// The number, if it can be scaled: one plain number within its domain.
+    ///
+    /// # Errors
+    /// The fault, over the bytes of the number.
+    pub fn checked(&self) -> Result<f64, Fault> {
+        let over = |kind: FaultKind| match &self.span {
+            Some(span) => Fault::over(kind, span.clone()),
+            None => Fault::at(kind, self.offset),
+        };
+        if let Some(fault) = &self.fault {
+            let (property, text) = (self.property.name().to_owned(), self.text.clone());
+            return Err(over(FaultKind::Number { property, text, fault: fault.clone() }));
+        }
+        if !self.property.allows(self.number) {
+            return Err(over(FaultKind::Domain {
+                property: self.property.name().to_owned(),
+                value: self.number,
+                expected: self.property.domain(),
+            }));
+        }
+        Ok(self.number)
+    }
+}

@@ -1,0 +1,156 @@
+//! The names of everything that a caller can say.
+
+macro_rules! inputs {
+    ($($variant:ident = $name:literal, $label:literal;)+) => {
+        /// Something that a caller can say, by the name of its field in a request.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[non_exhaustive]
+        pub enum Input {
+            $(#[doc = concat!("`", $name, "`: ", $label, ".")] $variant,)+
+        }
+
+        impl Input {
+            /// Every input.
+            pub const ALL: &'static [Self] = &[$(Self::$variant),+];
+
+            /// Name of the field in a request, for example `contacts_mass`.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$variant => $name),+ }
+            }
+
+            /// What it is, in a few words, for forms.
+            #[must_use]
+            pub const fn label(self) -> &'static str {
+                match self { $(Self::$variant => $label),+ }
+            }
+        }
+    };
+}
+
+inputs! {
+    Again = "again", "apply it once more";
+    Axes = "axes", "units of the axes";
+    BodyScale = "body_scale", "scale factors of a body";
+    BodyScaleFile = "body_scale_file", "the Scale Tool's ScaleSet";
+    BodyWeights = "body_weights", "load in body weights";
+    CompareSpheres = "compare_spheres", "spheres that share the other body's weight";
+    ConstantContactForce = "constant_contact_force", "constant contact force";
+    ConstantIndentation = "constant_indentation", "constant indentation over radius";
+    ContactStiffness = "contact_stiffness", "stiffness of one sphere";
+    ContactsGravity = "contacts_gravity", "gravity the contacts were made for";
+    ContactsMass = "contacts_mass", "mass the contacts were made for";
+    Diff = "diff", "unified diff";
+    Dissipation = "dissipation", "dissipation";
+    DryRun = "dry_run", "dry run";
+    Duration = "duration", "duration";
+    Exclude = "exclude", "forces to leave out";
+    ExcludeBody = "exclude_body", "bodies to leave out of the sum";
+    FollowBodies = "follow_bodies", "spheres follow their bodies";
+    Force = "force", "replace existing files";
+    Format = "format", "how to print";
+    Friction = "friction", "scale friction speeds too";
+    From = "from", "where the contacts come from";
+    Geometry = "geometry", "file of the contact geometry set";
+    Gravity = "gravity", "gravity";
+    Grid = "grid", "values along an axis";
+    HeightRatio = "height_ratio", "ratio of the heights";
+    HertzSmoothing = "hertz_smoothing", "Hertz smoothing";
+    HuntCrossleySmoothing = "hunt_crossley_smoothing", "Hunt-Crossley smoothing";
+    ImpactSpeed = "impact_speed", "impact speed";
+    InPlace = "in_place", "change the model itself";
+    Indentation = "indentation", "relative indentation";
+    IndentationUnit = "indentation_unit", "unit of the indentation";
+    Keep = "keep", "properties that stay";
+    Ladder = "ladder", "steps of a ladder";
+    Level = "level", "bottoms stay on the sole";
+    LevelAxis = "level_axis", "axis that points up";
+    Load = "load", "total load";
+    Mass = "mass", "mass of the model";
+    Model = "model", "file of the model";
+    MovedSpheres = "moved_spheres", "spheres that were moved already";
+    NoNote = "no_note", "leave no note";
+    Onset = "onset", "where contact begins";
+    Only = "only", "properties that change";
+    Output = "output", "output file";
+    OutputDir = "output_dir", "output folder";
+    Poisson = "poisson", "Poisson's ratio";
+    Presets = "presets", "file with presets";
+    Radius = "radius", "radius";
+    RadiusAxis = "radius_axis", "how a radius follows from three factors";
+    ReferenceGravity = "reference_gravity", "gravity of the reference";
+    ReferenceMass = "reference_mass", "mass the reference's contacts were made for";
+    ReferenceSelect = "reference_select", "forces of the reference";
+    ReferenceSphere = "reference_sphere", "sphere of the reference";
+    ReferenceSpheres = "reference_spheres", "spheres that share the reference's weight";
+    Report = "report", "report";
+    Restitution = "restitution", "coefficient of restitution";
+    Resume = "resume", "go on with an earlier run";
+    Rule = "rule", "whose scaling";
+    Select = "select", "forces to choose";
+    Shard = "shard", "share of the models";
+    SkipDisabled = "skip_disabled", "leave out disabled forces";
+    Soft = "soft", "dimensionless stiffness of the first step";
+    SpeedWidth = "speed_width", "width of the transition in speed";
+    Spheres = "spheres", "spheres that share the body weight";
+    StanceLimbs = "stance_limbs", "limbs that share the body weight";
+    StateWidth = "state_width", "width of the contact transition over radius";
+    Stiffness = "stiffness", "OpenSim's stiffness";
+    Strict = "strict", "refuse instead of warning";
+    Summary = "summary", "summary file";
+    TargetGravity = "target_gravity", "gravity to scale to";
+    TargetMass = "target_mass", "target mass";
+    Yes = "yes", "make more than 10,000 models";
+    Young = "young", "Young's modulus";
+}
+
+macro_rules! verbs {
+    ($($(#[doc = $doc:literal])+ $variant:ident = $name:literal;)+) => {
+        /// Something that can be done with models.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[non_exhaustive]
+        pub enum Verb {
+            $($(#[doc = $doc])+ $variant,)+
+        }
+
+        impl Verb {
+            /// Every verb.
+            pub const ALL: &'static [Self] = &[$(Self::$variant),+];
+
+            /// Its name, for example `drop-test`.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$variant => $name),+ }
+            }
+        }
+    };
+}
+
+verbs! {
+    /// A model's own contacts at another mass.
+    Rescale = "rescale";
+    /// Contacts of another model or of a preset.
+    Transfer = "transfer";
+    /// Parameters from what is wanted.
+    Design = "design";
+    /// Plain values and factors.
+    Set = "set";
+    /// Many models, as a table says.
+    Batch = "batch";
+    /// Variants of one model.
+    Sweep = "sweep";
+    /// What contacts a model has, and what they do.
+    Inspect = "inspect";
+    /// Models compared with the limits of the paper and the traps of the format.
+    Check = "check";
+    /// A body that falls on its contacts.
+    DropTest = "drop-test";
+    /// Figures.
+    Plot = "plot";
+    /// Parameters from a measured indentation and force.
+    Fit = "fit";
+    /// Published contacts and the user's own.
+    Presets = "presets";
+    /// What an equation or a code means.
+    Explain = "explain";
+}

@@ -1,0 +1,15 @@
+//! Sentences about things that a caller can say, without the words of any front end.
+//!
+//! A message often ends in a way out: "say what the model weighs with …". What stands there is `--mass KG` on the command
+//! line, `mass=` in Python and a field on a page. So a [`Phrase`] keeps the [`Input`] as data, and each front end spells
+//! it by its own [`Dialect`].
+
+mod dialect;
+mod input;
+mod part;
+mod phrase;
+
+pub use dialect::{Dialect, Plain};
+pub use input::{Input, Verb};
+pub use part::{Call, Example, Part};
+pub use phrase::{IntoParts, Phrase, phrase};

@@ -1,0 +1,254 @@
+//! The scan of what nearly every model is: plain tags, attributes in quotes, text and comments.
+//!
+//! It is several times as fast as a full parser, because it stops at anything else (`&`, CDATA, DOCTYPE, names with odd
+//! letters, tags that do not match) and leaves the whole file to [`scan`](super::scan::scan), which knows all of XML
+//! and says what is wrong. Where this scan finishes, both find the same pieces and elements: a test over all fixtures
+//! and real models and a fuzz target hold them to it.
+
+use super::tree::{PieceKind, StoredElement, StoredPiece};
+
+/// More attributes than this on one tag are compared by the full scan.
+const FEW_ATTRIBUTES: usize = 8;
+/// Bytes per piece and per element in dense models; what is reserved beyond need is never touched.
+const BYTES_PER_PIECE: usize = 8;
+const BYTES_PER_ELEMENT: usize = 20;
+
+/// Pieces and elements of `text` from byte `base` on; `None` for anything that is not plain.
+pub(super) fn scan_plain(text: &str, base: usize) -> Option<(Vec<StoredPiece>, Vec<StoredElement>)> {
+    let length = text.len();
+    let mut scan = Scan {
+        bytes: text.as_bytes(),
+        at: base,
+        pieces: Vec::with_capacity(length / BYTES_PER_PIECE + 2),
+        elements: Vec::with_capacity(length / BYTES_PER_ELEMENT + 1),
+        open: Vec::new(),
+    };
+    if base > 0 {
+        scan.pieces.push(StoredPiece { start: 0, kind: PieceKind::ByteOrderMark });
+    }
+    while scan.at < length {
+        scan.piece()?;
+    }
+    let complete = scan.open.is_empty() && !scan.elements.is_empty();
+    complete.then_some((scan.pieces, scan.elements))
+}
+
+struct Scan<'t> {
+    bytes: &'t [u8],
+    /// The next byte.
+    at: usize,
+    pieces: Vec<StoredPiece>,
+    elements: Vec<StoredElement>,
+    /// Elements that are still open, outermost first.
+    open: Vec<u32>,
+}
+
+impl Scan<'_> {
+    fn byte(&self, at: usize) -> u8 {
+        // No tag or text goes on behind the end: 0 was refused before and matches nothing.
+        self.bytes.get(at).copied().unwrap_or(0)
+    }
+
+    fn piece(&mut self) -> Option<()> {
+        if self.byte(self.at) != b'<' {
+            return self.text();
+        }
+        match self.byte(self.at + 1) {
+            b'/' => self.close(),
+            b'!' => self.comment(),
+            b'?' => self.instruction(),
+            _ => self.tag(),
+        }
+    }
+
+    #[expect(clippy::cast_possible_truncation, reason = "files over 4 GiB were refused")]
+    fn push(&mut self, kind: PieceKind, end: usize) {
+        self.pieces.push(StoredPiece { start: self.at as u32, kind });
+        self.at = end;
+    }
+
+    fn text(&mut self) -> Option<()> {
+        let rest = self.bytes.get(self.at..)?;
+        let length = rest.iter().position(|&byte| byte == b'<' || byte == b'&').unwrap_or(rest.len());
+        let text = rest.get(..length)?;
+        let inside = !self.open.is_empty();
+        if rest.get(length) == Some(&b'&') || !(inside || text.iter().all(|&byte| is_space(byte))) {
+            return None;
+        }
+        self.push(PieceKind::Text, self.at + length);
+        Some(())
+    }
+
+    /// `<name …>` or `<name …/>`.
+    #[expect(clippy::cast_possible_truncation, reason = "files over 4 GiB were refused")]
+    fn tag(&mut self) -> Option<()> {
+        let name_len = self.name(self.at + 1)?;
+        let end = self.attributes(self.at + 1 + name_len)?;
+        let empty = self.byte(end) == b'/';
+        let end = if empty { end + 1 } else { end };
+        let is_second_root = self.open.is_empty() && !self.elements.is_empty();
+        if self.byte(end) != b'>' || is_second_root {
+            return None;
+        }
+        let (open, id) = (self.pieces.len() as u32, self.elements.len() as u32);
+        let parent = self.open.last().copied().unwrap_or(0);
+        let (subtree_end, name_len) = (id + 1, name_len as u32);
+        self.elements.push(StoredElement { open, close: open, parent, subtree_end, name_len });
+        self.push(if empty { PieceKind::Empty } else { PieceKind::Open }, end + 1);
+        if !empty {
+            self.open.push(id);
+        }
+        Some(())
+    }
+
+    /// `</name>` of the element that is open.
+    #[expect(clippy::cast_possible_truncation, reason = "files over 4 GiB were refused")]
+    fn close(&mut self) -> Option<()> {
+        let id = self.open.pop()? as usize;
+        let (close, subtree_end) = (self.pieces.len() as u32, self.elements.len() as u32);
+        let element = self.elements.get_mut(id)?;
+        let start = self.pieces.get(element.open as usize)?.start as usize + 1;
+        let name_len = element.name_len as usize;
+        (element.close, element.subtree_end) = (close, subtree_end);
+        let (from, end) = (self.at + 2, self.at + 2 + name_len);
+        let same = self.bytes.get(from..end)? == self.bytes.get(start..start + name_len)?;
+        if !same || self.byte(end) != b'>' {
+            return None;
+        }
+        self.push(PieceKind::Close, end + 1);
+        Some(())
+    }
+
+    fn comment(&mut self) -> Option<()> {
+        let from = self.at + 4;
+        let rest = self.bytes.get(from..)?;
+        let is_comment = self.bytes.get(self.at..from)? == b"<!--";
+        if !is_comment || rest.starts_with(b">") || rest.starts_with(b"->") {
+            return None;
+        }
+        // Few comments hold a `>` before their end, so looking for one letter is quicker than for three.
+        let is_end = |&at: &usize| rest.get(..at).is_some_and(|before| before.ends_with(b"--"));
+        let end = from + memchr::memchr_iter(b'>', rest).find(is_end)? + 1;
+        self.push(PieceKind::Comment, end);
+        Some(())
+    }
+
+    fn instruction(&mut self) -> Option<()> {
+        let from = self.at + 2;
+        if !self.byte(from).is_ascii_alphabetic() {
+            return None;
+        }
+        let rest = self.bytes.get(from..)?;
+        let is_end = |&at: &usize| rest.get(..at).is_some_and(|before| before.ends_with(b"?"));
+        let end = from + memchr::memchr_iter(b'>', rest).find(is_end)? + 1;
+        self.push(PieceKind::Other, end);
+        Some(())
+    }
+
+    /// Length of the name at `from`.
+    fn name(&self, from: usize) -> Option<usize> {
+        let rest = self.bytes.get(from..)?;
+        let plain = |&byte: &u8| NAME.get(byte as usize).is_some_and(|&plain| plain);
+        let length = rest.iter().position(|byte| !plain(byte))?;
+        rest.first().filter(|&&first| first.is_ascii_alphabetic() || first == b'_').map(|_| length)
+    }
+
+    /// Where the attributes that begin at `at` end: at `>` or `/`.
+    fn attributes(&self, mut at: usize) -> Option<usize> {
+        let mut keys: [&[u8]; FEW_ATTRIBUTES] = [&[]; FEW_ATTRIBUTES];
+        let mut count = 0;
+        loop {
+            let blanks = self.bytes.get(at..)?.iter().position(|&byte| !is_space(byte))?;
+            at += blanks;
+            if matches!(self.byte(at), b'>' | b'/') {
+                return Some(at);
+            }
+            let length = self.name(at).filter(|_| blanks > 0)?;
+            let key = self.bytes.get(at..at + length)?;
+            if keys.get(..count)?.contains(&key) {
+                return None;
+            }
+            *keys.get_mut(count)? = key;
+            count += 1;
+            at = self.value(at + length)?;
+        }
+    }
+
+    /// Behind `="value"`.
+    fn value(&self, at: usize) -> Option<usize> {
+        let quote = self.byte(at + 1);
+        if self.byte(at) != b'=' || !matches!(quote, b'"' | b'\'') {
+            return None;
+        }
+        let value = self.bytes.get(at + 2..)?;
+        let length = value.iter().position(|&byte| byte == quote || matches!(byte, b'<' | b'>' | b'&'))?;
+        (self.byte(at + 2 + length) == quote).then_some(at + 3 + length)
+    }
+}
+
+fn is_space(byte: u8) -> bool {
+    matches!(byte, b' ' | b'\n' | b'\t' | b'\r')
+}
+
+/// Bytes of plain names.
+static NAME: [bool; 256] = {
+    let mut table = [false; 256];
+    let mut byte = 0_u8;
+    while byte < 128 {
+        table[byte as usize] = byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'.' | b':' | b'-');
+        byte += 1;
+    }
+    table
+};
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn leaves(text: &str) {
+        assert!(scan_plain(text, 0).is_none(), "{text}");
+    }
+
+    #[test]
+    fn plain_models_are_scanned() {
+        for text in [
+            "<a/>",
+            "<a></a>",
+            "<?xml version=\"1.0\"?>\n<a x='1' y=\"2\" ><b::c>1 > 0</b::c><!-- <!-- é -->\r\n</a>\n",
+        ] {
+            assert!(scan_plain(text, 0).is_some(), "{text}");
+        }
+    }
+
+    #[test]
+    fn everything_else_is_left_to_the_full_scan() {
+        for text in [
+            "",
+            " ",
+            "x<a/>",
+            "<a/>x",
+            "<a/><b/>",
+            "<a><b></a></b>",
+            "<a>",
+            "</a>",
+            "<a",
+            "<a x='1'",
+            "<a x=1/>",
+            "<a x='1'y='2'/>",
+            "<a x='1' x='2'/>",
+            "<a x='<'/>",
+            "<a>&amp;</a>",
+            "<a><![CDATA[1]]></a>",
+            "<!DOCTYPE a><a/>",
+            "<é/>",
+            "<a / >",
+            "</a >",
+            "<a><!--></a>-->",
+            "<a><!-- </a>",
+            "<? x?><a/>",
+        ] {
+            leaves(text);
+        }
+    }
+}

@@ -1,0 +1,335 @@
+//! Bytes → [`Tree`], or the first place where the bytes are not one well-formed document.
+//!
+//! Plain files are scanned by [`plain`](super::plain). For all others, quick-xml finds the pieces; what it lets pass (several roots, text outside the root, elements left open, a second
+//! byte order mark) is refused here. Its comment checks stay off: real models have `<!--` inside a comment.
+
+use std::collections::HashSet;
+
+use quick_xml::events::{BytesStart, Event};
+use quick_xml::reader::Reader;
+
+use super::file_text::FileText;
+use super::plain::scan_plain;
+use super::syntax::{SyntaxError, SyntaxFault};
+use super::tree::{PieceKind, StoredElement, StoredPiece, Tree};
+
+const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
+/// Up to this many attributes are compared pairwise; more go through a hash set.
+const FEW_ATTRIBUTES: usize = 8;
+
+/// A fault and the byte at which it was noticed.
+type Fault = (SyntaxFault, usize);
+
+/// Scans a whole file.
+///
+/// # Errors
+/// A [`SyntaxFault`] with the byte offset at which it was noticed.
+pub(crate) fn scan(bytes: Vec<u8>) -> Result<Tree, SyntaxError> {
+    let file = FileText::new(bytes);
+    match pieces_and_elements(&file) {
+        Ok((pieces, elements)) => Ok(Tree::new(file, pieces, elements)),
+        Err((fault, offset)) => Err(SyntaxError { fault, offset, file }),
+    }
+}
+
+fn pieces_and_elements(file: &FileText) -> Result<(Vec<StoredPiece>, Vec<StoredElement>), Fault> {
+    let (bytes, text) = (file.bytes(), file.as_str());
+    refuse_foreign_encodings(bytes)?;
+    let mark = if bytes.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len() } else { 0 };
+    match scan_plain(text, mark) {
+        Some(found) => {
+            debug_assert_eq!(Scanner::new(text, mark).run().ok().as_ref(), Some(&found));
+            Ok(found)
+        }
+        None => Scanner::new(text, mark).run(),
+    }
+}
+
+fn refuse_foreign_encodings(bytes: &[u8]) -> Result<(), Fault> {
+    if u32::try_from(bytes.len()).is_err() {
+        return Err((SyntaxFault::TooLarge, 0));
+    }
+    let utf16 = [&b"\xFF\xFE"[..], b"\xFE\xFF", b"<\0", b"\0<"];
+    if utf16.iter().any(|start| bytes.starts_with(start)) {
+        return Err((SyntaxFault::Utf16, 0));
+    }
+    if let Some(at) = memchr::memchr(0, bytes) {
+        return Err((SyntaxFault::Nul, at));
+    }
+    let rest = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
+    if bytes.len() != rest.len() && rest.starts_with(BYTE_ORDER_MARK) {
+        return Err((SyntaxFault::SecondByteOrderMark, BYTE_ORDER_MARK.len()));
+    }
+    Ok(())
+}
+
+struct Scanner<'t> {
+    text: &'t str,
+    /// Bytes before what the reader sees.
+    base: usize,
+    pieces: Vec<StoredPiece>,
+    elements: Vec<StoredElement>,
+    /// Elements that are still open, outermost first.
+    open: Vec<u32>,
+}
+
+impl<'t> Scanner<'t> {
+    fn new(text: &'t str, base: usize) -> Self {
+        // One pass over the `<` gives the tables their final size, so they never grow and move.
+        let tags = memchr::memchr_iter(b'<', text.as_bytes()).count();
+        let mut pieces = Vec::with_capacity(2 * tags + 2);
+        if base > 0 {
+            pieces.push(StoredPiece { start: 0, kind: PieceKind::ByteOrderMark });
+        }
+        Self { text, base, pieces, elements: Vec::with_capacity(tags / 2 + 1), open: Vec::new() }
+    }
+
+    fn run(mut self) -> Result<(Vec<StoredPiece>, Vec<StoredElement>), Fault> {
+        let mut reader = Reader::from_str(self.text.get(self.base..).unwrap_or_default());
+        reader.config_mut().allow_dangling_amp = true;
+        // OpenSim refuses `</tag >`.
+        reader.config_mut().trim_markup_names_in_closing_tags = false;
+        loop {
+            let start = self.base + offset(reader.buffer_position());
+            let event = reader
+                .read_event()
+                .map_err(|error| self.syntax_fault(&error, offset(reader.error_position())))?;
+            match event {
+                Event::Eof => break,
+                Event::Start(tag) => {
+                    check_attributes(&tag, start)?;
+                    self.enter(start, PieceKind::Open, tag.name().as_ref().len())?;
+                }
+                Event::Empty(tag) => {
+                    check_attributes(&tag, start)?;
+                    self.enter(start, PieceKind::Empty, tag.name().as_ref().len())?;
+                    self.leave();
+                }
+                Event::End(_) => {
+                    self.push(start, PieceKind::Close);
+                    self.leave();
+                }
+                Event::Text(text) => {
+                    if self.open.is_empty()
+                        && let Some(at) = text.find(|c: char| !c.is_ascii_whitespace())
+                    {
+                        return Err(self.stray_text(start + at));
+                    }
+                    self.push(start, PieceKind::Text);
+                }
+                Event::CData(_) | Event::GeneralRef(_) if self.open.is_empty() => {
+                    return Err(self.stray_text(start));
+                }
+                Event::CData(_) => self.push(start, PieceKind::CData),
+                Event::GeneralRef(_) => self.push(start, PieceKind::Reference),
+                Event::Comment(_) => self.push(start, PieceKind::Comment),
+                Event::DocType(text) if text.contains('[') => {
+                    return Err((SyntaxFault::DoctypeSubset, start));
+                }
+                Event::DocType(_) | Event::Decl(_) | Event::PI(_) => self.push(start, PieceKind::Other),
+            }
+        }
+        self.finish()
+    }
+
+    fn push(&mut self, start: usize, kind: PieceKind) {
+        // Offsets fit: the length was checked before scanning.
+        #[expect(clippy::cast_possible_truncation, reason = "files over 4 GiB were refused")]
+        self.pieces.push(StoredPiece { start: start as u32, kind });
+    }
+
+    #[expect(clippy::cast_possible_truncation, reason = "files over 4 GiB were refused")]
+    fn enter(&mut self, start: usize, kind: PieceKind, name_len: usize) -> Result<(), Fault> {
+        if self.open.is_empty() && !self.elements.is_empty() {
+            return Err((SyntaxFault::SecondRoot, start));
+        }
+        let open = self.pieces.len() as u32;
+        self.push(start, kind);
+        let id = self.elements.len() as u32;
+        let parent = self.open.last().copied().unwrap_or(0);
+        self.elements.push(StoredElement {
+            open,
+            close: open,
+            parent,
+            subtree_end: id + 1,
+            name_len: name_len as u32,
+        });
+        self.open.push(id);
+        Ok(())
+    }
+
+    #[expect(clippy::cast_possible_truncation, reason = "files over 4 GiB were refused")]
+    fn leave(&mut self) {
+        let (close, end) = (self.pieces.len() as u32 - 1, self.elements.len() as u32);
+        if let Some(element) = self.open.pop().and_then(|id| self.elements.get_mut(id as usize)) {
+            element.close = close;
+            element.subtree_end = end;
+        }
+    }
+
+    fn finish(self) -> Result<(Vec<StoredPiece>, Vec<StoredElement>), Fault> {
+        if let Some(element) = self.open.last().and_then(|&id| self.elements.get(id as usize)) {
+            let start = self.pieces.get(element.open as usize).map_or(0, |piece| piece.start as usize);
+            let tag = tag_name(self.text.get(start..).unwrap_or_default());
+            return Err((SyntaxFault::Unclosed { tag }, start));
+        }
+        if self.elements.is_empty() {
+            return Err((SyntaxFault::NotXml, 0));
+        }
+        Ok((self.pieces, self.elements))
+    }
+
+    fn stray_text(&self, at: usize) -> Fault {
+        let kind = if self.elements.is_empty() { SyntaxFault::NotXml } else { SyntaxFault::TextOutsideRoot };
+        (kind, at)
+    }
+
+    fn syntax_fault(&self, error: &quick_xml::Error, at: usize) -> Fault {
+        use quick_xml::errors::{Error, IllFormedError};
+        let kind = match error {
+            Error::IllFormed(IllFormedError::MismatchedEndTag { expected, found }) => {
+                SyntaxFault::MismatchedEnd { expected: expected.clone(), found: found.clone() }
+            }
+            Error::IllFormed(IllFormedError::UnmatchedEndTag(found)) => {
+                SyntaxFault::UnexpectedEnd { found: found.clone() }
+            }
+            Error::Syntax(_) => SyntaxFault::Truncated { what: error.to_string() },
+            other => SyntaxFault::Malformed { what: other.to_string() },
+        };
+        (kind, self.base + at)
+    }
+}
+
+/// quick-xml counts in `u64`; a position never exceeds the length of the slice it reads.
+fn offset(position: u64) -> usize {
+    usize::try_from(position).unwrap_or(usize::MAX)
+}
+
+fn tag_name(tag: &str) -> String {
+    let end = tag.find(|c: char| c.is_ascii_whitespace() || c == '>' || c == '/').unwrap_or(tag.len());
+    tag.get(1..end).unwrap_or_default().to_owned()
+}
+
+/// Every attribute must parse and be there once; linear also for absurdly many.
+fn check_attributes(tag: &BytesStart<'_>, start: usize) -> Result<(), Fault> {
+    let name = tag.name();
+    if tag.len() == name.as_ref().len() {
+        return Ok(());
+    }
+    let mut attributes = tag.attributes();
+    attributes.with_checks(false);
+    let mut few: Vec<&str> = Vec::new();
+    let mut many: HashSet<&str> = HashSet::new();
+    for attribute in attributes {
+        let attribute = attribute.map_err(|error| {
+            (SyntaxFault::Attribute { tag: name.as_ref().to_owned(), what: error.to_string() }, start)
+        })?;
+        let key = attribute.key.into_inner();
+        let seen = if few.len() < FEW_ATTRIBUTES {
+            let seen = few.contains(&key);
+            few.push(key);
+            seen
+        } else {
+            few.contains(&key) || !many.insert(key)
+        };
+        if seen {
+            let what = format!("attribute '{key}' is there twice");
+            return Err((SyntaxFault::Attribute { tag: name.as_ref().to_owned(), what }, start));
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tree::ElementId;
+    use super::*;
+
+    #[track_caller]
+    fn refused(bytes: &[u8]) -> (SyntaxFault, usize) {
+        let error = scan(bytes.to_vec()).unwrap_err();
+        (error.fault, error.offset)
+    }
+
+    #[test]
+    fn pieces_tile_the_file() {
+        let text =
+            b"\xEF\xBB\xBF<?xml version='1.0'?>\r\n<a x='1'>t<!-- <!-- -->&amp;<b/><![CDATA[<]]></a>\n";
+        let tree = scan(text.to_vec()).unwrap();
+        let mut at = 0;
+        for piece in tree.pieces() {
+            assert_eq!(piece.span.start, at);
+            assert!(piece.span.end > piece.span.start);
+            at = piece.span.end;
+        }
+        assert_eq!(at, text.len());
+    }
+
+    #[test]
+    fn elements_know_their_children_and_spans() {
+        let text = "<a><b n='1'><c/></b><d>x</d></a>";
+        let tree = scan(text.as_bytes().to_vec()).unwrap();
+        let names: Vec<_> = tree.children(ElementId::ROOT).map(|id| tree.name(id)).collect();
+        assert_eq!(names, ["b", "d"]);
+        let b = tree.child(ElementId::ROOT, "b").unwrap();
+        assert_eq!(&text[tree.span(b)], "<b n='1'><c/></b>");
+        assert_eq!(tree.attribute(b, "n").as_deref(), Some("1"));
+        assert_eq!(tree.attribute(b, "m"), None);
+        assert_eq!(tree.parent(b), Some(ElementId::ROOT));
+    }
+
+    #[test]
+    fn what_is_not_one_document_is_refused_where_it_goes_wrong() {
+        assert_eq!(refused(b""), (SyntaxFault::NotXml, 0));
+        assert_eq!(refused(b"mass 62"), (SyntaxFault::NotXml, 0));
+        assert_eq!(refused(b"<a/><b/>"), (SyntaxFault::SecondRoot, 4));
+        assert_eq!(refused(b"<a/>x"), (SyntaxFault::TextOutsideRoot, 4));
+        assert_eq!(refused(b"<a><b></b>"), (SyntaxFault::Unclosed { tag: "a".into() }, 0));
+        assert_eq!(refused(b"\xFF\xFE<\0a\0"), (SyntaxFault::Utf16, 0));
+        assert_eq!(refused(b"\xEF\xBB\xBF\xEF\xBB\xBF<a/>"), (SyntaxFault::SecondByteOrderMark, 3));
+        assert_eq!(refused(b"<!DOCTYPE a [<!ENTITY b 'c'>]><a/>"), (SyntaxFault::DoctypeSubset, 0));
+        assert!(matches!(refused(b"<a></b>"), (SyntaxFault::MismatchedEnd { .. }, 3)));
+        assert!(matches!(refused(b"<a x='1' x='2'/>"), (SyntaxFault::Attribute { .. }, 0)));
+        assert!(matches!(refused(b"<a><b"), (SyntaxFault::Truncated { .. }, 3)));
+    }
+
+    /// Models with one byte changed: both scans agree on all of them, or the plain one leaves the file to the other.
+    #[test]
+    fn the_plain_scan_finds_what_the_full_scan_finds() {
+        let text = "\u{feff}<?xml version='1.0'?>\r\n<a x='1' y=\"2 > 1\">t<!-- <!-- -->&amp;<b/>\n<c d='é' ><e>\
+                    </e></c ><![CDATA[<]]><f/ ></a>\n";
+        let plain = "<?xml version=\"1.0\"?>\n<a x='1' y=\"2\">t > é<!-- <!-- -- -->\n<b/><c d='' ><e>1</e></c></a>\n";
+        assert!(scan_plain(plain, 0).is_some());
+        let mut left = 0;
+        for text in [text, plain] {
+            for at in 0..text.len() {
+                for byte in *b"<>/&'\"= \n!-?ax1:[]\x96\x0c" {
+                    let mut bytes = text.as_bytes().to_vec();
+                    bytes[at] = byte;
+                    let file = FileText::new(bytes);
+                    let text = file.as_str();
+                    match scan_plain(text, 0) {
+                        Some(found) => assert_eq!(Scanner::new(text, 0).run(), Ok(found), "{text}"),
+                        None => left += 1,
+                    }
+                }
+                for bytes in [&text.as_bytes()[..at], &text.as_bytes()[at..]] {
+                    let file = FileText::new(bytes.to_vec());
+                    let text = file.as_str();
+                    if let Some(found) = scan_plain(text, 0) {
+                        assert_eq!(Scanner::new(text, 0).run(), Ok(found), "{text}");
+                    }
+                }
+            }
+        }
+        assert!(left > 1000);
+    }
+
+    #[test]
+    fn depth_and_attribute_count_cost_linear_time() {
+        let deep = "<a>".repeat(100_000) + &"</a>".repeat(100_000);
+        assert_eq!(scan(deep.into_bytes()).unwrap().element_count(), 100_000);
+        let wide: String = (0..100_000).map(|i| format!(" a{i}='1'")).collect();
+        assert!(scan(format!("<a{wide}/>").into_bytes()).is_ok());
+    }
+}

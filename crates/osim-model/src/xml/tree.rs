@@ -1,0 +1,251 @@
+//! The flat tree: pieces that tile the file, and elements that point into them.
+
+use std::borrow::Cow;
+use std::ops::Range;
+
+use super::decode::decode;
+use super::file_text::FileText;
+
+/// What a piece of the file is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[repr(u8)]
+#[non_exhaustive]
+pub enum PieceKind {
+    /// The byte order mark.
+    ByteOrderMark,
+    /// `<tag …>`
+    Open,
+    /// `</tag>`
+    Close,
+    /// `<tag …/>`
+    Empty,
+    /// Character data.
+    Text,
+    /// `<![CDATA[…]]>`
+    CData,
+    /// `&name;`
+    Reference,
+    /// `<!-- … -->`
+    Comment,
+    /// XML declaration, processing instruction or DOCTYPE.
+    Other,
+}
+
+/// One piece of the file; pieces tile it without gaps or overlaps.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Piece<'t> {
+    /// What stands there.
+    pub kind: PieceKind,
+    /// Its bytes in the file.
+    pub span: Range<usize>,
+    /// Its text; a byte that is not UTF-8 is a `?` in it.
+    pub text: &'t str,
+}
+
+/// A piece as the tree keeps it: it ends where the next one starts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct StoredPiece {
+    pub(super) start: u32,
+    pub(super) kind: PieceKind,
+}
+
+/// Index of an element; elements are numbered in document order, the root is 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ElementId(u32);
+
+impl ElementId {
+    /// The first element of the file.
+    pub const ROOT: Self = Self(0);
+
+    /// Its place among all elements of the file, from 0.
+    #[must_use]
+    pub const fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// An element as indices: its tags among the pieces, its parent and the end of its subtree among the elements.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct StoredElement {
+    /// Piece of the start tag (or of the empty-element tag).
+    pub(super) open: u32,
+    /// Piece of the end tag; equal to `open` for `<tag/>`.
+    pub(super) close: u32,
+    /// Parent element; the root is its own parent.
+    pub(super) parent: u32,
+    /// First element after this one and all below it.
+    pub(super) subtree_end: u32,
+    /// Length of the tag name, which starts one byte after the `<`.
+    pub(super) name_len: u32,
+}
+
+/// A scanned file: its elements, and the pieces they are made of.
+#[derive(Debug, Clone)]
+pub struct Tree {
+    text: FileText,
+    pieces: Vec<StoredPiece>,
+    elements: Vec<StoredElement>,
+}
+
+impl Tree {
+    pub(super) fn new(text: FileText, pieces: Vec<StoredPiece>, elements: Vec<StoredElement>) -> Self {
+        Self { text, pieces, elements }
+    }
+
+    /// The file, untouched.
+    #[must_use]
+    pub fn bytes(&self) -> &[u8] {
+        self.text.bytes()
+    }
+
+    pub(crate) fn into_bytes(self) -> Vec<u8> {
+        self.text.into_bytes()
+    }
+
+    /// All pieces, in file order.
+    pub fn pieces(&self) -> impl DoubleEndedIterator<Item = Piece<'_>> {
+        (0..self.pieces.len()).filter_map(|index| self.piece(index))
+    }
+
+    /// Pieces strictly between the element's tags.
+    pub fn content(&self, id: ElementId) -> impl DoubleEndedIterator<Item = Piece<'_>> {
+        let element = self.element(id);
+        let content = if element.open == element.close { 0..0 } else { element.open + 1..element.close };
+        content.filter_map(|index| self.piece(index as usize))
+    }
+
+    fn piece(&self, index: usize) -> Option<Piece<'_>> {
+        let kind = self.pieces.get(index)?.kind;
+        let span = self.piece_span(index);
+        Some(Piece { kind, text: self.slice(span.clone()), span })
+    }
+
+    /// All elements, in file order.
+    pub fn elements(&self) -> impl Iterator<Item = ElementId> + use<> {
+        // Their number was counted in `u32`.
+        (0..u32::try_from(self.elements.len()).unwrap_or(u32::MAX)).map(ElementId)
+    }
+
+    /// Number of elements.
+    #[must_use]
+    pub fn element_count(&self) -> usize {
+        self.elements.len()
+    }
+
+    /// Bytes of piece `index`; empty past the end.
+    fn piece_span(&self, index: usize) -> Range<usize> {
+        let end = self.text.as_str().len();
+        let start = self.pieces.get(index).map_or(end, |piece| piece.start as usize);
+        start..self.pieces.get(index + 1).map_or(end, |next| next.start as usize)
+    }
+
+    /// The text of some bytes; empty where they do not begin and end with a character.
+    #[must_use]
+    pub fn slice(&self, span: Range<usize>) -> &str {
+        self.text.as_str().get(span).unwrap_or_default()
+    }
+
+    fn element(&self, id: ElementId) -> StoredElement {
+        // Ids are only made by this tree; the fallback keeps a foreign id from panicking.
+        self.elements.get(id.index()).copied().unwrap_or(StoredElement {
+            open: 0,
+            close: 0,
+            parent: 0,
+            subtree_end: 0,
+            name_len: 0,
+        })
+    }
+
+    /// `true` for `<tag/>`.
+    #[must_use]
+    pub fn is_empty_tag(&self, id: ElementId) -> bool {
+        let element = self.element(id);
+        element.open == element.close
+    }
+
+    /// From the `<` of the start tag to the `>` of the end tag.
+    #[must_use]
+    pub fn span(&self, id: ElementId) -> Range<usize> {
+        let element = self.element(id);
+        self.piece_span(element.open as usize).start..self.piece_span(element.close as usize).end
+    }
+
+    /// The start tag.
+    #[must_use]
+    pub fn open_span(&self, id: ElementId) -> Range<usize> {
+        self.piece_span(self.element(id).open as usize)
+    }
+
+    /// The end tag (the whole tag for `<tag/>`).
+    #[must_use]
+    pub fn close_span(&self, id: ElementId) -> Range<usize> {
+        self.piece_span(self.element(id).close as usize)
+    }
+
+    /// The tag name, as written.
+    #[must_use]
+    pub fn name(&self, id: ElementId) -> &str {
+        let element = self.element(id);
+        let start = self.pieces.get(element.open as usize).map_or(0, |piece| piece.start as usize) + 1;
+        self.slice(start..start + element.name_len as usize)
+    }
+
+    /// The decoded value of attribute `key`, if the start tag has it.
+    #[must_use]
+    pub fn attribute(&self, id: ElementId, key: &str) -> Option<Cow<'_, str>> {
+        let tag = self.slice(self.open_span(id));
+        let name = self.name(id);
+        // `<name>` and `<name/>` have no attributes.
+        if tag.len() <= name.len() + 3 {
+            return None;
+        }
+        let body = tag.get(1..).unwrap_or_default().trim_end_matches('>').trim_end_matches('/');
+        if body.len() == name.len() {
+            return None;
+        }
+        let mut attributes = quick_xml::events::attributes::Attributes::new(body, name.len());
+        attributes.with_checks(false);
+        let found = attributes.flatten().find(|attribute| attribute.key.as_ref() == key)?;
+        Some(decode(found.value))
+    }
+
+    /// The parent element; `None` for the root.
+    #[must_use]
+    pub fn parent(&self, id: ElementId) -> Option<ElementId> {
+        (id != ElementId::ROOT).then(|| ElementId(self.element(id).parent))
+    }
+
+    /// Child elements in file order.
+    #[must_use]
+    pub fn children(&self, id: ElementId) -> Children<'_> {
+        let element = self.element(id);
+        Children { tree: self, next: id.0.saturating_add(1), end: element.subtree_end }
+    }
+
+    /// The first child element with this tag name: OpenSim reads the first of duplicates.
+    #[must_use]
+    pub fn child(&self, id: ElementId, name: &str) -> Option<ElementId> {
+        self.children(id).find(|&child| self.name(child) == name)
+    }
+}
+
+/// Iterator over child elements.
+#[derive(Debug, Clone)]
+pub struct Children<'t> {
+    tree: &'t Tree,
+    next: u32,
+    end: u32,
+}
+
+impl Iterator for Children<'_> {
+    type Item = ElementId;
+
+    fn next(&mut self) -> Option<ElementId> {
+        if self.next >= self.end {
+            return None;
+        }
+        let id = ElementId(self.next);
+        self.next = self.tree.element(id).subtree_end;
+        Some(id)
+    }
+}

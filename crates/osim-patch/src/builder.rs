@@ -1,0 +1,186 @@
+//! Collecting changes: each number is checked, changed once, and only if it really changes.
+
+use std::collections::HashSet;
+
+use osim_model::wording::Phrase;
+use osim_model::{
+    Fault, FaultKind, FileId, ForceId, Model, Property, SetId, Slot, SphereId, ValueKey, Warning,
+};
+
+use crate::plan::{Change, Move};
+
+/// Rounding of a few multiplications (relative).
+const SAME_VALUE: f64 = 1e-14;
+
+/// A new value and why.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct New {
+    pub(crate) to: f64,
+    pub(crate) factor: Option<f64>,
+    pub(crate) equation: &'static str,
+}
+
+impl New {
+    /// `from` times `factor`: multiplied once, and not at all where the factor is exactly 1.
+    pub(crate) fn times(from: f64, factor: f64, equation: &'static str) -> Self {
+        Self { to: if factor == 1.0 { from } else { from * factor }, factor: Some(factor), equation }
+    }
+}
+
+/// A plan that is being made.
+pub(crate) struct PlanBuilder<'m> {
+    pub(crate) model: &'m Model,
+    pub(crate) changes: Vec<Change>,
+    pub(crate) warnings: Vec<Warning>,
+    planned: HashSet<ValueKey>,
+    pub(crate) moves: Vec<Move>,
+    pub(crate) remarks: Vec<Phrase>,
+}
+
+impl<'m> PlanBuilder<'m> {
+    pub(crate) fn new(model: &'m Model) -> Self {
+        Self {
+            model,
+            changes: Vec::new(),
+            warnings: Vec::new(),
+            planned: HashSet::new(),
+            moves: Vec::new(),
+            remarks: Vec::new(),
+        }
+    }
+
+    /// The effective value of a force's property, if it can be scaled.
+    pub(crate) fn current(
+        &self,
+        force: ForceId,
+        set: SetId,
+        property: Property,
+    ) -> Result<Option<f64>, Fault> {
+        self.model.force(force).map_or(Ok(None), |force| force.checked(set, property))
+    }
+
+    /// The effective radius of a sphere, if it can be scaled.
+    pub(crate) fn current_radius(&self, sphere: SphereId) -> Result<f64, Fault> {
+        match self.model.sphere(sphere) {
+            Some(sphere) => sphere.radius_m(),
+            None => Err(Fault::refused(format!("there is no sphere number {}", sphere.index()))),
+        }
+    }
+
+    /// Plans a change of a force's property in parameter set `set`.
+    pub(crate) fn parameter(
+        &mut self,
+        force: ForceId,
+        set: SetId,
+        property: Property,
+        new: New,
+    ) -> Result<(), Fault> {
+        let Some(force) = self.model.force(force) else { return Ok(()) };
+        let of_set = force.set(set).filter(|set| set.value(property).is_some());
+        if of_set.is_some_and(|set| set.inherited) {
+            let kind = FaultKind::ParametersInDefaults { force: force.path.clone() };
+            return Err(Fault::new(kind).of(force.path.clone()));
+        }
+        let (Some(slot), Some(from)) = (force.slot(set, property), force.checked(set, property)?) else {
+            return Ok(());
+        };
+        self.push(Change {
+            force: Some(force.name.clone()),
+            path: force.path.clone(),
+            set: of_set.and_then(|set| set.number),
+            sphere: None,
+            property,
+            from,
+            to: new.to,
+            factor: new.factor,
+            equation: new.equation,
+            line: self.model.file(force.file).line(slot.offset),
+            inserted: slot.span.is_none(),
+            slot,
+        })
+    }
+
+    /// Plans a change of a sphere's radius.
+    pub(crate) fn radius(&mut self, sphere: SphereId, new: New) -> Result<(), Fault> {
+        let from = self.current_radius(sphere)?;
+        let Some(sphere) = self.model.sphere(sphere) else { return Ok(()) };
+        let slot = sphere.radius_slot();
+        self.push(Change {
+            force: None,
+            path: sphere.path.clone(),
+            set: None,
+            sphere: Some(sphere.name.clone()),
+            property: Property::Radius,
+            from,
+            to: new.to,
+            factor: new.factor,
+            equation: new.equation,
+            line: self.line(&slot),
+            inserted: slot.span.is_none(),
+            slot,
+        })
+    }
+
+    /// Plans a new location of a sphere's centre.
+    pub(crate) fn location(
+        &mut self,
+        sphere: SphereId,
+        to: [f64; 3],
+        equation: &'static str,
+    ) -> Result<(), Fault> {
+        let Some(sphere) = self.model.sphere(sphere) else { return Ok(()) };
+        let from = sphere.location_m;
+        let close = |(a, b): (f64, f64)| (a - b).abs() <= SAME_VALUE * a.abs().max(b.abs());
+        if from.into_iter().zip(to).all(close) {
+            return Ok(());
+        }
+        if to.iter().any(|value| !value.is_finite()) {
+            return Err(Fault::refused(format!("the new location of {} is not finite", sphere.path)));
+        }
+        self.refuse_included(sphere.file, &sphere.path)?;
+        let slot = sphere.location_slot();
+        self.moves.push(Move {
+            sphere: sphere.name.clone(),
+            path: sphere.path.clone(),
+            from,
+            to,
+            equation,
+            line: self.line(&slot),
+            inserted: slot.span.is_none(),
+            slot,
+        });
+        Ok(())
+    }
+
+    fn line(&self, slot: &Slot) -> usize {
+        self.model.file(slot.file).line(slot.offset)
+    }
+
+    fn refuse_included(&self, file: FileId, path: &str) -> Result<(), Fault> {
+        let Some(included) = self.model.included_file(file) else { return Ok(()) };
+        let kind = FaultKind::IncludedFile { path: path.to_owned(), file: included.to_owned() };
+        Err(Fault::new(kind).of(path))
+    }
+
+    fn push(&mut self, change: Change) -> Result<(), Fault> {
+        if !change.property.allows(change.to) {
+            let kind = FaultKind::Domain {
+                property: format!("the new {}", change.property),
+                value: change.to,
+                expected: change.property.domain(),
+            };
+            return Err(Fault::at(kind, change.slot.offset).of(change.path).in_file(change.slot.file));
+        }
+        // A value that is computed anew may differ in its last bits and mean the same; a given one is taken exactly.
+        let computed = change.factor.is_none() && change.equation != "given";
+        let same = computed && (change.to - change.from).abs() <= SAME_VALUE * change.from.abs();
+        if same || change.to.to_bits() == change.from.to_bits() {
+            return Ok(());
+        }
+        self.refuse_included(change.slot.file, &change.path)?;
+        if self.planned.insert(ValueKey::from((&change.slot, change.property))) {
+            self.changes.push(change);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,255 @@
+//! Parameters from what is wanted, written into a model: (11), (A.5), (13), (C.2), (C.8), (C.10).
+
+use contact_scaling::{
+    RatioValues, Ratios, SharedLoad, design as wanted_of, modulus, restitution, smoothing,
+};
+use osim_model::wording::{Phrase, phrase};
+use osim_model::{
+    Fault, Force, ForceKind, Mass, Model, Needed, Property, Scope, Selected, Warning, WarningCode, readable,
+};
+
+use crate::builder::{New, PlanBuilder};
+use crate::plan::{Contents, Masses, NoteFacts, Plan};
+use crate::property_set::PropertySet;
+use crate::radii::{Radii, RadiusRule, SphereRule};
+use crate::remarks::bottoms_remark;
+use crate::scaling::{DissipationBy, factor};
+use crate::surfaces::write_composite;
+
+/// How E₁* is found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum DesignModulus {
+    /// By (11): this relative indentation under the load.
+    Indentation(f64),
+    /// By (A.1) and (A.5): this Young's modulus (N/m²) and Poisson's ratio on rigid ground.
+    Young {
+        /// E, N/m².
+        young_n_m2: f64,
+        /// ν.
+        poisson: f64,
+    },
+}
+
+/// What is wanted; `None` is left as it is (or follows a changed radius).
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Design {
+    /// How E₁* is found.
+    pub modulus: Option<DesignModulus>,
+    /// Total load, N, and the spheres that share it; needed for [`DesignModulus::Indentation`].
+    pub load: Option<SharedLoad>,
+    /// Coefficient of restitution (13), and the impact speed in m/s (√(gR/2) where not given).
+    pub restitution: Option<(f64, Option<f64>)>,
+    /// x̂_c of (C.2).
+    pub constant_indentation: Option<f64>,
+    /// Threshold t and width Δx̂ of (C.8).
+    pub state_width: Option<(f64, f64)>,
+    /// Threshold t and width in m/s of (C.10).
+    pub speed_width: Option<(f64, f64)>,
+    /// What becomes of the radii, unless a stiffness is wanted.
+    pub radius: RadiusRule,
+    /// Stiffness of one sphere at the indentation and load wanted, N/m: it gives the radius (11, B.2).
+    pub contact_stiffness_n_m: Option<f64>,
+    /// Mass the result stands for, where the load is body weight.
+    pub mass: Option<Mass>,
+    /// Gravity, m/s², where it is not the model's.
+    pub gravity_m_s2: Option<f64>,
+}
+
+impl Default for Design {
+    /// Nothing is wanted.
+    fn default() -> Self {
+        Self {
+            modulus: None,
+            load: None,
+            restitution: None,
+            constant_indentation: None,
+            state_width: None,
+            speed_width: None,
+            radius: RadiusRule::Keep,
+            contact_stiffness_n_m: None,
+            mass: None,
+            gravity_m_s2: None,
+        }
+    }
+}
+
+/// Plans a design onto the forces `selected` of `model`.
+///
+/// # Errors
+/// A quantity outside its domain, something missing, or any error of [`super::rescale`].
+pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Plan, Fault> {
+    let mut plan = PlanBuilder::new(model);
+    let properties = PropertySet::default();
+    let rule = wanted.radius_rule()?;
+    let radii = Radii::plan(&mut plan, &selected.forces, |_| rule, 1.0, &properties)?;
+    radii.warn_mixed(&mut plan, &selected.forces);
+    for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
+        let radius = radii.mean_new(force);
+        let own = RatioValues { mass: 1.0, sphere_count: 1.0, radius: radii.ratio(force), gravity: 1.0 };
+        let own = Ratios::new(own).map_err(Fault::new)?;
+        for property in Property::ALL.into_iter().filter(|&property| properties.contains(property)) {
+            match wanted.value(property, force, radius, model)? {
+                Some((to, equation)) => write_composite(&mut plan, force.id, property, to, equation)?,
+                None => carry(&mut plan, force, property, &own)?,
+            }
+        }
+    }
+    let mut remarks: Vec<Phrase> = vec!["body masses and sphere locations stay as they are".into()];
+    remarks.extend(bottoms_remark(&radii));
+    let PlanBuilder { changes, moves, mut warnings, .. } = plan;
+    if changes.is_empty() {
+        let text = "nothing that is wanted applies to these forces, or every value is already as wanted";
+        warnings.push(Warning::new(WarningCode::NothingToChange, text));
+    }
+    let is_smooth = |force: &Force| force.kind == ForceKind::SmoothSphereHalfSpace;
+    let smooth = selected.forces.iter().filter_map(|&id| model.force(id)).any(is_smooth);
+    let masses = wanted.mass.clone().map(|from| Masses { to_kg: from.kg, from });
+    Ok(Plan::new(
+        model,
+        Contents { changes, moves, masses, taken: wanted.taken(), warnings, remarks },
+        &NoteFacts {
+            mass_kg: wanted.mass.as_ref().map(|mass| mass.kg),
+            gravity_m_s2: wanted.gravity_m_s2.or(model.gravity()),
+            scope: if wanted.is_complete(smooth) && selected.complete { Scope::All } else { Scope::Partial },
+            operation: "design",
+        },
+    ))
+}
+
+/// A changed radius carries along what is not designed.
+fn carry(plan: &mut PlanBuilder<'_>, force: &Force, property: Property, own: &Ratios) -> Result<(), Fault> {
+    let Some((factor, equation)) = factor(property, own, DissipationBy::Radius) else { return Ok(()) };
+    for set in &force.sets {
+        if let Some(from) = plan.current(force.id, set.id, property)? {
+            plan.parameter(force.id, set.id, property, New::times(from, factor, equation))?;
+        }
+    }
+    Ok(())
+}
+
+impl Design {
+    /// (11) with (B.2) where a stiffness is wanted.
+    fn radius_rule(&self) -> Result<SphereRule, Fault> {
+        match (self.contact_stiffness_n_m, self.modulus, &self.load) {
+            (Some(k), Some(DesignModulus::Indentation(x)), Some(load)) => {
+                let radius = wanted_of::radius_for_stiffness(k, x, load).map_err(Fault::new)?;
+                Ok(SphereRule::Designed(radius))
+            }
+            _ => Ok(SphereRule::Rule(self.radius)),
+        }
+    }
+
+    /// Whether every property the paper scales is designed; a HuntCrossleyForce has no smoothing.
+    fn is_complete(&self, smooth: bool) -> bool {
+        let smoothing =
+            self.constant_indentation.is_some() && self.state_width.is_some() && self.speed_width.is_some();
+        self.modulus.is_some() && self.restitution.is_some() && (smoothing || !smooth)
+    }
+
+    fn value(
+        &self,
+        property: Property,
+        force: &Force,
+        radius_m: f64,
+        model: &Model,
+    ) -> Result<Option<(f64, &'static str)>, Fault> {
+        let smooth = force.kind == ForceKind::SmoothSphereHalfSpace;
+        Ok(match property {
+            Property::Stiffness => match self.modulus {
+                Some(modulus) => Some(self.modulus(modulus, radius_m)?),
+                None => None,
+            },
+            Property::Dissipation => match self.restitution {
+                Some((restitution, speed)) => {
+                    let speed = speed
+                        .map_or_else(|| default_speed(self.gravity_m_s2.or(model.gravity()), radius_m), Ok)?;
+                    Some((restitution::dissipation(restitution, speed).map_err(Fault::new)?, "13"))
+                }
+                None => None,
+            },
+            Property::ConstantContactForce if smooth => match self.constant_indentation {
+                Some(x) => Some((smoothing::constant_contact_force(x, radius_m).map_err(Fault::new)?, "C.2")),
+                None => None,
+            },
+            Property::HertzSmoothing if smooth => match self.state_width {
+                Some((t, width)) => Some((
+                    smoothing::hertz_smoothing_for_width(t, width, radius_m).map_err(Fault::new)?,
+                    "C.8",
+                )),
+                None => None,
+            },
+            Property::HuntCrossleySmoothing if smooth => match self.speed_width {
+                Some((t, width)) => Some((
+                    smoothing::hunt_crossley_smoothing_for_speed_width(t, width).map_err(Fault::new)?,
+                    "C.10",
+                )),
+                None => None,
+            },
+            _ => None,
+        })
+    }
+
+    fn modulus(&self, modulus: DesignModulus, radius_m: f64) -> Result<(f64, &'static str), Fault> {
+        match modulus {
+            DesignModulus::Indentation(x) => {
+                let Some(load) = &self.load else {
+                    return Err(Fault::new(Needed::Load));
+                };
+                let composite = wanted_of::composite_modulus(radius_m, x, load).map_err(Fault::new)?;
+                let equal = modulus::of_equal_surfaces(composite, modulus::MixingRule::Sherman);
+                Ok((equal.map_err(Fault::new)?, "11"))
+            }
+            DesignModulus::Young { young_n_m2, poisson } => {
+                Ok((modulus::stiffness_on_rigid_ground(young_n_m2, poisson).map_err(Fault::new)?, "A.5"))
+            }
+        }
+    }
+
+    fn taken(&self) -> Phrase {
+        let mut parts: Vec<Phrase> = Vec::new();
+        if let Some(load) = &self.load {
+            parts.push(format!("{} N on {} spheres", readable(load.load_n()), load.sphere_count()).into());
+        }
+        if let Some(mass) = &self.mass {
+            let weighs = format!("model weighs {} kg (", readable(mass.kg));
+            parts.push(phrase![weighs, &mass.source.describe(), ")"]);
+        }
+        parts.extend(self.values().into_iter().map(Phrase::from));
+        let Some((first, others)) = parts.split_first() else { return "another radius".into() };
+        let mut all = first.clone();
+        for other in others {
+            all.push("; ");
+            all.push(other);
+        }
+        all
+    }
+
+    fn values(&self) -> Vec<String> {
+        let modulus = self.modulus.map(|modulus| match modulus {
+            DesignModulus::Indentation(x) => format!("relative indentation {}", readable(x)),
+            DesignModulus::Young { young_n_m2, poisson } => {
+                format!("Young's modulus {} N/m2, Poisson's ratio {poisson}", readable(young_n_m2))
+            }
+        });
+        let restitution =
+            self.restitution.map(|(restitution, _)| format!("restitution {}", readable(restitution)));
+        let constant = self.constant_indentation.map(|x| format!("constant indentation {}", readable(x)));
+        let state = self
+            .state_width
+            .map(|(t, width)| format!("contact transition over {} radii (threshold {t})", readable(width)));
+        let speed = self
+            .speed_width
+            .map(|(t, width)| format!("speed transition over {} m/s (threshold {t})", readable(width)));
+        [modulus, restitution, constant, state, speed].into_iter().flatten().collect()
+    }
+}
+
+/// The impact speed of a fall from a quarter of the radius, √(gR/2): the paper's drop test.
+fn default_speed(gravity: Option<f64>, radius_m: f64) -> Result<f64, Fault> {
+    match gravity.filter(|&gravity| gravity > 0.0) {
+        Some(gravity) => restitution::drop_speed(gravity, radius_m).map_err(Fault::new),
+        None => Err(Fault::new(Needed::ImpactSpeed)),
+    }
+}

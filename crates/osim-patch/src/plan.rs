@@ -1,0 +1,243 @@
+//! The plan: every number that is to change, from what, to what, by which equation.
+//!
+//! Tables, diffs, JSON, dry runs and writing are all views of a [`Plan`]; there is no other way to change a model.
+
+use std::collections::{BTreeMap, HashMap};
+
+use osim_model::wording::{Dialect, Phrase};
+use osim_model::{
+    Class, ElementId, Fault, FileId, Mass, Model, Note, Property, Scope, Slot, ValueKey, Warning, shortest,
+};
+
+use crate::edit::{Edit, Patch};
+use crate::insert::{insert, insert_first, with_white_space_before};
+
+/// One number that is to change.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Change {
+    /// Name of the force; `None` for a sphere's radius.
+    pub force: Option<String>,
+    /// Component path of the force or sphere.
+    pub path: String,
+    /// Number of the `ContactParameters`; `None` elsewhere.
+    pub set: Option<usize>,
+    /// Name of the sphere whose radius changes.
+    pub sphere: Option<String>,
+    /// What changes.
+    pub property: Property,
+    /// Effective value now.
+    pub from: f64,
+    /// Value to be written.
+    pub to: f64,
+    /// The factor by which the value was multiplied, where it was.
+    pub factor: Option<f64>,
+    /// Number of the equation in the paper, or a word where there is none.
+    pub equation: &'static str,
+    /// Line of the number, or of the object that gets it.
+    pub line: usize,
+    /// `true` where the element is absent and is inserted.
+    pub inserted: bool,
+    pub(crate) slot: Slot,
+}
+
+/// One sphere centre that is to move.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Move {
+    /// Name of the sphere.
+    pub sphere: String,
+    /// Its component path.
+    pub path: String,
+    /// Location in its frame now, m.
+    pub from: [f64; 3],
+    /// Location to be written, m.
+    pub to: [f64; 3],
+    /// Why: `follow` or `level`.
+    pub equation: &'static str,
+    /// Line of the location, or of the sphere that gets one.
+    pub line: usize,
+    /// `true` where the element is absent and is inserted.
+    pub inserted: bool,
+    pub(crate) slot: Slot,
+}
+
+impl Change {
+    /// The file that it is in.
+    #[must_use]
+    pub fn file(&self) -> FileId {
+        self.slot.file
+    }
+}
+
+impl Move {
+    /// The file that it is in.
+    #[must_use]
+    pub fn file(&self) -> FileId {
+        self.slot.file
+    }
+}
+
+/// Everything a run does to one model.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Plan {
+    /// The numbers, radii first, then force by force.
+    pub changes: Vec<Change>,
+    /// Sphere centres that move.
+    pub moves: Vec<Move>,
+    /// What the contacts stand for before and afterwards; `None` where nobody knows and nothing follows from it.
+    pub masses: Option<Masses>,
+    /// What was taken and from where, in words: the first line of every report.
+    pub taken: Phrase,
+    /// Things the user should know.
+    pub warnings: Vec<Warning>,
+    /// Things that always hold and are said once: what the run did not do.
+    pub remarks: Vec<Phrase>,
+    note: Option<Note>,
+    note_anyway: bool,
+}
+
+/// What contacts stand for, before and after.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Masses {
+    /// Before (for a transfer: what the reference's contacts stand for).
+    pub from: Mass,
+    /// Afterwards, kg.
+    pub to_kg: f64,
+}
+
+/// Elements that an object lacks and gets.
+struct Absent<'p> {
+    class: Class,
+    elements: Vec<(&'p str, String)>,
+}
+
+/// What the note of a plan says beside the values.
+pub(crate) struct NoteFacts<'o> {
+    pub(crate) mass_kg: Option<f64>,
+    pub(crate) gravity_m_s2: Option<f64>,
+    pub(crate) scope: Scope,
+    pub(crate) operation: &'o str,
+}
+
+/// What a plan does and says.
+#[derive(Default)]
+pub(crate) struct Contents {
+    pub(crate) changes: Vec<Change>,
+    pub(crate) moves: Vec<Move>,
+    pub(crate) masses: Option<Masses>,
+    pub(crate) taken: Phrase,
+    pub(crate) warnings: Vec<Warning>,
+    pub(crate) remarks: Vec<Phrase>,
+}
+
+impl Plan {
+    /// Leaves a note also where no number changes, so that the output is told from its original.
+    pub fn note_anyway(&mut self) {
+        self.note_anyway = true;
+    }
+
+    /// Leaves no note in the file.
+    pub fn without_note(&mut self) {
+        self.note = None;
+    }
+
+    /// Records in the note what was done, where that is more than the verb: `rescale radius=x2`.
+    pub fn name_operation(&mut self, operation: &str) {
+        if let Some(note) = &mut self.note {
+            note.operation = operation.to_owned();
+        }
+    }
+
+    /// The note that would be written; none when nothing changes.
+    #[must_use]
+    pub fn note(&self) -> Option<&Note> {
+        self.note.as_ref().filter(|_| !self.is_empty())
+    }
+
+    /// `true` when the output equals the input byte for byte.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.changes.is_empty() && self.moves.is_empty() && !(self.note_anyway && self.note.is_some())
+    }
+
+    /// A plan with the note that goes with it.
+    pub(crate) fn new(model: &Model, contents: Contents, facts: &NoteFacts<'_>) -> Self {
+        let Contents { changes, moves, masses, taken, warnings, remarks } = contents;
+        let changed: HashMap<ValueKey, f64> = changes
+            .iter()
+            .map(|change| (ValueKey::from((&change.slot, change.property)), change.to))
+            .collect();
+        let note = Some(Note {
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            mass_kg: facts.mass_kg,
+            gravity_m_s2: facts.gravity_m_s2,
+            scope: facts.scope,
+            operation: facts.operation.to_owned(),
+            digest: model.contact_digest(|key| changed.get(&key).copied()),
+        });
+        Self { changes, moves, masses, taken, warnings, remarks, note, note_anyway: false }
+    }
+
+    /// Spells everything it says in the words of a front end.
+    pub fn spell(&mut self, dialect: &dyn Dialect) {
+        self.taken.spell(dialect);
+        self.remarks.iter_mut().for_each(|remark| remark.spell(dialect));
+        self.warnings.iter_mut().for_each(|warning| warning.spell(dialect));
+    }
+
+    /// The edits of `file`, the note's among them.
+    #[must_use]
+    pub fn edits(&self, model: &Model, file: FileId) -> Vec<Edit> {
+        let document = model.file(file);
+        let tree = document.tree();
+        let mut edits = Vec::new();
+        let mut absent: BTreeMap<ElementId, Absent<'_>> = BTreeMap::new();
+        let numbers = self.changes.iter().map(|change| (&change.slot, shortest(change.to)));
+        let places = self.moves.iter().map(|place| (&place.slot, place.to.map(shortest).join(" ")));
+        for (slot, text) in numbers.chain(places).filter(|(slot, _)| slot.file == file) {
+            match &slot.span {
+                Some(span) => edits.push(Edit { span: span.clone(), text }),
+                None => {
+                    let object =
+                        absent.entry(slot.object).or_insert(Absent { class: slot.class, elements: vec![] });
+                    object.elements.push((slot.tag, text));
+                }
+            }
+        }
+        for (parent, object) in &absent {
+            edits.extend(insert(tree, *parent, object.class.order(), &object.elements));
+        }
+        // A geometry set changes together with its force set and gets the same note; a model that was only read none.
+        let noted = file == FileId::MAIN
+            || !edits.is_empty()
+            || tree.name(document.data_root()) == "ContactGeometrySet";
+        if let (Some(note), true) = (&self.note, noted && !self.is_empty()) {
+            edits.push(match Note::span(document) {
+                Some(span) => Edit { span, text: note.comment() },
+                None => insert_first(tree, document.data_root(), &note.comment()),
+            });
+        } else if let (Some(span), true, false) = (Note::span(document), noted, self.is_empty()) {
+            // Without a new note the old one would lie: it goes, with its line.
+            edits.push(Edit { span: with_white_space_before(tree, span), text: String::new() });
+        }
+        edits
+    }
+
+    /// The patched bytes of `file`; identical to the original where nothing changes.
+    ///
+    /// # Errors
+    /// Overlapping edits, which would be a defect of this crate; nothing is returned then.
+    pub fn patched(&self, model: &Model, file: FileId) -> Result<Vec<u8>, Fault> {
+        self.patch(model, file).map(|patch| patch.to_vec())
+    }
+
+    /// The same without a copy: slices of the original and new text by turns.
+    ///
+    /// # Errors
+    /// As [`patched`](Self::patched).
+    pub fn patch<'m>(&self, model: &'m Model, file: FileId) -> Result<Patch<'m>, Fault> {
+        Patch::new(model.file(file).bytes(), self.edits(model, file))
+    }
+}

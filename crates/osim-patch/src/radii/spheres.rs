@@ -1,0 +1,147 @@
+//! New radii, and the one radius ratio by which a force's parameters follow.
+
+use std::collections::BTreeMap;
+
+use osim_model::{Fault, Force, ForceId, LevelAxis, Model, Property, SphereId, Warning, WarningCode};
+
+use super::rule::{Pair, RadiusRule, SphereRule};
+use super::users::Users;
+use crate::builder::{New, PlanBuilder};
+use crate::property_set::PropertySet;
+
+/// Old and new radius of each moving sphere of the chosen forces.
+pub(crate) struct Radii(BTreeMap<SphereId, Pair>);
+
+impl Radii {
+    /// Applies each sphere's rule to the moving spheres of `forces` and plans the changes.
+    ///
+    /// # Errors
+    /// A radius that cannot be scaled, or a sphere that another applied force needs as it is.
+    pub(crate) fn plan(
+        plan: &mut PlanBuilder<'_>,
+        forces: &[ForceId],
+        rule_of: impl Fn(SphereId) -> SphereRule,
+        isometric: f64,
+        properties: &PropertySet,
+    ) -> Result<Self, Fault> {
+        let model = plan.model;
+        let mut radii = BTreeMap::new();
+        let users = Users::outside(model, forces);
+        for sphere in moving_spheres(model, forces) {
+            let old = plan.current_radius(sphere)?;
+            let stays = !properties.contains(Property::Radius);
+            let rule = if stays { SphereRule::Rule(RadiusRule::Keep) } else { rule_of(sphere) };
+            let pair = rule.pair(old, isometric);
+            if pair.new != pair.old {
+                users.refuse(model, forces, sphere)?;
+            }
+            let factor = rule.is_relative().then_some(pair.ratio);
+            plan.radius(sphere, New { to: pair.new, factor, equation: rule.equation() })?;
+            radii.insert(sphere, pair);
+        }
+        warn_terrain(plan, forces);
+        Ok(Self(radii))
+    }
+
+    /// ρ of one force: the common ratio of its spheres, or by the mean of R² before and after where they differ.
+    pub(crate) fn ratio(&self, force: &Force) -> f64 {
+        let pairs = self.of(force);
+        match pairs.split_first() {
+            None => 1.0,
+            Some((first, rest)) if rest.iter().all(|pair| pair.ratio == first.ratio) => first.ratio,
+            Some(_) => self.mean_new(force) / self.mean_old(force),
+        }
+    }
+
+    /// Root of the mean R² before.
+    pub(crate) fn mean_old(&self, force: &Force) -> f64 {
+        root_mean_square(self.of(force).iter().map(|pair| pair.old))
+    }
+
+    /// Root of the mean R² afterwards.
+    pub(crate) fn mean_new(&self, force: &Force) -> f64 {
+        root_mean_square(self.of(force).iter().map(|pair| pair.new))
+    }
+
+    fn of(&self, force: &Force) -> Vec<Pair> {
+        force.spheres().iter().filter_map(|sphere| self.0.get(sphere)).copied().collect()
+    }
+
+    /// How far sphere bottoms move down, least and most, m.
+    pub(crate) fn bottoms(&self) -> Option<(f64, f64)> {
+        let moves = self.0.values().map(|pair| pair.new - pair.old);
+        let least = moves.clone().fold(f64::INFINITY, f64::min);
+        let most = moves.fold(f64::NEG_INFINITY, f64::max);
+        (least.is_finite() && (least != 0.0 || most != 0.0)).then_some((least, most))
+    }
+
+    /// Moves centres so that bottoms stay where they are.
+    pub(crate) fn level(&self, plan: &mut PlanBuilder<'_>, axis: LevelAxis) -> Result<(), Fault> {
+        for (&sphere, pair) in &self.0 {
+            let Some(found) = plan.model.sphere(sphere) else { continue };
+            let location = found.location_m;
+            let axis = axis.in_frame(&plan.model.rotation_of(found)?);
+            plan.location(sphere, axis.centre(location, pair.old, pair.new, |vector| vector), "level")?;
+        }
+        Ok(())
+    }
+
+    /// Largest over smallest ratio among the spheres of a force.
+    pub(crate) fn spread(&self, force: &Force, old_radius: impl Fn(SphereId) -> f64) -> f64 {
+        let ratios: Vec<f64> = force
+            .spheres()
+            .into_iter()
+            .filter_map(|sphere| Some(self.0.get(&sphere)?.new / old_radius(sphere)))
+            .collect();
+        let most = ratios.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let least = ratios.iter().copied().fold(f64::INFINITY, f64::min);
+        if ratios.is_empty() { 1.0 } else { most / least }
+    }
+
+    /// Says where one modulus serves several radii.
+    pub(crate) fn warn_mixed(&self, plan: &mut PlanBuilder<'_>, forces: &[ForceId]) {
+        for force in forces.iter().filter_map(|&id| plan.model.force(id)) {
+            let pairs = self.of(force);
+            if pairs.windows(2).any(|two| matches!(two, [a, b] if a.old != b.old)) {
+                let text =
+                    format!("{} has spheres of different radii: the mean of R squared is used", force.path);
+                plan.warnings.push(Warning::at(WarningCode::MixedRadii, force.line, text));
+            }
+        }
+    }
+}
+
+/// Exactly the common value where all are equal.
+pub(crate) fn root_mean_square(radii: impl Iterator<Item = f64> + Clone) -> f64 {
+    let mut others = radii.clone();
+    match others.next() {
+        None => f64::NAN,
+        Some(first) if others.all(|other| other == first) => first,
+        Some(_) => {
+            let (sum, count) =
+                radii.fold((0.0, 0.0), |(sum, count), radius| (sum + radius * radius, count + 1.0));
+            (sum / count).sqrt()
+        }
+    }
+}
+
+/// Moving spheres of `forces`, each once, in file order.
+#[must_use]
+pub fn moving_spheres(model: &Model, forces: &[ForceId]) -> Vec<SphereId> {
+    let mut spheres: Vec<SphereId> =
+        forces.iter().filter_map(|&id| model.force(id)).flat_map(Force::spheres).collect();
+    spheres.sort_unstable();
+    spheres.dedup();
+    spheres.retain(|&index| model.sphere(index).is_some_and(|sphere| !sphere.fixed));
+    spheres
+}
+
+fn warn_terrain(plan: &mut PlanBuilder<'_>, forces: &[ForceId]) {
+    for force in forces.iter().filter_map(|&id| plan.model.force(id)) {
+        let fixed = force.spheres().iter().filter_map(|&s| plan.model.sphere(s)).filter(|s| s.fixed).count();
+        if fixed > 0 {
+            let text = format!("{} meets terrain ({fixed} fixed spheres): their radii stay", force.path);
+            plan.warnings.push(Warning::at(WarningCode::Terrain, force.line, text));
+        }
+    }
+}

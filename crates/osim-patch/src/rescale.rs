@@ -1,0 +1,178 @@
+//! Rescaling a model's own contacts to another mass: every parameter times its ratio.
+
+use contact_scaling::{RatioValues, Ratios};
+use osim_model::wording::{Input, Phrase, Verb, phrase};
+use osim_model::{
+    Fault, ForceId, LevelAxis, Mass, Model, Needed, Property, Scope, Selected, SetId, Warning, WarningCode,
+    positive_mass, readable, same_mass, shortest,
+};
+
+use crate::builder::{New, PlanBuilder};
+use crate::gravity::gravity_ratio;
+use crate::plan::{Contents, Masses, NoteFacts, Plan};
+use crate::property_set::PropertySet;
+use crate::radii::{Radii, RadiusRule, SphereRule};
+use crate::remarks::{bottoms_remark, warn_forces};
+use crate::scaling::{DissipationBy, factor};
+
+/// What is wanted of a rescaling.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Rescale {
+    /// The mass the contacts shall stand for, kg.
+    pub target_mass_kg: f64,
+    /// The mass they stand for now.
+    pub contacts_mass: Mass,
+    /// What becomes of the radii.
+    pub radius: RadiusRule,
+    /// What may change.
+    pub properties: PropertySet,
+    /// Which size α follows.
+    pub dissipation_by: DissipationBy,
+    /// Gravity afterwards, m/s², where it differs. What the contacts stand for now is the note's, else the model's.
+    pub target_gravity_m_s2: Option<f64>,
+    /// Gravity the contacts stand for now, m/s², where the note and the model do not say it rightly.
+    pub contacts_gravity_m_s2: Option<f64>,
+    /// Move sphere centres so that their bottoms stay where they are.
+    pub level: Option<LevelAxis>,
+}
+
+impl Rescale {
+    /// Everything the paper scales, with isometric radii.
+    #[must_use]
+    pub fn new(target_mass_kg: f64, contacts_mass: Mass) -> Self {
+        Self {
+            target_mass_kg,
+            contacts_mass,
+            radius: RadiusRule::Isometric,
+            properties: PropertySet::default(),
+            dissipation_by: DissipationBy::default(),
+            target_gravity_m_s2: None,
+            contacts_gravity_m_s2: None,
+            level: None,
+        }
+    }
+}
+
+/// Plans a rescaling of the forces `selected` of `model`.
+///
+/// # Errors
+/// A value that cannot be scaled, a sphere another force needs as it is, or a quantity outside its domain.
+pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<Plan, Fault> {
+    let target = positive_mass(Input::TargetMass, wanted.target_mass_kg)?;
+    let origin = wanted.contacts_mass.kg;
+    let mut plan = PlanBuilder::new(model);
+    let gravity = gravity_now(model, wanted)?;
+    let gravity = gravity_ratio(gravity, wanted.target_gravity_m_s2)?;
+    let other_radius = matches!(wanted.radius, RadiusRule::Metres(_) | RadiusRule::Factor(_));
+    if same_mass(target, origin) && gravity == 1.0 && !other_radius {
+        plan.warnings.push(already_there(origin, &wanted.contacts_mass));
+        return Ok(finish(plan, wanted, selected, None));
+    }
+    let mass = target / origin;
+    let isometric = Ratios::isometric(mass).map_err(Fault::new)?.radius();
+    let radii = Radii::plan(
+        &mut plan,
+        &selected.forces,
+        |_| SphereRule::Rule(wanted.radius),
+        isometric,
+        &wanted.properties,
+    )?;
+    if let Some(axis) = wanted.level {
+        radii.level(&mut plan, axis)?;
+    }
+    radii.warn_mixed(&mut plan, &selected.forces);
+    warn_forces(&mut plan, &selected.forces, &wanted.properties);
+    for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
+        let values = RatioValues { mass, sphere_count: 1.0, radius: radii.ratio(force), gravity };
+        let ratios = Ratios::new(values).map_err(Fault::new)?;
+        if force.sets.iter().filter(|set| !set.spheres.is_empty() || set.half_spaces > 0).count() > 1 {
+            let text =
+                format!("{} has {} ContactParameters: all get the same factor", force.path, force.sets.len());
+            plan.warnings.push(Warning::at(WarningCode::SeveralParameterSets, force.line, text));
+        }
+        for set in &force.sets {
+            scale_set(&mut plan, (force.id, set.id), &ratios, wanted)?;
+        }
+    }
+    if plan.changes.is_empty() {
+        let text = "every factor is exactly 1: the radius stays, so what follows the radius stays too";
+        plan.warnings.push(Warning::new(WarningCode::NothingToChange, text));
+    }
+    Ok(finish(plan, wanted, selected, Some(&radii)))
+}
+
+fn scale_set(
+    plan: &mut PlanBuilder<'_>,
+    (force, set): (ForceId, SetId),
+    ratios: &Ratios,
+    wanted: &Rescale,
+) -> Result<(), Fault> {
+    for property in Property::ALL.into_iter().filter(|&property| wanted.properties.contains(property)) {
+        let Some((factor, equation)) = factor(property, ratios, wanted.dissipation_by) else { continue };
+        if let Some(from) = plan.current(force, set, property)? {
+            plan.parameter(force, set, property, New::times(from, factor, equation))?;
+        }
+    }
+    Ok(())
+}
+
+/// Gravity that the contacts stand for; a doubtful note is not taken at its word where a factor depends on it.
+fn gravity_now(model: &Model, wanted: &Rescale) -> Result<Option<f64>, Fault> {
+    let noted = model.note.as_ref().and_then(|note| note.gravity_m_s2);
+    let differs = noted.is_some() && noted != model.gravity();
+    match (wanted.contacts_gravity_m_s2, model.doubt_about_note()) {
+        (Some(given), _) => Ok(Some(given)),
+        (None, Some(doubt)) if wanted.target_gravity_m_s2.is_some() && differs => {
+            Err(Fault::new(Needed::ContactsGravity { doubt }))
+        }
+        _ => Ok(model.contacts_gravity()),
+    }
+}
+
+fn already_there(origin: f64, mass: &Mass) -> Warning {
+    let message = phrase![
+        format!("contacts are taken to stand for {} kg already (", shortest(origin)),
+        &mass.source.describe(),
+        "); if they were made for another mass, say ",
+        Input::ContactsMass.like("KG"),
+        " or ",
+        Verb::Transfer.call().with(Input::From, "MODEL"),
+    ];
+    Warning::new(WarningCode::AlreadyAtTarget, message)
+}
+
+fn finish(plan: PlanBuilder<'_>, wanted: &Rescale, selected: &Selected, radii: Option<&Radii>) -> Plan {
+    let PlanBuilder { model, changes, moves, warnings, .. } = plan;
+    let mut remarks: Vec<Phrase> = Vec::new();
+    if !changes.is_empty() {
+        if moves.is_empty() {
+            remarks.push("body masses and sphere locations stay as they are".into());
+            remarks.extend(radii.and_then(bottoms_remark));
+        } else {
+            remarks.push("body masses stay as they are; sphere centres move so that bottoms stay".into());
+        }
+        if wanted.target_gravity_m_s2.is_some() {
+            remarks.push("the model's own <gravity> stays as it is: set it in OpenSim".into());
+        }
+    }
+    let to_kg = if changes.is_empty() { wanted.contacts_mass.kg } else { wanted.target_mass_kg };
+    let from = wanted.contacts_mass.clone();
+    let mut taken =
+        phrase![format!("contacts stand for {} kg (", readable(from.kg)), &from.source.describe(), ")",];
+    if !changes.is_empty() {
+        let ratio = readable(to_kg / from.kg);
+        taken.push(format!("; scaled to {} kg (mass x{ratio})", readable(to_kg)));
+    }
+    let all = selected.complete && wanted.properties.is_complete();
+    Plan::new(
+        model,
+        Contents { changes, moves, masses: Some(Masses { from, to_kg }), taken, warnings, remarks },
+        &NoteFacts {
+            mass_kg: Some(wanted.target_mass_kg),
+            gravity_m_s2: wanted.target_gravity_m_s2.or(model.contacts_gravity()),
+            scope: if all { Scope::All } else { Scope::Partial },
+            operation: "rescale",
+        },
+    )
+}

@@ -1,0 +1,132 @@
+//! Plain changes: a property becomes a value, or is multiplied by a factor. Nothing else follows.
+
+use osim_model::wording::phrase;
+use osim_model::{
+    Fault, Mass, Model, Needed, Property, Scope, Selected, Warning, WarningCode, readable, shortest,
+};
+
+use crate::builder::{New, PlanBuilder};
+use crate::plan::{Contents, Masses, NoteFacts, Plan};
+use crate::radii::{Users, moving_spheres};
+
+/// Between the operations that a note lists.
+const AND: &str = " + ";
+
+/// What becomes of a property.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Assignment {
+    /// This value, in OpenSim's unit.
+    Value(f64),
+    /// Its value times this.
+    Factor(f64),
+}
+
+impl Assignment {
+    fn applied_to(self, from: f64) -> New {
+        match self {
+            Self::Value(to) => New { to, factor: None, equation: "given" },
+            Self::Factor(factor) => New::times(from, factor, "given"),
+        }
+    }
+
+    fn text(self) -> String {
+        match self {
+            Self::Value(value) => shortest(value),
+            Self::Factor(factor) => format!("x{}", shortest(factor)),
+        }
+    }
+}
+
+/// What is wanted.
+#[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
+pub struct Set {
+    /// Properties and what becomes of them.
+    pub assignments: Vec<(Property, Assignment)>,
+    /// What the contacts stand for, where known; it stays.
+    pub contacts_mass: Option<Mass>,
+    /// Apply factors once more to a file whose note says they were applied already.
+    pub again: bool,
+}
+
+impl Set {
+    /// These assignments, where nothing is known of the mass.
+    #[must_use]
+    pub fn new(assignments: Vec<(Property, Assignment)>) -> Self {
+        Self { assignments, ..Self::default() }
+    }
+
+    /// The operation as the note records it: `set stiffness=x2 dissipation=1`.
+    #[must_use]
+    pub fn operation(&self) -> String {
+        let each: Vec<_> =
+            self.assignments.iter().map(|(property, value)| format!("{property}={}", value.text())).collect();
+        format!("set {}", each.join(" "))
+    }
+}
+
+/// Plans plain changes of the forces `selected` of `model`.
+///
+/// # Errors
+/// A value outside its domain, a property that none of the forces has, or a factor that was applied already.
+pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fault> {
+    let operation = wanted.operation();
+    let relative = wanted.assignments.iter().any(|(_, value)| matches!(value, Assignment::Factor(_)));
+    let before =
+        model.note.as_ref().map(|note| note.operation.as_str()).filter(|done| done.starts_with("set "));
+    let done = before.is_some_and(|done| done.split(AND).any(|one| one == operation));
+    if relative && !wanted.again && done {
+        return Err(Fault::new(Needed::Repetition { operation }));
+    }
+    let mut plan = PlanBuilder::new(model);
+    for &(property, value) in &wanted.assignments {
+        let mut found = false;
+        if property == Property::Radius {
+            let users = Users::outside(model, &selected.forces);
+            for sphere in moving_spheres(model, &selected.forces) {
+                let from = plan.current_radius(sphere)?;
+                if value.applied_to(from).to != from {
+                    users.refuse(model, &selected.forces, sphere)?;
+                }
+                plan.radius(sphere, value.applied_to(from))?;
+                found = true;
+            }
+        } else {
+            for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
+                for set in &force.sets {
+                    if let Some(from) = plan.current(force.id, set.id, property)? {
+                        plan.parameter(force.id, set.id, property, value.applied_to(from))?;
+                        found = true;
+                    }
+                }
+            }
+        }
+        if !found {
+            return Err(Fault::refused(format!("none of the chosen forces has a {property}")));
+        }
+    }
+    let PlanBuilder { changes, moves, mut warnings, .. } = plan;
+    if changes.is_empty() {
+        warnings.push(Warning::new(WarningCode::NothingToChange, "every value is already as wanted"));
+    }
+    let mut taken = phrase![];
+    if let Some(mass) = &wanted.contacts_mass {
+        taken.push(format!("contacts stand for {} kg (", readable(mass.kg)));
+        taken.push(&mass.source.describe());
+        taken.push("); ");
+    }
+    taken.push(format!("{operation}; nothing else follows"));
+    let masses = wanted.contacts_mass.clone().map(|from| Masses { to_kg: from.kg, from });
+    Ok(Plan::new(
+        model,
+        Contents { changes, moves, masses, taken, warnings, remarks: vec![] },
+        &NoteFacts {
+            mass_kg: wanted.contacts_mass.as_ref().map(|mass| mass.kg),
+            gravity_m_s2: model.contacts_gravity(),
+            scope: Scope::Partial,
+            // Every change since the last whole rescaling counts: none may be applied twice without a word.
+            operation: &before.map_or(operation.clone(), |before| format!("{before}{AND}{operation}")),
+        },
+    ))
+}

@@ -1,0 +1,177 @@
+//! Contacts of a reference, given the dimensions of another body: (10), (14), (C.2), (C.5), (C.10).
+
+use contact_scaling::{RatioValues, Ratios};
+use osim_model::wording::phrase;
+use osim_model::{
+    Fault, Force, ForceKind, Model, Property, Scope, Selected, SphereId, Warning, WarningCode, readable,
+};
+
+use super::choice::Choice;
+use super::predsim::predsim;
+use super::request::{ReferenceContact, ScalingRule, Transfer};
+use super::several_sets;
+use super::similarity::{check_spread, similarity};
+use crate::builder::{New, PlanBuilder};
+use crate::gravity::gravity_ratio;
+use crate::plan::{Contents, Masses, NoteFacts, Plan};
+use crate::radii::{Radii, RadiusRule, SphereRule};
+use crate::remarks::{bottoms_remark, warn_forces};
+use crate::scaling::{DissipationBy, factor};
+use crate::surfaces::write_composite;
+
+/// Plans a transfer onto the forces `selected` of `model`.
+///
+/// # Errors
+/// As [`super::rescale`]; also when it is not clear which contact of the reference is meant.
+pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result<Plan, Fault> {
+    let mut plan = PlanBuilder::new(model);
+    let chosen = Choice::make(model, selected, wanted)?;
+    let reference = &wanted.reference;
+    let mass = wanted.mass.kg / reference.mass.kg;
+    let isometric = Ratios::isometric(mass).map_err(Fault::new)?.radius();
+    let gravity = gravity_ratio(reference.gravity_m_s2, wanted.target_gravity_m_s2)?;
+    let followed = |sphere: SphereId| wanted.follow.as_ref().and_then(|follow| follow.spheres.get(&sphere));
+    let rule_of = |sphere: SphereId| match (followed(sphere), wanted.radius) {
+        (Some(followed), _) => SphereRule::Followed(followed.radius_m),
+        // As large against the body as the reference's.
+        (None, RadiusRule::Isometric) => {
+            let radius = chosen.radius_for(model, sphere, &wanted.reference);
+            SphereRule::Like(radius.map_or(f64::NAN, |radius| radius * isometric))
+        }
+        (None, other) => SphereRule::Rule(other),
+    };
+    if wanted.radius == RadiusRule::Isometric && wanted.follow.is_none() {
+        chosen.refuse_unclear_radii(model, selected, &wanted.reference)?;
+    }
+    let radii = Radii::plan(&mut plan, &selected.forces, rule_of, isometric, &wanted.properties)?;
+    for (&sphere, place) in wanted.follow.iter().flat_map(|follow| &follow.spheres) {
+        plan.location(sphere, place.location_m, "follow")?;
+    }
+    if wanted.follow.is_some() {
+        check_spread(&mut plan, selected, wanted, &chosen, &radii)?;
+    }
+    radii.warn_mixed(&mut plan, &selected.forces);
+    warn_forces(&mut plan, &selected.forces, &wanted.properties);
+    let mut without_smoothing = false;
+    for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
+        if several_sets::has_several(&plan, force, wanted) {
+            several_sets::plan(&mut plan, force, wanted, &chosen, &radii, gravity)?;
+            continue;
+        }
+        let from = chosen.of_force(model, force)?;
+        let radius = radii.mean_new(force) / from.radius_m;
+        let values =
+            RatioValues { mass, sphere_count: wanted.sphere_count / reference.sphere_count, radius, gravity };
+        let target = Target {
+            force,
+            from,
+            ratios: Ratios::new(values).map_err(Fault::new)?,
+            own: Ratios::new(RatioValues {
+                mass: 1.0,
+                sphere_count: 1.0,
+                radius: radii.ratio(force),
+                gravity: 1.0,
+            })
+            .map_err(Fault::new)?,
+        };
+        without_smoothing |=
+            force.kind == ForceKind::SmoothSphereHalfSpace && from.contact.smoothing().is_none();
+        target.plan(&mut plan, wanted)?;
+    }
+    if wanted.follow.is_some() || wanted.rule != ScalingRule::Paper {
+        plan.remarks.extend(similarity(model, selected, wanted, &chosen, &radii));
+    }
+    let whole = !without_smoothing;
+    if without_smoothing {
+        let text = format!("{} has no smoothing parameters: the model's own stay", reference.name);
+        plan.warnings.push(Warning::new(WarningCode::ReferenceWithoutSmoothing, text));
+    }
+    Ok(finish(plan, wanted, selected.complete && whole, &radii))
+}
+
+struct Target<'t> {
+    force: &'t Force,
+    from: &'t ReferenceContact,
+    ratios: Ratios,
+    /// Ratios of this model's own radii, new to old, for what the reference does not give.
+    own: Ratios,
+}
+
+impl Target<'_> {
+    fn plan(&self, plan: &mut PlanBuilder<'_>, wanted: &Transfer) -> Result<(), Fault> {
+        for property in Property::ALL.into_iter().filter(|&property| wanted.properties.contains(property)) {
+            let scaled = match wanted.rule {
+                ScalingRule::Paper => factor(property, &self.ratios, wanted.dissipation_by),
+                ScalingRule::PredSim { height_ratio } => predsim(property, &self.ratios, height_ratio),
+            };
+            let Some((factor, equation)) = scaled else { continue };
+            match self.of_reference(property) {
+                Some(value) => {
+                    let to = if factor == 1.0 { value } else { value * factor };
+                    write_composite(plan, self.force.id, property, to, equation)?;
+                }
+                None => self.carry(plan, property, wanted.dissipation_by)?,
+            }
+        }
+        Ok(())
+    }
+
+    fn of_reference(&self, property: Property) -> Option<f64> {
+        let smoothing = self.from.contact.smoothing();
+        match property {
+            Property::Stiffness => Some(self.from.contact.plane_strain_modulus()),
+            Property::Dissipation => Some(self.from.contact.dissipation()),
+            Property::ConstantContactForce => smoothing.map(|s| s.constant_contact_force),
+            Property::HertzSmoothing => smoothing.map(|s| s.hertz_smoothing),
+            Property::HuntCrossleySmoothing => smoothing.map(|s| s.hunt_crossley_smoothing),
+            Property::TransitionVelocity => self.from.friction.map(|(velocity, _)| velocity),
+            Property::ViscousFriction => self.from.friction.map(|(_, viscous)| viscous),
+            _ => None,
+        }
+    }
+
+    /// A changed radius carries along what the reference does not give.
+    fn carry(&self, plan: &mut PlanBuilder<'_>, property: Property, by: DissipationBy) -> Result<(), Fault> {
+        let Some((factor, equation)) = factor(property, &self.own, by) else { return Ok(()) };
+        for set in &self.force.sets {
+            if let Some(from) = plan.current(self.force.id, set.id, property)? {
+                plan.parameter(self.force.id, set.id, property, New::times(from, factor, equation))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+fn finish(plan: PlanBuilder<'_>, wanted: &Transfer, complete: bool, radii: &Radii) -> Plan {
+    let PlanBuilder { model, changes, moves, mut warnings, mut remarks, .. } = plan;
+    if changes.is_empty() {
+        let text = "every value is already as the reference wants it";
+        warnings.push(Warning::new(WarningCode::NothingToChange, text));
+    } else if wanted.follow.is_some() {
+        remarks.push("body masses stay as they are; spheres follow their bodies".into());
+    } else {
+        remarks.push("body masses and sphere locations stay as they are".into());
+        remarks.extend(bottoms_remark(radii));
+    }
+    let reference = &wanted.reference;
+    let taken = phrase![
+        format!("contacts of {} ({} kg, ", reference.name, readable(reference.mass.kg)),
+        &reference.mass.source.describe(),
+        format!("; n = {}) for {} kg (", reference.sphere_count, readable(wanted.mass.kg)),
+        &wanted.mass.source.describe(),
+        format!("; n = {})", wanted.sphere_count),
+    ];
+    let masses = Some(Masses { from: reference.mass.clone(), to_kg: wanted.mass.kg });
+    let all = complete && wanted.properties.is_complete();
+    Plan::new(
+        model,
+        Contents { changes, moves, masses, taken, warnings, remarks },
+        &NoteFacts {
+            mass_kg: Some(wanted.mass.kg),
+            // Without a target, what the reference's contacts stand for.
+            gravity_m_s2: wanted.target_gravity_m_s2.or(wanted.reference.gravity_m_s2).or(model.gravity()),
+            scope: if all { Scope::All } else { Scope::Partial },
+            operation: "transfer",
+        },
+    )
+}

@@ -1,0 +1,95 @@
+//! What is said of a transfer whose spheres follow their bodies: the spread of their factors, and figures to compare by.
+
+use contact_scaling::{Contact, DimensionlessContact, Ratios, Scale, ScaleValues, restitution};
+use osim_model::wording::Phrase;
+use osim_model::{Fault, FaultKind, Model, Selected, SphereId, Warning, WarningCode};
+
+use super::choice::Choice;
+use super::request::{ScalingRule, Transfer};
+use crate::builder::PlanBuilder;
+use crate::radii::Radii;
+
+/// More than this between the factors of one force's spheres is said (relative).
+const SPREAD: f64 = 0.01;
+
+/// Spheres of one modulus that follow bodies of different factors.
+pub(crate) fn check_spread(
+    plan: &mut PlanBuilder<'_>,
+    selected: &Selected,
+    wanted: &Transfer,
+    chosen: &Choice<'_>,
+    radii: &Radii,
+) -> Result<(), Fault> {
+    let model = plan.model;
+    for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
+        // Radii of a reference force stand for all its spheres; what differs here is the bodies' factors.
+        let old = |sphere: SphereId| match wanted.follow.as_ref().and_then(|follow| follow.old_radius(sphere))
+        {
+            Some(radius) => radius,
+            None => chosen.of_sphere(model, sphere).radius_m,
+        };
+        let spread = radii.spread(force, old);
+        if spread <= 1.0 + SPREAD {
+            continue;
+        }
+        let text = format!(
+            "{}: its spheres grow by factors that differ by {:.1} %; the mean of R squared is used",
+            force.path,
+            (spread - 1.0) * 100.0
+        );
+        if wanted.strict {
+            return Err(Fault::new(FaultKind::FactorSpread { text }).of(force.path.clone()));
+        }
+        plan.warnings.push(Warning::at(WarningCode::FactorSpread, force.line, text));
+    }
+    Ok(())
+}
+
+/// x̂ at body weight and c_r of the reference and of the result, so that rules can be compared.
+pub(crate) fn similarity(
+    model: &Model,
+    selected: &Selected,
+    wanted: &Transfer,
+    chosen: &Choice<'_>,
+    radii: &Radii,
+) -> Option<Phrase> {
+    let force = selected.forces.iter().find_map(|&id| model.force(id))?;
+    let from = chosen.of_force(model, force).ok()?;
+    let gravity = wanted.reference.gravity_m_s2.or(model.gravity()).filter(|&gravity| gravity > 0.0)?;
+    let here_gravity = model.gravity().filter(|&gravity| gravity > 0.0)?;
+    let there = Scale::new(ScaleValues {
+        mass_kg: wanted.reference.mass.kg,
+        radius_m: from.radius_m,
+        sphere_count: wanted.reference.sphere_count,
+        gravity_m_s2: gravity,
+    });
+    let here = Scale::new(ScaleValues {
+        mass_kg: wanted.mass.kg,
+        radius_m: radii.mean_new(force),
+        sphere_count: wanted.sphere_count,
+        gravity_m_s2: here_gravity,
+    });
+    let (there, here) = (there.ok()?, here.ok()?);
+    let contact = match wanted.rule {
+        ScalingRule::Paper => from.contact.scaled(&Ratios::between(&there, &here).ok()?),
+        ScalingRule::PredSim { height_ratio } => {
+            let mut values = from.contact.values();
+            values.plane_strain_modulus *=
+                wanted.mass.kg / wanted.reference.mass.kg / (height_ratio * height_ratio);
+            values.dissipation /= height_ratio;
+            Contact::new(values).ok()?
+        }
+    };
+    let describe = |contact: &Contact, scale: &Scale| {
+        let x = DimensionlessContact::of(contact, scale).relative_indentation();
+        let speed = restitution::drop_speed(scale.gravity_m_s2(), scale.radius_m()).ok()?;
+        restitution::exact(contact.dissipation(), speed).map(|restitution| (x, restitution)).ok()
+    };
+    let (x_there, c_there) = describe(&from.contact, &there)?;
+    let (x_here, c_here) = describe(&contact, &here)?;
+    let text = format!(
+        "relative indentation at body weight {x_there:.4} in the reference, {x_here:.4} here; \
+         restitution (exact law) at sqrt(gR/2) {c_there:.4} and {c_here:.4}"
+    );
+    Some(text.into())
+}
