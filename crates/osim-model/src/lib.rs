@@ -63,7 +63,7 @@ pub use limbs::{Limb, Limbs};
 pub use mass::{Mass, MassRequest, MassSource, SAME_MASS, positive_mass, same_mass};
 pub use model::Model;
 pub use note::{Note, Scope};
-pub use number::{readable, shortest};
+pub use number::{four_significant, readable, shortest};
 pub use opensim_text::NumberFault;
 pub use pattern::{Pattern, PatternError};
 pub use property::Property;

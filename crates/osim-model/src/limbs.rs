@@ -6,6 +6,7 @@ use crate::components::{Base, ComponentId};
 use crate::contacts::{Force, ForceId, SphereId};
 use crate::model::Model;
 use crate::side::Side;
+use crate::wording::Phrase;
 
 /// One limb that stands on the ground.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -24,7 +25,7 @@ pub enum Limbs {
     /// Every sphere belongs to exactly one of these.
     Known(Vec<Limb>),
     /// What is not known; the user is asked instead.
-    Unknown(String),
+    Unknown(Phrase),
 }
 
 impl Limbs {
@@ -41,7 +42,7 @@ impl Limbs {
     ///
     /// # Errors
     /// Why there is no such number.
-    pub fn spheres_per_limb(&self) -> Result<usize, String> {
+    pub fn spheres_per_limb(&self) -> Result<usize, Phrase> {
         let limbs = match self {
             Self::Known(limbs) => limbs,
             Self::Unknown(why) => return Err(why.clone()),
@@ -52,7 +53,7 @@ impl Limbs {
         }
         let counts: Vec<_> =
             limbs.iter().map(|limb| format!("{} has {}", limb.name, limb.spheres.len())).collect();
-        Err(format!("the limbs have different numbers of spheres ({})", counts.join(", ")))
+        Err(format!("the limbs have different numbers of spheres ({})", counts.join(", ")).into())
     }
 }
 
@@ -69,12 +70,12 @@ impl Model {
     pub fn limbs(&self, forces: &[ForceId]) -> Limbs {
         let footings = match self.footings(forces) {
             Ok(footings) => footings,
-            Err(why) => return Limbs::Unknown(why),
+            Err(why) => return Limbs::Unknown(why.into()),
         };
         let mut limbs = Vec::new();
         match self.split(&footings, &mut limbs) {
             Ok(()) => Limbs::Known(limbs),
-            Err(why) => Limbs::Unknown(why),
+            Err(why) => Limbs::Unknown(why.into()),
         }
     }
 

@@ -36,6 +36,13 @@ pub fn readable(value: f64) -> String {
     shortest(rounded)
 }
 
+/// Four significant digits, to compare by eye.
+#[must_use]
+pub fn four_significant(value: f64) -> String {
+    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
+    readable(rounded)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -69,6 +76,12 @@ mod tests {
         ] {
             assert_eq!(readable(value), text);
         }
+    }
+
+    #[test]
+    fn four_digits_are_kept() {
+        assert_eq!(four_significant(0.353_300_157), "0.3533");
+        assert_eq!(four_significant(13_449.52), "13450");
     }
 
     proptest! {

@@ -294,7 +294,7 @@ type Found = (String, &'static str, Vec<String>);
 fn limbs(model: &Model) -> Result<Vec<Found>, String> {
     let selected = Selection::default().apply(model).map_err(|fault| fault.to_string())?;
     match model.limbs(&selected.forces) {
-        Limbs::Unknown(why) => Err(why),
+        Limbs::Unknown(why) => Err(why.to_string()),
         Limbs::Known(limbs) => Ok(limbs
             .into_iter()
             .map(|limb| {
@@ -349,7 +349,7 @@ fn where_limbs_are_not_known_it_says_why_and_guesses_nothing() {
         let selected = Selection::default().apply(model).unwrap();
         model.limbs(&selected.forces).spheres_per_limb()
     });
-    assert!(per_limb.unwrap_err().contains("has 3"));
+    assert!(per_limb.unwrap_err().to_string().contains("has 3"));
     let player = read("player_and_ball", |model| Selection::default().apply(model).unwrap_err());
     assert_eq!(player.code(), "several-trees");
     assert!(player.to_string().contains("`select`"), "{player}");

@@ -45,7 +45,7 @@ pub enum Needed {
         /// Of which body.
         of: CountOf,
         /// Why it cannot be told.
-        why: String,
+        why: Phrase,
     },
     /// A choice of forces that leaves no sphere in two worlds.
     SharedSphere {
@@ -260,7 +260,7 @@ impl Needed {
             }
             Self::SphereCount { of, why } => phrase![
                 "how many spheres share the body weight is not known: ",
-                why.clone(),
+                why,
                 ": say it with ",
                 of.input().like("N"),
             ],

@@ -51,7 +51,7 @@ impl Phrase {
             };
             inputs.into_iter().for_each(|input| {
                 if !named.contains(&input) {
-                    named.push(input)
+                    named.push(input);
                 }
             });
         }

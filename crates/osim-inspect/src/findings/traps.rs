@@ -1,43 +1,43 @@
 //! Findings from the model itself: what reading it showed, and what only matters once it is asked.
 
-use osim_patch::{Force, Model, Property, WarningCode};
+use osim_model::{Force, Model, Property, SphereId, WarningCode};
 
 use super::finding::Finding;
-use super::mend::Mend;
-use crate::look::Inspection;
+use super::remedy::{Remedies, Remedy};
+use crate::inspection::Inspection;
 
 /// Everything that the model shows apart from its figures.
-pub(super) fn findings(model: &Model, seen: &Inspection, mend: &Mend<'_>) -> Vec<Finding> {
-    let mut found: Vec<Finding> = seen
+pub(super) fn findings(model: &Model, inspected: &Inspection, remedies: &Remedies<'_>) -> Vec<Finding> {
+    let mut found: Vec<Finding> = inspected
         .warnings
         .iter()
         .map(|warning| {
-            let command = command(model, warning.code, warning.subject.as_deref(), mend);
-            Finding::from(warning).mended_by(command)
+            let remedy = remedy(model, warning.code, warning.subject.as_deref(), remedies);
+            Finding::from(warning).put_right_by(remedy)
         })
         .collect();
-    for force in &model.forces {
+    for force in model.forces() {
         found.extend(mixed_radii(model, force));
         found.extend(several_sets(force));
         found.extend(disabled(model, force));
     }
     found.extend(terrain(model));
-    found.extend(unknown(seen));
+    found.extend(unknown(inspected));
     found
 }
 
-fn command(
+fn remedy(
     model: &Model,
     code: WarningCode,
     subject: Option<&str>,
-    mend: &Mend<'_>,
-) -> Option<String> {
+    remedies: &Remedies<'_>,
+) -> Option<Remedy> {
     match code {
-        WarningCode::DefaultStiffness => mend.preset(),
-        WarningCode::ZeroConstantContactForce => mend.constant_indentation(0.05),
+        WarningCode::DefaultStiffness => remedies.preset(),
+        WarningCode::ZeroConstantContactForce => remedies.constant_indentation(0.05),
         WarningCode::LeftRightDiffer => {
-            let left = model.forces.iter().find(|force| Some(force.path.as_str()) == subject)?;
-            mend.copy(&left.name, &differing(model, left, model.right_of(left)?)?)
+            let left = model.forces().iter().find(|force| Some(force.path.as_str()) == subject)?;
+            remedies.copy(&left.name, &differing(model, left, model.right_of(left)?)?)
         }
         _ => None,
     }
@@ -54,7 +54,7 @@ fn differing(model: &Model, left: &Force, right: &Force) -> Option<Vec<(Property
         .map(|(_, r)| (r.property, r.number))
         .collect();
     let radii = |force: &Force| -> Vec<f64> {
-        let spheres = force.spheres().into_iter().filter_map(|index| model.spheres.get(index));
+        let spheres = force.spheres().into_iter().filter_map(|id| model.sphere(id));
         spheres.map(|sphere| sphere.radius.number).collect()
     };
     let (ours, theirs) = (radii(left), radii(right));
@@ -74,7 +74,7 @@ pub(super) fn mixed_radii(model: &Model, force: &Force) -> Option<Finding> {
         let mut radii = set
             .spheres
             .iter()
-            .filter_map(|&index| model.spheres.get(index))
+            .filter_map(|&id| model.sphere(id))
             .filter(|sphere| !sphere.fixed)
             .map(|sphere| sphere.radius.number);
         radii.next().is_some_and(|first| radii.any(|radius| radius != first))
@@ -99,35 +99,27 @@ fn disabled(model: &Model, force: &Force) -> Option<Finding> {
 
 /// Spheres that stand on ground and are used by a contact force.
 fn terrain(model: &Model) -> Option<Finding> {
-    let used = |index: &usize| model.forces.iter().any(|force| force.spheres().contains(index));
-    let fixed: Vec<usize> = (0..model.spheres.len())
-        .filter(|&index| model.spheres.get(index).is_some_and(|sphere| sphere.fixed))
-        .filter(used)
-        .collect();
-    let first = model.spheres.get(*fixed.first()?)?;
+    let used = |id: SphereId| model.forces().iter().any(|force| force.spheres().contains(&id));
+    let fixed: Vec<_> = model.spheres().iter().filter(|sphere| sphere.fixed && used(sphere.id)).collect();
+    let first = fixed.first()?;
     let text = match fixed.len() {
         1 => format!("{} stands on ground", first.path),
         count => format!("{} and {} more spheres stand on ground", first.path, count - 1),
     };
-    let mut finding = Finding::new(WarningCode::Terrain, text).at(Some(&first.path), Some(first.line));
-    finding.spheres = fixed
-        .iter()
-        .filter_map(|&index| model.spheres.get(index))
-        .map(|sphere| sphere.name.clone())
-        .collect();
-    Some(finding)
+    let finding = Finding::new(WarningCode::Terrain, text).at(Some(&first.path), Some(first.line));
+    Some(finding.about(fixed.iter().map(|sphere| sphere.name.clone()).collect()))
 }
 
 /// What keeps figures under body weight away.
-fn unknown(seen: &Inspection) -> Vec<Finding> {
+fn unknown(inspected: &Inspection) -> Vec<Finding> {
     let mut found = Vec::new();
-    if seen.gravity_m_s2.is_none_or(|gravity| gravity == 0.0) {
+    if inspected.gravity_m_s2.is_none_or(|gravity| gravity == 0.0) {
         found.push(Finding::new(WarningCode::NoGravity, "the model has no gravity"));
     }
     // Limbs are not known either where forces of several animals are there and nobody chose among them.
-    let limbs = &seen.figures.limbs;
+    let limbs = &inspected.figures.limbs;
     let counted = !limbs.is_empty() && limbs.iter().all(|limb| limb.sphere_count.is_some());
-    if let (None, false, Some(why)) = (&seen.limbs, counted, &seen.limbs_unknown) {
+    if let (None, false, Some(why)) = (&inspected.limbs, counted, &inspected.limbs_unknown) {
         found.push(Finding::new(WarningCode::CountUnknown, why.clone()));
     }
     found

@@ -1,21 +1,13 @@
 //! The spheres of a limb on the floor: what each does under its share of the weight.
 
 use contact_scaling::{
-    Contact, Hertz, Law, SharedLoad, Spheres, equilibrium, limits, patch, restitution, smoothing, stiffness,
+    Contact, Hertz, SharedLoad, Spheres, equilibrium, limits, patch, restitution, smoothing, stiffness,
 };
-use osim_patch::{Fault, LoadedSphere, Model};
+use osim_model::{ForceId, Model};
 
-use super::figures::{BODY_WEIGHTS, LoadFigures, SphereFigures};
-use super::verdict::verdicts;
-
-/// One sphere with all laws that press it.
-pub(super) struct Pressed {
-    pub(super) sphere: usize,
-    forces: Vec<usize>,
-    pub(super) radius_m: f64,
-    contacts: Vec<Contact>,
-    laws: Vec<Spheres>,
-}
+use super::data::{BODY_WEIGHTS, LoadFigures, SphereFigures};
+use super::limits::limit_checks;
+use super::sphere_loads::SphereLoads;
 
 #[derive(Clone, Copy)]
 pub(super) struct Weight {
@@ -23,35 +15,10 @@ pub(super) struct Weight {
     pub(super) gravity_m_s2: f64,
 }
 
-/// Spheres with all their laws, in the order of the model's spheres.
-pub(super) fn pressed(loaded: &[LoadedSphere]) -> Result<Vec<Pressed>, Fault> {
-    let mut all: Vec<Pressed> = Vec::new();
-    for one in loaded {
-        let law =
-            Law::of(&one.contact, one.radius_m).and_then(|law| Spheres::new(law, 1.0)).map_err(Fault::new)?;
-        match all.iter_mut().find(|known| known.sphere == one.sphere) {
-            Some(known) => {
-                known.forces.push(one.force);
-                known.contacts.push(one.contact);
-                known.laws.push(law);
-            }
-            None => all.push(Pressed {
-                sphere: one.sphere,
-                forces: vec![one.force],
-                radius_m: one.radius_m,
-                contacts: vec![one.contact],
-                laws: vec![law],
-            }),
-        }
-    }
-    all.sort_by_key(|one| one.sphere);
-    Ok(all)
-}
-
 /// A limb on the floor.
-pub(super) struct Stand<'s, 'm> {
-    pub(super) model: &'s Model<'m, 'm>,
-    pub(super) members: &'s [&'s Pressed],
+pub(super) struct LoadedLimb<'s> {
+    pub(super) model: &'s Model,
+    pub(super) members: &'s [&'s SphereLoads],
     /// Spheres that share the weight.
     pub(super) count: Option<f64>,
     pub(super) weight: Option<Weight>,
@@ -59,7 +26,7 @@ pub(super) struct Stand<'s, 'm> {
     pub(super) speed: Option<f64>,
 }
 
-impl Stand<'_, '_> {
+impl LoadedLimb<'_> {
     fn load(&self, body_weights: f64) -> Option<SharedLoad> {
         let weight = self.weight?;
         SharedLoad::new(body_weights * weight.mass_kg * weight.gravity_m_s2, self.count?).ok()
@@ -68,7 +35,7 @@ impl Stand<'_, '_> {
     /// Figures of every sphere. Where a law rests is looked for once: the spheres of a limb are mostly alike.
     pub(super) fn spheres(&self) -> Vec<SphereFigures> {
         let level: Vec<Level> = BODY_WEIGHTS.iter().filter_map(|&weights| self.level(weights)).collect();
-        let mut known: Vec<(&Pressed, Vec<LoadFigures>)> = Vec::new();
+        let mut known: Vec<(&SphereLoads, Vec<LoadFigures>)> = Vec::new();
         let mut figures = Vec::new();
         for &one in self.members {
             let alike = known.iter().find(|(other, _)| other.laws == one.laws);
@@ -99,9 +66,9 @@ impl Stand<'_, '_> {
         Some(Level { body_weights, load_n, rest: Some((hertz, own)) })
     }
 
-    fn sphere(&self, one: &Pressed, loads: Vec<LoadFigures>) -> SphereFigures {
-        let name = self.model.spheres.get(one.sphere);
-        let force = |&index: &usize| self.model.forces.get(index).map(|force| force.name.clone());
+    fn sphere(&self, one: &SphereLoads, loads: Vec<LoadFigures>) -> SphereFigures {
+        let name = self.model.sphere(one.sphere);
+        let force = |&id: &ForceId| self.model.force(id).map(|force| force.name.clone());
         let composite: f64 = one.contacts.iter().map(Contact::composite_modulus).sum();
         let dissipation = one.contacts.first().map(Contact::dissipation);
         let dissipation = dissipation.filter(|&alpha| one.contacts.iter().all(|c| c.dissipation() == alpha));
@@ -130,7 +97,7 @@ impl Stand<'_, '_> {
         };
         self.stiffness(&mut figures);
         self.smoothing(one, &mut figures);
-        figures.limits = verdicts(&figures, self.speed);
+        figures.limits = limit_checks(&figures, self.speed);
         figures
     }
 
@@ -149,7 +116,7 @@ impl Stand<'_, '_> {
     }
 
     /// What the smoothing does; of several forces the one that does most.
-    fn smoothing(&self, one: &Pressed, figures: &mut SphereFigures) {
+    fn smoothing(&self, one: &SphereLoads, figures: &mut SphereFigures) {
         let smoothed = || one.contacts.iter().filter_map(Contact::smoothing);
         let most = |values: &mut dyn Iterator<Item = f64>| values.reduce(f64::max);
         figures.constant_indentation =
@@ -178,7 +145,7 @@ struct Level {
 }
 
 /// One sphere of the limb.
-fn under(one: &Pressed, level: &Level) -> LoadFigures {
+fn under(one: &SphereLoads, level: &Level) -> LoadFigures {
     let relative = |x: f64| Some(x / one.radius_m).filter(|x| x.is_finite());
     let hertz = equilibrium::hertz_indentation(&one.laws, level.load_n).ok();
     let own = equilibrium::indentation(&one.laws, level.load_n).ok();

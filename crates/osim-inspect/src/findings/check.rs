@@ -1,0 +1,51 @@
+//! What the limits of the paper and the traps of the format say about a model.
+//!
+//! Codes, severities and their explanations are those of the one register, [`WarningCode`].
+
+use osim_model::{FileId, Model, Property, Warning, WarningCode};
+use osim_patch::{Assignment, Set, set};
+
+use super::finding::{CheckResult, Finding};
+use super::remedy::Remedies;
+use super::{limits, traps};
+use crate::inspection::Inspection;
+use crate::mass_mismatch::MassMismatch;
+use crate::options::InspectOptions;
+
+/// Everything found in a model that was inspected; `compiled` tells of files that other programs would read instead of it.
+#[must_use]
+pub fn check_model(
+    options: &InspectOptions,
+    model: &Model,
+    inspected: &Inspection,
+    compiled: Option<&Warning>,
+) -> CheckResult {
+    let joined = |force| traps::mixed_radii(model, force).is_some() || force.sets.len() > 1;
+    let joined = model.forces().iter().any(joined);
+    let mut remedies = Remedies::new(inspected, joined, changes(options, model), options);
+    let mismatch = MassMismatch::find(model, &options.masses);
+    let another_mass = limits::another_mass(inspected, &remedies);
+    // Contacts that are made right for the body first need other commands afterwards.
+    if mismatch.is_some() || another_mass.is_some() {
+        remedies = remedies.unsettled();
+    }
+    let mut findings = traps::findings(model, inspected, &remedies);
+    if let Some(mismatch) = mismatch {
+        let disagree = findings.iter_mut().filter(|finding| finding.code == WarningCode::MassSourcesDisagree);
+        disagree.for_each(|finding| finding.message.push(&mismatch.aside()));
+    }
+    findings.extend(limits::findings(inspected, &remedies));
+    findings.extend(another_mass);
+    findings.extend(compiled.map(Finding::from));
+    CheckResult::new(inspected.model.clone(), findings)
+}
+
+/// `true` where the numbers of `model` can be changed: a remedy that would be refused is no help.
+fn changes(options: &InspectOptions, model: &Model) -> bool {
+    let assignments =
+        vec![(Property::Dissipation, Assignment::Value(0.0)), (Property::Stiffness, Assignment::Value(1.0))];
+    let mut trial = Set::new(assignments);
+    trial.again = true;
+    let plan = options.selection.apply(model).and_then(|selected| set(model, &selected, &trial));
+    plan.and_then(|plan| plan.patched(model, FileId::MAIN)).is_ok()
+}

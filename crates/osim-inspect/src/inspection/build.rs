@@ -1,0 +1,226 @@
+//! A model, inspected.
+
+use contact_scaling::{DimensionlessContact, EQUAL_SURFACES, Scale, ScaleValues};
+use osim_model::{
+    Fault, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected, SetId, SphereId, Value, Warning,
+    WarningCode,
+};
+use osim_patch::{BodyFactors, Factors, loaded_spheres};
+
+use super::data::{
+    ContactsMass, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce, InspectedLimb,
+    InspectedSphere, Inspection, Origins, Parameters, SCHEMA_VERSION,
+};
+use crate::figures::Figures;
+use crate::options::InspectOptions;
+
+impl InspectOptions {
+    /// Inspects a model. It never refuses: what is not known is left open. `name` is that of the file.
+    pub fn inspect(&self, name: &str, model: &Model, factors: Option<&Factors>) -> Inspection {
+        let mut warnings = model.warnings.clone();
+        let mass = self.masses.of_model(model);
+        let contacts_mass = self.masses.of_contacts(model).map(|(mass, disagreements)| {
+            warnings.extend(disagreements);
+            mass
+        });
+        let (selected, unknown) = match self.selection.apply(model) {
+            Ok(selected) => (selected, None),
+            Err(fault) => (Selected { forces: vec![], complete: false }, Some(fault)),
+        };
+        let limbs = match &unknown {
+            Some(fault) => Limbs::Unknown(fault.phrase()),
+            None => model.limbs(&selected.forces),
+        };
+        warnings.extend(factors.iter().flat_map(|factors| factors.warnings.iter().cloned()));
+        for fault in [mass.as_ref().err(), contacts_mass.as_ref().err()].into_iter().flatten() {
+            let code =
+                if fault.code() == "stale-note" { WarningCode::StaleNote } else { WarningCode::MassUnknown };
+            let mut warning = Warning::new(code, fault.phrase());
+            warning.line = line_of(model, fault);
+            if !warnings.contains(&warning) {
+                warnings.push(warning);
+            }
+        }
+        let (mass, contacts_mass) = (mass.ok(), contacts_mass.ok());
+        let weight = mass.as_ref().or(contacts_mass.as_ref());
+        let figures = Figures::of(model, &selected, &limbs, weight, &self.stance);
+        let contacts = contacts(model, &selected, contacts_mass.as_ref(), &limbs);
+        let found = Found {
+            path: name,
+            mass: mass.as_ref(),
+            contacts_mass: contacts_mass.as_ref(),
+            selected: &selected,
+            limbs: &limbs,
+            warnings: &warnings,
+            contacts: &contacts,
+            factors,
+            figures: figures.unwrap_or_else(|fault| Figures::absent(fault.phrase())),
+        };
+        Inspection::new(model, found)
+    }
+}
+
+/// Each selected force's contact, without dimensions at the mass its contacts stand for on one limb.
+fn contacts(model: &Model, selected: &Selected, mass: Option<&Mass>, limbs: &Limbs) -> Vec<SetContact> {
+    let Ok(loaded) = loaded_spheres(model, &selected.forces) else { return Vec::new() };
+    let mut found: Vec<SetContact> = Vec::new();
+    for sphere in loaded {
+        if found.iter().any(|known| (known.force, known.set) == (sphere.force, sphere.set)) {
+            continue;
+        }
+        let scale = || {
+            #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
+            let sphere_count = limbs.spheres_per_limb().ok()? as f64;
+            let gravity_m_s2 = model.contacts_gravity()?;
+            let (mass_kg, radius_m) = (mass?.kg, sphere.radius_m);
+            Scale::new(ScaleValues { mass_kg, radius_m, sphere_count, gravity_m_s2 }).ok()
+        };
+        found.push(SetContact {
+            force: sphere.force,
+            set: sphere.set,
+            composite_modulus_n_m2: sphere.contact.composite_modulus(),
+            dimensionless: scale().map(|scale| DimensionlessContact::of(&sphere.contact, &scale)),
+        });
+    }
+    found
+}
+
+fn line_of(model: &Model, fault: &Fault) -> Option<usize> {
+    fault.offset.map(|offset| model.file(fault.file).line(offset))
+}
+
+/// What was worked out about a model, before it is told.
+pub(super) struct Found<'f> {
+    pub path: &'f str,
+    pub mass: Option<&'f Mass>,
+    pub contacts_mass: Option<&'f Mass>,
+    pub selected: &'f Selected,
+    pub limbs: &'f Limbs,
+    pub warnings: &'f [Warning],
+    /// For each force (and parameter set) its contact without dimensions, and E*.
+    pub contacts: &'f [SetContact],
+    pub factors: Option<&'f Factors>,
+    pub figures: Figures,
+}
+
+/// The contact of one parameter set with the floor.
+pub(super) struct SetContact {
+    pub force: ForceId,
+    pub set: SetId,
+    pub composite_modulus_n_m2: f64,
+    /// `None` where mass, limbs or gravity are not known.
+    pub dimensionless: Option<DimensionlessContact>,
+}
+
+impl Inspection {
+    pub(super) fn new(model: &Model, found: Found<'_>) -> Self {
+        Self {
+            schema_version: SCHEMA_VERSION,
+            model: found.path.to_owned(),
+            document_version: model.document().version(),
+            name: model.name.clone(),
+            mass_kg: found.mass.map(|mass| mass.kg),
+            mass_source: found.mass.map(|mass| mass.source.describe()).unwrap_or_default(),
+            gravity_m_s2: model.gravity(),
+            contacts_mass_kg: found.contacts_mass.map(|mass| ContactsMass {
+                value: mass.kg,
+                source: mass.source.as_str(),
+                description: mass.source.describe(),
+            }),
+            limbs: found.limbs.known().map(|limbs| {
+                let limb = |limb: &Limb| InspectedLimb {
+                    name: limb.name.clone(),
+                    side: limb.side.as_str(),
+                    spheres: names(model, &limb.spheres),
+                };
+                limbs.iter().map(limb).collect()
+            }),
+            spheres_per_limb: found.limbs.spheres_per_limb().ok(),
+            limbs_unknown: found.limbs.spheres_per_limb().err(),
+            spheres: spheres(model, found.limbs),
+            forces: forces(model, &found),
+            warnings: found.warnings.to_vec(),
+            bodies: model
+                .bodies()
+                .iter()
+                .map(|body| InspectedBody {
+                    name: body.name.clone(),
+                    path: body.path.clone(),
+                    mass_kg: body.mass.number,
+                })
+                .collect(),
+            body_factors: found.factors.map(|factors| factors.bodies.iter().map(inspected_factors).collect()),
+            figures: found.figures,
+        }
+    }
+}
+
+fn names(model: &Model, spheres: &[SphereId]) -> Vec<String> {
+    let named = spheres.iter().filter_map(|&id| model.sphere(id));
+    named.map(|sphere| sphere.name.clone()).collect()
+}
+
+fn spheres(model: &Model, limbs: &Limbs) -> Vec<InspectedSphere> {
+    let limb_of = |id: SphereId| {
+        let limb = limbs.known()?.iter().find(|limb| limb.spheres.contains(&id))?;
+        Some(limb.name.clone())
+    };
+    let inspected = model.spheres().iter().map(|sphere| InspectedSphere {
+        name: sphere.name.clone(),
+        path: sphere.path.clone(),
+        radius_m: sphere.radius.number,
+        location_m: sphere.location_m,
+        frame: sphere.frame.clone(),
+        body: sphere.body.clone(),
+        line: sphere.line,
+        limb: limb_of(sphere.id),
+        lowest_point_m: model.lowest_point_m(sphere.id),
+    });
+    inspected.collect()
+}
+
+fn forces(model: &Model, found: &Found<'_>) -> Vec<InspectedForce> {
+    let mut inspected = Vec::new();
+    for force in model.forces() {
+        for set in &force.sets {
+            let contact =
+                found.contacts.iter().find(|contact| (contact.force, contact.set) == (force.id, set.id));
+            let parameters = parameters(force, set.id, |value| value.number);
+            let alone = || {
+                let stiffness = parameters.iter().find(|(property, _)| *property == Property::Stiffness)?.1;
+                Some(stiffness / EQUAL_SURFACES).filter(|modulus| modulus.is_finite())
+            };
+            inspected.push(InspectedForce {
+                name: force.name.clone(),
+                path: force.path.clone(),
+                kind: force.kind.as_str(),
+                set: set.number,
+                spheres: names(model, &set.spheres),
+                applies: force.applies,
+                selected: found.selected.forces.contains(&force.id),
+                composite_modulus_n_m2: contact.map(|contact| contact.composite_modulus_n_m2).or_else(alone),
+                parameters: Parameters::new(parameters),
+                origin: Origins::new(self::parameters(force, set.id, |value| value.origin)),
+                dimensionless: contact.and_then(|contact| contact.dimensionless.as_ref()).map(Into::into),
+                line: set.line,
+            });
+        }
+    }
+    inspected
+}
+
+fn parameters<T>(force: &Force, set: SetId, of: impl Fn(&Value) -> T) -> Vec<(Property, T)> {
+    let named = Property::ALL.into_iter();
+    named.filter_map(|property| Some((property, of(force.value(set, property)?)))).collect()
+}
+
+fn inspected_factors(body: &BodyFactors) -> InspectedFactors {
+    InspectedFactors {
+        body: body.body.clone(),
+        factors: body.axes.map(|axis| axis.map(|axis| axis.factor)),
+        sources: body.axes.map(|axis| axis.map(|axis| axis.source.as_str())),
+        by_source: FactorsBySource::new(
+            body.sources.iter().map(|(source, values)| (source.as_str(), *values)).collect(),
+        ),
+    }
+}

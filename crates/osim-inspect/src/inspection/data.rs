@@ -1,0 +1,301 @@
+//! What `inspect` knows of a model, apart from its bytes: one struct for the table, JSON, CSV and `check`.
+//!
+//! Serialised it is the JSON contract; `docs/json.md` describes every field.
+
+use std::collections::BTreeMap;
+
+use contact_scaling::DimensionlessContact;
+use osim_model::wording::{Dialect, Phrase};
+use osim_model::{Origin, Property, Warning};
+use schemars::JsonSchema;
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
+
+use crate::figures::Figures;
+use crate::serialized::{WarningRecord, optional_phrase, warnings};
+
+/// Raised when a field changes its meaning or goes away.
+pub(super) const SCHEMA_VERSION: u32 = 1;
+
+/// A model as it was found.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[non_exhaustive]
+pub struct Inspection {
+    /// Raised when a field changes its meaning or goes away.
+    pub schema_version: u32,
+    /// The model as it was named.
+    pub model: String,
+    /// `Version` of the document, for example 40000.
+    pub document_version: u32,
+    /// The model's own name.
+    pub name: String,
+    /// What the model weighs, kg.
+    pub mass_kg: Option<f64>,
+    /// Who said so, in words.
+    #[serde(skip)]
+    pub mass_source: Phrase,
+    /// Magnitude of gravity, m/s².
+    pub gravity_m_s2: Option<f64>,
+    /// What the contacts stand for.
+    pub contacts_mass_kg: Option<ContactsMass>,
+    /// The limbs, where left and right can be told.
+    pub limbs: Option<Vec<InspectedLimb>>,
+    /// Spheres of each limb, where all have equally many.
+    pub spheres_per_limb: Option<usize>,
+    /// Why the limbs, or one number of spheres, are not known, in words.
+    #[serde(serialize_with = "optional_phrase")]
+    #[schemars(with = "Option<String>")]
+    pub limbs_unknown: Option<Phrase>,
+    /// Contact spheres, in file order.
+    pub spheres: Vec<InspectedSphere>,
+    /// Contact forces, in file order; one entry for each of their parameter sets.
+    pub forces: Vec<InspectedForce>,
+    /// Traps found while reading, and masses that disagree.
+    #[serde(serialize_with = "warnings")]
+    #[schemars(with = "Vec<WarningRecord>")]
+    pub warnings: Vec<Warning>,
+    /// Bodies, in file order, ground left out.
+    pub bodies: Vec<InspectedBody>,
+    /// Factors against the generic model, where one was named.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub body_factors: Option<Vec<InspectedFactors>>,
+    /// What the contacts do under the weight.
+    pub figures: Figures,
+}
+
+/// What the contacts stand for.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[non_exhaustive]
+pub struct ContactsMass {
+    /// In kg.
+    pub value: f64,
+    /// Who said so, as a word for scripts.
+    pub source: &'static str,
+    /// Who said so, for people.
+    #[serde(skip)]
+    pub description: Phrase,
+}
+
+/// A limb that stands on the ground.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[non_exhaustive]
+pub struct InspectedLimb {
+    /// First body below the place where left and right part.
+    pub name: String,
+    /// `right` or `left`.
+    pub side: &'static str,
+    /// Names of its spheres.
+    pub spheres: Vec<String>,
+}
+
+/// A contact sphere.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[non_exhaustive]
+pub struct InspectedSphere {
+    /// Its name.
+    pub name: String,
+    /// Its component path.
+    pub path: String,
+    /// In m; NaN where the file says so, null in JSON.
+    #[schemars(with = "Option<f64>")]
+    pub radius_m: f64,
+    /// Centre in its frame, m; NaN where the file says so, null in JSON.
+    #[schemars(with = "[Option<f64>; 3]")]
+    pub location_m: [f64; 3],
+    /// The frame it is attached to, as a component path.
+    pub frame: String,
+    /// The body that the frame belongs to, where there is one.
+    pub body: Option<String>,
+    /// Line of the element, from 1.
+    pub line: usize,
+    /// Limb it belongs to.
+    pub limb: Option<String>,
+    /// Lowest point in the body's frame, m, with the body's axes as they stand.
+    pub lowest_point_m: Option<[f64; 3]>,
+}
+
+/// A contact force, or one parameter set of it.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[non_exhaustive]
+pub struct InspectedForce {
+    /// Its name.
+    pub name: String,
+    /// Its component path.
+    pub path: String,
+    /// OpenSim's class.
+    #[serde(rename = "type")]
+    pub kind: &'static str,
+    /// Number of the `ContactParameters`, where there are several.
+    pub set: Option<usize>,
+    /// Names of its spheres.
+    pub spheres: Vec<String>,
+    /// Whether OpenSim computes it.
+    pub applies: bool,
+    /// Whether a change would take it.
+    pub selected: bool,
+    /// Effective values, in OpenSim's units.
+    pub parameters: Parameters,
+    /// Where each comes from.
+    pub origin: Origins,
+    /// The contact without dimensions, at the mass it stands for.
+    pub dimensionless: Option<Dimensionless>,
+    /// Line of the element, from 1.
+    pub line: usize,
+    /// E* with a plane of the same material (A.4), N/m²; with the materials of the force where it has several (A.3).
+    pub composite_modulus_n_m2: Option<f64>,
+}
+
+/// Effective values by OpenSim's names, in OpenSim's order.
+#[derive(Debug, Clone, PartialEq, JsonSchema)]
+#[schemars(transparent)]
+pub struct Parameters(#[schemars(with = "BTreeMap<String, Option<f64>>")] Vec<(Property, f64)>);
+
+/// Origins by OpenSim's names.
+#[derive(Debug, Clone, PartialEq, JsonSchema)]
+#[schemars(transparent)]
+pub struct Origins(#[schemars(with = "BTreeMap<String, String>")] Vec<(Property, Origin)>);
+
+impl Parameters {
+    /// The value of `property`, if the class has it.
+    #[must_use]
+    pub fn get(&self, property: Property) -> Option<f64> {
+        self.0.iter().find(|(known, _)| *known == property).map(|(_, value)| *value)
+    }
+}
+
+impl Origins {
+    /// `true` where the number is not in the object itself.
+    #[must_use]
+    pub fn is_default(&self, property: Property) -> bool {
+        self.0.iter().any(|(known, origin)| *known == property && *origin != Origin::Element)
+    }
+}
+
+/// A map in the order of its names, so that scripts see the same text in every version.
+fn by_name<S: Serializer, T: Serialize>(
+    values: impl Iterator<Item = (Property, T)>,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    let mut sorted: Vec<_> = values.map(|(property, value)| (property.name(), value)).collect();
+    sorted.sort_by_key(|(name, _)| *name);
+    let mut map = serializer.serialize_map(Some(sorted.len()))?;
+    for (name, value) in sorted {
+        map.serialize_entry(name, &value)?;
+    }
+    map.end()
+}
+
+impl Serialize for Parameters {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        by_name(self.0.iter().copied(), serializer)
+    }
+}
+
+impl Serialize for Origins {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        by_name(self.0.iter().map(|(property, origin)| (*property, origin.as_str())), serializer)
+    }
+}
+
+/// The form in which contacts of different sizes are compared.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[non_exhaustive]
+pub struct Dimensionless {
+    /// E* R² n / (M g).
+    pub modulus: f64,
+    /// x̂ under its share of the body weight, by the Hertz law (11).
+    pub relative_indentation: f64,
+    /// α √(g R).
+    pub dissipation: f64,
+    /// √cf / R (C.2).
+    pub constant_indentation: Option<f64>,
+    /// bd R.
+    pub hertz_smoothing: Option<f64>,
+    /// bv √(g R).
+    pub hunt_crossley_smoothing: Option<f64>,
+}
+
+impl From<&DimensionlessContact> for Dimensionless {
+    fn from(contact: &DimensionlessContact) -> Self {
+        Self {
+            modulus: contact.modulus(),
+            relative_indentation: contact.relative_indentation(),
+            dissipation: contact.dissipation(),
+            constant_indentation: contact.constant_indentation(),
+            hertz_smoothing: contact.hertz_smoothing(),
+            hunt_crossley_smoothing: contact.hunt_crossley_smoothing(),
+        }
+    }
+}
+
+/// A body.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[non_exhaustive]
+pub struct InspectedBody {
+    /// Its name.
+    pub name: String,
+    /// Its component path.
+    pub path: String,
+    /// In kg; NaN where the file says so, null in JSON.
+    #[schemars(with = "Option<f64>")]
+    pub mass_kg: f64,
+}
+
+/// How a body was scaled.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+#[non_exhaustive]
+pub struct InspectedFactors {
+    /// Name of the body.
+    pub body: String,
+    /// Along x, y, z; `None` where nothing says.
+    pub factors: [Option<f64>; 3],
+    /// Which source was taken, axis by axis.
+    pub sources: [Option<&'static str>; 3],
+    /// What each source says, by its name.
+    #[serde(rename = "said")]
+    pub by_source: FactorsBySource,
+}
+
+/// Factors by the name of the source.
+#[derive(Debug, Clone, JsonSchema)]
+#[schemars(transparent)]
+pub struct FactorsBySource(
+    #[schemars(with = "BTreeMap<String, [Option<f64>; 3]>")] Vec<(&'static str, [Option<f64>; 3])>,
+);
+
+impl Serialize for FactorsBySource {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut sorted = self.0.clone();
+        sorted.sort_by_key(|(name, _)| *name);
+        serializer.collect_map(sorted)
+    }
+}
+
+impl Parameters {
+    pub(super) fn new(values: Vec<(Property, f64)>) -> Self {
+        Self(values)
+    }
+}
+
+impl Origins {
+    pub(super) fn new(origins: Vec<(Property, Origin)>) -> Self {
+        Self(origins)
+    }
+}
+
+impl FactorsBySource {
+    pub(super) fn new(sources: Vec<(&'static str, [Option<f64>; 3])>) -> Self {
+        Self(sources)
+    }
+}
+
+impl Inspection {
+    /// Spells everything it says in the words of a front end.
+    pub fn spell(&mut self, dialect: &dyn Dialect) {
+        self.mass_source.spell(dialect);
+        self.contacts_mass_kg.iter_mut().for_each(|mass| mass.description.spell(dialect));
+        self.warnings.iter_mut().for_each(|warning| warning.spell(dialect));
+        self.limbs_unknown.iter_mut().for_each(|why| why.spell(dialect));
+        self.figures.spell(dialect);
+    }
+}

@@ -1,0 +1,46 @@
+//! What the contacts of a model do under its weight, and whether that is right.
+//!
+//! ```
+//! use osim_inspect::{InspectOptions, check_model};
+//! use osim_model::Model;
+//!
+//! # fn main() -> Result<(), osim_model::Fault> {
+//! let model = Model::parse(include_bytes!("../../osim-model/tests/data/one_foot.osim").as_slice())?;
+//! let options = InspectOptions::default();
+//! let inspected = options.inspect("one_foot.osim", &model, None);
+//! let sphere = &inspected.figures.limbs[0].spheres[0];
+//! assert!(sphere.loads[0].hertz.is_some_and(|x| x > 0.0));
+//! let found = check_model(&options, &model, &inspected, None);
+//! assert_eq!(found.counts.error, 0);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! # What it will not do
+//!
+//! It knows no files, no terminal and no HTML, nor how a remedy is spelled: a [`Remedy`] is data, which a front end prints or
+//! applies.
+
+mod drop_height;
+mod figures;
+mod findings;
+mod inspection;
+mod mass_mismatch;
+mod options;
+mod serialized;
+pub mod series;
+mod sphere_count;
+
+pub use drop_height::DropHeight;
+pub use figures::{Figure, Figures, LimbFigures, LimitCheck, LoadFigures, SphereFigures};
+pub use findings::{
+    CheckResult, Counts, Finding, Remedy, RemedyChange, RemedyDesign, RemedyDialect, RemedyLoad, check_model,
+};
+pub use inspection::{
+    ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,
+    InspectedLimb, InspectedSphere, Inspection, Origins, Parameters,
+};
+pub use mass_mismatch::MassMismatch;
+pub use options::{InspectOptions, Stance};
+pub use serialized::WarningRecord;
+pub use sphere_count::sphere_count;

@@ -1,0 +1,47 @@
+//! Models that weigh something else than their contacts stand for: scaled contacts under a body that is not scaled yet.
+
+use osim_model::wording::{Input, Phrase, phrase};
+use osim_model::{MassRequest, MassSource, Model, readable, same_mass};
+
+/// The two masses, where the note in the file tells one and the bodies another, and nobody says which is meant.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MassMismatch {
+    body_kg: f64,
+    contacts_kg: f64,
+}
+
+impl MassMismatch {
+    /// `None` where they agree, or the caller says what the model weighs.
+    #[must_use]
+    pub fn find(model: &Model, masses: &MassRequest) -> Option<Self> {
+        if masses.model_kg.is_some() {
+            return None;
+        }
+        let body = masses.of_model(model).ok()?;
+        let (contacts, _) = masses.of_contacts(model).ok()?;
+        let noted = contacts.source == MassSource::Note && !same_mass(contacts.kg, body.kg);
+        noted.then_some(Self { body_kg: body.kg, contacts_kg: contacts.kg })
+    }
+
+    /// What the contacts do is computed under their own body.
+    #[must_use]
+    pub fn message(&self) -> Phrase {
+        let (body, contacts) = (readable(self.body_kg), readable(self.contacts_kg));
+        phrase![
+            format!(
+                "its contacts stand for {contacts} kg (note in the file) and carry its body of {body} kg here: say "
+            ),
+            Input::Mass.being(contacts),
+            ", or scale the body first",
+        ]
+    }
+
+    /// The same behind a finding.
+    pub(crate) fn aside(&self) -> Phrase {
+        let (body, contacts) = (readable(self.body_kg), readable(self.contacts_kg));
+        phrase![
+            format!("; figures are those under {body} kg: for the others say "),
+            Input::Mass.being(contacts),
+        ]
+    }
+}

@@ -1,0 +1,40 @@
+//! Under what a model is inspected: whose weight, by which forces, on how many spheres.
+
+use std::path::PathBuf;
+
+use osim_model::{MassRequest, Selection};
+
+/// Under which load, on how many spheres.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stance {
+    /// Spheres that share the body weight, all stance limbs together; `None`: as found on a limb.
+    pub spheres: Option<f64>,
+    /// Limbs that share the body weight.
+    pub limbs: f64,
+    /// Speed before an impact, m/s; `None`: √(gR/2).
+    pub impact_speed_m_s: Option<f64>,
+    /// Gravity instead of the model's own, m/s².
+    pub gravity_m_s2: Option<f64>,
+}
+
+impl Default for Stance {
+    /// One limb, its spheres as found, a fall from a quarter of the radius, the model's own gravity.
+    fn default() -> Self {
+        Self { spheres: None, limbs: 1.0, impact_speed_m_s: None, gravity_m_s2: None }
+    }
+}
+
+/// Whose weight, by which forces, on how many spheres.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct InspectOptions {
+    /// What the caller says of masses.
+    pub masses: MassRequest,
+    /// Which forces.
+    pub selection: Selection,
+    /// Under which load.
+    pub stance: Stance,
+    /// The geometry set of a force set that stands alone; remedies name it again.
+    pub geometry: Option<PathBuf>,
+    /// The model of a force set that stands alone; remedies name it again.
+    pub model: Option<PathBuf>,
+}

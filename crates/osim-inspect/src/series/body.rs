@@ -1,0 +1,251 @@
+//! What is drawn or dropped: the contacts of a model or preset, and what they carry.
+
+use std::fmt::Display;
+
+use contact_scaling::{Contact, DomainError, Law, Preset, Ratios, Spheres};
+use osim_model::files::Failure;
+use osim_model::{CountOf, Fault, ForceId, MassRequest, Model, Needed, readable};
+use osim_patch::loaded_spheres;
+
+use crate::mass_mismatch::MassMismatch;
+use crate::options::{InspectOptions, Stance};
+use crate::sphere_count::sphere_count;
+
+/// What a body weighs and on how many spheres it stands.
+#[derive(Debug, Clone)]
+pub struct Weight {
+    /// M, kg.
+    pub mass_kg: f64,
+    /// g, m/s².
+    pub gravity_m_s2: f64,
+    /// n, spheres that share the weight.
+    pub sphere_count: f64,
+    /// The spheres, each with its share of those that stand.
+    pub spheres: Vec<Spheres>,
+}
+
+impl Weight {
+    /// M g, in N.
+    pub fn body_weight_n(&self) -> f64 {
+        self.mass_kg * self.gravity_m_s2
+    }
+
+    /// M g / n, in N.
+    pub fn share_n(&self) -> f64 {
+        self.body_weight_n() / self.sphere_count
+    }
+}
+
+/// Spheres of one radius with one contact.
+#[derive(Debug, Clone)]
+pub struct SphereKind {
+    /// Names of its spheres, shortened; empty where all spheres of the body are of this kind.
+    pub spheres: String,
+    /// R, m.
+    pub radius_m: f64,
+    /// Its contact parameters.
+    pub contact: Contact,
+}
+
+impl SphereKind {
+    /// The only kind of a body.
+    #[must_use]
+    pub fn new(radius_m: f64, contact: Contact) -> Self {
+        Self { spheres: String::new(), radius_m, contact }
+    }
+}
+
+/// One body to draw.
+#[derive(Debug)]
+pub struct Body {
+    /// The name that figures show.
+    pub name: String,
+    /// Its kinds of spheres, in the order of the file.
+    pub kinds: Vec<SphereKind>,
+    /// What it weighs; what is missing, where that is not known.
+    pub weight: Result<Weight, Failure>,
+    /// The mass its contacts stand for, likewise.
+    contacts_mass_kg: Result<f64, Failure>,
+    /// The two masses, where they disagree.
+    pub mismatch: Option<MassMismatch>,
+}
+
+impl Body {
+    /// A model's chosen forces; `failed` names the file a fault is in.
+    ///
+    /// # Errors
+    /// No chosen force applies, or a value is no number. What is not known of the weight is no error until it is needed.
+    pub fn of_model(
+        name: String,
+        model: &Model,
+        forces: &[ForceId],
+        masses: &MassRequest,
+        stance: &Stance,
+        failed: &dyn Fn(Fault) -> Failure,
+    ) -> Result<Self, Failure> {
+        let kinds = kinds(model, forces).map_err(failed)?;
+        let weight = weight(model, forces, masses, stance).map_err(failed);
+        let contacts_mass_kg = masses.of_contacts(model).map(|(mass, _)| mass.kg).map_err(failed);
+        let mismatch = MassMismatch::find(model, masses);
+        Ok(Self { name, kinds, weight, contacts_mass_kg, mismatch })
+    }
+
+    /// A model as it is inspected.
+    ///
+    /// # Errors
+    /// As [`of_model`](Self::of_model).
+    pub fn inspected(
+        name: String,
+        model: &Model,
+        options: &InspectOptions,
+        failed: &dyn Fn(Fault) -> Failure,
+    ) -> Result<Self, Failure> {
+        let selected = options.selection.apply(model).map_err(failed)?;
+        Self::of_model(name, model, &selected.forces, &options.masses, &options.stance, failed)
+    }
+
+    /// A preset; what is said of masses, spheres and gravity goes before what it says itself.
+    ///
+    /// # Errors
+    /// A quantity outside its domain.
+    pub fn of_preset(preset: &Preset, masses: &MassRequest, stance: &Stance) -> Result<Self, DomainError> {
+        let scale = &preset.scale;
+        let law = Law::of(&preset.contact, scale.radius_m())?;
+        let sphere_count = stance.spheres.unwrap_or(scale.sphere_count());
+        let weight = Weight {
+            mass_kg: masses.model_kg.unwrap_or(scale.mass_kg()),
+            gravity_m_s2: stance.gravity_m_s2.unwrap_or(scale.gravity_m_s2()),
+            sphere_count,
+            spheres: vec![Spheres::new(law, sphere_count)?],
+        };
+        let kind = SphereKind::new(scale.radius_m(), preset.contact);
+        let contacts_mass_kg = Ok(masses.contacts_kg.unwrap_or(scale.mass_kg()));
+        Ok(Self {
+            name: preset.name.to_string(),
+            kinds: vec![kind],
+            weight: Ok(weight),
+            contacts_mass_kg,
+            mismatch: None,
+        })
+    }
+
+    /// Contacts of which nobody asks what they carry.
+    pub fn without_weight(name: String, kinds: Vec<SphereKind>, why: &Failure) -> Self {
+        Self { name, kinds, weight: Err(why.clone()), contacts_mass_kg: Err(why.clone()), mismatch: None }
+    }
+
+    /// The same body scaled to another mass: radii isometric, every parameter by its equation.
+    ///
+    /// # Errors
+    /// The mass its contacts stand for is not known, or the ratio leaves the range of numbers.
+    pub fn scaled(&self, target_kg: f64) -> Result<Self, Failure> {
+        let from_kg = *self.contacts_mass_kg.as_ref().map_err(Failure::clone)?;
+        let failed = |error: DomainError| self.failure(&error);
+        let ratios = Ratios::isometric(target_kg / from_kg).map_err(failed)?;
+        let kinds = self.kinds.iter().map(|kind| SphereKind {
+            spheres: kind.spheres.clone(),
+            radius_m: kind.radius_m * ratios.radius(),
+            contact: kind.contact.scaled(&ratios),
+        });
+        let kinds: Vec<SphereKind> = kinds.collect();
+        let weight = match &self.weight {
+            Err(failure) => Err(failure.clone()),
+            Ok(weight) => Ok(Weight {
+                mass_kg: target_kg,
+                spheres: scaled_spheres(&self.kinds, &kinds, &weight.spheres).map_err(failed)?,
+                ..*weight
+            }),
+        };
+        let name = format!("{}, scaled to {} kg", self.name, readable(target_kg));
+        Ok(Self { name, kinds, weight, contacts_mass_kg: Ok(target_kg), mismatch: None })
+    }
+
+    /// What it weighs, where it must be known.
+    ///
+    /// # Errors
+    /// What is missing, where that is not known.
+    pub fn weight(&self) -> Result<&Weight, Failure> {
+        self.weight.as_ref().map_err(Failure::clone)
+    }
+
+    /// Something that went wrong with it.
+    pub(crate) fn failure(&self, error: &dyn Display) -> Failure {
+        Failure::outside(&self.name, "plot", error.to_string())
+    }
+}
+
+/// The spheres with each law replaced by its scaled one; their counts stay.
+fn scaled_spheres(
+    before: &[SphereKind],
+    after: &[SphereKind],
+    spheres: &[Spheres],
+) -> Result<Vec<Spheres>, DomainError> {
+    let mut scaled = Vec::new();
+    for one in spheres {
+        for (old, new) in before.iter().zip(after) {
+            if Law::of(&old.contact, old.radius_m)? == *one.law() {
+                scaled.push(Spheres::new(Law::of(&new.contact, new.radius_m)?, one.count())?);
+            }
+        }
+    }
+    Ok(scaled)
+}
+
+/// The kinds of spheres among the forces, in the order of the file.
+fn kinds(model: &Model, forces: &[ForceId]) -> Result<Vec<SphereKind>, Fault> {
+    let mut kinds: Vec<(SphereKind, Vec<String>)> = Vec::new();
+    for loaded in loaded_spheres(model, forces)? {
+        let name = model.sphere(loaded.sphere).map(|sphere| sphere.name.clone()).unwrap_or_default();
+        let same = |kind: &SphereKind| kind.radius_m == loaded.radius_m && kind.contact == loaded.contact;
+        match kinds.iter_mut().find(|(kind, _)| same(kind)) {
+            Some((_, names)) => names.push(name),
+            None => kinds.push((SphereKind::new(loaded.radius_m, loaded.contact), vec![name])),
+        }
+    }
+    if kinds.is_empty() {
+        return Err(Fault::refused("none of the chosen forces applies: there is no contact to draw"));
+    }
+    let single = kinds.len() == 1;
+    let named = kinds.into_iter().map(|(kind, names)| {
+        let spheres = if single { String::new() } else { shortened(&names) };
+        SphereKind { spheres, ..kind }
+    });
+    Ok(named.collect())
+}
+
+/// The first name and how many more there are.
+fn shortened(names: &[String]) -> String {
+    match names {
+        [] => String::new(),
+        [one] => one.clone(),
+        [first, rest @ ..] => format!("{first} + {}", rest.len()),
+    }
+}
+
+fn weight(model: &Model, forces: &[ForceId], masses: &MassRequest, stance: &Stance) -> Result<Weight, Fault> {
+    let mass_kg = masses.of_model(model)?.kg;
+    let sphere_count = match stance.spheres {
+        Some(count) => count,
+        None => sphere_count(model, stance.limbs, CountOf::Model)?,
+    };
+    let gravity = stance.gravity_m_s2.or(model.gravity().filter(|&gravity| gravity > 0.0));
+    let Some(gravity_m_s2) = gravity else { return Err(Fault::new(Needed::Gravity)) };
+    let spheres = standing_spheres(model, forces, sphere_count)?;
+    Ok(Weight { mass_kg, gravity_m_s2, sphere_count, spheres })
+}
+
+/// The spheres of all limbs, each with its share of the n that stand: 1/2 where one of two limbs does.
+///
+/// # Errors
+/// A value that is no plain number or outside its domain, with its place.
+pub fn standing_spheres(model: &Model, forces: &[ForceId], count: f64) -> Result<Vec<Spheres>, Fault> {
+    let loaded = loaded_spheres(model, forces)?;
+    #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
+    let found = model.loaded_spheres(&model.force_ids()).len() as f64;
+    let mut spheres = Vec::new();
+    for one in loaded {
+        let law = Law::of(&one.contact, one.radius_m).map_err(Fault::new)?;
+        spheres.push(Spheres::new(law, count / found).map_err(Fault::new)?);
+    }
+    Ok(spheres)
+}

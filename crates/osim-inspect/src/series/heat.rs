@@ -1,0 +1,165 @@
+//! A quantity over stiffness and dissipation.
+
+use contact_scaling::drop_test::{DropTest, DropValues};
+use contact_scaling::{Contact, ContactValues, DomainError, Law, Spheres, equilibrium, limits, restitution};
+use osim_model::files::Failure;
+use osim_model::wording::{Input, phrase};
+
+use super::body::{Body, SphereKind};
+use super::curves::impact_speed;
+use crate::drop_height::DropHeight;
+
+/// What is computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum HeatQuantity {
+    /// Relative indentation at rest under body weight, by the Hertz law.
+    Indentation,
+    /// Coefficient of restitution at the impact speed of the fall, exact.
+    Restitution,
+    /// Peak force over body weight in the fall.
+    PeakForce,
+}
+
+/// What is wanted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HeatRequest {
+    /// What is computed.
+    pub quantity: HeatQuantity,
+    /// From how high the body falls.
+    pub height: DropHeight,
+    /// How long it is followed, s; `None`: until well after the impact.
+    pub duration_s: Option<f64>,
+}
+
+/// A quantity over stiffness (x, N/m²) and dissipation (y, s/m).
+#[derive(Debug, Clone, PartialEq)]
+pub struct HeatSeries {
+    /// E₁*.
+    pub x: Vec<f64>,
+    /// α.
+    pub y: Vec<f64>,
+    /// A row for each α; `None` where there is no answer.
+    pub values: Vec<Vec<Option<f64>>>,
+    /// The limit of the law, in the units of the quantity, where it has one.
+    pub limit: Option<f64>,
+    /// The body's own E₁* and α.
+    pub now: (f64, f64),
+}
+
+/// The one contact of a body.
+///
+/// # Errors
+/// It has several.
+fn only_kind(body: &Body) -> Result<&SphereKind, Failure> {
+    match body.kinds.as_slice() {
+        [kind] => Ok(kind),
+        kinds => {
+            let message = phrase![
+                format!(
+                    "its spheres have {} different contacts, and a sweep is about one: choose it with ",
+                    kinds.len()
+                ),
+                Input::Select.like("GLOB"),
+            ];
+            Err(Failure::outside(&body.name, "plot", message))
+        }
+    }
+}
+
+/// The quantity for the one contact of a body; `x` and `y` make axes of its own E₁* and α.
+///
+/// # Errors
+/// The body has several contacts, its weight is not known, or its contact has no dissipation to multiply.
+pub fn heat(
+    body: &Body,
+    request: &HeatRequest,
+    x: impl FnOnce(f64) -> Vec<f64>,
+    y: impl FnOnce(f64) -> Vec<f64>,
+) -> Result<HeatSeries, Failure> {
+    let kind = only_kind(body)?;
+    let now = (kind.contact.plane_strain_modulus(), kind.contact.dissipation());
+    let (x, y) = (x(now.0), y(now.1));
+    if y.first() == Some(&0.0) {
+        let message = phrase![
+            "its contacts have no dissipation that could be multiplied: give values like ",
+            Input::Dissipation.being("0.1..4/25"),
+        ];
+        return Err(Failure::outside(&body.name, "plot", message));
+    }
+    let swept = Swept::new(body, kind, request)?;
+    let row = |dissipation: &f64| x.iter().map(|stiffness| swept.value(*stiffness, *dissipation)).collect();
+    let values = y.iter().map(row).collect();
+    let limit = swept.limit();
+    Ok(HeatSeries { x, y, values, limit, now })
+}
+
+/// What is computed for each cell.
+struct Swept<'s> {
+    kind: &'s SphereKind,
+    quantity: HeatQuantity,
+    /// n spheres carry M g.
+    sphere_count: f64,
+    values: DropValues,
+    impact_speed_m_s: f64,
+}
+
+impl<'s> Swept<'s> {
+    fn new(body: &'s Body, kind: &'s SphereKind, request: &HeatRequest) -> Result<Self, Failure> {
+        let weight = body.weight()?;
+        let height_m = request.height.metres(kind.radius_m);
+        let impact_speed_m_s = impact_speed(body, kind, request.height)?;
+        // Until well after the impact, even of a soft contact.
+        let until =
+            10.0 * (kind.radius_m / weight.gravity_m_s2).sqrt() + impact_speed_m_s / weight.gravity_m_s2;
+        let values = DropValues {
+            mass_kg: weight.mass_kg,
+            gravity_m_s2: weight.gravity_m_s2,
+            height_m,
+            duration_s: request.duration_s.unwrap_or(until),
+            samples: 2,
+        };
+        let sphere_count = weight.sphere_count;
+        Ok(Self { kind, quantity: request.quantity, sphere_count, values, impact_speed_m_s })
+    }
+
+    fn spheres(&self, stiffness: f64, dissipation: f64) -> Result<Spheres, DomainError> {
+        let values = ContactValues {
+            plane_strain_modulus: stiffness,
+            dissipation,
+            smoothing: self.kind.contact.smoothing(),
+        };
+        Spheres::new(Law::of(&Contact::new(values)?, self.kind.radius_m)?, self.sphere_count)
+    }
+
+    /// The quantity; `None` where there is no answer.
+    fn value(&self, stiffness: f64, dissipation: f64) -> Option<f64> {
+        let spheres = self.spheres(stiffness, dissipation).ok()?;
+        match self.quantity {
+            HeatQuantity::Indentation => {
+                let load = self.values.mass_kg * self.values.gravity_m_s2;
+                // By the Hertz law, as `check` and the manifest of a sweep have it: the limit is that law's.
+                let indentation = equilibrium::hertz_indentation(&[spheres], load).ok()?;
+                Some(indentation / self.kind.radius_m)
+            }
+            HeatQuantity::Restitution => restitution::exact(dissipation, self.impact_speed_m_s).ok(),
+            HeatQuantity::PeakForce => {
+                let report = DropTest::new([spheres], self.values).ok()?.run().ok()?;
+                Some(report.peak_force_bw())
+            }
+        }
+    }
+
+    /// Where the law ends.
+    fn limit(&self) -> Option<f64> {
+        let speed = self.impact_speed_m_s;
+        match self.quantity {
+            HeatQuantity::Indentation => Some(limits::HERTZ_RELATIVE_INDENTATION),
+            HeatQuantity::Restitution => {
+                // The limit is one of (13), as `check` has it; the values are the law's own.
+                let dissipation = restitution::dissipation(limits::HUNT_CROSSLEY_RESTITUTION, speed).ok()?;
+                restitution::exact(dissipation, speed).ok()
+            }
+            HeatQuantity::PeakForce => None,
+        }
+    }
+}

@@ -1,0 +1,42 @@
+//! The units that series are told in.
+
+/// A point of a curve.
+pub type Point = (f64, f64);
+
+/// How indentations are counted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum IndentationUnit {
+    /// x/R.
+    Relative,
+    /// mm.
+    Millimetre,
+}
+
+/// How forces are counted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ForceUnit {
+    /// N.
+    Newton,
+    /// Shares of the body weight that one sphere carries, M g / n.
+    WeightShare,
+}
+
+/// The units of a figure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Units {
+    /// Of the indentation.
+    pub indentation: IndentationUnit,
+    /// Of the force.
+    pub force: ForceUnit,
+}
+
+impl Units {
+    /// An indentation in m, of a sphere of radius R.
+    #[must_use]
+    pub fn x(self, indentation_m: f64, radius_m: f64) -> f64 {
+        match self.indentation {
+            IndentationUnit::Relative => indentation_m / radius_m,
+            IndentationUnit::Millimetre => indentation_m * 1e3,
+        }
+    }
+}
