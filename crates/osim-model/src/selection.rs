@@ -5,6 +5,7 @@ use crate::contacts::{Force, ForceId};
 use crate::fault::{Fault, FaultKind, Needed, TreeOfForces};
 use crate::model::Model;
 use crate::pattern::{Pattern, any_matches};
+use crate::wording::Input;
 
 /// The user's choice of forces, by name.
 ///
@@ -119,5 +120,6 @@ fn refuse_several_trees(model: &Model, forces: &[ForceId]) -> Result<(), Fault> 
         return Ok(());
     }
     let tree = |(top, forces): (String, Vec<ForceId>)| TreeOfForces { top, forces: model.names_of(&forces) };
-    Err(Fault::new(Needed::Selection { trees: trees.into_iter().map(tree).collect() }))
+    let trees = trees.into_iter().map(tree).collect();
+    Err(Fault::new(Needed::Selection { trees, input: Input::Select }))
 }

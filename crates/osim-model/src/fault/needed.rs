@@ -39,6 +39,8 @@ pub enum Needed {
     Selection {
         /// The animals.
         trees: Vec<TreeOfForces>,
+        /// The field that answers it: the model's own choice of forces, or that of a reference.
+        input: Input,
     },
     /// How many spheres share the weight.
     SphereCount {
@@ -248,14 +250,14 @@ impl Needed {
                 Input::ReferenceGravity.like("G"),
                 ")",
             ],
-            Self::Selection { trees } => {
+            Self::Selection { trees, input } => {
                 let each: Vec<_> =
                     trees.iter().map(|tree| format!("{} (forces {})", tree.top, tree.forces)).collect();
                 phrase![
                     "contact spheres stand on bodies that are joined only through ground: ",
                     each.join("; "),
                     ": say which forces are meant with ",
-                    Input::Select.like("GLOB"),
+                    input.like("GLOB"),
                 ]
             }
             Self::SphereCount { of, why } => phrase![

@@ -62,6 +62,7 @@ inputs! {
     Indentation = "indentation", "relative indentation";
     IndentationUnit = "indentation_unit", "unit of the indentation";
     Keep = "keep", "properties that stay";
+    Kind = "kind", "what to draw";
     Ladder = "ladder", "steps of a ladder";
     Level = "level", "bottoms stay on the sole";
     LevelAxis = "level_axis", "axis that points up";
@@ -100,6 +101,7 @@ inputs! {
     Summary = "summary", "summary file";
     TargetGravity = "target_gravity", "gravity to scale to";
     TargetMass = "target_mass", "target mass";
+    Topics = "topics", "what to explain";
     Yes = "yes", "make more than 10,000 models";
     Young = "young", "Young's modulus";
 }

@@ -2,8 +2,6 @@
 
 use std::borrow::Cow;
 
-use anyhow::{Result, anyhow, bail};
-
 const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
 
 /// A table with a header.
@@ -27,18 +25,21 @@ impl Sheet {
     ///
     /// # Errors
     /// It is no text in UTF-8, or a row has more or fewer cells than the header: with the line.
-    pub(crate) fn read(bytes: &[u8]) -> Result<Self> {
+    pub(crate) fn read(bytes: &[u8]) -> Result<Self, String> {
         if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") || bytes.contains(&0) {
-            bail!("the file is UTF-16 or binary: save it as CSV in UTF-8");
+            return Err("the file is UTF-16 or binary: save it as CSV in UTF-8".to_owned());
         }
         let bytes = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
         let delimiter = delimiter(bytes);
         if bytes.to_ascii_lowercase().starts_with(b"sep=") {
-            bail!("the first line is Excel's 'sep=': remove it, so that the first line names the columns");
+            return Err(
+                "the first line is Excel's 'sep=': remove it, so that the first line names the columns"
+                    .to_owned(),
+            );
         }
         let mut reader = csv::ReaderBuilder::new();
         let mut reader = reader.delimiter(delimiter).trim(csv::Trim::All).flexible(true).from_reader(bytes);
-        let not_text = |error: &csv::Error| anyhow!(in_words(error, bytes));
+        let not_text = |error: &csv::Error| in_words(error, bytes);
         let header = reader.headers().map_err(|error| not_text(&error))?;
         let header: Vec<String> = header.iter().map(str::to_owned).collect();
         let mut lines = Lines { bytes, at: 0, line: 1 };
@@ -58,7 +59,8 @@ impl Sheet {
                 }
                 _ => "a cell that holds the mark between columns needs quotation marks",
             };
-            bail!("{}, expected {} as in the first row: {hint}", unequal.join(", "), header.len());
+            let rows = unequal.join(", ");
+            return Err(format!("{rows}, expected {} as in the first row: {hint}", header.len()));
         }
         let decimal_commas =
             delimiter == b';' || rows.iter().flat_map(|row| &row.cells).any(|cell| has_comma(cell));
@@ -151,12 +153,12 @@ mod tests {
         assert_eq!(sheet.header, ["model", "target-mass"]);
         assert_eq!((sheet.rows[0].line, sheet.rows[0].cells[1].as_str()), (2, "0,02"));
         assert!(Sheet::read(b"\xFF\xFEm\0").is_err());
-        let ragged = Sheet::read(b"a,b\r\n1,2\r\n1\r\n1,2,3\r\n").err().unwrap().to_string();
+        let ragged = Sheet::read(b"a,b\r\n1,2\r\n1\r\n1,2,3\r\n").err().unwrap();
         assert!(
             ragged.starts_with("line 3: 1 cells, line 4: 3 cells, expected 2 as in the first row: "),
             "{ragged}"
         );
-        let latin = Sheet::read(b"a,b\r\n1,\xe9\r\n").err().unwrap().to_string();
+        let latin = Sheet::read(b"a,b\r\n1,\xe9\r\n").err().unwrap();
         assert!(latin.contains("line 2: not UTF-8"), "{latin}");
         assert!(Sheet::read(b"sep=;\r\na;b\r\n").is_err());
     }

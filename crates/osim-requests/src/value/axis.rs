@@ -1,16 +1,25 @@
-//! The points of a grid: every combination of the values of its axes.
+//! An axis of a grid, in words: `stiffness=x0.1,x1,x10`.
 
+use std::borrow::Cow;
 use std::collections::HashSet;
 use std::fmt;
 use std::str::FromStr;
 
-use osim_patch::{Assignment, Property, shortest};
+use osim_model::{Property, shortest};
+use osim_patch::Assignment;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
+use serde_json::Value;
 
-use crate::args::{assignment, positive_number};
+use super::assignment::assignment;
+use super::decimal::positive_number;
+use super::serial::from_texts;
 
 /// What varies along an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Name {
+#[non_exhaustive]
+pub enum AxisName {
     /// A property, by OpenSim's name.
     Property(Property),
     /// Relative indentation under the load (11).
@@ -21,8 +30,10 @@ pub(crate) enum Name {
     TargetMass,
 }
 
-impl Name {
-    pub(crate) fn as_str(self) -> &'static str {
+impl AxisName {
+    /// The name.
+    #[must_use]
+    pub fn as_str(self) -> &'static str {
         match self {
             Self::Property(property) => property.name(),
             Self::Indentation => "indentation",
@@ -32,11 +43,29 @@ impl Name {
     }
 }
 
+impl FromStr for AxisName {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text {
+            "indentation" => Ok(Self::Indentation),
+            "restitution" => Ok(Self::Restitution),
+            "target-mass" | "target_mass" => Ok(Self::TargetMass),
+            other => other
+                .parse()
+                .map(Self::Property)
+                .map_err(|why: String| format!("{why}; or indentation, restitution, target-mass")),
+        }
+    }
+}
+
 /// One value of an axis.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct GridValue {
+#[non_exhaustive]
+pub struct GridValue {
     /// In names of files and in notes: as typed, or to six digits.
     pub label: String,
+    /// The number.
     pub number: f64,
     /// A factor of what the model has.
     pub is_factor: bool,
@@ -44,16 +73,22 @@ pub(crate) struct GridValue {
 
 impl GridValue {
     /// The exact number, with `x` before a factor.
-    pub(crate) fn exact(&self) -> String {
+    #[must_use]
+    pub fn exact(&self) -> String {
         format!("{}{}", if self.is_factor { "x" } else { "" }, shortest(self.number))
     }
 }
 
-/// `NAME=V,V,...`
+/// An axis of a grid: `NAME=V,V,...`, each a value, a factor or a range `FIRST..LAST/COUNT`.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Axis {
-    pub name: Name,
+#[non_exhaustive]
+pub struct Axis {
+    /// What varies.
+    pub name: AxisName,
+    /// Its values, each once.
     pub values: Vec<GridValue>,
+    /// As it was written.
+    text: String,
 }
 
 impl FromStr for Axis {
@@ -62,16 +97,7 @@ impl FromStr for Axis {
     fn from_str(text: &str) -> Result<Self, String> {
         let expected = "expected NAME=V,V,... such as stiffness=x0.1,x1,x10 or stiffness=x0.1..x10/9";
         let (name, list) = text.split_once('=').ok_or(expected)?;
-        let name = match name.trim() {
-            "indentation" => Name::Indentation,
-            "restitution" => Name::Restitution,
-            "target-mass" => Name::TargetMass,
-            other => Name::Property(
-                other
-                    .parse()
-                    .map_err(|why: String| format!("{why}; or indentation, restitution, target-mass"))?,
-            ),
-        };
+        let name: AxisName = name.trim().parse()?;
         let mut values = Vec::new();
         for item in list.split(',') {
             match item.split_once("..") {
@@ -86,15 +112,22 @@ impl FromStr for Axis {
                 return Err(format!("{} is there twice", value.label));
             }
         }
-        Ok(Self { name, values })
+        Ok(Self { name, values, text: text.to_owned() })
     }
 }
 
-fn value(name: Name, text: &str) -> Result<GridValue, String> {
+impl fmt::Display for Axis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+fn value(name: AxisName, text: &str) -> Result<GridValue, String> {
     let (number, is_factor) = match name {
-        Name::Property(property) => match assignment(property.name(), text)?.1 {
-            Assignment::Value(number) => (number, false),
+        AxisName::Property(property) => match assignment(property.name(), text)?.1 {
             Assignment::Factor(number) => (number, true),
+            Assignment::Value(number) => (number, false),
+            _ => return Err("expected a number or a factor".to_owned()),
         },
         // What design and rescale take is checked by them; here it must be a number.
         _ => (positive_number(text)?, false),
@@ -103,7 +136,7 @@ fn value(name: Name, text: &str) -> Result<GridValue, String> {
 }
 
 /// `A..B/N`: N numbers from A to B, equally far apart in their logarithms, both ends exact.
-fn range(name: Name, first: &str, rest: &str) -> Result<Vec<GridValue>, String> {
+fn range(name: AxisName, first: &str, rest: &str) -> Result<Vec<GridValue>, String> {
     let expected =
         "expected a range FIRST..LAST/COUNT with numbers above 0 and 2 or more, such as x0.1..x10/9";
     let (last, count) = rest.split_once('/').ok_or(expected)?;
@@ -131,64 +164,53 @@ fn six_digits(number: f64) -> String {
     shortest(rounded)
 }
 
-/// One combination of values.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Point<'g> {
-    pub values: Vec<(Name, &'g GridValue)>,
-}
-
-impl fmt::Display for Point<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let each: Vec<String> =
-            self.values.iter().map(|(name, value)| format!("{}={}", name.as_str(), value.label)).collect();
-        f.write_str(&each.join(" "))
+/// Reads axes from texts, or from a map of names to values: one, several, or a range.
+///
+/// # Errors
+/// What is no axis.
+pub(crate) fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<Axis>, D::Error> {
+    let item = |value: &Value| match value {
+        Value::String(text) => text.clone(),
+        Value::Number(number) => number.as_f64().map(shortest).unwrap_or_default(),
+        other => other.to_string(),
+    };
+    let axis = |(name, values): (String, Value)| -> Result<Axis, String> {
+        let list = match &values {
+            Value::Array(values) => values.iter().map(item).collect::<Vec<_>>().join(","),
+            one => item(one),
+        };
+        format!("{name}={list}").parse()
+    };
+    match Value::deserialize(deserializer)? {
+        Value::Object(axes) => axes.into_iter().map(axis).collect::<Result<_, _>>().map_err(D::Error::custom),
+        texts => from_texts(texts).map_err(D::Error::custom),
     }
 }
 
-impl Point<'_> {
-    /// The point in a file's name.
-    pub(crate) fn file_part(&self) -> String {
-        let each = self.values.iter().map(|(name, value)| format!("{}-{}", name.as_str(), value.label));
-        each.collect::<Vec<_>>().join("_")
-    }
-}
+/// The schema of axes.
+pub(crate) struct AxesSchema;
 
-/// Number of points; `None` beyond counting.
-pub(crate) fn count(axes: &[Axis]) -> Option<usize> {
-    axes.iter().try_fold(1_usize, |count, axis| count.checked_mul(axis.values.len()))
-}
-
-/// Point `index` of all, the last axis fastest.
-pub(crate) fn point(axes: &[Axis], index: usize) -> Point<'_> {
-    let mut rest = index;
-    let mut values = Vec::with_capacity(axes.len());
-    for axis in axes.iter().rev() {
-        let count = axis.values.len().max(1);
-        if let Some(value) = axis.values.get(rest % count) {
-            values.push((axis.name, value));
-        }
-        rest /= count;
+impl JsonSchema for AxesSchema {
+    fn schema_name() -> Cow<'static, str> {
+        "Axes".into()
     }
-    values.reverse();
-    Point { values }
-}
 
-/// Points at the ends of every axis, the others at their first value: where one value makes no sense, one of these does
-/// not, because what a value may be is an interval.
-pub(crate) fn ends(axes: &[Axis]) -> Vec<usize> {
-    let mut indices = Vec::new();
-    let mut stride = 1_usize;
-    for axis in axes.iter().rev() {
-        let numbers = || axis.values.iter().map(|value| value.number).enumerate();
-        let least = numbers().min_by(|a, b| a.1.total_cmp(&b.1));
-        let most = numbers().max_by(|a, b| a.1.total_cmp(&b.1));
-        let ends = [least, most].into_iter().flatten();
-        indices.extend(ends.map(|(place, _)| place.saturating_mul(stride)));
-        stride = stride.saturating_mul(axis.values.len().max(1));
+    fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
+        json_schema!({"anyOf": [
+            {"type": "array", "items": {"type": "string", "pattern": "="}},
+            {
+                "type": "object",
+                "additionalProperties": {"anyOf": [
+                    {"type": ["string", "number"]},
+                    {"type": "array", "items": {"type": ["string", "number"]}},
+                ]},
+            },
+        ]})
     }
-    indices.sort_unstable();
-    indices.dedup();
-    indices
+
+    fn inline_schema() -> bool {
+        true
+    }
 }
 
 #[cfg(test)]
@@ -197,26 +219,6 @@ mod tests {
 
     fn axis(text: &str) -> Axis {
         text.parse().unwrap()
-    }
-
-    #[test]
-    fn the_ends_of_every_axis_are_among_its_points() {
-        let axes = [axis("stiffness=3,1,2"), axis("dissipation=0.5,4,1")];
-        let ends: Vec<String> =
-            ends(&axes).into_iter().map(|index| point(&axes, index).to_string()).collect();
-        for wanted in ["stiffness=1", "stiffness=3", "dissipation=0.5", "dissipation=4"] {
-            assert!(ends.iter().any(|point| point.contains(wanted)), "{wanted}: {ends:?}");
-        }
-    }
-
-    #[test]
-    fn a_grid_is_every_combination() {
-        let axes = [axis("stiffness=x0.1,x1"), axis("dissipation=0.5,1,2")];
-        assert_eq!(count(&axes), Some(6));
-        let names: Vec<String> = (0..6).map(|index| point(&axes, index).file_part()).collect();
-        assert_eq!(names[0], "stiffness-x0.1_dissipation-0.5");
-        assert_eq!(names[5], "stiffness-x1_dissipation-2");
-        assert_eq!(point(&axes, 1).to_string(), "stiffness=x0.1 dissipation=1");
     }
 
     #[test]
@@ -247,5 +249,12 @@ mod tests {
         ] {
             assert!(text.parse::<Axis>().is_err(), "{text}");
         }
+    }
+
+    #[test]
+    fn json_names_axes_with_their_values() {
+        let json = serde_json::json!({"stiffness": "x0.1..x10/5", "dissipation": [0.5, 1, "2"]});
+        let axes = deserialize(json).unwrap();
+        assert_eq!(axes, [axis("stiffness=x0.1..x10/5"), axis("dissipation=0.5,1,2")]);
     }
 }

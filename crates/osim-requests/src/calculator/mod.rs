@@ -1,0 +1,7 @@
+//! A design without a model: from what is known, every figure that follows, with its equation and limit.
+
+mod calculate;
+mod given;
+mod sheet;
+
+pub use sheet::{DesignFigure, DesignLimit, DesignSheet};

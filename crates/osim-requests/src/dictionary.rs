@@ -1,0 +1,109 @@
+//! Requests from dictionaries: every field by its name, and what is wrong with the first that is.
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use serde_json::{Map, Value};
+
+use crate::fault::RequestFault;
+use crate::relation::Relation;
+
+/// A name that is this like another was probably meant.
+const NEAR: usize = 2;
+
+/// Reads a request from its fields. A field that is null says nothing.
+///
+/// # Errors
+/// A field that there is not, a value that cannot be taken, or fields that do not go together.
+pub(crate) fn read<T>(fields: Map<String, Value>, relations: &[&[Relation]]) -> Result<T, RequestFault>
+where
+    T: Default + Serialize + DeserializeOwned,
+{
+    let known = map(&T::default());
+    let fields: Map<String, Value> = fields
+        .into_iter()
+        .filter(|(_, value)| !value.is_null())
+        .map(|(name, value)| (name.replace('-', "_"), value))
+        .collect();
+    if let Some(field) = fields.keys().find(|field| !known.contains_key(*field)) {
+        let nearest = nearest(field, &known);
+        return Err(RequestFault::UnknownField { field: field.clone(), nearest });
+    }
+    check_fields(&fields, relations)?;
+    match serde_json::from_value(Value::Object(fields.clone())) {
+        Ok(request) => Ok(request),
+        Err(error) => Err(bad_value::<T>(&fields, &error)),
+    }
+}
+
+/// Checks that the fields of a request go together.
+///
+/// # Errors
+/// The first that do not.
+pub(crate) fn check<T: Default + Serialize>(
+    request: &T,
+    relations: &[&[Relation]],
+) -> Result<(), RequestFault> {
+    check_fields(&said(request), relations)
+}
+
+/// The fields of a request that say something of their own.
+pub(crate) fn said<T: Default + Serialize>(request: &T) -> Map<String, Value> {
+    let silent = map(&T::default());
+    map(request).into_iter().filter(|(name, value)| silent.get(name) != Some(value)).collect()
+}
+
+/// Every field of a request.
+pub(crate) fn map(request: &impl Serialize) -> Map<String, Value> {
+    match serde_json::to_value(request) {
+        Ok(Value::Object(fields)) => fields,
+        // Requests are structs: nothing else comes of them.
+        _ => Map::new(),
+    }
+}
+
+fn check_fields(fields: &Map<String, Value>, relations: &[&[Relation]]) -> Result<(), RequestFault> {
+    let says = |name: &str| match fields.get(name) {
+        None | Some(Value::Null | Value::Bool(false)) => false,
+        Some(Value::Array(items)) => !items.is_empty(),
+        Some(Value::Object(items)) => !items.is_empty(),
+        Some(_) => true,
+    };
+    for relation in relations.iter().copied().flatten() {
+        match *relation {
+            Relation::Required(field) if !says(field) => return Err(RequestFault::Missing { field }),
+            Relation::RequiredUnless(field, other) if !says(field) && !says(other) => {
+                return Err(RequestFault::Missing { field });
+            }
+            Relation::Needs(field, other) if says(field) && !says(other) => {
+                return Err(RequestFault::Needs { field, other });
+            }
+            Relation::Excludes(field, other) if says(field) && says(other) => {
+                return Err(RequestFault::Excludes { field, other });
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+/// The first field whose value cannot be taken: each is tried alone.
+fn bad_value<T: DeserializeOwned>(fields: &Map<String, Value>, error: &serde_json::Error) -> RequestFault {
+    for (name, value) in fields {
+        let alone = Map::from_iter([(name.clone(), value.clone())]);
+        if let Err(error) = serde_json::from_value::<T>(Value::Object(alone)) {
+            let shown = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
+            return RequestFault::BadValue { field: name.clone(), value: shown, reason: error.to_string() };
+        }
+    }
+    RequestFault::general(error.to_string())
+}
+
+/// The field that was probably meant.
+fn nearest(field: &str, known: &Map<String, Value>) -> Option<String> {
+    let likely = |name: &&String| {
+        name.starts_with(field)
+            || field.starts_with(name.as_str())
+            || strsim::osa_distance(name, field) <= NEAR
+    };
+    known.keys().filter(likely).min_by_key(|name| strsim::osa_distance(name, field)).cloned()
+}

@@ -1,0 +1,218 @@
+//! A body that falls on its contacts.
+
+use std::path::Path;
+
+use contact_scaling::drop_test::{Difference, DropError, DropReport, DropTest, DropValues, compare};
+use contact_scaling::{Contact, ContactValues, Law, Preset, Spheres};
+use osim_inspect::series::standing_spheres;
+use osim_inspect::{MassMismatch, sphere_count};
+use osim_model::files::{Failure, Files, OpenModel};
+use osim_model::wording::{Input, Phrase, phrase};
+use osim_model::{CountOf, Fault, MassRequest, Needed};
+
+use crate::fault::{RequestError, RequestFault};
+use crate::gravity::STANDARD_GRAVITY_M_S2;
+use crate::request::DropTestRequest;
+use crate::subject::Subject;
+use crate::value::{Count, Kilograms, NotNegative, Positive};
+
+/// What a drop showed.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct DropResult {
+    /// The model, the preset, or that it was given by numbers.
+    pub name: String,
+    /// The conditions.
+    pub values: DropValues,
+    /// n, spheres that share the weight.
+    pub sphere_count: f64,
+    /// Motion and force.
+    pub report: DropReport,
+    /// How far it is from another drop, where one was asked for.
+    pub compared: Option<ComparedDrop>,
+    /// Bodies that weigh something else than their contacts were made for: names, and what to say of them.
+    pub mismatches: Vec<(String, Phrase)>,
+}
+
+/// A drop compared with another.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct ComparedDrop {
+    /// The other body.
+    pub name: String,
+    /// How far apart they are without dimensions.
+    pub difference: Difference,
+}
+
+/// A body about to fall.
+struct Falling {
+    name: String,
+    test: DropTest,
+    sphere_count: f64,
+    mismatch: Option<Phrase>,
+}
+
+/// What is said of one of the two bodies; what is about the first says nothing about the other.
+struct Own {
+    mass_kg: Option<f64>,
+    spheres: Option<f64>,
+    stance_limbs: f64,
+    gravity_m_s2: Option<f64>,
+    count_of: CountOf,
+}
+
+impl DropTestRequest {
+    /// Lets the body fall.
+    ///
+    /// # Errors
+    /// Numbers that are missing or contradict a model, a model that cannot be read, or a drop that cannot be followed.
+    pub fn run(&self, files: &dyn Files) -> Result<DropResult, RequestError> {
+        let falling = self.subject(files)?;
+        let other = match &self.compare {
+            Some(path) => Some(self.named(path, &self.about_other(), files)?),
+            None => None,
+        };
+        let failed = |error: DropError| Failure::outside(&falling.name, "drop-test", error.to_string());
+        let report = falling.test.run().map_err(failed)?;
+        let compared = match &other {
+            Some(other) => {
+                let difference = compare(&falling.test, &other.test).map_err(failed)?;
+                Some(ComparedDrop { name: other.name.clone(), difference })
+            }
+            None => None,
+        };
+        let values = falling.test.values();
+        let both = [Some(&falling), other.as_ref()].into_iter().flatten();
+        let mismatches = both.filter_map(|one| Some((one.name.clone(), one.mismatch.clone()?))).collect();
+        let (name, sphere_count) = (falling.name.clone(), falling.sphere_count);
+        Ok(DropResult { name, values, sphere_count, report, compared, mismatches })
+    }
+
+    fn about_subject(&self) -> Own {
+        Own {
+            mass_kg: self.masses.mass.map(Kilograms::get),
+            spheres: self.counts.spheres(),
+            stance_limbs: self.counts.stance_limbs(),
+            gravity_m_s2: self.numbers.gravity(),
+            count_of: CountOf::Model,
+        }
+    }
+
+    fn about_other(&self) -> Own {
+        Own {
+            mass_kg: None,
+            spheres: self.compare_spheres.map(Count::get),
+            stance_limbs: 1.0,
+            gravity_m_s2: None,
+            count_of: CountOf::Compared,
+        }
+    }
+
+    /// The model, preset or numbers to drop.
+    fn subject(&self, files: &dyn Files) -> Result<Falling, RequestError> {
+        let Some(path) = &self.subject else { return Ok(self.of_numbers()?) };
+        let given = self.numbers.given();
+        if !given.is_empty() {
+            let mut message = phrase!["a model or preset has its own numbers: leave out "];
+            push_listed(&mut message, &given);
+            return Err(RequestFault::general(message).into());
+        }
+        self.named(path, &self.about_subject(), files)
+    }
+
+    fn named(&self, path: &Path, own: &Own, files: &dyn Files) -> Result<Falling, RequestError> {
+        match Subject::find(path, self.presets.as_deref(), &self.set_files, files)? {
+            Subject::Preset(preset) => Ok(self.of_preset(&preset, own)?),
+            Subject::Model(open) => Ok(self.of_model(&open, own).map_err(|fault| open.failure(fault))?),
+        }
+    }
+
+    fn of_model(&self, open: &OpenModel, own: &Own) -> Result<Falling, Fault> {
+        let model = &open.model;
+        let masses = MassRequest { model_kg: own.mass_kg, ..self.masses.request() };
+        let selected = self.choice.selection().apply(model)?;
+        let mass = masses.of_model(model)?;
+        let count = match own.spheres {
+            Some(count) => count,
+            None => sphere_count(model, own.stance_limbs, own.count_of)?,
+        };
+        let spheres = standing_spheres(model, &selected.forces, count)?;
+        let gravity = own.gravity_m_s2.or(model.gravity().filter(|&gravity| gravity > 0.0));
+        let Some(gravity) = gravity else { return Err(Fault::new(Needed::Gravity)) };
+        let falling = self
+            .falling(open.name().to_owned(), spheres, (mass.kg, gravity), count)
+            .map_err(|error| Fault::refused(error.to_string()))?;
+        let mismatch = MassMismatch::find(model, &masses).map(|mismatch| mismatch.message());
+        Ok(Falling { mismatch, ..falling })
+    }
+
+    fn of_preset(&self, preset: &Preset, own: &Own) -> Result<Falling, RequestFault> {
+        let scale = &preset.scale;
+        let count = own.spheres.unwrap_or(scale.sphere_count());
+        let weight =
+            (own.mass_kg.unwrap_or(scale.mass_kg()), own.gravity_m_s2.unwrap_or(scale.gravity_m_s2()));
+        let spheres = Law::of(&preset.contact, scale.radius_m()).and_then(|law| Spheres::new(law, count));
+        let spheres = vec![spheres.map_err(refused)?];
+        self.falling(preset.name.to_string(), spheres, weight, count).map_err(refused)
+    }
+
+    fn of_numbers(&self) -> Result<Falling, RequestFault> {
+        let numbers = &self.numbers;
+        let needed = [
+            (Input::Mass, self.masses.mass.map(Kilograms::get)),
+            (Input::Spheres, self.counts.spheres()),
+            (Input::Radius, numbers.radius.map(Positive::get)),
+            (Input::Stiffness, numbers.stiffness.map(Positive::get)),
+            (Input::Dissipation, numbers.dissipation.map(NotNegative::get)),
+        ];
+        let missing: Vec<Input> =
+            needed.iter().filter(|(_, value)| value.is_none()).map(|(input, _)| *input).collect();
+        let [Some(mass), Some(count), Some(radius), Some(plane_strain_modulus), Some(dissipation)] =
+            needed.map(|(_, value)| value)
+        else {
+            let mut message =
+                phrase!["nothing to drop: name a model or a preset, or give the numbers; missing: "];
+            push_listed(&mut message, &missing);
+            return Err(RequestFault::general(message));
+        };
+        let values = ContactValues { plane_strain_modulus, dissipation, smoothing: numbers.smoothing()? };
+        let law = Contact::new(values).and_then(|contact| Law::of(&contact, radius));
+        let spheres = vec![law.and_then(|law| Spheres::new(law, count)).map_err(refused)?];
+        let gravity = numbers.gravity().unwrap_or(STANDARD_GRAVITY_M_S2);
+        self.falling("the numbers given".to_owned(), spheres, (mass, gravity), count).map_err(refused)
+    }
+
+    /// A body of this mass under this gravity.
+    fn falling(
+        &self,
+        name: String,
+        spheres: Vec<Spheres>,
+        (mass_kg, gravity_m_s2): (f64, f64),
+        sphere_count: f64,
+    ) -> Result<Falling, DropError> {
+        let values = DropValues {
+            mass_kg,
+            gravity_m_s2,
+            height_m: 0.0,
+            duration_s: self.duration.get(),
+            samples: self.samples.get() as usize,
+        };
+        let on_ground = DropTest::new(spheres, values)?;
+        let height_m = self.height.get().metres(on_ground.reference_radius_m());
+        let test = DropTest::new(on_ground.spheres().to_vec(), DropValues { height_m, ..values })?;
+        Ok(Falling { name, test, sphere_count, mismatch: None })
+    }
+}
+
+fn refused(error: impl std::fmt::Display) -> RequestFault {
+    RequestFault::general(error.to_string())
+}
+
+fn push_listed(message: &mut Phrase, inputs: &[Input]) {
+    for (index, input) in inputs.iter().enumerate() {
+        if index > 0 {
+            message.push(", ");
+        }
+        message.push(*input);
+    }
+}

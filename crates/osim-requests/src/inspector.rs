@@ -1,0 +1,121 @@
+//! Models inspected and checked as a request says.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use osim_inspect::{CheckResult, InspectOptions, Inspection, check_model};
+use osim_model::files::{Failure, Files, OpenModel};
+use osim_model::{Anatomy, Model, Severity, Warning};
+use osim_patch::{Factors, ScaleFile};
+
+use crate::opening::{open, scale_file};
+use crate::options::{InspectionOptions, SetFiles};
+use crate::request::{CheckRequest, InspectRequest};
+
+/// Inspects models, on any thread.
+#[derive(Debug)]
+pub struct Inspector {
+    options: InspectOptions,
+    set_files: SetFiles,
+    /// The generic model's bones and the Scale Tool's factors, where a generic model is named; why not, where it cannot be
+    /// read: that is a failure of each model.
+    generic: Option<Result<(Anatomy, Option<ScaleFile>), Failure>>,
+    reads: Vec<PathBuf>,
+}
+
+impl InspectRequest {
+    /// Reads what is needed for all models.
+    #[must_use]
+    pub fn inspector(&self, files: &dyn Files) -> Inspector {
+        let read = |from: &Path| {
+            let generic = open(from, files)?;
+            let anatomy = Anatomy::of(&generic.model).map_err(|fault| generic.failure(fault))?;
+            let file = self.body_scale_file.as_deref().map(|path| scale_file(path, files)).transpose()?;
+            Ok((anatomy, file))
+        };
+        let named = self.from.iter().chain(&self.body_scale_file).cloned();
+        let reads = self.options.set_files.paths().cloned().chain(named).collect();
+        Inspector { generic: self.from.as_deref().map(read), reads, ..Inspector::new(&self.options) }
+    }
+}
+
+impl CheckRequest {
+    /// How its models are inspected.
+    #[must_use]
+    pub fn inspector(&self) -> Inspector {
+        Inspector::new(&self.options)
+    }
+}
+
+impl Inspector {
+    /// Inspects by these options, without a generic model.
+    #[must_use]
+    pub fn new(options: &InspectionOptions) -> Self {
+        Self {
+            options: options.inspect_options(),
+            set_files: options.set_files.clone(),
+            generic: None,
+            reads: options.set_files.paths().cloned().collect(),
+        }
+    }
+
+    /// How models are inspected.
+    #[must_use]
+    pub fn options(&self) -> &InspectOptions {
+        &self.options
+    }
+
+    /// Files of a standalone set.
+    #[must_use]
+    pub fn set_files(&self) -> &SetFiles {
+        &self.set_files
+    }
+
+    /// Files that are read beside the models.
+    #[must_use]
+    pub fn reads(&self) -> &[PathBuf] {
+        &self.reads
+    }
+
+    /// Everything about a model.
+    ///
+    /// # Errors
+    /// The generic model cannot be read, or factors cannot be told.
+    pub fn inspect(&self, opened: &OpenModel) -> Result<Inspection, Failure> {
+        let factors = match &self.generic {
+            None => None,
+            Some(generic) => {
+                let (generic, file) = generic.as_ref().map_err(Failure::clone)?;
+                let scaled = Anatomy::of(&opened.model).map_err(|fault| opened.failure(fault))?;
+                let found = Factors::find(&scaled, generic, file.as_ref(), &BTreeMap::new());
+                Some(found.map_err(|fault| opened.failure(fault))?)
+            }
+        };
+        Ok(self.options.inspect(opened.name(), &opened.model, factors.as_ref()))
+    }
+
+    /// What is wrong with a model that was inspected; `compiled` tells of files that other programs would read instead of it.
+    #[must_use]
+    pub fn check(&self, model: &Model, inspected: &Inspection, compiled: Option<&Warning>) -> CheckResult {
+        check_model(&self.options, model, inspected, compiled)
+    }
+
+    /// Refuses a model that has no contacts and nothing else that is wrong with it: there is nothing to check.
+    ///
+    /// # Errors
+    /// It has none.
+    pub fn refuse_without_contacts(&self, opened: &OpenModel, inspected: &Inspection) -> Result<(), Failure> {
+        match self.options.selection.apply(&opened.model) {
+            Err(fault)
+                if fault.code() == "no-contacts"
+                    && !inspected
+                        .warnings
+                        .iter()
+                        .any(|warning| warning.code.severity() == Severity::Error) =>
+            {
+                Err(opened.failure(fault))
+            }
+            _ => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,46 @@
+//! Requests as JSON texts.
+
+use osim_model::wording::Verb;
+use serde_json::{Map, Value};
+
+use crate::fault::RequestFault;
+use crate::request::Request;
+
+impl Request {
+    /// Reads a request from a JSON object that has its verb and its fields.
+    ///
+    /// # Errors
+    /// It is no JSON object, has no verb, or as [`Request::read`].
+    pub fn from_json(bytes: &[u8]) -> Result<Self, RequestFault> {
+        let value: Value = serde_json::from_slice(bytes)
+            .map_err(|error| RequestFault::general(format!("this is no JSON: {error}")))?;
+        match value {
+            Value::Object(fields) => Self::from_map(fields),
+            _ => Err(RequestFault::general("expected a JSON object such as {\"verb\": \"inspect\", ...}")),
+        }
+    }
+
+    /// Reads a request from a dictionary that has its verb and its fields.
+    ///
+    /// # Errors
+    /// It has no verb, or as [`Request::read`].
+    pub fn from_map(mut fields: Map<String, Value>) -> Result<Self, RequestFault> {
+        let verb = fields.shift_remove("verb").ok_or(RequestFault::Missing { field: "verb" })?;
+        let known = Verb::ALL.iter().copied().find(|known| verb.as_str() == Some(known.name()));
+        let Some(known) = known else {
+            let names: Vec<&str> = Verb::ALL.iter().map(|verb| verb.name()).collect();
+            return Err(RequestFault::BadValue {
+                field: "verb".to_owned(),
+                value: verb.as_str().map_or_else(|| verb.to_string(), str::to_owned),
+                reason: format!("expected one of {}", names.join(", ")),
+            });
+        };
+        Self::read(known, fields)
+    }
+
+    /// The request as a JSON object: what says nothing is left out.
+    #[must_use]
+    pub fn to_json(&self) -> String {
+        Value::Object(self.to_map()).to_string()
+    }
+}

@@ -1,0 +1,71 @@
+//! What can be asked of the contacts of OpenSim models: a typed request for each verb, from words or a dictionary to a plan.
+//!
+//! A request is checked once, wherever its fields come from: the words of a command line (with the feature `clap`), a
+//! dictionary (JSON, Python's keywords, a form on a page), or Rust.
+//!
+//! ```
+//! use osim_model::files::InMemory;
+//! use osim_model::Model;
+//! use osim_requests::{Request, RequestError};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let model = Model::parse(include_bytes!("../../osim-model/tests/data/one_foot.osim").as_slice())?;
+//! let request = Request::from_json(br#"{"verb": "rescale", "models": "one_foot.osim", "target_mass": 80}"#)?;
+//! let Request::Rescale(rescale) = request else { return Ok(()) };
+//! let plan = rescale.prepare()?.planner.plan(&model)?;
+//! assert_eq!(plan.changes[0].to, 2.0 * plan.changes[0].from);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! # What it will not do
+//!
+//! It knows no disk, only [`osim_model::files::Files`], and no terminal. What is wrong with a request is a [`RequestFault`],
+//! in which fields are data that each front end spells.
+
+mod calculator;
+#[cfg(feature = "clap")]
+pub mod command_line;
+mod dictionary;
+mod drop_test;
+mod fault;
+mod fit;
+mod gravity;
+mod inspector;
+mod json;
+mod opening;
+pub mod options;
+mod planner;
+mod planning;
+mod plot;
+mod presets;
+mod relation;
+mod request;
+mod schema;
+mod spreadsheet;
+mod subject;
+mod sweep;
+mod table;
+mod value;
+
+pub use calculator::{DesignFigure, DesignLimit, DesignSheet};
+pub use drop_test::{ComparedDrop, DropResult};
+pub use fault::{RequestError, RequestFault};
+pub use fit::FitResult;
+pub use inspector::Inspector;
+pub use opening::{open_with, scale_file};
+pub use planner::{Change, Planner};
+pub use presets::presets;
+pub use request::{
+    AxesChoice, BatchRequest, BranchChoice, CheckRequest, Deny, DesignRequest, DropTestRequest,
+    ExplainRequest, FitRequest, HeatOptions, InspectRequest, PlotKind, PlotRequest, PresetsRequest,
+    QuantityChoice, Request, RescaleRequest, SeriesFormat, SetRequest, SweepRequest, TransferRequest,
+    schema_of,
+};
+pub use sweep::{SweepPlan, VariantMade};
+pub use table::{RowFault, RowRequest, Table};
+pub use value::{
+    Acceleration, Assignments, Axis, AxisName, BodyScale, ContactOnset, Count, Dpi, Grid, GridValue, Height,
+    Kilograms, NotNegative, PoissonRatio, Positive, Radius, RelativeIndentation, RestitutionCoefficient,
+    Samples, Shard, Threshold, assignment,
+};

@@ -1,0 +1,42 @@
+//! Files that a request names, opened through whatever holds them.
+
+use std::path::Path;
+
+use osim_model::files::{Beside, Failure, FileError, Files, ModelFiles, OpenModel};
+use osim_model::{Document, FileId};
+use osim_patch::ScaleFile;
+
+/// Opens a model that stands alone.
+///
+/// # Errors
+/// It cannot be read.
+pub(crate) fn open(path: &Path, files: &dyn Files) -> Result<OpenModel, Failure> {
+    open_with(path, Beside::default(), files)
+}
+
+/// Opens a model with the files that are given beside it.
+///
+/// # Errors
+/// It cannot be read.
+pub fn open_with(path: &Path, beside: Beside<'_>, files: &dyn Files) -> Result<OpenModel, Failure> {
+    let bytes = read(path, files)?;
+    ModelFiles::read(path, bytes, beside, files)?.open()
+}
+
+fn read(path: &Path, files: &dyn Files) -> Result<Vec<u8>, Failure> {
+    let failed =
+        |error: FileError| Failure::outside(&path.display().to_string(), "unreadable", error.to_string());
+    files.read(path).map_err(failed)
+}
+
+/// Reads the Scale Tool's applied factors.
+///
+/// # Errors
+/// The file cannot be read, or is no ScaleSet.
+pub fn scale_file(path: &Path, files: &dyn Files) -> Result<ScaleFile, Failure> {
+    let shown = path.display().to_string();
+    let bytes = read(path, files)?;
+    let document = Document::parse(bytes).map_err(|fault| Failure::of_fault(&shown, fault))?;
+    ScaleFile::read(&document)
+        .map_err(|fault| Failure::of_fault(&shown, fault.in_file(FileId::MAIN).located(document.bytes())))
+}

@@ -1,0 +1,178 @@
+//! Parameters from what is wanted.
+
+use contact_scaling::SharedLoad;
+use osim_inspect::sphere_count;
+use osim_model::wording::{Input, phrase};
+use osim_model::{CountOf, Fault, Mass, MassRequest, Model, Needed, Selection};
+use osim_patch::{Design, DesignModulus, Plan, RadiusRule, design};
+use serde_json::json;
+
+use crate::fault::RequestFault;
+use crate::options::{CountOptions, InspectionOptions, LoadOptions, SetFiles, StanceOptions, WantedOptions};
+use crate::planner::{Change, Planner};
+use crate::request::DesignRequest;
+use crate::value::{PoissonRatio, Positive, RelativeIndentation, RestitutionCoefficient};
+
+struct Designing {
+    wanted: WantedOptions,
+    load: LoadOptions,
+    counts: CountOptions,
+    selection: Selection,
+    masses: MassRequest,
+    inspection: InspectionOptions,
+    settings: String,
+}
+
+impl DesignRequest {
+    /// Checks a request that names models, for all of them. Without models it is [calculated](Self::calculate).
+    ///
+    /// # Errors
+    /// Options that say nothing, or contradict each other.
+    pub fn prepare(self) -> Result<Change, RequestFault> {
+        check(&self)?;
+        let Self { models, wanted, load, masses, counts, choice, output, run: _, set_files } = self;
+        let stance = StanceOptions {
+            spheres: counts.spheres,
+            stance_limbs: counts.stance_limbs,
+            impact_speed: wanted.impact_speed,
+        };
+        let planner = Designing {
+            settings: json!(["design", wanted, load, masses, counts, choice]).to_string(),
+            wanted,
+            load,
+            counts,
+            selection: choice.selection(),
+            masses: masses.request(),
+            inspection: InspectionOptions::new(stance, masses, choice, SetFiles::default()),
+        };
+        Ok(Change::new(models, output, set_files, planner))
+    }
+}
+
+fn check(request: &DesignRequest) -> Result<(), RequestFault> {
+    let wanted = &request.wanted;
+    let refused = |input, message| Err(RequestFault::refused(input, message));
+    if request.masses.contacts_mass.is_some() {
+        let why = phrase![
+            Input::ContactsMass,
+            " says nothing here: a design follows from ",
+            Input::Mass,
+            " and the load"
+        ];
+        return refused(Input::ContactsMass, why);
+    }
+    if wanted.indentation.is_none() && (request.load.load.is_some() || request.load.body_weights.is_some()) {
+        let why = phrase![
+            "a load says nothing without ",
+            Input::Indentation.like("X"),
+            ": leave it out, or say the indentation it shall give",
+        ];
+        return Err(RequestFault::general(why));
+    }
+    if wanted.radius() == Some(RadiusRule::Isometric) {
+        let why = phrase![
+            Input::Radius.being("isometric"),
+            " says nothing here, expected keep, a radius in metres or a factor like x1.5",
+        ];
+        return refused(Input::Radius, why);
+    }
+    if wanted.stiffness.is_some() {
+        let why =
+            phrase![Input::Stiffness, " is known, not designed: write it with set MODEL stiffness=VALUE"];
+        return refused(Input::Stiffness, why);
+    }
+    if wanted.indentation.is_some() && wanted.young.is_some() {
+        let why = phrase![
+            Input::Indentation,
+            " and ",
+            Input::Young,
+            " both say what the stiffness is: leave one out"
+        ];
+        return refused(Input::Indentation, why);
+    }
+    if wanted.contact_stiffness.is_some() && (wanted.indentation.is_none() || wanted.radius.is_some()) {
+        let why = phrase![
+            "with models, ",
+            Input::ContactStiffness,
+            " needs ",
+            Input::Indentation,
+            ", and gives the radius: leave out ",
+            Input::Radius,
+        ];
+        return refused(Input::ContactStiffness, why);
+    }
+    if !wanted.asks() {
+        return Err(RequestFault::general(phrase![
+            "nothing is wanted: say for example ",
+            Input::Indentation.like("X"),
+            ", ",
+            Input::Restitution.like("CR"),
+            " or ",
+            Input::ConstantIndentation.like("X"),
+        ]));
+    }
+    Ok(())
+}
+
+impl Designing {
+    fn load(&self, model: &Model) -> Result<(Option<SharedLoad>, Option<Mass>), Fault> {
+        if self.wanted.indentation.is_none() {
+            return Ok((None, None));
+        }
+        let count = match self.counts.spheres() {
+            Some(count) => count,
+            None => sphere_count(model, self.counts.stance_limbs(), CountOf::Model)?,
+        };
+        let (load_n, mass) = match self.load.load {
+            Some(load) => (load.get(), None),
+            None => {
+                let mass = self.masses.of_model(model)?;
+                let gravity = self.load.gravity().or(model.gravity()).filter(|&gravity| gravity > 0.0);
+                let Some(gravity) = gravity else { return Err(Fault::new(Needed::LoadOrGravity)) };
+                (mass.kg * gravity * self.load.body_weights(), Some(mass))
+            }
+        };
+        Ok((Some(SharedLoad::new(load_n, count).map_err(Fault::new)?), mass))
+    }
+}
+
+impl Planner for Designing {
+    fn name(&self) -> &'static str {
+        "design"
+    }
+
+    fn inspection(&self) -> InspectionOptions {
+        self.inspection.clone()
+    }
+
+    fn settings(&self) -> String {
+        self.settings.clone()
+    }
+
+    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
+        let selected = self.selection.apply(model)?;
+        let asked = &self.wanted;
+        let (load, mass) = self.load(model)?;
+        let young = asked.young.map(Positive::get).zip(asked.poisson.map(PoissonRatio::get));
+        let width = |width: Option<Positive>| width.map(|width| (asked.threshold.get(), width.get()));
+        let mut wanted = Design::default();
+        wanted.modulus = match (asked.indentation.map(RelativeIndentation::get), young) {
+            (Some(x), _) => Some(DesignModulus::Indentation(x)),
+            (None, Some((young_n_m2, poisson))) => Some(DesignModulus::Young { young_n_m2, poisson }),
+            (None, None) => None,
+        };
+        wanted.load = load;
+        wanted.restitution = asked
+            .restitution
+            .map(RestitutionCoefficient::get)
+            .map(|restitution| (restitution, asked.impact_speed.map(Positive::get)));
+        wanted.constant_indentation = asked.constant_indentation.map(Positive::get);
+        wanted.state_width = width(asked.state_width);
+        wanted.speed_width = width(asked.speed_width);
+        wanted.radius = asked.radius().unwrap_or(RadiusRule::Keep);
+        wanted.contact_stiffness_n_m = asked.contact_stiffness.map(Positive::get);
+        wanted.mass = mass;
+        wanted.gravity_m_s2 = self.load.gravity();
+        design(model, &selected, &wanted)
+    }
+}

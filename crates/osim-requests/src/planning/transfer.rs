@@ -1,0 +1,227 @@
+//! Contacts of another model or of a preset.
+
+use std::path::PathBuf;
+
+use osim_inspect::sphere_count;
+use osim_model::files::Files;
+use osim_model::wording::{Input, phrase};
+use osim_model::{
+    Anatomy, CountOf, Fault, MassRequest, Model, Needed, Property, Selected, Selection, Warning,
+};
+use osim_patch::{
+    Factors, Follow, FollowRequest, Plan, RadiusRule, Reference, ScalingRule, Transfer, moving_spheres,
+    transfer,
+};
+use serde_json::json;
+
+use super::operation::{operation, refuse_again};
+use super::reference::{Generic, preset, reference_from_file};
+use crate::fault::{RequestError, RequestFault};
+use crate::options::{
+    CountOptions, FollowOptions, InspectionOptions, RuleChoice, ScalingOptions, SetFiles, StanceOptions,
+};
+use crate::planner::{Change, Planner};
+use crate::request::TransferRequest;
+use crate::value::{Acceleration, Positive, Radius};
+
+struct Transferring {
+    counts: CountOptions,
+    follow: FollowOptions,
+    scaling: ScalingOptions,
+    reference_sphere: Option<String>,
+    selection: Selection,
+    masses: MassRequest,
+    reference: Reference,
+    /// The generic model's bones and the Scale Tool's factors, where spheres follow their bodies.
+    generic: Option<Generic>,
+    may_repeat: bool,
+    reads: Vec<PathBuf>,
+    inspection: InspectionOptions,
+    settings: String,
+}
+
+impl TransferRequest {
+    /// Checks the request and reads the reference once, for all models.
+    ///
+    /// # Errors
+    /// The reference is no preset and no file, or a model that cannot be a reference; or options that say nothing.
+    pub fn prepare(self, files: &dyn Files) -> Result<Change, RequestError> {
+        check(&self)?;
+        let Some(from) = self.from.clone() else {
+            return Err(RequestFault::Missing { field: "from" }.into());
+        };
+        let (mut reference, generic) = match preset(&self, &from, files)? {
+            Some(_) if self.follow.follow_bodies => {
+                let message = phrase![
+                    Input::FollowBodies,
+                    " needs the generic model as ",
+                    Input::From,
+                    ", a preset has no bodies",
+                ];
+                return Err(RequestFault::refused(Input::FollowBodies, message).into());
+            }
+            Some(reference) => (reference, None),
+            None => reference_from_file(&self, &from, files)?,
+        };
+        let gravity = self.reference.reference_gravity.map(Acceleration::get);
+        reference.gravity_m_s2 = gravity.or(reference.gravity_m_s2);
+        let is_file = files.exists(&from);
+        let settings = self.settings(is_file);
+        let own = Some(from).filter(|_| is_file);
+        let reads = own.into_iter().chain(self.presets).chain(self.follow.body_scale_file.clone()).collect();
+        let stance = StanceOptions {
+            spheres: self.counts.spheres,
+            stance_limbs: self.counts.stance_limbs,
+            impact_speed: None,
+        };
+        let planner = Transferring {
+            counts: self.counts,
+            follow: self.follow,
+            scaling: self.scaling,
+            reference_sphere: self.reference.reference_sphere,
+            selection: self.choice.selection(),
+            masses: self.masses.request(),
+            reference,
+            generic,
+            may_repeat: self.output.may_repeat(),
+            reads,
+            inspection: InspectionOptions::new(stance, self.masses, self.choice, SetFiles::default()),
+            settings,
+        };
+        Ok(Change::new(self.models, self.output, self.set_files, planner))
+    }
+
+    /// The reference is told by its contents; a preset by its name, which stands for the same numbers in one version.
+    fn settings(&self, is_file: bool) -> String {
+        let Self { from, counts, reference, follow, masses, scaling, choice, .. } = self;
+        let preset = from.as_ref().filter(|_| !is_file).map(|from| from.to_string_lossy());
+        json!(["transfer", preset, counts, reference, follow, masses, scaling, choice]).to_string()
+    }
+}
+
+fn check(request: &TransferRequest) -> Result<(), RequestFault> {
+    if request.masses.contacts_mass.is_some() {
+        let message = phrase![
+            Input::ContactsMass,
+            " says nothing here: the reference's mass is ",
+            Input::ReferenceMass,
+            ", this model's ",
+            Input::Mass,
+        ];
+        return Err(RequestFault::refused(Input::ContactsMass, message));
+    }
+    if request.scaling.level && !request.follow.follow_bodies {
+        let message = phrase![
+            Input::Level,
+            " in a transfer needs ",
+            Input::FollowBodies,
+            ": without it neither radii nor soles change",
+        ];
+        return Err(RequestFault::refused(Input::Level, message));
+    }
+    if request.scaling.radius.is_some() && request.follow.follow_bodies {
+        let message = phrase![
+            Input::Radius,
+            " says nothing with ",
+            Input::FollowBodies,
+            ": radii follow the bodies (",
+            Input::RadiusAxis,
+            "), or stay with ",
+            Input::Keep.being("radius"),
+        ];
+        return Err(RequestFault::refused(Input::Radius, message));
+    }
+    Ok(())
+}
+
+impl Planner for Transferring {
+    fn name(&self) -> &'static str {
+        "transfer"
+    }
+
+    fn inspection(&self) -> InspectionOptions {
+        self.inspection.clone()
+    }
+
+    fn target_gravity_m_s2(&self) -> Option<f64> {
+        self.scaling.target_gravity.map(Acceleration::get)
+    }
+
+    fn settings(&self) -> String {
+        self.settings.clone()
+    }
+
+    fn reads(&self) -> Vec<PathBuf> {
+        self.reads.clone()
+    }
+
+    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
+        let selected = self.selection.apply(model)?;
+        let (follow, mut warnings) = match &self.generic {
+            Some(generic) => {
+                let (follow, warnings) = self.follow(model, &selected, generic)?;
+                (Some(follow), warnings)
+            }
+            None => (None, Vec::new()),
+        };
+        let sphere_count = match self.counts.spheres() {
+            Some(count) => count,
+            None => sphere_count(model, self.counts.stance_limbs(), CountOf::Model)?,
+        };
+        let radius = self.scaling.radius.map(Radius::rule);
+        let operation = operation("transfer", radius);
+        if matches!(radius, Some(RadiusRule::Factor(_))) {
+            refuse_again(model, &operation, self.may_repeat)?;
+        }
+        let mass = self.masses.of_model(model)?;
+        warnings.extend(self.masses.disagreements(model, &mass));
+        let mut wanted = Transfer::new(self.reference.clone(), mass, sphere_count);
+        wanted.reference_sphere.clone_from(&self.reference_sphere);
+        wanted.radius = radius.unwrap_or(RadiusRule::Keep);
+        wanted.properties = self.scaling.properties();
+        wanted.dissipation_by = self.scaling.dissipation();
+        wanted.target_gravity_m_s2 = self.target_gravity_m_s2();
+        wanted.rule = self.rule(follow.as_ref())?;
+        wanted.follow = follow;
+        wanted.strict = self.follow.strict;
+        let mut plan = transfer(model, &selected, &wanted)?;
+        plan.name_operation(&operation);
+        plan.warnings.append(&mut warnings);
+        Ok(plan)
+    }
+}
+
+impl Transferring {
+    fn follow(
+        &self,
+        model: &Model,
+        selected: &Selected,
+        generic: &Generic,
+    ) -> Result<(Follow, Vec<Warning>), Fault> {
+        let scaled = Anatomy::of(model)?;
+        let factors = Factors::find(&scaled, &generic.anatomy, generic.file.as_ref(), &self.follow.given())?;
+        let mut wanted = FollowRequest::default();
+        wanted.radius_axis = self.follow.radius_axis();
+        wanted.level = self.scaling.level_axis(model.gravity_m_s2);
+        wanted.moved = self.follow.moved();
+        wanted.keep_radii = !self.scaling.properties().contains(Property::Radius);
+        Follow::refuse_missing(&scaled, self.reference.contacts.iter().flat_map(|contact| &contact.spheres))?;
+        let spheres = moving_spheres(model, &selected.forces);
+        let follow = Follow::find(model, &spheres, &scaled, &generic.anatomy, &factors, &wanted)?;
+        match &generic.count_unknown {
+            Some(fault) => Err(fault.clone()),
+            None => Ok((follow, factors.warnings)),
+        }
+    }
+
+    fn rule(&self, follow: Option<&Follow>) -> Result<ScalingRule, Fault> {
+        if self.follow.rule == RuleChoice::Paper {
+            return Ok(ScalingRule::Paper);
+        }
+        let given = self.follow.height_ratio.map(Positive::get);
+        match given.or(follow.map(|follow| follow.size_ratio)) {
+            Some(height_ratio) => Ok(ScalingRule::PredSim { height_ratio }),
+            None => Err(Fault::new(Needed::HeightRatio)),
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! What a figure shows: bodies, units, the fall.
+
+use std::path::Path;
+
+use osim_inspect::series::{Body, ForceUnit, HeatRequest, IndentationUnit, Units, kinds};
+use osim_model::files::Files;
+use osim_model::wording::{Input, phrase};
+
+use crate::fault::{RequestError, RequestFault};
+use crate::request::{AxesChoice, PlotKind, PlotRequest};
+use crate::subject::Subject;
+use crate::value::{Kilograms, Positive};
+
+impl PlotRequest {
+    /// `true` for a figure of the paper, which shows its own animals.
+    #[must_use]
+    pub fn is_of_paper(&self) -> bool {
+        matches!(self.kind, Some(PlotKind::Fig4 | PlotKind::FigC5))
+    }
+
+    /// Refuses models too many, or none.
+    ///
+    /// # Errors
+    /// They are.
+    pub fn check_models(&self) -> Result<(), RequestFault> {
+        if self.is_of_paper() && (!self.models.is_empty() || self.target_mass.is_some()) {
+            return Err(RequestFault::general(phrase![
+                "fig4 and fig-c5 redraw the paper's own animals: leave out models and ",
+                Input::TargetMass,
+            ]));
+        }
+        if !self.is_of_paper() && self.models.is_empty() {
+            return Err(RequestFault::general(
+                "nothing to draw: name a model, or a preset such as falisse2022",
+            ));
+        }
+        Ok(())
+    }
+
+    /// All bodies of the figure: those that were named, each followed by its scaled self where one is asked for.
+    ///
+    /// # Errors
+    /// A name that is neither a model's nor a preset's, or a model that cannot be read.
+    pub fn bodies(&self, files: &dyn Files) -> Result<Vec<Body>, RequestError> {
+        let mut bodies = Vec::new();
+        for path in &self.models {
+            let body = self.body(path, files)?;
+            let scaled = self.target_mass.map(|target| body.scaled(target.get())).transpose()?;
+            bodies.push(body);
+            bodies.extend(scaled);
+        }
+        Ok(bodies)
+    }
+
+    fn body(&self, path: &Path, files: &dyn Files) -> Result<Body, RequestError> {
+        let masses = self.masses.request();
+        let stance = self.counts.stance(None, self.gravity);
+        match Subject::find(path, self.presets.as_deref(), &self.set_files, files)? {
+            Subject::Preset(preset) => {
+                let body = Body::of_preset(&preset, &masses, &stance);
+                Ok(body.map_err(|error| RequestFault::general(error.to_string()))?)
+            }
+            Subject::Model(open) => {
+                let selection = self.choice.selection();
+                let selected = selection.apply(&open.model).map_err(|fault| open.failure(fault))?;
+                let failed = |fault| open.failure(fault);
+                let name = short_name(path);
+                Ok(Body::of_model(name, &open.model, &selected.forces, &masses, &stance, &failed)?)
+            }
+        }
+    }
+
+    /// The units asked for, else those that compare well: newtons for one contact, shares of the weight for several.
+    #[must_use]
+    pub fn units(&self, bodies: &[Body]) -> Units {
+        let single = kinds(bodies).count() == 1;
+        let indentation = match self.axes {
+            Some(AxesChoice::Real) => IndentationUnit::Millimetre,
+            _ => IndentationUnit::Relative,
+        };
+        let shares = self.axes.map_or(!single, |wanted| wanted == AxesChoice::Dimensionless);
+        let force = if shares { ForceUnit::WeightShare } else { ForceUnit::Newton };
+        Units { indentation, force }
+    }
+
+    /// What a heat map shows.
+    #[must_use]
+    pub fn heat_request(&self) -> HeatRequest {
+        HeatRequest {
+            quantity: self.heat.quantity.quantity(),
+            height: self.fall.height.get(),
+            duration_s: self.fall.duration.map(Positive::get),
+        }
+    }
+
+    /// The mass to which contacts are drawn scaled, kg.
+    #[must_use]
+    pub fn target_mass_kg(&self) -> Option<f64> {
+        self.target_mass.map(Kilograms::get)
+    }
+}
+
+/// The file's name without its folders, which would fill a legend.
+fn short_name(path: &Path) -> String {
+    path.file_stem().map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned())
+}

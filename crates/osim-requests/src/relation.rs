@@ -1,0 +1,14 @@
+//! What options need and exclude: the same for the words of a command line and for a dictionary.
+
+/// How options depend on each other; each is told by the name of its field.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Relation {
+    /// It has to be said.
+    Required(&'static str),
+    /// It has to be said where the other is not.
+    RequiredUnless(&'static str, &'static str),
+    /// It says nothing without the other.
+    Needs(&'static str, &'static str),
+    /// Only one of the two can be said.
+    Excludes(&'static str, &'static str),
+}

@@ -1,0 +1,108 @@
+//! Any request, by its verb.
+
+use osim_model::wording::Verb;
+use schemars::Schema;
+use serde_json::{Map, Value};
+
+use super::design::DesignRequest;
+use super::drop_test::DropTestRequest;
+use super::fit::FitRequest;
+use super::inspect::{CheckRequest, InspectRequest};
+use super::knowledge::{ExplainRequest, PresetsRequest};
+use super::library::{BatchRequest, SweepRequest};
+use super::plot::PlotRequest;
+use super::rescale::RescaleRequest;
+use super::set::SetRequest;
+use super::transfer::TransferRequest;
+use crate::dictionary;
+use crate::fault::RequestFault;
+use crate::relation::Relation;
+use crate::schema::schema;
+
+/// The name under which a dictionary says which verb it is for.
+const VERB: &str = "verb";
+
+macro_rules! requests {
+    ($($variant:ident($type:ty) = $relations:expr;)+) => {
+        /// A request, whatever its verb.
+        #[derive(Debug, Clone, PartialEq)]
+        #[non_exhaustive]
+        pub enum Request {
+            $(#[doc = concat!("[`Verb::", stringify!($variant), "`].")] $variant(Box<$type>),)+
+        }
+
+        impl Request {
+            /// What it asks for.
+            #[must_use]
+            pub const fn verb(&self) -> Verb {
+                match self { $(Self::$variant(_) => Verb::$variant),+ }
+            }
+
+            /// Reads the fields of a request for `verb`.
+            ///
+            /// # Errors
+            /// A field that the verb does not have, a value that cannot be taken, or fields that do not go together.
+            pub fn read(verb: Verb, fields: Map<String, Value>) -> Result<Self, RequestFault> {
+                match verb {
+                    $(Verb::$variant => {
+                        dictionary::read::<$type>(fields, $relations).map(|request| Self::$variant(Box::new(request)))
+                    })+
+                    _ => Err(RequestFault::general(format!("'{}' takes no request", verb.name()))),
+                }
+            }
+
+            /// The fields that say something, as [`Request::read`] takes them; the verb among them.
+            #[must_use]
+            pub fn to_map(&self) -> Map<String, Value> {
+                let fields = match self { $(Self::$variant(request) => dictionary::said(request.as_ref())),+ };
+                std::iter::once((VERB.to_owned(), self.verb().name().into())).chain(fields).collect()
+            }
+
+            /// Checks that its fields go together.
+            ///
+            /// # Errors
+            /// The first that does not.
+            pub fn check(&self) -> Result<(), RequestFault> {
+                match self { $(Self::$variant(request) => dictionary::check(request.as_ref(), $relations)),+ }
+            }
+        }
+
+        /// The schema of the requests for `verb`, where it takes some.
+        #[must_use]
+        pub fn schema_of(verb: Verb) -> Option<Schema> {
+            match verb { $(Verb::$variant => Some(schema::<$type>(verb, $relations)),)+ _ => None }
+        }
+
+        /// The fields of a request for `verb` that says nothing.
+        pub(crate) fn silent_fields(verb: Verb) -> Map<String, Value> {
+            match verb { $(Verb::$variant => dictionary::map(&<$type>::default()),)+ _ => Map::new() }
+        }
+
+        /// How the fields of requests for `verb` depend on each other.
+        pub(crate) const fn relations_of(verb: Verb) -> &'static [&'static [Relation]] {
+            match verb { $(Verb::$variant => $relations,)+ _ => &[] }
+        }
+
+        $(impl From<$type> for Request {
+            fn from(request: $type) -> Self {
+                Self::$variant(Box::new(request))
+            }
+        })+
+    };
+}
+
+requests! {
+    Rescale(RescaleRequest) = RescaleRequest::RELATIONS;
+    Transfer(TransferRequest) = TransferRequest::RELATIONS;
+    Design(DesignRequest) = DesignRequest::RELATIONS;
+    Set(SetRequest) = SetRequest::RELATIONS;
+    Batch(BatchRequest) = BatchRequest::RELATIONS;
+    Sweep(SweepRequest) = SweepRequest::RELATIONS;
+    Inspect(InspectRequest) = InspectRequest::RELATIONS;
+    Check(CheckRequest) = CheckRequest::RELATIONS;
+    DropTest(DropTestRequest) = DropTestRequest::RELATIONS;
+    Plot(PlotRequest) = PlotRequest::RELATIONS;
+    Fit(FitRequest) = FitRequest::RELATIONS;
+    Presets(PresetsRequest) = &[];
+    Explain(ExplainRequest) = &[];
+}

@@ -1,0 +1,62 @@
+//! Parameters from what is wanted.
+
+use std::path::PathBuf;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::options::{
+    CountOptions, ForceOptions, LoadOptions, MassOptions, OutputOptions, RunOptions, SetFiles, WantedOptions,
+};
+use crate::relation::Relation;
+use crate::value::path;
+
+/// Finds parameters from what is wanted: indentation, stiffness, restitution.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "clap", derive(clap::Args))]
+#[serde(default)]
+#[non_exhaustive]
+pub struct DesignRequest {
+    /// Models to write the design into; without one, a calculator
+    #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]
+    #[serde(with = "path::list")]
+    #[schemars(with = "Vec<path::PathSchema>")]
+    pub models: Vec<PathBuf>,
+    /// What is wanted or known.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub wanted: WantedOptions,
+    /// The load.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub load: LoadOptions,
+    /// Which mass is meant.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub masses: MassOptions,
+    /// How many spheres share the load.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub counts: CountOptions,
+    /// Which forces.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub choice: ForceOptions,
+    /// Where results go.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub output: OutputOptions,
+    /// How to go about the work.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub run: RunOptions,
+    /// Files of a standalone set.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub set_files: SetFiles,
+}
+
+impl DesignRequest {
+    pub(crate) const RELATIONS: &'static [&'static [Relation]] =
+        &[WantedOptions::RELATIONS, LoadOptions::RELATIONS, OutputOptions::RELATIONS, RunOptions::RELATIONS];
+}

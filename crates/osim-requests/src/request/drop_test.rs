@@ -1,0 +1,106 @@
+//! A body that falls on its contacts.
+
+use std::path::PathBuf;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::options::{ContactNumbers, CountOptions, ForceOptions, MassOptions, SetFiles};
+use crate::relation::Relation;
+use crate::value::choice::choices;
+use crate::value::{Count, Height, Positive, Samples, path};
+
+choices! {
+    /// How a drop is shown.
+    SeriesFormat: Table {
+        /// Figures (and a chart on a terminal).
+        Table = "table", "Figures (and a chart on a terminal)";
+        /// One JSON object.
+        Json = "json", "One JSON object";
+        /// The series, one row per moment.
+        Csv = "csv", "The series, one row per moment";
+    }
+}
+
+/// Lets a model fall on its contacts and tells what they do.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "clap", derive(clap::Args))]
+#[serde(default)]
+#[non_exhaustive]
+pub struct DropTestRequest {
+    /// The model to drop (.osim), or a preset; without one, give the numbers
+    #[cfg_attr(feature = "clap", arg(value_name = "MODEL|PRESET"))]
+    #[serde(with = "path::optional")]
+    #[schemars(with = "Option<path::PathSchema>")]
+    pub subject: Option<PathBuf>,
+    /// Height of the sphere bottoms at the start: metres, or a factor of the radius like x0.25
+    #[cfg_attr(feature = "clap", arg(long, value_name = "HEIGHT", default_value_t))]
+    pub height: Height,
+    /// How long to follow the body, s
+    #[cfg_attr(feature = "clap", arg(long, value_name = "S", default_value_t = Positive::DROP_DURATION_S))]
+    pub duration: Positive,
+    /// Points of the series
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N", default_value_t))]
+    pub samples: Samples,
+    /// Say how far this drop and that of OTHER (a model or preset) lie apart in dimensionless form
+    #[cfg_attr(feature = "clap", arg(long, value_name = "OTHER"))]
+    #[serde(with = "path::optional")]
+    #[schemars(with = "Option<path::PathSchema>")]
+    pub compare: Option<PathBuf>,
+    /// With `compare`: the spheres that share OTHER's weight [default: as found on one limb]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
+    pub compare_spheres: Option<Count>,
+    /// A file with presets of your own (TOML)
+    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", hide_short_help = true))]
+    #[serde(with = "path::optional")]
+    #[schemars(with = "Option<path::PathSchema>")]
+    pub presets: Option<PathBuf>,
+    /// How to print
+    #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]
+    pub format: SeriesFormat,
+    /// A contact given by its numbers.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub numbers: ContactNumbers,
+    /// How many spheres share the weight.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub counts: CountOptions,
+    /// Which mass is meant.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub masses: MassOptions,
+    /// Which forces.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub choice: ForceOptions,
+    /// Files of a standalone set.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub set_files: SetFiles,
+}
+
+impl Default for DropTestRequest {
+    fn default() -> Self {
+        Self {
+            subject: None,
+            height: Height::default(),
+            duration: Positive::DROP_DURATION_S,
+            samples: Samples::default(),
+            compare: None,
+            compare_spheres: None,
+            presets: None,
+            format: SeriesFormat::Table,
+            numbers: ContactNumbers::default(),
+            counts: CountOptions::default(),
+            masses: MassOptions::default(),
+            choice: ForceOptions::default(),
+            set_files: SetFiles::default(),
+        }
+    }
+}
+
+impl DropTestRequest {
+    pub(crate) const RELATIONS: &'static [&'static [Relation]] =
+        &[&[Relation::Needs("compare_spheres", "compare")]];
+}

@@ -1,0 +1,106 @@
+//! Models looked at: what contacts they have, and whether these are right.
+
+use std::path::PathBuf;
+
+use osim_model::Severity;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::options::{InspectionOptions, ReportOptions, SheetFormat};
+use crate::relation::Relation;
+use crate::value::choice::choices;
+use crate::value::path;
+
+/// Shows what contacts models have.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "clap", derive(clap::Args))]
+#[serde(default)]
+#[non_exhaustive]
+pub struct InspectRequest {
+    /// Models (.osim), a ForceSet (.xml) with `geometry`, folders, or - for standard input
+    #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]
+    #[serde(with = "path::list")]
+    #[schemars(with = "Vec<path::PathSchema>")]
+    pub models: Vec<PathBuf>,
+    /// The generic model this one was scaled from: show each body's factors
+    #[cfg_attr(feature = "clap", arg(long, value_name = "MODEL"))]
+    #[serde(with = "path::optional")]
+    #[schemars(with = "Option<path::PathSchema>")]
+    pub from: Option<PathBuf>,
+    /// With `from`: the ScaleSet that the Scale Tool applied
+    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
+    #[serde(with = "path::optional")]
+    #[schemars(with = "Option<path::PathSchema>")]
+    pub body_scale_file: Option<PathBuf>,
+    /// How to print
+    #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]
+    pub format: SheetFormat,
+    /// The page for browsers.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub report: ReportOptions,
+    /// How models are inspected.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub options: InspectionOptions,
+}
+
+impl InspectRequest {
+    pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[
+        &[Relation::Required("models"), Relation::Needs("body_scale_file", "from")],
+        ReportOptions::RELATIONS,
+    ];
+}
+
+choices! {
+    /// From which severity on a finding is a failure.
+    Deny: Error {
+        /// Limits of the paper and traps, too.
+        Warn = "warn", "Limits of the paper and traps, too";
+        /// What OpenSim computes otherwise than it looks, or as nonsense.
+        Error = "error", "What OpenSim computes otherwise than it looks, or as nonsense";
+    }
+}
+
+impl Deny {
+    /// The severity.
+    #[must_use]
+    pub const fn severity(self) -> Severity {
+        match self {
+            Self::Warn => Severity::Warn,
+            Self::Error => Severity::Error,
+        }
+    }
+}
+
+/// Compares models with the limits of the paper and the traps of the format.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "clap", derive(clap::Args))]
+#[serde(default)]
+#[non_exhaustive]
+pub struct CheckRequest {
+    /// Models (.osim), a ForceSet (.xml) with `geometry`, folders, or - for standard input
+    #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]
+    #[serde(with = "path::list")]
+    #[schemars(with = "Vec<path::PathSchema>")]
+    pub models: Vec<PathBuf>,
+    /// Exit with 1 where a finding is as bad as this, or worse
+    #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]
+    pub deny: Deny,
+    /// How to print
+    #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]
+    pub format: SheetFormat,
+    /// The page for browsers.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub report: ReportOptions,
+    /// How models are inspected.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub options: InspectionOptions,
+}
+
+impl CheckRequest {
+    pub(crate) const RELATIONS: &'static [&'static [Relation]] =
+        &[&[Relation::Required("models")], ReportOptions::RELATIONS];
+}

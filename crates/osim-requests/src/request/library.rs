@@ -1,0 +1,151 @@
+//! Many models: as a table says, and variants of one.
+
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::options::{
+    CountOptions, ForceOptions, Format, LoadOptions, MassOptions, OutputOptions, RunOptions, WantedOptions,
+};
+use crate::relation::Relation;
+use crate::value::{Axis, Positive, axis, path, serial};
+
+/// One row per model; columns are named like the long options of rescale, transfer, design and set.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "clap", derive(clap::Args))]
+#[serde(default)]
+#[non_exhaustive]
+pub struct BatchRequest {
+    /// A table (CSV): a column 'model', and one for each option that rows need; - is standard input
+    #[cfg_attr(feature = "clap", arg(value_name = "MANIFEST"))]
+    #[serde(with = "path::optional")]
+    #[schemars(with = "Option<path::PathSchema>")]
+    pub manifest: Option<PathBuf>,
+    /// Where results go, for rows that do not say.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub output: OutputOptions,
+    /// How to go about the work.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub run: RunOptions,
+}
+
+impl BatchRequest {
+    pub(crate) const RELATIONS: &'static [&'static [Relation]] =
+        &[&[Relation::Required("manifest")], OutputOptions::RELATIONS, RunOptions::RELATIONS];
+}
+
+/// One file per point of a grid, or per step of a ladder, and a table that says what is in which.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "clap", derive(clap::Args))]
+#[serde(default)]
+#[non_exhaustive]
+pub struct SweepRequest {
+    /// The model (.osim) whose variants are made
+    #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]
+    #[serde(with = "path::optional")]
+    #[schemars(with = "Option<path::PathSchema>")]
+    pub model: Option<PathBuf>,
+    /// Values of a property (stiffness=1e5,1e6), factors (stiffness=x0.1,x1,x10), a logarithmic range
+    /// (stiffness=x0.1..x10/9), or values of indentation, restitution or target-mass; may be repeated
+    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME=V,V,..."))]
+    #[serde(deserialize_with = "axis::deserialize", serialize_with = "serial::as_texts")]
+    #[schemars(with = "axis::AxesSchema")]
+    pub grid: Vec<Axis>,
+    /// N steps from a soft contact to `indentation` and `restitution`, to search for a gait in turn
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
+    pub ladder: Option<u32>,
+    /// With `ladder`: dimensionless stiffness of the first step
+    #[cfg_attr(feature = "clap", arg(long, value_name = "K", default_value_t = Positive::SOFT_STIFFNESS))]
+    pub soft: Positive,
+    /// Write the models into this folder [default: NAME.sweep beside the model]
+    #[cfg_attr(feature = "clap", arg(short = 'd', long, value_name = "DIR", help_heading = "Output"))]
+    #[serde(with = "path::optional")]
+    #[schemars(with = "Option<path::PathSchema>")]
+    pub output_dir: Option<PathBuf>,
+    /// Replace existing files
+    #[cfg_attr(feature = "clap", arg(long, help_heading = "Output"))]
+    pub force: bool,
+    /// Make more than 10,000 models
+    #[cfg_attr(feature = "clap", arg(long, help_heading = "Output"))]
+    pub yes: bool,
+    /// Leave no note (a comment line) in the models
+    #[cfg_attr(feature = "clap", arg(long, help_heading = "Output", hide_short_help = true))]
+    pub no_note: bool,
+    /// Write nothing, only say what would be made
+    #[cfg_attr(feature = "clap", arg(long, help_heading = "Output"))]
+    pub dry_run: bool,
+    /// How to print
+    #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t, help_heading = "Output"))]
+    pub format: Format,
+    /// Print errors only
+    #[cfg_attr(feature = "clap", arg(long, help_heading = "Output"))]
+    pub quiet: bool,
+    /// Models to make at once [default: one per processor]
+    #[cfg_attr(
+        feature = "clap",
+        arg(long, value_name = "N", help_heading = "Output", hide_short_help = true)
+    )]
+    pub jobs: Option<NonZeroUsize>,
+    /// What is wanted at every point.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub wanted: WantedOptions,
+    /// The load.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub load: LoadOptions,
+    /// Which mass is meant.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub masses: MassOptions,
+    /// How many spheres share the load.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub counts: CountOptions,
+    /// Which forces.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub choice: ForceOptions,
+}
+
+impl Default for SweepRequest {
+    fn default() -> Self {
+        Self {
+            model: None,
+            grid: Vec::new(),
+            ladder: None,
+            soft: Positive::SOFT_STIFFNESS,
+            output_dir: None,
+            force: false,
+            yes: false,
+            no_note: false,
+            dry_run: false,
+            format: Format::Table,
+            quiet: false,
+            jobs: None,
+            wanted: WantedOptions::default(),
+            load: LoadOptions::default(),
+            masses: MassOptions::default(),
+            counts: CountOptions::default(),
+            choice: ForceOptions::default(),
+        }
+    }
+}
+
+impl SweepRequest {
+    pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[
+        &[
+            Relation::Required("model"),
+            Relation::RequiredUnless("grid", "ladder"),
+            Relation::Excludes("ladder", "grid"),
+            Relation::Needs("ladder", "indentation"),
+            Relation::Needs("soft", "ladder"),
+        ],
+        WantedOptions::RELATIONS,
+        LoadOptions::RELATIONS,
+    ];
+}

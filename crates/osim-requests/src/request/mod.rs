@@ -1,0 +1,26 @@
+//! A request for each verb: everything that can be said, typed.
+
+mod any;
+mod design;
+mod drop_test;
+mod fit;
+mod inspect;
+mod knowledge;
+mod library;
+mod plot;
+mod rescale;
+mod set;
+mod transfer;
+
+pub use any::{Request, schema_of};
+pub(crate) use any::{relations_of, silent_fields};
+pub use design::DesignRequest;
+pub use drop_test::{DropTestRequest, SeriesFormat};
+pub use fit::{BranchChoice, FitRequest};
+pub use inspect::{CheckRequest, Deny, InspectRequest};
+pub use knowledge::{ExplainRequest, PresetsRequest};
+pub use library::{BatchRequest, SweepRequest};
+pub use plot::{AxesChoice, HeatOptions, PlotKind, PlotRequest, QuantityChoice};
+pub use rescale::RescaleRequest;
+pub use set::SetRequest;
+pub use transfer::TransferRequest;

@@ -1,0 +1,165 @@
+//! Figures.
+
+use std::path::PathBuf;
+
+use osim_inspect::series::HeatQuantity;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::options::{CountOptions, FallOptions, ForceOptions, MassOptions, SetFiles};
+use crate::relation::Relation;
+use crate::value::choice::choices;
+use crate::value::{Acceleration, Dpi, Grid, Kilograms, path};
+
+choices! {
+    /// What is drawn.
+    PlotKind {
+        /// Force against indentation.
+        Force = "force", "Force against indentation: Hertz, with cf, smoothed";
+        /// Contact state against indentation.
+        State = "state", "Contact state against indentation";
+        /// Force while a sphere goes in and out.
+        Loop = "loop", "Dissipation: force while a sphere goes in and out";
+        /// A drop test.
+        Drop = "drop", "Drop test: force against time and non-dimensional time";
+        /// A heat map.
+        Sweep = "sweep", "A quantity over stiffness and dissipation, as a heat map";
+        /// The paper's Fig. 4.
+        Fig4 = "fig4", "The paper's Fig. 4";
+        /// The paper's Fig. C.5.
+        FigC5 = "fig-c5", "The paper's Fig. C.5";
+    }
+}
+
+choices! {
+    /// Units of indentation and force.
+    AxesChoice {
+        /// Without dimensions.
+        Dimensionless = "dimensionless", "x/R, and force over the weight's share of one sphere";
+        /// In SI units.
+        Real = "real", "mm and N";
+    }
+}
+
+choices! {
+    /// What the colours of a heat map show.
+    QuantityChoice: Indentation {
+        /// x̂ at rest.
+        Indentation = "indentation", "Relative indentation at rest under body weight, by the contact's own law";
+        /// c_r, exact.
+        Restitution = "restitution", "Coefficient of restitution at the impact speed of the fall, exact";
+        /// Peak force over body weight.
+        PeakForce = "peak-force", "Peak force over body weight in the fall";
+    }
+}
+
+impl QuantityChoice {
+    /// The quantity.
+    #[must_use]
+    pub const fn quantity(self) -> HeatQuantity {
+        match self {
+            Self::Indentation => HeatQuantity::Indentation,
+            Self::Restitution => HeatQuantity::Restitution,
+            Self::PeakForce => HeatQuantity::PeakForce,
+        }
+    }
+}
+
+/// The grid of a heat map.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "The sweep"))]
+#[serde(default)]
+#[non_exhaustive]
+pub struct HeatOptions {
+    /// What the colours show
+    #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]
+    pub quantity: QuantityChoice,
+    /// Values of stiffness: FROM..TO/COUNT in N/m2, or factors like x0.1..x10/25
+    #[cfg_attr(feature = "clap", arg(long, value_name = "GRID", default_value_t = STIFFNESS))]
+    pub stiffness: Grid,
+    /// Values of dissipation: FROM..TO/COUNT in s/m, or factors
+    #[cfg_attr(feature = "clap", arg(long, value_name = "GRID", default_value_t = DISSIPATION))]
+    pub dissipation: Grid,
+}
+
+const STIFFNESS: Grid = Grid::factors(0.1, 10.0, 25);
+const DISSIPATION: Grid = Grid::factors(0.1, 4.0, 25);
+
+impl Default for HeatOptions {
+    fn default() -> Self {
+        Self { quantity: QuantityChoice::Indentation, stiffness: STIFFNESS, dissipation: DISSIPATION }
+    }
+}
+
+/// Draws what contacts do.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "clap", derive(clap::Args))]
+#[serde(default)]
+#[non_exhaustive]
+pub struct PlotRequest {
+    /// What to draw
+    #[cfg_attr(feature = "clap", arg(value_enum))]
+    pub kind: Option<PlotKind>,
+    /// Models (.osim) or presets, overlaid in one figure; none for fig4 and fig-c5
+    #[cfg_attr(feature = "clap", arg(value_name = "MODEL|PRESET"))]
+    #[serde(with = "path::list")]
+    #[schemars(with = "Vec<path::PathSchema>")]
+    pub models: Vec<PathBuf>,
+    /// Write to this file: .svg or .png (- is SVG on standard output)
+    #[cfg_attr(feature = "clap", arg(short, long, value_name = "FILE"))]
+    #[serde(with = "path::optional")]
+    #[schemars(with = "Option<path::PathSchema>")]
+    pub output: Option<PathBuf>,
+    /// Replace an existing file
+    #[cfg_attr(feature = "clap", arg(long))]
+    pub force: bool,
+    /// Draw each contact also as it is after scaling to this mass, kg
+    #[cfg_attr(feature = "clap", arg(long, value_name = "KG", allow_hyphen_values = true))]
+    pub target_mass: Option<Kilograms>,
+    /// Units of indentation and force [default: x/R and N; x/R and shares of the weight for several]
+    #[cfg_attr(feature = "clap", arg(long, value_enum))]
+    pub axes: Option<AxesChoice>,
+    /// Title of the figure
+    #[cfg_attr(feature = "clap", arg(long, value_name = "TEXT"))]
+    pub title: Option<String>,
+    /// Pixels to the inch of a PNG
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N", default_value_t, hide_short_help = true))]
+    pub dpi: Dpi,
+    /// A file with presets of your own (TOML)
+    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", hide_short_help = true))]
+    #[serde(with = "path::optional")]
+    #[schemars(with = "Option<path::PathSchema>")]
+    pub presets: Option<PathBuf>,
+    /// Gravity, m/s2 [default: the model's]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "G", hide_short_help = true))]
+    pub gravity: Option<Acceleration>,
+    /// The fall.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub fall: FallOptions,
+    /// The grid of a heat map.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub heat: HeatOptions,
+    /// How many spheres share the weight.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub counts: CountOptions,
+    /// Which mass is meant.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub masses: MassOptions,
+    /// Which forces.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub choice: ForceOptions,
+    /// Files of a standalone set.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub set_files: SetFiles,
+}
+
+impl PlotRequest {
+    pub(crate) const RELATIONS: &'static [&'static [Relation]] =
+        &[&[Relation::Required("kind"), Relation::Required("output")]];
+}

@@ -1,0 +1,83 @@
+//! A model's own contacts at another mass.
+
+use std::path::PathBuf;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::options::{ForceOptions, MassOptions, OutputOptions, RunOptions, ScalingOptions, SetFiles};
+use crate::relation::Relation;
+use crate::value::{Kilograms, path};
+
+/// Rescales a model's own contacts to another mass.
+///
+/// ```
+/// use osim_requests::{Kilograms, RescaleRequest};
+///
+/// let mut request = RescaleRequest::default();
+/// request.models = vec!["human.osim".into()];
+/// request.target_mass = Some(Kilograms::new(1190.0)?);
+/// # Ok::<(), String>(())
+/// ```
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "clap", derive(clap::Args))]
+#[serde(default)]
+#[non_exhaustive]
+pub struct RescaleRequest {
+    /// Models (.osim), a ForceSet (.xml) with `geometry`, folders, or - for standard input
+    #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]
+    #[serde(with = "path::list")]
+    #[schemars(with = "Vec<path::PathSchema>")]
+    pub models: Vec<PathBuf>,
+    /// Mass the contacts shall stand for, kg
+    #[cfg_attr(feature = "clap", arg(long, value_name = "KG", allow_hyphen_values = true))]
+    pub target_mass: Option<Kilograms>,
+    /// Which mass is meant.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub masses: MassOptions,
+    /// What changes, and how.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub scaling: ScalingOptions,
+    /// Which forces.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub choice: ForceOptions,
+    /// Where results go.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub output: OutputOptions,
+    /// How to go about the work.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub run: RunOptions,
+    /// Files of a standalone set.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub set_files: SetFiles,
+}
+
+impl RescaleRequest {
+    pub(crate) const RELATIONS: &'static [&'static [Relation]] =
+        &[ScalingOptions::RELATIONS, OutputOptions::RELATIONS, RunOptions::RELATIONS];
+
+    /// `true` when something is said that makes sense for a change only.
+    #[must_use]
+    pub fn asks_for_change(&self) -> bool {
+        let (scaling, output, run) = (&self.scaling, &self.output, &self.run);
+        scaling.radius.is_some()
+            || !scaling.only.is_empty()
+            || !scaling.keep.is_empty()
+            || scaling.friction
+            || scaling.target_gravity.is_some()
+            || scaling.level
+            || output.output.is_some()
+            || output.output_dir.is_some()
+            || output.in_place
+            || run.dry_run
+            || run.diff
+            || run.summary.is_some()
+            || run.shard.is_some()
+    }
+}

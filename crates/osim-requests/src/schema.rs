@@ -1,0 +1,63 @@
+//! Schemas of requests, from their types.
+
+use osim_model::wording::Verb;
+use schemars::generate::SchemaSettings;
+use schemars::{JsonSchema, Schema};
+use serde_json::{Map, Value, json};
+
+use crate::relation::Relation;
+
+/// The schema of the requests `T` for `verb`.
+pub(crate) fn schema<T: JsonSchema>(verb: Verb, relations: &[&[Relation]]) -> Schema {
+    let mut schema = SchemaSettings::draft2020_12().into_generator().into_root_schema_for::<T>();
+    let object = schema.ensure_object();
+    let properties = object.entry("properties").or_insert_with(|| Map::new().into());
+    if let Value::Object(properties) = properties {
+        let named = std::mem::take(properties);
+        properties.insert("verb".to_owned(), json!({"const": verb.name()}));
+        // What says nothing may be null.
+        properties.extend(named.into_iter().map(|(name, schema)| (name, or_null(schema))));
+    }
+    object.insert("additionalProperties".to_owned(), false.into());
+    let mut required = vec![Value::from("verb")];
+    let mut all = Vec::new();
+    for relation in relations.iter().copied().flatten() {
+        match *relation {
+            Relation::Required(field) => {
+                required.push(field.into());
+                all.push(says(field));
+            }
+            Relation::RequiredUnless(field, other) => all.push(json!({"anyOf": [says(field), says(other)]})),
+            Relation::Needs(field, other) => {
+                all.push(json!({"anyOf": [{"not": says(field)}, says(other)]}));
+            }
+            Relation::Excludes(field, other) => {
+                all.push(json!({"not": {"allOf": [says(field), says(other)]}}))
+            }
+        }
+    }
+    object.insert("required".to_owned(), required.into());
+    if !all.is_empty() {
+        object.insert("allOf".to_owned(), all.into());
+    }
+    schema
+}
+
+/// That a field says something: it is there, and is neither null, nor false, nor empty.
+fn says(field: &str) -> Value {
+    json!({
+        "required": [field],
+        "properties": {field: {"not": {"anyOf": [{"enum": [null, false]}, {"type": "array", "maxItems": 0}]}}},
+    })
+}
+
+fn or_null(mut schema: Value) -> Value {
+    if let Some(Value::String(kind)) = schema.get("type").cloned().as_ref() {
+        schema["type"] = json!([kind, "null"]);
+    } else if let Some(Value::Array(choices)) = schema.get_mut("anyOf")
+        && !choices.contains(&json!({"type": "null"}))
+    {
+        choices.push(json!({"type": "null"}));
+    }
+    schema
+}

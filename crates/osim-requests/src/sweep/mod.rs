@@ -1,0 +1,10 @@
+//! Variants of one model: the points of a grid, or the steps of a ladder.
+
+mod grid;
+mod ladder;
+mod manifest;
+mod plan;
+mod stages;
+mod variant;
+
+pub use plan::{SweepPlan, VariantMade};

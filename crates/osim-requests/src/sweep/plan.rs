@@ -1,0 +1,202 @@
+//! All variants of a sweep: how many, under which names, and each with its row in the table.
+
+use std::path::Path;
+
+use osim_model::files::{Failure, ModelFiles};
+use osim_model::shortest;
+use osim_model::wording::Phrase;
+
+use super::grid::{Point, count, ends, point};
+use super::ladder::Ladder;
+use super::manifest;
+use super::stages::{self, Stages};
+use super::variant::Variant;
+use crate::fault::{RequestError, RequestFault};
+use crate::request::SweepRequest;
+use crate::value::AxisName;
+
+impl SweepRequest {
+    /// How many models are made.
+    ///
+    /// # Errors
+    /// Axes that would undo each other, or more models than can be counted.
+    pub fn count(&self) -> Result<usize, RequestFault> {
+        stages::check(self)?;
+        let made = self.ladder.map_or_else(|| count(&self.grid), |steps| usize::try_from(steps).ok());
+        made.ok_or_else(|| RequestFault::general("more models than can be counted: give fewer values"))
+    }
+}
+
+/// A sweep over one model.
+pub struct SweepPlan<'s> {
+    request: &'s SweepRequest,
+    model: ModelFiles,
+    ladder: Option<Ladder>,
+    count: usize,
+}
+
+/// One file to make.
+struct Job {
+    /// What was asked, in the columns of the table.
+    asked: Vec<String>,
+    /// As the note has it.
+    operation: String,
+    /// What the contacts stand for then, where that changes.
+    mass_kg: Option<f64>,
+    stages: Stages,
+}
+
+/// A variant that was made, in memory.
+#[non_exhaustive]
+pub struct VariantMade {
+    /// The model.
+    pub bytes: Vec<u8>,
+    /// What was done, in words.
+    pub operation: String,
+    file: String,
+    asked: Vec<String>,
+    variant: Variant,
+}
+
+impl VariantMade {
+    /// Its row in the table; `sha256` is that of its bytes.
+    #[must_use]
+    pub fn row(self, sha256: String) -> Vec<String> {
+        manifest::row(self.file, self.asked, &self.variant, sha256)
+    }
+}
+
+impl<'s> SweepPlan<'s> {
+    /// A sweep of the model whose files are `model`.
+    ///
+    /// # Errors
+    /// The model itself cannot be read, or a ladder has no last step.
+    pub fn new(request: &'s SweepRequest, model: ModelFiles) -> Result<Self, RequestError> {
+        let count = request.count()?;
+        // What is wrong with the model itself is told once, not for every variant.
+        Variant::unchanged(request, &model)?;
+        let ladder = request.ladder.map(|steps| Ladder::of(request, &model, steps)).transpose()?;
+        Ok(Self { request, model, ladder, count })
+    }
+
+    /// How many variants.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// The model that they are made from.
+    #[must_use]
+    pub fn model(&self) -> &ModelFiles {
+        &self.model
+    }
+
+    /// Name of the file of variant `index`.
+    #[must_use]
+    pub fn file_name(&self, index: usize) -> String {
+        let part = match &self.ladder {
+            Some(ladder) => ladder.file_part(index),
+            None => point(&self.request.grid, index).file_part(),
+        };
+        self.named(&part, "osim")
+    }
+
+    /// Name of the table that says what is in which file.
+    #[must_use]
+    pub fn table_name(&self) -> String {
+        self.named(if self.ladder.is_some() { "ladder" } else { "sweep" }, "csv")
+    }
+
+    /// `NAME_part.extension`
+    fn named(&self, part: &str, extension: &str) -> String {
+        let model = self.request.model.as_deref().and_then(Path::file_stem).unwrap_or_default();
+        format!("{}_{part}.{extension}", model.to_string_lossy())
+    }
+
+    /// The first row of the table.
+    #[must_use]
+    pub fn table_header(&self) -> Vec<String> {
+        manifest::header(match self.ladder {
+            Some(_) => vec!["step".to_owned(), "wanted_dimensionless_stiffness".to_owned()],
+            None => self.request.grid.iter().map(|axis| format!("grid_{}", axis.name.as_str())).collect(),
+        })
+    }
+
+    /// What a variant asks for may make no sense: that shows before anything is written.
+    ///
+    /// # Errors
+    /// What is wrong, with the point.
+    pub fn check_ends(&self) -> Result<(), RequestFault> {
+        let points = match self.ladder {
+            Some(_) => vec![0, self.count.saturating_sub(1)],
+            None => ends(&self.request.grid),
+        };
+        for index in points {
+            let job = self.job(index)?;
+            self.variant(&job).map_err(|failure| RequestFault::general(at(&failure, &job)))?;
+        }
+        Ok(())
+    }
+
+    /// Makes variant `index`.
+    ///
+    /// # Errors
+    /// What is wrong, with the point.
+    pub fn make(&self, index: usize) -> Result<VariantMade, Failure> {
+        let job = self
+            .job(index)
+            .map_err(|fault| Failure::outside(self.model.name(), "refused", fault.phrase()))?;
+        let mut variant = self.variant(&job).map_err(|failure| {
+            let mut placed = failure.clone();
+            placed.message = at(&failure, &job);
+            placed
+        })?;
+        let bytes = std::mem::take(&mut variant.bytes);
+        Ok(VariantMade {
+            bytes,
+            operation: job.operation,
+            file: self.file_name(index),
+            asked: job.asked,
+            variant,
+        })
+    }
+
+    fn variant(&self, job: &Job) -> Result<Variant, Failure> {
+        Variant::of(self.request, &self.model, &job.stages, &job.operation, job.mass_kg)
+    }
+
+    /// What makes variant `index`.
+    fn job(&self, index: usize) -> Result<Job, RequestFault> {
+        match &self.ladder {
+            Some(ladder) => self.step(ladder, index),
+            None => self.point(&point(&self.request.grid, index)),
+        }
+    }
+
+    fn point(&self, point: &Point<'_>) -> Result<Job, RequestFault> {
+        Ok(Job {
+            asked: point.values.iter().map(|(_, value)| value.exact()).collect(),
+            operation: format!("sweep {point}"),
+            mass_kg: point.number(AxisName::TargetMass),
+            stages: stages::of_point(self.request, point)?,
+        })
+    }
+
+    fn step(&self, ladder: &Ladder, index: usize) -> Result<Job, RequestFault> {
+        let (number, count) = (index + 1, ladder.len());
+        let stiffness = ladder.dimensionless_stiffness(index).map(shortest).unwrap_or_default();
+        Ok(Job {
+            asked: vec![number.to_string(), stiffness],
+            operation: format!("ladder step {number} of {count}"),
+            mass_kg: None,
+            stages: ladder.stages(self.request, index)?,
+        })
+    }
+}
+
+/// A failure with the point that it is about.
+fn at(failure: &Failure, job: &Job) -> Phrase {
+    let mut message = failure.message.clone();
+    message.push(format!(" ({})", job.operation));
+    message
+}

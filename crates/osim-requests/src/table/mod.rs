@@ -1,0 +1,9 @@
+//! Rows of a table as requests: one row for each model.
+
+mod cells;
+mod columns;
+mod fault;
+mod read;
+
+pub use fault::RowFault;
+pub use read::{RowRequest, Table};

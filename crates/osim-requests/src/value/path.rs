@@ -1,0 +1,121 @@
+//! Paths in JSON: text, or the bytes where a path is no text.
+
+use std::borrow::Cow;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+/// How JSON has a path.
+#[derive(Serialize, Deserialize)]
+#[serde(untagged)]
+enum Written {
+    /// As text.
+    Text(String),
+    /// As the bytes that the system has, where these are no UTF-8.
+    Bytes { bytes: Vec<u8> },
+}
+
+/// The schema of a path.
+pub(crate) struct PathSchema;
+
+impl JsonSchema for PathSchema {
+    fn schema_name() -> Cow<'static, str> {
+        "Path".into()
+    }
+
+    fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
+        json_schema!({"anyOf": [
+            {"type": "string"},
+            {
+                "type": "object",
+                "properties": {"bytes": {"type": "array", "items": {"type": "integer", "minimum": 0, "maximum": 255}}},
+                "required": ["bytes"],
+                "additionalProperties": false,
+            },
+        ]})
+    }
+
+    fn inline_schema() -> bool {
+        true
+    }
+}
+
+impl Written {
+    fn of(path: &Path) -> Self {
+        match path.to_str() {
+            Some(text) => Self::Text(text.to_owned()),
+            None => Self::Bytes { bytes: path.as_os_str().as_encoded_bytes().to_vec() },
+        }
+    }
+
+    fn path(self) -> Result<PathBuf, &'static str> {
+        match self {
+            Self::Text(text) => Ok(text.into()),
+            Self::Bytes { bytes } => of_bytes(bytes).map(PathBuf::from),
+        }
+    }
+}
+
+#[cfg(unix)]
+#[expect(clippy::unnecessary_wraps, reason = "other systems cannot")]
+fn of_bytes(bytes: Vec<u8>) -> Result<OsString, &'static str> {
+    Ok(std::os::unix::ffi::OsStringExt::from_vec(bytes))
+}
+
+#[cfg(not(unix))]
+fn of_bytes(bytes: Vec<u8>) -> Result<OsString, &'static str> {
+    String::from_utf8(bytes)
+        .map(OsString::from)
+        .map_err(|_| "a path that is no text cannot be given on this system")
+}
+
+fn expected(error: impl std::fmt::Display) -> String {
+    format!("expected the name of a file ({error})")
+}
+
+/// A path as a value.
+pub(crate) fn to_value(path: &Path) -> serde_json::Value {
+    serde_json::to_value(Written::of(path)).unwrap_or_default()
+}
+
+/// One path, or none.
+pub(crate) mod optional {
+    use super::{Deserialize, Deserializer, Error, PathBuf, Serialize, Serializer, Written, expected};
+
+    pub(crate) fn serialize<S: Serializer>(path: &Option<PathBuf>, serializer: S) -> Result<S::Ok, S::Error> {
+        path.as_deref().map(Written::of).serialize(serializer)
+    }
+
+    pub(crate) fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Option<PathBuf>, D::Error> {
+        let written = Option::<Written>::deserialize(deserializer)
+            .map_err(|error| D::Error::custom(expected(error)))?;
+        written.map(Written::path).transpose().map_err(D::Error::custom)
+    }
+}
+
+/// A list of paths, or one alone in its place.
+pub(crate) mod list {
+    use super::{Deserialize, Deserializer, Error, PathBuf, Serializer, Written, expected};
+
+    pub(crate) fn serialize<S: Serializer>(paths: &[PathBuf], serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(paths.iter().map(|path| Written::of(path)))
+    }
+
+    pub(crate) fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<PathBuf>, D::Error> {
+        #[derive(Deserialize)]
+        #[serde(untagged)]
+        enum OneOrMany {
+            One(Written),
+            Many(Vec<Written>),
+        }
+        let written =
+            match OneOrMany::deserialize(deserializer).map_err(|error| D::Error::custom(expected(error)))? {
+                OneOrMany::One(path) => vec![path],
+                OneOrMany::Many(paths) => paths,
+            };
+        written.into_iter().map(Written::path).collect::<Result<_, _>>().map_err(D::Error::custom)
+    }
+}

@@ -1,0 +1,190 @@
+//! Numbers with a domain: each is checked once, where it is read.
+
+use std::borrow::Cow;
+use std::fmt;
+use std::str::FromStr;
+
+use osim_model::shortest;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use super::decimal::{number, plain, positive, positive_number};
+use super::serial::from_text;
+
+macro_rules! quantities {
+    ($($(#[doc = $doc:literal])+ $name:ident = $read:expr, $schema:tt;)+) => {$(
+        $(#[doc = $doc])+
+        ///
+        /// Read from a plain number, or from the text of one; anything else is refused with what to write.
+        #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+        pub struct $name(f64);
+
+        impl $name {
+            /// The number.
+            #[must_use]
+            pub const fn get(self) -> f64 {
+                self.0
+            }
+
+            /// A number that was checked.
+            ///
+            /// # Errors
+            /// It lies outside the domain: what was expected.
+            pub fn new(value: f64) -> Result<Self, String> {
+                shortest(value).parse()
+            }
+        }
+
+        impl FromStr for $name {
+            type Err = String;
+
+            fn from_str(text: &str) -> Result<Self, String> {
+                let read: fn(&str) -> Result<f64, String> = $read;
+                read(text).map(Self)
+            }
+        }
+
+        impl fmt::Display for $name {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str(&shortest(self.0))
+            }
+        }
+
+        impl Serialize for $name {
+            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                serializer.serialize_f64(self.0)
+            }
+        }
+
+        impl<'d> Deserialize<'d> for $name {
+            fn deserialize<D: Deserializer<'d>>(deserializer: D) -> Result<Self, D::Error> {
+                from_text(deserializer)
+            }
+        }
+
+        impl JsonSchema for $name {
+            fn schema_name() -> Cow<'static, str> {
+                stringify!($name).into()
+            }
+
+            fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
+                json_schema!($schema)
+            }
+
+            fn inline_schema() -> bool {
+                true
+            }
+        }
+    )+};
+}
+
+quantities! {
+    /// A mass in kg, above 0.
+    Kilograms = |text| positive(text, "a mass in kg", &[("kg", 1.0), ("g", 1e-3), ("mg", 1e-6), ("t", 1e3)]),
+        {"type": "number", "exclusiveMinimum": 0};
+
+    /// An acceleration in m/s², above 0.
+    Acceleration = |text| {
+        positive(text, "an acceleration in m/s2", &[("m/s2", 1.0), ("m/s^2", 1.0), ("g", 9.80665)])
+    }, {"type": "number", "exclusiveMinimum": 0};
+
+    /// A number above 0, in the unit of its field.
+    Positive = positive_number, {"type": "number", "exclusiveMinimum": 0};
+
+    /// A number, 0 or more, in the unit of its field.
+    NotNegative = number, {"type": "number", "minimum": 0};
+
+    /// x̂, an indentation over the radius: above 0, at most 1.
+    RelativeIndentation = |text| {
+        let expected = "a relative indentation (x/R) above 0, at most 1";
+        let x = positive(text, expected, &[])?;
+        if x <= 1.0 { Ok(x) } else { Err(format!("expected {expected}")) }
+    }, {"type": "number", "exclusiveMinimum": 0, "maximum": 1};
+
+    /// t, the share of a transition that counts as outside it: between 0 and 0.5.
+    Threshold = |text| {
+        let expected = "a threshold between 0 and 0.5";
+        let t = positive(text, expected, &[])?;
+        if t < 0.5 { Ok(t) } else { Err(format!("expected {expected}")) }
+    }, {"type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 0.5};
+
+    /// c_r, a coefficient of restitution: 0 to 1.
+    RestitutionCoefficient = |text| match plain(text.trim()) {
+        Some(value) if (0.0..=1.0).contains(&value) => Ok(value),
+        _ => Err("expected a coefficient of restitution from 0 to 1".to_owned()),
+    }, {"type": "number", "minimum": 0, "maximum": 1};
+
+    /// ν, Poisson's ratio: above -1, at most 0.5.
+    PoissonRatio = |text| match plain(text.trim()) {
+        Some(value) if value > -1.0 && value <= 0.5 => Ok(value),
+        _ => Err("expected a Poisson's ratio above -1, at most 0.5".to_owned()),
+    }, {"type": "number", "exclusiveMinimum": -1, "maximum": 0.5};
+
+    /// A number of things, 1 or more.
+    Count = |text| match text.trim().parse::<u32>() {
+        Ok(count) if count >= 1 => Ok(f64::from(count)),
+        _ => Err("expected a whole number, 1 or more".to_owned()),
+    }, {"type": "integer", "minimum": 1};
+}
+
+impl Count {
+    /// One.
+    pub const ONE: Self = Self(1.0);
+}
+
+impl Positive {
+    /// How long a drop is followed where nobody says, s.
+    pub(crate) const DROP_DURATION_S: Self = Self(2.0);
+    /// k̂ of the first step of a ladder where nobody says: that of the softest contacts of the paper's Fig. 1(C).
+    pub(crate) const SOFT_STIFFNESS: Self = Self(1.2);
+}
+
+impl Threshold {
+    /// The threshold of section C.2.
+    pub(crate) const OF_THE_PAPER: Self = Self(0.05);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn plain_numbers_are_taken() {
+        assert_eq!("1190".parse::<Kilograms>().map(Kilograms::get), Ok(1190.0));
+        assert_eq!(" 2.09e-2 ".parse::<Kilograms>().map(Kilograms::get), Ok(0.0209));
+        assert_eq!(Count::new(4.0).map(Count::get), Ok(4.0));
+    }
+
+    #[test]
+    fn anything_else_is_refused_with_what_to_type() {
+        for (text, hint) in [
+            ("1190kg", "type 1190"),
+            ("20.9g", "type 0.0209"),
+            ("20.9 g", "type 0.0209"),
+            ("0,0209", "type 0.0209"),
+            ("1,190", "1190"),
+            ("-3", "above 0"),
+            ("0", "above 0"),
+            ("inf", "a mass in kg"),
+            ("nan", "a mass in kg"),
+            ("heavy", "a mass in kg"),
+            ("1e999", "above 0"),
+        ] {
+            let refused = text.parse::<Kilograms>().unwrap_err();
+            assert!(refused.contains(hint), "{text}: {refused}");
+        }
+        assert!("1.5".parse::<Count>().is_err());
+        assert!("0.5".parse::<Threshold>().is_err());
+        assert!("1.01".parse::<RelativeIndentation>().is_err());
+    }
+
+    #[test]
+    fn json_has_the_number_or_its_text() {
+        assert_eq!(serde_json::from_str::<Kilograms>("62").unwrap().get(), 62.0);
+        assert_eq!(serde_json::from_str::<Kilograms>("\"62\"").unwrap().get(), 62.0);
+        assert_eq!(serde_json::to_string(&Count::new(4.0).unwrap()).unwrap(), "4.0");
+        let refused = serde_json::from_str::<Kilograms>("\"62kg\"").unwrap_err().to_string();
+        assert!(refused.contains("type 62"), "{refused}");
+        assert!(serde_json::from_str::<Kilograms>("-1").is_err());
+    }
+}

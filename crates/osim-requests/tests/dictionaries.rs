@@ -1,0 +1,149 @@
+//! Requests from dictionaries: what is read, and what is said of a wrong one.
+
+use osim_model::wording::Verb;
+use osim_requests::{Request, RequestFault, schema_of};
+use serde_json::{Value, json};
+
+fn read(json: &Value) -> Result<Request, RequestFault> {
+    Request::from_json(json.to_string().as_bytes())
+}
+
+fn rescale(fields: Value) -> Result<Request, RequestFault> {
+    let mut all = json!({"verb": "rescale"});
+    all.as_object_mut().unwrap().extend(fields.as_object().unwrap().clone());
+    read(&all)
+}
+
+#[test]
+fn fields_have_the_names_of_the_options() {
+    let request = read(&json!({
+        "verb": "transfer",
+        "models": ["a.osim", "b.osim"],
+        "from": "generic.osim",
+        "spheres": 4,
+        "follow_bodies": true,
+        "body_scale": {"calcn_r": [1.1, 1.05, 1.1]},
+        "only": ["stiffness", "radius"],
+        "select": "*_r",
+    }));
+    let Ok(Request::Transfer(request)) = request else { panic!("{request:?}") };
+    assert_eq!(request.models, ["a.osim", "b.osim"].map(std::path::PathBuf::from));
+    assert_eq!(request.follow.body_scale[0].factors, [1.1, 1.05, 1.1]);
+    assert_eq!(request.scaling.only.len(), 2);
+    assert!(request.choice.select[0].matches("heel_r"));
+}
+
+#[test]
+fn what_says_nothing_is_left_out() {
+    let request =
+        rescale(json!({"models": "a.osim", "target_mass": 70, "select": null, "level": false})).unwrap();
+    assert_eq!(
+        Value::Object(request.to_map()),
+        json!({"verb": "rescale", "models": ["a.osim"], "target_mass": 70.0})
+    );
+    assert_eq!(Request::from_json(request.to_json().as_bytes()), Ok(request));
+}
+
+#[test]
+fn a_wrong_field_is_named_with_what_to_write() {
+    for (fields, field, hint) in [
+        (json!({"target_mass": "20.9g"}), "target_mass", "type 0.0209"),
+        (json!({"target_mas": 62}), "target_mas", "did you mean `target_mass`"),
+        (json!({"radius": "huge"}), "radius", "expected isometric, keep"),
+        (json!({"only": ["stifness"]}), "only", "unknown property 'stifness'"),
+        (json!({"level_axis": "y"}), "level_axis", "says nothing without `level`"),
+        (json!({"in_place": true, "output": "b.osim"}), "in_place", "exclude each other"),
+        (json!({"dissipation_by": "height"}), "dissipation_by", "expected one of radius, mass"),
+        (json!({"jobs": 0}), "jobs", "nonzero"),
+        (json!({"models": 7}), "models", "expected the name of a file"),
+    ] {
+        let fault = rescale(fields.clone()).unwrap_err();
+        assert_eq!(fault.field(), Some(field), "{fields}: {fault}");
+        assert!(fault.to_string().contains(hint), "{fields}: {fault}");
+    }
+    for (text, hint) in [
+        ("{", "this is no JSON"),
+        ("[]", "expected a JSON object"),
+        ("{}", "`verb` is missing"),
+        ("{\"verb\": \"rescal\"}", "expected one of rescale, transfer"),
+    ] {
+        let fault = Request::from_json(text.as_bytes()).unwrap_err().to_string();
+        assert!(fault.contains(hint), "{text}: {fault}");
+    }
+}
+
+#[test]
+fn properties_keep_the_order_in_which_they_were_said() {
+    let request =
+        read(&json!({"verb": "set", "models": "a.osim", "set": {"stiffness": "x2", "dissipation": 1}}));
+    let Ok(Request::Set(request)) = request else { panic!("{request:?}") };
+    let names: Vec<&str> = request.set.as_slice().iter().map(|(property, _)| property.name()).collect();
+    assert_eq!(names, ["stiffness", "dissipation"]);
+}
+
+#[test]
+fn every_verb_has_a_schema_that_its_own_requests_fulfil() {
+    for (verb, fields) in [
+        (
+            Verb::Rescale,
+            json!({"models": ["a.osim"], "target_mass": 70, "radius": "x1.5", "output": "b.osim"}),
+        ),
+        (Verb::Transfer, json!({"models": ["a.osim"], "from": "falisse2022", "radius": 0.03})),
+        (
+            Verb::Design,
+            json!({"indentation": 0.16, "spheres": 4, "mass": 62, "radius": 0.02, "poisson": 0.5, "young": 1e6}),
+        ),
+        (Verb::Set, json!({"models": ["a.osim"], "set": {"stiffness": "x2", "dissipation": 1}})),
+        (
+            Verb::Batch,
+            json!({"manifest": "table.csv", "output_dir": "out", "resume": true, "summary": "s.csv"}),
+        ),
+        (
+            Verb::Sweep,
+            json!({"model": "a.osim", "grid": {"stiffness": "x0.1..x10/9", "dissipation": [0.5, 1]}}),
+        ),
+        (Verb::Inspect, json!({"models": ["a.osim"], "format": "json"})),
+        (Verb::Check, json!({"models": ["a.osim"], "deny": "warn", "stance_limbs": 2})),
+        (Verb::DropTest, json!({"subject": "falisse2022", "height": "x0.25", "samples": 11})),
+        (
+            Verb::Plot,
+            json!({"kind": "force", "models": ["a.osim"], "output": "a.svg", "stiffness": "1e5..1e6/3"}),
+        ),
+        (Verb::Fit, json!({"file": "a.csv", "radius": 0.01, "onset": "fit", "indentation_unit": "mm"})),
+        (Verb::Presets, json!({"name": "falisse2022"})),
+        (Verb::Explain, json!({"topics": ["10"], "ascii": true})),
+    ] {
+        let schema = Value::from(schema_of(verb).unwrap());
+        let validator = jsonschema::validator_for(&schema).unwrap();
+        let Value::Object(map) = fields.clone() else { panic!() };
+        let request = Request::read(verb, map).unwrap();
+        for value in [request.to_map().into(), with_verb(verb, &fields)] {
+            let errors: Vec<String> = validator.iter_errors(&value).map(|error| error.to_string()).collect();
+            assert!(errors.is_empty(), "{}: {value}: {errors:?}", verb.name());
+        }
+        assert!(!validator.is_valid(&with_verb(verb, &json!({"nonsense": 1}))), "{}", verb.name());
+    }
+}
+
+#[test]
+fn a_schema_knows_what_goes_together() {
+    let schema = Value::from(schema_of(Verb::Rescale).unwrap());
+    let validator = jsonschema::validator_for(&schema).unwrap();
+    for (fields, valid) in [
+        (json!({"level": true, "level_axis": "y"}), true),
+        (json!({"level_axis": "y"}), false),
+        (json!({"in_place": true, "output": "b.osim"}), false),
+        (json!({"in_place": false, "output": "b.osim"}), true),
+        (json!({"target_mass": 0}), false),
+        (json!({"target_mass": null}), true),
+    ] {
+        assert_eq!(validator.is_valid(&with_verb(Verb::Rescale, &fields)), valid, "{fields}");
+        assert_eq!(rescale(fields.clone()).is_ok(), valid, "{fields}");
+    }
+}
+
+fn with_verb(verb: Verb, fields: &Value) -> Value {
+    let mut all = json!({"verb": verb.name()});
+    all.as_object_mut().unwrap().extend(fields.as_object().unwrap().clone());
+    all
+}
