@@ -40,6 +40,7 @@ mod planning;
 mod plot;
 mod presets;
 mod relation;
+mod remedy;
 mod request;
 mod schema;
 mod spreadsheet;

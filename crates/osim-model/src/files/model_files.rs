@@ -118,6 +118,13 @@ impl ModelFiles {
         Self { name: self.name.clone(), main: Main::Bytes(bytes), companions: self.companions.clone() }
     }
 
+    /// Gives one of the other files other bytes.
+    pub fn replace_companion(&mut self, file: FileId, bytes: Vec<u8>) {
+        if let Some(companion) = file.companion_index().and_then(|index| self.companions.get_mut(index)) {
+            companion.bytes = bytes;
+        }
+    }
+
     /// Parses all files and reads the model.
     ///
     /// # Errors

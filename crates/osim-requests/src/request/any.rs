@@ -79,6 +79,7 @@ macro_rules! requests {
         }
 
         /// How the fields of requests for `verb` depend on each other.
+        #[cfg(feature = "clap")]
         pub(crate) const fn relations_of(verb: Verb) -> &'static [&'static [Relation]] {
             match verb { $(Verb::$variant => $relations,)+ _ => &[] }
         }

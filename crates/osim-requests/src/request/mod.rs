@@ -12,8 +12,10 @@ mod rescale;
 mod set;
 mod transfer;
 
+#[cfg(feature = "clap")]
+pub(crate) use any::relations_of;
+pub(crate) use any::silent_fields;
 pub use any::{Request, schema_of};
-pub(crate) use any::{relations_of, silent_fields};
 pub use design::DesignRequest;
 pub use drop_test::{DropTestRequest, SeriesFormat};
 pub use fit::{BranchChoice, FitRequest};

@@ -16,12 +16,19 @@ use crate::request::SweepRequest;
 use crate::value::AxisName;
 
 impl SweepRequest {
+    /// Checks that axes do not undo each other.
+    ///
+    /// # Errors
+    /// Which do.
+    pub fn check_axes(&self) -> Result<(), RequestFault> {
+        stages::check(self)
+    }
+
     /// How many models are made.
     ///
     /// # Errors
-    /// Axes that would undo each other, or more models than can be counted.
+    /// More than can be counted.
     pub fn count(&self) -> Result<usize, RequestFault> {
-        stages::check(self)?;
         let made = self.ladder.map_or_else(|| count(&self.grid), |steps| usize::try_from(steps).ok());
         made.ok_or_else(|| RequestFault::general("more models than can be counted: give fewer values"))
     }

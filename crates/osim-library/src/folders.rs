@@ -3,40 +3,41 @@
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result};
-use osim_patch::{Warning, WarningCode};
+use osim_model::{Warning, WarningCode};
 
+use crate::fault::{Context, LibraryFault};
 use crate::paths::{folder_of, resolved};
-use crate::temporary;
+use crate::write::temporary;
 
 /// What stood in the folders when the run began.
 #[derive(Debug, Default)]
-pub(crate) struct Folders {
+pub struct Folders {
     compiled: HashMap<PathBuf, Vec<String>>,
 }
 
 impl Folders {
     /// Lists the folder of every output. With `tidy`, files that processes left behind when they were killed go.
-    pub(crate) fn look<'p>(outputs: impl Iterator<Item = &'p Path>, tidy: bool) -> Self {
+    pub fn list<'p>(outputs: impl Iterator<Item = &'p Path>, tidy: bool) -> Self {
         let mut folders = Self::default();
         for output in outputs {
-            folders.look_at(folder_of(output), tidy);
+            folders.list_one(folder_of(output), tidy);
             // A file is replaced where it really is.
             if tidy && output.is_symlink() {
-                folders.look_at(folder_of(&resolved(output)), tidy);
+                folders.list_one(folder_of(&resolved(output)), tidy);
             }
         }
         folders
     }
 
-    fn look_at(&mut self, folder: &Path, tidy: bool) {
+    fn list_one(&mut self, folder: &Path, tidy: bool) {
         if !self.compiled.contains_key(folder) {
-            self.compiled.insert(folder.to_owned(), list(folder, tidy));
+            self.compiled.insert(folder.to_owned(), names_of_compiled(folder, tidy));
         }
     }
 
     /// A compiled copy of the model `output`, which PredSim and OpenCap would go on using.
-    pub(crate) fn compiled_beside(&self, output: &Path) -> Option<Warning> {
+    #[must_use]
+    pub fn compiled_beside(&self, output: &Path) -> Option<Warning> {
         let compiled = self.compiled.get(folder_of(output)).filter(|compiled| !compiled.is_empty())?;
         let prefix = format!("F_{}.", output.file_stem()?.to_string_lossy());
         let found = compiled.iter().find(|name| name.starts_with(&prefix))?;
@@ -49,7 +50,7 @@ impl Folders {
 }
 
 /// Names in `folder` that may be compiled models; none where it does not exist yet or cannot be read.
-fn list(folder: &Path, tidy: bool) -> Vec<String> {
+fn names_of_compiled(folder: &Path, tidy: bool) -> Vec<String> {
     let mut compiled = Vec::new();
     for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
         let name = entry.file_name();
@@ -68,13 +69,13 @@ fn list(folder: &Path, tidy: bool) -> Vec<String> {
 ///
 /// # Errors
 /// A file has that name, or the folder above cannot be written.
-pub(crate) fn make(path: &Path) -> Result<()> {
+pub fn make_folder_of(path: &Path) -> Result<(), LibraryFault> {
     if folder_of(path).is_dir() {
         return Ok(());
     }
     let cannot = || format!("cannot make the folder {}", folder_of(path).display());
     match resolved(path).parent() {
-        Some(folder) => std::fs::create_dir_all(folder).with_context(cannot),
+        Some(folder) => std::fs::create_dir_all(folder).context(cannot),
         None => Ok(()),
     }
 }

@@ -5,12 +5,13 @@ use std::ffi::OsStr;
 use sha2::{Digest, Sha256};
 
 /// SHA-256 as 64 hexadecimal digits.
-pub(crate) fn sha256(bytes: &[u8]) -> String {
+#[must_use]
+pub fn sha256(bytes: &[u8]) -> String {
     sha256_of_parts(std::iter::once(bytes))
 }
 
 /// The same of bytes that lie in several places.
-pub(crate) fn sha256_of_parts<'p>(parts: impl Iterator<Item = &'p [u8]>) -> String {
+pub fn sha256_of_parts<'p>(parts: impl Iterator<Item = &'p [u8]>) -> String {
     let mut hash = Sha256::new();
     parts.for_each(|part| hash.update(part));
     hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()

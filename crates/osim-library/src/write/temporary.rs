@@ -2,13 +2,15 @@
 //!
 //! `.osim-contact-scale-HOST-PROCESS-XXXXXX.tmp`: a later run on the same computer sees whose file it is. If that
 //! process is gone, nobody will ever finish the file, and it is removed.
+//!
+//! On Windows a file tells by itself whether its writer is there: from the moment it is made until it has its final
+//! name, nobody else can open it for writing.
 
 use std::ffi::OsStr;
 use std::fs::{File, Metadata};
 use std::path::Path;
 use std::sync::OnceLock;
 
-use sysinfo::{Pid, ProcessesToUpdate, System};
 use tempfile::NamedTempFile;
 
 const PREFIX: &str = ".osim-contact-scale-";
@@ -25,8 +27,7 @@ pub(crate) fn file(folder: &Path, like: Option<&Metadata>) -> std::io::Result<Na
     let prefix = format!("{PREFIX}{}-{}-", host(), std::process::id());
     let mut builder = tempfile::Builder::new();
     builder.prefix(&prefix).suffix(SUFFIX);
-    permissions(&mut builder, like);
-    let temporary = builder.tempfile_in(folder).map_err(|error| without_name(&error))?;
+    let temporary = made(&mut builder, folder, like)?;
     // Some network file systems know no locks: the process in the name has to do there.
     drop(temporary.as_file().try_lock());
     Ok(temporary)
@@ -45,16 +46,25 @@ fn process_of(name: &str) -> Option<u32> {
     process.parse().ok().filter(|_| !random.is_empty() && !random.contains('-'))
 }
 
+#[cfg(unix)]
 fn is_alive(process: u32) -> bool {
-    let process = Pid::from_u32(process);
-    let mut system = System::new();
-    system.refresh_processes(ProcessesToUpdate::Some(&[process]), true);
-    system.process(process).is_some()
+    use rustix::{io::Errno, process};
+    let process = i32::try_from(process).ok().and_then(process::Pid::from_raw);
+    // Somebody else's process may not be sent anything, but it is there.
+    process.is_some_and(|process| process::test_kill_process(process) != Err(Errno::SRCH))
+}
+
+/// Whoever is alive has the file open, which [`nobody_has_open`] sees there.
+#[cfg(windows)]
+fn is_alive(_process: u32) -> bool {
+    false
 }
 
 fn nobody_has_open(path: &Path) -> bool {
+    let file = File::options().write(true).open(path);
     // Like the model it was made from, it may be write-protected; network file systems lock only what can be written.
-    let file = File::options().write(true).open(path).or_else(|_| File::open(path));
+    #[cfg(unix)]
+    let file = file.or_else(|_| File::open(path));
     file.is_ok_and(|file| file.try_lock().is_ok())
 }
 
@@ -62,30 +72,59 @@ fn nobody_has_open(path: &Path) -> bool {
 fn host() -> &'static str {
     static HOST: OnceLock<String> = OnceLock::new();
     HOST.get_or_init(|| {
-        let name = gethostname::gethostname().to_string_lossy().into_owned();
+        let name = host_name();
         let plain = |c: char| if c.is_ascii_alphanumeric() || c == '.' || c == '_' { c } else { '_' };
         let name: String = name.chars().take(64).map(plain).collect();
         if name.is_empty() { "unnamed".to_owned() } else { name }
     })
 }
 
+#[cfg(unix)]
+fn host_name() -> String {
+    rustix::system::uname().nodename().to_string_lossy().into_owned()
+}
+
+#[cfg(windows)]
+fn host_name() -> String {
+    gethostname::gethostname().to_string_lossy().into_owned()
+}
+
+#[cfg(unix)]
+fn made(
+    builder: &mut tempfile::Builder<'_, '_>,
+    folder: &Path,
+    like: Option<&Metadata>,
+) -> std::io::Result<NamedTempFile> {
+    use std::os::unix::fs::PermissionsExt;
+    // Without a file to be like, what any new file gets; the process's mask still applies.
+    let mode = like.map_or(0o666, |metadata| metadata.permissions().mode() & 0o777);
+    builder.permissions(std::fs::Permissions::from_mode(mode));
+    builder.tempfile_in(folder).map_err(|error| without_name(&error))
+}
+
+/// Others may read, rename and remove the file while it is open, but not write it.
+#[cfg(windows)]
+fn made(
+    builder: &mut tempfile::Builder<'_, '_>,
+    folder: &Path,
+    _like: Option<&Metadata>,
+) -> std::io::Result<NamedTempFile> {
+    use std::os::windows::fs::OpenOptionsExt;
+    const FILE_SHARE_READ: u32 = 1;
+    // Without it not even this process could give the file its final name.
+    const FILE_SHARE_DELETE: u32 = 4;
+    let mut options = File::options();
+    options.read(true).write(true).create_new(true).share_mode(FILE_SHARE_READ | FILE_SHARE_DELETE);
+    builder.make_in(folder, |path| options.open(path))
+}
+
 /// The reason alone: the temporary name that tempfile puts into its message says nothing to a user.
+#[cfg(unix)]
 fn without_name(error: &std::io::Error) -> std::io::Error {
     let kind = error.kind();
     let inner = error.get_ref().and_then(std::error::Error::source).map(ToString::to_string);
     std::io::Error::new(kind, inner.unwrap_or_else(|| kind.to_string()))
 }
-
-#[cfg(unix)]
-fn permissions(builder: &mut tempfile::Builder<'_, '_>, like: Option<&Metadata>) {
-    use std::os::unix::fs::PermissionsExt;
-    // Without a file to be like, what any new file gets; the process's mask still applies.
-    let mode = like.map_or(0o666, |metadata| metadata.permissions().mode() & 0o777);
-    builder.permissions(std::fs::Permissions::from_mode(mode));
-}
-
-#[cfg(not(unix))]
-fn permissions(_builder: &mut tempfile::Builder<'_, '_>, _like: Option<&Metadata>) {}
 
 #[cfg(test)]
 mod tests {
@@ -98,9 +137,27 @@ mod tests {
         let name = file.path().file_name().unwrap();
         assert_eq!(process_of(name.to_str().unwrap()), Some(std::process::id()));
         assert!(!is_left_over(folder.path(), name));
+        assert!(!nobody_has_open(file.path()));
         let of_other_host = format!("{PREFIX}not.{}-1-abcdef{SUFFIX}", host());
         assert_eq!(process_of(&of_other_host), None);
         assert_eq!(process_of(&format!("{PREFIX}{}-x-abcdef{SUFFIX}", host())), None);
+    }
+
+    /// Before it is locked, too: another run may look at any moment.
+    #[cfg(windows)]
+    #[test]
+    fn a_file_is_its_writers_from_the_beginning_to_its_final_name() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut builder = tempfile::Builder::new();
+        let file = made(builder.prefix(PREFIX).suffix(SUFFIX), folder.path(), None).unwrap();
+        let path = file.path().to_owned();
+        assert!(!nobody_has_open(&path));
+        let target = folder.path().join("model.osim");
+        std::fs::write(&target, "before").unwrap();
+        let file = file.persist(&target).unwrap();
+        assert!(!path.exists() && !nobody_has_open(&target));
+        drop(file);
+        assert!(nobody_has_open(&target));
     }
 
     #[test]

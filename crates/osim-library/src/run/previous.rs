@@ -1,19 +1,20 @@
-//! `--resume`: what an earlier run has done, and whether that still holds.
+//! What an earlier run has done, and whether that is still so.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, bail};
+use osim_model::wording::{Input, phrase};
+use osim_requests::options::RunOptions;
 
 use super::journal::{Form, partial, whole_lines};
 use super::record::{Record, Status};
 use super::task::Task;
-use crate::args::RunArgs;
 use crate::digest::sha256;
+use crate::fault::{Context, LibraryFault};
 
 /// Records of earlier runs.
 #[derive(Default)]
-pub(super) struct Done {
+pub(super) struct PreviousRun {
     /// Several of one model: a run that was killed while it replaced an output left what it was about to write beside
     /// what an earlier one wrote. The latest is last.
     records: HashMap<Key, Vec<Record>>,
@@ -23,7 +24,7 @@ pub(super) struct Done {
 type Key = (String, Option<String>);
 
 /// What an earlier run means for a model now.
-pub(super) enum Earlier {
+pub(super) enum Previous {
     /// Nothing is known of it, or it was not finished.
     Unknown,
     /// All is as it was recorded.
@@ -34,36 +35,32 @@ pub(super) enum Earlier {
     Edited(PathBuf),
 }
 
-impl Done {
-    /// Reads the summary, whole or partial, that `--resume` goes on with.
+impl PreviousRun {
+    /// Reads the summary, whole or partial, that a run goes on with.
     ///
     /// # Errors
     /// It is no summary of this tool.
-    pub(super) fn read(args: &RunArgs) -> Result<Self> {
+    pub(super) fn read(options: &RunOptions) -> Result<Self, LibraryFault> {
         let mut done = Self::default();
-        let Some(path) = args.summary.as_ref().filter(|_| args.resume) else { return Ok(done) };
+        let Some(path) = options.summary.as_ref().filter(|_| options.resume) else { return Ok(done) };
         let form = Form::of(path)?;
         // Oldest first. Only the partial one may end in the middle of a line: a whole one gets its name in one step.
         for (path, may_be_cut) in [(path.clone(), false), (partial(path), true)] {
             if path.exists() {
-                done.add(&path, form, may_be_cut).with_context(|| {
-                    format!(
-                        "cannot go on with {}: give --summary the file of the earlier run",
-                        path.display()
-                    )
-                })?;
+                done.add(&path, form, may_be_cut).map_err(|fault| cannot_go_on(&path, &fault))?;
             }
         }
         Ok(done)
     }
 
-    fn add(&mut self, path: &Path, form: Form, may_be_cut: bool) -> Result<()> {
-        let bytes = std::fs::read(path)?;
+    fn add(&mut self, path: &Path, form: Form, may_be_cut: bool) -> Result<(), LibraryFault> {
+        let bytes = std::fs::read(path).map_err(|error| LibraryFault::new(error.to_string()))?;
         let whole = whole_lines(&bytes);
         if whole.len() < bytes.len() && !may_be_cut {
-            bail!("its last line is cut off, so this tool did not leave it like that");
+            let why = "its last line is cut off, so this tool did not leave it like that";
+            return Err(LibraryFault::new(why));
         }
-        let records = form.read(whole).context("this is no summary of this tool, or it was edited")?;
+        let records = form.read(whole).context(|| "this is no summary of this tool, or it was edited")?;
         for record in records {
             self.records.entry(key(&record)).or_default().push(record);
         }
@@ -84,30 +81,40 @@ impl Done {
         record.sha256_geometry_output = last(|record| &record.sha256_geometry_output);
     }
 
-    /// What was recorded for `task`, compared with `now`: the model's digest and its recipe.
-    pub(super) fn of(&self, task: &Task, input: &str, now: &Record) -> Earlier {
-        let Some(records) = self.records.get(&key(now)) else { return Earlier::Unknown };
+    /// What was recorded for `task`, compared with `now`: the model's digest and its settings.
+    pub(super) fn of(&self, task: &Task, input: &str, now: &Record) -> Previous {
+        let Some(records) = self.records.get(&key(now)) else { return Previous::Unknown };
         let there = Outputs::of(task, input);
         let holds = |record: &&Record| {
-            let same_recipe = record.recipe == now.recipe && record.tool_version == now.tool_version;
+            let same_settings = record.recipe == now.recipe && record.tool_version == now.tool_version;
             let same_input = record.sha256_input.as_deref() == Some(input);
-            same_recipe
+            same_settings
                 && match record.status {
                     Status::Unchanged | Status::NoContacts => same_input,
                     // A model changed itself is its own output: what it was before is gone.
-                    Status::Written => (same_input || task.order.in_place) && there.are_of(record),
+                    Status::Written => (same_input || task.settings.in_place) && there.are_of(record),
                     Status::DryRun | Status::Failed | Status::NotBegun => false,
                 }
         };
         match records.iter().rev().find(holds) {
-            Some(record) => Earlier::Holds(Box::new(record.clone())),
-            None if task.order.in_place => Earlier::Unknown,
+            Some(record) => Previous::Holds(Box::new(record.clone())),
+            None if task.settings.in_place => Previous::Unknown,
             None => match there.foreign(task, records) {
-                Some(path) => Earlier::Edited(path.to_owned()),
-                None => Earlier::Outdated,
+                Some(path) => Previous::Edited(path.to_owned()),
+                None => Previous::Outdated,
             },
         }
     }
+}
+
+fn cannot_go_on(path: &Path, fault: &LibraryFault) -> LibraryFault {
+    let mut message = phrase![
+        format!("cannot go on with {}: give ", path.display()),
+        Input::Summary,
+        " the file of the earlier run: ",
+    ];
+    message.push(fault.phrase());
+    LibraryFault::new(message)
 }
 
 fn key(record: &Record) -> Key {
@@ -123,7 +130,8 @@ struct Outputs {
 impl Outputs {
     fn of(task: &Task, input: &str) -> Self {
         let digest = |path: &Path| std::fs::read(path).ok().map(|bytes| sha256(&bytes));
-        let model = if task.order.in_place { Some(input.to_owned()) } else { task.output().and_then(digest) };
+        let model =
+            if task.settings.in_place { Some(input.to_owned()) } else { task.output().and_then(digest) };
         Self { model, geometry: task.geometry_output.as_deref().and_then(digest) }
     }
 

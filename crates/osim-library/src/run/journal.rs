@@ -1,7 +1,7 @@
-//! `--summary FILE`: one line per model, in order; and while the run lasts, `FILE.partial` in the order of the work.
+//! A summary: one line per model, in order; and while the run lasts, `FILE.partial` in the order of the work.
 //!
 //! A line of the partial file is written before its output takes its name. Whenever the program is killed, every
-//! finished output therefore has its line, and `--resume` compares what the line says with what is there.
+//! finished output therefore has its line, and a run that goes on compares what the line says with what is there.
 
 use std::ffi::OsString;
 use std::fs::{File, OpenOptions};
@@ -9,11 +9,12 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
-use anyhow::{Context, Result, anyhow, bail};
+use osim_model::wording::{Input, phrase};
+use osim_requests::options::RunOptions;
 
 use super::record::Record;
-use crate::args::RunArgs;
-use crate::folders;
+use crate::fault::{Context, LibraryFault};
+use crate::folders::make_folder_of;
 use crate::write::{Mode, Prepared};
 
 /// How a summary is written, by the ending of its name.
@@ -24,11 +25,14 @@ pub(super) enum Form {
 }
 
 impl Form {
-    pub(super) fn of(path: &Path) -> Result<Self> {
+    pub(super) fn of(path: &Path) -> Result<Self, LibraryFault> {
         match path.extension().map(std::ffi::OsStr::to_ascii_lowercase) {
             Some(extension) if extension == "csv" => Ok(Self::Csv),
             Some(extension) if extension == "ndjson" || extension == "jsonl" => Ok(Self::Ndjson),
-            _ => bail!("--summary {}: expected a name that ends in .csv or .ndjson", path.display()),
+            _ => Err(LibraryFault::new(phrase![
+                Input::Summary,
+                format!(" {}: expected a name that ends in .csv or .ndjson", path.display()),
+            ])),
         }
     }
 
@@ -36,27 +40,35 @@ impl Form {
     ///
     /// # Errors
     /// The lines hold something else; also where a table has another header and not one line.
-    pub(super) fn read(self, lines: &[u8]) -> Result<Vec<Record>> {
+    pub(super) fn read(self, lines: &[u8]) -> Result<Vec<Record>, LibraryFault> {
         if self == Self::Ndjson {
             let lines = lines.split(|&byte| byte == b'\n').filter(|line| !line.is_empty());
-            return Ok(lines.map(serde_json::from_slice).collect::<Result<_, _>>()?);
+            return lines.map(serde_json::from_slice).collect::<Result<_, _>>().map_err(said);
         }
         let mut reader = csv::Reader::from_reader(lines);
-        if !lines.is_empty() && !reader.headers()?.iter().any(|column| column == "sha256_output") {
-            bail!("there is no column 'sha256_output'");
+        let known = |header: &csv::StringRecord| header.iter().any(|column| column == "sha256_output");
+        if !lines.is_empty() && !known(reader.headers().map_err(said)?) {
+            return Err(LibraryFault::new("there is no column 'sha256_output'"));
         }
-        Ok(reader.deserialize().collect::<Result<_, _>>()?)
+        reader.deserialize().collect::<Result<_, _>>().map_err(said)
     }
 
     /// One record and a line end; `first` with the header.
-    fn line(self, record: &Record, first: bool) -> Result<Vec<u8>> {
+    fn line(self, record: &Record, first: bool) -> Result<Vec<u8>, LibraryFault> {
         if self == Self::Ndjson {
-            return Ok(crate::report::json::line(record).into_bytes());
+            let mut line = serde_json::to_vec(record).map_err(said)?;
+            line.push(b'\n');
+            return Ok(line);
         }
         let mut csv = csv::WriterBuilder::new().has_headers(first).from_writer(Vec::new());
-        csv.serialize(record)?;
-        csv.into_inner().map_err(|error| anyhow!(error.to_string()))
+        csv.serialize(record).map_err(said)?;
+        csv.into_inner().map_err(said)
     }
+}
+
+/// What another library says.
+fn said(error: impl std::fmt::Display) -> LibraryFault {
+    LibraryFault::new(error.to_string())
 }
 
 /// The file that lasts as long as the run.
@@ -73,6 +85,7 @@ pub(super) fn whole_lines(bytes: &[u8]) -> &[u8] {
 }
 
 /// A summary that is being written.
+#[derive(Debug)]
 pub(super) struct Journal {
     form: Form,
     /// In the order of the work.
@@ -82,15 +95,16 @@ pub(super) struct Journal {
     summary: Mutex<Summary>,
 }
 
+#[derive(Debug)]
 struct Summary {
     file: Prepared,
     first: bool,
     /// Why it is not whole; then no more is added.
-    broken: Option<anyhow::Error>,
+    broken: Option<LibraryFault>,
 }
 
 impl Summary {
-    fn add(&mut self, form: Form, record: &Record) -> Result<()> {
+    fn add(&mut self, form: Form, record: &Record) -> Result<(), LibraryFault> {
         let line = form.line(record, self.first)?;
         self.first = false;
         self.file.add(&line)
@@ -98,6 +112,7 @@ impl Summary {
 }
 
 /// Whole lines only.
+#[derive(Debug)]
 struct Partial {
     file: File,
     length: u64,
@@ -105,19 +120,18 @@ struct Partial {
 
 impl Partial {
     /// Opens the file for this run alone, with the whole lines that are there if it goes on with them.
-    fn open(path: &Path, summary: &Path, resume: bool) -> Result<Self> {
+    fn open(path: &Path, summary: &Path, resume: bool) -> Result<Self, LibraryFault> {
         let cannot = || format!("cannot write {}", path.display());
-        let file = OpenOptions::new().create(true).append(true).open(path).with_context(cannot)?;
+        let file = OpenOptions::new().create(true).append(true).open(path).context(cannot)?;
         if file.try_lock().is_err_and(|error| matches!(error, std::fs::TryLockError::WouldBlock)) {
-            bail!(
+            return Err(LibraryFault::new(format!(
                 "{} is being written by another run: give each run a summary of its own",
                 summary.display()
-            );
+            )));
         }
         // A line cut off when the run was killed must not run into the next one.
-        let kept =
-            if resume { whole_lines(&std::fs::read(path).with_context(cannot)?).len() as u64 } else { 0 };
-        file.set_len(kept).with_context(cannot)?;
+        let kept = if resume { whole_lines(&std::fs::read(path).context(cannot)?).len() as u64 } else { 0 };
+        file.set_len(kept).context(cannot)?;
         Ok(Self { file, length: kept })
     }
 
@@ -134,41 +148,47 @@ impl Partial {
 
 impl Journal {
     /// # Errors
-    /// A summary of that name is there, and neither `--resume` nor `--force` says what to do with it; or another
-    /// run is writing it.
-    pub(super) fn begin(args: &RunArgs, force: bool) -> Result<Option<Self>> {
-        let Some(path) = &args.summary else { return Ok(None) };
+    /// A summary of that name is there, and nothing says that the run goes on with it or replaces it; or another run is
+    /// writing it.
+    pub(super) fn begin(options: &RunOptions, force: bool) -> Result<Option<Self>, LibraryFault> {
+        let Some(path) = &options.summary else { return Ok(None) };
         let form = Form::of(path)?;
         let partial_path = partial(path);
-        folders::make(path)?;
-        let replace = args.resume || force;
+        make_folder_of(path)?;
+        let replace = options.resume || force;
         if !replace && path.exists() {
-            bail!(
-                "{} exists already: go on with it (--resume), replace it (--force), or choose another name",
-                path.display()
-            );
+            return Err(LibraryFault::new(phrase![
+                format!("{} exists already: go on with it (", path.display()),
+                Input::Resume,
+                "), replace it (",
+                Input::Force,
+                "), or choose another name",
+            ]));
         }
         if !replace && partial_path.exists() {
-            bail!(
-                "{} was left by a run that was stopped: go on with it (--resume), or begin anew (--force)",
-                partial_path.display()
-            );
+            return Err(LibraryFault::new(phrase![
+                format!("{} was left by a run that was stopped: go on with it (", partial_path.display()),
+                Input::Resume,
+                "), or begin anew (",
+                Input::Force,
+                ")",
+            ]));
         }
         let mode = if replace { Mode::Replace } else { Mode::New };
         let summary = Summary { file: Prepared::begin(path, None, mode)?, first: true, broken: None };
-        let partial = Mutex::new(Partial::open(&partial_path, path, args.resume)?);
+        let partial = Mutex::new(Partial::open(&partial_path, path, options.resume)?);
         Ok(Some(Self { form, partial, partial_path, summary: Mutex::new(summary) }))
     }
 
     /// An output is complete and about to take its name.
-    pub(super) fn about_to_finish(&self, record: &Record) -> Result<()> {
-        let mut partial = self.partial.lock().map_err(|_| anyhow!("a thread ended early"))?;
+    pub(super) fn about_to_finish(&self, record: &Record) -> Result<(), LibraryFault> {
+        let mut partial = self.partial.lock().map_err(|_| LibraryFault::new("a thread ended early"))?;
         let line = self.form.line(record, partial.length == 0)?;
-        partial.add(&line).with_context(|| format!("cannot write {}", self.partial_path.display()))
+        partial.add(&line).context(|| format!("cannot write {}", self.partial_path.display()))
     }
 
     /// The next model in order. Whether that went well, [`finish`](Self::finish) says: models do not wait for it.
-    pub(super) fn tell(&self, record: &Record) {
+    pub(super) fn add(&self, record: &Record) {
         let Ok(mut summary) = self.summary.lock() else { return };
         if summary.broken.is_none() {
             summary.broken = summary.add(self.form, record).err();
@@ -179,12 +199,17 @@ impl Journal {
     ///
     /// # Errors
     /// The summary could not be written. What is done stays in the partial one.
-    pub(super) fn finish(self) -> Result<()> {
-        let summary = self.summary.into_inner().map_err(|_| anyhow!("a thread ended early"))?;
+    pub(super) fn finish(self) -> Result<(), LibraryFault> {
+        let summary = self.summary.into_inner().map_err(|_| LibraryFault::new("a thread ended early"))?;
         let written = summary.broken.map_or_else(|| summary.file.commit(), Err);
-        written.context("the summary is missing: make room for it, then go on with --resume")?;
+        written.map_err(|fault| {
+            let mut message =
+                phrase!["the summary is missing: make room for it, then go on with ", Input::Resume, ": "];
+            message.push(fault.phrase());
+            LibraryFault::new(message)
+        })?;
         drop(self.partial);
         std::fs::remove_file(&self.partial_path)
-            .with_context(|| format!("cannot remove {}", self.partial_path.display()))
+            .context(|| format!("cannot remove {}", self.partial_path.display()))
     }
 }

@@ -6,14 +6,16 @@ use std::fs::{File, Metadata};
 use std::io::{ErrorKind, IoSlice, Write};
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, anyhow, bail};
+use osim_model::wording::{Input, phrase};
 use tempfile::NamedTempFile;
 
+use super::temporary;
+use crate::fault::{Context, LibraryFault};
 use crate::paths::{folder_of, resolved};
-use crate::temporary;
 
 /// A complete successor that does not have its name yet.
-pub(crate) struct Prepared {
+#[derive(Debug)]
+pub struct Prepared {
     temporary: NamedTempFile,
     /// As the user knows it.
     shown: PathBuf,
@@ -24,11 +26,22 @@ pub(crate) struct Prepared {
 
 /// How a file may be written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Mode {
+pub enum Mode {
     /// Refuse to replace anything.
     New,
     /// Replace what is there.
     Replace,
+}
+
+/// Bytes are added as they come; that they are all there, [`commit`](Prepared::commit) says.
+impl Write for Prepared {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.temporary.write(bytes)
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.temporary.flush()
+    }
 }
 
 impl Prepared {
@@ -37,7 +50,12 @@ impl Prepared {
     ///
     /// # Errors
     /// The target exists and may not be replaced, or the folder cannot be written.
-    pub(crate) fn new(target: &Path, bytes: &[u8], like: Option<&Metadata>, mode: Mode) -> Result<Self> {
+    pub fn new(
+        target: &Path,
+        bytes: &[u8],
+        like: Option<&Metadata>,
+        mode: Mode,
+    ) -> Result<Self, LibraryFault> {
         Self::of_parts(target, std::iter::once(bytes), like, mode)
     }
 
@@ -45,15 +63,15 @@ impl Prepared {
     ///
     /// # Errors
     /// As [`new`](Self::new).
-    pub(crate) fn of_parts<'p>(
+    pub fn of_parts<'p>(
         target: &Path,
         parts: impl Iterator<Item = &'p [u8]>,
         like: Option<&Metadata>,
         mode: Mode,
-    ) -> Result<Self> {
+    ) -> Result<Self, LibraryFault> {
         let mut prepared = Self::begin(target, like, mode)?;
         let mut slices: Vec<IoSlice<'_>> = parts.filter(|part| !part.is_empty()).map(IoSlice::new).collect();
-        write_all(prepared.temporary.as_file_mut(), &mut slices).with_context(|| prepared.cannot_write())?;
+        write_all(prepared.temporary.as_file_mut(), &mut slices).context(|| prepared.cannot_write())?;
         Ok(prepared)
     }
 
@@ -61,25 +79,29 @@ impl Prepared {
     ///
     /// # Errors
     /// As [`new`](Self::new).
-    pub(crate) fn begin(target: &Path, like: Option<&Metadata>, mode: Mode) -> Result<Self> {
+    pub fn begin(target: &Path, like: Option<&Metadata>, mode: Mode) -> Result<Self, LibraryFault> {
         let (target, shown) = (real(target)?, target.to_owned());
         let existing = std::fs::metadata(&target).ok();
         if existing.as_ref().is_some_and(Metadata::is_dir) {
-            bail!("cannot write {}: a folder has that name", shown.display());
+            let message = format!("cannot write {}: a folder has that name", shown.display());
+            return Err(LibraryFault::new(message));
         }
         if existing.as_ref().is_some_and(|metadata| !metadata.is_file()) {
-            bail!("{} is no ordinary file: write to another name", shown.display());
+            let message = format!("{} is no ordinary file: write to another name", shown.display());
+            return Err(LibraryFault::new(message));
         }
         if existing.is_some() && mode == Mode::New {
-            bail!(
-                "{} exists already: choose another name with -o, or replace it with --force",
-                shown.display()
-            );
+            return Err(LibraryFault::new(phrase![
+                format!("{} exists already: choose another name with ", shown.display()),
+                Input::Output,
+                ", or replace it with ",
+                Input::Force,
+            ]));
         }
         let cannot = || format!("cannot write into {}", folder_of(&shown).display());
         let like = existing.as_ref().or(like);
-        let temporary = temporary::file(folder_of(&target), like).with_context(cannot)?;
-        keep_permissions(&temporary, like).with_context(cannot)?;
+        let temporary = temporary::file(folder_of(&target), like).context(cannot)?;
+        keep_permissions(&temporary, like).context(cannot)?;
         Ok(Self { temporary, shown, target, replaces: existing.is_some() })
     }
 
@@ -87,9 +109,9 @@ impl Prepared {
     ///
     /// # Errors
     /// The disk is full, or the folder is no longer there.
-    pub(crate) fn add(&mut self, bytes: &[u8]) -> Result<()> {
+    pub fn add(&mut self, bytes: &[u8]) -> Result<(), LibraryFault> {
         let written = self.temporary.write_all(bytes);
-        written.with_context(|| self.cannot_write())
+        written.context(|| self.cannot_write())
     }
 
     fn cannot_write(&self) -> String {
@@ -97,20 +119,24 @@ impl Prepared {
     }
 
     /// Whether a file is there whose contents are about to go.
-    pub(crate) fn replaces(&self) -> bool {
+    #[must_use]
+    pub fn replaces(&self) -> bool {
         self.replaces
     }
 
     /// Makes sure the bytes are on the disk, not only on their way there.
-    pub(crate) fn sync(&self) -> Result<()> {
-        self.temporary.as_file().sync_all().with_context(|| self.cannot_write())
+    ///
+    /// # Errors
+    /// The disk is full.
+    pub fn sync(&self) -> Result<(), LibraryFault> {
+        self.temporary.as_file().sync_all().context(|| self.cannot_write())
     }
 
     /// Gives the successor its name, in one step.
     ///
     /// # Errors
     /// Somebody else made a file of that name in the meantime, or the folder cannot be changed.
-    pub(crate) fn commit(self) -> Result<()> {
+    pub fn commit(self) -> Result<(), LibraryFault> {
         let durable = self.replaces;
         let (target, shown) = (self.target, self.shown.display());
         let result = if self.replaces {
@@ -126,20 +152,23 @@ impl Prepared {
                 Ok(())
             }
             Err(error) if error.error.kind() == ErrorKind::AlreadyExists => {
-                bail!("{shown} appeared while it was being written: nothing was replaced")
+                let message = format!("{shown} appeared while it was being written: nothing was replaced");
+                Err(LibraryFault::new(message))
             }
-            Err(error) => Err(anyhow!(error.error).context(format!("cannot write {shown}"))),
+            Err(error) => Err(LibraryFault::because(format!("cannot write {shown}"), error.error)),
         }
     }
 }
 
 /// The file that takes the bytes. A symlink stays one: what it leads to is replaced.
-fn real(target: &Path) -> Result<PathBuf> {
+fn real(target: &Path) -> Result<PathBuf, LibraryFault> {
     if !target.is_symlink() {
         return Ok(target.to_owned());
     }
     if !target.exists() {
-        bail!("{} is a link that leads nowhere: remove it, or write to another name", target.display());
+        let message =
+            format!("{} is a link that leads nowhere: remove it, or write to another name", target.display());
+        return Err(LibraryFault::new(message));
     }
     Ok(resolved(target))
 }
@@ -181,7 +210,7 @@ fn keep_permissions(_file: &NamedTempFile, _like: Option<&Metadata>) -> std::io:
 ///
 /// # Errors
 /// The folder cannot be written.
-pub(crate) fn backup(path: &Path, bytes: &[u8]) -> Result<(Option<Prepared>, PathBuf)> {
+pub(crate) fn backup(path: &Path, bytes: &[u8]) -> Result<(Option<Prepared>, PathBuf), LibraryFault> {
     let path = resolved(path);
     let metadata = std::fs::metadata(&path).ok();
     for count in 1_u32.. {
@@ -196,7 +225,7 @@ pub(crate) fn backup(path: &Path, bytes: &[u8]) -> Result<(Option<Prepared>, Pat
             return Ok((None, backup));
         }
     }
-    bail!("cannot keep a backup of {}", path.display())
+    Err(LibraryFault::new(format!("cannot keep a backup of {}", path.display())))
 }
 
 /// After a rename, the folder's entry itself has to reach the disk.

@@ -1,20 +1,23 @@
 //! One line of a summary: what became of one model. `docs/libraries.md` describes every column.
 
-use osim_patch::{Plan, Property};
+use osim_model::Property;
+use osim_model::files::Failure;
+use osim_patch::Plan;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::task::Task;
-use crate::failure::Failure;
 
 /// What became of a model.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum Status {
+#[non_exhaustive]
+pub enum Status {
     /// A new file is there.
     Written,
     /// Nothing had to change, and nothing was written.
     Unchanged,
-    /// `--dry-run`.
+    /// A dry run.
     DryRun,
     /// A folder's model without contacts.
     NoContacts,
@@ -27,7 +30,8 @@ pub(crate) enum Status {
 
 impl Status {
     /// As people read it.
-    pub(crate) const fn told(self) -> &'static str {
+    #[must_use]
+    pub const fn describe(self) -> &'static str {
         match self {
             Self::Written => "written",
             Self::Unchanged => "unchanged",
@@ -41,44 +45,67 @@ impl Status {
 
 /// Columns of a summary. Masses in kg; factors are new over old.
 ///
-/// A table without `model`, `status` and the other columns that are never empty is no summary: `--resume` refuses it
+/// A table without `model`, `status` and the other columns that are never empty is no summary: a run that goes on refuses it
 /// rather than replace it.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub(crate) struct Record {
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[non_exhaustive]
+pub struct Record {
     /// Row of the manifest, from 1.
     pub row: Option<usize>,
+    /// The model, as it was named.
     pub model: String,
+    /// The file that is written.
     pub output: Option<String>,
+    /// What became of it.
     pub status: Status,
+    /// What the contacts stood for before.
     pub contacts_mass_from_kg: Option<f64>,
+    /// Who said so.
     pub contacts_mass_source: Option<String>,
+    /// What they stand for afterwards.
     pub contacts_mass_to_kg: Option<f64>,
+    /// How many numbers and places change.
     pub changes: usize,
+    /// Factor of the radii.
     pub radius_factor: Option<f64>,
+    /// Factor of `stiffness`.
     pub stiffness_factor: Option<f64>,
+    /// Factor of `dissipation`.
     pub dissipation_factor: Option<f64>,
+    /// Factor of `constant_contact_force`.
     pub constant_contact_force_factor: Option<f64>,
+    /// Factor of `hertz_smoothing`.
     pub hertz_smoothing_factor: Option<f64>,
+    /// Factor of `hunt_crossley_smoothing`.
     pub hunt_crossley_smoothing_factor: Option<f64>,
     /// Properties whose factor is not the same everywhere.
     pub unlike: String,
     /// Codes of the warnings.
     pub warnings: String,
+    /// Code of the error.
     pub error_code: Option<String>,
+    /// The error, in words.
     pub error: Option<String>,
+    /// Line of the error.
     pub line: Option<usize>,
+    /// Column of the error.
     pub column: Option<usize>,
+    /// SHA-256 of the model.
     pub sha256_input: Option<String>,
+    /// SHA-256 of what was written.
     pub sha256_output: Option<String>,
     /// Of the geometry set that was written with a standalone force set.
     pub sha256_geometry_output: Option<String>,
     /// SHA-256 of everything else that the output follows from: options, version, other files.
     pub recipe: Option<String>,
+    /// Version of the program.
     pub tool_version: String,
 }
 
 impl Record {
-    pub(crate) fn of_task(task: &Task) -> Self {
+    /// A task that is not begun.
+    #[must_use]
+    pub fn of_task(task: &Task) -> Self {
         Self {
             row: task.row,
             model: task.source.shown(),
@@ -89,7 +116,8 @@ impl Record {
     }
 
     /// What could not even be listed.
-    pub(crate) fn of_failure(failure: &Failure) -> Self {
+    #[must_use]
+    pub fn of_failure(failure: &Failure) -> Self {
         let mut record = Self {
             model: failure.model.clone(),
             tool_version: env!("CARGO_PKG_VERSION").to_owned(),
@@ -100,7 +128,7 @@ impl Record {
     }
 
     /// What a plan does, in one line.
-    pub(crate) fn planned(&mut self, plan: &Plan) {
+    pub(super) fn planned(&mut self, plan: &Plan) {
         if let Some(masses) = &plan.masses {
             self.contacts_mass_from_kg = Some(masses.from.kg);
             self.contacts_mass_source = Some(masses.from.source.as_str().to_owned());
@@ -128,10 +156,10 @@ impl Record {
         self.warnings = codes.join(" ");
     }
 
-    pub(crate) fn failed(&mut self, failure: &Failure) {
+    pub(super) fn failed(&mut self, failure: &Failure) {
         self.status = Status::Failed;
         self.error_code = Some(failure.code.to_owned());
-        self.error = Some(failure.message.clone());
+        self.error = Some(failure.message.to_string());
         self.line = failure.line;
         self.column = failure.column;
         self.sha256_output = None;

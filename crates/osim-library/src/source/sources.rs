@@ -4,20 +4,21 @@ use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use anyhow::anyhow;
+use osim_model::files::Failure;
 use walkdir::{DirEntry, WalkDir};
 
 use crate::digest::{self, NameDigest};
-use crate::failure::Failure;
 use crate::paths::{Resolver, resolved};
-use crate::sweep::FOLDER_MARK;
 
 /// End of the name of files that this tool writes by default.
-pub(crate) const OUTPUT_MARK: &str = ".scaled";
+pub const OUTPUT_MARK: &str = ".scaled";
+
+/// End of the name of the folder that variants are written into by default. Walks over folders leave it out.
+pub const FOLDER_MARK: &str = ".sweep";
 
 /// One model to read.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Source {
+pub struct Source {
     /// Where it is; `-` is standard input.
     pub path: PathBuf,
     /// The folder that was named, when the model was found by walking it.
@@ -26,30 +27,37 @@ pub(crate) struct Source {
 
 impl Source {
     /// A model that was named itself.
-    pub(crate) fn file(path: &Path) -> Self {
+    #[must_use]
+    pub fn file(path: &Path) -> Self {
         Self { path: path.to_owned(), folder: None }
     }
 
-    pub(crate) fn is_stdin(&self) -> bool {
+    /// Whether it is standard input.
+    #[must_use]
+    pub fn is_stdin(&self) -> bool {
         self.path.as_os_str() == "-"
     }
 
     /// As shown to the user.
-    pub(crate) fn shown(&self) -> String {
+    #[must_use]
+    pub fn shown(&self) -> String {
         self.path.display().to_string()
     }
 
     /// Its name, or its path below the folder that was named.
-    pub(crate) fn below_folder(&self) -> &Path {
+    #[must_use]
+    pub fn below_folder(&self) -> &Path {
         let below = self.folder.as_ref().and_then(|folder| self.path.strip_prefix(folder).ok());
         below.or_else(|| self.path.file_name().map(Path::new)).unwrap_or(&self.path)
     }
 }
 
-/// What was named on the command line, with folders walked.
+/// What was named, with folders walked.
 #[derive(Debug, Default)]
-pub(crate) struct Sources {
+pub struct Sources {
+    /// The models.
     pub models: Vec<Source>,
+    /// What could not even be listed.
     pub failures: Vec<Failure>,
     /// Things to say aloud: what was passed over.
     pub remarks: Vec<String>,
@@ -57,7 +65,8 @@ pub(crate) struct Sources {
 
 impl Sources {
     /// Expands `named`; `skip` is the output folder, which is never walked.
-    pub(crate) fn find(named: &[PathBuf], skip: Option<&Path>) -> Self {
+    #[must_use]
+    pub fn find(named: &[PathBuf], skip: Option<&Path>) -> Self {
         let mut sources = Self::default();
         let mut known = Known::default();
         for path in named {
@@ -93,9 +102,8 @@ impl Sources {
                 Ok(entry) if !entry.file_type().is_file() => {
                     found = true;
                     let shown = entry.path().display().to_string();
-                    let error =
-                        anyhow!("this is no ordinary file, and is read only where it is named itself");
-                    self.failures.push(Failure::outside(&shown, "unreadable", &error));
+                    let why = "this is no ordinary file, and is read only where it is named itself";
+                    self.failures.push(Failure::outside(&shown, "unreadable", why));
                 }
                 Ok(entry) if is_own_output(entry.path()) => own += 1,
                 Ok(entry) => {
@@ -125,9 +133,8 @@ impl Sources {
                 .push(format!("{shown}: models that are there a second time (named or linked): {again}"));
         }
         if !found {
-            let error =
-                anyhow!("no .osim models in this folder: name a model, or the folder that holds them");
-            self.failures.push(Failure::outside(&shown.to_string(), "no-models", &error));
+            let why = "no .osim models in this folder: name a model, or the folder that holds them";
+            self.failures.push(Failure::outside(&shown.to_string(), "no-models", why));
         }
     }
 }
@@ -161,18 +168,18 @@ fn is_sweep(folder: &Path) -> bool {
 fn unreadable(folder: &Path, error: &walkdir::Error) -> Failure {
     let path = error.path().unwrap_or(folder);
     let reason = match (error.loop_ancestor(), error.io_error()) {
-        (Some(ancestor), _) => anyhow!(
+        (Some(ancestor), _) => format!(
             "a link that leads back to {}: remove the link, or name the folders that hold the models",
             ancestor.display()
         ),
         _ if is_dead_link(path) => {
-            anyhow!("a link that leads nowhere: remove it, or bring back what it leads to")
+            "a link that leads nowhere: remove it, or bring back what it leads to".to_owned()
         }
         // Without the path, which stands before it.
-        (None, Some(error)) => anyhow!("cannot be read: {error}"),
-        (None, None) => anyhow!("cannot be read"),
+        (None, Some(error)) => format!("cannot be read: {error}"),
+        (None, None) => "cannot be read".to_owned(),
     };
-    Failure::outside(&path.display().to_string(), "unreadable", &reason)
+    Failure::outside(&path.display().to_string(), "unreadable", reason)
 }
 
 /// One model named twice, or linked, is one model.

@@ -5,14 +5,16 @@ use std::num::NonZeroUsize;
 use std::sync::mpsc;
 use std::thread::available_parallelism;
 
-use anyhow::{Context, Result};
 use rayon::ThreadPoolBuilder;
+
+use crate::fault::{Context, LibraryFault};
 
 /// How many results may wait for an earlier one. A slow model holds up the reports behind it, never the memory.
 const WINDOW: usize = 512;
 
 /// Threads to use: those asked for, else one per processor; never more than there are items.
-pub(crate) fn threads(asked: Option<NonZeroUsize>, items: usize) -> usize {
+#[must_use]
+pub fn threads(asked: Option<NonZeroUsize>, items: usize) -> usize {
     let all = || available_parallelism().map_or(1, NonZeroUsize::get);
     asked.map_or_else(all, NonZeroUsize::get).min(items.max(1))
 }
@@ -21,16 +23,16 @@ pub(crate) fn threads(asked: Option<NonZeroUsize>, items: usize) -> usize {
 ///
 /// # Errors
 /// The first error of `each`: no further item is begun. Or the threads cannot be started.
-pub(crate) fn in_order<T: Sync, R: Send>(
+pub fn in_order<T: Sync, R: Send, E: From<LibraryFault>>(
     items: &[T],
     threads: usize,
     work: impl Fn(&T) -> R + Sync,
-    mut each: impl FnMut(&T, R) -> Result<()>,
-) -> Result<()> {
+    mut each: impl FnMut(&T, R) -> Result<(), E>,
+) -> Result<(), E> {
     if threads <= 1 {
         return items.iter().try_for_each(|item| each(item, work(item)));
     }
-    let pool = ThreadPoolBuilder::new().num_threads(threads).build().context("cannot start threads")?;
+    let pool = ThreadPoolBuilder::new().num_threads(threads).build().context(|| "cannot start threads")?;
     let (work, (sender, receiver)) = (&work, mpsc::channel());
     pool.in_place_scope_fifo(|scope| {
         let mut waiting: VecDeque<Option<R>> = VecDeque::new();
@@ -48,7 +50,7 @@ pub(crate) fn in_order<T: Sync, R: Send>(
             if waiting.is_empty() {
                 return Ok(());
             }
-            let (index, result) = receiver.recv().context("a thread ended without a result")?;
+            let (index, result) = receiver.recv().context(|| "a thread ended without a result")?;
             if let Some(place) = waiting.get_mut(index - first) {
                 *place = Some(result);
             }
@@ -81,7 +83,7 @@ mod tests {
             };
             in_order(&items, threads, slow, |&item, result| {
                 told.push((item, result));
-                Ok(())
+                Ok::<(), LibraryFault>(())
             })
             .unwrap();
             assert_eq!(told, items.iter().map(|&item| (item, item * 2)).collect::<Vec<_>>());
@@ -93,7 +95,7 @@ mod tests {
         let items: Vec<usize> = (0..10_000).collect();
         let done = AtomicUsize::new(0);
         let count = |_: &usize| done.fetch_add(1, Ordering::Relaxed);
-        let stop = |&item: &usize, _| if item == 3 { anyhow::bail!("stop") } else { Ok(()) };
+        let stop = |&item: &usize, _| if item == 3 { Err(LibraryFault::new("stop")) } else { Ok(()) };
         assert!(in_order(&items, 2, count, stop).is_err());
         assert!(done.load(Ordering::Relaxed) <= 4 + WINDOW);
     }

@@ -1,0 +1,71 @@
+//! Why something could not be done with files.
+
+use std::fmt::{self, Display};
+
+use osim_model::files::Failure;
+use osim_model::wording::{Dialect, Phrase};
+
+/// Why something could not be done with files: what is wrong, what was expected, and a way out.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LibraryFault {
+    message: Phrase,
+}
+
+impl LibraryFault {
+    /// In words; what the reader can say stands in them as data.
+    pub fn new(message: impl Into<Phrase>) -> Self {
+        Self { message: message.into() }
+    }
+
+    /// What could not be done, and why not.
+    pub(crate) fn because(what: impl Display, why: impl Display) -> Self {
+        Self::new(format!("{what}: {why}"))
+    }
+
+    /// The same, behind what could not be done because of it.
+    #[must_use]
+    pub fn within(self, what: impl Display) -> Self {
+        let mut message = Phrase::from(format!("{what}: "));
+        message.push(&self.message);
+        Self { message }
+    }
+
+    /// What is wrong, with inputs as data.
+    #[must_use]
+    pub fn phrase(&self) -> &Phrase {
+        &self.message
+    }
+
+    /// The same in the words of a front end.
+    #[must_use]
+    pub fn spelled(&self, dialect: &dyn Dialect) -> String {
+        self.message.spelled(dialect)
+    }
+
+    /// The failure of one model.
+    #[must_use]
+    pub fn of_model(self, model: &str, code: &'static str) -> Failure {
+        Failure::outside(model, code, &self.message)
+    }
+}
+
+impl Display for LibraryFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.message.fmt(f)
+    }
+}
+
+impl std::error::Error for LibraryFault {}
+
+/// Says what could not be done, where something else tells why.
+pub(crate) trait Context<T> {
+    /// # Errors
+    /// The same, behind `what`.
+    fn context<D: Display>(self, what: impl FnOnce() -> D) -> Result<T, LibraryFault>;
+}
+
+impl<T, E: Display> Context<T> for Result<T, E> {
+    fn context<D: Display>(self, what: impl FnOnce() -> D) -> Result<T, LibraryFault> {
+        self.map_err(|why| LibraryFault::because(what(), why))
+    }
+}

@@ -1,0 +1,24 @@
+//! Many OpenSim models at once: found, read, changed and written without ever leaving a file half written.
+//!
+//! # What it will not do
+//!
+//! It knows no terminal: what is to be told goes through [`run::FrontEnd`] and is data until then.
+
+mod digest;
+mod fault;
+mod folders;
+mod paths;
+pub mod run;
+mod source;
+mod sweep;
+mod workers;
+mod write;
+
+pub use digest::{sha256, sha256_of_parts};
+pub use fault::LibraryFault;
+pub use folders::{Folders, make_folder_of};
+pub use paths::{folder_of, resolved};
+pub use source::{Disk, FOLDER_MARK, Loaded, OUTPUT_MARK, Origin, Source, Sources, Stamp};
+pub use sweep::{SweepEnd, SweepFrontEnd, SweepRun};
+pub use workers::{in_order, threads};
+pub use write::{Mode, Prepared};

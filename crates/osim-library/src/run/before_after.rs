@@ -1,0 +1,120 @@
+//! A model before and after: seen before anything is written.
+
+use osim_inspect::series::Body;
+use osim_inspect::{CheckResult, Figures, InspectOptions, Inspection, RemedyDialect, check_model};
+use osim_model::files::{Failure, ModelFiles, OpenModel};
+use osim_model::same_mass;
+use osim_patch::Plan;
+
+use super::settings::JobSettings;
+use super::task::Task;
+use super::writing::Results;
+
+/// What is known of both states of a model, spelled.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct BeforeAfter {
+    /// The model as it was.
+    pub before: (Inspection, CheckResult),
+    /// The old contacts under the new weight, where that is another one.
+    pub before_under_new_weight: Option<Figures>,
+    /// The model as it is written; none where nothing changes.
+    pub after: Option<(Inspection, CheckResult)>,
+    /// Both states, where they are to be drawn.
+    pub bodies: Vec<Body>,
+    /// The contacts are scaled to this gravity, m/s², and the model's is another.
+    pub target_gravity_m_s2: Option<f64>,
+}
+
+impl BeforeAfter {
+    /// Both states; `files` are those that `opened` was read from.
+    ///
+    /// # Errors
+    /// The new model cannot be read, which would be a defect: it is not written then.
+    pub(super) fn of(
+        task: &Task,
+        files: &ModelFiles,
+        opened: &OpenModel,
+        plan: &Plan,
+        results: &Results<'_>,
+        (dialect, bodies): (&dyn RemedyDialect, bool),
+    ) -> Result<Self, Failure> {
+        let settings = task.settings.as_ref();
+        let before = settings.inspect_options();
+        let now = seen(&before, opened);
+        let mut after = options_after(settings, &before, plan, &now.0);
+        after.stance.gravity_m_s2 = settings.planner().target_gravity_m_s2();
+        let target_gravity_m_s2 =
+            after.stance.gravity_m_s2.filter(|&gravity| now.0.figures.gravity_m_s2 != Some(gravity));
+        let mut both = Self {
+            before: now,
+            before_under_new_weight: None,
+            after: None,
+            bodies: Vec::new(),
+            target_gravity_m_s2,
+        };
+        if after.masses.model_kg != before.masses.model_kg || target_gravity_m_s2.is_some() {
+            let mut heavier = before.clone();
+            heavier.masses.model_kg = after.masses.model_kg;
+            heavier.stance.gravity_m_s2 = after.stance.gravity_m_s2;
+            both.before_under_new_weight = Some(heavier.inspect(opened.name(), &opened.model, None).figures);
+        }
+        both.bodies.extend(body("before", &before, opened).filter(|_| bodies));
+        if !plan.is_empty() {
+            let written = written(task, files, results).open()?;
+            both.after = Some(seen(&after, &written));
+            both.bodies.extend(body("after", &after, &written).filter(|_| bodies));
+        }
+        both.spell(dialect);
+        Ok(both)
+    }
+
+    fn spell(&mut self, dialect: &dyn RemedyDialect) {
+        for (inspection, check) in std::iter::once(&mut self.before).chain(&mut self.after) {
+            inspection.spell(dialect);
+            check.spell(dialect);
+        }
+        self.before_under_new_weight.iter_mut().for_each(|figures| figures.spell(dialect));
+    }
+}
+
+fn seen(options: &InspectOptions, opened: &OpenModel) -> (Inspection, CheckResult) {
+    let inspection = options.inspect(opened.name(), &opened.model, None);
+    let check = check_model(options, &opened.model, &inspection, None);
+    (inspection, check)
+}
+
+fn body(name: &str, options: &InspectOptions, opened: &OpenModel) -> Option<Body> {
+    Body::inspected(name.to_owned(), &opened.model, options, &|fault| opened.failure(fault)).ok()
+}
+
+/// How the new model is inspected: its contacts carry the body that they were scaled for.
+fn options_after(
+    settings: &JobSettings,
+    before: &InspectOptions,
+    plan: &Plan,
+    now: &Inspection,
+) -> InspectOptions {
+    let mut options = before.clone();
+    let to_kg = plan.masses.as_ref().map(|masses| masses.to_kg);
+    // The note says it; without one somebody has to.
+    options.masses.contacts_kg = to_kg.filter(|_| settings.no_note);
+    if let Some(kg) = to_kg.filter(|_| settings.planner().name() == "rescale")
+        && now.figures.mass_kg.is_none_or(|weighs| !same_mass(weighs, kg))
+    {
+        options.masses.model_kg = Some(kg);
+    }
+    options
+}
+
+/// The model as it will be, with the geometry set that goes with it.
+fn written(task: &Task, files: &ModelFiles, results: &Results<'_>) -> ModelFiles {
+    let mut written = files.with_bytes(results.model.to_vec());
+    if let Some(path) = task.output() {
+        written = written.named(path.display().to_string());
+    }
+    if let Some(geometry) = &results.geometry {
+        written.replace_companion(geometry.file, geometry.patch.to_vec());
+    }
+    written
+}

@@ -1,0 +1,67 @@
+//! Who asks for a run: what it wants of each model, and in whose words messages are.
+
+use osim_inspect::RemedyDialect;
+use osim_model::files::OpenModel;
+use osim_patch::Plan;
+
+use super::before_after::BeforeAfter;
+use super::record::Record;
+use super::task::Task;
+use super::writing::{Results, Written};
+
+/// What is wanted of a model beside its result.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Detail {
+    /// Nothing.
+    Result,
+    /// Figures and findings of both states.
+    BeforeAfter {
+        /// With what plots are drawn from.
+        bodies: bool,
+    },
+}
+
+/// Whoever asks for a run. Its methods are called on the threads that do the work.
+pub trait FrontEnd: Sync {
+    /// What is kept of a model until its turn to be shown.
+    type Shown: Send;
+
+    /// The words of all messages.
+    fn dialect(&self) -> &dyn RemedyDialect;
+
+    /// What is wanted of task number `index`, from 0.
+    fn detail(&self, index: usize) -> Detail;
+
+    /// What is shown of a model that was changed.
+    fn show(&self, changed: ChangedModel<'_>) -> Self::Shown;
+
+    /// Whether no further model shall be begun.
+    fn is_interrupted(&self) -> bool;
+
+    /// One more model is done.
+    fn done(&self, failed: bool);
+}
+
+/// A model that was changed, with everything about it.
+#[non_exhaustive]
+pub struct ChangedModel<'c> {
+    /// Its number in the run, from 0.
+    pub index: usize,
+    /// The model and where its result goes.
+    pub task: &'c Task,
+    /// The model as it was.
+    pub opened: &'c OpenModel,
+    /// What changes, spelled.
+    pub plan: &'c Plan,
+    /// The bytes that come of it.
+    pub results: &'c Results<'c>,
+    /// What was written.
+    pub written: &'c Written,
+    /// The same in one line of a summary.
+    pub record: &'c Record,
+    /// Both states, where they were wanted.
+    pub before_after: Option<BeforeAfter>,
+    /// It was done by an earlier run: nothing was written now.
+    pub earlier: bool,
+}

@@ -1,0 +1,32 @@
+//! One run of a changing verb over any number of models: compare all files, then load, plan, write and tell each.
+//!
+//! A [`Task`] is one model with its [`JobSettings`]; tasks are independent of each other, so threads share them. What a task
+//! did is an [`Outcome`], told in the order in which the models were named.
+
+mod before_after;
+mod conflicts;
+mod context;
+mod destination;
+mod front_end;
+mod journal;
+mod model_job;
+mod outcome;
+mod previous;
+mod record;
+mod request;
+mod settings;
+mod start;
+mod task;
+mod writing;
+
+pub use before_after::BeforeAfter;
+pub use conflicts::{PathConflicts, PathOwner};
+pub use destination::Destination;
+pub use front_end::{ChangedModel, Detail, FrontEnd};
+pub use outcome::{Counts, Outcome};
+pub use record::{Record, Status};
+pub use request::RunRequest;
+pub use settings::JobSettings;
+pub use start::Run;
+pub use task::Task;
+pub use writing::{GeometryResult, Results, Written};

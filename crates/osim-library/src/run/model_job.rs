@@ -1,0 +1,224 @@
+//! One model: load, plan, write.
+
+use std::path::{Path, PathBuf};
+
+use osim_model::files::{Failure, ModelFiles, OpenModel};
+use osim_model::wording::{Input, phrase};
+use osim_patch::Plan;
+
+use super::before_after::BeforeAfter;
+use super::context::Context;
+use super::destination::Destination;
+use super::front_end::{ChangedModel, Detail, FrontEnd};
+use super::outcome::Outcome;
+use super::previous::Previous;
+use super::record::{Record, Status};
+use super::task::Task;
+use super::writing::{PreparedFiles, Results, Written};
+use crate::digest::{sha256, sha256_of_parts};
+use crate::fault::LibraryFault;
+use crate::source::{Loaded, Origin};
+
+/// Does one model after the other.
+pub(super) struct ModelJob<'j, F> {
+    pub(super) context: &'j Context<'j>,
+    pub(super) front_end: &'j F,
+    pub(super) index: usize,
+    pub(super) task: &'j Task,
+}
+
+impl<F: FrontEnd> ModelJob<'_, F> {
+    /// Does this model. Whatever goes wrong is in the outcome.
+    pub(super) fn run(&self) -> Outcome<F::Shown> {
+        let mut record = Record::of_task(self.task);
+        match self.attempt(&mut record) {
+            Ok(outcome) => outcome,
+            // A folder may hold models without contacts; one that was named may not.
+            Err(failure) if failure.code == "no-contacts" && self.task.source.folder.is_some() => {
+                Outcome::without_contacts(record)
+            }
+            Err(failure) => {
+                let mut outcome = Outcome::failed(self.located(failure), record);
+                self.context.previous.left_behind(&mut outcome.record);
+                outcome
+            }
+        }
+    }
+
+    fn attempt(&self, record: &mut Record) -> Result<Outcome<F::Shown>, Failure> {
+        let task = self.task;
+        let detail = self.front_end.detail(self.index);
+        let loaded = Loaded::read(&task.source, &task.settings.set_files)?;
+        let mut force = task.settings.force;
+        if self.context.journal.is_some() {
+            let input = sha256(loaded.files.bytes());
+            record.recipe = Some(self.settings_digest(&loaded.files));
+            if !self.context.previous.is_empty() {
+                match self.context.previous.of(task, &input, record) {
+                    Previous::Holds(mut record) => {
+                        record.row = task.row;
+                        let shown = self.show_again(loaded, &record, detail);
+                        return Ok(Outcome { record: *record, earlier: true, shown, failure: None });
+                    }
+                    Previous::Outdated => force = true,
+                    Previous::Edited(path) if !force && !self.context.run.dry_run => {
+                        return Err(edited(loaded.files.name(), &path));
+                    }
+                    Previous::Edited(_) | Previous::Unknown => {}
+                }
+            }
+            record.sha256_input = Some(input);
+        } else if detail != Detail::Result {
+            record.sha256_input = Some(sha256(loaded.files.bytes()));
+        }
+        let Loaded { files, origin } = loaded;
+        // The files are read once more as they will be: only where that is wanted.
+        let kept = (detail != Detail::Result).then(|| files.clone());
+        let opened = files.open()?;
+        let plan = self.plan(&opened, record)?;
+        let results = Results::of(task, &plan, &opened.model).map_err(|fault| opened.failure(fault))?;
+        let before_after = self.before_after(kept.as_ref(), &opened, &plan, &results, detail)?;
+        let written = self
+            .write(&opened, &origin, &plan, &results, (force, record))
+            .map_err(|fault| fault.of_model(opened.name(), "output"))?;
+        let shown = self.front_end.show(ChangedModel {
+            index: self.index,
+            task,
+            opened: &opened,
+            plan: &plan,
+            results: &results,
+            written: &written,
+            record,
+            before_after,
+            earlier: false,
+        });
+        Ok(Outcome { record: record.clone(), earlier: false, shown: Some(shown), failure: None })
+    }
+
+    /// A model that an earlier run has done, where details are wanted. None where it was changed itself: what it was before is
+    /// gone.
+    fn show_again(&self, loaded: Loaded, record: &Record, detail: Detail) -> Option<F::Shown> {
+        let task = self.task;
+        if task.settings.in_place || detail == Detail::Result {
+            return None;
+        }
+        let kept = loaded.files.clone();
+        let opened = loaded.files.open().ok()?;
+        let plan = self.plan(&opened, &mut record.clone()).ok()?;
+        let results = Results::of(task, &plan, &opened.model).ok()?;
+        let before_after = self.before_after(Some(&kept), &opened, &plan, &results, detail).ok()?;
+        let outputs = [task.output(), task.geometry_output.as_deref()].into_iter().flatten();
+        let wrote = record.status == Status::Written;
+        let paths: Vec<PathBuf> = outputs.filter(|_| wrote).map(Path::to_owned).collect();
+        Some(self.front_end.show(ChangedModel {
+            index: self.index,
+            task,
+            opened: &opened,
+            plan: &plan,
+            results: &results,
+            written: &Written::Files { paths, kept: Vec::new() },
+            record,
+            before_after,
+            earlier: true,
+        }))
+    }
+
+    fn before_after(
+        &self,
+        files: Option<&ModelFiles>,
+        opened: &OpenModel,
+        plan: &Plan,
+        results: &Results<'_>,
+        detail: Detail,
+    ) -> Result<Option<BeforeAfter>, Failure> {
+        match (files, detail) {
+            (Some(files), Detail::BeforeAfter { bodies }) => {
+                let how = (self.front_end.dialect(), bodies);
+                BeforeAfter::of(self.task, files, opened, plan, results, how).map(Some)
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// Digest of everything the output follows from but for the model: with the files that the model includes.
+    fn settings_digest(&self, files: &ModelFiles) -> String {
+        let own = self.task.settings.digest();
+        let companions: Vec<String> = files.companions().map(|(_, bytes)| sha256(bytes)).collect();
+        if companions.is_empty() {
+            return own.to_owned();
+        }
+        sha256(std::iter::once(own.to_owned()).chain(companions).collect::<Vec<_>>().join("\n").as_bytes())
+    }
+
+    /// In a manifest, the row is what the user can mend.
+    fn located(&self, mut failure: Failure) -> Failure {
+        if let Some(row) = self.task.row {
+            failure.message.push(format!(" (row {row})"));
+        }
+        failure.message.spell(self.front_end.dialect());
+        failure
+    }
+
+    fn plan(&self, opened: &OpenModel, record: &mut Record) -> Result<Plan, Failure> {
+        let settings = &self.task.settings;
+        let model = &opened.model;
+        let planned = settings.planner().plan(model);
+        let mut plan = planned.map_err(|fault| opened.failure(fault))?;
+        if settings.no_note {
+            plan.without_note();
+            if model.note.is_some() && !plan.is_empty() {
+                let text = "the note is removed: the next run cannot know what the contacts stand for";
+                plan.remarks.push(text.into());
+            }
+        }
+        plan.warnings.splice(0..0, model.warnings.iter().cloned());
+        let compiled = self.task.output().and_then(|path| self.context.folders.compiled_beside(path));
+        plan.warnings.extend(compiled);
+        plan.spell(self.front_end.dialect());
+        record.planned(&plan);
+        Ok(plan)
+    }
+
+    /// Writes what is to be written; where it went.
+    fn write(
+        &self,
+        opened: &OpenModel,
+        origin: &Origin,
+        plan: &Plan,
+        results: &Results<'_>,
+        (force, record): (bool, &mut Record),
+    ) -> Result<Written, LibraryFault> {
+        if self.context.run.dry_run {
+            record.status = Status::DryRun;
+            return Ok(Written::Nothing("dry run: nothing written"));
+        }
+        let to_stdout = self.task.destination == Destination::Stdout;
+        if plan.is_empty() && !self.task.asked && !to_stdout {
+            record.status = Status::Unchanged;
+            return Ok(Written::Nothing("nothing written"));
+        }
+        record.status = Status::Written;
+        let files = PreparedFiles::new(self.task, opened, origin, results, force)?;
+        if self.context.journal.is_some() || self.context.run.report.is_some() {
+            record.sha256_output = Some(sha256_of_parts(results.model.parts()));
+            let geometry = results.geometry.as_ref();
+            record.sha256_geometry_output = geometry.map(|geometry| sha256_of_parts(geometry.patch.parts()));
+        }
+        if let Some(journal) = self.context.journal.as_ref().filter(|_| !to_stdout) {
+            journal.about_to_finish(record)?;
+        }
+        files.commit(results)
+    }
+}
+
+/// Nobody's work is replaced in passing.
+fn edited(shown: &str, output: &Path) -> Failure {
+    let message = phrase![
+        format!(
+            "{} is not what an earlier run wrote, so it stays: move it away, or replace it with ",
+            output.display()
+        ),
+        Input::Force,
+    ];
+    Failure::outside(shown, "output", message)
+}

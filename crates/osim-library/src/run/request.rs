@@ -1,0 +1,150 @@
+//! Everything that one run is to do.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use osim_model::files::Failure;
+use osim_model::wording::{Input, phrase};
+use osim_requests::Change;
+use osim_requests::options::{OutputOptions, RunFormat, RunOptions};
+
+use super::conflicts::{PathConflicts, PathOwner};
+use super::settings::JobSettings;
+use super::task::Task;
+use crate::fault::LibraryFault;
+use crate::source::{Source, Sources};
+
+/// What is to be done in one run.
+#[derive(Default)]
+#[non_exhaustive]
+pub struct RunRequest {
+    /// The verb, as reports have it.
+    pub verb: &'static str,
+    /// The models.
+    pub tasks: Vec<Task>,
+    /// What could not even be listed.
+    pub failures: Vec<Failure>,
+    /// Things to say aloud before anything else.
+    pub remarks: Vec<String>,
+    /// Files that were read to know the tasks, such as a manifest.
+    pub reads: Vec<PathBuf>,
+    /// Replace an existing summary or report.
+    pub force: bool,
+}
+
+impl RunRequest {
+    /// The tasks of one change: its files, and the models in its folders.
+    ///
+    /// # Errors
+    /// What is asked for several models makes sense for one only.
+    pub fn of_change(change: Change, run: &RunOptions) -> Result<Self, LibraryFault> {
+        let Change { models, output, set_files, planner, .. } = change;
+        let sources = Sources::find(&models, output.output_dir.as_deref());
+        check_usage(&models, &sources, &output, run)?;
+        if set_files.geometry.is_some() && sources.models.len() > 1 {
+            return Err(LibraryFault::new(phrase![
+                Input::Geometry,
+                " belongs to one ForceSet: change several in runs of their own",
+            ]));
+        }
+        let verb = planner.name();
+        let settings = Arc::new(JobSettings::new(planner, set_files, &output));
+        let task = |source: Source| Task::new(source, &output, Arc::clone(&settings));
+        Ok(Self {
+            verb,
+            tasks: sources.models.into_iter().map(task).collect(),
+            failures: sources.failures,
+            remarks: sources.remarks,
+            force: output.force,
+            ..Self::default()
+        })
+    }
+
+    /// The tasks of a table's rows.
+    #[must_use]
+    pub fn of_rows(verb: &'static str, tasks: Vec<Task>, table: PathBuf, force: bool) -> Self {
+        Self { verb, tasks, reads: vec![table], force, ..Self::default() }
+    }
+
+    /// `true` where the run is about one model.
+    #[must_use]
+    pub fn is_one(&self) -> bool {
+        self.tasks.len() + self.failures.len() == 1
+    }
+
+    /// Nothing is written over what is read, and no file is written twice.
+    pub(super) fn check_files(&self, run: &RunOptions) -> Result<(), LibraryFault> {
+        let mut conflicts = PathConflicts::default();
+        self.reads.iter().for_each(|path| conflicts.read(path.as_path()));
+        let mut known: Option<&Arc<JobSettings>> = None;
+        for task in &self.tasks {
+            conflicts.read_again(task.source.path.as_path());
+            // The files of settings are compared once for all of their models.
+            if !known.is_some_and(|settings| Arc::ptr_eq(settings, &task.settings)) {
+                // A reference is read before the first model, so a folder's run may change it; rows may not lean on that.
+                task.settings.reads().into_iter().for_each(|path| {
+                    if task.row.is_some() { conflicts.read_again(path) } else { conflicts.read(path) }
+                });
+                known = Some(&task.settings);
+            }
+        }
+        for task in &self.tasks {
+            let owner = task.owner();
+            match task.output() {
+                Some(path) if task.settings.in_place => conflicts.change(path, owner)?,
+                Some(path) => conflicts.write(path, owner)?,
+                None => {}
+            }
+            match (&task.settings.set_files.geometry, &task.geometry_output) {
+                (Some(_), Some(path)) if task.settings.in_place => conflicts.change(path, owner)?,
+                (Some(geometry), Some(path)) => conflicts.write(path, PathOwner::Model(geometry, None))?,
+                _ => {}
+            }
+        }
+        if let Some(path) = &run.report {
+            conflicts.write(path, "the report")?;
+        }
+        run.summary.as_ref().map_or(Ok(()), |path| conflicts.write(path, "the summary"))
+    }
+}
+
+fn check_usage(
+    named: &[PathBuf],
+    sources: &Sources,
+    output: &OutputOptions,
+    run: &RunOptions,
+) -> Result<(), LibraryFault> {
+    let from_stdin = named.iter().any(|path| path.as_os_str() == "-");
+    let to_stdout = output.output.as_deref() == Some(Path::new("-"))
+        || (from_stdin && output.output.is_none() && output.output_dir.is_none());
+    let to_stdout = to_stdout && !run.dry_run;
+    let several = named.len() > 1 || sources.models.len() > 1 || named.iter().any(|path| path.is_dir());
+    let refused = |message| Err(LibraryFault::new(message));
+    if output.output.is_some() && several {
+        return refused(phrase![
+            Input::Output,
+            " is for one model: write several into a folder with ",
+            Input::OutputDir.like("DIR"),
+        ]);
+    }
+    if to_stdout && several {
+        return refused(phrase![
+            "one model goes to standard output: name it alone, or write several into a folder with ",
+            Input::OutputDir.like("DIR"),
+        ]);
+    }
+    if to_stdout && (run.diff || run.format == Some(RunFormat::Json)) {
+        return refused(phrase![
+            "the model goes to standard output: leave out ",
+            Input::Diff,
+            " and ",
+            Input::Format.being("json"),
+            ", or write it to a file with ",
+            Input::Output,
+        ]);
+    }
+    if output.in_place && from_stdin {
+        return refused(phrase![Input::InPlace, " needs a file, standard input has none"]);
+    }
+    Ok(())
+}

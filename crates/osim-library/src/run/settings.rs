@@ -1,0 +1,68 @@
+//! What is done with a model, apart from the model.
+
+use std::path::PathBuf;
+use std::sync::OnceLock;
+
+use osim_inspect::InspectOptions;
+use osim_model::files::Files;
+use osim_requests::Planner;
+use osim_requests::options::{InspectionOptions, OutputOptions, SetFiles};
+
+use crate::digest::sha256;
+use crate::source::Disk;
+
+/// What is done with a model: shared by all models of a call, or by like rows of a manifest.
+pub struct JobSettings {
+    planner: Box<dyn Planner>,
+    pub(super) set_files: SetFiles,
+    pub(super) in_place: bool,
+    pub(super) no_backup: bool,
+    pub(super) force: bool,
+    pub(super) no_note: bool,
+    digest: OnceLock<String>,
+}
+
+impl JobSettings {
+    /// What `planner` plans, written as `output` says.
+    #[must_use]
+    pub fn new(planner: Box<dyn Planner>, set_files: SetFiles, output: &OutputOptions) -> Self {
+        Self {
+            planner,
+            set_files,
+            in_place: output.in_place,
+            no_backup: output.no_backup,
+            force: output.force,
+            no_note: output.no_note,
+            digest: OnceLock::new(),
+        }
+    }
+
+    pub(super) fn planner(&self) -> &dyn Planner {
+        self.planner.as_ref()
+    }
+
+    /// How a model would be inspected with the same options.
+    pub(super) fn inspect_options(&self) -> InspectOptions {
+        let inspection = self.planner.inspection();
+        let InspectionOptions { stance, masses, choice, .. } = inspection;
+        InspectionOptions::new(stance, masses, choice, self.set_files.clone()).inspect_options()
+    }
+
+    /// Files that are read beside the models.
+    pub(super) fn reads(&self) -> Vec<PathBuf> {
+        self.set_files.paths().cloned().chain(self.planner.reads()).collect()
+    }
+
+    /// Digest of everything an output follows from but for the model itself.
+    pub(super) fn digest(&self) -> &str {
+        self.digest.get_or_init(|| {
+            let mut text = format!("{}\nno note: {}\n", self.planner.settings(), self.no_note);
+            for path in self.reads() {
+                // What cannot be read fails later, with its name.
+                let digest = Disk.read(&path).map(|bytes| sha256(&bytes)).unwrap_or_default();
+                text.push_str(&format!("{digest}\n"));
+            }
+            sha256(text.as_bytes())
+        })
+    }
+}

@@ -1,0 +1,147 @@
+//! A run, step by step: each step may refuse, and a front end tells between them.
+
+use std::path::Path;
+
+use osim_model::files::Failure;
+use osim_requests::options::RunOptions;
+
+use super::context::Context;
+use super::front_end::FrontEnd;
+use super::journal::Journal;
+use super::model_job::ModelJob;
+use super::outcome::{Counts, Outcome};
+use super::previous::PreviousRun;
+use super::record::{Record, Status};
+use super::request::RunRequest;
+use super::task::Task;
+use crate::fault::LibraryFault;
+use crate::folders::Folders;
+use crate::workers::{in_order, threads};
+
+/// A run that was checked: nothing is written yet.
+pub struct Run<'r> {
+    request: RunRequest,
+    context: Context<'r>,
+}
+
+impl<'r> Run<'r> {
+    /// Compares all files of a run before anything is written, and takes the share of its models that is asked for.
+    ///
+    /// # Errors
+    /// Something would be written over what is read, or twice.
+    pub fn new(mut request: RunRequest, run: &'r RunOptions) -> Result<Self, LibraryFault> {
+        request.check_files(run)?;
+        if let Some(shard) = run.shard {
+            request.tasks.retain(|task| match task.row {
+                // A row of a manifest belongs to the share of its number.
+                Some(row) => shard.has_number(row as u64),
+                None => shard.has_name(task.source.below_folder()),
+            });
+        }
+        let context =
+            Context { run, folders: Folders::default(), journal: None, previous: PreviousRun::default() };
+        Ok(Self { request, context })
+    }
+
+    /// What is to be done.
+    #[must_use]
+    pub fn request(&self) -> &RunRequest {
+        &self.request
+    }
+
+    /// Reads what an earlier run did, where the run goes on with it.
+    ///
+    /// # Errors
+    /// Its summary is none, or was edited.
+    pub fn read_previous(&mut self) -> Result<(), LibraryFault> {
+        self.context.previous = PreviousRun::read(self.context.run)?;
+        Ok(())
+    }
+
+    /// Whether the run goes on with an earlier one.
+    #[must_use]
+    pub fn goes_on(&self) -> bool {
+        !self.context.previous.is_empty()
+    }
+
+    /// Begins the summary, where one is asked for, and looks at the folders that are written into.
+    ///
+    /// # Errors
+    /// The summary cannot be written, or is there already.
+    pub fn begin(&mut self) -> Result<(), LibraryFault> {
+        self.context.journal = Journal::begin(self.context.run, self.request.force)?;
+        self.context.folders = self.folders();
+        if let Some(journal) = &self.context.journal {
+            self.request.failures.iter().for_each(|failure| journal.add(&Record::of_failure(failure)));
+        }
+        Ok(())
+    }
+
+    /// Looks at every folder that the run writes into.
+    fn folders(&self) -> Folders {
+        let (tasks, run) = (&self.request.tasks, self.context.run);
+        let models = tasks.iter().filter_map(Task::output);
+        let geometry = tasks.iter().filter_map(|task| task.geometry_output.as_deref());
+        let beside = [&run.summary, &run.report].into_iter().filter_map(|path| path.as_deref());
+        Folders::list(models.chain(geometry).chain(beside), !run.dry_run)
+    }
+
+    /// Does all tasks on as many threads as there are processors; `tell` gets each in the order of the tasks, on this thread.
+    ///
+    /// # Errors
+    /// Threads cannot be started, or the first error of `tell`.
+    pub fn work_off<F: FrontEnd, E: From<LibraryFault>>(
+        &self,
+        front_end: &F,
+        mut tell: impl FnMut(&Task, Outcome<F::Shown>) -> Result<(), E>,
+    ) -> Result<Counts, E> {
+        let tasks = &self.request.tasks;
+        let indices: Vec<usize> = (0..tasks.len()).collect();
+        let mut counts = Counts::default();
+        let work = |&index: &usize| {
+            let outcome = tasks.get(index).map(|task| self.one(front_end, index, task));
+            let failed = outcome.as_ref().is_some_and(|outcome| outcome.record.status == Status::Failed);
+            front_end.done(failed);
+            outcome
+        };
+        let each = |&index: &usize, outcome: Option<Outcome<F::Shown>>| {
+            let (Some(task), Some(outcome)) = (tasks.get(index), outcome) else { return Ok(()) };
+            counts.add(&outcome);
+            if let Some(journal) = &self.context.journal {
+                journal.add(&outcome.record);
+            }
+            tell(task, outcome)
+        };
+        in_order(&indices, threads(self.context.run.jobs, tasks.len()), work, each)?;
+        Ok(counts)
+    }
+
+    fn one<F: FrontEnd>(&self, front_end: &F, index: usize, task: &Task) -> Outcome<F::Shown> {
+        if front_end.is_interrupted() {
+            let mut outcome = Outcome::not_begun(task);
+            self.context.previous.left_behind(&mut outcome.record);
+            return outcome;
+        }
+        ModelJob { context: &self.context, front_end, index, task }.run()
+    }
+
+    /// Ends the summary, where one is asked for.
+    ///
+    /// # Errors
+    /// It could not be written.
+    pub fn finish(self) -> Result<(), LibraryFault> {
+        self.context.journal.map_or(Ok(()), Journal::finish)
+    }
+
+    /// What could not even be listed.
+    #[must_use]
+    pub fn failures(&self) -> &[Failure] {
+        &self.request.failures
+    }
+
+    /// The report that is asked for.
+    #[must_use]
+    pub fn report(&self) -> Option<&Path> {
+        self.context.run.report.as_deref()
+    }
+}

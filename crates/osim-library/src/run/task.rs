@@ -1,0 +1,60 @@
+//! One model and what is to be done with it.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use osim_requests::options::OutputOptions;
+
+use super::conflicts::PathOwner;
+use super::destination::{Destination, geometry_destination};
+use super::settings::JobSettings;
+use crate::source::Source;
+
+/// One model with its settings.
+#[non_exhaustive]
+pub struct Task {
+    /// The model.
+    pub source: Source,
+    /// Where its result goes.
+    pub destination: Destination,
+    /// Where the changed geometry set of a standalone force set goes.
+    pub geometry_output: Option<PathBuf>,
+    /// The output was asked for by name: it is written even where nothing changes.
+    pub(super) asked: bool,
+    pub(super) settings: Arc<JobSettings>,
+    /// Row of the manifest, from 1.
+    pub row: Option<usize>,
+}
+
+impl Task {
+    /// A model that is done by these settings.
+    #[must_use]
+    pub fn new(source: Source, output: &OutputOptions, settings: Arc<JobSettings>) -> Self {
+        let geometry = settings.set_files.geometry.as_deref();
+        Self {
+            destination: Destination::of(&source, output),
+            geometry_output: geometry.map(|geometry| geometry_destination(geometry, output)),
+            asked: output.output.is_some() || output.output_dir.is_some(),
+            source,
+            settings,
+            row: None,
+        }
+    }
+
+    /// The same, as row `row` of a manifest.
+    #[must_use]
+    pub fn of_row(self, row: usize) -> Self {
+        Self { row: Some(row), ..self }
+    }
+
+    /// The file that is written.
+    #[must_use]
+    pub fn output(&self) -> Option<&Path> {
+        self.destination.path(&self.source)
+    }
+
+    /// As named in messages about several models.
+    pub(super) fn owner(&self) -> PathOwner<'_> {
+        PathOwner::Model(&self.source.path, self.row)
+    }
+}

@@ -1,0 +1,200 @@
+//! The bytes that a plan makes, and what is written of them.
+
+use std::path::{Path, PathBuf};
+
+use osim_model::files::OpenModel;
+use osim_model::wording::{Input, phrase};
+use osim_model::{Fault, FileId, Model};
+use osim_patch::{Patch, Plan};
+
+use super::destination::Destination;
+use super::task::Task;
+use crate::fault::LibraryFault;
+use crate::folders::make_folder_of;
+use crate::source::{Origin, Stamp};
+use crate::write::{Mode, Prepared, backup};
+
+/// The bytes that a plan makes.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct Results<'m> {
+    /// Of the model.
+    pub model: Patch<'m>,
+    /// Of the geometry set that changes with a standalone force set.
+    pub geometry: Option<GeometryResult<'m>>,
+}
+
+/// The changed bytes of a standalone geometry set.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct GeometryResult<'m> {
+    /// Which of the model's files.
+    pub file: FileId,
+    /// Where it goes.
+    pub path: PathBuf,
+    /// Its bytes.
+    pub patch: Patch<'m>,
+}
+
+impl<'m> Results<'m> {
+    /// # Errors
+    /// Edits that overlap, which would be a defect.
+    pub(super) fn of(task: &Task, plan: &Plan, model: &'m Model) -> Result<Self, Fault> {
+        let mut companions = model.companions().map(|(file, _)| file);
+        let changed = companions.find(|&file| !plan.edits(model, file).is_empty());
+        let geometry = match (&task.geometry_output, changed) {
+            (Some(path), Some(file)) => {
+                Some(GeometryResult { file, path: path.clone(), patch: plan.patch(model, file)? })
+            }
+            _ => None,
+        };
+        Ok(Self { model: plan.patch(model, FileId::MAIN)?, geometry })
+    }
+}
+
+/// What was written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Written {
+    /// Nothing, and why.
+    Nothing(&'static str),
+    /// The model goes to standard output.
+    Stdout,
+    /// The model, then its geometry set; and the backups of both.
+    Files {
+        /// What was written.
+        paths: Vec<PathBuf>,
+        /// Backups.
+        kept: Vec<PathBuf>,
+    },
+}
+
+impl Written {
+    /// In words.
+    #[must_use]
+    pub fn describe(&self) -> String {
+        match self {
+            Self::Nothing(why) => (*why).to_owned(),
+            Self::Stdout => "model written to standard output".to_owned(),
+            Self::Files { paths, kept } => {
+                let listed = |paths: &[PathBuf]| {
+                    paths.iter().map(|path| path.display().to_string()).collect::<Vec<_>>().join(", ")
+                };
+                let kept = if kept.is_empty() { String::new() } else { format!(" (old: {})", listed(kept)) };
+                format!("written: {}{kept}", listed(paths))
+            }
+        }
+    }
+
+    /// The files that were written.
+    #[must_use]
+    pub fn paths(&self) -> &[PathBuf] {
+        match self {
+            Self::Files { paths, .. } => paths,
+            Self::Nothing(_) | Self::Stdout => &[],
+        }
+    }
+}
+
+/// Files that are complete under temporary names.
+pub(super) struct PreparedFiles<'w> {
+    task: &'w Task,
+    opened: &'w OpenModel,
+    origin: &'w Origin,
+    backups: Vec<Prepared>,
+    successors: Vec<Prepared>,
+    paths: Vec<PathBuf>,
+    kept: Vec<PathBuf>,
+}
+
+impl<'w> PreparedFiles<'w> {
+    /// Complete successors of everything that is written; `force` replaces what is there.
+    ///
+    /// # Errors
+    /// Something is there that may not be replaced, or the disk is full.
+    pub(super) fn new(
+        task: &'w Task,
+        opened: &'w OpenModel,
+        origin: &'w Origin,
+        results: &Results<'_>,
+        force: bool,
+    ) -> Result<Self, LibraryFault> {
+        let mut files =
+            Self { task, opened, origin, backups: vec![], successors: vec![], paths: vec![], kept: vec![] };
+        if let Some(path) = task.output() {
+            origin.find_included_from(path)?;
+            files.prepare(path, &results.model, FileId::MAIN, force)?;
+        }
+        if let Some(geometry) = &results.geometry {
+            files.prepare(&geometry.path, &geometry.patch, geometry.file, force)?;
+        }
+        Ok(files)
+    }
+
+    /// A complete successor of `path`, made from one of the model's files.
+    fn prepare(
+        &mut self,
+        path: &Path,
+        patch: &Patch<'_>,
+        file: FileId,
+        force: bool,
+    ) -> Result<(), LibraryFault> {
+        let settings = &self.task.settings;
+        if settings.in_place {
+            self.refuse_protected(path)?;
+            if !settings.no_backup {
+                let bytes = self.opened.model.file(file).bytes();
+                let (prepared, kept) = backup(path, bytes)
+                    .map_err(|fault| fault.within("the backup could not be kept, so nothing was changed"))?;
+                self.backups.extend(prepared);
+                // As the model was named; behind a link, the backup lies where the model really is.
+                let beside = kept.file_name().filter(|_| !path.is_symlink());
+                self.kept.push(beside.map(|name| path.with_file_name(name)).unwrap_or(kept));
+            }
+        }
+        make_folder_of(path)?;
+        let mode = if force || settings.in_place { Mode::Replace } else { Mode::New };
+        let like = self.origin.stamp_of(file).map(Stamp::metadata);
+        self.successors.push(Prepared::of_parts(path, patch.parts(), like, mode)?);
+        self.paths.push(path.to_owned());
+        Ok(())
+    }
+
+    /// A model that somebody protected is not changed in passing.
+    fn refuse_protected(&self, path: &Path) -> Result<(), LibraryFault> {
+        let protected = std::fs::metadata(path).is_ok_and(|metadata| metadata.permissions().readonly());
+        if protected && !self.task.settings.force {
+            return Err(LibraryFault::new(phrase![
+                format!("{} is write-protected: change it all the same with ", path.display()),
+                Input::Force,
+            ]));
+        }
+        Ok(())
+    }
+
+    /// Gives all files their names.
+    ///
+    /// # Errors
+    /// Somebody else changed the model in the meantime, or a folder cannot be changed.
+    pub(super) fn commit(self, results: &Results<'_>) -> Result<Written, LibraryFault> {
+        // Two files that belong together, and a file whose old contents are about to go: all on the disk first.
+        let together = self.successors.len() > 1 || self.successors.iter().any(Prepared::replaces);
+        let all: Vec<Prepared> = self.backups.into_iter().chain(self.successors).collect();
+        if together {
+            all.iter().try_for_each(Prepared::sync)?;
+        }
+        if self.task.settings.in_place {
+            let geometry = results.geometry.as_ref().map(|geometry| (geometry.file, geometry.path.as_path()));
+            let model = (FileId::MAIN, self.task.source.path.as_path());
+            for (file, path) in std::iter::once(model).chain(geometry) {
+                self.origin.stamp_of(file).map_or(Ok(()), |stamp| stamp.still_holds(path))?;
+            }
+        }
+        for prepared in all {
+            prepared.commit()?;
+        }
+        let to_stdout = self.task.destination == Destination::Stdout;
+        let (paths, kept) = (self.paths, self.kept);
+        Ok(if to_stdout { Written::Stdout } else { Written::Files { paths, kept } })
+    }
+}

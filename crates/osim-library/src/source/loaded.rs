@@ -1,0 +1,90 @@
+//! A model with all the files that belong to it, from the disk.
+
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+
+use osim_model::FileId;
+use osim_model::files::{Failure, FileError, Files, ModelFiles};
+use osim_requests::options::SetFiles;
+
+use super::disk::{Stamp, StampedDisk};
+use super::sources::Source;
+use crate::digest::sha256;
+use crate::fault::LibraryFault;
+use crate::paths::folder_of;
+
+/// Bytes of a model and of the files that belong to it, and where they come from.
+#[derive(Debug)]
+pub struct Loaded {
+    /// The files.
+    pub files: ModelFiles,
+    /// Where they come from.
+    pub origin: Origin,
+}
+
+/// Where a model comes from.
+#[derive(Debug)]
+pub struct Origin {
+    path: PathBuf,
+    /// Files as they were when they were read; standard input is none.
+    stamps: HashMap<PathBuf, Stamp>,
+    /// The other files, in their order.
+    companions: Vec<PathBuf>,
+    /// Files that the model includes, as it names them.
+    included: Vec<String>,
+}
+
+impl Loaded {
+    /// Reads `source`, the files it includes and those given beside it.
+    ///
+    /// # Errors
+    /// One of them cannot be read.
+    pub fn read(source: &Source, set_files: &SetFiles) -> Result<Self, Failure> {
+        let disk = StampedDisk::default();
+        let unreadable =
+            |error: FileError| Failure::outside(&source.shown(), "unreadable", error.to_string());
+        let bytes = disk.read(&source.path).map_err(unreadable)?;
+        let files = ModelFiles::read(&source.path, bytes, set_files.beside(), &disk)?;
+        let included = files.included().map(str::to_owned).collect();
+        let companions = files.companions().map(|(path, _)| path.to_owned()).collect();
+        let origin = Origin { path: source.path.clone(), stamps: disk.into_stamps(), companions, included };
+        Ok(Self { files, origin })
+    }
+
+    /// All files by name, the model first, with the SHA-256 of each.
+    #[must_use]
+    pub fn digests(&self) -> Vec<(String, String)> {
+        let main = (self.files.name().to_owned(), sha256(self.files.bytes()));
+        let companions =
+            self.files.companions().map(|(path, bytes)| (path.display().to_string(), sha256(bytes)));
+        std::iter::once(main).chain(companions).collect()
+    }
+}
+
+impl Origin {
+    /// A file of the model as it was when it was read; none for standard input.
+    #[must_use]
+    pub fn stamp_of(&self, file: FileId) -> Option<&Stamp> {
+        let path = match file.companion_index() {
+            Some(index) => self.companions.get(index)?,
+            None => &self.path,
+        };
+        self.stamps.get(path)
+    }
+
+    /// Refuses to write the model where OpenSim would not find the files that it includes.
+    ///
+    /// # Errors
+    /// The first that is not there.
+    pub fn find_included_from(&self, output: &Path) -> Result<(), LibraryFault> {
+        for file in &self.included {
+            if !folder_of(output).join(file).is_file() {
+                return Err(LibraryFault::new(format!(
+                    "the model includes file=\"{file}\", which is not in {}: copy it there first, or write beside the model",
+                    folder_of(output).display()
+                )));
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,9 @@
+//! Which models a call is about, and reading them from the disk.
+
+mod disk;
+mod loaded;
+mod sources;
+
+pub use disk::{Disk, Stamp};
+pub use loaded::{Loaded, Origin};
+pub use sources::{FOLDER_MARK, OUTPUT_MARK, Source, Sources};
