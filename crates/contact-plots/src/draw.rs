@@ -185,11 +185,11 @@ impl Layout {
     }
 }
 
-fn x_span(panel: &Panel) -> (f64, f64) {
+pub(crate) fn x_span(panel: &Panel) -> (f64, f64) {
     panel.x.span(panel.points().map(|(_, (x, _))| x), false)
 }
 
-fn y_span(panel: &Panel) -> (f64, f64) {
+pub(crate) fn y_span(panel: &Panel) -> (f64, f64) {
     let across = panel.limits.iter().filter(|limit| limit.direction == Direction::Horizontal);
     panel.y.span(panel.points().map(|(_, (_, y))| y).chain(across.map(|limit| limit.at)), true)
 }

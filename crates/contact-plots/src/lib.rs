@@ -1,4 +1,4 @@
-//! Figures of contact forces: series of points in, SVG text out, and PNG from that.
+//! Figures of contact forces: series of points in, SVG text out, and PNG from that; or letters for a terminal ([`text()`]).
 //!
 //! It computes no physics and reads no file. Whoever calls it brings the points ([`ForceCurves`], [`DropCurve`],
 //! [`HeatMap`], …); what comes back is one SVG document as a `String`.
@@ -42,6 +42,7 @@ mod legend;
 mod raster;
 mod style;
 mod svg;
+mod text;
 
 pub use axis::Axis;
 pub use draw::figure;
@@ -56,3 +57,4 @@ pub use kinds::{
 #[cfg(feature = "png")]
 pub use raster::png;
 pub use style::{Dash, Look};
+pub use text::text;

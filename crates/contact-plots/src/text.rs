@@ -1,0 +1,175 @@
+//! A panel in letters, for a terminal: each letter of Braille holds two by four dots.
+
+use crate::axis::Ticks;
+use crate::draw::{float, x_span, y_span};
+use crate::error::PlotError;
+use crate::figure::{Panel, Point};
+
+/// The curves of a panel with its axes, in lines of at most `columns` letters, `rows` of them between the axes.
+///
+/// Areas, limits, marks and how curves look are left out: letters could not tell them apart.
+///
+/// ```
+/// use contact_plots::{Axis, Curve, Look, Panel, text};
+///
+/// let points = (0..=100).map(|i| f64::from(i) / 10.0).map(|t| (t, 1.0 - (-t).exp())).collect();
+/// let mut panel = Panel::new("", Axis::new("time (s)"), Axis::new("force / body weight"));
+/// panel.curves.push(Curve { label: String::new(), points, look: Look::series(0) });
+/// let text = text(&panel, 80, 16)?;
+/// assert!(text.contains("time (s)") && text.contains('┤'));
+/// # Ok::<(), contact_plots::PlotError>(())
+/// ```
+///
+/// # Errors
+/// A point is not finite, or no curve has two points.
+pub fn text(panel: &Panel, columns: usize, rows: usize) -> Result<String, PlotError> {
+    panel.check()?;
+    let (x, y) = (x_span(panel), y_span(panel));
+    let y_ticks = Ticks::linear(y, rows / 2 + 1);
+    let margin = y_ticks.longest().chars().count() + 1;
+    let mut dots = Dots::new(columns.saturating_sub(margin + 1).max(1), rows.max(1));
+    let place = |(x_value, y_value): Point| {
+        let share = |value: f64, (low, high): (f64, f64)| (value - low) / (high - low);
+        (share(x_value, x) * float(dots.across() - 1), share(y_value, (y.1, y.0)) * float(dots.down() - 1))
+    };
+    let lines = panel.curves.iter().flat_map(|curve| curve.points.windows(2));
+    let lines: Vec<(Point, Point)> = lines.map(|ends| (place(ends[0]), place(ends[1]))).collect();
+    let y_labels: Vec<(usize, String)> =
+        y_ticks.at.iter().map(|&at| (whole(place((x.0, at)).1) / DOWN, y_ticks.label(at))).collect();
+    let x_ticks = Ticks::linear(x, dots.columns / 10 + 1);
+    let x_labels: Vec<(usize, String)> =
+        x_ticks.at.iter().map(|&at| (whole(place((at, y.0)).0) / ACROSS, x_ticks.label(at))).collect();
+    lines.into_iter().for_each(|(from, to)| dots.line(from, to));
+
+    let mut text = format!("{}\n", panel.y.label);
+    for (row, letters) in dots.lines().enumerate() {
+        let label = y_labels.iter().find(|(at, _)| *at == row).map(|(_, label)| label.as_str());
+        let axis = if label.is_some() { '┤' } else { '│' };
+        let line =
+            format!("{:>margin$}{axis}{letters}", label.map(|label| format!("{label} ")).unwrap_or_default());
+        text.push_str(&format!("{}\n", line.trim_end()));
+    }
+    let tick = |column| if x_labels.iter().any(|(at, _)| *at == column) { '┬' } else { '─' };
+    let axis: String = (0..dots.columns).map(tick).collect();
+    text.push_str(&format!("{:margin$}└{axis}\n", ""));
+    text.push_str(&format!("{}\n{:>columns$}\n", below(&x_labels, margin + 1, columns), panel.x.label));
+    Ok(text)
+}
+
+/// Labels below their ticks, as far as they do not run into each other.
+fn below(labels: &[(usize, String)], margin: usize, columns: usize) -> String {
+    let mut line = String::new();
+    for (at, label) in labels {
+        let (used, width) = (line.chars().count(), label.chars().count());
+        let begin = (margin + at).saturating_sub(width / 2).min(columns.saturating_sub(width));
+        if used == 0 || begin > used {
+            line.push_str(&format!("{}{label}", " ".repeat(begin - used)));
+        }
+    }
+    line
+}
+
+/// Dots in a letter, from left to right and from top to bottom.
+const ACROSS: usize = 2;
+const DOWN: usize = 4;
+/// The bit of each dot of a letter, row by row, as Unicode numbers them.
+const BITS: [[u8; ACROSS]; DOWN] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];
+
+struct Dots {
+    columns: usize,
+    letters: Vec<u8>,
+}
+
+impl Dots {
+    fn new(columns: usize, rows: usize) -> Self {
+        Self { columns, letters: vec![0; columns * rows] }
+    }
+
+    fn across(&self) -> usize {
+        self.columns * ACROSS
+    }
+
+    fn down(&self) -> usize {
+        self.letters.len() / self.columns * DOWN
+    }
+
+    fn line(&mut self, from: Point, to: Point) {
+        let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+        let steps = whole(dx.abs().max(dy.abs())).max(1);
+        for step in 0..=steps {
+            let part = float(step) / float(steps);
+            self.set(whole(from.0 + part * dx), whole(from.1 + part * dy));
+        }
+    }
+
+    fn set(&mut self, x: usize, y: usize) {
+        if let Some(letter) = self.letters.get_mut(y / DOWN * self.columns + x / ACROSS) {
+            *letter |= BITS[y % DOWN][x % ACROSS];
+        }
+    }
+
+    fn lines(&self) -> impl Iterator<Item = String> {
+        // A letter without dots is a blank: some fonts draw all eight places.
+        let drawn = |&dots: &u8| {
+            if dots == 0 { ' ' } else { char::from_u32(0x2800 + u32::from(dots)).unwrap_or(' ') }
+        };
+        self.letters.chunks(self.columns).map(move |line| line.iter().map(drawn).collect())
+    }
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a place in a terminal; none is negative"
+)]
+fn whole(value: f64) -> usize {
+    value.round() as usize
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Axis, Curve, Look};
+
+    fn panel(points: Vec<Point>) -> Panel {
+        let mut panel = Panel::new("", Axis::over("time (s)", 0.0, 2.0), Axis::over("force", 0.0, 4.0));
+        panel.curves.push(Curve { label: String::new(), points, look: Look::series(0) });
+        panel
+    }
+
+    #[test]
+    fn a_line_goes_from_corner_to_corner() {
+        let text = text(&panel(vec![(0.0, 0.0), (2.0, 4.0)]), 23, 5).unwrap();
+        let drawn = [
+            "force",
+            "4 ┤                ⣀⠤⠒⠉",
+            "  │            ⣀⠤⠒⠉",
+            "2 ┤        ⣀⠤⠒⠉",
+            "  │    ⣀⠤⠒⠉",
+            "0 ┤⣀⠤⠒⠉",
+            "  └┬─────────┬────────┬",
+            "   0         1        2",
+            "               time (s)",
+        ];
+        assert_eq!(text.lines().collect::<Vec<_>>(), drawn);
+    }
+
+    #[test]
+    fn every_line_fits() {
+        for columns in [20, 40, 80, 132] {
+            let points =
+                (0..1000).map(|i| f64::from(i) / 500.0).map(|t| (t, 4e6 * (9.0 * t).sin().abs())).collect();
+            let mut panel = panel(points);
+            panel.y = Axis::new("force (N)");
+            let text = text(&panel, columns, 12).unwrap();
+            assert!(text.lines().all(|line| line.chars().count() <= columns), "{text}");
+            assert_eq!(text.lines().count(), 12 + 4, "{text}");
+        }
+    }
+
+    #[test]
+    fn nothing_to_draw_is_told() {
+        assert!(text(&panel(vec![(0.0, 1.0)]), 80, 16).is_err());
+        assert!(text(&panel(vec![(0.0, 1.0), (f64::NAN, 1.0)]), 80, 16).is_err());
+    }
+}
