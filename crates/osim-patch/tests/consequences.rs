@@ -11,9 +11,7 @@
 use osim_model::{
     Companion, Document, Fault, LevelAxis, Mass, MassSource, Model, Property, Selection, WarningCode,
 };
-use osim_patch::{
-    Plan, PropertySet, RadiusRule, Rescale, Transfer, reference_of_model, rescale, transfer,
-};
+use osim_patch::{Plan, PropertySet, RadiusRule, Rescale, Transfer, reference_of_model, rescale, transfer};
 
 const ONE_FOOT: &str = include_str!("../../osim-model/tests/data/one_foot.osim");
 

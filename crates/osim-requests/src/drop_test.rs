@@ -30,8 +30,8 @@ pub struct DropResult {
     pub report: DropReport,
     /// How far it is from another drop, where one was asked for.
     pub compared: Option<ComparedDrop>,
-    /// Bodies that weigh something else than their contacts were made for: names, and what to say of them.
-    pub mismatches: Vec<(String, Phrase)>,
+    /// Bodies that weigh something else than their contacts were made for, by their names.
+    pub mismatches: Vec<(String, MassMismatch)>,
 }
 
 /// A drop compared with another.
@@ -49,7 +49,7 @@ struct Falling {
     name: String,
     test: DropTest,
     sphere_count: f64,
-    mismatch: Option<Phrase>,
+    mismatch: Option<MassMismatch>,
 }
 
 /// What is said of one of the two bodies; what is about the first says nothing about the other.
@@ -142,7 +142,7 @@ impl DropTestRequest {
         let falling = self
             .falling(open.name().to_owned(), spheres, (mass.kg, gravity), count)
             .map_err(|error| Fault::refused(error.to_string()))?;
-        let mismatch = MassMismatch::find(model, &masses).map(|mismatch| mismatch.message());
+        let mismatch = MassMismatch::find(model, &masses);
         Ok(Falling { mismatch, ..falling })
     }
 

@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
-use osim_inspect::series::{Body, ForceUnit, HeatRequest, IndentationUnit, Units, kinds};
+use osim_inspect::series::{Body, HeatRequest};
 use osim_model::files::Files;
 use osim_model::wording::{Input, phrase};
 
 use crate::fault::{RequestError, RequestFault};
-use crate::request::{AxesChoice, PlotKind, PlotRequest};
+use crate::request::{PlotKind, PlotRequest};
 use crate::subject::Subject;
 use crate::value::{Kilograms, Positive};
 
@@ -68,19 +68,6 @@ impl PlotRequest {
                 Ok(Body::of_model(name, &open.model, &selected.forces, &masses, &stance, &failed)?)
             }
         }
-    }
-
-    /// The units asked for, else those that compare well: newtons for one contact, shares of the weight for several.
-    #[must_use]
-    pub fn units(&self, bodies: &[Body]) -> Units {
-        let single = kinds(bodies).count() == 1;
-        let indentation = match self.axes {
-            Some(AxesChoice::Real) => IndentationUnit::Millimetre,
-            _ => IndentationUnit::Relative,
-        };
-        let shares = self.axes.map_or(!single, |wanted| wanted == AxesChoice::Dimensionless);
-        let force = if shares { ForceUnit::WeightShare } else { ForceUnit::Newton };
-        Units { indentation, force }
     }
 
     /// What a heat map shows.

@@ -32,7 +32,7 @@ pub(crate) fn schema<T: JsonSchema>(verb: Verb, relations: &[&[Relation]]) -> Sc
                 all.push(json!({"anyOf": [{"not": says(field)}, says(other)]}));
             }
             Relation::Excludes(field, other) => {
-                all.push(json!({"not": {"allOf": [says(field), says(other)]}}))
+                all.push(json!({"not": {"allOf": [says(field), says(other)]}}));
             }
         }
     }

@@ -34,6 +34,7 @@ inputs! {
     BodyScale = "body_scale", "scale factors of a body";
     BodyScaleFile = "body_scale_file", "the Scale Tool's ScaleSet";
     BodyWeights = "body_weights", "load in body weights";
+    Compare = "compare", "body to compare with";
     CompareSpheres = "compare_spheres", "spheres that share the other body's weight";
     ConstantContactForce = "constant_contact_force", "constant contact force";
     ConstantIndentation = "constant_indentation", "constant indentation over radius";

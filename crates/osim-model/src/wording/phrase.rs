@@ -12,17 +12,17 @@ use super::part::{Call, Example, Part};
 pub struct Phrase(Vec<Part>);
 
 impl Phrase {
-    /// A text of our own in which inputs and calls stand in backticks: `` `mass` ``, `` `contacts_mass=KG` ``,
+    /// A text in which inputs and calls stand in backticks: `` `mass` ``, `` `contacts_mass=KG` ``,
     /// `` `design MODEL indentation=0.16` ``. What stands there and is neither stays as it is.
     #[must_use]
-    pub fn template(text: &'static str) -> Self {
+    pub fn template(text: &str) -> Self {
         let mut phrase = Self::default();
         for (index, piece) in text.split('`').enumerate() {
             match (index % 2 == 1).then(|| reference(piece)).flatten() {
                 Some(part) => phrase.push(part),
                 None if index % 2 == 1 => phrase.push(format!("`{piece}`")),
                 None if piece.is_empty() => {}
-                None => phrase.push(piece),
+                None => phrase.push(piece.to_owned()),
             }
         }
         phrase
@@ -81,7 +81,7 @@ impl Phrase {
 }
 
 /// An input or a call as a template has it.
-fn reference(text: &'static str) -> Option<Part> {
+fn reference(text: &str) -> Option<Part> {
     let mut words = text.split(' ');
     let first = words.next()?;
     let Some(verb) = Verb::ALL.iter().find(|verb| verb.name() == first) else {
@@ -99,11 +99,11 @@ fn reference(text: &'static str) -> Option<Part> {
 }
 
 /// `name` or `name=VALUE`; what begins with a capital letter is a placeholder.
-fn input(word: &'static str) -> Option<(Input, Option<Example>)> {
+fn input(word: &str) -> Option<(Input, Option<Example>)> {
     let (name, value) = word.split_once('=').map_or((word, None), |(name, value)| (name, Some(value)));
     let input = Input::ALL.iter().find(|input| input.name() == name)?;
     let example = value.map(|value| match value.starts_with(|c: char| c.is_ascii_uppercase()) {
-        true => Example::Placeholder(Cow::Borrowed(value)),
+        true => Example::Placeholder(Cow::Owned(value.to_owned())),
         false => Example::Value(value.to_owned()),
     });
     Some((*input, example))

@@ -16,6 +16,7 @@ use super::set::SetRequest;
 use super::transfer::TransferRequest;
 use crate::dictionary;
 use crate::fault::RequestFault;
+#[cfg(feature = "clap")]
 use crate::relation::Relation;
 use crate::schema::schema;
 

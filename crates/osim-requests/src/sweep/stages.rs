@@ -96,18 +96,20 @@ pub(super) fn design(
     indentation: Option<f64>,
     restitution: Option<f64>,
 ) -> Result<Box<dyn Planner>, RequestFault> {
-    let refused = |input: Input, number: f64| {
+    let refused = |name: AxisName, number: f64| {
         move |why: String| {
-            RequestFault::refused(input, phrase![input, format!(" {}: {why}", shortest(number))])
+            let value = format!(" {}={}: {why}", name.as_str(), shortest(number));
+            RequestFault::refused(Input::Grid, phrase![Input::Grid, value])
         }
     };
     let mut wanted = request.wanted.clone();
     if let Some(x) = indentation {
-        wanted.indentation = Some(RelativeIndentation::new(x).map_err(refused(Input::Indentation, x))?);
+        wanted.indentation = Some(RelativeIndentation::new(x).map_err(refused(AxisName::Indentation, x))?);
     }
     if let Some(restitution) = restitution {
-        wanted.restitution =
-            Some(RestitutionCoefficient::new(restitution).map_err(refused(Input::Restitution, restitution))?);
+        wanted.restitution = Some(
+            RestitutionCoefficient::new(restitution).map_err(refused(AxisName::Restitution, restitution))?,
+        );
     }
     let design = DesignRequest {
         wanted,

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use osim_model::files::{Failure, Files};
 use osim_model::wording::{Phrase, Verb};
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 use super::cells::Cells;
 use super::columns::Columns;
@@ -36,8 +36,18 @@ pub struct RowRequest {
     pub model: PathBuf,
     /// Where its result goes: as the row says, else as the call says.
     pub output: OutputOptions,
-    /// Everything else: rows with the same fields plan the same.
-    pub fields: Map<String, Value>,
+    /// Everything else.
+    fields: Map<String, Value>,
+}
+
+impl RowRequest {
+    /// Rows with the same text plan the same for any model and are written in the same way.
+    #[must_use]
+    pub fn settings(&self) -> String {
+        let output =
+            OutputOptions { output: None, geometry_output: None, output_dir: None, ..self.output.clone() };
+        json!([self.verb.name(), self.fields, output]).to_string()
+    }
 }
 
 impl Table {
@@ -103,6 +113,10 @@ impl Table {
         let message = match (fault, &column) {
             (RequestFault::UnknownField { .. }, Some(_)) => {
                 format!("{} has no such option: leave the cell empty", verb.name()).into()
+            }
+            // What is wrong with assignments names the one that it is about.
+            (RequestFault::BadValue { field, reason, .. }, Some(_)) if field == "set" => {
+                reason.clone().into()
             }
             (RequestFault::BadValue { value, reason, .. }, Some(_)) => format!("'{value}': {reason}").into(),
             _ => fault.phrase(),

@@ -1,0 +1,90 @@
+//! Findings of many models as one table.
+
+use std::cmp::Reverse;
+
+use osim_inspect::{CheckResult, Counts};
+use osim_model::wording::{Dialect, Phrase};
+use osim_model::{Severity, WarningCode};
+
+use crate::layout::{Colour, clipped, right_aligned, severity, table};
+
+/// What was found in all models of a folder.
+#[derive(Debug, Default)]
+pub struct LibraryTable {
+    /// Counts; `None` for a model that could not be read.
+    models: Vec<(String, Option<Counts>)>,
+    /// For each code, how many models, and the first of them.
+    codes: Vec<(WarningCode, usize, String)>,
+}
+
+impl LibraryTable {
+    /// Adds what was found in the next model.
+    pub fn add(&mut self, found: &CheckResult) {
+        let mut seen: Option<WarningCode> = None;
+        for finding in &found.findings {
+            // Findings come sorted, so that one code stands together.
+            if seen == Some(finding.code) {
+                continue;
+            }
+            seen = Some(finding.code);
+            match self.codes.iter_mut().find(|(code, ..)| *code == finding.code) {
+                Some((_, models, _)) => *models += 1,
+                None => self.codes.push((finding.code, 1, found.model.clone())),
+            }
+        }
+        self.models.push((found.model.clone(), Some(found.counts)));
+    }
+
+    /// Adds a model that could not be read.
+    pub fn add_failed(&mut self, model: &str) {
+        self.models.push((model.to_owned(), None));
+    }
+
+    /// One row for each model, then one for each code.
+    ///
+    /// Names are clipped where a line has an end; in a file or a pipe they are whole.
+    #[must_use]
+    pub fn text(mut self, whole_names: bool, dialect: &dyn Dialect, colour: Colour) -> String {
+        let shown = |name: &str, width| if whole_names { name.to_owned() } else { clipped(name, width) };
+        let mut models = table(&["model", "errors", "warnings", "remarks"]);
+        for (model, counts) in &self.models {
+            let count = |count: usize| if count == 0 { "-".to_owned() } else { count.to_string() };
+            let cells = match counts {
+                Some(counts) => [count(counts.error), count(counts.warn), count(counts.info)],
+                None => ["not read", "", ""].map(str::to_owned),
+            };
+            models.add_row([vec![shown(model, 48)], cells.to_vec()].concat());
+        }
+        right_aligned(&mut models, &[1, 2, 3]);
+        let mut text = format!("{}\n", models.trim_fmt());
+        if self.codes.is_empty() {
+            return text;
+        }
+        self.codes.sort_by_key(|(code, ..)| (Reverse(code.severity()), *code));
+        let mut codes = table(&["", "finding", "models", "for example"]);
+        for (code, count, model) in &self.codes {
+            let severity = code.severity().as_str().to_owned();
+            codes.add_row(vec![severity, code.to_string(), count.to_string(), shown(model, 36)]);
+        }
+        right_aligned(&mut codes, &[2]);
+        let more = Phrase::template(
+            "In full, with commands that mend: `check MODEL`. What one means: `explain topics=FINDING`",
+        );
+        text.push_str(&format!("\n{}\n\n{}\n", codes.trim_fmt(), more.spelled(dialect)));
+        painted_rows(&text, colour)
+    }
+}
+
+/// Rows that begin with a severity, in its colour.
+fn painted_rows(text: &str, colour: Colour) -> String {
+    let mut out = String::new();
+    for line in text.split_inclusive('\n') {
+        let word = line.split_whitespace().next().unwrap_or_default();
+        let found = [Severity::Error, Severity::Warn].into_iter().find(|severity| severity.as_str() == word);
+        match found {
+            Some(found) => out.push_str(&line.replacen(word, &severity(found, colour), 1)),
+            None => out.push_str(line),
+        }
+    }
+    out
+}

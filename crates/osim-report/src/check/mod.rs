@@ -1,0 +1,9 @@
+//! What was found, as text.
+
+mod csv_rows;
+mod library;
+mod table;
+
+pub use csv_rows::csv_rows;
+pub use library::LibraryTable;
+pub use table::text;

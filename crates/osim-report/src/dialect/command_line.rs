@@ -1,0 +1,166 @@
+//! The words of the command line.
+
+use osim_inspect::{Remedy, RemedyDialect};
+use osim_model::shortest;
+use osim_model::wording::{Call, Dialect, Example, Input, Verb};
+use osim_patch::Assignment;
+
+use super::front_end::FrontEnd;
+use super::remedy::{Parts, Said};
+use super::shell::shell_quoted;
+
+/// Name of the program.
+const PROGRAM: &str = "osim-contact-scale";
+
+/// The command line: `--mass KG`, `design MODEL --indentation 0.16`.
+///
+/// ```
+/// use osim_model::wording::{Input, phrase};
+/// use osim_report::dialect::CommandLine;
+///
+/// let way_out = phrase!["say what the model weighs with ", Input::Mass.like("KG")];
+/// assert_eq!(way_out.spelled(&CommandLine), "say what the model weighs with --mass KG");
+/// ```
+#[derive(Debug, Clone, Copy, Default)]
+pub struct CommandLine;
+
+impl Dialect for CommandLine {
+    fn input(&self, input: Input, example: Option<&Example>) -> String {
+        let name = match (input, example) {
+            _ if is_positional(input) => {
+                return example.map_or_else(|| input.name().to_ascii_uppercase(), ToString::to_string);
+            }
+            (Input::Output, None | Some(Example::Placeholder(_))) => "-o".to_owned(),
+            (Input::OutputDir, None | Some(Example::Placeholder(_))) => "-d".to_owned(),
+            _ => option(input),
+        };
+        example.map_or_else(|| name.clone(), |example| format!("{name} {example}"))
+    }
+
+    fn call(&self, call: &Call) -> String {
+        let said = |positional: bool| {
+            let inputs = call.inputs.iter().filter(move |(input, _)| is_positional(*input) == positional);
+            inputs.map(|(input, example)| self.input(*input, example.as_ref()))
+        };
+        let mut words = Vec::new();
+        // What a model alone means is rescale: its name may be left out.
+        if call.verb != Verb::Rescale || !call.with_model {
+            words.push(call.verb.name().to_owned());
+        }
+        words.extend(said(true));
+        words.extend(call.with_model.then(|| "MODEL".to_owned()));
+        words.extend(said(false));
+        words.join(" ")
+    }
+}
+
+impl RemedyDialect for CommandLine {
+    fn remedy(&self, remedy: &Remedy) -> String {
+        let Some(parts) = Parts::of(remedy) else { return String::new() };
+        let mut words = vec![PROGRAM.to_owned()];
+        if parts.verb != Verb::Rescale {
+            words.push(parts.verb.name().to_owned());
+        }
+        words.push(shell_quoted(&remedy.model));
+        words.extend(parts.assignments.iter().map(|(property, assignment)| match assignment {
+            Assignment::Factor(factor) => format!("{property}=x{}", shortest(*factor)),
+            Assignment::Value(value) => format!("{property}={}", shortest(*value)),
+            _ => property.to_string(),
+        }));
+        for (input, said) in &parts.inputs {
+            let mut say = |value: &str| words.extend([option(*input), shell_quoted(value)]);
+            match said {
+                Said::Number(value) => say(&shortest(*value)),
+                Said::Text(text) => say(text),
+                Said::Patterns(patterns) => patterns.iter().for_each(|pattern| say(pattern)),
+                Said::Flag => words.push(option(*input)),
+            }
+        }
+        words.join(" ")
+    }
+}
+
+impl FrontEnd for CommandLine {
+    fn command(&self, call: &Call) -> String {
+        format!("{PROGRAM} {}", self.call(call))
+    }
+}
+
+/// What is said without the name of an option.
+fn is_positional(input: Input) -> bool {
+    matches!(input, Input::Kind | Input::Topics)
+}
+
+fn option(input: Input) -> String {
+    format!("--{}", input.name().replace('_', "-"))
+}
+
+#[cfg(test)]
+mod tests {
+    use osim_model::WarningCode;
+    use osim_model::wording::Phrase;
+
+    use super::*;
+
+    fn spelled(template: &'static str) -> String {
+        Phrase::template(template).spelled(&CommandLine)
+    }
+
+    #[test]
+    fn outputs_are_short_unless_they_have_a_value() {
+        assert_eq!(spelled("`output` or `output_dir`"), "-o or -d");
+        assert_eq!(spelled("`output=FILE`, `output_dir=DIR`"), "-o FILE, -d DIR");
+        assert_eq!(spelled("`output=a.svg`"), "--output a.svg");
+    }
+
+    #[test]
+    fn a_model_alone_is_rescaled() {
+        assert_eq!(spelled("`rescale MODEL target_mass=KG`"), "MODEL --target-mass KG");
+        assert_eq!(spelled("`rescale`"), "rescale");
+        let call = Verb::Rescale.of_model().with(Input::TargetMass, "KG");
+        assert_eq!(CommandLine.command(&call), "osim-contact-scale MODEL --target-mass KG");
+    }
+
+    #[test]
+    fn what_is_positional_stands_before_the_model() {
+        let call = "`plot MODEL output=FILE.svg kind=force`, `explain topics=FINDING`";
+        assert_eq!(spelled(call), "plot force MODEL -o FILE.svg, explain FINDING");
+    }
+
+    #[test]
+    fn the_register_reads_as_it_always_did() {
+        for (code, why, remedy) in [
+            (
+                WarningCode::AlreadyAtTarget,
+                "else --mass, else the sum of the bodies.",
+                "Say what the contacts were made for with --contacts-mass KG, or take those of a known model with \
+                 transfer --from MODEL",
+            ),
+            (
+                WarningCode::ZeroConstantContactForce,
+                "even without friction.",
+                "Give it a small value, for example design MODEL --constant-indentation 0.05",
+            ),
+            (WarningCode::DisabledForce, "", "Nothing, if that is meant; else --skip-disabled"),
+            (
+                WarningCode::FactorsDisagree,
+                "",
+                "Look at inspect --from, and say --body-scale BODY=x,y,z where another source is right",
+            ),
+            (
+                WarningCode::BeyondHertzAtTwo,
+                "",
+                "Nothing, if the model only walks; else design MODEL --indentation 0.16 --body-weights 2",
+            ),
+            (
+                WarningCode::SunkIn,
+                "",
+                "Scale the contacts to this body with MODEL --contacts-mass KG --target-mass KG, or design MODEL \
+                 --indentation 0.16",
+            ),
+        ] {
+            assert!(code.why().spelled(&CommandLine).contains(why), "{code}");
+            assert_eq!(code.remedy().spelled(&CommandLine), remedy);
+        }
+    }
+}

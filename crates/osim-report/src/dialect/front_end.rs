@@ -1,0 +1,12 @@
+//! What a front end spells beyond sentences.
+
+use osim_inspect::RemedyDialect;
+use osim_model::wording::Call;
+
+/// The words of a front end, for calls that stand alone too.
+pub trait FrontEnd: RemedyDialect {
+    /// A call that stands alone, to be copied: on a command line it begins with the name of the program.
+    fn command(&self, call: &Call) -> String {
+        self.call(call)
+    }
+}

@@ -1,0 +1,14 @@
+//! How a command line, Python and a page spell what the reader can say or do.
+
+mod command_line;
+mod front_end;
+mod page;
+mod python;
+mod remedy;
+mod shell;
+
+pub use command_line::CommandLine;
+pub use front_end::FrontEnd;
+pub use page::Page;
+pub use python::Python;
+pub use shell::shell_quoted;

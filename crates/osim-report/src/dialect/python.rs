@@ -1,0 +1,180 @@
+//! The words of the Python package.
+
+use osim_inspect::{Remedy, RemedyDialect};
+use osim_model::shortest;
+use osim_model::wording::{Call, Dialect, Example, Input, Verb};
+use osim_patch::Assignment;
+
+use super::front_end::FrontEnd;
+use super::remedy::{Parts, Said};
+
+/// Python: `mass=KG`, `ocs.design("model.osim", indentation=0.16)`.
+///
+/// ```
+/// use osim_model::wording::{Input, Verb};
+/// use osim_model::wording::Dialect;
+/// use osim_report::dialect::Python;
+///
+/// let call = Verb::Transfer.of_model().saying(Input::From, "falisse2022");
+/// assert_eq!(Python.call(&call), r#"ocs.transfer("model.osim", from_="falisse2022")"#);
+/// ```
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Python;
+
+impl Dialect for Python {
+    fn input(&self, input: Input, example: Option<&Example>) -> String {
+        let value = match example {
+            Some(example) => value_of(example),
+            None if is_flag(input) => "True".to_owned(),
+            None => String::new(),
+        };
+        format!("{}={value}", name(input))
+    }
+
+    fn call(&self, call: &Call) -> String {
+        let mut arguments = Vec::new();
+        arguments.extend(call.inputs.iter().filter_map(|(input, example)| {
+            Some(value_of(example.as_ref().filter(|_| is_positional(*input))?))
+        }));
+        arguments.extend(call.with_model.then(|| quoted("model.osim")));
+        let named = call.inputs.iter().filter(|(input, example)| !is_positional(*input) || example.is_none());
+        arguments.extend(named.map(|(input, example)| self.input(*input, example.as_ref())));
+        function(call.verb, &arguments)
+    }
+}
+
+impl RemedyDialect for Python {
+    fn remedy(&self, remedy: &Remedy) -> String {
+        let Some(parts) = Parts::of(remedy) else { return String::new() };
+        let mut arguments = vec![quoted(&remedy.model)];
+        arguments.extend(parts.assignments.iter().map(|(property, assignment)| match assignment {
+            Assignment::Factor(factor) => {
+                format!("{property}={}", quoted(&format!("x{}", shortest(*factor))))
+            }
+            Assignment::Value(value) => format!("{property}={}", shortest(*value)),
+            _ => format!("{property}="),
+        }));
+        arguments.extend(parts.inputs.iter().map(|(input, said)| {
+            let value = match said {
+                Said::Number(value) => shortest(*value),
+                Said::Text(text) => quoted(text),
+                Said::Patterns(patterns) => {
+                    let patterns: Vec<String> = patterns.iter().map(|pattern| quoted(pattern)).collect();
+                    format!("[{}]", patterns.join(", "))
+                }
+                Said::Flag => "True".to_owned(),
+            };
+            format!("{}={value}", name(*input))
+        }));
+        function(parts.verb, &arguments)
+    }
+}
+
+impl FrontEnd for Python {}
+
+fn function(verb: Verb, arguments: &[String]) -> String {
+    format!("ocs.{}({})", verb.name().replace('-', "_"), arguments.join(", "))
+}
+
+/// What is said without a keyword.
+fn is_positional(input: Input) -> bool {
+    matches!(input, Input::Kind | Input::Topics)
+}
+
+/// What is either so or not.
+fn is_flag(input: Input) -> bool {
+    matches!(
+        input,
+        Input::Again
+            | Input::Diff
+            | Input::DryRun
+            | Input::FollowBodies
+            | Input::Force
+            | Input::Friction
+            | Input::InPlace
+            | Input::Level
+            | Input::NoNote
+            | Input::Resume
+            | Input::SkipDisabled
+            | Input::Strict
+            | Input::Yes
+    )
+}
+
+/// The keyword; a word that Python reserves gets a line behind it.
+fn name(input: Input) -> String {
+    match input.name() {
+        "from" => "from_".to_owned(),
+        name => name.to_owned(),
+    }
+}
+
+/// A placeholder stays as it is unless it looks like a text (`FILE.html`, `BODY=x,y,z`); a number is a number; everything
+/// else is a string.
+fn value_of(example: &Example) -> String {
+    match example {
+        Example::Placeholder(word) if !word.contains(['.', ',', '=']) => word.to_string(),
+        Example::Value(value) if is_number(value) => value.clone(),
+        example => quoted(&example.to_string()),
+    }
+}
+
+fn is_number(text: &str) -> bool {
+    let digit = text.trim_start_matches('-').starts_with(|c: char| c.is_ascii_digit());
+    digit && text.parse::<f64>().is_ok_and(f64::is_finite)
+}
+
+/// A string as Python reads it.
+fn quoted(text: &str) -> String {
+    let mut literal = String::from("\"");
+    for letter in text.chars() {
+        match letter {
+            '"' => literal.push_str("\\\""),
+            '\\' => literal.push_str("\\\\"),
+            '\n' => literal.push_str("\\n"),
+            '\r' => literal.push_str("\\r"),
+            '\t' => literal.push_str("\\t"),
+            control if control.is_control() => {
+                literal.push_str(&format!("\\u{:04x}", u32::from(control)));
+            }
+            plain => literal.push(plain),
+        }
+    }
+    literal.push('"');
+    literal
+}
+
+#[cfg(test)]
+mod tests {
+    use osim_model::wording::Phrase;
+
+    use super::*;
+
+    fn spelled(template: &'static str) -> String {
+        Phrase::template(template).spelled(&Python)
+    }
+
+    #[test]
+    fn inputs_are_keywords() {
+        assert_eq!(spelled("`mass=KG`, `mass`, `mass=62`, `strict`"), "mass=KG, mass=, mass=62, strict=True");
+        assert_eq!(spelled("`radius=keep`, `from=MODEL`"), "radius=\"keep\", from_=MODEL");
+        assert_eq!(
+            spelled("`impact_speed=M/S`, `body_scale=BODY=x,y,z`"),
+            "impact_speed=M/S, body_scale=\"BODY=x,y,z\""
+        );
+    }
+
+    #[test]
+    fn calls_are_functions() {
+        assert_eq!(spelled("`drop-test MODEL`, `inspect`"), "ocs.drop_test(\"model.osim\"), ocs.inspect()");
+        assert_eq!(
+            spelled("`plot MODEL output=FILE.svg kind=force`"),
+            "ocs.plot(\"force\", \"model.osim\", output=\"FILE.svg\")"
+        );
+    }
+
+    #[test]
+    fn strings_are_python_s() {
+        assert_eq!(quoted("C:\\a \"b\"\n\u{1}é"), r#""C:\\a \"b\"\n\u0001é""#);
+    }
+}

@@ -1,0 +1,200 @@
+//! A register of every error code: what it means and the way out.
+//!
+//! `docs/errors.md` has the same texts; a test compares them, and looks for codes that are not here.
+
+use osim_model::wording::Phrase;
+
+/// One kind of failure.
+#[derive(Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct ErrorCode {
+    /// As in the JSON `error.code`.
+    pub code: &'static str,
+    means: &'static str,
+    way_out: &'static str,
+}
+
+impl ErrorCode {
+    /// What is wrong.
+    #[must_use]
+    pub fn means(&self) -> Phrase {
+        Phrase::template(self.means)
+    }
+
+    /// What to do about it.
+    #[must_use]
+    pub fn way_out(&self) -> Phrase {
+        Phrase::template(self.way_out)
+    }
+}
+
+/// Every kind of failure.
+pub fn errors() -> impl Iterator<Item = &'static ErrorCode> {
+    ALL.iter()
+}
+
+/// The failure of this code.
+#[must_use]
+pub fn error(code: &str) -> Option<&'static ErrorCode> {
+    ALL.iter().find(|error| error.code == code)
+}
+
+const fn code(code: &'static str, means: &'static str, way_out: &'static str) -> ErrorCode {
+    ErrorCode { code, means, way_out }
+}
+
+/// In backticks stand inputs and calls.
+const ALL: &[ErrorCode] = &[
+    code(
+        "unreadable",
+        "the file, or one that belongs to it, is not there or cannot be read; a link leads nowhere or back; another program is writing it; a folder holds a pipe or a device under the name of a model",
+        "check name, folder and permissions. Dragging the file onto the terminal types its path for you",
+    ),
+    code("no-models", "the folder holds no .osim file", "name a model, or the folder that holds them"),
+    code(
+        "not-xml",
+        "this is no XML: an empty file, a zip archive, a binary file",
+        "get the model again from where it came",
+    ),
+    code(
+        "encoding",
+        "the file is UTF-16, or starts with two byte order marks; OpenSim cannot read it",
+        "save it as UTF-8. Windows PowerShell makes UTF-16 when you use >; use `output=FILE`",
+    ),
+    code("doctype", "a DOCTYPE with a part in [...], which OpenSim cannot read", "delete the DOCTYPE"),
+    code(
+        "malformed-xml",
+        "the XML is broken: a tag left open, crossed tags, two documents in one file",
+        "if it looks truncated, copy the file again; else open it at the line given",
+    ),
+    code(
+        "not-opensim",
+        "XML, but no OpenSim document: another outermost element, no Version, or neither a Model nor a set inside",
+        "check that this is the model, not a settings file or a saved web page",
+    ),
+    code(
+        "incomplete-set",
+        "a ForceSet without its geometry, or a ContactGeometrySet alone",
+        "name the force set and give `geometry=FILE`; see docs/workflow.md",
+    ),
+    code(
+        "not-a-number",
+        "a number is written so that OpenSim reads something else than it looks like: 1,5e6 is 1 for OpenSim, abc is its default",
+        "write the number plainly, like 1.5e6",
+    ),
+    code(
+        "broken-text",
+        "a comment or an element stands in the middle of a text that OpenSim must read, such as a list of geometry",
+        "remove it",
+    ),
+    code(
+        "out-of-domain",
+        "a number for which the equations do not hold: a radius or stiffness that is 0, negative or not finite, a negative dissipation",
+        "correct it in the model. A radius of 0 often means that the element is missing",
+    ),
+    code(
+        "no-mass",
+        "a body has no mass, or the bodies weigh nothing in all",
+        "give the body a <mass>, or say `mass=KG` or `contacts_mass=KG`",
+    ),
+    code(
+        "no-contacts",
+        "no HuntCrossleyForce or SmoothSphereHalfSpaceForce in which a moving sphere can touch a half-space. A folder's models without contacts are passed over instead",
+        "add contacts in OpenSim. If you see them there, look for a warning about a misnamed parameter set with inspect",
+    ),
+    code(
+        "unresolved",
+        "a force names a sphere, or a sphere a body, that is not in the file",
+        "correct the path; OpenSim could not connect it either",
+    ),
+    code(
+        "included-file",
+        "the number to change stands in another file, which the model names with file=\"...\"",
+        "open the model in OpenSim, save it as one file, change that",
+    ),
+    code(
+        "parameters-in-defaults",
+        "a force has no ContactParameters of its own; those in <defaults> may serve other forces, too",
+        "write a contact_parameters set into the force",
+    ),
+    code(
+        "same-operation",
+        "the note says that this very factor was applied already (set … `in_place`, `radius=xFACTOR` `in_place`)",
+        "`force`, if once more is meant",
+    ),
+    code(
+        "body-scale",
+        "how a body was scaled is not in the files (`transfer follow_bodies`)",
+        "`body_scale=BODY=x,y,z`, or `body_scale_file=FILE`",
+    ),
+    code(
+        "moved-spheres",
+        "spheres were moved or resized already (`transfer follow_bodies`)",
+        "`moved_spheres=keep` or replace",
+    ),
+    code(
+        "stale-note",
+        "the note in the file says a mass, but contacts were changed since, only some were scaled, the note cannot be read, or force set and geometry set were not written by the same run",
+        "`contacts_mass=KG`; for gravity `contacts_gravity=G`",
+    ),
+    code(
+        "several-trees",
+        "contact spheres stand on bodies that are joined only through ground (player and ball): which are meant?",
+        "`select=GLOB`",
+    ),
+    code(
+        "shared-sphere",
+        "a sphere should change its radius, but another force that is not rescaled uses it too",
+        "choose all of its forces with `select`, or `radius=keep`",
+    ),
+    code(
+        "sphere-count",
+        "how many spheres share the body weight? Limbs have different counts, or left and right cannot be told",
+        "`spheres=N`; for the reference `reference_spheres=N`",
+    ),
+    code(
+        "which-reference",
+        "the contacts of the reference differ, and your spheres have no namesakes there",
+        "`reference_sphere=NAME`",
+    ),
+    code(
+        "refused",
+        "the request makes no sense for this model; the message says why (no force is left by `select`, say)",
+        "as the message says",
+    ),
+    code(
+        "out-of-range",
+        "a quantity that follows from the request is outside the domain of the equations",
+        "check the masses and radii you gave",
+    ),
+    code(
+        "drop-test",
+        "the body cannot be followed: a contact so stiff or so dissipative that the integration does not get through",
+        "a shorter `duration`, or check the numbers with inspect",
+    ),
+    code(
+        "plot",
+        "the figure cannot be drawn: the message says what of the model it lacks, or that there are too many curves",
+        "as the message says; see docs/plots.md",
+    ),
+    code(
+        "fit",
+        "the CSV file, or what is in it: the message names line and column, or what the data do not tell",
+        "see docs/fit.md",
+    ),
+    code(
+        "output",
+        "the result cannot be written: the file exists already, it is the input itself, the folder cannot be written to, the disk is full",
+        "another name with `output` or `output_dir`, or `force`; for the input itself `in_place`. After a full disk make room and go on with `resume` (docs/libraries.md)",
+    ),
+    code(
+        "manifest",
+        "a row of a manifest is wrong: the message names row and column. No row was done",
+        "mend the cells that are named, and run again",
+    ),
+    code(
+        "internal",
+        "a defect of this program; nothing was changed",
+        "please report it, with the model if you may",
+    ),
+];

@@ -1,0 +1,19 @@
+//! What an equation says, and what a warning or an error means and asks for.
+
+mod ascii;
+mod equations;
+mod errors;
+mod letters;
+mod record;
+mod rules;
+mod text;
+mod topic;
+mod uses;
+
+pub use equations::{equation, equations};
+pub use errors::{ErrorCode, error, errors};
+pub use letters::Letters;
+pub use record::{FormulaRecord, SymbolRecord, TopicRecord};
+pub use text::{list, text};
+pub use topic::{Topic, UnknownTopic};
+pub use uses::uses;

@@ -1,0 +1,163 @@
+//! Explanations for scripts: one object for each topic and line.
+
+use contact_scaling::Equation;
+use contact_scaling::equations::{Form, Symbol};
+use osim_model::wording::{Dialect, Phrase};
+use osim_model::{Seen, WarningCode};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use super::ascii::ascii;
+use super::errors::ErrorCode;
+use super::topic::Topic;
+use super::uses::uses;
+
+const SCHEMA_VERSION: u32 = 1;
+
+/// One topic. `docs/json.md` describes every field.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+#[schemars(deny_unknown_fields)]
+#[non_exhaustive]
+pub enum TopicRecord {
+    /// An equation, or a rule of this project.
+    #[non_exhaustive]
+    Equation {
+        /// Raised when a field changes its meaning or goes away.
+        schema_version: u32,
+        /// The paper's number without brackets, or a name.
+        label: &'static str,
+        /// What it says, in a few words.
+        title: &'static str,
+        /// The equation as printed first, then in other forms.
+        formulas: Vec<FormulaRecord>,
+        /// Every symbol of the formulas.
+        symbols: Vec<SymbolRecord>,
+        /// Where it stands.
+        source: String,
+        /// Which part of the project uses it.
+        used: String,
+    },
+    /// A warning or finding.
+    #[non_exhaustive]
+    Warning {
+        /// Raised when a field changes its meaning or goes away.
+        schema_version: u32,
+        /// Stable short name.
+        code: &'static str,
+        /// How bad it is.
+        severity: &'static str,
+        /// Whether a check looks for it; else it is said of changes alone.
+        checked: bool,
+        /// What it is, in a sentence.
+        what: String,
+        /// Why it matters.
+        why: String,
+        /// What to do about it.
+        remedy: String,
+    },
+    /// An error.
+    #[non_exhaustive]
+    Error {
+        /// Raised when a field changes its meaning or goes away.
+        schema_version: u32,
+        /// Stable short name.
+        code: &'static str,
+        /// What is wrong.
+        means: String,
+        /// What to do about it.
+        way_out: String,
+    },
+}
+
+/// One way to write an equation.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct FormulaRecord {
+    /// What sets it apart, such as `for x`; empty for the first form.
+    pub note: &'static str,
+    /// The formula in Unicode.
+    pub formula: &'static str,
+    /// The same in ASCII.
+    pub ascii: String,
+    /// Unit of the result; `1` for a pure number, empty where nothing is computed.
+    pub unit: &'static str,
+}
+
+/// One symbol of a formula.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct SymbolRecord {
+    /// The symbol in Unicode.
+    pub symbol: &'static str,
+    /// The same in ASCII.
+    pub ascii: String,
+    /// What it stands for.
+    pub meaning: String,
+    /// Its unit; `1` for a pure number.
+    pub unit: &'static str,
+}
+
+impl TopicRecord {
+    /// A topic in the words of `dialect`.
+    #[must_use]
+    pub fn new(topic: Topic, dialect: &dyn Dialect) -> Self {
+        match topic {
+            Topic::Equation(equation) => Self::of_equation(equation, dialect),
+            Topic::Warning(code) => Self::of_warning(code, dialect),
+            Topic::Error(error) => Self::of_error(error, dialect),
+        }
+    }
+
+    fn of_equation(equation: &Equation, dialect: &dyn Dialect) -> Self {
+        Self::Equation {
+            schema_version: SCHEMA_VERSION,
+            label: equation.label,
+            title: equation.title,
+            formulas: equation.forms.iter().map(FormulaRecord::new).collect(),
+            symbols: equation.symbols.iter().map(|symbol| SymbolRecord::new(symbol, dialect)).collect(),
+            source: Phrase::template(equation.source).spelled(dialect),
+            used: uses(equation.label).spelled(dialect),
+        }
+    }
+
+    fn of_warning(code: WarningCode, dialect: &dyn Dialect) -> Self {
+        Self::Warning {
+            schema_version: SCHEMA_VERSION,
+            code: code.as_str(),
+            severity: code.severity().as_str(),
+            checked: code.seen() == Seen::Model,
+            what: code.what().spelled(dialect),
+            why: code.why().spelled(dialect),
+            remedy: code.remedy().spelled(dialect),
+        }
+    }
+
+    fn of_error(error: &ErrorCode, dialect: &dyn Dialect) -> Self {
+        Self::Error {
+            schema_version: SCHEMA_VERSION,
+            code: error.code,
+            means: error.means().spelled(dialect),
+            way_out: error.way_out().spelled(dialect),
+        }
+    }
+}
+
+impl FormulaRecord {
+    fn new(form: &Form) -> Self {
+        Self { note: form.note, formula: form.formula, ascii: ascii(form.formula), unit: form.unit }
+    }
+}
+
+impl SymbolRecord {
+    fn new(symbol: &Symbol, dialect: &dyn Dialect) -> Self {
+        Self {
+            symbol: symbol.symbol,
+            ascii: ascii(symbol.symbol),
+            meaning: Phrase::template(symbol.meaning).spelled(dialect),
+            unit: symbol.unit,
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! Explanations for people, 80 columns wide.
+
+use comfy_table::{ContentArrangement, Table};
+use contact_scaling::Equation;
+use osim_model::WarningCode;
+use osim_model::wording::{Dialect, Phrase};
+
+use super::errors::ErrorCode;
+use super::letters::Letters;
+use super::topic::Topic;
+use super::uses::uses;
+use crate::layout::{WIDTH, options, table};
+
+/// One topic in full.
+#[must_use]
+pub fn text(topic: Topic, dialect: &dyn Dialect, letters: Letters) -> String {
+    match topic {
+        Topic::Equation(equation) => of_equation(equation, dialect, letters),
+        Topic::Warning(code) => of_warning(code, dialect),
+        Topic::Error(error) => of_error(error, dialect),
+    }
+}
+
+fn of_equation(equation: &Equation, dialect: &dyn Dialect, letters: Letters) -> String {
+    let spelled = |template: &'static str| letters.spelled(&Phrase::template(template).spelled(dialect));
+    let mut text = format!("{}  {}\n\n", shown(equation.label), equation.title);
+    for form in equation.forms {
+        let note = if form.note.is_empty() { String::new() } else { format!("    ({})", form.note) };
+        text.push_str(&letters.spelled(&format!("    {}{note}\n", form.formula)));
+    }
+    let mut symbols = table(&["symbol", "meaning", "unit"]);
+    for symbol in equation.symbols {
+        symbols.add_row([symbol.symbol, symbol.meaning, symbol.unit].map(spelled).to_vec());
+    }
+    if !equation.symbols.is_empty() {
+        text.push_str(&format!("\n{}\n", fitted(symbols)));
+    }
+    text.push('\n');
+    text.push_str(&paragraph("Source: ", &spelled(equation.source)));
+    text.push_str(&paragraph("Used:   ", &uses(equation.label).spelled(dialect)));
+    text
+}
+
+fn of_warning(code: WarningCode, dialect: &dyn Dialect) -> String {
+    let parts = [("What: ", code.what()), ("Why:  ", code.why()), ("Do:   ", code.remedy())];
+    let body: String =
+        parts.into_iter().map(|(label, body)| paragraph(label, &body.spelled(dialect))).collect();
+    format!("{code}\n\n{body}")
+}
+
+fn of_error(error: &ErrorCode, dialect: &dyn Dialect) -> String {
+    let parts = [("Means: ", error.means()), ("Do:    ", error.way_out())];
+    let body: String =
+        parts.into_iter().map(|(label, body)| paragraph(label, &body.spelled(dialect))).collect();
+    format!("{} (error)\n\n{body}", error.code)
+}
+
+/// Topics by kind, one line each.
+#[must_use]
+pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: Letters) -> String {
+    let (mut equations, mut warnings, mut errors) = (
+        table(&["equation", "what it says"]),
+        table(&["warning", "what it is"]),
+        table(&["error", "what it means"]),
+    );
+    for topic in topics {
+        match topic {
+            Topic::Equation(equation) => {
+                equations.add_row(vec![shown(equation.label), letters.spelled(equation.title)])
+            }
+            Topic::Warning(code) => {
+                warnings.add_row(vec![code.as_str().to_owned(), code.what().spelled(dialect)])
+            }
+            Topic::Error(error) => {
+                let means = letters.spelled(&error.means().spelled(dialect));
+                errors.add_row(vec![error.code.to_owned(), means])
+            }
+        };
+    }
+    [equations, warnings, errors].map(|table| format!("{}\n", fitted(table))).join("\n")
+}
+
+/// Numbers of the paper stand in brackets, as there.
+fn shown(label: &str) -> String {
+    if label.ends_with(|c: char| c.is_ascii_digit()) && !label.contains(' ') {
+        format!("({label})")
+    } else {
+        label.to_owned()
+    }
+}
+
+fn paragraph(label: &str, body: &str) -> String {
+    let body = format!("{}.", body.trim().trim_end_matches('.'));
+    let indent = " ".repeat(label.len());
+    let options = options().initial_indent(label).subsequent_indent(&indent);
+    format!("{}\n", textwrap::fill(&body, options))
+}
+
+fn fitted(mut table: Table) -> String {
+    table.set_content_arrangement(ContentArrangement::Dynamic).set_width(WIDTH as u16);
+    table.trim_fmt()
+}

@@ -1,0 +1,115 @@
+//! Something that can be explained, by its name.
+
+use contact_scaling::Equation;
+use osim_model::WarningCode;
+use osim_model::wording::Verb;
+
+use super::equations::{equation, equations};
+use super::errors::{ErrorCode, errors};
+use crate::dialect::FrontEnd;
+
+/// Something that can be explained.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Topic {
+    /// An equation, or a rule of this project.
+    Equation(&'static Equation),
+    /// A warning or finding.
+    Warning(WarningCode),
+    /// An error.
+    Error(&'static ErrorCode),
+}
+
+/// A name that nothing has.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct UnknownTopic {
+    /// The name.
+    pub name: String,
+    /// A name like it, where there is one.
+    pub near: Option<&'static str>,
+}
+
+impl Topic {
+    /// Everything that can be explained.
+    #[must_use]
+    pub fn all() -> Vec<Self> {
+        let warnings = WarningCode::ALL.iter().copied().map(Self::Warning);
+        equations().map(Self::Equation).chain(warnings).chain(errors().map(Self::Error)).collect()
+    }
+
+    /// All topics of `named`: one name, or several as the column "equation" has them (`11, B.2`).
+    ///
+    /// # Errors
+    /// Something that is neither an equation nor a code.
+    pub fn find(named: &str) -> Result<Vec<Self>, UnknownTopic> {
+        let by_comma: Vec<&str> = named.split(',').map(str::trim).filter(|name| !name.is_empty()).collect();
+        let by_blank: Vec<&str> = named.split([',', ' ']).filter(|name| !name.is_empty()).collect();
+        for names in [&[named][..], &by_comma, &by_blank] {
+            let found: Vec<Vec<Self>> = names.iter().map(|name| called(name)).collect();
+            if found.iter().all(|topics| !topics.is_empty()) {
+                return Ok(found.concat());
+            }
+        }
+        let unknown = by_comma.into_iter().find(|name| called(name).is_empty()).unwrap_or(named);
+        Err(UnknownTopic::new(unknown))
+    }
+
+    /// The label of an equation, or a code.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Equation(equation) => equation.label,
+            Self::Warning(code) => code.as_str(),
+            Self::Error(error) => error.code,
+        }
+    }
+}
+
+/// Everything called so: a code may be both a warning's and an error's.
+fn called(name: &str) -> Vec<Topic> {
+    let is_code = |code: &str| code == name.trim_matches(['[', ']', ' ']);
+    let equation = equation(name).map(Topic::Equation);
+    let warning = WarningCode::ALL.iter().copied().find(|code| is_code(code.as_str())).map(Topic::Warning);
+    let error = errors().find(|known| is_code(known.code)).map(Topic::Error);
+    [equation, warning, error].into_iter().flatten().collect()
+}
+
+impl UnknownTopic {
+    fn new(name: &str) -> Self {
+        let known: Vec<&'static str> = Topic::all().into_iter().map(Topic::name).collect();
+        let near = similar::get_close_matches(name, &known, 1, 0.7).first().copied();
+        Self { name: name.to_owned(), near }
+    }
+
+    /// What is wrong, and a way out.
+    #[must_use]
+    pub fn message(&self, front_end: &dyn FrontEnd) -> String {
+        let near = self.near.map(|near| format!(", expected one like '{near}'")).unwrap_or_default();
+        let list = front_end.command(&Verb::Explain.call());
+        format!("'{}' is no equation and no code{near}: `{list}` lists them", self.name)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dialect::CommandLine;
+
+    #[test]
+    fn topics_are_found_as_they_are_printed() {
+        let names = |named| Topic::find(named).map(|topics| topics.into_iter().map(Topic::name).collect());
+        assert_eq!(names("11, B.2"), Ok(vec!["11", "B.2"]));
+        assert_eq!(names("[included-file]"), Ok(vec!["included-file", "included-file"]));
+    }
+
+    #[test]
+    fn what_is_unknown_is_named_with_what_is_near() {
+        let unknown = Topic::find("11, sunk-inn").unwrap_err();
+        assert_eq!(
+            unknown.message(&CommandLine),
+            "'sunk-inn' is no equation and no code, expected one like 'sunk-in': `osim-contact-scale explain` lists \
+             them"
+        );
+    }
+}

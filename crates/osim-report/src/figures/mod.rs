@@ -1,0 +1,27 @@
+//! Figures of what contacts do, for `contact_plots` to draw.
+//!
+//! [`osim_inspect::series`] computes the points; here they get titles, labels and limits. What goes wrong is a
+//! [`Failure`](osim_model::files::Failure), whose message is not spelled yet.
+
+mod axes;
+mod draw;
+mod drops;
+mod force;
+mod heat;
+mod limits;
+mod loops;
+mod names;
+pub mod paper;
+mod state;
+mod svg;
+mod weights;
+
+pub use axes::{Axes, units};
+pub use draw::draw;
+pub use drops::drops;
+pub use force::force;
+pub use heat::heat;
+pub use loops::{impact_loops, loops};
+pub use state::state;
+pub use svg::svg;
+pub use weights::weights;

@@ -1,0 +1,24 @@
+//! What is said beside a figure.
+
+use osim_inspect::series::Body;
+use osim_model::readable;
+use osim_model::wording::Dialect;
+
+/// What each body is taken to weigh and to stand on, one line each; why not, where that is not known and not needed.
+#[must_use]
+pub fn weights(bodies: &[Body], dialect: &dyn Dialect) -> String {
+    let line = |body: &Body| match &body.weight {
+        Ok(weight) => format!(
+            "{}: {} kg on {} spheres, {} m/s2\n",
+            body.name,
+            readable(weight.mass_kg),
+            readable(weight.sphere_count),
+            readable(weight.gravity_m_s2)
+        ),
+        Err(failure) => {
+            let why = failure.message.spelled(dialect);
+            format!("{}: its share of the weight is not drawn: {why}\n", body.name)
+        }
+    };
+    bodies.iter().map(line).collect()
+}

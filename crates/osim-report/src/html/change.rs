@@ -1,0 +1,197 @@
+//! A model that was changed: from what, to what, by which equation, and what its contacts do before and after.
+
+use maud::{Markup, html};
+use osim_inspect::series::Body;
+use osim_inspect::{CheckResult, Figures, Inspection};
+use osim_model::readable;
+use osim_model::wording::Dialect;
+use osim_patch::{Change, Move, Plan};
+
+use super::detail_level::DetailLevel;
+use super::entry::Entry;
+use super::explained::Topics;
+use super::files::{self, Files};
+use super::fragment::{Fragment, table};
+use super::run_row::RunRow;
+use super::sphere_figures::{self, State};
+use super::values::{listed, sentence, severity};
+use super::{findings, plots};
+use crate::plan::groups::{groups, whose};
+
+/// A change and what it does. What the plan, the inspections and the checks say is taken as it is spelled.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct Changed<'c> {
+    /// What changes.
+    pub plan: &'c Plan,
+    /// The model as it was.
+    pub before: (&'c Inspection, &'c CheckResult),
+    /// The figures of the model as it was, under the new weight, where that differs.
+    pub before_under_new_weight: Option<&'c Figures>,
+    /// The model as it is written; `None` where nothing changes.
+    pub after: Option<(&'c Inspection, &'c CheckResult)>,
+    /// States of the model to be drawn.
+    pub bodies: Vec<Body>,
+    /// The new model is in a file.
+    pub in_file: bool,
+    /// The gravity the contacts are scaled to, where the model's is another, m/s².
+    pub target_gravity_m_s2: Option<f64>,
+    /// What was read and written.
+    pub files: Files,
+}
+
+impl<'c> Changed<'c> {
+    /// A plan for a model as it was, of which nothing was written yet.
+    #[must_use]
+    pub fn new(plan: &'c Plan, before: (&'c Inspection, &'c CheckResult), files: Files) -> Self {
+        Self {
+            plan,
+            before,
+            before_under_new_weight: None,
+            after: None,
+            bodies: Vec::new(),
+            in_file: false,
+            target_gravity_m_s2: None,
+            files,
+        }
+    }
+}
+
+/// Everything about one model that was changed; `row` stands in the table of models.
+#[must_use]
+pub fn changed(row: &RunRow, changed: &Changed<'_>, detail: DetailLevel, dialect: &dyn Dialect) -> Entry {
+    let mut fragment = Fragment::new(detail);
+    what_changed(&mut fragment, changed.plan);
+    let (before, found_before) = changed.before;
+    match changed.after {
+        Some((_, found)) => {
+            let (in_file, gravity_m_s2) = (changed.in_file, changed.target_gravity_m_s2);
+            let after = findings::After { found, in_file, gravity_m_s2 };
+            findings::of_change(&mut fragment, found_before, &after);
+        }
+        None => findings::of_model(&mut fragment, found_before),
+    }
+    if detail.has_plots() && !changed.bodies.is_empty() {
+        plots::section(&mut fragment, &changed.bodies, dialect);
+    }
+    let after = changed.after.map(|(after, _)| after);
+    let states = states(before, changed.before_under_new_weight, after);
+    sphere_figures::section(&mut fragment, &states);
+    fragment.section("files", "The files", &files::of_change(&changed.files));
+    let counts = changed.after.map_or(found_before.counts, |(_, found)| found.counts);
+    Entry::of_change(row, changed.plan, counts, fragment)
+}
+
+fn states<'s>(
+    before: &'s Inspection,
+    under_new_weight: Option<&'s Figures>,
+    after: Option<&'s Inspection>,
+) -> Vec<State<'s>> {
+    let last = after.map_or(under_new_weight, |after| Some(&after.figures));
+    let other_gravity = last.is_some_and(|last| last.gravity_m_s2 != before.figures.gravity_m_s2);
+    let under = |word: &str, figures: &Figures| match (figures.mass_kg, figures.gravity_m_s2) {
+        (Some(mass), Some(gravity)) if other_gravity => {
+            format!("{word}, under {} kg at {} m/s²", readable(mass), readable(gravity))
+        }
+        (Some(mass), _) => format!("{word}, under {} kg", readable(mass)),
+        (None, _) => word.to_owned(),
+    };
+    let mut states = vec![State { name: under("before", &before.figures), figures: &before.figures }];
+    states.extend(under_new_weight.map(|figures| State { name: under("before", figures), figures }));
+    states.extend(after.map(|after| State { name: under("after", &after.figures), figures: &after.figures }));
+    states
+}
+
+fn what_changed(fragment: &mut Fragment, plan: &Plan) {
+    let changes = changes(&mut fragment.topics, plan);
+    let moves = moves(&mut fragment.topics, &plan.moves);
+    let warnings = warnings(&mut fragment.topics, plan);
+    let body = html! {
+        p { (sentence(&plan.taken.to_string())) }
+        @if plan.is_empty() { p.note { "Nothing had to change." } }
+        (changes) (moves)
+        @if !plan.remarks.is_empty() { ul { @for remark in &plan.remarks { li { (sentence(&remark.to_string())) } } } }
+        (warnings)
+    };
+    fragment.section("changes", "What changed", &body);
+}
+
+fn changes(topics: &mut Topics, plan: &Plan) -> Markup {
+    if plan.changes.is_empty() {
+        return html! {};
+    }
+    let groups = groups(&plan.changes);
+    // Twelve spheres with the same numbers need no names; two groups of one property do.
+    let alone = |group: &[&Change]| {
+        let property = |group: &[&Change]| group.first().map(|change| change.property);
+        groups.iter().filter(|other| property(other.as_slice()) == property(group)).count() == 1
+    };
+    let rows: Vec<Markup> = groups.iter().map(|group| change(topics, group, !alone(group))).collect();
+    let mut caption =
+        "Numbers that change, in OpenSim's units, and the equation each follows from.".to_owned();
+    if plan.changes.iter().any(|change| change.inserted) {
+        caption.push_str(" + was not in the file: OpenSim's default applied, and it is written out now.");
+    }
+    let headers = ["property", " of", "before", "after", "factor", "equation"];
+    table("Numbers that change", &caption, &headers, &rows)
+}
+
+fn change(topics: &mut Topics, group: &[&Change], with_names: bool) -> Markup {
+    let Some(first) = group.first() else { return html! {} };
+    let unit = first.property.unit().replace("^2", "²");
+    html! {
+        tr {
+            th scope="row" { code { (first.property.name()) } @if !unit.is_empty() && unit != "1" { " " span.quiet { (unit) } } }
+            td.words { (whose(group)) @if with_names && group.len() > 1 { br; span.quiet { (names(group)) } } }
+            td { (readable(first.from)) }
+            td { b { (readable(first.to)) } @if first.inserted { " +" } }
+            td { @if let Some(factor) = first.factor { "×" (readable(factor)) } }
+            td { (topics.equations(first.equation)) }
+        }
+    }
+}
+
+/// The first names of a group, and how many more there are.
+fn names(group: &[&Change]) -> String {
+    let names: Vec<&str> =
+        group.iter().filter_map(|change| change.sphere.as_deref().or(change.force.as_deref())).collect();
+    listed(&names)
+}
+
+fn moves(topics: &mut Topics, moves: &[Move]) -> Markup {
+    if moves.is_empty() {
+        return html! {};
+    }
+    let rows: Vec<Markup> = moves
+        .iter()
+        .map(|moved| {
+            html! {
+                tr {
+                    th scope="row" { (moved.sphere) }
+                    @for value in moved.from.iter().chain(&moved.to) { td { (format!("{value:.5}")) } }
+                    td { (topics.equations(moved.equation)) }
+                }
+            }
+        })
+        .collect();
+    let caption = "Sphere centres that move, in m, in their own frames.";
+    let headers = ["centre of", "x before", "y before", "z before", "x after", "y after", "z after", "by"];
+    table("Centres that move", caption, &headers, &rows)
+}
+
+fn warnings(topics: &mut Topics, plan: &Plan) -> Markup {
+    let items: Vec<Markup> = plan
+        .warnings
+        .iter()
+        .map(|warning| {
+            html! {
+                li { p {
+                    (severity(warning.code.severity())) " " (topics.code(warning.code)) " "
+                    (warning.message.to_string()) "."
+                    @if let Some(line) = warning.line { " " span.quiet { "line " (line) } }
+                } }
+            }
+        })
+        .collect();
+    html! { @if !items.is_empty() { ul.findings { @for item in items { (item) } } } }
+}

@@ -1,0 +1,35 @@
+//! One page about a run, for people and for the record.
+//!
+//! The page holds everything itself: no script, no font, no picture from elsewhere. Workers make the [`Entry`] of a model;
+//! [`Page`] puts entries together in the order of the models. Rows and details wait as [`DeferredText`], so that memory can
+//! stay flat however many models there are.
+
+mod about;
+mod change;
+mod deferred;
+mod detail_level;
+mod entry;
+mod explained;
+mod files;
+mod findings;
+mod fragment;
+mod inspected;
+mod models_table;
+mod page;
+mod plots;
+mod run_row;
+mod shell;
+mod sphere_figures;
+mod values;
+
+pub use about::About;
+pub use change::{Changed, changed};
+pub use deferred::{DeferredText, InMemory};
+pub use detail_level::DetailLevel;
+pub use entry::Entry;
+pub use files::{Files, NamedDigest};
+pub use inspected::inspected;
+pub use models_table::Columns;
+pub use page::Page;
+pub use run_row::{EarlierRun, RowError, RunRow};
+pub use shell::GENERATOR;

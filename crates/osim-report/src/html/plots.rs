@@ -1,0 +1,72 @@
+//! Plots of a page.
+
+use contact_plots::{drop_figure, force_figure, loop_figure};
+use maud::{Markup, PreEscaped, html};
+use osim_inspect::DropHeight;
+use osim_inspect::series::{Body, ForceUnit, IndentationUnit, Units};
+use osim_model::files::Failure;
+use osim_model::wording::Dialect;
+
+use super::fragment::Fragment;
+use crate::figures;
+
+const SECTION: (&str, &str) = ("plots", "Plots");
+/// Shares of the weight of one sphere against x/R: bodies of all sizes fit into one figure.
+const UNITS: Units = Units { indentation: IndentationUnit::Relative, force: ForceUnit::WeightShare };
+/// A fall from a quarter of the radius, as in the paper's drop tests.
+const HEIGHT: DropHeight = DropHeight::Radii(0.25);
+
+/// The section: what `bodies`, states of one model, do.
+pub(super) fn section(fragment: &mut Fragment, bodies: &[Body], dialect: &dyn Dialect) {
+    let pressed = if bodies.len() > 1 {
+        "Force of a sphere that is pressed into the ground. Where curves lie on each other, the \
+         contact without dimensions is the same."
+    } else {
+        "Force of a sphere that is pressed into the ground."
+    };
+    let drawn = [
+        (pressed, force(bodies)),
+        (
+            "Force while a sphere goes in and out. The area inside is the energy that dissipation takes.",
+            loops(bodies),
+        ),
+        (
+            "A fall from a quarter of the radius, against time in seconds (A) and without dimensions (B).",
+            drops(bodies),
+        ),
+    ];
+    let mut reasons: Vec<String> =
+        drawn.iter().filter_map(|(_, drawn)| Some(drawn.as_ref().err()?.message.spelled(dialect))).collect();
+    reasons.dedup();
+    let body = html! {
+        div.plots { @for (what, drawn) in &drawn { @if let Ok(svg) = drawn { (plot(what, svg)) } } }
+        @for reason in reasons { p.note { "Not drawn: " (reason) "." } }
+    };
+    fragment.section(SECTION.0, SECTION.1, &body);
+}
+
+fn plot(what: &str, svg: &str) -> Markup {
+    html! { figure { div.plot { (PreEscaped(svg)) } figcaption { (what) } } }
+}
+
+/// What was drawn. Which forces are shown was chosen for the whole page, so nothing is said of choosing others.
+fn drawn(bodies: &[Body], svg: Result<String, contact_plots::PlotError>) -> Result<String, Failure> {
+    let name = bodies.first().map(|body| body.name.clone()).unwrap_or_default();
+    svg.map_err(|error| Failure::outside(&name, "plot", error.to_string()))
+}
+
+fn force(bodies: &[Body]) -> Result<String, Failure> {
+    let figure = figures::force(bodies, UNITS, Some("Force against indentation"))?;
+    drawn(bodies, force_figure(&figure))
+}
+
+fn loops(bodies: &[Body]) -> Result<String, Failure> {
+    let figure = figures::impact_loops(bodies, UNITS, HEIGHT, Some("Dissipation"))?;
+    drawn(bodies, loop_figure(&figure))
+}
+
+fn drops(bodies: &[Body]) -> Result<String, Failure> {
+    let figure = figures::drops(bodies, HEIGHT, None, Some("Drop test"))?;
+    let conditions = "They fall from a quarter of the sphere radius.".to_owned();
+    drawn(bodies, drop_figure(&contact_plots::DropFigure { conditions, ..figure }))
+}

@@ -1,0 +1,93 @@
+//! What a run knows of one model, for the table.
+
+use osim_model::readable;
+
+/// What became of one model in a run.
+#[derive(Debug, Clone, Default, PartialEq)]
+#[non_exhaustive]
+pub struct RunRow {
+    /// Row of the manifest, from 1.
+    pub row: Option<usize>,
+    /// The model, as it was named.
+    pub model: String,
+    /// The file that comes of it.
+    pub output: Option<String>,
+    /// What became of it, in words.
+    pub status: String,
+    /// What its contacts stood for, kg.
+    pub contacts_mass_from_kg: Option<f64>,
+    /// What they stand for afterwards, kg.
+    pub contacts_mass_to_kg: Option<f64>,
+    /// How many numbers and places changed.
+    pub changes: usize,
+}
+
+/// What an earlier run has left of a model that it did.
+#[derive(Debug, Clone, Default, PartialEq)]
+#[non_exhaustive]
+pub struct EarlierRun {
+    /// New over old radius, where it is the same everywhere.
+    pub radius_factor: Option<f64>,
+    /// New over old stiffness, likewise.
+    pub stiffness_factor: Option<f64>,
+    /// New over old dissipation, likewise.
+    pub dissipation_factor: Option<f64>,
+    /// OpenSim's names of the properties whose factor is not the same everywhere.
+    pub unlike: Vec<String>,
+    /// How many kinds of warnings there were.
+    pub warnings: usize,
+}
+
+/// What was wrong with a model that could not be done.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct RowError {
+    /// Stable short name.
+    pub code: String,
+    /// What is wrong, in the reader's words.
+    pub message: String,
+    /// Line of the place, from 1.
+    pub line: Option<usize>,
+    /// Column of the place, from 1.
+    pub column: Option<usize>,
+}
+
+impl RunRow {
+    /// A model of which nothing changed yet.
+    pub fn new(model: impl Into<String>, status: impl Into<String>) -> Self {
+        Self { model: model.into(), status: status.into(), ..Self::default() }
+    }
+
+    /// The model; in a manifest, where several rows may use one, with its row and what comes of it.
+    pub(super) fn name(&self) -> String {
+        match (self.row, &self.output) {
+            (Some(row), Some(output)) => format!("row {row}: {} → {output}", self.model),
+            (Some(row), None) => format!("row {row}: {}", self.model),
+            (None, _) => self.model.clone(),
+        }
+    }
+
+    /// The cells that any change has: what became of it, both masses, and how many changes.
+    pub(super) fn cells(&self, became: &str) -> Vec<String> {
+        let mass = |kg: Option<f64>| kg.map(readable).unwrap_or_default();
+        vec![
+            became.to_owned(),
+            mass(self.contacts_mass_from_kg),
+            mass(self.contacts_mass_to_kg),
+            self.changes.to_string(),
+        ]
+    }
+}
+
+impl RowError {
+    /// An error without a place.
+    pub fn new(code: impl Into<String>, message: impl Into<String>) -> Self {
+        Self { code: code.into(), message: message.into(), line: None, column: None }
+    }
+
+    /// The same at a place.
+    #[must_use]
+    pub fn at(self, line: Option<usize>, column: Option<usize>) -> Self {
+        Self { line, column, ..self }
+    }
+}

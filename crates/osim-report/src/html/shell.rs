@@ -1,0 +1,136 @@
+//! What stands around the models: head, contents, the call, and where the page comes from.
+
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+use osim_model::wording::Verb;
+
+const STYLE: &str = include_str!("style.css");
+
+pub(super) const ASKED: (&str, &str) = ("asked", "What was asked");
+pub(super) const ORIGIN: (&str, &str) = ("origin", "Where this comes from");
+
+/// By this a page is known for one that was made here; the version follows.
+pub const GENERATOR: &str = "<meta name=\"generator\" content=\"osim-contact-scale ";
+
+/// Van Bijlert (2026), as CITATION.cff has it.
+const PAPER: &str = "van Bijlert, P. A. (2026). Scaling contact force parameters across body size, limb \
+                                count, and number of contact spheres. Journal of Biomechanics.";
+const DOI: &str = "10.1016/j.jbiomech.2026.113420";
+
+/// Everything before the first section.
+pub(super) fn opening(title: &str, class: &str, sections: &[(&str, &str)]) -> String {
+    let head = html! {
+        meta charset="utf-8";
+        meta name="viewport" content="width=device-width, initial-scale=1";
+        meta name="color-scheme" content="light dark";
+        (PreEscaped(GENERATOR)) (env!("CARGO_PKG_VERSION")) (PreEscaped("\">"))
+        title { (title) }
+        style { (PreEscaped(STYLE)) }
+    };
+    let top = html! {
+        a.skip href="#content" { "Skip to the content" }
+        header {
+            h1 { (title) }
+            p.quiet { "Made by osim-contact-scale " (env!("CARGO_PKG_VERSION"))
+                ". Contacts of OpenSim models by the equations of van Bijlert (2026)." }
+        }
+        nav aria-label="Contents" {
+            ul { @for (id, name) in sections { li { a href={ "#" (id) } { (name) } } } }
+        }
+    };
+    let (doctype, head, top) = (DOCTYPE.0, head.0, top.0);
+    format!(
+        "{doctype}\n<html lang=\"en\">\n<head>{head}</head>\n<body class=\"{class}\">\n{top}\n<main id=\"content\">\n"
+    )
+}
+
+/// What was done, and `command`, by which it is done again.
+pub(super) fn asked(verb: Verb, command: &str) -> String {
+    let (id, title) = ASKED;
+    html! {
+        section id=(id) aria-labelledby="asked-title" {
+            h2 id="asked-title" { (title) }
+            p { (purpose(verb)) }
+            (command_line(command))
+        }
+    }
+    .0
+}
+
+/// A command in a box. Where it is too long for a line, it breaks between words and never behind the dashes of an option.
+pub(super) fn command_line(command: &str) -> Markup {
+    html! {
+        pre.command { code {
+            @for (index, word) in command.split(' ').enumerate() {
+                @if index > 0 { " " }
+                span { (word) }
+            }
+        } }
+    }
+}
+
+fn purpose(verb: Verb) -> &'static str {
+    match verb {
+        Verb::Rescale => {
+            "Contacts that stand for one body mass, made right for another: each parameter is multiplied by the factor \
+             that its equation gives, so that the contact without dimensions stays the same."
+        }
+        Verb::Transfer => {
+            "The contacts of another model, given to this one at its own mass, radii and number of spheres, so that \
+             the contact without dimensions is the reference's."
+        }
+        Verb::Design => "Parameters found from what the contacts shall do.",
+        Verb::Set => "Properties written, or multiplied, as given.",
+        Verb::Batch => "Many models changed, each as its row of a table says.",
+        Verb::Check => {
+            "Models held against the limits of the paper and the traps of the format. Nothing was changed."
+        }
+        _ => "What contacts the model has, and what they do under its weight. Nothing was changed.",
+    }
+}
+
+/// Everything behind the last model.
+pub(super) fn closing() -> String {
+    let (id, title) = ORIGIN;
+    let end = html! {
+        section id=(id) aria-labelledby="origin-title" {
+            h2 id="origin-title" { (title) }
+            dl {
+                dt { "Program" } dd { "osim-contact-scale " (env!("CARGO_PKG_VERSION")) }
+                dt { "Cite the paper" }
+                dd { (PAPER) " " a href={ "https://doi.org/" (DOI) } { "doi:" (DOI) } }
+                dt { "Cite the software" }
+                dd { (software()) }
+            }
+            p.quiet { "The page holds no date: the same call on the same files gives the same page." }
+        }
+    };
+    format!("{}\n</main>\n</body>\n</html>\n", end.0)
+}
+
+fn software() -> Markup {
+    html! { "The osim-contact-scale developers. osim-contact-scale, version " (env!("CARGO_PKG_VERSION")) "." }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// CITATION.cff folds its texts over lines.
+    fn flat(text: &str) -> String {
+        text.split_whitespace().collect::<Vec<_>>().join(" ")
+    }
+
+    #[test]
+    fn the_citation_is_that_of_the_citation_file() {
+        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../CITATION.cff");
+        let Ok(file) = std::fs::read_to_string(path) else { return };
+        let file = flat(&file);
+        assert!(
+            file.contains(DOI) && file.contains("Journal of Biomechanics") && file.contains("year: 2026")
+        );
+        let title = PAPER.split("). ").nth(1).and_then(|rest| rest.split(". ").next()).unwrap();
+        assert!(file.contains(title), "{title}");
+        assert!(file.contains(&format!("version: {}", env!("CARGO_PKG_VERSION"))));
+    }
+}

@@ -1,0 +1,196 @@
+//! What the spheres do: one column per group of like spheres and per state of the model.
+
+use maud::{Markup, html};
+use osim_inspect::{Figure, Figures, SphereFigures};
+use osim_model::four_significant;
+
+use super::fragment::{Fragment, boxed};
+use super::values::listed;
+use crate::inspection::rows::{RESTITUTION, ROWS, Row, When};
+use crate::layout::OUTSIDE;
+
+const SECTION: (&str, &str) = ("figures", "What the spheres do");
+/// Columns of numbers in one table.
+const ABREAST: usize = 6;
+
+/// The model's figures in one state, and what to call it.
+pub(super) struct State<'s> {
+    pub(super) name: String,
+    pub(super) figures: &'s Figures,
+}
+
+/// Spheres that do the same in every state.
+struct Group<'s> {
+    names: Vec<&'s str>,
+    limbs: Vec<&'s str>,
+    key: Vec<String>,
+    /// In each state.
+    spheres: Vec<Option<&'s SphereFigures>>,
+    mixed: bool,
+}
+
+/// The section; with a sentence where nothing is known.
+pub(super) fn section(fragment: &mut Fragment, states: &[State<'_>]) {
+    let groups = groups(states);
+    let abreast = (ABREAST / states.len().max(1)).max(1);
+    let why = states.iter().find_map(|state| state.figures.without_weight.as_ref()).map(ToString::to_string);
+    let mut body = html! {
+        @if let Some(why) = why { p.note { "No figures under body weight: " (why) "." } }
+        @if groups.is_empty() { p { "No sphere of a chosen force touches a half-space." } }
+        @else { p { "BW: body weight, on one limb unless the call says otherwise. Restitution is that of a fall from a quarter of the radius, √(gR/2), unless the call says otherwise." } }
+    };
+    let mut outside = false;
+    for (index, chunk) in groups.chunks(abreast).enumerate() {
+        let first = index * abreast + 1;
+        let table = sheet(fragment, states, chunk, first, &mut outside);
+        body = html! {
+            (body)
+            ul.groups { @for (index, group) in chunk.iter().enumerate() { li { b { "S" (first + index) } " " (described(group)) } } }
+            (table)
+        };
+    }
+    if outside {
+        body = html! { (body) p.quiet { (OUTSIDE) " outside the limit; Findings says more." } };
+    }
+    fragment.section(SECTION.0, SECTION.1, &body);
+}
+
+fn groups<'s>(states: &'s [State<'s>]) -> Vec<Group<'s>> {
+    let mut groups: Vec<Group<'s>> = Vec::new();
+    let Some(first) = states.first() else { return groups };
+    for limb in &first.figures.limbs {
+        let mixed = limb.is_mixed();
+        for sphere in &limb.spheres {
+            let spheres: Vec<Option<&SphereFigures>> =
+                states.iter().map(|state| state.figures.spheres().find(|s| s.path == sphere.path)).collect();
+            let key = key(&spheres);
+            let limb = limb.limb.as_deref().unwrap_or_default();
+            match groups.iter_mut().find(|group| group.key == key) {
+                Some(group) => {
+                    group.names.push(&sphere.sphere);
+                    if !group.limbs.contains(&limb) {
+                        group.limbs.push(limb);
+                    }
+                }
+                None => {
+                    groups.push(Group {
+                        names: vec![&sphere.sphere],
+                        limbs: vec![limb],
+                        key,
+                        spheres,
+                        mixed,
+                    });
+                }
+            }
+        }
+    }
+    groups
+}
+
+/// What is shown of a sphere.
+fn key(spheres: &[Option<&SphereFigures>]) -> Vec<String> {
+    let shown = |sphere: &SphereFigures| {
+        ROWS.iter()
+            .map(|row| (row.value)(sphere).map(four_significant).unwrap_or_default())
+            .collect::<Vec<_>>()
+            .join(" ")
+    };
+    spheres.iter().map(|sphere| sphere.map(shown).unwrap_or_default()).collect()
+}
+
+fn described(group: &Group<'_>) -> String {
+    let limbs: Vec<&str> = group.limbs.iter().copied().filter(|limb| !limb.is_empty()).collect();
+    let limbs = if limbs.is_empty() { String::new() } else { format!(" ({})", limbs.join(", ")) };
+    format!("{}{limbs}", listed(&group.names))
+}
+
+fn sheet(
+    fragment: &mut Fragment,
+    states: &[State<'_>],
+    groups: &[Group<'_>],
+    first: usize,
+    outside: &mut bool,
+) -> Markup {
+    let several = states.len() > 1;
+    let mixed = groups.iter().any(|group| group.mixed);
+    let spheres = || groups.iter().flat_map(|group| group.spheres.iter().flatten());
+    let smooth = spheres().any(|sphere| sphere.constant_indentation.is_some());
+    let shown = |row: &&Row| match row.when {
+        When::Always => true,
+        When::Smooth => smooth,
+        When::Mixed => mixed,
+        When::MixedSmooth => mixed && smooth,
+    };
+    let speed = states.first().and_then(|state| state.figures.impact_speed_m_s);
+    let rows: Vec<Markup> = ROWS
+        .iter()
+        .filter(shown)
+        .filter(|row| spheres().any(|sphere| value(row, sphere).is_some()))
+        .map(|row| line(fragment, row, speed.filter(|_| !several), groups, outside))
+        .collect();
+    let caption = if several { "Figures of the spheres, before and after" } else { "Figures of the spheres" };
+    let table = html! {
+        table {
+            caption { span { (caption) } }
+            thead {
+                tr {
+                    th scope="col" rowspan=[several.then_some(2)] { "figure" }
+                    th scope="col" rowspan=[several.then_some(2)] { "limit" }
+                    @for index in 0..groups.len() {
+                        th scope=(if several { "colgroup" } else { "col" }) colspan=[several.then_some(states.len())] {
+                            "S" (first + index)
+                        }
+                    }
+                }
+                @if several { tr { @for _ in groups { @for state in states { th scope="col" { (state.name) } } } } }
+            }
+            tbody { @for row in rows { (row) } }
+        }
+    };
+    boxed("Figures of the spheres", &table)
+}
+
+fn line(
+    fragment: &mut Fragment,
+    row: &Row,
+    speed: Option<f64>,
+    groups: &[Group<'_>],
+    outside: &mut bool,
+) -> Markup {
+    let name = match (row.name, speed) {
+        (RESTITUTION, Some(speed)) => format!("restitution at {} m/s", four_significant(speed)),
+        (name, _) => name.to_owned(),
+    };
+    let part = name.starts_with(' ');
+    let name = fragment.topics.linked(name.trim_start());
+    let limit = row.figure.map(Figure::limit_text).unwrap_or_default();
+    html! {
+        tr {
+            th.part[part] scope="row" { (name) }
+            td { (limit.replace(">=", "≥").replace("<=", "≤")) }
+            @for sphere in groups.iter().flat_map(|group| &group.spheres) { (cell(row, *sphere, outside)) }
+        }
+    }
+}
+
+/// The figure as shown, and whether it is within its limit; none where it is not known.
+fn value(row: &Row, sphere: &SphereFigures) -> Option<(String, bool)> {
+    let within = row.figure.and_then(|figure| sphere.is_within(figure));
+    match ((row.value)(sphere), within) {
+        (Some(value), _) => Some((four_significant(value), within != Some(false))),
+        // (13) has no answer below 0, and that is outside.
+        (None, Some(false)) => Some(("below 0".to_owned(), false)),
+        (None, _) => None,
+    }
+}
+
+fn cell(row: &Row, sphere: Option<&SphereFigures>, outside: &mut bool) -> Markup {
+    match sphere.and_then(|sphere| value(row, sphere)) {
+        None => html! { td { "–" } },
+        Some((text, true)) => html! { td { (text) } },
+        Some((text, false)) => {
+            *outside = true;
+            html! { td.outside { (text) " " (OUTSIDE) } }
+        }
+    }
+}

@@ -1,0 +1,41 @@
+//! Words that several sections share.
+
+use std::ffi::OsStr;
+use std::path::Path;
+
+use maud::{Markup, html};
+use osim_model::Severity;
+
+/// How bad something is, as a word with a colour.
+pub(super) fn severity(severity: Severity) -> Markup {
+    let word = severity.as_str();
+    html! { span class={ "tag " (word) } { (word) } }
+}
+
+/// Names that are listed, before they are counted.
+const NAMED: usize = 8;
+
+/// The first names, and how many more there are.
+pub(super) fn listed(names: &[&str]) -> String {
+    let shown: Vec<&str> = names.iter().take(NAMED).copied().collect();
+    match names.len().saturating_sub(NAMED) {
+        0 => shown.join(", "),
+        more => format!("{} and {more} more", shown.join(", ")),
+    }
+}
+
+/// A clause as a sentence.
+pub(super) fn sentence(clause: &str) -> String {
+    let mut letters = clause.chars();
+    let first = letters.next().map(|letter| letter.to_uppercase().collect::<String>()).unwrap_or_default();
+    let end = if clause.ends_with('.') { "" } else { "." };
+    format!("{first}{}{end}", letters.as_str())
+}
+
+/// The last part of a path as it is shown.
+pub(super) fn file_name(shown: &str) -> &str {
+    if shown == "-" {
+        return "standard input";
+    }
+    Path::new(shown).file_name().and_then(OsStr::to_str).unwrap_or(shown)
+}

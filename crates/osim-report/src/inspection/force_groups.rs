@@ -1,0 +1,75 @@
+//! Forces with the same parameters together.
+
+use osim_inspect::{InspectedForce, Inspection};
+use osim_model::{Property, four_significant, readable};
+
+/// Forces with the same parameters, and these as cells.
+pub(crate) fn groups(inspected: &Inspection) -> Vec<(Vec<String>, Vec<&InspectedForce>)> {
+    let mut groups: Vec<(Vec<String>, Vec<&InspectedForce>)> = Vec::new();
+    for force in &inspected.forces {
+        let row = parameters(force);
+        match groups.iter_mut().find(|(known, members)| {
+            *known == row
+                && members.first().is_some_and(|first| {
+                    (first.kind, first.applies, first.selected) == (force.kind, force.applies, force.selected)
+                })
+        }) {
+            Some((_, members)) => members.push(force),
+            None => groups.push((row, vec![force])),
+        }
+    }
+    groups
+}
+
+/// `true` where a number of the force is not in the object itself.
+pub(crate) fn has_default(force: &InspectedForce) -> bool {
+    Property::ALL.iter().any(|&property| force.origin.is_default(property))
+}
+
+/// How many forces of which class, and their names.
+pub(crate) fn described(members: &[&InspectedForce]) -> String {
+    const SHOWN: usize = 6;
+    let Some(first) = members.first() else { return String::new() };
+    let name = |force: &&InspectedForce| match force.set {
+        Some(set) if set > 0 => format!("{} (set {set})", force.name),
+        _ => force.name.clone(),
+    };
+    let mut names: Vec<String> = members.iter().take(SHOWN).map(name).collect();
+    if members.len() > SHOWN {
+        names.push(format!("{} more", members.len() - SHOWN));
+    }
+    let mut text = format!("{} x {}: {}", members.len(), first.kind, names.join(", "));
+    if !first.applies {
+        text.push_str(" (disabled)");
+    }
+    if !first.selected {
+        text.push_str(" (not ground contact)");
+    }
+    text
+}
+
+fn parameters(force: &InspectedForce) -> Vec<String> {
+    let one = |property: Property| match force.parameters.get(property) {
+        Some(value) => {
+            format!("{}{}", short(value), if force.origin.is_default(property) { "*" } else { "" })
+        }
+        None => "-".to_owned(),
+    };
+    let friction = [Property::StaticFriction, Property::DynamicFriction, Property::ViscousFriction].map(one);
+    vec![
+        one(Property::Stiffness),
+        force.composite_modulus_n_m2.map_or_else(|| "-".to_owned(), four_significant),
+        one(Property::Dissipation),
+        friction.join("/"),
+        one(Property::TransitionVelocity),
+        one(Property::ConstantContactForce),
+        one(Property::HertzSmoothing),
+        one(Property::HuntCrossleySmoothing),
+    ]
+}
+
+/// A number of the file: exact where that is short.
+fn short(value: f64) -> String {
+    let exact = readable(value);
+    if exact.len() <= 8 { exact } else { four_significant(value) }
+}

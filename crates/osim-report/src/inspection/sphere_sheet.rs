@@ -1,0 +1,118 @@
+//! What the spheres do, with a column for each group of spheres that do the same.
+
+use osim_inspect::{Figure, Inspection, SphereFigures};
+use osim_model::four_significant;
+use osim_model::wording::{Dialect, Phrase};
+
+use super::rows::{RESTITUTION, ROWS, Row, When};
+use crate::layout::{OUTSIDE, right_aligned, table, wrapped};
+
+/// Figures of more groups of spheres than this go into a further table.
+const GROUPS_ABREAST: usize = 4;
+
+/// In place of a figure that is not known; its two blanks keep digits below digits.
+const NOTHING: &str = "-  ";
+
+/// Spheres that do the same, wherever they are.
+struct Alike<'a> {
+    names: Vec<&'a str>,
+    first: &'a SphereFigures,
+    mixed: bool,
+    key: Vec<String>,
+}
+
+/// The figures; nothing where there are none and nothing is to be said of that.
+pub(super) fn text(inspected: &Inspection, dialect: &dyn Dialect) -> String {
+    let groups = groups(inspected);
+    let mut text = String::new();
+    if let Some(why) = &inspected.figures.without_weight {
+        text.push_str(&wrapped(&format!("no figures under body weight: {why}"), ""));
+    }
+    if !groups.is_empty() {
+        text.push_str("What the spheres do (BW: body weight, on one limb unless you say otherwise):\n");
+    }
+    for (number, chunk) in groups.chunks(GROUPS_ABREAST).enumerate() {
+        for (index, group) in chunk.iter().enumerate() {
+            let label = format!("S{}", number * GROUPS_ABREAST + index + 1);
+            text.push_str(&wrapped(&format!("{label}  {}", listed(&group.names)), "    "));
+        }
+        text.push('\n');
+        text.push_str(&sheet(inspected, chunk, number * GROUPS_ABREAST));
+    }
+    if text.contains(OUTSIDE) {
+        let more = Phrase::template("outside the limit: `check MODEL` says more").spelled(dialect);
+        text.push_str(&format!("  ({OUTSIDE} {more})\n"));
+    }
+    text
+}
+
+fn groups(inspected: &Inspection) -> Vec<Alike<'_>> {
+    let mut groups: Vec<Alike<'_>> = Vec::new();
+    for limb in &inspected.figures.limbs {
+        let mixed = limb.is_mixed();
+        for sphere in &limb.spheres {
+            let key = key(sphere);
+            match groups.iter_mut().find(|group| group.key == key) {
+                Some(group) => group.names.push(&sphere.sphere),
+                None => groups.push(Alike { names: vec![&sphere.sphere], first: sphere, mixed, key }),
+            }
+        }
+    }
+    groups
+}
+
+/// What is shown of a sphere: spheres with the same figures share a column.
+fn key(sphere: &SphereFigures) -> Vec<String> {
+    ROWS.iter().map(|row| (row.value)(sphere).map(four_significant).unwrap_or_default()).collect()
+}
+
+fn listed(names: &[&str]) -> String {
+    const SHOWN: usize = 6;
+    let shown = names.iter().take(SHOWN).copied().collect::<Vec<_>>().join(", ");
+    match names.len() {
+        0..=SHOWN => shown,
+        more => format!("{shown} and {} more", more - SHOWN),
+    }
+}
+
+fn sheet(inspected: &Inspection, groups: &[Alike<'_>], before: usize) -> String {
+    let labels = (1..=groups.len()).map(|index| format!("S{}", before + index));
+    let header: Vec<String> = ["figure".to_owned(), "limit".to_owned()].into_iter().chain(labels).collect();
+    let mut table = table(&header.iter().map(String::as_str).collect::<Vec<_>>());
+    let mixed = groups.iter().any(|group| group.mixed);
+    let smooth = groups.iter().any(|group| group.first.constant_indentation.is_some());
+    let shown = |row: &&Row| match row.when {
+        When::Always => true,
+        When::Smooth => smooth,
+        When::Mixed => mixed,
+        When::MixedSmooth => mixed && smooth,
+    };
+    for row in ROWS.iter().filter(shown) {
+        let values: Vec<String> = groups.iter().map(|group| cell(row, group.first)).collect();
+        if values.iter().all(|value| value == NOTHING) {
+            continue;
+        }
+        let name = match (row.name, inspected.figures.impact_speed_m_s) {
+            (RESTITUTION, Some(speed)) => format!("restitution at {} m/s", four_significant(speed)),
+            (name, _) => name.to_owned(),
+        };
+        let limit = row.figure.map(Figure::limit_text).unwrap_or_default();
+        table.add_row([vec![name, limit], values].concat());
+    }
+    right_aligned(&mut table, &(2..2 + groups.len()).collect::<Vec<_>>());
+    format!("{}\n", table.trim_fmt())
+}
+
+fn cell(row: &Row, sphere: &SphereFigures) -> String {
+    let within = row.figure.and_then(|figure| sphere.is_within(figure));
+    let value = match ((row.value)(sphere), within) {
+        (Some(value), _) => four_significant(value),
+        // (13) has no answer below 0, and that is outside.
+        (None, Some(false)) => "below 0".to_owned(),
+        (None, _) => return NOTHING.to_owned(),
+    };
+    match within {
+        Some(false) => format!("{value} {OUTSIDE}"),
+        _ => format!("{value}  "),
+    }
+}

@@ -1,0 +1,67 @@
+//! The JSON contract of what went wrong.
+
+use std::path::Path;
+
+use osim_model::files::Failure;
+use osim_model::wording::Dialect;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use super::path;
+
+const SCHEMA_VERSION: u32 = 1;
+
+/// One model that could not be done.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct FailureRecord {
+    /// Raised when a field changes its meaning or goes away.
+    pub schema_version: u32,
+    /// The file, as it was named.
+    pub model: String,
+    /// Its name in bytes, where that is not UTF-8.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub model_bytes: Option<Vec<u8>>,
+    /// What went wrong.
+    pub error: ErrorRecord,
+}
+
+/// What went wrong.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct ErrorRecord {
+    /// Stable short name.
+    pub code: &'static str,
+    /// What is wrong, what was expected, and a way out.
+    pub message: String,
+    /// Line of the place, from 1.
+    pub line: Option<usize>,
+    /// Column of the place in characters, from 1.
+    pub column: Option<usize>,
+}
+
+impl FailureRecord {
+    /// A failure in the words of `dialect`.
+    #[must_use]
+    pub fn new(failure: &Failure, dialect: &dyn Dialect) -> Self {
+        Self {
+            schema_version: SCHEMA_VERSION,
+            model: failure.model.clone(),
+            model_bytes: None,
+            error: ErrorRecord {
+                code: failure.code,
+                message: failure.message.spelled(dialect),
+                line: failure.line,
+                column: failure.column,
+            },
+        }
+    }
+
+    /// The same with the name of the file as the system has it; bytes are kept only where it is not UTF-8.
+    #[must_use]
+    pub fn of_file(self, model: &Path) -> Self {
+        Self { model_bytes: path::bytes(model), ..self }
+    }
+}

@@ -1,0 +1,11 @@
+//! Records for scripts: one JSON object for each model and line. `docs/json.md` describes every field.
+
+mod failure_record;
+mod line;
+mod path;
+mod plan_record;
+
+pub use failure_record::{ErrorRecord, FailureRecord};
+pub use line::line;
+pub(crate) use path::bytes as bytes_of;
+pub use plan_record::{Amount, ChangeRecord, MassesRecord, PlanRecord};

@@ -1,0 +1,162 @@
+//! The JSON contract of a change.
+
+use std::path::Path;
+
+use osim_inspect::WarningRecord;
+use osim_model::wording::Phrase;
+use osim_patch::{Change, Masses, Move, Plan};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use super::path;
+
+const SCHEMA_VERSION: u32 = 1;
+
+/// What changes in a model, and where the result went.
+#[derive(Debug, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct PlanRecord {
+    /// Raised when a field changes its meaning or goes away.
+    pub schema_version: u32,
+    /// The model as it was named.
+    pub model: String,
+    /// Its name in bytes, where that is not UTF-8.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub model_bytes: Option<Vec<u8>>,
+    /// The file that was written.
+    pub output: Option<String>,
+    /// Its name in bytes, where that is not UTF-8.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub output_bytes: Option<Vec<u8>>,
+    /// The geometry set that was written with a force set.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub geometry_output: Option<String>,
+    /// Its name in bytes, where that is not UTF-8.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub geometry_output_bytes: Option<Vec<u8>>,
+    /// What the contacts stand for; null where nobody knows.
+    pub contacts_mass_kg: Option<MassesRecord>,
+    /// Numbers that change, then sphere centres that move.
+    pub changes: Vec<ChangeRecord>,
+    /// Things the user should know.
+    pub warnings: Vec<WarningRecord>,
+    /// Things that always hold and are said once.
+    pub notes: Vec<String>,
+}
+
+/// What the contacts stand for, before and after.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct MassesRecord {
+    /// Before, kg.
+    pub from: f64,
+    /// Who said so, as a word for scripts.
+    pub source: &'static str,
+    /// Afterwards, kg.
+    pub to: f64,
+}
+
+/// One number that changes, or one centre that moves.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct ChangeRecord {
+    /// Name of the force; null for a sphere's radius and location.
+    pub force: Option<String>,
+    /// Component path of the force or sphere.
+    pub path: String,
+    /// Number of the `ContactParameters`, where there are several.
+    pub set: Option<usize>,
+    /// Name of the sphere whose radius or location changes.
+    pub sphere: Option<String>,
+    /// OpenSim's name of what changes.
+    pub property: &'static str,
+    /// Effective value now, in OpenSim's unit.
+    pub from: Amount,
+    /// Value that is written.
+    pub to: Amount,
+    /// The factor by which the value was multiplied, where it was.
+    pub factor: Option<f64>,
+    /// Number of the equation in the paper, or a word where there is none.
+    pub equation: &'static str,
+    /// Line of the number, or of the object that gets it.
+    pub line: usize,
+    /// Whether the element was absent and is inserted.
+    pub inserted: bool,
+}
+
+/// A number, or the three of a location in m.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[serde(untagged)]
+#[non_exhaustive]
+pub enum Amount {
+    /// A number; null where it is not finite.
+    Number(#[schemars(with = "Option<f64>")] f64),
+    /// A location in m; null where a coordinate is not finite.
+    Location(#[schemars(with = "[Option<f64>; 3]")] [f64; 3]),
+}
+
+impl PlanRecord {
+    /// The plan for `model`, with the files that were written, if any. What the plan says is taken as it is spelled.
+    #[must_use]
+    pub fn new(plan: &Plan, model: &Path, output: Option<&Path>, geometry_output: Option<&Path>) -> Self {
+        let numbers = plan.changes.iter().map(ChangeRecord::from);
+        Self {
+            schema_version: SCHEMA_VERSION,
+            model: path::text(model),
+            model_bytes: path::bytes(model),
+            output: output.map(path::text),
+            output_bytes: output.and_then(path::bytes),
+            geometry_output: geometry_output.map(path::text),
+            geometry_output_bytes: geometry_output.and_then(path::bytes),
+            contacts_mass_kg: plan.masses.as_ref().map(MassesRecord::from),
+            changes: numbers.chain(plan.moves.iter().map(ChangeRecord::from)).collect(),
+            warnings: plan.warnings.iter().map(WarningRecord::from).collect(),
+            notes: plan.remarks.iter().map(Phrase::to_string).collect(),
+        }
+    }
+}
+
+impl From<&Masses> for MassesRecord {
+    fn from(masses: &Masses) -> Self {
+        Self { from: masses.from.kg, source: masses.from.source.as_str(), to: masses.to_kg }
+    }
+}
+
+impl From<&Change> for ChangeRecord {
+    fn from(change: &Change) -> Self {
+        Self {
+            force: change.force.clone(),
+            path: change.path.clone(),
+            set: change.set,
+            sphere: change.sphere.clone(),
+            property: change.property.name(),
+            from: Amount::Number(change.from),
+            to: Amount::Number(change.to),
+            factor: change.factor,
+            equation: change.equation,
+            line: change.line,
+            inserted: change.inserted,
+        }
+    }
+}
+
+impl From<&Move> for ChangeRecord {
+    fn from(moved: &Move) -> Self {
+        Self {
+            force: None,
+            path: moved.path.clone(),
+            set: None,
+            sphere: Some(moved.sphere.clone()),
+            property: "location",
+            from: Amount::Location(moved.from),
+            to: Amount::Location(moved.to),
+            factor: None,
+            equation: moved.equation,
+            line: moved.line,
+            inserted: moved.inserted,
+        }
+    }
+}

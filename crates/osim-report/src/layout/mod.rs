@@ -1,0 +1,16 @@
+//! How texts are laid out in 80 columns.
+
+mod columns;
+mod lines;
+mod names;
+mod paint;
+mod sheet;
+mod words;
+
+pub use columns::{right_aligned, table};
+pub use lines::{WIDTH, wrapped};
+pub(crate) use lines::{filled, options};
+pub use names::clipped;
+pub use paint::{Colour, OUTSIDE};
+pub(crate) use paint::{painted, severity};
+pub(crate) use sheet::csv_text;

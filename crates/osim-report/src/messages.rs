@@ -1,0 +1,23 @@
+//! Lines that say what should be known.
+
+use osim_inspect::MassMismatch;
+use osim_model::wording::Dialect;
+use osim_model::{Warning, WarningCode};
+
+/// Warnings, one line each: `warning: line 12: message [code]`.
+#[must_use]
+pub fn warnings(warnings: &[Warning]) -> String {
+    let mut text = String::new();
+    for warning in warnings {
+        let line = warning.line.map(|line| format!("line {line}: ")).unwrap_or_default();
+        text.push_str(&format!("warning: {line}{} [{}]\n", warning.message, warning.code));
+    }
+    text
+}
+
+/// A line about a model, called `name`, whose contacts carry a body of another mass.
+#[must_use]
+pub fn mass_mismatch(name: &str, mismatch: &MassMismatch, dialect: &dyn Dialect) -> String {
+    let message = mismatch.message().spelled(dialect);
+    format!("warning: {name}: {message} [{}]\n", WarningCode::MassSourcesDisagree)
+}

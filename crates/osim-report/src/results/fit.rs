@@ -1,0 +1,82 @@
+//! A fit as text.
+
+use contact_scaling::fit::{Estimate, Fit};
+use osim_model::readable;
+use osim_model::wording::{Dialect, Input, phrase};
+use osim_requests::FitResult;
+
+use crate::layout::{right_aligned, table};
+
+/// The parameters with their confidence intervals, and whether the laws were made for this measurement.
+#[must_use]
+pub fn fit_text(result: &FitResult, dialect: &dyn Dialect) -> String {
+    let fit = &result.fit;
+    let mut text = format!(
+        "{}: {} rows in the fit, n = {}, R = {} m\n\n{}\n\n",
+        result.file.display(),
+        fit.rows.len(),
+        readable(result.sphere_count),
+        readable(result.radius_m),
+        parameters(fit)
+    );
+    text.push_str(&format!(
+        "R squared {:.6}; residuals have a standard deviation of {} N\n",
+        fit.r_squared,
+        readable(fit.residual_deviation_n)
+    ));
+    text.push_str(&format!(
+        "largest indentation/radius {:.4}: {} the Hertz law (at most 0.16)\n",
+        fit.largest_relative_indentation,
+        word(fit.hertz_holds)
+    ));
+    if fit.largest_relative_indentation > 1.0 {
+        let question =
+            phrase!["that is more than the whole radius: is ", Input::IndentationUnit, " right?\n"];
+        text.push_str(&question.spelled(dialect));
+    }
+    text.push_str(&restitution(fit));
+    if fit.dissipation.is_some_and(|dissipation| dissipation.value < 0.0) {
+        text.push_str(
+            "the dissipation comes out below 0, which no model takes: check the sign of the speed\n",
+        );
+    }
+    text
+}
+
+fn word(within: bool) -> &'static str {
+    if within { "within" } else { "outside" }
+}
+
+fn parameters(fit: &Fit) -> String {
+    let mut table = table(&["parameter", "value", "95 % from", "to", "unit", "equation"]);
+    let mut row = |name: &str, value: &Estimate, unit: &str, equation: &str| {
+        let cells =
+            [name, &readable(value.value), &readable(value.low), &readable(value.high), unit, equation];
+        table.add_row(cells.map(str::to_owned).to_vec());
+    };
+    row("E* (composite)", &fit.composite_modulus, "N/m^2", "(1)");
+    row("stiffness to write (E1*)", &fit.plane_strain_modulus, "N/m^2", "(A.4)");
+    if let Some(dissipation) = &fit.dissipation {
+        row("dissipation", dissipation, "s/m", "(12)");
+    }
+    if let Some(onset) = &fit.onset_m {
+        row("contact onset", onset, "m", "(1)");
+    }
+    right_aligned(&mut table, &[1, 2, 3]);
+    table.trim_fmt()
+}
+
+fn restitution(fit: &Fit) -> String {
+    match (fit.restitution, fit.hunt_crossley_holds, fit.largest_speed_m_s) {
+        (Some(restitution), Some(within), Some(speed)) => format!(
+            "restitution by (13) at the largest speed ({} m/s) {restitution:.4}: {} the Hunt-Crossley law (at least 0.8)\n",
+            readable(speed),
+            word(within)
+        ),
+        (None, Some(_), Some(speed)) => format!(
+            "at the largest speed ({} m/s) (13) is outside its domain: the Hunt-Crossley law does not hold\n",
+            readable(speed)
+        ),
+        _ => "no speed is known, so the force is taken as elastic and dissipation is not fitted\n".to_owned(),
+    }
+}

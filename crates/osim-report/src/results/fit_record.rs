@@ -1,0 +1,136 @@
+//! The JSON contract of a fit.
+
+use contact_scaling::fit::{Estimate, Parameter};
+use osim_requests::FitResult;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+const SCHEMA_VERSION: u32 = 1;
+
+/// A fit, as the JSON has it.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct FitRecord {
+    /// Raised when a field changes its meaning or goes away.
+    pub schema_version: u32,
+    /// The measurement.
+    pub file: String,
+    /// Its name in bytes, where that is not UTF-8.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub file_bytes: Option<Vec<u8>>,
+    /// Spheres that shared the force.
+    pub sphere_count: f64,
+    /// Their radius, m.
+    pub radius_m: f64,
+    /// E* (1), N/m².
+    pub composite_modulus_n_m2: EstimateRecord,
+    /// E₁* (A.4), N/m²: what OpenSim calls stiffness.
+    pub stiffness: EstimateRecord,
+    /// α (12), s/m.
+    pub dissipation: Option<EstimateRecord>,
+    /// Where contact begins, m.
+    pub onset_m: Option<EstimateRecord>,
+    /// Names of the fitted parameters, in the order of the covariance.
+    pub parameters: Vec<&'static str>,
+    /// Covariance of the parameters.
+    #[schemars(with = "Vec<Vec<Option<f64>>>")]
+    pub covariance: Vec<Vec<f64>>,
+    /// R².
+    #[schemars(with = "Option<f64>")]
+    pub r_squared: f64,
+    /// Rows less parameters.
+    pub degrees_of_freedom: usize,
+    /// Standard deviation of the residuals, N.
+    #[schemars(with = "Option<f64>")]
+    pub residual_deviation_n: f64,
+    /// Largest x̂.
+    pub largest_relative_indentation: f64,
+    /// Whether it is within the Hertz law.
+    pub hertz_holds: bool,
+    /// Largest speed, m/s.
+    pub largest_speed_m_s: Option<f64>,
+    /// c_r by (13) at that speed.
+    pub restitution: Option<f64>,
+    /// Whether it is within the Hunt–Crossley law.
+    pub hunt_crossley_holds: Option<bool>,
+    /// What the fit leaves over.
+    pub residuals: ResidualsRecord,
+}
+
+/// One parameter.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct EstimateRecord {
+    /// Its value.
+    #[schemars(with = "Option<f64>")]
+    pub value: f64,
+    /// Its standard error.
+    #[schemars(with = "Option<f64>")]
+    pub standard_error: f64,
+    /// Begin of the 95 % confidence interval.
+    #[schemars(with = "Option<f64>")]
+    pub low_95: f64,
+    /// Its end.
+    #[schemars(with = "Option<f64>")]
+    pub high_95: f64,
+}
+
+/// What a fit leaves over, row by row.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct ResidualsRecord {
+    /// Line in the file.
+    pub line: Vec<u64>,
+    /// Measured less fitted force, N.
+    pub force_n: Vec<f64>,
+}
+
+impl From<&Estimate> for EstimateRecord {
+    fn from(estimate: &Estimate) -> Self {
+        Self {
+            value: estimate.value,
+            standard_error: estimate.standard_error,
+            low_95: estimate.low,
+            high_95: estimate.high,
+        }
+    }
+}
+
+fn name(parameter: &Parameter) -> &'static str {
+    match parameter {
+        Parameter::CompositeModulus => "composite_modulus_n_m2",
+        Parameter::Dissipation => "dissipation",
+        Parameter::Onset => "onset_m",
+    }
+}
+
+impl From<&FitResult> for FitRecord {
+    fn from(result: &FitResult) -> Self {
+        let fit = &result.fit;
+        Self {
+            schema_version: SCHEMA_VERSION,
+            file: result.file.display().to_string(),
+            file_bytes: crate::json::bytes_of(&result.file),
+            sphere_count: result.sphere_count,
+            radius_m: result.radius_m,
+            composite_modulus_n_m2: (&fit.composite_modulus).into(),
+            stiffness: (&fit.plane_strain_modulus).into(),
+            dissipation: fit.dissipation.as_ref().map(Into::into),
+            onset_m: fit.onset_m.as_ref().map(Into::into),
+            parameters: fit.parameters.iter().map(name).collect(),
+            covariance: fit.covariance.clone(),
+            r_squared: fit.r_squared,
+            degrees_of_freedom: fit.degrees_of_freedom,
+            residual_deviation_n: fit.residual_deviation_n,
+            largest_relative_indentation: fit.largest_relative_indentation,
+            hertz_holds: fit.hertz_holds,
+            largest_speed_m_s: fit.largest_speed_m_s,
+            restitution: fit.restitution,
+            hunt_crossley_holds: fit.hunt_crossley_holds,
+            residuals: ResidualsRecord { line: result.lines.clone(), force_n: fit.residuals_n.clone() },
+        }
+    }
+}

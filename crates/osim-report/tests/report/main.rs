@@ -1,0 +1,18 @@
+//! The crate's texts, on models of the project's fixtures.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    missing_docs,
+    reason = "a test fails by panicking"
+)]
+
+mod explained;
+mod figures;
+mod needed;
+mod pages;
+mod records;
+mod remedies;
+mod support;
+mod tables;

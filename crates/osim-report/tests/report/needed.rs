@@ -1,0 +1,82 @@
+//! Every question, as each front end asks it.
+
+use osim_model::wording::Input;
+use osim_model::{CountOf, Fault, Needed, NoteDoubt, TreeOfForces};
+use osim_report::dialect::{CommandLine, Page, Python};
+
+/// One example of every question.
+fn examples() -> Vec<Needed> {
+    let name = |name: &str| name.to_owned();
+    vec![
+        Needed::BodyMass { body: name("toes_r") },
+        Needed::ModelMass { bodies: 3, kg: 0.0 },
+        Needed::ContactsMass { noted_kg: Some(62.0), doubt: NoteDoubt::ValuesChanged },
+        Needed::ContactsGravity { doubt: NoteDoubt::Partial },
+        Needed::GravityNow,
+        Needed::Selection {
+            trees: vec![
+                TreeOfForces { top: name("pelvis"), forces: name("heel_r, heel_l") },
+                TreeOfForces { top: name("ball"), forces: name("ball_floor") },
+            ],
+            input: Input::Select,
+        },
+        Needed::SphereCount { of: CountOf::Reference, why: "left and right cannot be told".into() },
+        Needed::SharedSphere {
+            sphere: name("/contactgeometryset/heel_r"),
+            changed: name("heel_floor_r"),
+            left: vec![name("heel_ball")],
+        },
+        Needed::ReferenceContact { reference: name("human.osim"), unmatched: vec![name("toe_r")] },
+        Needed::ReferenceContactOfForce { force: name("/forceset/foot_r") },
+        Needed::ReferenceRadius { reference: name("human.osim"), unmatched: vec![name("toe_r")] },
+        Needed::BodyFactors { body: name("calcn_r"), axes: vec!["x", "z"] },
+        Needed::MovedSpheres { model: name("scaled.osim"), spheres: vec![name("heel_r")] },
+        Needed::Repetition { operation: name("set stiffness=x2") },
+        Needed::Geometry,
+        Needed::ForceSet,
+        Needed::Load,
+        Needed::LoadOrGravity,
+        Needed::Gravity,
+        Needed::ImpactSpeed,
+        Needed::HeightRatio,
+    ]
+}
+
+/// The variants that the source declares.
+fn declared() -> usize {
+    let source = include_str!("../../../osim-model/src/fault/needed.rs");
+    let (_, after) = source.split_once("pub enum Needed {").unwrap();
+    let (variants, _) = after.split_once("\n}").unwrap();
+    let is_variant = |line: &&str| {
+        line.strip_prefix("    ").is_some_and(|line| line.starts_with(|c: char| c.is_ascii_uppercase()))
+    };
+    variants.lines().filter(is_variant).count()
+}
+
+#[test]
+fn every_question_is_asked_in_the_words_of_each_front_end() {
+    let examples = examples();
+    assert_eq!(examples.len(), declared(), "a question is missing, or there twice");
+    let mut review = String::new();
+    for needed in examples {
+        let phrase = needed.phrase();
+        let (command, python, page) =
+            (phrase.spelled(&CommandLine), phrase.spelled(&Python), phrase.spelled(&Page));
+        for text in [&command, &python, &page] {
+            assert!(!text.trim().is_empty() && !text.contains('`'), "{text}");
+        }
+        for text in [&python, &page] {
+            assert!(!text.contains("--"), "{text}");
+        }
+        assert!(!command.contains("the field") && !python.contains("the field"), "{command}\n{python}");
+        for input in needed.inputs() {
+            let option = format!("--{}", input.name().replace('_', "-"));
+            assert!(command.contains(&option), "{option}: {command}");
+            assert!(page.contains(&format!("“{}”", input.label())), "{}: {page}", input.label());
+            assert!(python.contains(&format!("{}=", input.name())), "{}: {python}", input.name());
+        }
+        let code = Fault::new(needed).code();
+        review.push_str(&format!("[{code}]\ncommand: {command}\npython:  {python}\npage:    {page}\n\n"));
+    }
+    insta::assert_snapshot!("needed", review);
+}

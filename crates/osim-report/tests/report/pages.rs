@@ -1,0 +1,162 @@
+//! Pages: sections, escapes, what a large library leaves out.
+
+use osim_inspect::InspectOptions;
+use osim_model::files::{Failure, OpenModel};
+use osim_model::wording::Verb;
+use osim_report::dialect::{CommandLine, FrontEnd, Python};
+use osim_report::html::{
+    About, Changed, Columns, DetailLevel, EarlierRun, Entry, Files, InMemory, Page, RowError, RunRow,
+    changed, inspected,
+};
+
+use crate::support::{self, open, rescaled};
+
+fn page(about: About, front_end: &dyn FrontEnd, entries: impl IntoIterator<Item = Entry>) -> String {
+    let mut page = Page::new(about, InMemory::default(), InMemory::default(), front_end);
+    entries.into_iter().for_each(|entry| page.add(entry));
+    let mut bytes = Vec::new();
+    page.finish(&mut bytes).unwrap();
+    String::from_utf8(bytes).unwrap()
+}
+
+fn check(model: Option<&str>) -> About {
+    About::new(Verb::Check, model.map(str::to_owned), Columns::Inspections, "osim-contact-scale check a.osim")
+}
+
+fn changes(model: Option<&str>) -> About {
+    About::new(Verb::Rescale, model.map(str::to_owned), Columns::Changes, "osim-contact-scale a.osim")
+}
+
+fn entry(model: &OpenModel, detail: DetailLevel, front_end: &dyn FrontEnd) -> Entry {
+    let options = InspectOptions::default();
+    let (seen, found) = support::inspected(&options, model, front_end);
+    let files = vec![(model.name().to_owned(), "0123".to_owned())];
+    inspected(&options, model, (&seen, &found), &files, detail, front_end)
+}
+
+/// Every anchor that is linked is there, and none is there twice.
+fn assert_anchors(page: &str) {
+    let values = |attribute: &str| -> Vec<String> {
+        let starts = page.split(attribute).skip(1);
+        starts.map(|rest| rest.split('"').next().unwrap_or_default().to_owned()).collect()
+    };
+    let anchors = values(" id=\"");
+    for anchor in &anchors {
+        assert_eq!(anchors.iter().filter(|other| *other == anchor).count(), 1, "{anchor} is there twice");
+    }
+    for link in values(" href=\"#") {
+        assert!(anchors.contains(&link), "{link} leads nowhere");
+    }
+}
+
+#[test]
+fn one_model_has_sections_plots_and_explanations() {
+    let model = open("check/beyond_hertz.osim");
+    let text =
+        page(check(Some(model.name())), &CommandLine, [entry(&model, DetailLevel::Alone, &CommandLine)]);
+    assert!(text.starts_with("<!DOCTYPE html>\n<html lang=\"en\">"));
+    assert!(text.contains("<title>Check of contacts: beyond_hertz.osim</title>"));
+    for section in ["asked", "findings", "plots", "figures", "contacts", "model", "explained", "origin"] {
+        assert!(text.contains(&format!("<a href=\"#{section}\">")), "{section}");
+    }
+    assert_eq!(text.matches("<svg").count(), 3);
+    assert!(text.contains("SHA-256 <code class=\"digest\">0123</code>"));
+    assert_anchors(&text);
+}
+
+#[test]
+fn what_comes_from_outside_is_escaped() {
+    let failure = Failure::outside("<b>.osim", "unreadable", "it is \"not\" <there>".to_owned());
+    let about = About::new(Verb::Inspect, None, Columns::Inspections, "inspect '<b>.osim'");
+    let text = page(about, &CommandLine, [Entry::failed(&failure, &CommandLine)]);
+    assert!(!text.contains("<b>.osim") && !text.contains("<there>"));
+    assert!(text.contains("&lt;b&gt;.osim") && text.contains("failed: it is &quot;not&quot; &lt;there&gt;"));
+    assert_anchors(&text);
+}
+
+#[test]
+fn a_change_is_shown_before_and_after() {
+    let model = open("table1/human_62kg_smooth_sphere.osim");
+    let plan = rescaled(&model.model, 500.0, &CommandLine);
+    let options = InspectOptions::default();
+    let (before, found) = support::inspected(&options, &model, &CommandLine);
+    let mut row = RunRow::new(model.name(), "dry run: nothing written");
+    row.contacts_mass_from_kg = Some(62.0);
+    row.contacts_mass_to_kg = Some(500.0);
+    row.changes = plan.changes.len();
+    let change = Changed::new(&plan, (&before, &found), Files::default());
+    let one = changed(&row, &change, DetailLevel::Alone, &CommandLine);
+    let text = page(changes(Some(model.name())), &CommandLine, [one]);
+    assert!(text.contains("<h2 id=\"changes-title\">What changed</h2>"));
+    assert!(text.contains("<code>stiffness</code>"), "{text}");
+    assert_anchors(&text);
+    let one = changed(&row, &change, DetailLevel::WithoutPlots, &CommandLine);
+    let text = page(changes(None), &CommandLine, [one]);
+    assert!(text.contains("<td>62</td><td>500</td>") && !text.contains("<svg"));
+    assert!(text.contains("picture: osim-contact-scale plot force MODEL -o FILE.svg"));
+    assert_anchors(&text);
+}
+
+#[test]
+fn the_first_of_many_have_plots_and_the_others_say_how_to_get_them() {
+    let model = open("table1/mouse_hunt_crossley.osim");
+    let entries = |front_end: &dyn FrontEnd| -> Vec<Entry> {
+        (0..12).map(|index| entry(&model, DetailLevel::of(index, false), front_end)).collect()
+    };
+    let text = page(check(None), &CommandLine, entries(&CommandLine));
+    assert_eq!(text.matches("<svg").count(), 3 * 10);
+    assert!(text.contains("<title>Check of contacts: 12 models</title>"));
+    assert_anchors(&text);
+    let text = page(check(None), &Python, entries(&Python));
+    assert!(
+        text.contains("ocs.plot(&quot;force&quot;, &quot;model.osim&quot;, output=&quot;FILE.svg&quot;)")
+    );
+}
+
+#[test]
+fn rows_say_what_became_of_models_that_are_not_shown() {
+    let mut row = RunRow::new("a.osim", "written");
+    row.row = Some(3);
+    row.output = Some("b.osim".to_owned());
+    let mut earlier = EarlierRun::default();
+    earlier.stiffness_factor = Some(2.0);
+    earlier.unlike = vec!["radius".to_owned()];
+    let error = RowError::new("no-mass", "body 'a' has no mass").at(Some(4), Some(2));
+    let entries = [
+        Entry::left_by_earlier_run(&row, &earlier),
+        Entry::of_row(&RunRow::new("c.osim", "failed"), Some(&error)),
+        Entry::of_row(&RunRow::new("d.osim", "not begun: the run was stopped"), None),
+        Entry::without_contacts("e.osim"),
+    ];
+    let text = page(changes(None), &CommandLine, entries);
+    assert!(text.contains("row 3: a.osim → b.osim"));
+    assert!(text.contains(
+        "done by an earlier run: written</td><td></td><td></td><td>0</td><td>unlike</td><td>2</td>"
+    ));
+    assert!(text.contains(
+        "failed: line 4, column 2: body 'a' has no mass [<a class=\"code\" href=\"#error-no-mass\">"
+    ));
+    assert!(text.contains("not begun: the run was stopped") && text.contains("passed over: no contacts"));
+    assert_anchors(&text);
+}
+
+#[test]
+fn a_page_that_cannot_be_kept_says_so_at_the_end() {
+    struct Full;
+
+    impl osim_report::html::DeferredText for Full {
+        fn add(&mut self, _: &str) -> std::io::Result<()> {
+            Err(std::io::Error::other("the disk is full"))
+        }
+
+        fn pour_into(&mut self, _: &mut dyn std::io::Write) -> std::io::Result<()> {
+            Ok(())
+        }
+    }
+
+    let mut page = Page::new(check(None), Full, Full, &CommandLine);
+    page.add(Entry::without_contacts("a.osim"));
+    page.add(Entry::without_contacts("b.osim"));
+    let error = page.finish(&mut Vec::new()).unwrap_err();
+    assert_eq!(error.to_string(), "the disk is full");
+}

@@ -1,0 +1,68 @@
+//! Remedies, as each front end gives them.
+
+use osim_inspect::{InspectOptions, check_model};
+use osim_model::Pattern;
+use osim_report::dialect::{CommandLine, FrontEnd, Page, Python};
+
+use crate::support::open;
+
+const MODELS: [&str; 10] = [
+    "check/sunk_in.osim",
+    "check/beyond_hertz_at_two.osim",
+    "check/beyond_hunt_crossley.osim",
+    "check/contacts_of_another_mass.osim",
+    "check/floats.osim",
+    "check/large_constant_indentation.osim",
+    "check/wide_transition.osim",
+    "format/left_out_stiffness.osim",
+    "format/unequal_stiffness.osim",
+    "format/mixed_radii.osim",
+];
+
+/// What puts the findings of a model right.
+fn remedies(options: &InspectOptions, name: &str, front_end: &dyn FrontEnd) -> Vec<String> {
+    let model = open(name);
+    let inspected = options.inspect(name, &model.model, None);
+    let mut found = check_model(options, &model.model, &inspected, None);
+    found.spell(front_end);
+    found.findings.into_iter().filter_map(|finding| finding.command).collect()
+}
+
+fn review(options: &InspectOptions, models: &[&str]) -> String {
+    let mut review = String::new();
+    for name in models {
+        let [command, python, page] =
+            [&CommandLine as &dyn FrontEnd, &Python, &Page].map(|words| remedies(options, name, words));
+        for ((command, python), page) in command.iter().zip(&python).zip(&page) {
+            assert!(!python.contains("--") && !page.contains("--"), "{python}\n{page}");
+            review.push_str(&format!("command: {command}\npython:  {python}\npage:    {page}\n\n"));
+        }
+    }
+    review
+}
+
+#[test]
+fn remedies_are_given_in_the_words_of_each_front_end() {
+    insta::assert_snapshot!("remedies", review(&InspectOptions::default(), &MODELS));
+}
+
+#[test]
+fn remedies_say_again_what_was_said_of_the_model() {
+    let patterns =
+        |texts: &[&str]| -> Vec<Pattern> { texts.iter().map(|text| text.parse().unwrap()).collect() };
+    let mut options = InspectOptions::default();
+    options.masses.model_kg = Some(700.0);
+    options.masses.exclude_bodies = patterns(&["a rider", "saddle"]);
+    options.stance.spheres = Some(3.0);
+    options.stance.limbs = 2.0;
+    options.selection.exclude = patterns(&["hand_*"]);
+    options.selection.skip_disabled = true;
+    options.geometry = Some("my geometry.xml".into());
+    insta::assert_snapshot!(
+        "remedies_with_options",
+        review(
+            &options,
+            &["check/sunk_in.osim", "check/beyond_hunt_crossley.osim", "format/mixed_radii.osim"]
+        )
+    );
+}

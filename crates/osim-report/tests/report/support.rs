@@ -1,0 +1,55 @@
+//! Models of the fixtures, read, inspected and planned.
+
+use std::path::{Path, PathBuf};
+
+use osim_inspect::{CheckResult, InspectOptions, Inspection, check_model};
+use osim_model::files::{Beside, FileError, Files, ModelFiles, OpenModel};
+use osim_model::{MassRequest, Model};
+use osim_patch::{Plan, Rescale, rescale};
+use osim_report::dialect::FrontEnd;
+
+struct Disk;
+
+impl Files for Disk {
+    fn read(&self, path: &Path) -> Result<Vec<u8>, FileError> {
+        std::fs::read(path).map_err(|error| FileError::new(error.to_string()))
+    }
+
+    fn exists(&self, path: &Path) -> bool {
+        path.exists()
+    }
+}
+
+fn fixture(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures").join(name)
+}
+
+/// The model `name` of the fixtures, under that name.
+pub(crate) fn open(name: &str) -> OpenModel {
+    let path = fixture(name);
+    let bytes = std::fs::read(&path).unwrap();
+    let files = ModelFiles::read(&path, bytes, Beside::default(), &Disk).unwrap();
+    files.named(name.to_owned()).open().unwrap()
+}
+
+pub(crate) fn inspected(
+    options: &InspectOptions,
+    model: &OpenModel,
+    front_end: &dyn FrontEnd,
+) -> (Inspection, CheckResult) {
+    let mut inspected = options.inspect(model.name(), &model.model, None);
+    let mut found = check_model(options, &model.model, &inspected, None);
+    inspected.spell(front_end);
+    found.spell(front_end);
+    (inspected, found)
+}
+
+/// The plan by which the contacts of `model` are made right for a body of `target_kg`.
+pub(crate) fn rescaled(model: &Model, target_kg: f64, front_end: &dyn FrontEnd) -> Plan {
+    let options = InspectOptions::default();
+    let selected = options.selection.apply(model).unwrap();
+    let (mass, _) = MassRequest::default().of_contacts(model).unwrap();
+    let mut plan = rescale(model, &selected, &Rescale::new(target_kg, mass)).unwrap();
+    plan.spell(front_end);
+    plan
+}
