@@ -1,0 +1,30 @@
+//! A usage error in one line.
+
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+
+/// A usage error in one line: what is wrong and what was expected.
+pub(crate) fn usage_line(error: &clap::Error) -> String {
+    let context = |kind| match error.get(kind) {
+        Some(ContextValue::String(text)) => Some(text.clone()),
+        _ => None,
+    };
+    let from_parser = std::error::Error::source(error).map(ToString::to_string);
+    if error.kind() == ErrorKind::ValueValidation
+        && let (Some(value), Some(option), Some(reason)) =
+            (context(ContextKind::InvalidValue), context(ContextKind::InvalidArg), from_parser)
+    {
+        let option = option.split(' ').next().unwrap_or_default().to_owned();
+        return format!("{option} '{value}': {reason}");
+    }
+    let text = error.to_string();
+    let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty());
+    let first = lines.next().unwrap_or_default().trim_start_matches("error: ").to_owned();
+    let rest: Vec<&str> = lines
+        .take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"))
+        .map(|line| line.trim_start_matches("tip: "))
+        // Nobody who misspells an option wants it to be a file.
+        .filter(|line| !line.contains("as a value, use '--"))
+        .collect();
+    let joint = if first.ends_with(':') { " " } else { "; " };
+    if rest.is_empty() { first } else { format!("{first}{joint}{}", rest.join(", ")) }
+}

@@ -1,0 +1,134 @@
+//! `check`: what the limits of the paper and the traps of the format say about models.
+
+use std::io::IsTerminal;
+
+use anyhow::Result;
+use osim_inspect::CheckResult;
+use osim_library::{Folders, Source, Sources, in_order, threads};
+use osim_model::files::Failure;
+use osim_model::wording::Verb;
+use osim_report::check;
+use osim_report::html::Entry;
+use osim_report::json::line;
+use osim_report::layout::Colour;
+use osim_requests::CheckRequest;
+use osim_requests::options::SheetFormat;
+
+use super::inspect::Stop;
+use super::survey::Survey;
+use crate::report_page::ReportPage;
+use crate::session::Session;
+use crate::terminal::Exit;
+
+/// Checks all models.
+///
+/// # Errors
+/// Wrong usage.
+pub(super) fn run(request: &CheckRequest, session: &mut Session) -> Result<Exit> {
+    let sources = Sources::find(&request.models, None);
+    let inspector = request.inspector();
+    let (words, report) = (session.words, &request.report);
+    let survey = Survey { verb: Verb::Check, sources: &sources, inspector: &inspector, report, words };
+    let mut page = survey.begin_page(session)?;
+    let json = request.format == SheetFormat::Json;
+    let mut exit = Exit::Done;
+    for failure in &sources.failures {
+        exit = exit.and(session.fail(failure, json)?);
+    }
+    for remark in &sources.remarks {
+        session.terminal.note(&format!("note: {remark}\n"))?;
+    }
+    let folders = Folders::list(sources.models.iter().map(|source| source.path.as_path()), false);
+    let deny = request.deny.severity();
+    // One model in full; a library as one table, told when all of it is known.
+    let mut library = (sources.models.len() > 1).then(check::LibraryTable::default);
+    let (mut without_contacts, mut first, mut untold) = (0, true, None);
+    let with_page = page.is_some();
+    let indexed: Vec<(usize, &Source)> = sources.models.iter().enumerate().collect();
+    in_order(
+        &indexed,
+        threads(None, indexed.len()),
+        |&(index, source)| one(&survey, &folders, index, source, with_page),
+        |&(_, source), found| -> Result<(), Stop> {
+            match found {
+                Ok((found, entry)) => {
+                    if let Some((page, entry)) = page.as_mut().zip(entry) {
+                        page.add(*entry);
+                    }
+                    if found.reaches(deny) {
+                        exit = exit.and(Exit::Failed);
+                    }
+                    let told = match (request.format, &mut library) {
+                        (SheetFormat::Table, Some(library)) => {
+                            library.add(&found);
+                            Ok(())
+                        }
+                        (format, _) => tell(&found, format, first, session),
+                    };
+                    // What cannot be printed is no reason to leave a page without its models.
+                    match (told, &page) {
+                        (Err(error), Some(_)) => untold = untold.take().or(Some(error)),
+                        (told, _) => told.map_err(Stop)?,
+                    }
+                    first = false;
+                }
+                // A folder may hold models without contacts; one that was named may not.
+                Err(failure) if failure.code == "no-contacts" && source.folder.is_some() => {
+                    without_contacts += 1;
+                    if let Some(page) = &mut page {
+                        page.add(Entry::without_contacts(&failure.model));
+                    }
+                }
+                Err(failure) => {
+                    exit = exit.and(session.fail(&failure, json).map_err(Stop)?);
+                    if let Some(page) = &mut page {
+                        page.add(Entry::failed(&failure, words));
+                    }
+                    if let Some(library) = &mut library {
+                        library.add_failed(&source.shown());
+                    }
+                }
+            }
+            Ok(())
+        },
+    )
+    .map_err(|stop| stop.0)?;
+    exit = exit.and(ReportPage::end(page, session));
+    untold.map_or(Ok(()), Err)?;
+    if let Some(library) = library.filter(|_| request.format == SheetFormat::Table) {
+        let whole_names = !std::io::stdout().is_terminal();
+        session.terminal.print_painted(&library.text(whole_names, words, Colour::Ansi))?;
+    }
+    if without_contacts > 0 {
+        session.terminal.note(&format!("note: models without contacts passed over: {without_contacts}\n"))?;
+    }
+    Ok(exit)
+}
+
+fn tell(found: &CheckResult, format: SheetFormat, first: bool, session: &mut Session) -> Result<()> {
+    match format {
+        SheetFormat::Json => session.terminal.print(&line(found))?,
+        SheetFormat::Csv => session.terminal.print(&check::csv_rows(found, first)?)?,
+        _ => session.terminal.print_painted(&check::text(found, Colour::Ansi))?,
+    }
+    Ok(())
+}
+
+/// Everything found in one model, and its entry on the page where one is asked for.
+fn one(
+    survey: &Survey<'_>,
+    folders: &Folders,
+    index: usize,
+    source: &Source,
+    with_page: bool,
+) -> Result<(CheckResult, Option<Box<Entry>>), Failure> {
+    let mut seen = survey.see(source)?;
+    survey.inspector.refuse_without_contacts(&seen.opened, &seen.inspection)?;
+    let beside = (!source.is_stdin()).then(|| folders.compiled_beside(&source.path)).flatten();
+    let found = survey.check(&mut seen, beside.as_ref());
+    let entry = with_page.then(|| {
+        seen.inspection.spell(survey.words);
+        Box::new(survey.entry(index, &seen, &found))
+    });
+    Ok((found, entry))
+}

@@ -1,0 +1,70 @@
+//! Which verb is called.
+
+use anyhow::{Context, Result};
+use osim_library::Disk;
+use osim_model::files::Files;
+use osim_requests::Request;
+
+use super::{
+    batch, change, check, completions, design, drop_test, explain, fit, inspect, manual, plot, presets,
+    rescale, sweep,
+};
+use crate::args::{Cli, RequestArgs, VerbArgs};
+use crate::session::Session;
+use crate::terminal::Exit;
+
+/// Runs the verb.
+///
+/// # Errors
+/// Wrong usage, found before anything was written.
+pub(crate) fn call(cli: Cli, session: &mut Session) -> Result<Exit> {
+    let request: Request = match cli.verb {
+        None => return rescale::run(cli.rescale, true, session),
+        Some(VerbArgs::Set(args)) => args.request()?.into(),
+        Some(VerbArgs::Request(args)) => read(&args, session)?,
+        Some(VerbArgs::Completions(args)) => {
+            return completions::run(&args, &mut session.terminal).map(|()| Exit::Done);
+        }
+        Some(VerbArgs::Man(args)) => return manual::run(&args, session),
+        Some(VerbArgs::Rescale(request)) => Request::Rescale(request),
+        Some(VerbArgs::Transfer(request)) => Request::Transfer(request),
+        Some(VerbArgs::Design(request)) => Request::Design(request),
+        Some(VerbArgs::Batch(request)) => Request::Batch(request),
+        Some(VerbArgs::Sweep(request)) => Request::Sweep(request),
+        Some(VerbArgs::Inspect(request)) => Request::Inspect(request),
+        Some(VerbArgs::Check(request)) => Request::Check(request),
+        Some(VerbArgs::DropTest(request)) => Request::DropTest(request),
+        Some(VerbArgs::Plot(request)) => Request::Plot(request),
+        Some(VerbArgs::Fit(request)) => Request::Fit(request),
+        Some(VerbArgs::Presets(request)) => request.into(),
+        Some(VerbArgs::Explain(request)) => request.into(),
+    };
+    ask(request, session)
+}
+
+/// Reads a request from a JSON file.
+fn read(args: &RequestArgs, session: &Session) -> Result<Request> {
+    let shown = args.file.display();
+    let bytes = Disk.read(&args.file).with_context(|| shown.to_string())?;
+    Request::from_json(&bytes).map_err(|fault| session.usage(&fault)).with_context(|| shown.to_string())
+}
+
+fn ask(request: Request, session: &mut Session) -> Result<Exit> {
+    match request {
+        Request::Rescale(request) => rescale::run(*request, false, session),
+        Request::Transfer(request) => change::transfer(*request, session),
+        Request::Design(request) if request.models.is_empty() => design::calculate(&request, session),
+        Request::Design(request) => change::design(*request, session),
+        Request::Set(request) => change::set(*request, session),
+        Request::Batch(request) => batch::run(&request, session),
+        Request::Sweep(request) => sweep::run(&request, session),
+        Request::Inspect(request) => inspect::run(&request, false, session),
+        Request::Check(request) => check::run(&request, session),
+        Request::DropTest(request) => drop_test::run(&request, session),
+        Request::Plot(request) => plot::run(&request, session),
+        Request::Fit(request) => fit::run(&request, session),
+        Request::Presets(request) => presets::run(&request, session),
+        Request::Explain(request) => explain::run(&request, session),
+        _ => anyhow::bail!("this verb takes no request"),
+    }
+}

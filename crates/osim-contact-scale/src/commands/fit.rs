@@ -1,0 +1,35 @@
+//! `fit`: contact parameters from a measured indentation and force.
+
+use anyhow::Result;
+use osim_library::Disk;
+use osim_report::json::{FailureRecord, line};
+use osim_report::results::{FitRecord, fit_text};
+use osim_requests::options::Format;
+use osim_requests::{FitRequest, RequestError};
+
+use crate::session::Session;
+use crate::terminal::Exit;
+
+/// Fits and reports.
+///
+/// # Errors
+/// Wrong usage.
+pub(super) fn run(request: &FitRequest, session: &mut Session) -> Result<Exit> {
+    let json = request.format == Format::Json;
+    match request.run(&Disk) {
+        Ok(fit) => {
+            let text = if json { line(&FitRecord::from(&fit)) } else { fit_text(&fit, session.words) };
+            session.terminal.print(&text)?;
+            Ok(Exit::Done)
+        }
+        Err(RequestError::Fault(fault)) => Err(session.usage(&fault)),
+        Err(RequestError::Failure(failure)) => {
+            if json {
+                session.terminal.print(&line(&FailureRecord::new(&failure, session.words)))?;
+            }
+            // The message begins with the name of the file.
+            session.terminal.error(&format!("error: {}\n", failure.message.spelled(session.words)));
+            Ok(Exit::Failed)
+        }
+    }
+}

@@ -1,0 +1,23 @@
+//! What each verb does when it is called: read, plan, write, tell.
+
+mod asked;
+mod batch;
+mod change;
+mod check;
+mod completions;
+mod design;
+mod dispatch;
+mod drop_test;
+mod explain;
+mod fit;
+mod inspect;
+mod manual;
+mod plot;
+mod presets;
+mod rescale;
+mod run;
+mod shown;
+mod survey;
+mod sweep;
+
+pub(crate) use dispatch::call;

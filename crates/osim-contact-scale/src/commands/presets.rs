@@ -1,0 +1,28 @@
+//! `presets`: published contacts, and the user's own.
+
+use anyhow::Result;
+use osim_library::Disk;
+use osim_report::json::line;
+use osim_report::results::{PresetRecord, preset_text};
+use osim_requests::PresetsRequest;
+use osim_requests::options::Format;
+
+use crate::session::Session;
+use crate::terminal::Exit;
+
+/// Lists presets, or shows one.
+///
+/// # Errors
+/// A file of presets that cannot be read, or an unknown name.
+pub(super) fn run(request: &PresetsRequest, session: &mut Session) -> Result<Exit> {
+    let presets = request.find(&Disk).map_err(|fault| session.usage(&fault))?;
+    for (index, preset) in presets.iter().enumerate() {
+        let text = match request.format {
+            Format::Json => line(&PresetRecord::from(preset)),
+            _ if index == 0 => preset_text(preset),
+            _ => format!("\n{}", preset_text(preset)),
+        };
+        session.terminal.print(&text)?;
+    }
+    Ok(Exit::Done)
+}

@@ -1,0 +1,51 @@
+//! `rescale`, and a model alone.
+
+use std::path::Path;
+
+use anyhow::{Result, bail};
+use osim_requests::options::InspectionOptions;
+use osim_requests::options::{SheetFormat, StanceOptions};
+use osim_requests::{InspectRequest, RescaleRequest};
+
+use super::change::change;
+use super::inspect;
+use crate::session::Session;
+use crate::terminal::Exit;
+
+/// Rescales; `may_inspect` where no verb was typed, so that a model alone is inspected.
+///
+/// # Errors
+/// Wrong usage.
+pub(super) fn run(request: RescaleRequest, may_inspect: bool, session: &mut Session) -> Result<Exit> {
+    if request.models.is_empty() {
+        bail!("no model given, expected one or more .osim files or folders (see --help)");
+    }
+    if let Some(word) = request.models.iter().find(|path| looks_like_verb(path)).filter(|_| may_inspect) {
+        bail!("'{}' is neither a verb nor a file (see --help)", word.display());
+    }
+    if request.target_mass.is_some() || !may_inspect || request.asks_for_change() {
+        let missing = request.target_mass.is_none();
+        let run = request.run.clone();
+        return match request.prepare() {
+            Ok(prepared) => change(prepared, &run, session),
+            Err(fault) if missing => bail!("{} (see --help)", fault.spelled(session.words)),
+            Err(fault) => Err(session.usage(&fault)),
+        };
+    }
+    // A model alone, perhaps dropped on the program: show something useful.
+    let json = request.run.is_json();
+    let mut inspect = InspectRequest::default();
+    inspect.format = if json { SheetFormat::Json } else { SheetFormat::Table };
+    inspect.report.report = request.run.report;
+    inspect.report.force = request.output.force;
+    inspect.models = request.models;
+    inspect.options =
+        InspectionOptions::new(StanceOptions::default(), request.masses, request.choice, request.set_files);
+    inspect::run(&inspect, true, session)
+}
+
+/// `true` for a word that no model is called.
+fn looks_like_verb(path: &Path) -> bool {
+    let text = path.to_string_lossy();
+    !path.exists() && !text.contains(['.', '/', '\\']) && text != "-"
+}

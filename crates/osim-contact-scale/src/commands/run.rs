@@ -1,0 +1,187 @@
+//! One run of a changing verb: what is told of it, and in which order.
+
+use anyhow::Result;
+use osim_library::LibraryFault;
+use osim_library::run::{Counts, Outcome, Run, RunRequest, Task};
+use osim_model::files::Failure;
+use osim_model::wording::{Input, Verb};
+use osim_report::html::{About, Columns, Entry};
+use osim_report::json::{FailureRecord, line};
+use osim_requests::options::{RunFormat, RunOptions};
+
+use super::asked::asked;
+use super::shown::{Said, Shower, Shown, bare_entry};
+use crate::progress::Progress;
+use crate::report_page::{Replace, ReportPage};
+use crate::session::Session;
+use crate::terminal::Exit;
+use crate::words::Words;
+use crate::{failure, interrupt};
+
+/// More models than this are told in a line each, unless a table is asked for.
+const FEW: usize = 10;
+
+/// Does all of `request`.
+///
+/// # Errors
+/// Wrong usage: found before anything is written.
+pub(super) fn run(request: RunRequest, options: &RunOptions, session: &mut Session) -> Result<Exit> {
+    let mut run = Run::new(request, options).map_err(|fault| session.refused(&fault))?;
+    let tasks = run.request().tasks.len();
+    let several = tasks + run.request().failures.len() > 1;
+    let few = if tasks > FEW { RunFormat::Lines } else { RunFormat::Table };
+    let format = options.format.unwrap_or(few);
+    let mut exit = Exit::Done;
+    for failure in &run.request().failures {
+        exit = exit.and(tell_failure(failure, format, session));
+    }
+    for remark in run.request().remarks.iter().filter(|_| !options.quiet) {
+        session.terminal.note(&format!("note: {remark}\n"))?;
+    }
+    run.read_previous().map_err(|fault| session.refused(&fault))?;
+    let mut page = begin_page(&run, options, session)?;
+    run.begin().map_err(|fault| session.refused(&fault))?;
+    interrupt::outlive_size_limit();
+    let counts = work_off(&run, options, format, &mut page, session)?;
+    if let Err(fault) = run.finish() {
+        session.terminal.error(&format!("error: {}\n", fault.spelled(session.words)));
+        exit = exit.and(Exit::Failed);
+    }
+    exit = exit.and(ReportPage::end(page, session));
+    let (counts, untold) = counts;
+    if !options.quiet && several {
+        session.terminal.note(&summary(&counts, options, session.words))?;
+    } else if !options.quiet && counts.interrupted() {
+        session.terminal.note("stopped\n")?;
+    }
+    Ok(exit.and(exit_of(&counts, untold)))
+}
+
+/// Does all tasks and tells each in its turn; also whether something could not be shown.
+fn work_off(
+    run: &Run<'_>,
+    options: &RunOptions,
+    format: RunFormat,
+    page: &mut Option<ReportPage>,
+    session: &mut Session,
+) -> Result<(Counts, bool)> {
+    let tasks = run.request().tasks.len();
+    if tasks > 1 {
+        interrupt::listen();
+    }
+    let shower = Shower {
+        words: session.words,
+        options,
+        format,
+        alone: run.request().is_one(),
+        progress: Progress::begin(tasks, options.quiet),
+    };
+    let mut untold = false;
+    let tell = |_: &Task, outcome: Outcome<Shown>| {
+        let Outcome { record, earlier, shown, failure, .. } = outcome;
+        let Shown { said, entry } = shown.unwrap_or_default();
+        if let Some(page) = page {
+            page.add(entry.unwrap_or_else(|| bare_entry(&record, earlier)));
+        }
+        // Results that cannot be shown are no reason to leave the other models undone.
+        let told = shower.progress.suspended(|| match &failure {
+            Some(failure) => say_failure(failure, format, session),
+            None => say(&said, session),
+        });
+        if let Err(error) = told {
+            session.terminal.error(&format!("error: cannot write to standard output: {error:#}\n"));
+            untold = true;
+        }
+        Ok::<(), LibraryFault>(())
+    };
+    let counts = run.work_off(&shower, tell);
+    shower.progress.end();
+    match counts {
+        Ok(counts) => Ok((counts, untold)),
+        Err(fault) => Err(anyhow::anyhow!(fault.spelled(shower.words))),
+    }
+}
+
+fn begin_page(run: &Run<'_>, options: &RunOptions, session: &Session) -> Result<Option<ReportPage>> {
+    let Some(path) = &options.report else { return Ok(None) };
+    let request = run.request();
+    let shown = || match (request.tasks.first(), request.failures.first()) {
+        (Some(task), _) => task.source.shown(),
+        (None, failure) => failure.map(|failure| failure.model.clone()).unwrap_or_default(),
+    };
+    let verb = Verb::ALL.iter().copied().find(|verb| verb.name() == request.verb).unwrap_or(Verb::Set);
+    let about = About::new(verb, request.is_one().then(shown), Columns::Changes, asked());
+    let replace = match (request.force, run.goes_on()) {
+        (true, _) => Replace::Files,
+        // A run that goes on writes its page anew, as it does its summary.
+        (false, true) => Replace::Pages,
+        (false, false) => Replace::Never,
+    };
+    let mut page = ReportPage::begin(path, replace, about, session)?;
+    request.failures.iter().for_each(|failure| page.add(Entry::failed(failure, session.words)));
+    Ok(Some(page))
+}
+
+fn tell_failure(failure: &Failure, format: RunFormat, session: &mut Session) -> Exit {
+    // Scripts read one object per model, also of those that failed.
+    let record = || line(&FailureRecord::new(failure, session.words));
+    if format == RunFormat::Json {
+        let record = record();
+        if session.terminal.print(&record).is_err() {
+            return Exit::Failed;
+        }
+    }
+    session.terminal.error(&failure::text(failure, session.words));
+    Exit::Failed
+}
+
+fn say_failure(failure: &Failure, format: RunFormat, session: &mut Session) -> Result<()> {
+    if format == RunFormat::Json {
+        session.terminal.print(&line(&FailureRecord::new(failure, session.words)))?;
+    }
+    session.terminal.error(&failure::text(failure, session.words));
+    Ok(())
+}
+
+fn say(all: &[Said], session: &mut Session) -> Result<()> {
+    for said in all {
+        match said {
+            Said::Result(bytes) => session.terminal.write_bytes(bytes)?,
+            Said::Note(text) => session.terminal.note(text)?,
+        }
+    }
+    Ok(())
+}
+
+fn exit_of(counts: &Counts, untold: bool) -> Exit {
+    match (counts.interrupted(), counts.failed) {
+        (true, _) => Exit::Interrupted,
+        (false, 0) if !untold => Exit::Done,
+        (false, _) => Exit::Failed,
+    }
+}
+
+/// The last line of a run over several models.
+fn summary(counts: &Counts, options: &RunOptions, words: Words) -> String {
+    let parts = [
+        (counts.written, "written"),
+        (counts.dry, "planned (dry run)"),
+        (counts.unchanged, "unchanged"),
+        (counts.earlier, "done before"),
+        (counts.no_contacts, "passed over (no contacts)"),
+        (counts.failed, "failed"),
+        (counts.not_begun, "not begun"),
+    ];
+    let all: usize = parts.iter().map(|(count, _)| count).sum();
+    let parts: Vec<String> =
+        parts.iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("{count} {what}")).collect();
+    let stopped = match (counts.interrupted(), &options.summary) {
+        (false, _) => String::new(),
+        (true, Some(_)) => {
+            format!("; stopped: go on with the same call and {}", words.input(Input::Resume, None))
+        }
+        (true, None) => "; stopped".to_owned(),
+    };
+    let parts = if parts.is_empty() { "none done".to_owned() } else { parts.join(", ") };
+    format!("note: {all} models: {parts}{stopped}\n")
+}

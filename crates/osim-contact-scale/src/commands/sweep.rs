@@ -1,0 +1,133 @@
+//! `sweep`: variants of one model, and a table of what is in which file.
+//!
+//! Count and size are told first; then each variant is made, written, and read again from its own bytes for the table.
+
+use anyhow::Result;
+use osim_library::{LibraryFault, SweepEnd, SweepFrontEnd, SweepRun};
+use osim_model::files::Failure;
+use osim_model::wording::Input;
+use osim_report::json::line;
+use osim_report::results::SweepRecord;
+use osim_requests::SweepRequest;
+use osim_requests::options::Format;
+
+use crate::interrupt;
+use crate::progress::Progress;
+use crate::session::Session;
+use crate::terminal::Exit;
+
+/// Tells how far a sweep is.
+struct Watch(Progress);
+
+impl SweepFrontEnd for Watch {
+    fn is_interrupted(&self) -> bool {
+        interrupt::came()
+    }
+
+    fn done(&self, failed: bool) {
+        self.0.done(failed);
+    }
+}
+
+/// Why a sweep ended early.
+enum Stop {
+    Refused(LibraryFault),
+    Told(anyhow::Error),
+}
+
+impl From<LibraryFault> for Stop {
+    fn from(fault: LibraryFault) -> Self {
+        Self::Refused(fault)
+    }
+}
+
+/// Makes all variants.
+///
+/// # Errors
+/// Wrong usage, found before anything is written.
+pub(super) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit> {
+    let json = request.format == Format::Json;
+    let sweep = match SweepRun::new(request) {
+        Ok(sweep) => sweep,
+        Err(error) => return session.refuse(error, json),
+    };
+    sweep.check_ends().map_err(|fault| session.usage(&fault))?;
+    announce(&sweep, request, session)?;
+    if request.dry_run {
+        let record = SweepRecord::new(sweep.model(), sweep.folder(), None).counted(sweep.count(), 0);
+        let text = match sweep.is_large() {
+            true => format!(
+                "dry run: nothing written; more than 10,000 models need {}\n",
+                session.words.input(Input::Yes, None)
+            ),
+            false => "dry run: nothing written\n".to_owned(),
+        };
+        return tell(&record, &text, request, session).map(|()| Exit::Done);
+    }
+    let end = make(&sweep, request, session)?;
+    if end.not_begun > 0 {
+        let (made, count) = (end.made, sweep.count());
+        session.terminal.note(&format!("note: stopped: {made} of {count} models are made\n"))?;
+    }
+    let record = SweepRecord::new(sweep.model(), sweep.folder(), end.manifest.as_deref());
+    tell(&record.counted(end.made, end.failed), &text(&sweep, &end), request, session)?;
+    Ok(match (end.not_begun, end.failed) {
+        (0, 0) => Exit::Done,
+        (0, _) => Exit::Failed,
+        _ => Exit::Interrupted,
+    })
+}
+
+fn make(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Session) -> Result<SweepEnd> {
+    interrupt::listen();
+    interrupt::outlive_size_limit();
+    let watch = Watch(Progress::begin(sweep.count(), request.quiet));
+    let json = request.format == Format::Json;
+    let failed = |failure: Failure| {
+        let told = watch.0.suspended(|| session.fail(&failure, json));
+        told.map(|_| ()).map_err(Stop::Told)
+    };
+    let end = sweep.run(&watch, failed);
+    watch.0.end();
+    end.map_err(|stop| match stop {
+        Stop::Refused(fault) => session.refused(&fault),
+        Stop::Told(error) => error,
+    })
+}
+
+/// How many models of which size will be made: said before anything is made.
+fn announce(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Session) -> Result<()> {
+    if request.quiet {
+        return Ok(());
+    }
+    let (size, count) = (sweep.model_size(), sweep.count());
+    #[expect(clippy::cast_precision_loss, reason = "shown in MB")]
+    let megabytes = |bytes: usize| bytes as f64 / 1e6;
+    let text = format!(
+        "note: {count} models of {:.2} MB each, {:.1} MB together, into {}\n",
+        megabytes(size),
+        megabytes(size.saturating_mul(count)),
+        sweep.folder().display()
+    );
+    Ok(session.terminal.note(&text)?)
+}
+
+fn text(sweep: &SweepRun<'_>, end: &SweepEnd) -> String {
+    match &end.manifest {
+        Some(manifest) => {
+            let (made, count) = (end.made, sweep.count());
+            let of = if made < count { format!(" of {count}") } else { String::new() };
+            format!("{made}{of} models written; what is in which: {}\n", manifest.display())
+        }
+        None => "no model was made\n".to_owned(),
+    }
+}
+
+fn tell(record: &SweepRecord, text: &str, request: &SweepRequest, session: &mut Session) -> Result<()> {
+    if request.format == Format::Json {
+        session.terminal.print(&line(record))?;
+    } else if !request.quiet {
+        session.terminal.print(text)?;
+    }
+    Ok(())
+}
