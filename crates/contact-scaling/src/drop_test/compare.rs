@@ -1,6 +1,9 @@
 //! Two drops side by side, in dimensionless form.
 
-use super::{DropError, DropReport, DropTest, DropValues};
+use super::error::DropError;
+use super::falling::DropTest;
+use super::report::DropReport;
+use super::values::DropValues;
 
 /// How far two drops lie apart, each in its own dimensionless form.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,7 +24,7 @@ pub struct Difference {
 /// As [`DropTest::run`].
 pub fn compare(a: &DropTest, b: &DropTest) -> Result<Difference, DropError> {
     let until = dimensionless_duration(a).min(dimensionless_duration(b));
-    let samples = a.values.samples.max(b.values.samples);
+    let samples = a.values().samples.max(b.values().samples);
     let (a, b) = (run_until(a, until, samples)?, run_until(b, until, samples)?);
     let mut difference = Difference { height: 0.0, force: 0.0, until };
     for (p, q) in a.series.iter().zip(&b.series) {
@@ -34,11 +37,11 @@ pub fn compare(a: &DropTest, b: &DropTest) -> Result<Difference, DropError> {
 }
 
 fn dimensionless_duration(test: &DropTest) -> f64 {
-    test.values.duration_s / test.body().time_s
+    test.values().duration_s / test.body().time_s
 }
 
 fn run_until(test: &DropTest, until: f64, samples: usize) -> Result<DropReport, DropError> {
     let duration_s = until * test.body().time_s;
-    let values = DropValues { duration_s, samples, ..test.values };
-    DropTest { values, spheres: test.spheres.clone() }.run()
+    let values = DropValues { duration_s, samples, ..test.values() };
+    test.under(values).run()
 }

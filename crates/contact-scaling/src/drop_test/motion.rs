@@ -8,7 +8,8 @@ use differential_equations::ode::{ODE, solve_ode};
 use differential_equations::prelude::{ControlFlag, Error, Interpolation, Solout, Solution};
 
 use super::body::Body;
-use super::{DropError, DropValues};
+use super::error::DropError;
+use super::values::DropValues;
 use crate::Law;
 
 /// Indentation and its rate, dimensionless.

@@ -1,8 +1,9 @@
 //! What a drop test tells.
 
 use super::body::Body;
+use super::error::DropError;
 use super::motion::Record;
-use super::{DropError, DropValues};
+use super::values::DropValues;
 use crate::{equilibrium, restitution};
 
 /// One moment of a drop.

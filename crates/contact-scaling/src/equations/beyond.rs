@@ -1,10 +1,10 @@
 //! What the paper has no equation for.
 
+use super::equation::{Equation, form};
 use super::symbols::{
     ALPHA, C_EXACT, D, E_A, E_B, E_I, F_LOAD, F_S, G, IMPACT, K_HAT_A, K_HAT_B, N, R, R_EQUIVALENT, R_I, U_V,
     V_T, X,
 };
-use super::{Equation, form};
 
 pub(super) const ALL: &[Equation] = &[
     Equation {

@@ -1,10 +1,10 @@
 //! The force laws and how they scale: (1) to (15).
 
+use super::equation::{Equation, form};
 use super::symbols::{
     ALPHA, C_R, E, E_A, E_B, ETA, F, F_C, F_D, F_E, IMPACT, M, M_A, M_B, N, N_A, N_B, R, R_A, R_B, SIGMA,
     SPEED, X, X_HAT,
 };
-use super::{Equation, form};
 
 pub(super) const ALL: &[Equation] = &[
     Equation {

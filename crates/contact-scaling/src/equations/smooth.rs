@@ -1,10 +1,10 @@
 //! `SmoothSphereHalfSpaceForce`: appendix C.
 
+use super::equation::{Equation, form};
 use super::symbols::{
     ALPHA, B_V, B_X, BD, BV, CF, E, ETA, F_CF, F_S, F_SMOOTH, R, REDUCED_WIDTH, S_C, SPEED, SPEED_WIDTH, T,
     WIDTH, X, X_HAT_C, X_HAT_T,
 };
-use super::{Equation, form};
 
 pub(super) const ALL: &[Equation] = &[
     Equation {

@@ -1,7 +1,7 @@
 //! Stiffness and natural frequency: appendix B.
 
+use super::equation::{Equation, form};
 use super::symbols::{E, ETA, F, F_C_ALL, F_N, F_N_EQ, G, K, K_HAT, M_ON_SPHERE, N, R, X, X_HAT, X_HAT_EQ};
-use super::{Equation, form};
 
 pub(super) const ALL: &[Equation] = &[
     Equation {

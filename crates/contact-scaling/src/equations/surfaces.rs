@@ -1,7 +1,7 @@
 //! Moduli of surfaces: appendix A.
 
+use super::equation::{Equation, form};
 use super::symbols::{ALPHA, ALPHA_1, ALPHA_2, E, E_1, E_2, P, POISSON, R_1, R_2, R_TWO, SHARE, YOUNG};
-use super::{Equation, form};
 
 pub(super) const ALL: &[Equation] = &[
     Equation {

@@ -2,9 +2,10 @@
 
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
+use super::error::FitError;
 use super::model::{Model, Parameters};
+use super::parameter::Parameter;
 use super::points::Point;
-use super::{FitError, Parameter};
 
 /// A fitted value with its 95 % interval.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,6 +1,6 @@
 //! The closed form where the onset is known: F is linear in E* and E* α.
 
-use super::FitError;
+use super::error::FitError;
 use super::model::{Model, Parameters};
 use super::points::Point;
 

@@ -1,6 +1,6 @@
 //! The force as a function of the parameters: F = K E* u^(3/2) + K E* α · 3/2 u^(3/2) ẋ with u = x − x₀.
 
-use super::Parameter;
+use super::parameter::Parameter;
 use super::points::Point;
 
 /// What is fitted, and the factor K = n 4/3 √R.

@@ -2,7 +2,7 @@
 
 use rmpfit::{MPConfig, MPFitter, MPPar, MPResult, MPSide, MPSuccess};
 
-use super::FitError;
+use super::error::FitError;
 use super::linear;
 use super::model::{Model, Parameters};
 use super::points::Point;

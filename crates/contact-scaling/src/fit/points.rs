@@ -1,6 +1,7 @@
 //! The rows of a measurement, checked, with a speed each.
 
-use super::{Branch, FitError, Measurement, Rate};
+use super::error::FitError;
+use super::measurement::{Branch, Measurement, Rate};
 
 /// One row.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,0 +1,12 @@
+//! The parameters of a fit.
+
+/// A fitted parameter, in the order of the covariance.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Parameter {
+    /// E*, in N/m².
+    CompositeModulus,
+    /// α, in s/m.
+    Dissipation,
+    /// x₀, in m.
+    Onset,
+}
