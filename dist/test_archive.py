@@ -93,7 +93,7 @@ def in_an_empty_root(program, model, folder):
     except (AssertionError, OSError) as error:
         if os.geteuid() == 0:
             raise
-        print(f"  skipped: an empty root needs root or user namespaces: {error}")
+        print(f"skipped: the program in an empty root: it takes root or user namespaces: {error}")
         return
     scale(lambda arguments: run([*change, *arguments]), root, inside="")
 

@@ -18,7 +18,7 @@ from browser import Browser, missing
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = pathlib.Path(os.environ.get("OSIM_CONTACT_SCALE", ROOT / "target/release/osim-contact-scale"))
 
-pytestmark = pytest.mark.skipif(bool(missing()), reason=f"skipped: not installed: {', '.join(missing())}")
+pytestmark = pytest.mark.skipif(bool(missing()), reason=f"not installed: {', '.join(missing())}")
 
 PAGES = {
     "rescale.html": "human.osim --target-mass 1190",
@@ -159,7 +159,7 @@ def test_print(browser, pages, page):
     assert pdf.startswith(b"%PDF-")
     (pages / page).with_suffix(".pdf").write_bytes(pdf)
     if shutil.which("pdftotext") is None:
-        pytest.skip("skipped: pdftotext is not installed: what is on paper was not read")
+        pytest.skip("pdftotext is not installed: what is on paper was not read")
     text = subprocess.run(["pdftotext", "-", "-"], input=pdf, capture_output=True, check=True).stdout.decode()
     # Closed details are open on paper, and the contents, which lead nowhere there, are gone.
     assert "What the spheres do" in text and "Skip to the content" not in text

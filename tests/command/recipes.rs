@@ -4,7 +4,7 @@ use std::ffi::OsString;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use crate::support::{Bench, root};
+use crate::support::{Bench, root, skipped};
 
 /// From 62 to 1190 kg the stiffness grows as M^(1/3), by (10) with isometric radii.
 const MASSES: (f64, f64) = (62.0, 1190.0);
@@ -52,9 +52,7 @@ fn run(bench: &Bench, program: &str, arguments: &[&str]) -> Option<(Option<i32>,
             Some((output.status.code(), text.concat()))
         }
         Err(error) => {
-            let text = format!("skipped: the recipes need {program}: {error}\n");
-            // Straight to the terminal: the test harness keeps what a passing test prints to itself.
-            let _ = std::io::Write::write_all(&mut std::io::stderr(), text.as_bytes());
+            skipped(&format!("the recipes in {program}"), &error.to_string());
             None
         }
     }

@@ -23,13 +23,16 @@ pub(crate) fn fixture(name: &str) -> Vec<u8> {
 pub(crate) fn corpus(test: &str) -> Option<PathBuf> {
     let folder = std::env::var_os("OSIM_CORPUS").map(PathBuf::from).filter(|folder| folder.is_dir());
     if folder.is_none() {
-        // Straight to the terminal: the test harness keeps what a passing test prints to itself.
-        let _ = std::io::Write::write_all(
-            &mut std::io::stderr(),
-            format!("skipped: {test} needs real models, OSIM_CORPUS is not set to their folder\n").as_bytes(),
-        );
+        skipped(test, "OSIM_CORPUS is not set to the folder of real models");
     }
     folder
+}
+
+/// Says that `test`, or a part of it, was skipped. `.ci/run` compares what it sees with `tests/skips.txt`.
+pub(crate) fn skipped(test: &str, why: &str) {
+    let line = format!("skipped: {test}: {why}\n");
+    // Straight to the terminal: the test harness keeps what a passing test prints to itself.
+    let _ = std::io::Write::write_all(&mut std::io::stderr(), line.as_bytes());
 }
 
 /// A folder of its own for one test.

@@ -1,7 +1,7 @@
 //! No room: a full disk, a limit on the size of files, a full device behind standard output.
 
-use crate::library::{Files, below, library, no_temporary_files, shell, shell_command, skipped};
-use crate::support::Bench;
+use crate::library::{Files, below, library, no_temporary_files, shell, shell_command};
+use crate::support::{Bench, skipped};
 
 const CALL: &str = "lib --target-mass 500 -d out --summary done.csv --jobs 2";
 

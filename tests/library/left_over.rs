@@ -2,8 +2,8 @@
 
 use std::process::{Command, Stdio};
 
-use crate::library::{library, shell_command, skipped};
-use crate::support::Bench;
+use crate::library::{library, shell_command};
+use crate::support::{Bench, skipped};
 
 const CALL: &str = "lib --target-mass 500 -d out --summary notes/done.csv";
 

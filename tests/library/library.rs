@@ -6,7 +6,7 @@ use std::io::{Read, Write};
 use std::process::{Child, Command, Output, Stdio};
 use std::time::Duration;
 
-use crate::support::{Bench, fixture};
+use crate::support::{Bench, fixture, skipped};
 
 pub(crate) type Files = BTreeMap<String, Vec<u8>>;
 
@@ -68,11 +68,6 @@ pub(crate) fn column(summary: &str, column: &str) -> BTreeMap<String, String> {
         (name, row[wanted].to_owned())
     };
     reader.records().map(|record| row(record.unwrap())).collect()
-}
-
-/// Straight to the terminal: the test harness keeps what a passing test prints to itself.
-pub(crate) fn skipped(test: &str, why: &str) {
-    let _ = std::io::stderr().write_all(format!("skipped: {test}: {why}\n").as_bytes());
 }
 
 /// A pipe with a name. The command reads it like a file, and waits there until [`feed`] lets it go on.
