@@ -1,0 +1,196 @@
+#!/usr/bin/env bash
+# Installs what the checks need beside Rust. Nothing else in the project installs anything.
+#
+#     dev/install.sh [GROUP...]     one or more of: rust programs shells oracle browser wasm; all without arguments
+#
+# Quick, and silent but for the table at its end, where everything is there. What it cannot install (no root, no
+# Debian, no such package) it names, and goes on: tests that need it say that they were skipped.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+# Where the oracle's Python packages go, by the versions in tests/oracle/requirements.txt.
+VENV=target/oracle-venv
+GROUPS_KNOWN="rust programs shells oracle browser wasm"
+
+# One tool a line:
+#   group
+#   tool     as the table calls it
+#   wanted   the least version that is known to do; =VERSION for exactly that one
+#   from     apt:PACKAGE of Debian; cargo, built from crates.io; rust, comes with Rust; none, cannot be had
+#   tells    what prints its version
+#
+# programs: octave runs the recipes of docs/, groff sets the manual, strace sees what reaches the disk, setpriv and
+#           unshare take permissions and make small disks (util-linux), readelf looks into the archive's program.
+# shells:   each reads the completions made for it.
+# oracle:   Python for the comparison with the real OpenSim. Its packages are in the table further below.
+# browser:  opens reports; pdftotext reads what they print. The tests run in the oracle's Python.
+# wasm:     a compiler with the sources of its library, for targets that rustup cannot fetch here, and a linker.
+# No tool comes from npm yet. One that does gets a group here, and a package-lock.json that npm ci obeys.
+TOOLS="
+rust      cargo          1.90     rust                cargo --version
+rust      rustfmt        1.8      rust                cargo fmt --version
+rust      clippy         0.1      rust                cargo clippy --version
+rust      cargo-deny     =0.20.2  cargo               cargo deny --version
+programs  octave         7        apt:octave          octave --version
+programs  groff          1.22     apt:groff-base      groff --version
+programs  strace         6        apt:strace          strace --version
+programs  setpriv        2.38     apt:util-linux      setpriv --version
+programs  unshare        2.38     apt:util-linux      unshare --version
+programs  readelf        2.40     apt:binutils        readelf --version
+shells    bash           5        apt:bash            bash --version
+shells    zsh            5.8      apt:zsh             zsh --version
+shells    fish           3.3      apt:fish            fish --version
+shells    elvish         0.18     apt:elvish          elvish -version
+shells    pwsh           7        none                pwsh --version
+oracle    python3        3.11     apt:python3-venv    python3 -c 'import ensurepip, platform; print(platform.python_version())'
+browser   python3        3.11     apt:python3-venv    python3 -c 'import ensurepip, platform; print(platform.python_version())'
+browser   chromium       120      apt:chromium        eval chromium --version || chromium-browser --version || google-chrome --version
+browser   chromedriver   120      apt:chromium-driver chromedriver --version
+browser   pdftotext      22       apt:poppler-utils   pdftotext -v
+wasm      rustc-web      1.90     apt:rustc-web       /usr/bin/rustc --version
+wasm      rust-web-src   1.90     apt:rust-web-src    dpkg-query -W rust-web-src
+wasm      wasm-ld-19     19       apt:lld-19          wasm-ld-19 --version
+"
+
+wanted_groups=${*:-$GROUPS_KNOWN}
+for group in $wanted_groups; do
+    case " $GROUPS_KNOWN " in
+    *" $group "*) ;;
+    *) printf 'no group %s; there are: %s\n' "$group" "$GROUPS_KNOWN" >&2; exit 2 ;;
+    esac
+done
+
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+
+# The tools of the wanted groups, each once.
+chosen() {
+    local group tool rest known=" "
+    while read -r group tool rest; do
+        case " $wanted_groups " in *" $group "*) ;; *) continue ;; esac
+        case "$known" in *" $tool "*) continue ;; esac
+        known="$known$tool "
+        printf '%s %s %s\n' "$group" "$tool" "$rest"
+    done <<<"$(grep -v '^$' <<<"$TOOLS")"
+}
+
+# The first version number that a command prints; nothing where there is no such command.
+version_of() {
+    { eval "$*" 2>&1 </dev/null || true; } | grep -v -i 'not found\|no such' | grep -o -m 1 -E '[0-9]+(\.[0-9]+)+' | head -n 1 || true
+}
+
+# Whether version $2 is what $1 wants.
+is_enough() {
+    [ -n "$2" ] || return 1
+    case "$1" in
+    =*) [ "$1" = "=$2" ] ;;
+    *) [ "$(printf '%s\n%s\n' "$1" "$2" | sort -V | head -n 1)" = "$1" ] ;;
+    esac
+}
+
+may_be_root() { [ "$(id -u)" = 0 ] || sudo -n true 2>/dev/null; }
+as_root() { if [ "$(id -u)" = 0 ]; then "$@"; else sudo -n "$@"; fi; }
+
+problems=""
+problem() { problems="$problems  $1: $2"$'\n'; }
+
+# Runs what is slow; what it prints is shown only where it fails.
+quietly() {
+    local call="$*"
+    printf '+ %s\n' "${call#as_root }"
+    "$@" >"$log" 2>&1 </dev/null && return 0
+    tail -n 20 "$log"
+    return 1
+}
+
+# Debian packages, all in one call.
+install_packages() {
+    local package packages=""
+    if ! command -v apt-get >/dev/null; then
+        for package in "$@"; do problem "$package" "no apt-get here: install it by other means"; done
+        return
+    fi
+    if ! may_be_root; then
+        problem "$*" "not root: run apt-get install --no-install-recommends $*"
+        return
+    fi
+    # An old list is better than none.
+    quietly as_root apt-get update -qq || true
+    for package in "$@"; do
+        case $(apt-cache policy "$package" 2>/dev/null) in
+        *"Candidate: "[0-9]*) packages="$packages $package" ;;
+        *) problem "$package" "this system has no such package" ;;
+        esac
+    done
+    # shellcheck disable=SC2086
+    [ -z "$packages" ] || quietly as_root env DEBIAN_FRONTEND=noninteractive \
+        apt-get install -y -qq --no-install-recommends $packages || problem "$packages" "apt-get could not install them"
+}
+
+missing_packages=""
+while read -r group tool wanted from tells; do
+    is_enough "$wanted" "$(version_of "$tells")" && continue
+    case "$from" in
+    apt:*) case " $missing_packages " in *" ${from#apt:} "*) ;; *) missing_packages="$missing_packages ${from#apt:}" ;; esac ;;
+    cargo) quietly cargo install --locked "$tool@${wanted#=}" || problem "$tool" "cargo could not install it" ;;
+    rust) problem "$tool" "comes with Rust, see rustup" ;;
+    esac
+done <<<"$(chosen)"
+# shellcheck disable=SC2086
+[ -z "$missing_packages" ] || install_packages $missing_packages
+
+# Python packages: exactly those of the list. Two groups use them.
+python_packages() {
+    "$VENV/bin/python" - tests/oracle/requirements.txt "$1" <<'END'
+import sys
+from importlib import metadata
+
+right = True
+for line in open(sys.argv[1]):
+    name, _, wanted = line.split("#")[0].strip().partition("==")
+    if not name:
+        continue
+    try:
+        found = metadata.version(name)
+    except metadata.PackageNotFoundError:
+        found = ""
+    right &= found == wanted
+    if sys.argv[2] == "table":
+        print(name, f"={wanted}", found)
+sys.exit(0 if right or sys.argv[2] == "table" else 1)
+END
+}
+case " $wanted_groups " in
+*" oracle "* | *" browser "*)
+    if [ ! -x "$VENV/bin/python" ]; then
+        quietly python3 -m venv "$VENV" || problem "$VENV" "python3 -m venv failed"
+    fi
+    if [ -x "$VENV/bin/python" ] && ! python_packages check; then
+        quietly "$VENV/bin/python" -m pip install --disable-pip-version-check -r tests/oracle/requirements.txt \
+            || problem "tests/oracle/requirements.txt" "pip could not install it"
+    fi
+    ;;
+esac
+
+row() {
+    local state=""
+    is_enough "$3" "$4" || { state="missing$5"; [ -z "$4" ] || state="another version"; }
+    local line
+    line=$(printf '%-9s %-14s %-9s %-12s %s' "$1" "$2" "$3" "${4:--}" "$state")
+    printf '%s\n' "${line%"${line##*[! ]}"}"
+}
+printf '%-9s %-14s %-9s %s\n' group tool wanted found
+while read -r group tool wanted from tells; do
+    case $from in none) why=": neither Debian nor npm nor crates.io has it" ;; *) why="" ;; esac
+    row "$group" "$tool" "$wanted" "$(version_of "$tells")" "$why"
+done <<<"$(chosen)"
+case " $wanted_groups " in
+*" oracle "* | *" browser "*)
+    if [ -x "$VENV/bin/python" ]; then
+        while read -r name wanted found; do row python "$name" "$wanted" "$found" ""; done <<<"$(python_packages table)"
+    fi
+    ;;
+esac
+if [ -n "$problems" ]; then
+    printf 'not installed:\n%s' "$problems" >&2
+fi
