@@ -76,15 +76,9 @@ pub(crate) fn pipe(bench: &Bench, name: &str) {
     assert!(made.success());
 }
 
-/// Waits until `child` reads the pipe `name`, does `meanwhile`, and writes `bytes` into it.
+/// Waits until `child` reads the pipe `name`: the end into which to write.
 #[track_caller]
-pub(crate) fn feed(
-    bench: &Bench,
-    child: &mut Child,
-    name: &str,
-    bytes: &[u8],
-    meanwhile: impl FnOnce(&Child),
-) {
+pub(crate) fn opened(bench: &Bench, child: &mut Child, name: &str) -> File {
     let path = bench.path(name);
     let opening = std::thread::spawn(move || File::options().write(true).open(path).unwrap());
     while !opening.is_finished() {
@@ -97,7 +91,19 @@ pub(crate) fn feed(
         }
         std::thread::sleep(Duration::from_millis(1));
     }
-    let mut pipe = opening.join().unwrap();
+    opening.join().unwrap()
+}
+
+/// Waits until `child` reads the pipe `name`, does `meanwhile`, and writes `bytes` into it.
+#[track_caller]
+pub(crate) fn feed(
+    bench: &Bench,
+    child: &mut Child,
+    name: &str,
+    bytes: &[u8],
+    meanwhile: impl FnOnce(&Child),
+) {
+    let mut pipe = opened(bench, child, name);
     meanwhile(child);
     pipe.write_all(bytes).unwrap();
     // What looks at all files later must not wait here.

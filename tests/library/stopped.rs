@@ -1,17 +1,21 @@
 //! Ctrl-C: the models in hand are finished, the others are left, and `--resume` does them.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-use crate::library::{column, ended, feed, library, model, no_temporary_files, pipe, start};
+use crate::library::{column, ended, feed, library, model, no_temporary_files, opened, pipe, start};
 use crate::support::Bench;
 
 const CALL: &str = "pipe.osim lib --target-mass 500 -d out --jobs 1";
 
-fn interrupt(child: &std::process::Child) {
-    let sent = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+fn send(signal: &str, child: &std::process::Child) {
+    let sent = std::process::Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap();
     assert!(sent.success());
-    // Until its listening thread has heard.
+    // Until it has heard.
     std::thread::sleep(Duration::from_millis(300));
+}
+
+fn interrupt(child: &std::process::Child) {
+    send("-INT", child);
 }
 
 /// Ctrl-C while the first of the models is being read.
@@ -53,4 +57,41 @@ fn without_a_summary_it_stops_as_well() {
     let (status, text) = stopped(&bench, CALL);
     assert_eq!(status, Some(130), "{text}");
     assert!(text.contains("3 models: 1 written, 2 not begun; stopped"), "{text}");
+}
+
+/// A batch system that stops a job, a terminal that closes: as Ctrl-C.
+#[test]
+fn other_requests_to_end_are_heard_too() {
+    for signal in ["-TERM", "-HUP"] {
+        let bench = library(2);
+        pipe(&bench, "pipe.osim");
+        let mut child = start(&bench, CALL);
+        feed(&bench, &mut child, "pipe.osim", &model(99), |child| send(signal, child));
+        let (status, text) = ended(child);
+        assert_eq!(status, Some(130), "{signal}: {text}");
+        assert!(text.contains("3 models: 1 written, 2 not begun; stopped"), "{signal}: {text}");
+    }
+}
+
+#[test]
+fn a_second_one_ends_it_at_once() {
+    let bench = library(2);
+    pipe(&bench, "pipe.osim");
+    let mut child = start(&bench, CALL);
+    // It waits for bytes that never come.
+    let writer = opened(&bench, &mut child, "pipe.osim");
+    interrupt(&child);
+    assert_eq!(child.try_wait().unwrap(), None, "the first one waits for the model in hand");
+    interrupt(&child);
+    let late = Instant::now() + Duration::from_secs(10);
+    while child.try_wait().unwrap().is_none() && Instant::now() < late {
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    let ended_by_itself = child.try_wait().unwrap().is_some();
+    drop(writer);
+    std::fs::remove_file(bench.path("pipe.osim")).unwrap();
+    let (status, text) = ended(child);
+    assert!(ended_by_itself, "{text}");
+    assert_eq!(status, Some(130), "{text}");
+    assert!(!bench.files().keys().any(|name| name.starts_with("out/")), "{:?}", bench.files().keys());
 }
