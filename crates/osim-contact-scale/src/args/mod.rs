@@ -26,7 +26,7 @@ pub(crate) use usage::usage_line;
     args_conflicts_with_subcommands = true,
     arg_required_else_help = true,
     disable_help_subcommand = true,
-    after_help = "More options with --help. Equations: Van Bijlert (2026), J. Biomech., doi:10.1016/j.jbiomech.2026.113420"
+    after_help = "More options with --help. Equations: Van Bijlert (2026), doi:10.1016/j.jbiomech.2026.113420"
 )]
 pub(crate) struct Cli {
     #[command(subcommand)]
