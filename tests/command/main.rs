@@ -27,6 +27,7 @@ mod masses;
 mod never_lost;
 mod pages;
 mod recipes;
+mod requested;
 mod shells;
 mod shown;
 mod support;

@@ -70,7 +70,9 @@ fn check_fields(fields: &Map<String, Value>, relations: &[&[Relation]]) -> Resul
     };
     for relation in relations.iter().copied().flatten() {
         match *relation {
-            Relation::Required(field) if !says(field) => return Err(RequestFault::Missing { field }),
+            Relation::Required(field) | Relation::Expected(field) if !says(field) => {
+                return Err(RequestFault::Missing { field });
+            }
             Relation::RequiredUnless(field, other) if !says(field) && !says(other) => {
                 return Err(RequestFault::Missing { field });
             }

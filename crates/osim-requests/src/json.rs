@@ -1,10 +1,27 @@
 //! Requests as JSON texts.
 
+use std::path::Path;
+
 use osim_model::wording::Verb;
 use serde_json::{Map, Value};
 
 use crate::fault::RequestFault;
 use crate::request::Request;
+use crate::value::path;
+
+/// Fields that name files to be read.
+const FILES_READ: [&str; 10] = [
+    "models",
+    "model",
+    "subject",
+    "from",
+    "compare",
+    "geometry",
+    "manifest",
+    "file",
+    "presets",
+    "body_scale_file",
+];
 
 impl Request {
     /// Reads a request from a JSON object that has its verb and its fields.
@@ -42,5 +59,17 @@ impl Request {
     #[must_use]
     pub fn to_json(&self) -> String {
         Value::Object(self.to_map()).to_string()
+    }
+
+    /// The field that names `file` as one to be read, if any does: standard input, for one, cannot be read twice.
+    #[must_use]
+    pub fn field_that_reads(&self, file: &Path) -> Option<&'static str> {
+        let fields = self.to_map();
+        let file = path::to_value(file);
+        FILES_READ.into_iter().find(|field| match fields.get(*field) {
+            Some(Value::Array(items)) => items.contains(&file),
+            Some(value) => *value == file,
+            None => false,
+        })
     }
 }

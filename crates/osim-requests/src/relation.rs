@@ -1,10 +1,12 @@
 //! What options need and exclude: the same for the words of a command line and for a dictionary.
 
-/// How options depend on each other; each is told by the name of its field.
+/// How options depend on each other; each is named by its field.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Relation {
     /// It has to be said.
     Required(&'static str),
+    /// It has to be said in a dictionary; the command line asks for it in its own words.
+    Expected(&'static str),
     /// It has to be said where the other is not.
     RequiredUnless(&'static str, &'static str),
     /// It says nothing without the other.

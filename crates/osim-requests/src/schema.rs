@@ -23,7 +23,7 @@ pub(crate) fn schema<T: JsonSchema>(verb: Verb, relations: &[&[Relation]]) -> Sc
     let mut all = Vec::new();
     for relation in relations.iter().copied().flatten() {
         match *relation {
-            Relation::Required(field) => {
+            Relation::Required(field) | Relation::Expected(field) => {
                 required.push(field.into());
                 all.push(says(field));
             }

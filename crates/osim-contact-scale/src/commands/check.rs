@@ -109,7 +109,7 @@ fn tell(found: &CheckResult, format: SheetFormat, first: bool, session: &mut Ses
     match format {
         SheetFormat::Json => session.terminal.print(&line(found))?,
         SheetFormat::Csv => session.terminal.print(&check::csv_rows(found, first)?)?,
-        _ => session.terminal.print_painted(&check::text(found, Colour::Ansi))?,
+        _ => session.terminal.print_painted(&check::text(found, session.words.prompt(), Colour::Ansi))?,
     }
     Ok(())
 }

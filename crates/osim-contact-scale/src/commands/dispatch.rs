@@ -1,15 +1,13 @@
 //! Which verb is called.
 
-use anyhow::{Context, Result};
-use osim_library::Disk;
-use osim_model::files::Files;
+use anyhow::Result;
 use osim_requests::Request;
 
 use super::{
     batch, change, check, completions, design, drop_test, explain, fit, inspect, manual, plot, presets,
-    rescale, sweep,
+    request, rescale, sweep,
 };
-use crate::args::{Cli, RequestArgs, VerbArgs};
+use crate::args::{Cli, VerbArgs};
 use crate::session::Session;
 use crate::terminal::Exit;
 
@@ -21,7 +19,7 @@ pub(crate) fn call(cli: Cli, session: &mut Session) -> Result<Exit> {
     let request: Request = match cli.verb {
         None => return rescale::run(cli.rescale, true, session),
         Some(VerbArgs::Set(args)) => args.request()?.into(),
-        Some(VerbArgs::Request(args)) => read(&args, session)?,
+        Some(VerbArgs::Request(args)) => request::read(&args, session)?,
         Some(VerbArgs::Completions(args)) => {
             return completions::run(&args, &mut session.terminal).map(|()| Exit::Done);
         }
@@ -40,13 +38,6 @@ pub(crate) fn call(cli: Cli, session: &mut Session) -> Result<Exit> {
         Some(VerbArgs::Explain(request)) => request.into(),
     };
     ask(request, session)
-}
-
-/// Reads a request from a JSON file.
-fn read(args: &RequestArgs, session: &Session) -> Result<Request> {
-    let shown = args.file.display();
-    let bytes = Disk.read(&args.file).with_context(|| shown.to_string())?;
-    Request::from_json(&bytes).map_err(|fault| session.usage(&fault)).with_context(|| shown.to_string())
 }
 
 fn ask(request: Request, session: &mut Session) -> Result<Exit> {

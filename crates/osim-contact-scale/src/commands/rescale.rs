@@ -28,7 +28,7 @@ pub(super) fn run(request: RescaleRequest, may_inspect: bool, session: &mut Sess
         let run = request.run.clone();
         return match request.prepare() {
             Ok(prepared) => change(prepared, &run, session),
-            Err(fault) if missing => bail!("{} (see --help)", fault.spelled(session.words)),
+            Err(fault) if missing => bail!("{}{}", fault.spelled(session.words), session.words.see_also()),
             Err(fault) => Err(session.usage(&fault)),
         };
     }

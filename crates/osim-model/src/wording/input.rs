@@ -107,6 +107,29 @@ inputs! {
     Young = "young", "Young's modulus";
 }
 
+impl Input {
+    /// Whether it is either so or not, without a value.
+    #[must_use]
+    pub const fn is_flag(self) -> bool {
+        matches!(
+            self,
+            Self::Again
+                | Self::Diff
+                | Self::DryRun
+                | Self::FollowBodies
+                | Self::Force
+                | Self::Friction
+                | Self::InPlace
+                | Self::Level
+                | Self::NoNote
+                | Self::Resume
+                | Self::SkipDisabled
+                | Self::Strict
+                | Self::Yes
+        )
+    }
+}
+
 macro_rules! verbs {
     ($($(#[doc = $doc:literal])+ $variant:ident = $name:literal;)+) => {
         /// Something that can be done with models.

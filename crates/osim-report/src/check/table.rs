@@ -4,9 +4,9 @@ use osim_inspect::{CheckResult, Finding};
 
 use crate::layout::{Colour, severity, wrapped};
 
-/// Every finding, worst first, with what to do. What was found is taken as it is spelled.
+/// Every finding, worst first, with what to do. What was found is taken as it is spelled; `prompt` stands before each remedy.
 #[must_use]
-pub fn text(found: &CheckResult, colour: Colour) -> String {
+pub fn text(found: &CheckResult, prompt: &str, colour: Colour) -> String {
     let mut text = wrapped(&format!("{}: {}", found.model, found.counts.describe("nothing to say")), "  ");
     let mut rest = found.findings.as_slice();
     while let Some(first) = rest.first() {
@@ -14,13 +14,13 @@ pub fn text(found: &CheckResult, colour: Colour) -> String {
         let same = rest.iter().take_while(|finding| finding.code == first.code).count();
         let (alike, others) = rest.split_at(same);
         text.push('\n');
-        text.push_str(&block(first, alike, colour));
+        text.push_str(&block(first, alike, prompt, colour));
         rest = others;
     }
     text
 }
 
-fn block(first: &Finding, alike: &[Finding], colour: Colour) -> String {
+fn block(first: &Finding, alike: &[Finding], prompt: &str, colour: Colour) -> String {
     let mut text = format!("{} {}\n", severity(first.severity, colour), first.code);
     for finding in alike {
         let line = finding.line.map(|line| format!("line {line}: ")).unwrap_or_default();
@@ -33,7 +33,7 @@ fn block(first: &Finding, alike: &[Finding], colour: Colour) -> String {
     text.push_str(&wrapped(&format!("  Do:  {}.", first.advice), "       "));
     // Never broken into lines: it is there to be copied.
     for command in alike.iter().filter_map(|finding| finding.command.as_ref()) {
-        text.push_str(&format!("  $ {command}\n"));
+        text.push_str(&format!("  {prompt}{command}\n"));
     }
     text
 }

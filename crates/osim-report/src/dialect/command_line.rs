@@ -84,6 +84,14 @@ impl FrontEnd for CommandLine {
     fn command(&self, call: &Call) -> String {
         format!("{PROGRAM} {}", self.call(call))
     }
+
+    fn prompt(&self) -> &'static str {
+        "$ "
+    }
+
+    fn see_also(&self) -> &'static str {
+        " (see --help)"
+    }
 }
 
 /// What is said without the name of an option.

@@ -9,4 +9,14 @@ pub trait FrontEnd: RemedyDialect {
     fn command(&self, call: &Call) -> String {
         self.call(call)
     }
+
+    /// What stands before a remedy that is there to be copied.
+    fn prompt(&self) -> &'static str {
+        ""
+    }
+
+    /// Where more is written, for the end of a message about a call that cannot be understood.
+    fn see_also(&self) -> &'static str {
+        ""
+    }
 }

@@ -1,7 +1,8 @@
-//! How a command line, Python and a page spell what the reader can say or do.
+//! How a command line, a request in JSON, Python and a page spell what the reader can say or do.
 
 mod command_line;
 mod front_end;
+mod json_request;
 mod page;
 mod python;
 mod remedy;
@@ -9,6 +10,7 @@ mod shell;
 
 pub use command_line::CommandLine;
 pub use front_end::FrontEnd;
+pub use json_request::JsonRequest;
 pub use page::Page;
 pub use python::Python;
 pub use shell::shell_quoted;

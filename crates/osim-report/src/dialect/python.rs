@@ -25,7 +25,7 @@ impl Dialect for Python {
     fn input(&self, input: Input, example: Option<&Example>) -> String {
         let value = match example {
             Some(example) => value_of(example),
-            None if is_flag(input) => "True".to_owned(),
+            None if input.is_flag() => "True".to_owned(),
             None => String::new(),
         };
         format!("{}={value}", name(input))
@@ -79,26 +79,6 @@ fn function(verb: Verb, arguments: &[String]) -> String {
 /// What is said without a keyword.
 fn is_positional(input: Input) -> bool {
     matches!(input, Input::Kind | Input::Topics)
-}
-
-/// What is either so or not.
-fn is_flag(input: Input) -> bool {
-    matches!(
-        input,
-        Input::Again
-            | Input::Diff
-            | Input::DryRun
-            | Input::FollowBodies
-            | Input::Force
-            | Input::Friction
-            | Input::InPlace
-            | Input::Level
-            | Input::NoNote
-            | Input::Resume
-            | Input::SkipDisabled
-            | Input::Strict
-            | Input::Yes
-    )
 }
 
 /// The keyword; a word that Python reserves gets a line behind it.

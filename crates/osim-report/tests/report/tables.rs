@@ -2,7 +2,7 @@
 
 use osim_inspect::InspectOptions;
 use osim_model::FileId;
-use osim_report::dialect::{CommandLine, Python};
+use osim_report::dialect::{CommandLine, FrontEnd, Python};
 use osim_report::layout::Colour;
 use osim_report::{check, inspection, plan};
 
@@ -34,7 +34,7 @@ fn colours_are_all_that_they_add() {
     let (seen, found) = inspected(&InspectOptions::default(), &model, &CommandLine);
     for [plain, painted] in [
         [Colour::Plain, Colour::Ansi].map(|colour| inspection::text(&seen, &CommandLine, colour)),
-        [Colour::Plain, Colour::Ansi].map(|colour| check::text(&found, colour)),
+        [Colour::Plain, Colour::Ansi].map(|colour| check::text(&found, CommandLine.prompt(), colour)),
     ] {
         assert!(!plain.contains('\u{1b}') && painted.contains('\u{1b}'));
         let stripped: String = painted
@@ -64,7 +64,7 @@ fn csv_has_one_row_for_each_sphere_that_stands() {
 fn findings_are_told_with_what_to_do() {
     let model = open(MIXED);
     let (_, found) = inspected(&InspectOptions::default(), &model, &CommandLine);
-    insta::assert_snapshot!("check", check::text(&found, Colour::Plain));
+    insta::assert_snapshot!("check", check::text(&found, CommandLine.prompt(), Colour::Plain));
 }
 
 #[test]

@@ -59,8 +59,12 @@ pub struct RescaleRequest {
 }
 
 impl RescaleRequest {
-    pub(crate) const RELATIONS: &'static [&'static [Relation]] =
-        &[ScalingOptions::RELATIONS, OutputOptions::RELATIONS, RunOptions::RELATIONS];
+    pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[
+        &[Relation::Expected("models")],
+        ScalingOptions::RELATIONS,
+        OutputOptions::RELATIONS,
+        RunOptions::RELATIONS,
+    ];
 
     /// `true` when something is said that makes sense for a change only.
     #[must_use]

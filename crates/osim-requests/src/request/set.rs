@@ -48,5 +48,5 @@ pub struct SetRequest {
 
 impl SetRequest {
     pub(crate) const RELATIONS: &'static [&'static [Relation]] =
-        &[OutputOptions::RELATIONS, RunOptions::RELATIONS];
+        &[&[Relation::Expected("models")], OutputOptions::RELATIONS, RunOptions::RELATIONS];
 }

@@ -1,0 +1,104 @@
+//! The words of requests in JSON.
+
+use osim_inspect::{Remedy, RemedyDialect};
+use osim_model::wording::{Call, Dialect, Example, Input, Verb};
+use osim_requests::Request;
+use serde_json::Value;
+
+use super::front_end::FrontEnd;
+
+/// A request in JSON: `"mass": KG`, `{"verb": "design", "models": ["model.osim"], "indentation": 0.16}`.
+///
+/// ```
+/// use osim_model::wording::{Dialect, Input, Verb, phrase};
+/// use osim_report::dialect::JsonRequest;
+///
+/// let way_out = phrase!["say what the model weighs with ", Input::Mass.like("KG")];
+/// assert_eq!(way_out.spelled(&JsonRequest), "say what the model weighs with \"mass\": KG");
+/// ```
+#[derive(Debug, Clone, Copy, Default)]
+pub struct JsonRequest;
+
+impl Dialect for JsonRequest {
+    fn input(&self, input: Input, example: Option<&Example>) -> String {
+        let value = match example {
+            Some(Example::Value(value)) => number_or_text(value),
+            Some(placeholder) => placeholder.to_string(),
+            None if input.is_flag() => Value::from(true).to_string(),
+            None => return format!("`{}`", input.name()),
+        };
+        format!("\"{}\": {value}", input.name())
+    }
+
+    fn call(&self, call: &Call) -> String {
+        let mut fields = vec![format!("\"verb\": \"{}\"", call.verb.name())];
+        fields.extend(call.with_model.then(|| model(call.verb).to_owned()));
+        let said = call.inputs.iter().map(|(input, example)| match example {
+            None if !input.is_flag() => format!("\"{}\": ...", input.name()),
+            example => self.input(*input, example.as_ref()),
+        });
+        fields.extend(said);
+        format!("{{{}}}", fields.join(", "))
+    }
+}
+
+impl RemedyDialect for JsonRequest {
+    fn remedy(&self, remedy: &Remedy) -> String {
+        // A remedy that this version does not know says nothing.
+        Request::try_from(remedy).map(|request| request.to_json()).unwrap_or_default()
+    }
+}
+
+impl FrontEnd for JsonRequest {}
+
+/// The field that names the model.
+const fn model(verb: Verb) -> &'static str {
+    match verb {
+        Verb::Sweep => r#""model": "model.osim""#,
+        Verb::DropTest => r#""subject": "model.osim""#,
+        _ => r#""models": ["model.osim"]"#,
+    }
+}
+
+/// A number as it is, anything else in quotes.
+fn number_or_text(value: &str) -> String {
+    match serde_json::from_str::<Value>(value) {
+        Ok(Value::Number(_)) => value.to_owned(),
+        _ => Value::from(value).to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use osim_model::wording::Phrase;
+
+    use super::*;
+
+    fn spelled(template: &str) -> String {
+        Phrase::template(template).spelled(&JsonRequest)
+    }
+
+    #[test]
+    fn inputs_are_fields() {
+        assert_eq!(
+            spelled("`mass=KG`, `mass`, `mass=62`, `strict`, `radius=keep`"),
+            r#""mass": KG, `mass`, "mass": 62, "strict": true, "radius": "keep""#
+        );
+    }
+
+    #[test]
+    fn calls_can_be_run() {
+        for template in [
+            "`drop-test MODEL gravity=1.62 duration=3`",
+            "`design MODEL indentation=0.16 body_weights=2`",
+            "`transfer MODEL from=falisse2022 radius=keep`",
+            "`plot MODEL output=a.svg kind=force`",
+            "`sweep MODEL grid=stiffness=x2`",
+            "`explain topics=floats`",
+            "`rescale MODEL target_mass=5 in_place`",
+        ] {
+            let request = Request::from_json(spelled(template).as_bytes());
+            assert!(request.is_ok(), "{template}: {request:?}");
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! The verb `request`: the same as a call, from a JSON object.
+
+use serde_json::{Value, json};
+
+use crate::support::Bench;
+
+fn request(bench: &Bench, request: &Value) -> crate::support::Ran {
+    bench.run_with("request -", request.to_string().as_bytes())
+}
+
+#[test]
+fn a_request_does_what_the_options_do() {
+    let bench = Bench::human();
+    bench.run("human.osim --target-mass 5 --only stiffness,radius -o called.osim").done();
+    bench.write(
+        "request.json",
+        json!({
+            "verb": "rescale",
+            "models": ["human.osim"],
+            "target_mass": 5,
+            "only": ["stiffness", "radius"],
+            "output": "requested.osim",
+        })
+        .to_string(),
+    );
+    bench.run("request request.json").done().wrote(&["requested.osim"]);
+    assert_eq!(bench.read("requested.osim"), bench.read("called.osim"));
+}
+
+#[test]
+fn results_are_those_of_the_call() {
+    let bench = Bench::human();
+    for (call, asked) in [
+        (
+            "inspect human.osim --format json",
+            json!({"verb": "inspect", "models": "human.osim", "format": "json"}),
+        ),
+        ("design --mass 62 --spheres 6 --radius 0.032", {
+            json!({"verb": "design", "mass": 62, "spheres": 6, "radius": 0.032})
+        }),
+        ("explain C.2", json!({"verb": "explain", "topics": ["C.2"]})),
+        (
+            "presets falisse2022 --format json",
+            json!({"verb": "presets", "name": "falisse2022", "format": "json"}),
+        ),
+    ] {
+        let (called, requested) = (bench.run(call), request(&bench, &asked));
+        assert_eq!((called.status, called.out()), (requested.status, requested.out()), "{call}");
+    }
+}
+
+#[test]
+fn what_it_says_is_in_the_words_of_requests() {
+    let bench = Bench::human();
+    let checked = request(&bench, &json!({"verb": "check", "models": ["human.osim"], "format": "json"}));
+    let checked: Value = serde_json::from_str(&checked.done().out()).unwrap();
+    let remedy = checked["findings"][0]["command"].as_str().unwrap();
+    // The remedy is a request itself, and is one that runs.
+    let asked: Value = serde_json::from_str(remedy).unwrap();
+    assert_eq!(asked["verb"], "design");
+    bench.run_with("request -", remedy.as_bytes()).done().wrote(&["human.scaled.osim"]);
+
+    request(&bench, &json!({"verb": "design", "models": ["human.osim"]}))
+        .usage()
+        .says(&["\"indentation\""])
+        .wrote_nothing();
+}
+
+#[test]
+fn a_wrong_request_is_refused_with_a_way_out() {
+    let bench = Bench::human();
+    for (text, said) in [
+        ("", "standard input: this is no JSON: EOF while parsing a value at line 1 column 0"),
+        ("{\"verb\": \"rescale\", \"models\": [", "at line 1 column 31"),
+        ("[1]", "expected a JSON object"),
+        (r#"{"models": ["human.osim"]}"#, "`verb` is missing"),
+        (r#"{"verb": "grow"}"#, "expected one of rescale, transfer"),
+        (r#"{"verb": "rescale", "target_mass": 5}"#, "`models` is missing"),
+        (r#"{"verb": "rescale", "models": ["human.osim"], "target_mas": 5}"#, "did you mean `target_mass`?"),
+        (r#"{"verb": "rescale", "models": ["human.osim"], "target_mass": "5,5"}"#, "`target_mass`"),
+        (r#"{"verb": "rescale", "models": ["-"], "target_mass": 5}"#, "put the request into a file"),
+        (r#"{"verb": "transfer", "models": ["human.osim"], "from": "-"}"#, "`from` is standard input"),
+    ] {
+        bench.run_with("request -", text.as_bytes()).usage().wrote_nothing().says(&[said]);
+    }
+    bench.run("request absent.json").usage().says(&["absent.json: there is no such file"]);
+    bench.write("wrong.json", "{");
+    bench.run("request wrong.json").usage().says(&["wrong.json: this is no JSON"]);
+}
+
+#[test]
+fn a_batch_goes_on_past_a_model_that_fails() {
+    let bench = Bench::human();
+    bench.write("broken.osim", "<OpenSimDocument Version=\"40000\">");
+    let failed = request(
+        &bench,
+        &json!({
+            "verb": "rescale",
+            "models": ["broken.osim", "human.osim"],
+            "target_mass": 5,
+            "format": "json",
+        }),
+    )
+    .failed()
+    .wrote(&["human.scaled.osim"]);
+    let lines: Vec<Value> = failed.out().lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    assert_eq!(lines[0]["error"]["code"], "malformed-xml");
+    assert_eq!(lines[1]["output"], "human.scaled.osim");
+}
