@@ -10,7 +10,7 @@ use crate::words::Words;
 pub(crate) fn text(failure: &Failure, words: Words) -> String {
     let place = match (failure.line, failure.column) {
         (Some(line), Some(column)) => format!("{}:{line}:{column}", failure.model),
-        _ => failure.model.clone(),
+        _ => failure.model.to_string(),
     };
     let line = format!("error: {place}: {}\n", failure.message.spelled(words));
     match &failure.excerpt {

@@ -7,6 +7,7 @@ use serde::{Serialize, Serializer};
 
 /// Something to know, as the JSON has it.
 #[derive(Debug, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 pub struct WarningRecord {
     /// Stable short name.
     pub code: &'static str,

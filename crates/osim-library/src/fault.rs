@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Display};
 
-use osim_model::files::Failure;
+use osim_model::files::{Failure, FileName};
 use osim_model::wording::{Dialect, Phrase};
 
 /// Why something could not be done with files: what is wrong, what was expected, and a way out.
@@ -44,7 +44,7 @@ impl LibraryFault {
 
     /// The failure of one model.
     #[must_use]
-    pub fn of_model(self, model: &str, code: &'static str) -> Failure {
+    pub fn of_model(self, model: impl Into<FileName>, code: &'static str) -> Failure {
         Failure::outside(model, code, &self.message)
     }
 }

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use osim_model::FileId;
-use osim_model::files::Failure;
+use osim_model::files::{Failure, FileName};
 use osim_model::wording::{Input, phrase};
 use osim_requests::options::SetFiles;
 use osim_requests::{RequestError, RequestFault, SweepPlan, SweepRequest};
@@ -96,7 +96,7 @@ impl<'s> SweepRun<'s> {
 
     /// The model, as it was named.
     #[must_use]
-    pub fn model(&self) -> &str {
+    pub fn model(&self) -> &FileName {
         self.plan.model().name()
     }
 
@@ -214,7 +214,7 @@ impl<'s> SweepRun<'s> {
         match row {
             Ok(row) => Made::Row(row),
             Err(fault) => {
-                let mut failure = fault.of_model(&path.display().to_string(), "output");
+                let mut failure = fault.of_model(path.as_path(), "output");
                 failure.message.push(format!(" ({operation})"));
                 Made::Failed(failure)
             }

@@ -6,7 +6,7 @@ use contact_scaling::drop_test::{Difference, DropError, DropReport, DropTest, Dr
 use contact_scaling::{Contact, ContactValues, Law, Preset, Spheres};
 use osim_inspect::series::standing_spheres;
 use osim_inspect::{MassMismatch, sphere_count};
-use osim_model::files::{Failure, Files, OpenModel};
+use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::wording::{Input, Phrase, phrase};
 use osim_model::{CountOf, Fault, MassRequest, Needed};
 
@@ -21,7 +21,7 @@ use crate::value::{Count, Kilograms, NotNegative, Positive};
 #[non_exhaustive]
 pub struct DropResult {
     /// The model, the preset, or that it was given by numbers.
-    pub name: String,
+    pub name: FileName,
     /// The conditions.
     pub values: DropValues,
     /// n, spheres that share the weight.
@@ -39,14 +39,14 @@ pub struct DropResult {
 #[non_exhaustive]
 pub struct ComparedDrop {
     /// The other body.
-    pub name: String,
+    pub name: FileName,
     /// How far apart they are without dimensions.
     pub difference: Difference,
 }
 
 /// A body about to fall.
 struct Falling {
-    name: String,
+    name: FileName,
     test: DropTest,
     sphere_count: f64,
     mismatch: Option<MassMismatch>,
@@ -83,7 +83,7 @@ impl DropTestRequest {
         };
         let values = falling.test.values();
         let both = [Some(&falling), other.as_ref()].into_iter().flatten();
-        let mismatches = both.filter_map(|one| Some((one.name.clone(), one.mismatch.clone()?))).collect();
+        let mismatches = both.filter_map(|one| Some((one.name.to_string(), one.mismatch.clone()?))).collect();
         let (name, sphere_count) = (falling.name.clone(), falling.sphere_count);
         Ok(DropResult { name, values, sphere_count, report, compared, mismatches })
     }
@@ -140,7 +140,7 @@ impl DropTestRequest {
         let gravity = own.gravity_m_s2.or(model.gravity().filter(|&gravity| gravity > 0.0));
         let Some(gravity) = gravity else { return Err(Fault::new(Needed::Gravity)) };
         let falling = self
-            .falling(open.name().to_owned(), spheres, (mass.kg, gravity), count)
+            .falling(open.name(), spheres, (mass.kg, gravity), count)
             .map_err(|error| Fault::refused(error.to_string()))?;
         let mismatch = MassMismatch::find(model, &masses);
         Ok(Falling { mismatch, ..falling })
@@ -153,7 +153,7 @@ impl DropTestRequest {
             (own.mass_kg.unwrap_or(scale.mass_kg()), own.gravity_m_s2.unwrap_or(scale.gravity_m_s2()));
         let spheres = Law::of(&preset.contact, scale.radius_m()).and_then(|law| Spheres::new(law, count));
         let spheres = vec![spheres.map_err(refused)?];
-        self.falling(preset.name.to_string(), spheres, weight, count).map_err(refused)
+        self.falling(&*preset.name, spheres, weight, count).map_err(refused)
     }
 
     fn of_numbers(&self) -> Result<Falling, RequestFault> {
@@ -179,13 +179,13 @@ impl DropTestRequest {
         let law = Contact::new(values).and_then(|contact| Law::of(&contact, radius));
         let spheres = vec![law.and_then(|law| Spheres::new(law, count)).map_err(refused)?];
         let gravity = numbers.gravity().unwrap_or(STANDARD_GRAVITY_M_S2);
-        self.falling("the numbers given".to_owned(), spheres, (mass, gravity), count).map_err(refused)
+        self.falling("the numbers given", spheres, (mass, gravity), count).map_err(refused)
     }
 
     /// A body of this mass under this gravity.
     fn falling(
         &self,
-        name: String,
+        name: impl Into<FileName>,
         spheres: Vec<Spheres>,
         (mass_kg, gravity_m_s2): (f64, f64),
         sphere_count: f64,
@@ -200,7 +200,7 @@ impl DropTestRequest {
         let on_ground = DropTest::new(spheres, values)?;
         let height_m = self.height.get().metres(on_ground.reference_radius_m());
         let test = DropTest::new(on_ground.spheres().to_vec(), DropValues { height_m, ..values })?;
-        Ok(Falling { name, test, sphere_count, mismatch: None })
+        Ok(Falling { name: name.into(), test, sphere_count, mismatch: None })
     }
 }
 

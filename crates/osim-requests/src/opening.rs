@@ -24,8 +24,7 @@ pub fn open_with(path: &Path, beside: Beside<'_>, files: &dyn Files) -> Result<O
 }
 
 fn read(path: &Path, files: &dyn Files) -> Result<Vec<u8>, Failure> {
-    let failed =
-        |error: FileError| Failure::outside(&path.display().to_string(), "unreadable", error.to_string());
+    let failed = |error: FileError| Failure::outside(path, "unreadable", error.to_string());
     files.read(path).map_err(failed)
 }
 
@@ -34,9 +33,8 @@ fn read(path: &Path, files: &dyn Files) -> Result<Vec<u8>, Failure> {
 /// # Errors
 /// The file cannot be read, or is no ScaleSet.
 pub fn scale_file(path: &Path, files: &dyn Files) -> Result<ScaleFile, Failure> {
-    let shown = path.display().to_string();
     let bytes = read(path, files)?;
-    let document = Document::parse(bytes).map_err(|fault| Failure::of_fault(&shown, fault))?;
+    let document = Document::parse(bytes).map_err(|fault| Failure::of_fault(path, fault))?;
     ScaleFile::read(&document)
-        .map_err(|fault| Failure::of_fault(&shown, fault.in_file(FileId::MAIN).located(document.bytes())))
+        .map_err(|fault| Failure::of_fault(path, fault.in_file(FileId::MAIN).located(document.bytes())))
 }

@@ -107,7 +107,7 @@ fn begin_page(run: &Run<'_>, options: &RunOptions, session: &Session) -> Result<
     let request = run.request();
     let shown = || match (request.tasks.first(), request.failures.first()) {
         (Some(task), _) => task.source.shown(),
-        (None, failure) => failure.map(|failure| failure.model.clone()).unwrap_or_default(),
+        (None, failure) => failure.map(|failure| failure.model.to_string()).unwrap_or_default(),
     };
     let verb = Verb::ALL.iter().copied().find(|verb| verb.name() == request.verb).unwrap_or(Verb::Set);
     let about = About::new(verb, request.is_one().then(shown), Columns::Changes, asked());

@@ -133,7 +133,7 @@ impl Shower<'_> {
 fn diff(changed: &ChangedModel<'_>) -> String {
     let ChangedModel { task, opened, results, .. } = changed;
     let shown = opened.name();
-    let target = task.output().map_or_else(|| shown.to_owned(), |path| path.display().to_string());
+    let target = task.output().map_or_else(|| shown.to_string(), |path| path.display().to_string());
     let bytes = |file: FileId| opened.model.file(file).bytes();
     let mut text = plan::unified_diff(bytes(FileId::MAIN), &results.model.to_vec(), shown, &target);
     if let Some(geometry) = &results.geometry {

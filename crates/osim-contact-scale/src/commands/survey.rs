@@ -45,7 +45,7 @@ impl Survey<'_> {
         conflicts.write(path, "the report").map_err(|fault| session.refused(&fault))?;
         let shown = match (self.sources.models.as_slice(), self.sources.failures.as_slice()) {
             ([source], []) => Some(source.shown()),
-            ([], [failure]) => Some(failure.model.clone()),
+            ([], [failure]) => Some(failure.model.to_string()),
             _ => None,
         };
         let about = About::new(self.verb, shown, Columns::Inspections, asked());

@@ -12,6 +12,7 @@ pub(super) const BODY_WEIGHTS: [f64; 2] = [1.0, 2.0];
 
 /// Figures of one model.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct Figures {
     /// Mass whose weight the spheres carry: what the model weighs, else what its contacts stand for, kg.
@@ -30,6 +31,7 @@ pub struct Figures {
 
 /// Figures of one limb.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct LimbFigures {
     /// First body below the place where left and right part; `None` where limbs are not known.
@@ -44,6 +46,7 @@ pub struct LimbFigures {
 
 /// Figures of one sphere.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct SphereFigures {
     /// Name of the sphere.
@@ -86,6 +89,7 @@ pub struct SphereFigures {
 
 /// One sphere under one load.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct LoadFigures {
     /// The load in body weights.

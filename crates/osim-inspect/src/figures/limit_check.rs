@@ -6,6 +6,7 @@ use serde::Serialize;
 
 /// One figure and its limit.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct LimitCheck {
     /// Which figure.

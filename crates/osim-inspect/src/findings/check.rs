@@ -37,7 +37,7 @@ pub fn check_model(
     findings.extend(limits::findings(inspected, &remedies));
     findings.extend(another_mass);
     findings.extend(compiled.map(Finding::from));
-    CheckResult::new(inspected.model.clone(), findings)
+    CheckResult::new(inspected, findings)
 }
 
 /// `true` where the numbers of `model` can be changed: a remedy that would be refused is no help.

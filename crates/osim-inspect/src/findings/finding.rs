@@ -8,18 +8,23 @@ use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
 use super::remedy::{Remedy, RemedyDialect};
+use crate::inspection::Inspection;
 use crate::serialized::phrase;
 
 const SCHEMA_VERSION: u32 = 1;
 
 /// Everything found in one model. Serialised it is the JSON contract of `check`; `docs/json.md` describes it.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct CheckResult {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
     /// The model as it was named.
     pub model: String,
+    /// Its name in bytes, where that is not UTF-8.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub model_bytes: Option<Vec<u8>>,
     /// How many of each severity.
     pub counts: Counts,
     /// From the worst to the least; equally bad ones in the order of the register.
@@ -28,6 +33,7 @@ pub struct CheckResult {
 
 /// How many findings of each severity.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 pub struct Counts {
     /// What OpenSim computes otherwise than it looks, or as nonsense.
     pub error: usize,
@@ -53,6 +59,7 @@ impl Counts {
 
 /// One thing found.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct Finding {
     /// Which kind.
@@ -137,9 +144,9 @@ impl From<&Warning> for Finding {
 }
 
 impl CheckResult {
-    /// Everything found in `model`, in any order.
+    /// Everything found in a model, in any order.
     #[must_use]
-    pub fn new(model: String, mut findings: Vec<Finding>) -> Self {
+    pub fn new(inspected: &Inspection, mut findings: Vec<Finding>) -> Self {
         findings.sort_by_key(|finding| (Reverse(finding.severity), finding.code, finding.line));
         let count = |severity| findings.iter().filter(|finding| finding.severity == severity).count();
         let counts = Counts {
@@ -147,7 +154,13 @@ impl CheckResult {
             warn: count(Severity::Warn),
             info: count(Severity::Info),
         };
-        Self { schema_version: SCHEMA_VERSION, model, counts, findings }
+        Self {
+            schema_version: SCHEMA_VERSION,
+            model: inspected.model.clone(),
+            model_bytes: inspected.model_bytes.clone(),
+            counts,
+            findings,
+        }
     }
 
     /// `true` where something is as bad as `severity`, or worse.

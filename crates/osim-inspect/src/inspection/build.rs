@@ -1,6 +1,7 @@
 //! A model, inspected.
 
 use contact_scaling::{DimensionlessContact, EQUAL_SURFACES, Scale, ScaleValues};
+use osim_model::files::FileName;
 use osim_model::{
     Fault, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected, SetId, SphereId, Value, Warning,
     WarningCode,
@@ -16,7 +17,7 @@ use crate::options::InspectOptions;
 
 impl InspectOptions {
     /// Inspects a model. It never refuses: what is not known is left open. `name` is that of the file.
-    pub fn inspect(&self, name: &str, model: &Model, factors: Option<&Factors>) -> Inspection {
+    pub fn inspect(&self, name: impl Into<FileName>, model: &Model, factors: Option<&Factors>) -> Inspection {
         let mut warnings = model.warnings.clone();
         let mass = self.masses.of_model(model);
         let contacts_mass = self.masses.of_contacts(model).map(|(mass, disagreements)| {
@@ -46,7 +47,6 @@ impl InspectOptions {
         let figures = Figures::of(model, &selected, &limbs, weight, &self.stance);
         let contacts = contacts(model, &selected, contacts_mass.as_ref(), &limbs);
         let found = Found {
-            path: name,
             mass: mass.as_ref(),
             contacts_mass: contacts_mass.as_ref(),
             selected: &selected,
@@ -56,7 +56,7 @@ impl InspectOptions {
             factors,
             figures: figures.unwrap_or_else(|fault| Figures::absent(fault.phrase())),
         };
-        Inspection::new(model, found)
+        Inspection::new(name.into(), model, found)
     }
 }
 
@@ -91,7 +91,6 @@ fn line_of(model: &Model, fault: &Fault) -> Option<usize> {
 
 /// What was worked out about a model, before it is told.
 pub(super) struct Found<'f> {
-    pub path: &'f str,
     pub mass: Option<&'f Mass>,
     pub contacts_mass: Option<&'f Mass>,
     pub selected: &'f Selected,
@@ -113,10 +112,12 @@ pub(super) struct SetContact {
 }
 
 impl Inspection {
-    pub(super) fn new(model: &Model, found: Found<'_>) -> Self {
+    pub(super) fn new(name: FileName, model: &Model, found: Found<'_>) -> Self {
+        let (name, model_bytes) = name.into_parts();
         Self {
             schema_version: SCHEMA_VERSION,
-            model: found.path.to_owned(),
+            model: name,
+            model_bytes,
             document_version: model.document().version(),
             name: model.name.clone(),
             mass_kg: found.mass.map(|mass| mass.kg),

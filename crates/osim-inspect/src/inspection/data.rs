@@ -19,12 +19,16 @@ pub(super) const SCHEMA_VERSION: u32 = 1;
 
 /// A model as it was found.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct Inspection {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
     /// The model as it was named.
     pub model: String,
+    /// Its name in bytes, where that is not UTF-8.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub model_bytes: Option<Vec<u8>>,
     /// `Version` of the document, for example 40000.
     pub document_version: u32,
     /// The model's own name.
@@ -65,6 +69,7 @@ pub struct Inspection {
 
 /// What the contacts stand for.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct ContactsMass {
     /// In kg.
@@ -78,6 +83,7 @@ pub struct ContactsMass {
 
 /// A limb that stands on the ground.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct InspectedLimb {
     /// First body below the place where left and right part.
@@ -90,6 +96,7 @@ pub struct InspectedLimb {
 
 /// A contact sphere.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct InspectedSphere {
     /// Its name.
@@ -116,6 +123,7 @@ pub struct InspectedSphere {
 
 /// A contact force, or one parameter set of it.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct InspectedForce {
     /// Its name.
@@ -199,6 +207,7 @@ impl Serialize for Origins {
 
 /// The form in which contacts of different sizes are compared.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct Dimensionless {
     /// E* R² n / (M g).
@@ -230,6 +239,7 @@ impl From<&DimensionlessContact> for Dimensionless {
 
 /// A body.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct InspectedBody {
     /// Its name.
@@ -243,6 +253,7 @@ pub struct InspectedBody {
 
 /// How a body was scaled.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct InspectedFactors {
     /// Name of the body.

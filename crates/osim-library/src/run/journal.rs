@@ -12,7 +12,7 @@ use std::sync::Mutex;
 use osim_model::wording::{Input, phrase};
 use osim_requests::options::RunOptions;
 
-use super::record::Record;
+use super::record::{JsonRecord, Record};
 use crate::fault::{Context, LibraryFault};
 use crate::folders::make_folder_of;
 use crate::write::{Mode, Prepared};
@@ -43,7 +43,8 @@ impl Form {
     pub(super) fn read(self, lines: &[u8]) -> Result<Vec<Record>, LibraryFault> {
         if self == Self::Ndjson {
             let lines = lines.split(|&byte| byte == b'\n').filter(|line| !line.is_empty());
-            return lines.map(serde_json::from_slice).collect::<Result<_, _>>().map_err(said);
+            let record = |line| serde_json::from_slice::<JsonRecord>(line).map(Record::from);
+            return lines.map(record).collect::<Result<_, _>>().map_err(said);
         }
         let mut reader = csv::Reader::from_reader(lines);
         let known = |header: &csv::StringRecord| header.iter().any(|column| column == "sha256_output");
@@ -56,7 +57,7 @@ impl Form {
     /// One record and a line end; `first` with the header.
     fn line(self, record: &Record, first: bool) -> Result<Vec<u8>, LibraryFault> {
         if self == Self::Ndjson {
-            let mut line = serde_json::to_vec(record).map_err(said)?;
+            let mut line = serde_json::to_vec(&JsonRecord::from(record.clone())).map_err(said)?;
             line.push(b'\n');
             return Ok(line);
         }

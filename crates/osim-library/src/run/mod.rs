@@ -24,7 +24,7 @@ pub use conflicts::{PathConflicts, PathOwner};
 pub use destination::Destination;
 pub use front_end::{ChangedModel, Detail, FrontEnd};
 pub use outcome::{Counts, Outcome};
-pub use record::{Record, Status};
+pub use record::{JsonRecord, Record, Status};
 pub use request::RunRequest;
 pub use settings::JobSettings;
 pub use start::Run;

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use osim_model::files::{Failure, ModelFiles, OpenModel};
+use osim_model::files::{Failure, FileName, ModelFiles, OpenModel};
 use osim_model::wording::{Input, phrase};
 use osim_patch::Plan;
 
@@ -212,7 +212,7 @@ impl<F: FrontEnd> ModelJob<'_, F> {
 }
 
 /// Nobody's work is replaced in passing.
-fn edited(shown: &str, output: &Path) -> Failure {
+fn edited(model: &FileName, output: &Path) -> Failure {
     let message = phrase![
         format!(
             "{} is not what an earlier run wrote, so it stays: move it away, or replace it with ",
@@ -220,5 +220,5 @@ fn edited(shown: &str, output: &Path) -> Failure {
         ),
         Input::Force,
     ];
-    Failure::outside(shown, "output", message)
+    Failure::outside(model, "output", message)
 }

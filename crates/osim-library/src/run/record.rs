@@ -1,7 +1,7 @@
 //! One line of a summary: what became of one model. `docs/libraries.md` describes every column.
 
 use osim_model::Property;
-use osim_model::files::Failure;
+use osim_model::files::{Failure, FileName};
 use osim_patch::Plan;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -54,8 +54,14 @@ pub struct Record {
     pub row: Option<usize>,
     /// The model, as it was named.
     pub model: String,
+    /// Its name in bytes, where that is not UTF-8; in NDJSON only.
+    #[serde(skip)]
+    pub model_bytes: Option<Vec<u8>>,
     /// The file that is written.
     pub output: Option<String>,
+    /// Its name in bytes, where that is not UTF-8; in NDJSON only.
+    #[serde(skip)]
+    pub output_bytes: Option<Vec<u8>>,
     /// What became of it.
     pub status: Status,
     /// What the contacts stood for before.
@@ -102,14 +108,47 @@ pub struct Record {
     pub tool_version: String,
 }
 
+/// A record as NDJSON has it: beside it the bytes of names that are no text.
+#[derive(Debug, Serialize, Deserialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct JsonRecord {
+    /// The columns of the table.
+    #[serde(flatten)]
+    pub record: Record,
+    /// `model` in bytes, where that is not UTF-8.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub model_bytes: Option<Vec<u8>>,
+    /// `output` in bytes, where that is not UTF-8.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub output_bytes: Option<Vec<u8>>,
+}
+
+impl From<Record> for JsonRecord {
+    fn from(mut record: Record) -> Self {
+        let (model_bytes, output_bytes) = (record.model_bytes.take(), record.output_bytes.take());
+        Self { record, model_bytes, output_bytes }
+    }
+}
+
+impl From<JsonRecord> for Record {
+    fn from(line: JsonRecord) -> Self {
+        Self { model_bytes: line.model_bytes, output_bytes: line.output_bytes, ..line.record }
+    }
+}
+
 impl Record {
     /// A task that is not begun.
     #[must_use]
     pub fn of_task(task: &Task) -> Self {
+        let (model, model_bytes) = FileName::from(task.source.path.as_path()).into_parts();
+        let (output, output_bytes) = task.output().map(|path| FileName::from(path).into_parts()).unzip();
         Self {
             row: task.row,
-            model: task.source.shown(),
-            output: task.output().map(|path| path.display().to_string()),
+            model,
+            model_bytes,
+            output,
+            output_bytes: output_bytes.flatten(),
             tool_version: env!("CARGO_PKG_VERSION").to_owned(),
             ..Self::default()
         }
@@ -118,8 +157,10 @@ impl Record {
     /// What could not even be listed.
     #[must_use]
     pub fn of_failure(failure: &Failure) -> Self {
+        let (model, model_bytes) = failure.model.clone().into_parts();
         let mut record = Self {
-            model: failure.model.clone(),
+            model,
+            model_bytes,
             tool_version: env!("CARGO_PKG_VERSION").to_owned(),
             ..Self::default()
         };

@@ -42,7 +42,7 @@ impl Loaded {
     pub fn read(source: &Source, set_files: &SetFiles) -> Result<Self, Failure> {
         let disk = StampedDisk::default();
         let unreadable =
-            |error: FileError| Failure::outside(&source.shown(), "unreadable", error.to_string());
+            |error: FileError| Failure::outside(source.path.as_path(), "unreadable", error.to_string());
         let bytes = disk.read(&source.path).map_err(unreadable)?;
         let files = ModelFiles::read(&source.path, bytes, set_files.beside(), &disk)?;
         let included = files.included().map(str::to_owned).collect();
@@ -54,7 +54,7 @@ impl Loaded {
     /// All files by name, the model first, with the SHA-256 of each.
     #[must_use]
     pub fn digests(&self) -> Vec<(String, String)> {
-        let main = (self.files.name().to_owned(), sha256(self.files.bytes()));
+        let main = (self.files.name().to_string(), sha256(self.files.bytes()));
         let companions =
             self.files.companions().map(|(path, bytes)| (path.display().to_string(), sha256(bytes)));
         std::iter::once(main).chain(companions).collect()

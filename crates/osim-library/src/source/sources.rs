@@ -101,9 +101,8 @@ impl Sources {
                 // A pipe would never end, or never begin.
                 Ok(entry) if !entry.file_type().is_file() => {
                     found = true;
-                    let shown = entry.path().display().to_string();
                     let why = "this is no ordinary file, and is read only where it is named itself";
-                    self.failures.push(Failure::outside(&shown, "unreadable", why));
+                    self.failures.push(Failure::outside(entry.path(), "unreadable", why));
                 }
                 Ok(entry) if is_own_output(entry.path()) => own += 1,
                 Ok(entry) => {
@@ -134,7 +133,7 @@ impl Sources {
         }
         if !found {
             let why = "no .osim models in this folder: name a model, or the folder that holds them";
-            self.failures.push(Failure::outside(&shown.to_string(), "no-models", why));
+            self.failures.push(Failure::outside(folder, "no-models", why));
         }
     }
 }
@@ -179,7 +178,7 @@ fn unreadable(folder: &Path, error: &walkdir::Error) -> Failure {
         (None, Some(error)) => format!("cannot be read: {error}"),
         (None, None) => "cannot be read".to_owned(),
     };
-    Failure::outside(&path.display().to_string(), "unreadable", reason)
+    Failure::outside(path, "unreadable", reason)
 }
 
 /// One model named twice, or linked, is one model.

@@ -1,5 +1,6 @@
 //! What went wrong with one file, by its name.
 
+use super::file_name::FileName;
 use crate::fault::{Excerpt, Fault};
 use crate::wording::Phrase;
 
@@ -8,7 +9,7 @@ use crate::wording::Phrase;
 #[non_exhaustive]
 pub struct Failure {
     /// The file, as it was named.
-    pub model: String,
+    pub model: FileName,
     /// Stable short name, as in the JSON `code`.
     pub code: &'static str,
     /// What is wrong, what was expected, and a way out.
@@ -24,9 +25,9 @@ pub struct Failure {
 impl Failure {
     /// A fault in the file `model`, with the place that it carries.
     #[must_use]
-    pub fn of_fault(model: &str, fault: Fault) -> Self {
+    pub fn of_fault(model: impl Into<FileName>, fault: Fault) -> Self {
         Self {
-            model: model.to_owned(),
+            model: model.into(),
             code: fault.code(),
             message: fault.phrase(),
             line: fault.position.map(|position| position.line),
@@ -36,14 +37,7 @@ impl Failure {
     }
 
     /// Something outside the contents of the file: folders, permissions, other files.
-    pub fn outside(model: &str, code: &'static str, message: impl Into<Phrase>) -> Self {
-        Self {
-            model: model.to_owned(),
-            code,
-            message: message.into(),
-            line: None,
-            column: None,
-            excerpt: None,
-        }
+    pub fn outside(model: impl Into<FileName>, code: &'static str, message: impl Into<Phrase>) -> Self {
+        Self { model: model.into(), code, message: message.into(), line: None, column: None, excerpt: None }
     }
 }

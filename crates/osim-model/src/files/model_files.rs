@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::failure::Failure;
+use super::file_name::FileName;
 use super::source::{FileError, Files};
 use crate::components::Companion;
 use crate::document::{Document, may_include};
@@ -23,7 +24,7 @@ pub struct Beside<'p> {
 #[derive(Debug, Clone)]
 pub struct ModelFiles {
     /// As it was named.
-    name: String,
+    name: FileName,
     main: Main,
     companions: Vec<CompanionFile>,
 }
@@ -50,7 +51,7 @@ impl ModelFiles {
     /// # Errors
     /// A file that cannot be read, or a model that includes files and is no document.
     pub fn read(path: &Path, bytes: Vec<u8>, beside: Beside<'_>, files: &dyn Files) -> Result<Self, Failure> {
-        let name = path.display().to_string();
+        let name = FileName::from(path);
         let mut companions = Vec::new();
         for path in [beside.geometry, beside.model].into_iter().flatten() {
             companions.push(companion(path.to_owned(), None, files)?);
@@ -83,14 +84,14 @@ impl ModelFiles {
 
     /// The model as it was named.
     #[must_use]
-    pub fn name(&self) -> &str {
+    pub fn name(&self) -> &FileName {
         &self.name
     }
 
     /// The same under another name.
     #[must_use]
-    pub fn named(self, name: String) -> Self {
-        Self { name, ..self }
+    pub fn named(self, name: impl Into<FileName>) -> Self {
+        Self { name: name.into(), ..self }
     }
 
     /// Bytes of the model itself.
@@ -130,7 +131,7 @@ impl ModelFiles {
     /// # Errors
     /// A file that is no document, or a connection in the model that leads nowhere.
     pub fn open(self) -> Result<OpenModel, Failure> {
-        let names: Vec<PathBuf> = self.companions.iter().map(|companion| companion.path.clone()).collect();
+        let names = self.companions.iter().map(|companion| companion.path.as_path().into()).collect();
         let document = match self.main {
             Main::Bytes(bytes) => {
                 Document::parse(bytes).map_err(|fault| Failure::of_fault(&self.name, fault))?
@@ -141,7 +142,7 @@ impl ModelFiles {
         for companion in self.companions {
             let included_by = companion.included_by;
             let document = Document::parse(companion.bytes)
-                .map_err(|fault| Failure::of_fault(companion.path.to_str().unwrap_or(&self.name), fault))?;
+                .map_err(|fault| Failure::of_fault(companion.path.as_path(), fault))?;
             companions.push(Companion { document, included_by });
         }
         let names = Names { main: self.name, companions: names };
@@ -159,7 +160,7 @@ fn companion(
 ) -> Result<CompanionFile, Failure> {
     let failed = |error: FileError| {
         let message = format!("a file that belongs to the model: {error}");
-        Failure::outside(&path.display().to_string(), "unreadable", message)
+        Failure::outside(path.as_path(), "unreadable", message)
     };
     let bytes = files.read(&path).map_err(failed)?;
     Ok(CompanionFile { path, bytes, included_by, named: None })
@@ -175,21 +176,21 @@ pub struct OpenModel {
 
 #[derive(Debug)]
 struct Names {
-    main: String,
-    companions: Vec<PathBuf>,
+    main: FileName,
+    companions: Vec<FileName>,
 }
 
 impl Names {
-    fn of(&self, file: FileId) -> &str {
+    fn of(&self, file: FileId) -> &FileName {
         let companion = file.companion_index().and_then(|index| self.companions.get(index));
-        companion.and_then(|path| path.to_str()).unwrap_or(&self.main)
+        companion.unwrap_or(&self.main)
     }
 }
 
 impl OpenModel {
     /// The model as it was named.
     #[must_use]
-    pub fn name(&self) -> &str {
+    pub fn name(&self) -> &FileName {
         &self.names.main
     }
 
@@ -197,7 +198,7 @@ impl OpenModel {
     pub fn files(&self) -> impl Iterator<Item = (&str, &[u8])> {
         let companions = self.model.companions().map(|(file, _)| file);
         let all = std::iter::once(FileId::MAIN).chain(companions);
-        all.map(|file| (self.names.of(file), self.model.file(file).bytes()))
+        all.map(|file| (&**self.names.of(file), self.model.file(file).bytes()))
     }
 
     /// The name of one of the files.

@@ -16,5 +16,5 @@ pub(super) fn title(what: &str, bodies: &[Body], wanted: Option<&str>) -> String
 /// A figure of these bodies that cannot be drawn.
 pub(super) fn failure(bodies: &[Body], why: impl Into<Phrase>) -> Failure {
     let names: Vec<&str> = bodies.iter().map(|body| body.name.as_str()).collect();
-    Failure::outside(&names.join(", "), "plot", why)
+    Failure::outside(names.join(", "), "plot", why)
 }

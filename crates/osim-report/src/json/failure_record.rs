@@ -1,13 +1,9 @@
 //! The JSON contract of what went wrong.
 
-use std::path::Path;
-
 use osim_model::files::Failure;
 use osim_model::wording::Dialect;
 use schemars::JsonSchema;
 use serde::Serialize;
-
-use super::path;
 
 const SCHEMA_VERSION: u32 = 1;
 
@@ -46,10 +42,11 @@ impl FailureRecord {
     /// A failure in the words of `dialect`.
     #[must_use]
     pub fn new(failure: &Failure, dialect: &dyn Dialect) -> Self {
+        let (model, model_bytes) = failure.model.clone().into_parts();
         Self {
             schema_version: SCHEMA_VERSION,
-            model: failure.model.clone(),
-            model_bytes: None,
+            model,
+            model_bytes,
             error: ErrorRecord {
                 code: failure.code,
                 message: failure.message.spelled(dialect),
@@ -57,11 +54,5 @@ impl FailureRecord {
                 column: failure.column,
             },
         }
-    }
-
-    /// The same with the name of the file as the system has it; bytes are kept only where it is not UTF-8.
-    #[must_use]
-    pub fn of_file(self, model: &Path) -> Self {
-        Self { model_bytes: path::bytes(model), ..self }
     }
 }

@@ -2,10 +2,8 @@
 
 mod failure_record;
 mod line;
-mod path;
 mod plan_record;
 
 pub use failure_record::{ErrorRecord, FailureRecord};
 pub use line::line;
-pub(crate) use path::bytes as bytes_of;
 pub use plan_record::{Amount, ChangeRecord, MassesRecord, PlanRecord};

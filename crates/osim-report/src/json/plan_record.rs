@@ -3,12 +3,11 @@
 use std::path::Path;
 
 use osim_inspect::WarningRecord;
+use osim_model::files::FileName;
 use osim_model::wording::Phrase;
 use osim_patch::{Change, Masses, Move, Plan};
 use schemars::JsonSchema;
 use serde::Serialize;
-
-use super::path;
 
 const SCHEMA_VERSION: u32 = 1;
 
@@ -103,14 +102,18 @@ impl PlanRecord {
     #[must_use]
     pub fn new(plan: &Plan, model: &Path, output: Option<&Path>, geometry_output: Option<&Path>) -> Self {
         let numbers = plan.changes.iter().map(ChangeRecord::from);
+        let parts = |path: Option<&Path>| path.map(|path| FileName::from(path).into_parts()).unzip();
+        let (model, model_bytes) = FileName::from(model).into_parts();
+        let ((output, output_bytes), (geometry_output, geometry_output_bytes)) =
+            (parts(output), parts(geometry_output));
         Self {
             schema_version: SCHEMA_VERSION,
-            model: path::text(model),
-            model_bytes: path::bytes(model),
-            output: output.map(path::text),
-            output_bytes: output.and_then(path::bytes),
-            geometry_output: geometry_output.map(path::text),
-            geometry_output_bytes: geometry_output.and_then(path::bytes),
+            model,
+            model_bytes,
+            output,
+            output_bytes: output_bytes.flatten(),
+            geometry_output,
+            geometry_output_bytes: geometry_output_bytes.flatten(),
             contacts_mass_kg: plan.masses.as_ref().map(MassesRecord::from),
             changes: numbers.chain(plan.moves.iter().map(ChangeRecord::from)).collect(),
             warnings: plan.warnings.iter().map(WarningRecord::from).collect(),

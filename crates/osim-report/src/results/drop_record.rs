@@ -1,6 +1,6 @@
 //! The JSON contract of a drop.
 
-use osim_requests::DropResult;
+use osim_requests::{ComparedDrop, DropResult};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -17,6 +17,9 @@ pub struct DropRecord {
     pub schema_version: u32,
     /// The model or preset.
     pub model: String,
+    /// Its name in bytes, where that is not UTF-8.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub model_bytes: Option<Vec<u8>>,
     /// M, kg.
     pub mass_kg: f64,
     /// n, spheres that share the weight.
@@ -68,6 +71,9 @@ pub struct DropRecord {
 pub struct DropDifferenceRecord {
     /// The other body.
     pub other: String,
+    /// Its name in bytes, where that is not UTF-8.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub other_bytes: Option<Vec<u8>>,
     /// Up to which t/√(R/g).
     pub until_dimensionless_time: f64,
     /// Largest difference of height over radius.
@@ -100,9 +106,11 @@ impl From<&DropResult> for DropRecord {
         let (values, report) = (drop.values, &drop.report);
         let figures = DropFigures::of(report);
         let series = &report.series;
+        let (model, model_bytes) = drop.name.clone().into_parts();
         Self {
             schema_version: SCHEMA_VERSION,
-            model: drop.name.clone(),
+            model,
+            model_bytes,
             mass_kg: values.mass_kg,
             sphere_count: drop.sphere_count,
             gravity_m_s2: values.gravity_m_s2,
@@ -122,12 +130,7 @@ impl From<&DropResult> for DropRecord {
             restitution_approximate: figures.restitution_approximate,
             contact_time_s: figures.contact_time_s,
             rebound_speed_m_s: figures.rebound_speed_m_s,
-            compare: drop.compared.as_ref().map(|compared| DropDifferenceRecord {
-                other: compared.name.clone(),
-                until_dimensionless_time: compared.difference.until,
-                height_over_radius: compared.difference.height,
-                force_bw: compared.difference.force,
-            }),
+            compare: drop.compared.as_ref().map(DropDifferenceRecord::from),
             series: DropSeriesRecord {
                 time_s: series.iter().map(|sample| sample.time_s).collect(),
                 height_m: series.iter().map(|sample| sample.height_m).collect(),
@@ -139,6 +142,19 @@ impl From<&DropResult> for DropRecord {
                     .map(|sample| sample.time_s / report.reference_time_s)
                     .collect(),
             },
+        }
+    }
+}
+
+impl From<&ComparedDrop> for DropDifferenceRecord {
+    fn from(compared: &ComparedDrop) -> Self {
+        let (other, other_bytes) = compared.name.clone().into_parts();
+        Self {
+            other,
+            other_bytes,
+            until_dimensionless_time: compared.difference.until,
+            height_over_radius: compared.difference.height,
+            force_bw: compared.difference.force,
         }
     }
 }

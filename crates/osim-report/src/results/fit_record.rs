@@ -1,6 +1,7 @@
 //! The JSON contract of a fit.
 
 use contact_scaling::fit::{Estimate, Parameter};
+use osim_model::files::FileName;
 use osim_requests::FitResult;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -110,10 +111,11 @@ fn name(parameter: &Parameter) -> &'static str {
 impl From<&FitResult> for FitRecord {
     fn from(result: &FitResult) -> Self {
         let fit = &result.fit;
+        let (file, file_bytes) = FileName::from(result.file.as_path()).into_parts();
         Self {
             schema_version: SCHEMA_VERSION,
-            file: result.file.display().to_string(),
-            file_bytes: crate::json::bytes_of(&result.file),
+            file,
+            file_bytes,
             sphere_count: result.sphere_count,
             radius_m: result.radius_m,
             composite_modulus_n_m2: (&fit.composite_modulus).into(),

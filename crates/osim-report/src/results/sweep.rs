@@ -1,5 +1,8 @@
 //! The JSON contract of a sweep's end.
 
+use std::path::Path;
+
+use osim_model::files::FileName;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -14,10 +17,19 @@ pub struct SweepRecord {
     pub schema_version: u32,
     /// The model, as it was named.
     pub model: String,
+    /// Its name in bytes, where that is not UTF-8.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub model_bytes: Option<Vec<u8>>,
     /// The table that says what is in which file; none where nothing was made.
     pub manifest: Option<String>,
+    /// Its name in bytes, where that is not UTF-8.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub manifest_bytes: Option<Vec<u8>>,
     /// The folder of the variants.
     pub folder: String,
+    /// Its name in bytes, where that is not UTF-8.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub folder_bytes: Option<Vec<u8>>,
     /// How many models were made, or would be.
     pub models: usize,
     /// How many could not be made.
@@ -27,12 +39,18 @@ pub struct SweepRecord {
 impl SweepRecord {
     /// A sweep of `model` into `folder`.
     #[must_use]
-    pub fn new(model: &str, folder: &std::path::Path, manifest: Option<&std::path::Path>) -> Self {
+    pub fn new(model: &FileName, folder: &Path, manifest: Option<&Path>) -> Self {
+        let (model, model_bytes) = model.clone().into_parts();
+        let (folder, folder_bytes) = FileName::from(folder).into_parts();
+        let (manifest, manifest_bytes) = manifest.map(|path| FileName::from(path).into_parts()).unzip();
         Self {
             schema_version: SCHEMA_VERSION,
-            model: model.to_owned(),
-            manifest: manifest.map(|path| path.display().to_string()),
-            folder: folder.display().to_string(),
+            model,
+            model_bytes,
+            manifest,
+            manifest_bytes: manifest_bytes.flatten(),
+            folder,
+            folder_bytes,
             models: 0,
             failed: 0,
         }

@@ -79,7 +79,7 @@ fn a_heat_map_is_about_one_body() {
     assert_eq!(map.limit.unwrap().label, "0.8 by (13), limit of the Hunt–Crossley law");
     let two = [body("mouse_smooth_sphere"), body("horse_smooth_sphere")];
     let failure = figures::heat(&two, &request, axis, axis, None).unwrap_err();
-    assert_eq!(failure.model, "mouse_smooth_sphere, horse_smooth_sphere");
+    assert_eq!(&*failure.model, "mouse_smooth_sphere, horse_smooth_sphere");
     assert_eq!(
         failure.message.spelled(&CommandLine),
         "a sweep is about one body: name one model, without --target-mass"

@@ -2,7 +2,7 @@
 
 use osim_model::wording::Input;
 use osim_model::{CountOf, Fault, Needed, NoteDoubt, TreeOfForces};
-use osim_report::dialect::{CommandLine, Page, Python};
+use osim_report::dialect::{CommandLine, JsonRequest, Page, Python};
 
 /// One example of every question.
 fn examples() -> Vec<Needed> {
@@ -62,10 +62,11 @@ fn every_question_is_asked_in_the_words_of_each_front_end() {
         let phrase = needed.phrase();
         let (command, python, page) =
             (phrase.spelled(&CommandLine), phrase.spelled(&Python), phrase.spelled(&Page));
+        let json = phrase.spelled(&JsonRequest);
         for text in [&command, &python, &page] {
             assert!(!text.trim().is_empty() && !text.contains('`'), "{text}");
         }
-        for text in [&python, &page] {
+        for text in [&python, &page, &json] {
             assert!(!text.contains("--"), "{text}");
         }
         assert!(!command.contains("the field") && !python.contains("the field"), "{command}\n{python}");
@@ -74,9 +75,13 @@ fn every_question_is_asked_in_the_words_of_each_front_end() {
             assert!(command.contains(&option), "{option}: {command}");
             assert!(page.contains(&format!("“{}”", input.label())), "{}: {page}", input.label());
             assert!(python.contains(&format!("{}=", input.name())), "{}: {python}", input.name());
+            let field = [format!("\"{}\": ", input.name()), format!("`{}`", input.name())];
+            assert!(field.iter().any(|field| json.contains(field)), "{}: {json}", input.name());
         }
         let code = Fault::new(needed).code();
-        review.push_str(&format!("[{code}]\ncommand: {command}\npython:  {python}\npage:    {page}\n\n"));
+        review.push_str(&format!(
+            "[{code}]\ncommand: {command}\npython:  {python}\npage:    {page}\nrequest: {json}\n\n"
+        ));
     }
     insta::assert_snapshot!("needed", review);
 }

@@ -30,7 +30,7 @@ fn changes(model: Option<&str>) -> About {
 fn entry(model: &OpenModel, detail: DetailLevel, front_end: &dyn FrontEnd) -> Entry {
     let options = InspectOptions::default();
     let (seen, found) = support::inspected(&options, model, front_end);
-    let files = vec![(model.name().to_owned(), "0123".to_owned())];
+    let files = vec![(model.name().to_string(), "0123".to_owned())];
     inspected(&options, model, (&seen, &found), &files, detail, front_end)
 }
 
@@ -80,7 +80,7 @@ fn a_change_is_shown_before_and_after() {
     let plan = rescaled(&model.model, 500.0, &CommandLine);
     let options = InspectOptions::default();
     let (before, found) = support::inspected(&options, &model, &CommandLine);
-    let mut row = RunRow::new(model.name(), "dry run: nothing written");
+    let mut row = RunRow::new(&**model.name(), "dry run: nothing written");
     row.contacts_mass_from_kg = Some(62.0);
     row.contacts_mass_to_kg = Some(500.0);
     row.changes = plan.changes.len();

@@ -37,8 +37,8 @@ fn a_name_that_is_not_utf_8_has_its_bytes_beside_it() {
     let expected =
         format!("\"model\":\"m\u{fffd}sli.osim\",\"model_bytes\":[{}],\"output\":null", bytes.join(","));
     assert!(text.contains(&expected), "{text}");
-    let failure = Failure::outside("m\u{fffd}sli.osim", "unreadable", "it is not there");
-    let text = line(&FailureRecord::new(&failure, &CommandLine).of_file(odd));
+    let failure = Failure::outside(odd, "unreadable", "it is not there");
+    let text = line(&FailureRecord::new(&failure, &CommandLine));
     assert!(text.contains("\"model_bytes\":[109,252,"), "{text}");
 }
 

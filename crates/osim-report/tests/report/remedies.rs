@@ -2,7 +2,8 @@
 
 use osim_inspect::{InspectOptions, check_model};
 use osim_model::Pattern;
-use osim_report::dialect::{CommandLine, FrontEnd, Page, Python};
+use osim_report::dialect::{CommandLine, FrontEnd, JsonRequest, Page, Python};
+use osim_requests::Request;
 
 use crate::support::open;
 
@@ -31,11 +32,16 @@ fn remedies(options: &InspectOptions, name: &str, front_end: &dyn FrontEnd) -> V
 fn review(options: &InspectOptions, models: &[&str]) -> String {
     let mut review = String::new();
     for name in models {
-        let [command, python, page] =
-            [&CommandLine as &dyn FrontEnd, &Python, &Page].map(|words| remedies(options, name, words));
-        for ((command, python), page) in command.iter().zip(&python).zip(&page) {
+        let [command, python, page, json] = [&CommandLine as &dyn FrontEnd, &Python, &Page, &JsonRequest]
+            .map(|words| remedies(options, name, words));
+        for (((command, python), page), json) in command.iter().zip(&python).zip(&page).zip(&json) {
             assert!(!python.contains("--") && !page.contains("--"), "{python}\n{page}");
-            review.push_str(&format!("command: {command}\npython:  {python}\npage:    {page}\n\n"));
+            // It can be sent back as it is.
+            let request = Request::from_json(json.as_bytes()).map(|request| request.to_json());
+            assert_eq!(request.as_ref(), Ok(json));
+            review.push_str(&format!(
+                "command: {command}\npython:  {python}\npage:    {page}\nrequest: {json}\n\n"
+            ));
         }
     }
     review

@@ -1,0 +1,98 @@
+//! The name of a file, for people and for scripts.
+
+use std::fmt;
+use std::ops::Deref;
+use std::path::Path;
+
+/// A file as it was named: text, and the bytes of the name where that is no UTF-8 and the text only an approximation.
+///
+/// ```
+/// use osim_model::files::FileName;
+///
+/// let name = FileName::from("feet.osim");
+/// assert_eq!((&*name, name.bytes()), ("feet.osim", None));
+/// ```
+#[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct FileName {
+    text: String,
+    bytes: Option<Box<[u8]>>,
+}
+
+impl FileName {
+    /// The bytes of the name as the system has them, where they are no UTF-8.
+    #[must_use]
+    pub fn bytes(&self) -> Option<&[u8]> {
+        self.bytes.as_deref()
+    }
+
+    /// The text, and the bytes where they are no UTF-8: as JSON has them, side by side.
+    #[must_use]
+    pub fn into_parts(self) -> (String, Option<Vec<u8>>) {
+        (self.text, self.bytes.map(Into::into))
+    }
+}
+
+impl Deref for FileName {
+    type Target = str;
+
+    fn deref(&self) -> &str {
+        &self.text
+    }
+}
+
+impl fmt::Display for FileName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+impl From<&Path> for FileName {
+    fn from(path: &Path) -> Self {
+        let bytes = path.to_str().is_none().then(|| path.as_os_str().as_encoded_bytes().into());
+        Self { text: path.display().to_string(), bytes }
+    }
+}
+
+impl From<String> for FileName {
+    fn from(text: String) -> Self {
+        Self { text, bytes: None }
+    }
+}
+
+impl From<&str> for FileName {
+    fn from(text: &str) -> Self {
+        text.to_owned().into()
+    }
+}
+
+impl From<&String> for FileName {
+    fn from(text: &String) -> Self {
+        text.as_str().into()
+    }
+}
+
+impl From<&Self> for FileName {
+    fn from(name: &Self) -> Self {
+        name.clone()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[cfg(unix)]
+    #[test]
+    fn a_name_that_is_no_utf8_keeps_its_bytes() {
+        use std::os::unix::ffi::OsStrExt;
+
+        let name = FileName::from(Path::new(std::ffi::OsStr::from_bytes(b"m\xE4use.osim")));
+        assert_eq!(&*name, "m\u{FFFD}use.osim");
+        assert_eq!(name.bytes(), Some(b"m\xE4use.osim".as_slice()));
+    }
+
+    #[test]
+    fn text_is_enough_for_other_names() {
+        assert_eq!(FileName::from(Path::new("mäuse.osim")), FileName::from("mäuse.osim"));
+    }
+}
