@@ -99,6 +99,8 @@ fn printed() -> BTreeSet<String> {
     let mut pages = files(&root().join("tests/snapshots"), &["snap"]);
     pages.extend(files(&root().join("docs"), &["md"]));
     pages.push(root().join("README.md"));
+    // It shows the tree of the code, and nothing that the program prints.
+    pages.retain(|page| !page.ends_with("docs/architecture.md"));
     for page in pages {
         let text = std::fs::read_to_string(page).unwrap();
         in_json(&text, &mut found);

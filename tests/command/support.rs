@@ -6,6 +6,9 @@ use std::process::Stdio;
 
 use tempfile::TempDir;
 
+#[path = "validation.rs"]
+pub(crate) mod validation;
+
 /// The smooth human of 62 kg, under the name most tests use.
 pub(crate) const HUMAN: (&str, &str) = ("table1/human_62kg_smooth_sphere.osim", "human.osim");
 
@@ -116,10 +119,12 @@ impl Bench {
         for (name, bytes) in &after {
             if before.get(name) != Some(bytes) {
                 changed.push(name.clone());
+                validation::written(name, bytes);
             }
         }
         let lost: Vec<_> = before.keys().filter(|name| !after.contains_key(*name)).collect();
         assert!(lost.is_empty(), "files are gone: {lost:?}");
+        validation::printed(arguments, &output.stdout);
         Ran {
             call: format!("osim-contact-scale {arguments}"),
             folder: self.dir.path().canonicalize().unwrap(),
@@ -134,7 +139,9 @@ impl Bench {
     pub(crate) fn run_words(&self, words: &[&str]) -> std::process::Output {
         let mut command = self.command("");
         command.args(words);
-        command.output().unwrap()
+        let output = command.output().unwrap();
+        validation::printed(&words.join(" "), &output.stdout);
+        output
     }
 
     /// The command, ready to be spawned.

@@ -1,0 +1,131 @@
+//! `schemas/` holds what the types say. To write it anew: `UPDATE_SCHEMAS=1 cargo test --test schemas`.
+
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "a test fails by panicking")]
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use osim_inspect::{CheckResult, Finding, Inspection, WarningRecord};
+use osim_library::run::JsonRecord;
+use osim_model::wording::Verb;
+use osim_report::explain::TopicRecord;
+use osim_report::json::{FailureRecord, PlanRecord};
+use osim_report::results::{DropRecord, FitRecord, PresetRecord, SweepRecord};
+use osim_requests::{DesignSheet, schema_of};
+use schemars::generate::SchemaSettings;
+use schemars::{JsonSchema, Schema};
+use serde_json::Value;
+
+/// Every schema by its path below `schemas/`.
+fn schemas() -> BTreeMap<String, String> {
+    let requests = Verb::ALL.iter().map(|&verb| {
+        let title = format!("A request: {}", verb.name());
+        (format!("requests/{}", verb.name()), titled(schema_of(verb).unwrap(), &title))
+    });
+    let others = [
+        ("failure", printed::<FailureRecord>("A model that failed, on standard output of any verb")),
+        ("finding", printed::<Finding>("One finding of check")),
+        ("warning", printed::<WarningRecord>("One warning of a change or an inspection")),
+        ("results/change", printed::<PlanRecord>("The result of rescale, transfer, design, set and batch")),
+        ("results/check", printed::<CheckResult>("The result of check")),
+        ("results/design", printed::<DesignSheet>("The result of design without a model")),
+        ("results/drop-test", printed::<DropRecord>("The result of drop-test")),
+        ("results/explanation", printed::<TopicRecord>("The result of explain")),
+        ("results/fit", printed::<FitRecord>("The result of fit")),
+        ("results/inspection", printed::<Inspection>("The result of inspect")),
+        ("results/preset", printed::<PresetRecord>("The result of presets")),
+        ("results/summary-line", printed::<JsonRecord>("A line of a summary (NDJSON)")),
+        ("results/sweep", printed::<SweepRecord>("The result of sweep")),
+    ];
+    let others = others.into_iter().map(|(name, schema)| (name.to_owned(), schema));
+    requests
+        .chain(others)
+        .map(|(name, schema)| {
+            let text = serde_json::to_string_pretty(&schema).unwrap();
+            (format!("{name}.schema.json"), format!("{text}\n"))
+        })
+        .collect()
+}
+
+/// The schema of what the program prints as a `T`.
+fn printed<T: JsonSchema>(title: &str) -> Schema {
+    let generator = SchemaSettings::draft2020_12().for_serialize().into_generator();
+    titled(generator.into_root_schema_for::<T>(), title)
+}
+
+fn titled(mut schema: Schema, title: &str) -> Schema {
+    schema.insert("title".to_owned(), Value::from(title));
+    schema
+}
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../schemas")
+}
+
+fn names(folder: &Path, prefix: &str) -> Vec<String> {
+    let mut names = Vec::new();
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let entry = entry.unwrap();
+        let name = format!("{prefix}{}", entry.file_name().to_string_lossy());
+        if entry.path().is_dir() {
+            names.extend(self::names(&entry.path(), &format!("{name}/")));
+        } else if name.ends_with(".json") {
+            names.push(name);
+        }
+    }
+    names.sort();
+    names
+}
+
+#[test]
+fn the_folder_holds_what_the_types_say() {
+    let (schemas, folder) = (schemas(), folder());
+    if std::env::var_os("UPDATE_SCHEMAS").is_some() {
+        for (name, text) in &schemas {
+            std::fs::create_dir_all(folder.join(name).parent().unwrap()).unwrap();
+            std::fs::write(folder.join(name), text).unwrap();
+        }
+    }
+    for (name, text) in &schemas {
+        let kept = std::fs::read_to_string(folder.join(name)).unwrap_or_default();
+        assert!(
+            kept == *text,
+            "schemas/{name} is not what the types say: UPDATE_SCHEMAS=1 cargo test --test schemas"
+        );
+    }
+    assert_eq!(names(&folder, ""), schemas.into_keys().collect::<Vec<_>>());
+}
+
+/// What a reader of the schemas relies on: every object of a result is closed, and every field is described.
+#[test]
+fn results_are_closed_and_described() {
+    for (name, text) in schemas() {
+        let schema: Value = serde_json::from_str(&text).unwrap();
+        jsonschema::meta::validate(&schema).unwrap_or_else(|error| panic!("{name}: {error}"));
+        walk(&schema, &mut |object| {
+            let Some(Value::Object(properties)) = object.get("properties") else { return };
+            // Parts of `allOf` and `anyOf` speak of fields that are described elsewhere.
+            if object.get("type").is_none() {
+                return;
+            }
+            let closed = ["additionalProperties", "unevaluatedProperties"];
+            assert!(
+                closed.iter().any(|rule| object.get(rule) == Some(&Value::Bool(false))),
+                "{name}: {object}"
+            );
+            for (field, schema) in properties {
+                let described = ["description", "const", "$ref"].iter().any(|key| schema.get(key).is_some());
+                assert!(described || field == "bytes", "{name}: {field} has no description");
+            }
+        });
+    }
+}
+
+fn walk(value: &Value, visit: &mut impl FnMut(&Value)) {
+    visit(value);
+    match value {
+        Value::Object(fields) => fields.values().for_each(|field| walk(field, visit)),
+        Value::Array(items) => items.iter().for_each(|item| walk(item, visit)),
+        _ => {}
+    }
+}
