@@ -1,5 +1,5 @@
 #![no_main]
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| osim_patch_fuzz::inspect(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| osim_fuzz::inspect(bytes));
 libfuzzer_sys::fuzz_mutator!(|bytes: &mut [u8], size: usize, max_size: usize, seed: u32| {
-    osim_patch_fuzz::mutate(bytes, size, max_size, seed)
+    osim_fuzz::mutate(bytes, size, max_size, seed)
 });

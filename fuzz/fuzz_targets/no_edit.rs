@@ -1,2 +1,2 @@
 #![no_main]
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| osim_patch_fuzz::no_edit(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| osim_fuzz::no_edit(bytes));

@@ -2,9 +2,12 @@
 
 use std::collections::HashMap;
 
+use osim_model::{
+    Document, ElementId, FileId, ForceId, Limbs, MassRequest, MassSource, Model, PieceKind, Scope, Selection,
+    SetId, SphereId, Value,
+};
 use osim_patch::{
-    Document, Edit, ElementId, Limbs, MassRequest, MassSource, Model, PieceKind, Plan, RadiusRule, Reference,
-    Rescale, ScalingRule, Scope, Selection, Transfer, Value, reference_of_model, rescale, splice, transfer,
+    Edit, Plan, RadiusRule, Reference, Transfer, reference_of_model, rescale, splice, transfer,
 };
 
 use crate::accept;
@@ -22,11 +25,10 @@ pub fn scan(bytes: &[u8]) {
     };
     let tree = document.tree();
     let mut at = 0;
-    for index in 0..tree.pieces().len() {
-        let span = tree.piece_span(index);
-        assert_eq!(span.start, at, "a gap or an overlap before piece {index}");
-        assert!(span.end > span.start, "piece {index} is empty");
-        at = span.end;
+    for (index, piece) in tree.pieces().enumerate() {
+        assert_eq!(piece.span.start, at, "a gap or an overlap before piece {index}");
+        assert!(piece.span.end > piece.span.start, "piece {index} is empty");
+        at = piece.span.end;
     }
     assert_eq!(at, bytes.len(), "the pieces do not reach the end");
     let mut open = vec![ElementId::ROOT];
@@ -59,7 +61,7 @@ pub fn no_edit(bytes: &[u8]) {
         request.wanted.radius = RadiusRule::Isometric;
         let plan = rescale(model, &selected, &request.wanted).expect("nothing to do is always possible");
         assert!(plan.is_empty() && plan.note().is_none());
-        assert_eq!(plan.patched(model, 0).expect("no edits cannot overlap"), bytes);
+        assert_eq!(plan.patched(model, FileId::MAIN).expect("no edits cannot overlap"), bytes);
     });
 }
 
@@ -70,9 +72,9 @@ pub fn edits(bytes: &[u8]) {
             if !note {
                 plan.without_note();
             }
-            let edits = plan.edits(model, 0);
+            let edits = plan.edits(model, FileId::MAIN);
             assert_eq!(edits.is_empty(), plan.is_empty());
-            let patched = plan.patched(model, 0).expect("the edits of a plan do not overlap");
+            let patched = plan.patched(model, FileId::MAIN).expect("the edits of a plan do not overlap");
             outside_equal(bytes, &edits, &patched);
         }
     });
@@ -98,15 +100,15 @@ pub fn inspect(bytes: &[u8]) {
     with_model(bytes, |model| {
         let document = model.document();
         assert!(document.included_files().iter().all(|(_, file)| !file.is_empty()));
-        let every: Vec<usize> = (0..model.forces.len()).collect();
+        let every = model.force_ids();
         let loaded = model.loaded_spheres(&every);
         match model.limbs(&every) {
             Limbs::Known(limbs) => {
-                let spheres: Vec<usize> = limbs.iter().flat_map(|limb| limb.spheres.clone()).collect();
+                let spheres: Vec<SphereId> = limbs.iter().flat_map(|limb| limb.spheres.clone()).collect();
                 assert_eq!(spheres.len(), loaded.len());
-                assert!(spheres.iter().all(|&sphere| sphere < model.spheres.len()));
+                assert!(spheres.iter().all(|&sphere| model.sphere(sphere).is_some()));
             }
-            Limbs::Unknown(why) => assert!(!why.is_empty()),
+            Limbs::Unknown(why) => assert!(!why.to_string().is_empty()),
         }
         for value in values(model).iter().map(|(_, value)| value) {
             assert!(value.offset <= bytes.len());
@@ -114,7 +116,7 @@ pub fn inspect(bytes: &[u8]) {
             value.checked().map_or_else(|fault| accept(&fault), drop);
         }
         for warning in &model.warnings {
-            assert!(!warning.message.is_empty());
+            assert!(!warning.message.to_string().is_empty());
         }
         let mass = MassRequest::default().of_model(model);
         mass.as_ref().map_or_else(accept, drop);
@@ -122,26 +124,15 @@ pub fn inspect(bytes: &[u8]) {
             Ok(selected) => selected,
             Err(fault) => return accept(&fault),
         };
-        assert!(selected.forces.iter().all(|&force| force < model.forces.len()));
+        assert!(selected.forces.iter().all(|&force| model.force(force).is_some()));
         let Ok(mass) = mass else { return };
         let own = reference_of_model(model, &selected, mass.clone(), 6.0);
         let preset = contact_scaling::preset("falisse2022").map(|preset| Reference::from(&preset));
         for reference in own.into_iter().chain(preset) {
-            let wanted = Transfer {
-                reference,
-                reference_sphere: None,
-                mass: mass.clone(),
-                sphere_count: 5.0,
-                radius: RadiusRule::Keep,
-                properties: Default::default(),
-                dissipation_by: Default::default(),
-                target_gravity_m_s2: None,
-                follow: None,
-                rule: ScalingRule::Paper,
-                strict: false,
-            };
-            match transfer(model, &selected, &wanted) {
-                Ok(plan) => drop(plan.patched(model, 0).expect("the edits of a plan do not overlap")),
+            match transfer(model, &selected, &Transfer::new(reference, mass.clone(), 5.0)) {
+                Ok(plan) => {
+                    drop(plan.patched(model, FileId::MAIN).expect("the edits of a plan do not overlap"))
+                }
                 Err(fault) => accept(&fault),
             }
         }
@@ -151,9 +142,8 @@ pub fn inspect(bytes: &[u8]) {
 /// The output reads back: planned values bit for bit, all others as they were; then the note lets a second run work.
 pub fn roundtrip(bytes: &[u8]) {
     with_plan(bytes, |model, request, plan| {
-        let patched = plan.patched(model, 0).expect("the edits of a plan do not overlap");
-        let document = Document::parse(&patched).expect("the output is a document");
-        let again = Model::read(&document).expect("the output is a model");
+        let patched = plan.patched(model, FileId::MAIN).expect("the edits of a plan do not overlap");
+        let again = Model::parse(patched).expect("the output is a model");
         values_as_planned(model, &plan, &again);
         if plan.is_empty() {
             return;
@@ -164,20 +154,27 @@ pub fn roundtrip(bytes: &[u8]) {
     });
 }
 
-/// A number of a model, found again by where it stands: force or sphere, set and place among the set's values.
-type Place = (usize, usize, usize);
+/// Where a number of a model stands, by which it is found again.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Place {
+    /// Among the values of a parameter set.
+    OfSet(ForceId, SetId, usize),
+    /// The force's own.
+    OfForce(ForceId),
+    OfSphere(SphereId),
+}
 
 fn values(model: &Model) -> Vec<(Place, Value)> {
     let mut values = Vec::new();
-    for (index, force) in model.forces.iter().enumerate() {
-        for (set, parameters) in force.sets.iter().enumerate() {
-            let of_set = parameters.values.iter().cloned().enumerate();
-            values.extend(of_set.map(|(number, value)| ((index, set, number), value)));
+    for force in model.forces() {
+        for set in &force.sets {
+            let of_set = set.values.iter().cloned().enumerate();
+            values.extend(of_set.map(|(number, value)| (Place::OfSet(force.id, set.id, number), value)));
         }
-        values.push(((index, usize::MAX, 0), force.transition_velocity.clone()));
+        values.push((Place::OfForce(force.id), force.transition_velocity.clone()));
     }
-    let spheres = model.spheres.iter().enumerate();
-    values.extend(spheres.map(|(index, sphere)| ((index, usize::MAX, 1), sphere.radius.clone())));
+    let spheres = model.spheres().iter();
+    values.extend(spheres.map(|sphere| (Place::OfSphere(sphere.id), sphere.radius.clone())));
     values
 }
 
@@ -210,12 +207,11 @@ fn values_as_planned(before: &Model, plan: &Plan, after: &Model) {
 
 /// What the note says is where the next run starts.
 fn second_run(again: &Model, request: &Request, scope: Scope) {
-    let mut warnings = Vec::new();
-    let told = MassRequest::default().of_contacts(again, &mut warnings);
+    let told = MassRequest::default().of_contacts(again);
     if scope == Scope::Partial {
         return accept(&told.expect_err("a partial note must be asked about"));
     }
-    let contacts_mass = told.expect("a complete note is trusted");
+    let (contacts_mass, _warnings) = told.expect("a complete note is trusted");
     assert_eq!(contacts_mass.source, MassSource::Note);
     assert_eq!(contacts_mass.kg.to_bits(), request.wanted.target_mass_kg.to_bits());
     // Another factor would change the radii again.
@@ -223,16 +219,19 @@ fn second_run(again: &Model, request: &Request, scope: Scope) {
         RadiusRule::Factor(_) => RadiusRule::Isometric,
         other => other,
     };
-    let same = Rescale { contacts_mass, radius, target_gravity_m_s2: None, ..request.wanted.clone() };
+    let mut same = request.wanted.clone();
+    same.contacts_mass = contacts_mass;
+    same.radius = radius;
+    same.target_gravity_m_s2 = None;
     let plan = rescale(again, &request.selected, &same).expect("nothing to do is always possible");
     assert!(plan.is_empty(), "running twice changes something");
-    let back = Rescale { target_mass_kg: same.contacts_mass.kg / 3.0, ..same };
+    let mut back = same;
+    back.target_mass_kg = back.contacts_mass.kg / 3.0;
     match rescale(again, &request.selected, &back) {
         Ok(plan) => {
-            let patched = plan.patched(again, 0).expect("the edits of a plan do not overlap");
-            outside_equal(again.document().bytes(), &plan.edits(again, 0), &patched);
-            let document = Document::parse(&patched).expect("the second output is a document");
-            let third = Model::read(&document).expect("the second output is a model");
+            let patched = plan.patched(again, FileId::MAIN).expect("the edits of a plan do not overlap");
+            outside_equal(again.document().bytes(), &plan.edits(again, FileId::MAIN), &patched);
+            let third = Model::parse(patched).expect("the second output is a model");
             values_as_planned(again, &plan, &third);
             if !plan.is_empty() {
                 assert_eq!(third.note.as_ref(), plan.note());
@@ -247,15 +246,11 @@ fn second_run(again: &Model, request: &Request, scope: Scope) {
 
 fn comments(model: &Model) -> usize {
     let pieces = model.document().tree().pieces();
-    pieces.iter().filter(|piece| piece.kind == PieceKind::Comment).count()
+    pieces.filter(|piece| piece.kind == PieceKind::Comment).count()
 }
 
 fn with_model(bytes: &[u8], check: impl FnOnce(&Model)) {
-    let document = match Document::parse(bytes) {
-        Ok(document) => document,
-        Err(fault) => return accept(&fault),
-    };
-    match Model::read(&document) {
+    match Model::parse(bytes) {
         Ok(model) => check(&model),
         Err(fault) => accept(&fault),
     }

@@ -10,7 +10,7 @@ mod request;
 pub use checks::{edits, inspect, no_edit, roundtrip, scan};
 pub use mutate::mutate;
 
-use osim_patch::Fault;
+use osim_model::Fault;
 
 /// A fault has to be printable; nothing more is asked of it.
 fn accept(fault: &Fault) {

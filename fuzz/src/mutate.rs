@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use libfuzzer_sys::fuzzer_mutate;
-use osim_patch::{Document, ElementId, Tree};
+use osim_model::{Document, ElementId, Tree};
 
 /// Tags that mean something to the reader.
 const TAGS: &[&str] = &[
@@ -141,7 +141,7 @@ fn mutate_document(bytes: &[u8], dice: &mut Dice) -> Option<Vec<u8>> {
 /// One replacement of a span by bytes.
 fn mutation(document: &Document, dice: &mut Dice) -> (Range<usize>, Vec<u8>) {
     let (bytes, tree) = (document.bytes(), document.tree());
-    let elements = all(tree);
+    let elements: Vec<ElementId> = tree.elements().collect();
     let one = *dice.pick(&elements);
     let other = *dice.pick(&elements);
     let content = content(tree, one);
@@ -164,16 +164,6 @@ fn mutation(document: &Document, dice: &mut Dice) -> (Range<usize>, Vec<u8>) {
         7 => (content.start..content.start, dice.pick(BETWEEN).as_bytes().to_vec()),
         _ => (tree.span(one), bytes[tree.span(other)].to_vec()),
     }
-}
-
-fn all(tree: &Tree) -> Vec<ElementId> {
-    let mut elements = vec![ElementId::ROOT];
-    let mut next = 0;
-    while let Some(&id) = elements.get(next) {
-        elements.extend(tree.children(id));
-        next += 1;
-    }
-    elements
 }
 
 /// Between the tags; empty after the tag of `<tag/>`.

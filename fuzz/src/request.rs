@@ -1,9 +1,7 @@
 //! What is asked of a mutated model: one of many rescalings, chosen by the bytes themselves, so that a run is repeatable.
 
-use osim_patch::{
-    DissipationBy, Fault, Mass, MassRequest, Model, Plan, PropertySet, RadiusRule, Rescale, Selected,
-    Selection, rescale,
-};
+use osim_model::{Fault, Mass, MassRequest, Model, Pattern, Selected, Selection};
+use osim_patch::{DissipationBy, Plan, PropertySet, RadiusRule, Rescale, rescale};
 
 /// Mass that contacts stand for where the model does not say, kg.
 const ANY_MASS_KG: f64 = 62.0;
@@ -38,16 +36,11 @@ impl Request {
         let selected = selection.apply(model)?;
         let contacts_mass = contacts_mass(model);
         let target_mass_kg = contacts_mass.kg * ratio;
-        let wanted = Rescale {
-            target_mass_kg,
-            contacts_mass,
-            radius,
-            properties,
-            dissipation_by,
-            target_gravity_m_s2: (roll(8) == 0).then_some(1.62),
-            contacts_gravity_m_s2: None,
-            level: None,
-        };
+        let mut wanted = Rescale::new(target_mass_kg, contacts_mass);
+        wanted.radius = radius;
+        wanted.properties = properties;
+        wanted.dissipation_by = dissipation_by;
+        wanted.target_gravity_m_s2 = (roll(8) == 0).then_some(1.62);
         Ok(Self { selected, wanted })
     }
 
@@ -63,17 +56,13 @@ impl Request {
 /// From the file, else any.
 fn contacts_mass(model: &Model) -> Mass {
     let told = MassRequest { contacts_kg: Some(ANY_MASS_KG), ..MassRequest::default() };
-    let found = MassRequest::default().of_contacts(model, &mut Vec::new());
-    found.or_else(|_| told.of_contacts(model, &mut Vec::new())).expect("62 kg is a mass")
+    let found = MassRequest::default().of_contacts(model).or_else(|_| told.of_contacts(model));
+    found.expect("62 kg is a mass").0
 }
 
 /// No choice, or every force by name: the latter also takes models with several animals.
-fn select(every: u64) -> globset::GlobSet {
-    let mut globs = globset::GlobSetBuilder::new();
-    if every == 1 {
-        globs.add(globset::Glob::new("*").expect("a glob"));
-    }
-    globs.build().expect("a set of globs")
+fn select(every: u64) -> Vec<Pattern> {
+    if every == 1 { vec!["*".parse().expect("a pattern")] } else { vec![] }
 }
 
 /// FNV-1a.
