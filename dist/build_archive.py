@@ -102,7 +102,8 @@ def contents(program, target, metadata):
 
     for name in ["README.md", "CHANGELOG.md", "CITATION.cff", "LICENSE-MIT", "LICENSE-APACHE"]:
         add(name, (ROOT / name).read_bytes())
-    tracked = output_of("git", "ls-files", "-z", "docs").decode().split("\0")
+    # The pages, and the schemas of the JSON that they describe.
+    tracked = output_of("git", "ls-files", "-z", "docs", "schemas").decode().split("\0")
     for name in filter(None, tracked):
         add(name, (ROOT / name).read_bytes())
     # The model of README's examples, so that they can be tried.

@@ -21,7 +21,7 @@ from pathlib import Path
 COMMAND = "osim-contact-scale"
 MODEL = "human_62kg_smooth_sphere.osim"
 EXPECTED = ["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE", "LICENSES-OF-LIBRARIES.txt", "docs/README.md",
-            "docs/install.md", f"completions/{COMMAND}.bash", f"completions/_{COMMAND}"]
+            "docs/install.md", "schemas/README.md", f"completions/{COMMAND}.bash", f"completions/_{COMMAND}"]
 
 
 def unpack(archive, into):
