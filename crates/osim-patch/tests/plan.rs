@@ -125,7 +125,8 @@ fn every_file_of_a_standalone_pair_gets_its_edits_and_the_model_beside_it_none()
     let beside = |document| Companion { document, included_by: None };
     let companions = vec![beside(geometry_document), beside(bones_document)];
     let model = Model::read_with(forces_document, companions).unwrap();
-    let (main, geometry, bones_file) = (FileId::MAIN, FileId::companion(0), FileId::companion(1));
+    let beside: Vec<FileId> = model.companions().map(|(file, _)| file).collect();
+    let [main, geometry, bones_file] = [FileId::MAIN, beside[0], beside[1]];
     let mut wanted = wanted(8.0, 1.0);
     let plan_of = |wanted: &Rescale| plan(&model, wanted);
     let grown = plan_of(&wanted);

@@ -143,7 +143,7 @@ impl<F: FrontEnd> ModelJob<'_, F> {
     /// Digest of everything the output follows from but for the model: with the files that the model includes.
     fn settings_digest(&self, files: &ModelFiles) -> String {
         let own = self.task.settings.digest();
-        let companions: Vec<String> = files.companions().map(|(_, bytes)| sha256(bytes)).collect();
+        let companions: Vec<String> = files.companions().map(|(_, _, bytes)| sha256(bytes)).collect();
         if companions.is_empty() {
             return own.to_owned();
         }

@@ -28,8 +28,8 @@ pub struct Origin {
     path: PathBuf,
     /// Files as they were when they were read; standard input is none.
     stamps: HashMap<PathBuf, Stamp>,
-    /// The other files, in their order.
-    companions: Vec<PathBuf>,
+    /// The other files.
+    companions: HashMap<FileId, PathBuf>,
     /// Files that the model includes, as it names them.
     included: Vec<String>,
 }
@@ -46,7 +46,7 @@ impl Loaded {
         let bytes = disk.read(&source.path).map_err(unreadable)?;
         let files = ModelFiles::read(&source.path, bytes, set_files.beside(), &disk)?;
         let included = files.included().map(str::to_owned).collect();
-        let companions = files.companions().map(|(path, _)| path.to_owned()).collect();
+        let companions = files.companions().map(|(file, path, _)| (file, path.to_owned())).collect();
         let origin = Origin { path: source.path.clone(), stamps: disk.into_stamps(), companions, included };
         Ok(Self { files, origin })
     }
@@ -56,7 +56,7 @@ impl Loaded {
     pub fn digests(&self) -> Vec<(String, String)> {
         let main = (self.files.name().to_string(), sha256(self.files.bytes()));
         let companions =
-            self.files.companions().map(|(path, bytes)| (path.display().to_string(), sha256(bytes)));
+            self.files.companions().map(|(_, path, bytes)| (path.display().to_string(), sha256(bytes)));
         std::iter::once(main).chain(companions).collect()
     }
 }
@@ -65,10 +65,7 @@ impl Origin {
     /// A file of the model as it was when it was read; none for standard input.
     #[must_use]
     pub fn stamp_of(&self, file: FileId) -> Option<&Stamp> {
-        let path = match file.companion_index() {
-            Some(index) => self.companions.get(index)?,
-            None => &self.path,
-        };
+        let path = if file == FileId::MAIN { &self.path } else { self.companions.get(&file)? };
         self.stamps.get(path)
     }
 

@@ -45,6 +45,9 @@ pub struct Fault {
 }
 
 /// One of the files that make up a model: the model itself, or one that it includes or that was given beside it.
+///
+/// Handles of the other files come from [`Model::companions`](crate::Model::companions) and
+/// [`ModelFiles::companions`](crate::files::ModelFiles::companions).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub struct FileId(usize);
 
@@ -53,14 +56,12 @@ impl FileId {
     pub const MAIN: Self = Self(0);
 
     /// Companion number `index`, from 0, in the order in which they were given.
-    #[must_use]
-    pub const fn companion(index: usize) -> Self {
+    pub(crate) const fn companion(index: usize) -> Self {
         Self(index + 1)
     }
 
     /// Which companion it is, from 0; `None` for the model itself.
-    #[must_use]
-    pub const fn companion_index(self) -> Option<usize> {
+    pub(crate) const fn companion_index(self) -> Option<usize> {
         self.0.checked_sub(1)
     }
 }

@@ -103,9 +103,11 @@ impl ModelFiles {
         }
     }
 
-    /// Names and bytes of the other files, in their order.
-    pub fn companions(&self) -> impl Iterator<Item = (&Path, &[u8])> {
-        self.companions.iter().map(|companion| (companion.path.as_path(), companion.bytes.as_slice()))
+    /// Handles, names and bytes of the other files: first those given beside a set, then those that the model includes, in
+    /// file order.
+    pub fn companions(&self) -> impl Iterator<Item = (FileId, &Path, &[u8])> {
+        let companions = self.companions.iter().enumerate();
+        companions.map(|(index, file)| (FileId::companion(index), file.path.as_path(), file.bytes.as_slice()))
     }
 
     /// The files that the model includes, as it names them.

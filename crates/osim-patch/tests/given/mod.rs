@@ -232,7 +232,7 @@ impl Given {
             if !self.note {
                 plan.without_note();
             }
-            let beside = (0..self.parts.len()).map(FileId::companion);
+            let beside = model.companions().map(|(file, _)| file);
             let files = std::iter::once(FileId::MAIN).chain(beside);
             let files = files.map(|file| plan.patched(&model, file)).collect::<Result<Vec<_>, _>>()?;
             Ok((plan, files))
