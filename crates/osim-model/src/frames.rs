@@ -38,7 +38,7 @@ impl Model {
         }
         let mut point = self.components().in_body(sphere.frame_component, sphere.location_m)?;
         let up = LevelAxis::of_gravity(self.gravity_m_s2);
-        point[up.axis] += if up.down { sphere.radius.number } else { -sphere.radius.number };
+        point[up.axis.index()] += if up.down { sphere.radius.number } else { -sphere.radius.number };
         point.iter().all(|value| value.is_finite()).then_some(point)
     }
 }

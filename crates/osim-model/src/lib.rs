@@ -67,7 +67,7 @@ pub use number::{four_significant, readable, shortest};
 pub use opensim_text::NumberFault;
 pub use pattern::{Pattern, PatternError};
 pub use property::Property;
-pub use rotation::{LevelAxis, Rotation};
+pub use rotation::{Axis, LevelAxis, Rotation};
 pub use selection::{Selected, Selection};
 pub use side::Side;
 pub use skeleton::Body;

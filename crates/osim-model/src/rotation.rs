@@ -8,7 +8,7 @@ impl Rotation {
     /// No rotation.
     pub const IDENTITY: Self = Self([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
 
-    /// OpenSim's `orientation`: body-fixed X, then Y, then Z angles, rad.
+    /// From OpenSim's `orientation`: body-fixed angles about x, then y, then z, in rad.
     #[must_use]
     pub fn body_fixed_xyz([x, y, z]: [f64; 3]) -> Self {
         let (sx, cx) = (libm::sin(x), libm::cos(x));
@@ -21,7 +21,7 @@ impl Rotation {
         ])
     }
 
-    /// This rotation after `first`.
+    /// `first`, then this rotation: the product of their matrices.
     #[must_use]
     pub fn after(&self, first: &Self) -> Self {
         let cell = |i: usize, j: usize| (0..3).map(|k| self.0[i][k] * first.0[k][j]).sum();
@@ -34,7 +34,7 @@ impl Rotation {
         std::array::from_fn(|i| (0..3).map(|k| self.0[i][k] * vector[k]).sum())
     }
 
-    /// RᵀSR v: a scaling along the body's axes, seen from a frame that is turned by R.
+    /// RᵀSR v: `vector` of a frame that is turned by R, after a scaling by `factors` (S) along the axes of the body.
     #[must_use]
     pub fn scaled_in_frame(&self, factors: [f64; 3], vector: [f64; 3]) -> [f64; 3] {
         if *self == Self::IDENTITY {
@@ -53,32 +53,66 @@ pub(crate) fn times(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 /// Two axes this close to up (difference of their cosines) are equally near.
 const TIE: f64 = 1e-9;
 
+/// An axis of a frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Axis {
+    /// x.
+    X,
+    /// y.
+    Y,
+    /// z.
+    Z,
+}
+
+impl Axis {
+    const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
+
+    /// Its place in a vector.
+    pub(crate) const fn index(self) -> usize {
+        self as usize
+    }
+
+    /// The axis with the largest component of `vector` (without its sign). `own` wins a tie: another axis has to be larger by
+    /// more than `tie`.
+    fn largest(vector: [f64; 3], own: Self, tie: f64) -> Self {
+        let size = |axis: Self| vector[axis.index()].abs();
+        Self::ALL.into_iter().fold(own, |best, axis| if size(axis) > size(best) + tie { axis } else { best })
+    }
+}
+
 /// The direction away from the ground, foot flat.
+///
+/// ```
+/// use osim_model::{Axis, LevelAxis};
+///
+/// // Gravity points along -z: up is z.
+/// let up = LevelAxis::of_gravity(Some([0.0, 0.0, -9.81]));
+/// assert_eq!((up.axis, up.down), (Axis::Z, false));
+/// // A sphere grows from 0.03 m to 0.05 m: its centre rises by 0.02 m, and its bottom stays.
+/// let [x, y, z] = up.centre([0.1, 0.0, 0.03], 0.03, 0.05, |bottom| bottom);
+/// assert!(x == 0.1 && y == 0.0 && (z - 0.05).abs() < 1e-15);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct LevelAxis {
-    /// 0, 1 or 2.
-    pub axis: usize,
-    /// The axis points down.
+    /// Which axis it is.
+    pub axis: Axis,
+    /// The axis points down: away from the ground is its negative direction.
     pub down: bool,
-    /// The axis is the body's: each sphere's frame has an axis of its own that is nearest to it.
+    /// `true` where it is an axis of the body: in each sphere's frame, the axis nearest to it is taken. `false` where it is an
+    /// axis of every sphere's own frame.
     pub of_body: bool,
 }
 
 impl LevelAxis {
-    /// The axis nearest to −gravity; y where a model has no gravity.
+    /// The axis of the body nearest to −`gravity` (m/s², in ground); y where a model has no gravity.
     #[must_use]
     pub fn of_gravity(gravity: Option<[f64; 3]>) -> Self {
         let gravity = gravity.unwrap_or([0.0, -1.0, 0.0]);
-        let mut axis = 1;
-        for (index, value) in gravity.iter().enumerate() {
-            if value.abs() > gravity[axis].abs() {
-                axis = index;
-            }
-        }
-        Self { axis, down: gravity[axis] > 0.0, of_body: true }
+        let axis = Axis::largest(gravity, Axis::Y, 0.0);
+        Self { axis, down: gravity[axis.index()] > 0.0, of_body: true }
     }
 
-    /// The axis of a frame that is turned by `rotation` in its body.
+    /// The same as an axis of a frame that is turned by `rotation` in its body.
     #[must_use]
     pub fn in_frame(self, rotation: &Rotation) -> Self {
         if !self.of_body {
@@ -86,25 +120,21 @@ impl LevelAxis {
         }
         let sign = if self.down { -1.0 } else { 1.0 };
         // The body's axis in the frame: a row of its rotation. The body's own axis wins a tie.
-        let turned: [f64; 3] = rotation.0[self.axis].map(|value| sign * value);
-        let mut axis = self.axis;
-        for (index, value) in turned.iter().enumerate() {
-            if value.abs() > turned[axis].abs() + TIE {
-                axis = index;
-            }
-        }
-        Self { axis, down: turned[axis] < 0.0, of_body: false }
+        let turned: [f64; 3] = rotation.0[self.axis.index()].map(|value| sign * value);
+        let axis = Axis::largest(turned, self.axis, TIE);
+        Self { axis, down: turned[axis.index()] < 0.0, of_body: false }
     }
 
     fn up(self) -> [f64; 3] {
-        std::array::from_fn(|index| match index == self.axis {
+        std::array::from_fn(|index| match index == self.axis.index() {
             true if self.down => -1.0,
             true => 1.0,
             false => 0.0,
         })
     }
 
-    /// Where the centre goes so that the bottom stays on the sole: the bottom point is scaled, the radius is added again.
+    /// Where the centre goes (m) so that the bottom stays on the sole: the bottom point is `scaled` with the body, and the new
+    /// radius is added again. All lengths are in m, all places in the sphere's frame.
     #[must_use]
     pub fn centre(
         self,
@@ -147,7 +177,7 @@ mod tests {
     #[test]
     fn the_bottom_stays_on_the_sole() {
         let axis = LevelAxis::of_gravity(Some([0.0, -9.81, 0.0]));
-        assert_eq!(axis, LevelAxis { axis: 1, down: false, of_body: true });
+        assert_eq!(axis, LevelAxis { axis: Axis::Y, down: false, of_body: true });
         // Bottom at -0.06; the sole is scaled by 2, the radius by 1.5: bottom at -0.12, centre 0.06 above.
         let [x, y, z] = axis.centre([0.1, -0.02, 0.0], 0.04, 0.06, |v| [v[0], 2.0 * v[1], v[2]]);
         assert!((x - 0.1).abs() < 1e-15 && (y + 0.06).abs() < 1e-15 && z == 0.0);
@@ -159,9 +189,9 @@ mod tests {
         // A quarter turn about z: the frame's x is the body's y; about x: its z is the body's -y.
         let about_z = Rotation([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
         let about_x = Rotation([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]]);
-        assert_eq!(up.in_frame(&about_z), LevelAxis { axis: 0, down: false, of_body: false });
-        assert_eq!(up.in_frame(&about_x), LevelAxis { axis: 2, down: true, of_body: false });
-        let told = LevelAxis { axis: 1, down: false, of_body: false };
-        assert_eq!(told.in_frame(&about_z), told);
+        assert_eq!(up.in_frame(&about_z), LevelAxis { axis: Axis::X, down: false, of_body: false });
+        assert_eq!(up.in_frame(&about_x), LevelAxis { axis: Axis::Z, down: true, of_body: false });
+        let given = LevelAxis { axis: Axis::Y, down: false, of_body: false };
+        assert_eq!(given.in_frame(&about_z), given);
     }
 }

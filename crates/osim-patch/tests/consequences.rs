@@ -9,7 +9,7 @@
 )]
 
 use osim_model::{
-    Companion, Document, Fault, LevelAxis, Mass, MassSource, Model, Property, Selection, WarningCode,
+    Axis, Companion, Document, Fault, LevelAxis, Mass, MassSource, Model, Property, Selection, WarningCode,
 };
 use osim_patch::{Plan, PropertySet, RadiusRule, Rescale, Transfer, reference_of_model, rescale, transfer};
 
@@ -104,8 +104,9 @@ fn level_spheres_keep_their_bottoms() {
     assert!((place.to[1] - 0.01).abs() < 1e-15 && place.to[0] == 0.1 && place.to[2] == 0.3);
     assert!(!place.inserted);
     // A sphere without a location stands at the origin, and gets one.
-    let plan =
-        rescaled(ONE_FOOT, |wanted| wanted.level = Some(LevelAxis { axis: 2, down: true, of_body: false }));
+    let plan = rescaled(ONE_FOOT, |wanted| {
+        wanted.level = Some(LevelAxis { axis: Axis::Z, down: true, of_body: false });
+    });
     assert!(plan.moves[0].inserted);
     assert_eq!(plan.moves[0].to, [0.0, 0.0, -0.03]);
 }

@@ -1,7 +1,7 @@
 //! What changes, and how.
 
 use osim_model::wording::{Input, phrase};
-use osim_model::{LevelAxis, Property};
+use osim_model::{Axis, LevelAxis, Property};
 use osim_patch::{DissipationBy, PropertySet};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -42,12 +42,12 @@ choices! {
 impl AxisChoice {
     fn axis(self) -> LevelAxis {
         let (axis, down) = match self {
-            Self::X => (0, false),
-            Self::Y => (1, false),
-            Self::Z => (2, false),
-            Self::MinusX => (0, true),
-            Self::MinusY => (1, true),
-            Self::MinusZ => (2, true),
+            Self::X => (Axis::X, false),
+            Self::Y => (Axis::Y, false),
+            Self::Z => (Axis::Z, false),
+            Self::MinusX => (Axis::X, true),
+            Self::MinusY => (Axis::Y, true),
+            Self::MinusZ => (Axis::Z, true),
         };
         LevelAxis { axis, down, of_body: false }
     }
