@@ -106,6 +106,7 @@ impl Panel {
 
 /// How wide a figure is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum Width {
     /// One column of a journal, 90 mm.
     #[default]

@@ -8,6 +8,7 @@ use crate::style::{Dash, Look};
 
 /// What the horizontal axis of an indentation is measured in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum IndentationAxis {
     /// x̂ = x/R.
     #[default]
@@ -27,6 +28,7 @@ impl IndentationAxis {
 
 /// What a force is measured in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum ForceAxis {
     /// N, of one sphere.
     #[default]
@@ -46,6 +48,7 @@ impl ForceAxis {
 
 /// What time is measured in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum TimeAxis {
     /// s.
     Second,

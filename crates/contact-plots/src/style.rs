@@ -68,6 +68,7 @@ pub(crate) fn stroke(colour: RGBColor, width_pt: f64) -> ShapeStyle {
 
 /// How a curve is dashed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Dash {
     /// One stroke.
     Solid,

@@ -7,6 +7,7 @@ use crate::error::{DomainError, positive, within};
 
 /// One step, as factors of the contact that is wanted in the end.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Step {
     /// Dimensionless stiffness k̂ at the load of the last step, without unit (B.3).
     pub dimensionless_stiffness: f64,

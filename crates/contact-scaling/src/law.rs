@@ -5,6 +5,7 @@ use crate::{Contact, DomainError, Hertz, HuntCrossley, SmoothSphere};
 
 /// The normal force of one sphere, by whichever class the model uses.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Law {
     /// `HuntCrossleyForce`: (12), no force before contact.
     HuntCrossley(HuntCrossley),

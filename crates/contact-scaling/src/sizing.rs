@@ -19,6 +19,7 @@ pub struct Known {
 
 /// One sphere at its load, all of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Sizing {
     /// Load on each sphere F/n, in N.
     pub load_per_sphere_n: f64,

@@ -8,6 +8,7 @@ use serde::{Serialize, Serializer};
 /// Something to know, as the JSON has it.
 #[derive(Debug, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct WarningRecord {
     /// Stable short name.
     pub code: &'static str,

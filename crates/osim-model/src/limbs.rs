@@ -10,6 +10,7 @@ use crate::wording::Phrase;
 
 /// One limb that stands on the ground.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Limb {
     /// First body below the place where left and right part.
     pub name: String,

@@ -30,7 +30,8 @@ pub struct Selection {
 }
 
 /// The chosen forces.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Selected {
     /// In file order.
     pub forces: Vec<ForceId>,

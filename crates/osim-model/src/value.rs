@@ -32,6 +32,7 @@ impl Origin {
 
 /// An effective number: what OpenSim uses, where it stands and whether its text is one plain number.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Value {
     /// Which property.
     pub property: Property,

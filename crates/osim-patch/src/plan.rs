@@ -100,6 +100,7 @@ pub struct Plan {
 
 /// What contacts stand for, before and after.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Masses {
     /// Before (for a transfer: what the reference's contacts stand for).
     pub from: Mass,

@@ -5,6 +5,7 @@ use osim_model::Property;
 
 /// Which size α follows, (14).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum DissipationBy {
     /// α ∝ R^{−1/2}, as in the paper's Table 1.
     #[default]

@@ -117,7 +117,7 @@ impl std::fmt::Display for RequestFault {
 
 impl std::error::Error for RequestFault {}
 
-/// Why a request cannot be begun.
+/// Why a request cannot be begun: the request or a file. A match on it is complete, so that no error is lost.
 #[derive(Debug, Clone, PartialEq)]
 pub enum RequestError {
     /// The request itself is wrong.

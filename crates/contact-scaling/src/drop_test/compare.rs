@@ -7,6 +7,7 @@ use super::values::DropValues;
 
 /// How far two drops lie apart, each in its own dimensionless form.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Difference {
     /// Largest difference of height / R.
     pub height: f64,

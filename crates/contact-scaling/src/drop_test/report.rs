@@ -8,6 +8,7 @@ use crate::{equilibrium, restitution};
 
 /// One moment of a drop.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Sample {
     /// Time since the release, in s.
     pub time_s: f64,
@@ -21,6 +22,7 @@ pub struct Sample {
 
 /// The first contact with the ground, from one crossing of height 0 to the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct FirstContact {
     /// When the bottoms reach the ground, in s.
     pub start_s: f64,
@@ -36,6 +38,7 @@ pub struct FirstContact {
 
 /// The end of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Lift {
     /// Time from the start of the contact to its end, in s.
     pub contact_time_s: f64,
@@ -45,6 +48,7 @@ pub struct Lift {
 
 /// The result of a drop test.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct DropReport {
     /// The motion, at equal steps of time.
     pub series: Vec<Sample>,

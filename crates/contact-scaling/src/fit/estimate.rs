@@ -9,6 +9,7 @@ use super::points::Point;
 
 /// A fitted value with its 95 % interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Estimate {
     /// The value of least squares.
     pub value: f64,

@@ -13,6 +13,7 @@ pub struct Measurement<'a> {
 
 /// How fast the indentation changes.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Rate<'a> {
     /// Not known: the force is taken as the elastic one.
     Unknown,
@@ -22,7 +23,7 @@ pub enum Rate<'a> {
     Time(&'a [f64]),
 }
 
-/// Where contact begins.
+/// Where contact begins: it is known or it is not, so that a match on it is complete.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Onset {
     /// At this indentation, in m: usually 0.
@@ -31,7 +32,7 @@ pub enum Onset {
     Fitted,
 }
 
-/// The part of the measurement to fit.
+/// The part of the measurement to fit: one way, the other, or both; there is no fourth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Branch {
     /// All of it.

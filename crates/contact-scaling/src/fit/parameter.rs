@@ -1,6 +1,8 @@
 //! The parameters of a fit.
 
 /// A fitted parameter, in the order of the covariance.
+///
+/// Exhaustive: whoever writes the covariance needs a name for each row, and a new parameter must not go without one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Parameter {
     /// E*, in N/m².

@@ -5,6 +5,7 @@ use super::parameter::Parameter;
 
 /// What the data say.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Fit {
     /// E*, in N/m².
     pub composite_modulus: Estimate,

@@ -34,6 +34,7 @@ pub struct CheckResult {
 /// How many findings of each severity.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct Counts {
     /// What OpenSim computes otherwise than it looks, or as nonsense.
     pub error: usize,

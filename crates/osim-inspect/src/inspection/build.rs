@@ -26,7 +26,7 @@ impl InspectOptions {
         });
         let (selected, unknown) = match self.selection.apply(model) {
             Ok(selected) => (selected, None),
-            Err(fault) => (Selected { forces: vec![], complete: false }, Some(fault)),
+            Err(fault) => (Selected::default(), Some(fault)),
         };
         let limbs = match &unknown {
             Some(fault) => Limbs::Unknown(fault.phrase()),

@@ -13,6 +13,7 @@ use crate::sphere_count::sphere_count;
 
 /// What a body weighs and on how many spheres it stands.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct Weight {
     /// M, kg.
     pub mass_kg: f64,
@@ -38,6 +39,7 @@ impl Weight {
 
 /// Spheres of one radius with one contact.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct SphereKind {
     /// Names of its spheres, shortened; empty where all spheres of the body are of this kind.
     pub spheres: String,
@@ -57,6 +59,7 @@ impl SphereKind {
 
 /// One body to draw.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct Body {
     /// The name that figures show.
     pub name: String,

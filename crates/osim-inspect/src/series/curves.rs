@@ -121,8 +121,9 @@ pub fn force(body: &Body, kind: &SphereKind, units: Units, depth: f64) -> Result
         places.map(|x| (units.x(x, kind.radius_m), force(x) / unit)).collect()
     };
     let (with_constant, own) = match &law {
-        Law::HuntCrossley(_) => (vec![], vec![]),
         Law::Smooth(law) => (curve(&|x| law.constant_indentation_force(x)), curve(&|x| law.elastic_force(x))),
+        // Without smoothing the force is Hertz's.
+        _ => (vec![], vec![]),
     };
     let rest = body.weight.as_ref().ok().and_then(|weight| rest(weight, kind));
     Ok(ForceSeries {

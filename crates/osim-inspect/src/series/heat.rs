@@ -10,6 +10,8 @@ use super::curves::impact_speed;
 use crate::drop_height::DropHeight;
 
 /// What is computed.
+///
+/// Exhaustive: whoever draws it needs a title and a scale for each quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HeatQuantity {
     /// Relative indentation at rest under body weight, by the Hertz law.
@@ -33,6 +35,7 @@ pub struct HeatRequest {
 
 /// A quantity over stiffness (x, N/m²) and dissipation (y, s/m).
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct HeatSeries {
     /// E₁*.
     pub x: Vec<f64>,

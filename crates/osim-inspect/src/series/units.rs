@@ -4,6 +4,8 @@
 pub type Point = (f64, f64);
 
 /// How indentations are counted.
+///
+/// Exhaustive: whoever draws a series needs an axis for each unit, and no other axis can take its place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum IndentationUnit {
     /// x/R.
@@ -12,7 +14,7 @@ pub enum IndentationUnit {
     Millimetre,
 }
 
-/// How forces are counted.
+/// How forces are counted. Exhaustive, as [`IndentationUnit`] is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ForceUnit {
     /// N.

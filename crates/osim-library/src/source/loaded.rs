@@ -15,6 +15,7 @@ use crate::paths::folder_of;
 
 /// Bytes of a model and of the files that belong to it, and where they come from.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct Loaded {
     /// The files.
     pub files: ModelFiles,

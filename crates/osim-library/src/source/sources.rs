@@ -54,6 +54,7 @@ impl Source {
 
 /// What was named, with folders walked.
 #[derive(Debug, Default)]
+#[non_exhaustive]
 pub struct Sources {
     /// The models.
     pub models: Vec<Source>,

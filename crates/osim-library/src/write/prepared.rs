@@ -24,7 +24,7 @@ pub struct Prepared {
     replaces: bool,
 }
 
-/// How a file may be written.
+/// How a file may be written: what is there is kept or replaced; there is no third way.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mode {
     /// Refuse to replace anything.

@@ -123,6 +123,7 @@ pub struct TreeOfForces {
 
 /// Whose spheres are to be counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum CountOf {
     /// The model's.
     Model,

@@ -170,6 +170,7 @@ fn companion(
 
 /// A model that was read, with the names of its files.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct OpenModel {
     /// The model.
     pub model: Model,

@@ -1,6 +1,8 @@
 //! How bad something is, and where it shows.
 
 /// How bad something is, from harmless to harmful.
+///
+/// Exhaustive: the JSON of a finding promises these three.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
     /// Worth knowing; nothing is wrong.
@@ -25,6 +27,7 @@ impl Severity {
 
 /// Where something shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Seen {
     /// In a model that is only looked at.
     Model,

@@ -8,6 +8,7 @@ use super::tree::{ElementId, PieceKind, Tree};
 
 /// The text between an element's tags.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct RawText {
     /// Entities and CDATA resolved, comments left out.
     pub text: String,

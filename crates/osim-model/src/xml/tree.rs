@@ -33,6 +33,7 @@ pub enum PieceKind {
 
 /// One piece of the file; pieces tile it without gaps or overlaps.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Piece<'t> {
     /// What stands there.
     pub kind: PieceKind,

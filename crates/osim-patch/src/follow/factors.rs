@@ -39,6 +39,7 @@ impl FactorSource {
 
 /// The factor of one axis of one body; `None` where no source says.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct AxisFactor {
     /// New over old length.
     pub factor: f64,

@@ -72,6 +72,7 @@ pub struct FollowRequest {
 
 /// One sphere's new place.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Followed {
     /// Radius in the reference, m.
     pub old_radius_m: f64,
@@ -83,6 +84,7 @@ pub struct Followed {
 
 /// New places of all moving spheres of a scaled model.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Follow {
     pub(crate) spheres: BTreeMap<SphereId, Followed>,
     /// Geometric mean of the factors of the bodies that carry spheres: the ratio of sizes.

@@ -10,6 +10,7 @@ use crate::scaling::DissipationBy;
 
 /// One contact of a reference.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct ReferenceContact {
     /// Names of the spheres that have it, and their radii, m.
     pub spheres: Vec<String>,
@@ -25,6 +26,7 @@ pub struct ReferenceContact {
 
 /// Where contacts are taken from.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Reference {
     /// File or preset, for the note.
     pub name: String,

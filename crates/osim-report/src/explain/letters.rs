@@ -4,6 +4,7 @@ use super::ascii::ascii;
 
 /// Which letters a text may have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum Letters {
     /// All of them.
     #[default]

@@ -5,6 +5,7 @@ pub(super) const WITH_PLOTS: usize = 10;
 
 /// How much of a model a page shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum DetailLevel {
     /// The page is about this model alone.
     Alone,

@@ -10,6 +10,7 @@ const OUTSIDE_STYLE: Style = AnsiColor::Yellow.on_default().bold();
 
 /// Whether a text has colours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum Colour {
     /// None.
     #[default]
