@@ -15,7 +15,7 @@ use crate::xml::ElementId;
 pub struct Anatomy {
     /// Names of the bodies, in file order.
     pub bodies: Vec<String>,
-    /// Per body: mesh file (numbered where it repeats) and its scale factors.
+    /// Per body: mesh file (numbered where it repeats) and its scale factors along x, y and z; NaN where they are no numbers.
     pub meshes: BTreeMap<String, BTreeMap<String, [f64; 3]>>,
     /// Per body: translations of frames that are fixed to it, m, by the name of the joint or frame.
     pub offsets: BTreeMap<String, BTreeMap<String, [f64; 3]>>,

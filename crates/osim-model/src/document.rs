@@ -72,7 +72,7 @@ impl Document {
         self.data_root
     }
 
-    /// The `<defaults>` of the document.
+    /// The `<defaults>` of the document, if it has any.
     #[must_use]
     pub fn defaults(&self) -> Option<ElementId> {
         self.defaults
@@ -82,13 +82,13 @@ impl Document {
         self.lines.get_or_init(|| LineIndex::new(self.bytes()))
     }
 
-    /// Line (from 1) of a byte.
+    /// Line (from 1) of the byte `offset` (from 0).
     #[must_use]
     pub fn line(&self, offset: usize) -> usize {
         self.lines().line(self.bytes(), offset)
     }
 
-    /// Line and column of a byte.
+    /// Line and column (from 1) of the byte `offset` (from 0).
     #[must_use]
     pub fn position(&self, offset: usize) -> Position {
         self.lines().position(self.bytes(), offset)
@@ -187,7 +187,8 @@ impl Document {
         Err(Fault::over(FaultKind::BrokenText { property }, self.tree.span(element)))
     }
 
-    /// A flag as OpenSim reads it: the first word, in any case; another word is passed over.
+    /// The flag `tag` of `object` as OpenSim reads it: the first word, in any case, else what `<defaults>` say; `None` where
+    /// neither is a flag.
     #[must_use]
     pub fn flag(&self, object: ElementId, tag: &str) -> Option<bool> {
         let read = |element| match self
@@ -208,7 +209,8 @@ impl Document {
         })
     }
 
-    /// Three numbers such as a location, parted by blanks or commas; `None` where the text is not three finite numbers.
+    /// The three numbers of `tag`, such as a location, with blanks or commas between them; from `<defaults>` where `object` has
+    /// none. `None` where the text is not three finite numbers.
     #[must_use]
     pub fn triple(&self, object: ElementId, tag: &str) -> Option<[f64; 3]> {
         let raw = self.tree.raw_text(self.property_element(object, tag)?);

@@ -7,7 +7,7 @@ use crate::model::Model;
 use crate::rotation::{LevelAxis, Rotation};
 
 impl Model {
-    /// Rotation of a sphere's frame in the body that carries it: the product along its chain of offset frames.
+    /// Rotation of a sphere's frame in the body that carries it: the product of those of its chain of offset frames.
     ///
     /// # Errors
     /// A frame that leads nowhere.

@@ -18,6 +18,14 @@
 //! # }
 //! ```
 //!
+//! # Where to begin
+//!
+//! - [`Model::parse`] reads one file, [`files::ModelFiles`] one with the files that belong to it.
+//! - [`Model`] has [bodies](Body), [spheres](Sphere) and [forces](Force); each number is a [`Value`], which says where it comes
+//!   from and whether its text is what it looks like.
+//! - [`Selection`] chooses forces, [`MassRequest`] finds masses, [`Model::limbs`] finds limbs.
+//! - What is wrong is a [`Fault`], what is odd a [`Warning`], what only the caller can know is [`Needed`].
+//!
 //! # What it will not do
 //!
 //! It knows no file system (only [`files::Files`]), no terminal and no options: what the caller can say stands in messages as

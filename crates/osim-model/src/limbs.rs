@@ -8,7 +8,7 @@ use crate::model::Model;
 use crate::side::Side;
 use crate::wording::Phrase;
 
-/// One limb that stands on the ground.
+/// One limb that stands on the ground, from [`Model::limbs`].
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Limb {
@@ -16,11 +16,25 @@ pub struct Limb {
     pub name: String,
     /// Its side.
     pub side: Side,
-    /// Its spheres.
+    /// Its spheres, in file order.
     pub spheres: Vec<SphereId>,
 }
 
-/// The limbs, or why they cannot be told.
+/// The limbs, or why they are not known: a match on it is complete.
+///
+/// ```
+/// use osim_model::{Model, Selection, Side};
+///
+/// # let bytes: &[u8] = include_bytes!("../tests/data/one_foot.osim");
+/// // One sphere, heel_r, on the body foot_r.
+/// let model = Model::parse(bytes)?;
+/// let selected = Selection::default().apply(&model)?;
+/// let limbs = model.limbs(&selected.forces);
+/// let [limb] = limbs.known().unwrap_or_default() else { panic!("not one limb") };
+/// assert_eq!((limb.name.as_str(), limb.side), ("foot_r", Side::Right));
+/// assert_eq!(limbs.spheres_per_limb(), Ok(1));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Limbs {
     /// Every sphere belongs to exactly one of these.
@@ -39,10 +53,10 @@ impl Limbs {
         }
     }
 
-    /// Spheres per limb, where all limbs have equally many.
+    /// How many spheres each limb has, where all have equally many.
     ///
     /// # Errors
-    /// Why there is no such number.
+    /// Why there is no such number: the limbs are not known, or differ.
     pub fn spheres_per_limb(&self) -> Result<usize, Phrase> {
         let limbs = match self {
             Self::Known(limbs) => limbs,

@@ -1,4 +1,4 @@
-//! Masses: what the model weighs, and what its contacts stand for.
+//! Masses: what the model weighs, and the mass its contacts were made for.
 
 use crate::fault::{Fault, FaultKind, Needed};
 use crate::model::Model;
@@ -10,25 +10,34 @@ use crate::wording::{Input, Phrase, phrase};
 /// Masses closer than this (relative) count as one: a scale is not read better than to 0.1 %.
 pub const SAME_MASS: f64 = 1e-3;
 
-/// What the user says about masses.
+/// What the user says about masses. Say what is known and take the rest from [`MassRequest::default`]: fields may be added.
 ///
 /// ```
 /// # let model = osim_model::Model::parse(include_bytes!("../tests/data/one_foot.osim").as_slice())?;
-/// use osim_model::MassRequest;
+/// use osim_model::{MassRequest, MassSource};
 ///
-/// // Nothing is said: the bodies are summed.
-/// assert_eq!(MassRequest::default().of_model(&model)?.kg, 10.0);
+/// // Nothing is said: the bodies are summed. There is one, of 10 kg.
+/// let mass = MassRequest::default().of_model(&model)?;
+/// assert_eq!((mass.kg, mass.source), (10.0, MassSource::Bodies(1)));
+///
+/// // The contacts were made for another mass, and the user knows which.
+/// let said = MassRequest { contacts_kg: Some(62.0), ..MassRequest::default() };
+/// let (mass, warnings) = said.of_contacts(&model)?;
+/// assert_eq!((mass.kg, mass.source), (62.0, MassSource::ContactsMass));
+/// // The bodies say something else, which may be a mistake.
+/// assert_eq!(warnings[0].code.as_str(), "mass-sources-disagree");
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct MassRequest {
-    /// What the contacts in the file stand for, kg.
+    /// The mass that the contacts in the file were made for, kg.
     pub contacts_kg: Option<f64>,
     /// What the model weighs, kg.
     pub model_kg: Option<f64>,
-    /// What the contacts shall stand for, kg: an explicit origin need not agree with a source that says this.
+    /// The mass that the contacts will be scaled to, kg. A source that says this mass is no reason for a warning: the bodies
+    /// are often scaled before the contacts.
     pub target_kg: Option<f64>,
-    /// Props that do not belong to the animal.
+    /// Bodies that do not belong to the animal and are not summed.
     pub exclude_bodies: Vec<Pattern>,
 }
 
@@ -113,8 +122,8 @@ impl MassRequest {
         Err(Fault::new(Needed::ModelMass { bodies, kg }))
     }
 
-    /// What the contacts stand for: as said, else the note, else what the model weighs; and where the other sources disagree
-    /// with the one that was taken.
+    /// The mass that the contacts were made for: as said, else the note, else what the model weighs; and a warning for each
+    /// other source that disagrees with it.
     ///
     /// # Errors
     /// A note that no longer fits the file, or any error of [`MassRequest::of_model`].
@@ -133,7 +142,7 @@ impl MassRequest {
         Ok((mass, warnings))
     }
 
-    /// Says where the other sources disagree with the one that was taken.
+    /// A warning for each other source that disagrees with the mass that was `taken`.
     #[must_use]
     pub fn disagreements(&self, model: &Model, taken: &Mass) -> Vec<Warning> {
         let mut others: Vec<(f64, Phrase)> = Vec::new();
@@ -169,13 +178,13 @@ impl MassRequest {
     }
 }
 
-/// `true` within [`SAME_MASS`].
+/// Whether two masses count as one: `a` is within [`SAME_MASS`] of `b` (relative to `b`).
 #[must_use]
 pub fn same_mass(a: f64, b: f64) -> bool {
     (a - b).abs() <= SAME_MASS * b.abs()
 }
 
-/// A mass that the caller said.
+/// `kg`, if it is a mass. The caller said it as `input`, which a refusal names.
 ///
 /// # Errors
 /// It is not finite or not above 0.

@@ -31,9 +31,9 @@ pub struct Model {
     pub name: String,
     /// Gravity vector, m/s²; `None` where its text is not three numbers.
     pub gravity_m_s2: Option<[f64; 3]>,
-    /// The note this tool left in the file.
+    /// The note that an earlier change left in the file.
     pub note: Option<Note>,
-    /// Traps found while reading.
+    /// Traps found while reading, in the order in which reports list them.
     pub warnings: Vec<Warning>,
 }
 
@@ -50,19 +50,19 @@ impl Model {
         &self.forces
     }
 
-    /// A contact sphere; `None` for a handle of another model.
+    /// A contact sphere; `None` where there is none: the handle is another model's.
     #[must_use]
     pub fn sphere(&self, id: SphereId) -> Option<&Sphere> {
         self.spheres.get(id.index())
     }
 
-    /// A contact force; `None` for a handle of another model.
+    /// A contact force; `None` where there is none: the handle is another model's.
     #[must_use]
     pub fn force(&self, id: ForceId) -> Option<&Force> {
         self.forces.get(id.index())
     }
 
-    /// Handles of all contact forces.
+    /// Handles of all contact forces, in file order.
     #[must_use]
     pub fn force_ids(&self) -> Vec<ForceId> {
         self.forces.iter().map(|force| force.id).collect()
@@ -80,7 +80,7 @@ impl Model {
         self.components.main()
     }
 
-    /// One of the files.
+    /// One of the files; the main one where the handle is another model's.
     #[must_use]
     pub fn file(&self, file: FileId) -> &Document {
         self.components.document(file)
@@ -104,7 +104,7 @@ impl Model {
         self.gravity_m_s2.map(|[x, y, z]| (x * x + y * y + z * z).sqrt())
     }
 
-    /// Gravity that the contacts stand for: the note's, else the model's.
+    /// Gravity that the contacts were made for, m/s²: the note's, else the model's.
     #[must_use]
     pub fn contacts_gravity(&self) -> Option<f64> {
         self.note.as_ref().and_then(|note| note.gravity_m_s2).or(self.gravity())

@@ -1,4 +1,4 @@
-//! The one comment line the tool leaves in a model: what its contacts stand for.
+//! The one comment line the tool leaves in a model: the mass its contacts were made for.
 //!
 //! `<!-- osim-contact-scale 0.1.0: contacts stand for 500 kg; gravity 9.80665 m/s2; scope all; by rescale; digest 0123456789abcdef -->`
 
@@ -10,7 +10,7 @@ use crate::xml::PieceKind;
 
 const NAME: &str = "osim-contact-scale";
 
-/// How much of the contacts a run covered.
+/// How much of the contacts a change covered: all or not all.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scope {
     /// Every default force and every default property.
@@ -19,14 +19,27 @@ pub enum Scope {
     Partial,
 }
 
-/// The contents of a note.
+/// The contents of a note: what its contacts were made for, written into the file when they were changed.
+///
+/// ```
+/// use osim_model::{Document, Note, Scope};
+///
+/// let text = r#"<OpenSimDocument Version="40000"><Model name="walker">
+/// <!-- osim-contact-scale 0.1.0: contacts stand for 500 kg; gravity 9.81 m/s2; scope all; by rescale; digest 0123456789abcdef -->
+/// </Model></OpenSimDocument>"#;
+/// let note = Note::find(&Document::parse(text)?).expect("there is a note");
+/// assert_eq!((note.mass_kg, note.gravity_m_s2, note.scope), (Some(500.0), Some(9.81), Scope::All));
+/// // The comment is written as it was read.
+/// assert!(text.contains(&note.comment()));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Note {
     /// Version of the tool that wrote it.
     pub version: String,
-    /// Mass the contacts stand for, kg; `None` where nobody knew.
+    /// Mass the contacts were made for, kg; `None` where nobody knew.
     pub mass_kg: Option<f64>,
-    /// Gravity the contacts stand for, m/s²; `None` where the model has none.
+    /// Gravity the contacts were made for, m/s²; `None` where the model has none.
     pub gravity_m_s2: Option<f64>,
     /// All contacts or only some.
     pub scope: Scope,
@@ -37,7 +50,8 @@ pub struct Note {
 }
 
 impl Note {
-    /// Finds the note of `document`: a comment that is a child of the data root.
+    /// Finds the note of `document`: a comment before the first child of the data root. `None` where there is none or it
+    /// cannot be read.
     #[must_use]
     pub fn find(document: &Document) -> Option<Self> {
         let span = Self::span(document)?;
@@ -100,7 +114,7 @@ impl Note {
             Scope::All => "all",
             Scope::Partial => "partial",
         };
-        // An XML comment must not hold `--`, and the fields are parted by `; `.
+        // An XML comment must not hold `--`, and `; ` stands between the fields.
         let operation = self.operation.replace("--", "").replace(';', ",");
         format!(
             "<!-- {NAME} {}: contacts stand for {} kg; gravity {gravity}; scope {scope}; by {operation}; digest {} -->",

@@ -5,7 +5,8 @@ use std::str::FromStr;
 
 use globset::{GlobBuilder, GlobSet, GlobSetBuilder};
 
-/// A pattern of names: `*` is anything, `?` one letter, `[rl]` one of some, `{heel,toe}*` one of several.
+/// A pattern of names: `*` is anything, `?` one letter, `[rl]` one of some, `{heel,toe}*` one of several. Upper and lower case
+/// differ.
 ///
 /// ```
 /// use osim_model::Pattern;
@@ -20,7 +21,7 @@ pub struct Pattern {
     matcher: GlobSet,
 }
 
-/// A text that is no pattern.
+/// Why a text is no pattern, in words.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{0}")]
 pub struct PatternError(String);

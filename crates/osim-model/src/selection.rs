@@ -9,14 +9,20 @@ use crate::wording::Input;
 
 /// The user's choice of forces, by name.
 ///
+/// Say what is chosen and take the rest from [`Selection::default`]: fields may be added.
+///
 /// ```
 /// # let model = osim_model::Model::parse(include_bytes!("../tests/data/one_foot.osim").as_slice())?;
 /// use osim_model::Selection;
 ///
-/// // All forces in which a moving sphere meets a half-space.
+/// // All forces in which a moving sphere meets a half-space: contact_heel_r is the only one.
 /// let selected = Selection::default().apply(&model)?;
 /// assert!(selected.complete);
-/// assert_eq!(selected.forces.len(), model.forces().len());
+/// assert_eq!(model.names_of(&selected.forces), "contact_heel_r");
+///
+/// // Those of the left foot: there are none.
+/// let left = "*_l".parse().map(|pattern| Selection { select: vec![pattern], ..Selection::default() });
+/// assert_eq!(left.unwrap().apply(&model).unwrap_err().code(), "refused");
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -29,11 +35,11 @@ pub struct Selection {
     pub skip_disabled: bool,
 }
 
-/// The chosen forces.
+/// The forces chosen by [`Selection::apply`]; none by default.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Selected {
-    /// In file order.
+    /// Their handles, in file order.
     pub forces: Vec<ForceId>,
     /// `false` when a force of the default choice is missing.
     pub complete: bool,

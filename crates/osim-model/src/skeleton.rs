@@ -16,7 +16,7 @@ pub struct Body {
     pub name: String,
     /// Component path.
     pub path: String,
-    /// `mass` in kg; NaN where the file gives none.
+    /// `mass` in kg; NaN where the file gives none. [`Body::mass_kg`] checks it.
     pub mass: Value,
     /// The file it stands in.
     pub file: FileId,

@@ -31,22 +31,38 @@ impl Origin {
 }
 
 /// An effective number: what OpenSim uses, where it stands and whether its text is one plain number.
+///
+/// ```
+/// use osim_model::{Model, Origin, Property, SetId};
+///
+/// # let text = include_str!("../tests/data/one_foot.osim");
+/// let model = Model::parse(text)?;
+/// let force = &model.forces()[0];
+/// // <stiffness>1000000</stiffness>
+/// let stiffness = force.value(SetId::FIRST, Property::Stiffness).expect("every force has it");
+/// assert_eq!((stiffness.checked()?, stiffness.origin), (1e6, Origin::Element));
+/// assert_eq!(stiffness.span.clone().map(|span| &text[span]), Some("1000000"));
+/// // There is no <static_friction>: OpenSim uses 0.
+/// let friction = force.value(SetId::FIRST, Property::StaticFriction).expect("every force has it");
+/// assert_eq!((friction.number, friction.origin), (0.0, Origin::ClassDefault));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Value {
     /// Which property.
     pub property: Property,
-    /// What OpenSim reads.
+    /// What OpenSim reads, in the unit of `property`.
     pub number: f64,
-    /// Whose text that is.
+    /// Where it comes from.
     pub origin: Origin,
-    /// The number's bytes, where the object's own element has it.
+    /// The number's bytes in its file, where the object's own element has it.
     pub span: Option<Range<usize>>,
     /// Why the text is no plain number, if it is not; then `number` is still what OpenSim reads.
     pub fault: Option<NumberFault>,
     /// As written (empty for a class default).
     pub text: String,
-    /// First byte to point at: the number, or the object that lacks it.
+    /// First byte to point at, from 0: the number, or the object that lacks it.
     pub offset: usize,
 }
 

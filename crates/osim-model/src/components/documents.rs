@@ -8,7 +8,9 @@ use crate::document::Document;
 use crate::fault::{Fault, FaultKind, FileId};
 use crate::xml::ElementId;
 
-/// A file that belongs to the model beside its main one.
+/// A file that belongs to the model beside its main one, for [`Model::read_with`](crate::Model::read_with).
+///
+/// [`ModelFiles`](crate::files::ModelFiles) finds and reads them.
 #[derive(Debug, Clone)]
 pub struct Companion {
     /// Its contents.

@@ -1,7 +1,7 @@
 //! The components of a model and their paths: which elements OpenSim turns into objects, and what they are called.
 //!
 //! One pass over the elements in file order gives every element its role. ComponentTree are the items of `<objects>`,
-//! `<components>`, `<frames>` and of a Body's `<Joint>`, sets, and ground; everything else is a property. `<defaults>` of the data root is passed over: its objects are no part of the model.
+//! `<components>`, `<frames>` and of a Body's `<Joint>`, sets, and ground; everything else is a property. `<defaults>` of the data root is left out: its objects are no part of the model.
 
 use std::collections::{HashMap, HashSet};
 
@@ -11,7 +11,7 @@ use crate::fault::FileId;
 use crate::xml::ElementId;
 
 /// Sets of a model that may hold contacts or what they are attached to; markers, muscles' path points and the like are
-/// passed over, which keeps large models fast.
+/// skipped, which keeps large models fast.
 const MODEL_SETS: [&str; 6] =
     ["ForceSet", "ContactGeometrySet", "BodySet", "JointSet", "ConstraintSet", "ComponentSet"];
 /// Sets inside a contact force.
@@ -51,7 +51,7 @@ enum Role {
     Object(ComponentId),
     /// The children of this element are objects that belong to this one.
     Items(ComponentId),
-    /// As `Items`, but a class that OpenSim does not know is passed over.
+    /// As `Items`, but a class that OpenSim does not know is skipped.
     Components(ComponentId),
 }
 

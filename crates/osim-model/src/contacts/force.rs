@@ -50,7 +50,7 @@ pub struct Force {
     pub sets: Vec<ParameterSet>,
     /// The force's own `transition_velocity`.
     pub transition_velocity: Value,
-    /// Line of its element.
+    /// Line of its element, from 1.
     pub line: usize,
     /// The file it stands in.
     pub file: FileId,
@@ -63,7 +63,7 @@ pub struct Force {
 pub struct ParameterSet {
     /// Its handle in the force.
     pub id: SetId,
-    /// Number of the `ContactParameters`, from 0; `None` for a `SmoothSphereHalfSpaceForce`.
+    /// Number of the `ContactParameters` for reports, from 0; `None` for a `SmoothSphereHalfSpaceForce`, which has one set.
     pub number: Option<usize>,
     /// Its spheres.
     pub spheres: Vec<SphereId>,
@@ -75,7 +75,7 @@ pub struct ParameterSet {
     pub values: Vec<Value>,
     /// The whole set stands in `<defaults>`, where other forces find it too.
     pub inherited: bool,
-    /// Line of its element.
+    /// Line of its element, from 1.
     pub line: usize,
     pub(crate) element: ElementId,
     pub(crate) class: Class,
@@ -99,13 +99,13 @@ impl Force {
         all.copied().filter(|&sphere| seen.insert(sphere)).collect()
     }
 
-    /// A parameter set.
+    /// A parameter set; `None` where there is none: the handle is another force's.
     #[must_use]
     pub fn set(&self, set: SetId) -> Option<&ParameterSet> {
         self.sets.get(set.0)
     }
 
-    /// The value of `property` in parameter set `set`, or of the force itself.
+    /// The value of `property` in parameter set `set`, or of the force itself; `None` where the class has no such property.
     #[must_use]
     pub fn value(&self, set: SetId, property: Property) -> Option<&Value> {
         self.set(set)
@@ -113,7 +113,7 @@ impl Force {
             .or_else(|| (self.transition_velocity.property == property).then_some(&self.transition_velocity))
     }
 
-    /// The number of `property`, if it can be scaled; `None` where the class has no such property.
+    /// The number of `property` in its own unit, if it can be scaled; `None` where the class has no such property.
     ///
     /// # Errors
     /// A text that is no plain number, or a number outside its domain, with its place.
@@ -122,7 +122,7 @@ impl Force {
         value.checked().map(Some).map_err(|fault| fault.of(self.path.clone()).in_file(self.file))
     }
 
-    /// Where `property` of parameter set `set`, or of the force itself, stands.
+    /// Where `property` of parameter set `set`, or of the force itself, stands; `None` where the class has no such property.
     #[must_use]
     pub fn slot(&self, set: SetId, property: Property) -> Option<Slot> {
         let own = self.set(set).and_then(|set| Some((set, set.value(property)?)));

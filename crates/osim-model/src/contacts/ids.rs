@@ -1,14 +1,14 @@
-//! Handles of contacts in a model.
+//! Handles of contacts in a model. Each is made by the model that has the contact, and means nothing in another one.
 
-/// A contact sphere of a model, in file order.
+/// Handle of a contact sphere in its [`Model`](crate::Model), in file order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct SphereId(pub(crate) usize);
 
-/// A contact force of a model, in file order.
+/// Handle of a contact force in its [`Model`](crate::Model), in file order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ForceId(pub(crate) usize);
 
-/// A parameter set of a contact force, in file order.
+/// Handle of a parameter set in its [`Force`](crate::Force), in file order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct SetId(pub(crate) usize);
 

@@ -20,6 +20,6 @@ pub struct Slot {
     pub tag: &'static str,
     /// The bytes of its text; `None` where the object has no such element.
     pub span: Option<Range<usize>>,
-    /// First byte to point at: the text, or the object that lacks it.
+    /// First byte to point at, from 0: the text, or the object that lacks it.
     pub offset: usize,
 }

@@ -20,7 +20,7 @@ pub struct Sphere {
     pub name: String,
     /// Component path.
     pub path: String,
-    /// Effective radius, m.
+    /// Effective radius, m, as OpenSim reads it; [`Sphere::radius_m`] checks it.
     pub radius: Value,
     /// Location of the centre in `frame`, m.
     pub location_m: [f64; 3],
@@ -30,7 +30,7 @@ pub struct Sphere {
     pub body: Option<String>,
     /// On ground or on a body welded to ground: terrain, never resized.
     pub fixed: bool,
-    /// Line of its element.
+    /// Line of its element, from 1.
     pub line: usize,
     /// The file it stands in.
     pub file: FileId,

@@ -7,7 +7,23 @@ use crate::opensim_text::NumberFault;
 use crate::wording::{Input, Phrase, phrase};
 use crate::xml::SyntaxFault;
 
-/// Kinds of fault.
+/// Kinds of fault, each with what a program needs to know of it.
+///
+/// ```
+/// use osim_model::{FaultKind, Model, NumberFault, Property, SetId};
+///
+/// # let text = include_str!("../../tests/data/one_foot.osim");
+/// // A decimal comma: OpenSim reads 1 and ignores the rest.
+/// let model = Model::parse(text.replace("<stiffness>1000000<", "<stiffness>1,5e6<"))?;
+/// let fault = model.forces()[0].checked(SetId::FIRST, Property::Stiffness).unwrap_err();
+/// let FaultKind::Number { property, text, fault: why } = &fault.kind else { panic!("{fault}") };
+/// assert_eq!((property.as_str(), text.as_str()), ("stiffness", "1,5e6"));
+/// assert_eq!(*why, NumberFault::Prefix { opensim_reads: 1.0 });
+/// // Line and column follow from the bytes.
+/// let place = fault.located(model.document().bytes()).position;
+/// assert_eq!(place.map(|place| place.line), Some(30));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum FaultKind {
@@ -118,7 +134,7 @@ pub enum FaultKind {
     Quantity(DomainError),
     /// Edits that overlap: a defect of this program, never of the file.
     OverlappingEdits {
-        /// Where.
+        /// First byte of the second edit, or of the one that reaches past the end.
         at: usize,
     },
 }

@@ -30,11 +30,11 @@ pub use needed::{CountOf, Needed, NoteDoubt, TreeOfForces};
 pub struct Fault {
     /// What is wrong.
     pub kind: FaultKind,
-    /// First byte of the place, in file `file`.
+    /// First byte of the place, from 0, in the file `file`.
     pub offset: Option<usize>,
-    /// Bytes to underline.
+    /// Bytes to underline, in the file `file`.
     pub span: Option<Range<usize>>,
-    /// Line and column of `offset`, once [`Fault::located`] was told the bytes.
+    /// Line and column of `offset`, once [`Fault::located`] has seen the bytes.
     pub position: Option<Position>,
     /// The line around the place, likewise.
     pub excerpt: Option<Excerpt>,
@@ -81,13 +81,13 @@ impl Fault {
         }
     }
 
-    /// A fault at a byte.
+    /// A fault at the byte `offset`, from 0.
     #[must_use]
     pub fn at(kind: impl Into<FaultKind>, offset: usize) -> Self {
         Self { offset: Some(offset), ..Self::new(kind) }
     }
 
-    /// A fault over some bytes.
+    /// A fault over the bytes `span`.
     #[must_use]
     pub fn over(kind: impl Into<FaultKind>, span: Range<usize>) -> Self {
         Self { offset: Some(span.start), span: Some(span), ..Self::new(kind) }

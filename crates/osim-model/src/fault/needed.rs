@@ -6,6 +6,21 @@ use crate::wording::{Input, Phrase, phrase};
 /// Something that has to be said, because the files do not say it.
 ///
 /// Each variant says what is not known; [`Needed::inputs`] are the fields that answer it.
+///
+/// ```
+/// use osim_model::wording::Input;
+/// use osim_model::{FaultKind, MassRequest, Model};
+///
+/// # let text = include_str!("../../tests/data/one_foot.osim");
+/// // A model whose only body has no mass.
+/// let model = Model::parse(text.replace("<mass>10</mass>", ""))?;
+/// let fault = MassRequest::default().of_model(&model).unwrap_err();
+/// let FaultKind::Needed(needed) = fault.kind else { panic!("{fault}") };
+/// // A page can show a field for the mass; the text says it in words.
+/// assert_eq!((needed.code(), needed.inputs()), ("no-mass", vec![Input::Mass]));
+/// assert!(needed.phrase().to_string().starts_with("body 'foot_r' has no mass"));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Needed {
@@ -46,7 +61,7 @@ pub enum Needed {
     SphereCount {
         /// Of which body.
         of: CountOf,
-        /// Why it cannot be told.
+        /// Why it is not known.
         why: Phrase,
     },
     /// A choice of forces that leaves no sphere in two worlds.

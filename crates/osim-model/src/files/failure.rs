@@ -4,7 +4,7 @@ use super::file_name::FileName;
 use crate::fault::{Excerpt, Fault};
 use crate::wording::Phrase;
 
-/// One model that could not be done, or a file that it needs.
+/// One model that could not be read or changed, or a file that it needs.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Failure {
@@ -23,7 +23,7 @@ pub struct Failure {
 }
 
 impl Failure {
-    /// A fault in the file `model`, with the place that it carries.
+    /// `fault` in the file `model`, with the place that it has once it is [`located`](Fault::located).
     #[must_use]
     pub fn of_fault(model: impl Into<FileName>, fault: Fault) -> Self {
         Self {

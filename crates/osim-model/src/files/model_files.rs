@@ -21,6 +21,27 @@ pub struct Beside<'p> {
 }
 
 /// Bytes of a model and of the files that belong to it.
+///
+/// ```
+/// use std::path::Path;
+/// use osim_model::files::{Beside, InMemory, ModelFiles};
+///
+/// let model = r#"<OpenSimDocument Version="40000"><Model name="walker">
+/// <ForceSet file="forces.xml"/></Model></OpenSimDocument>"#;
+/// let forces = r#"<OpenSimDocument Version="40000"><ForceSet><objects/></ForceSet></OpenSimDocument>"#;
+///
+/// let path = Path::new("models/walker.osim");
+/// let files = InMemory::from_iter([("models/forces.xml", forces)]);
+/// let open = ModelFiles::read(path, model.into(), Beside::default(), &files)?.open()?;
+/// assert_eq!(open.model.name, "walker");
+/// let names: Vec<&str> = open.files().map(|(name, _)| name).collect();
+/// assert_eq!(names, ["models/walker.osim", "models/forces.xml"]);
+///
+/// // Without the other file: the line that names it.
+/// let failure = ModelFiles::read(path, model.into(), Beside::default(), &InMemory::default()).unwrap_err();
+/// assert_eq!((failure.code, failure.line), ("unreadable", Some(2)));
+/// # Ok::<(), osim_model::files::Failure>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct ModelFiles {
     /// As it was named.
@@ -46,7 +67,7 @@ struct CompanionFile {
 }
 
 impl ModelFiles {
-    /// The model at `path`, whose bytes are known, with the files that it includes and those given beside it.
+    /// The model at `path`, whose bytes are known, with the files that it includes (beside `path`) and those given.
     ///
     /// # Errors
     /// A file that cannot be read, or a model that includes files and is no document.
@@ -65,7 +86,7 @@ impl ModelFiles {
             let included = companion(folder.join(&file), Some(element), files).map_err(|failure| {
                 let place = document.position(document.tree().span(element).start);
                 Failure {
-                    // The place in the model is what the user can mend.
+                    // What the user can change is the place in the model.
                     model: name.clone(),
                     line: Some(place.line),
                     column: Some(place.column),
@@ -121,7 +142,7 @@ impl ModelFiles {
         Self { name: self.name.clone(), main: Main::Bytes(bytes), companions: self.companions.clone() }
     }
 
-    /// Gives one of the other files other bytes.
+    /// Gives one of the other files other bytes; nothing changes for [`FileId::MAIN`].
     pub fn replace_companion(&mut self, file: FileId, bytes: Vec<u8>) {
         if let Some(companion) = file.companion_index().and_then(|index| self.companions.get_mut(index)) {
             companion.bytes = bytes;
@@ -131,7 +152,7 @@ impl ModelFiles {
     /// Parses all files and reads the model.
     ///
     /// # Errors
-    /// A file that is no document, or a connection in the model that leads nowhere.
+    /// Those of [`Document::parse`] and of [`Model::read_with`], with the name of the file.
     pub fn open(self) -> Result<OpenModel, Failure> {
         let names = self.companions.iter().map(|companion| companion.path.as_path().into()).collect();
         let document = match self.main {
@@ -168,7 +189,7 @@ fn companion(
     Ok(CompanionFile { path, bytes, included_by, named: None })
 }
 
-/// A model that was read, with the names of its files.
+/// A model that was read, with the names of its files: from [`ModelFiles::open`].
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct OpenModel {
@@ -210,7 +231,7 @@ impl OpenModel {
         self.names.of(file)
     }
 
-    /// A fault in the model, with the file and the place that it is about.
+    /// `fault`, which is about this model, with the name of its file and its place.
     #[must_use]
     pub fn failure(&self, fault: Fault) -> Failure {
         let located = fault.located_in(|file| self.model.file(file).bytes());

@@ -6,7 +6,28 @@ use std::path::{Path, PathBuf};
 /// Reads files by the names that models and requests give them.
 ///
 /// The libraries read nothing by themselves. A front end hands them what it has: the command a disk, a page the files that
-/// were dropped on it.
+/// were dropped on it ([`InMemory`]). For a folder:
+///
+/// ```
+/// use std::path::{Path, PathBuf};
+/// use osim_model::files::{FileError, Files};
+///
+/// struct Folder(PathBuf);
+///
+/// impl Files for Folder {
+///     fn read(&self, path: &Path) -> Result<Vec<u8>, FileError> {
+///         std::fs::read(self.0.join(path)).map_err(|error| FileError::new(error.to_string()))
+///     }
+///
+///     fn exists(&self, path: &Path) -> bool {
+///         self.0.join(path).is_file()
+///     }
+/// }
+///
+/// let folder = Folder("tests/data".into());
+/// assert!(folder.read(Path::new("one_foot.osim")).is_ok_and(|bytes| bytes.starts_with(b"<?xml")));
+/// assert!(!folder.exists(Path::new("two_feet.osim")));
+/// ```
 pub trait Files {
     /// The bytes of a file.
     ///
@@ -14,7 +35,7 @@ pub trait Files {
     /// It is not there or cannot be read.
     fn read(&self, path: &Path) -> Result<Vec<u8>, FileError>;
 
-    /// Whether there is such a file. What is none may be the name of a preset.
+    /// Whether there is such a file. A name without a file may be that of a preset.
     fn exists(&self, path: &Path) -> bool;
 }
 

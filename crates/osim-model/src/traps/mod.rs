@@ -7,7 +7,7 @@ mod values;
 use crate::model::Model;
 use crate::warning::Warning;
 
-/// Everything that reading `model` showed, in the order in which it is told.
+/// Everything that reading `model` showed, in the order in which reports list it.
 pub(crate) fn find(model: &Model) -> Vec<Warning> {
     let all = [
         values::numbers,

@@ -4,8 +4,32 @@ use super::input::Input;
 use super::part::{Call, Example};
 
 /// The words of a front end.
+///
+/// ```
+/// use osim_model::wording::{Call, Dialect, Example, Input, phrase};
+///
+/// /// `mass=KG`, as in a call of a Python function.
+/// struct Python;
+///
+/// impl Dialect for Python {
+///     fn input(&self, input: Input, example: Option<&Example>) -> String {
+///         match example {
+///             Some(example) => format!("{}={example}", input.name()),
+///             None => input.name().to_owned(),
+///         }
+///     }
+///
+///     fn call(&self, call: &Call) -> String {
+///         let inputs = call.inputs.iter().map(|(input, example)| self.input(*input, example.as_ref()));
+///         format!("{}({})", call.verb.name(), inputs.collect::<Vec<_>>().join(", "))
+///     }
+/// }
+///
+/// let way_out = phrase!["say what the model weighs with ", Input::Mass.like("KG")];
+/// assert_eq!(way_out.spelled(&Python), "say what the model weighs with mass=KG");
+/// ```
 pub trait Dialect {
-    /// An input with what stands behind it, as the reader types it.
+    /// An input with an example of its value, as the reader types it.
     fn input(&self, input: Input, example: Option<&Example>) -> String;
 
     /// A call, as the reader types it.

@@ -17,7 +17,7 @@ pub enum Part {
     Call(Call),
 }
 
-/// What stands behind an input.
+/// An example of the value of an input.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Example {

@@ -8,6 +8,16 @@ use super::input::{Input, Verb};
 use super::part::{Call, Example, Part};
 
 /// A piece of text in which inputs and calls are data until a front end spells them.
+///
+/// ```
+/// use osim_model::wording::{Input, Phrase};
+///
+/// let phrase = Phrase::template("Say `mass=KG`, or look at the model with `inspect MODEL`");
+/// // A page shows a field for each input.
+/// assert_eq!(phrase.inputs(), [Input::Mass]);
+/// // Without a dialect, inputs have the names of their fields.
+/// assert_eq!(phrase.to_string(), "Say `mass`, or look at the model with `inspect`");
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Phrase(Vec<Part>);
 

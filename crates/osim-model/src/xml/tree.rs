@@ -37,7 +37,7 @@ pub enum PieceKind {
 pub struct Piece<'t> {
     /// What stands there.
     pub kind: PieceKind,
-    /// Its bytes in the file.
+    /// Its bytes in the file, from 0.
     pub span: Range<usize>,
     /// Its text; a byte that is not UTF-8 is a `?` in it.
     pub text: &'t str,
@@ -50,7 +50,7 @@ pub(super) struct StoredPiece {
     pub(super) kind: PieceKind,
 }
 
-/// Index of an element; elements are numbered in document order, the root is 0.
+/// Handle of an element of a [`Tree`]. Elements are in file order, [`ElementId::ROOT`] is the first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ElementId(u32);
 
@@ -58,7 +58,7 @@ impl ElementId {
     /// The first element of the file.
     pub const ROOT: Self = Self(0);
 
-    /// Its place among all elements of the file, from 0.
+    /// Its place among all elements of the file, from 0: to count and to print, the handle itself is for the tree.
     #[must_use]
     pub const fn index(self) -> usize {
         self.0 as usize
@@ -80,7 +80,20 @@ pub(super) struct StoredElement {
     pub(super) name_len: u32,
 }
 
-/// A scanned file: its elements, and the pieces they are made of.
+/// A scanned file: its elements, and the pieces they are made of. All spans are bytes of the file, from 0.
+///
+/// ```
+/// use osim_model::{ElementId, Tree};
+///
+/// let text = "<ContactSphere name='heel'><radius> 0.03 </radius></ContactSphere>";
+/// let tree = Tree::scan(text)?;
+/// assert_eq!(tree.attribute(ElementId::ROOT, "name").as_deref(), Some("heel"));
+/// let radius = tree.child(ElementId::ROOT, "radius").expect("it has a radius");
+/// // What an edit would replace: the number without the blanks around it.
+/// assert_eq!(&text[tree.raw_text(radius).span], "0.03");
+/// assert_eq!(&text[tree.span(radius)], "<radius> 0.03 </radius>");
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Tree {
     text: FileText,
@@ -108,7 +121,7 @@ impl Tree {
         (0..self.pieces.len()).filter_map(|index| self.piece(index))
     }
 
-    /// Pieces strictly between the element's tags.
+    /// Pieces between the element's tags, without the tags; those of its child elements are among them.
     pub fn content(&self, id: ElementId) -> impl DoubleEndedIterator<Item = Piece<'_>> {
         let element = self.element(id);
         let content = if element.open == element.close { 0..0 } else { element.open + 1..element.close };
@@ -140,7 +153,7 @@ impl Tree {
         start..self.pieces.get(index + 1).map_or(end, |next| next.start as usize)
     }
 
-    /// The text of some bytes; empty where they do not begin and end with a character.
+    /// The text of the bytes `span`; empty where they do not begin and end with a character of the file.
     #[must_use]
     pub fn slice(&self, span: Range<usize>) -> &str {
         self.text.as_str().get(span).unwrap_or_default()
@@ -230,7 +243,7 @@ impl Tree {
     }
 }
 
-/// Iterator over child elements.
+/// Child elements in file order, from [`Tree::children`].
 #[derive(Debug, Clone)]
 pub struct Children<'t> {
     tree: &'t Tree,
