@@ -16,11 +16,11 @@ use crate::remarks::bottoms_remark;
 use crate::scaling::{DissipationBy, factor};
 use crate::surfaces::write_composite;
 
-/// How E₁* is found.
+/// How E₁* is found: see [`Design`] for an example.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum DesignModulus {
-    /// By (11): this relative indentation under the load.
+    /// By (11): this relative indentation x̂ under the load.
     Indentation(f64),
     /// By (A.1) and (A.5): this Young's modulus (N/m²) and Poisson's ratio on rigid ground.
     Young {
@@ -32,26 +32,54 @@ pub enum DesignModulus {
 }
 
 /// What is wanted; `None` is left as it is (or follows a changed radius).
+///
+/// ```
+/// use contact_scaling::SharedLoad;
+/// use osim_model::{Model, Property, Selection};
+/// use osim_patch::{Design, DesignModulus, design};
+///
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
+/// let model = Model::parse(bytes)?;
+/// let selected = Selection::default().apply(&model)?;
+///
+/// // The sphere of 0.03 m is to sink in by 0.16 R under 98.1 N, and to keep 0.75 of its speed from 0.5 m/s.
+/// let mut wanted = Design::default();
+/// wanted.modulus = Some(DesignModulus::Indentation(0.16));
+/// wanted.load = Some(SharedLoad::new(98.1, 1.0)?);
+/// wanted.restitution = Some((0.75, Some(0.5)));
+/// let plan = design(&model, &selected, &wanted)?;
+/// let to = |property| plan.changes.iter().find(|change| change.property == property).unwrap().to;
+///
+/// // (11): E* = 3 F / (4 R² x̂^{3/2}); (A.4): two equal surfaces have 2^{3/2} E*.
+/// let stiffness = 2_f64.powf(1.5) * 3.0 * 98.1 / (4.0 * 0.03 * 0.03 * 0.064);
+/// assert!((to(Property::Stiffness) / stiffness - 1.0).abs() < 1e-12);
+/// // (13): α = (1 - 0.75) / 0.5 m/s.
+/// assert_eq!(to(Property::Dissipation), 0.5);
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Design {
-    /// How E₁* is found.
+    /// How E₁* (N/m²) is found.
     pub modulus: Option<DesignModulus>,
-    /// Total load, N, and the spheres that share it; needed for [`DesignModulus::Indentation`].
+    /// Total load (N) and the spheres that share it; needed for [`DesignModulus::Indentation`].
     pub load: Option<SharedLoad>,
-    /// Coefficient of restitution (13), and the impact speed in m/s (√(gR/2) where not given).
+    /// Coefficient of restitution (13), and the impact speed in m/s that it is about (√(gR/2) where not given).
     pub restitution: Option<(f64, Option<f64>)>,
     /// x̂_c of (C.2).
     pub constant_indentation: Option<f64>,
-    /// Threshold t and width Δx̂ of (C.8).
+    /// Threshold t and width Δx̂ of (C.8), both without a unit.
     pub state_width: Option<(f64, f64)>,
-    /// Threshold t and width in m/s of (C.10).
+    /// Threshold t, without a unit, and width Δv in m/s of (C.10).
     pub speed_width: Option<(f64, f64)>,
     /// What becomes of the radii, unless a stiffness is wanted.
     pub radius: RadiusRule,
-    /// Stiffness of one sphere at the indentation and load wanted, N/m: it gives the radius (11, B.2).
+    /// Stiffness of one sphere at the indentation and load wanted, N/m: it gives the radius (11, B.2), and `radius` does not
+    /// count then.
     pub contact_stiffness_n_m: Option<f64>,
-    /// Mass the result stands for, where the load is body weight.
+    /// Mass that the result is made for, where the load is body weight.
     pub mass: Option<Mass>,
     /// Gravity, m/s², where it is not the model's.
     pub gravity_m_s2: Option<f64>,
@@ -75,10 +103,14 @@ impl Default for Design {
     }
 }
 
-/// Plans a design onto the forces `selected` of `model`.
+/// Plans a design onto the forces `selected` of `model`, by (11), (A.5), (13), (C.2), (C.8) and (C.10): see [`Design`] for an
+/// example.
 ///
 /// # Errors
-/// A quantity outside its domain, something missing, or any error of [`super::rescale`].
+/// - A quantity outside its domain ([`FaultKind::Quantity`](osim_model::FaultKind::Quantity)).
+/// - An indentation without a load ([`Needed::Load`]), or a restitution without an impact speed in a model without gravity
+///   ([`Needed::ImpactSpeed`]).
+/// - The errors of [`rescale`](crate::rescale) that are about values and shared spheres.
 pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Plan, Fault> {
     let mut plan = PlanBuilder::new(model);
     let properties = PropertySet::default();

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use osim_model::{Fault, FaultKind};
 
-/// Replace these bytes by this text; an empty span inserts.
+/// Replace these bytes by this text; an empty span inserts. [`splice`] applies edits, [`Patch`] without a copy.
 ///
 /// ```
 /// use osim_patch::{Edit, splice};
@@ -15,13 +15,29 @@ use osim_model::{Fault, FaultKind};
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Edit {
-    /// Bytes of the original.
+    /// Bytes of the original, from 0.
     pub span: Range<usize>,
     /// What takes their place.
     pub text: String,
 }
 
 /// The new bytes of a file, as the slices they are made of: nothing is copied before it is written.
+///
+/// ```
+/// use osim_patch::{Edit, Patch};
+///
+/// let bytes = b"<radius>0.03</radius>";
+/// let patch = Patch::new(bytes, vec![Edit { span: 8..12, text: "0.05".to_owned() }])?;
+/// // Parts of the original and new text by turns; `patch.to_vec()` is all of them.
+/// let parts: Vec<&[u8]> = patch.parts().filter(|part| !part.is_empty()).collect();
+/// assert_eq!(parts, [&b"<radius>"[..], b"0.05", b"</radius>"]);
+/// assert_eq!(patch.to_vec(), b"<radius>0.05</radius>");
+///
+/// // Two edits of the same byte: nothing is changed.
+/// let twice = [8..12, 11..13].map(|span| Edit { span, text: String::new() });
+/// assert!(Patch::new(bytes, twice.to_vec()).is_err());
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Patch<'b> {
     bytes: &'b [u8],
@@ -33,7 +49,7 @@ impl<'b> Patch<'b> {
     /// All of `edits` or none. Edits at the same place are applied in the order given.
     ///
     /// # Errors
-    /// Two edits overlap, or one reaches past the end.
+    /// Two edits overlap, or one reaches past the end ([`FaultKind::OverlappingEdits`]).
     pub fn new(bytes: &'b [u8], mut edits: Vec<Edit>) -> Result<Self, Fault> {
         edits.sort_by_key(|edit| edit.span.start);
         let mut at = 0;
@@ -65,7 +81,7 @@ impl<'b> Patch<'b> {
     }
 }
 
-/// Applies `edits` to `bytes`, all or nothing.
+/// Applies `edits` to `bytes`, all or nothing: see [`Edit`] for an example.
 ///
 /// # Errors
 /// As [`Patch::new`].

@@ -21,6 +21,16 @@
 //! # }
 //! ```
 //!
+//! # What can be wanted
+//!
+//! - [`rescale()`]: the model's own contacts at another mass or gravity.
+//! - [`transfer()`]: the contacts of another model or of a preset, given the size of this one. Spheres of a model that OpenSim
+//!   has scaled can follow their bodies ([`Follow`]).
+//! - [`design()`]: parameters from what is wanted of a contact, such as its indentation or restitution.
+//! - [`set()`]: plain values and factors.
+//!
+//! [`loaded_spheres`] reads what the contact laws need to know of each sphere under load.
+//!
 //! # What it will not do
 //!
 //! It knows no file system, no terminal and no options, decodes and re-encodes nothing, never changes the document version,

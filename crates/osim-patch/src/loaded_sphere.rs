@@ -6,7 +6,23 @@ use osim_model::{Fault, Force, ForceId, Model, Property, SetId, SphereId};
 use crate::builder::PlanBuilder;
 use crate::surfaces::{Surfaces, sphere_sets};
 
-/// One sphere under load.
+/// One sphere under load, with what the contact laws need to know of it: from [`loaded_spheres`].
+///
+/// ```
+/// use osim_model::{Model, Selection};
+/// use osim_patch::loaded_spheres;
+///
+/// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
+/// let model = Model::parse(bytes)?;
+/// let selected = Selection::default().apply(&model)?;
+/// let spheres = loaded_spheres(&model, &selected.forces)?;
+/// // The file says <radius>0.03</radius>, <stiffness>1000000</stiffness> and <dissipation>2</dissipation>.
+/// let sphere = &spheres[0];
+/// assert_eq!(model.sphere(sphere.sphere).map(|sphere| sphere.name.as_str()), Some("heel_r"));
+/// assert_eq!((sphere.radius_m, sphere.contact.dissipation()), (0.03, 2.0));
+/// assert!((sphere.contact.plane_strain_modulus() - 1e6).abs() < 1e-6);
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct LoadedSphere {
@@ -18,7 +34,8 @@ pub struct LoadedSphere {
     pub set: SetId,
     /// Its radius, m.
     pub radius_m: f64,
-    /// E₁* of two equal surfaces (A.3, A.4), α, and the smoothing where the class has it.
+    /// E₁* (N/m²) of two equal surfaces that are as stiff together as sphere and plane are (A.3, A.4), α (s/m), and the
+    /// smoothing where the class has it.
     pub contact: Contact,
 }
 

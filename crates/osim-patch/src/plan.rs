@@ -12,7 +12,30 @@ use osim_model::{
 use crate::edit::{Edit, Patch};
 use crate::insert::{insert, insert_first, with_white_space_before};
 
-/// One number that is to change.
+/// One number that is to change, in the unit of its [`Property`].
+///
+/// ```
+/// # use osim_model::{MassRequest, Model, Property, Selection};
+/// # use osim_patch::{Change, Plan, Rescale, rescale};
+/// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
+/// # let model = Model::parse(bytes)?;
+/// # let selected = Selection::default().apply(&model)?;
+/// # let (mass, _) = MassRequest::default().of_contacts(&model)?;
+/// // One sphere of 0.03 m, scaled from 10 to 80 kg.
+/// let plan = rescale(&model, &selected, &Rescale::new(80.0, mass))?;
+/// let find = |property| plan.changes.iter().find(|change| change.property == property).unwrap();
+///
+/// // <radius>0.03</radius> stands on line 21.
+/// let radius = find(Property::Radius);
+/// assert_eq!((radius.sphere.as_deref(), radius.line), (Some("heel_r"), 21));
+/// // (10): 8 times the mass on 4 times R².
+/// let stiffness = find(Property::Stiffness);
+/// assert_eq!((stiffness.from, stiffness.to, stiffness.equation), (1e6, 2e6, "10"));
+/// // The file has no <constant_contact_force>: OpenSim's 1e-5 m² is scaled by R² (C.2) and written as a new element.
+/// let constant = find(Property::ConstantContactForce);
+/// assert_eq!((constant.from, constant.to, constant.inserted), (1e-5, 4e-5, true));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Change {
@@ -20,21 +43,22 @@ pub struct Change {
     pub force: Option<String>,
     /// Component path of the force or sphere.
     pub path: String,
-    /// Number of the `ContactParameters`; `None` elsewhere.
+    /// Number of the `ContactParameters` in its force for reports, from 0; `None` elsewhere.
     pub set: Option<usize>,
     /// Name of the sphere whose radius changes.
     pub sphere: Option<String>,
     /// What changes.
     pub property: Property,
-    /// Effective value now.
+    /// Effective value now, as OpenSim reads it.
     pub from: f64,
     /// Value to be written.
     pub to: f64,
     /// The factor by which the value was multiplied, where it was.
     pub factor: Option<f64>,
-    /// Number of the equation in the paper, or a word where there is none.
+    /// Number of the equation in the paper, such as `10` or `C.2`; else `friction`, `predsim`, `follow`, or `given` by the
+    /// caller.
     pub equation: &'static str,
-    /// Line of the number, or of the object that gets it.
+    /// Line of the number, from 1, or of the object that gets it.
     pub line: usize,
     /// `true` where the element is absent and is inserted.
     pub inserted: bool,
@@ -42,6 +66,23 @@ pub struct Change {
 }
 
 /// One sphere centre that is to move.
+///
+/// ```
+/// # use osim_model::{LevelAxis, MassRequest, Model, Selection};
+/// # use osim_patch::{Rescale, rescale};
+/// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
+/// # let model = Model::parse(bytes)?;
+/// # let selected = Selection::default().apply(&model)?;
+/// # let (mass, _) = MassRequest::default().of_contacts(&model)?;
+/// // From 10 to 80 kg, and the bottoms of the spheres stay where they are.
+/// let mut wanted = Rescale::new(80.0, mass);
+/// wanted.level = Some(LevelAxis::of_gravity(model.gravity_m_s2));
+/// let plan = rescale(&model, &selected, &wanted)?;
+/// // The radius grows from 0.03 to 0.06 m, so the centre rises by 0.03 m.
+/// let place = &plan.moves[0];
+/// assert_eq!((place.from, place.to), ([0.0, 0.0, 0.0], [0.0, 0.03, 0.0]));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Move {
@@ -53,9 +94,9 @@ pub struct Move {
     pub from: [f64; 3],
     /// Location to be written, m.
     pub to: [f64; 3],
-    /// Why: `follow` or `level`.
+    /// Why: `follow` (its body was scaled) or `level` (its bottom stays).
     pub equation: &'static str,
-    /// Line of the location, or of the sphere that gets one.
+    /// Line of the location, from 1, or of the sphere that gets one.
     pub line: usize,
     /// `true` where the element is absent and is inserted.
     pub inserted: bool,
@@ -63,7 +104,7 @@ pub struct Move {
 }
 
 impl Change {
-    /// The file that it is in.
+    /// The file that the number is in.
     #[must_use]
     pub fn file(&self) -> FileId {
         self.slot.file
@@ -71,38 +112,62 @@ impl Change {
 }
 
 impl Move {
-    /// The file that it is in.
+    /// The file that the sphere is in.
     #[must_use]
     pub fn file(&self) -> FileId {
         self.slot.file
     }
 }
 
-/// Everything a run does to one model.
+/// Everything that is to be done to one model: made by [`rescale`](crate::rescale), [`transfer`](crate::transfer()),
+/// [`design`](crate::design()) or [`set`](crate::set()), shown and written by whoever asked.
+///
+/// ```
+/// # use osim_model::{FileId, MassRequest, Model, Selection};
+/// # use osim_patch::{Rescale, rescale};
+/// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
+/// # let model = Model::parse(bytes)?;
+/// # let selected = Selection::default().apply(&model)?;
+/// # let (mass, _) = MassRequest::default().of_contacts(&model)?;
+/// // One sphere of 0.03 m, scaled from 10 to 80 kg.
+/// let plan = rescale(&model, &selected, &Rescale::new(80.0, mass))?;
+///
+/// // What to show: every number that changes, and what the user should know.
+/// let rows = plan.changes.iter().map(|change| format!("{} {} -> {}", change.property, change.from, change.to));
+/// assert_eq!(rows.collect::<Vec<_>>()[..2], ["radius 0.03 -> 0.06", "stiffness 1000000 -> 2000000"]);
+/// assert!(plan.warnings.is_empty());
+/// // The file will say what its contacts were made for.
+/// assert_eq!(plan.note().and_then(|note| note.mass_kg), Some(80.0));
+///
+/// // What to write.
+/// let patched = plan.patched(&model, FileId::MAIN)?;
+/// assert!(String::from_utf8_lossy(&patched).contains("<radius>0.06</radius>"));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Plan {
-    /// The numbers, radii first, then force by force.
+    /// The numbers that change, each once: radii first, then force by force.
     pub changes: Vec<Change>,
     /// Sphere centres that move.
     pub moves: Vec<Move>,
-    /// What the contacts stand for before and afterwards; `None` where nobody knows and nothing follows from it.
+    /// The mass that the contacts were made for, before and afterwards; `None` where nobody knows and nothing follows from it.
     pub masses: Option<Masses>,
     /// What was taken and from where, in words: the first line of every report.
     pub taken: Phrase,
     /// Things the user should know.
     pub warnings: Vec<Warning>,
-    /// Things that always hold and are said once: what the run did not do.
+    /// What the change leaves as it is, said once.
     pub remarks: Vec<Phrase>,
     note: Option<Note>,
     note_anyway: bool,
 }
 
-/// What contacts stand for, before and after.
+/// The mass that contacts were made for, before and after a change.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Masses {
-    /// Before (for a transfer: what the reference's contacts stand for).
+    /// Before (for a transfer: the mass that the reference's contacts were made for).
     pub from: Mass,
     /// Afterwards, kg.
     pub to_kg: f64,
@@ -134,12 +199,12 @@ pub(crate) struct Contents {
 }
 
 impl Plan {
-    /// Leaves a note also where no number changes, so that the output is told from its original.
+    /// Leaves a note also where no number changes, so that the output differs from its original.
     pub fn note_anyway(&mut self) {
         self.note_anyway = true;
     }
 
-    /// Leaves no note in the file.
+    /// Leaves no note in the file; an earlier note goes where a number changes, because it would no longer be right.
     pub fn without_note(&mut self) {
         self.note = None;
     }
@@ -188,7 +253,7 @@ impl Plan {
         self.warnings.iter_mut().for_each(|warning| warning.spell(dialect));
     }
 
-    /// The edits of `file`, the note's among them.
+    /// The edits of `file`, the note's among them. `model` is the one that the plan was made for.
     #[must_use]
     pub fn edits(&self, model: &Model, file: FileId) -> Vec<Edit> {
         let document = model.file(file);

@@ -2,7 +2,21 @@
 
 use osim_model::Property;
 
-/// The properties a run may change.
+/// The properties that may change.
+///
+/// ```
+/// use osim_model::Property;
+/// use osim_patch::PropertySet;
+///
+/// // Everything the paper scales; friction is not among it.
+/// let all = PropertySet::default();
+/// assert!(all.contains(Property::Stiffness) && !all.contains(Property::TransitionVelocity));
+/// assert!(all.clone().with_friction().contains(Property::TransitionVelocity));
+///
+/// // The stiffness alone: the contacts are not similar afterwards, because the others stay behind.
+/// let stiffness = all.restricted(&[Property::Stiffness], &[]);
+/// assert!(!stiffness.contains(Property::Dissipation) && !stiffness.is_complete());
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PropertySet(Vec<Property>);
 
@@ -21,7 +35,7 @@ impl Default for PropertySet {
 }
 
 impl PropertySet {
-    /// Friction speeds too: `transition_velocity` and `viscous_friction`.
+    /// The friction speeds too: `transition_velocity` ∝ √(g R) and `viscous_friction` ∝ 1/√(g R), beyond the paper.
     #[must_use]
     pub fn with_friction(mut self) -> Self {
         self.0.extend([Property::TransitionVelocity, Property::ViscousFriction]);

@@ -15,30 +15,49 @@ use crate::radii::{Radii, RadiusRule, SphereRule};
 use crate::remarks::{bottoms_remark, warn_forces};
 use crate::scaling::{DissipationBy, factor};
 
-/// What is wanted of a rescaling.
+/// What is wanted of a rescaling: the model's own contacts at another mass.
+///
+/// ```
+/// use osim_model::{MassRequest, Model, Property, Selection};
+/// use osim_patch::{RadiusRule, Rescale, rescale};
+///
+/// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
+/// let model = Model::parse(bytes)?;
+/// let selected = Selection::default().apply(&model)?;
+/// let (contacts_mass, _) = MassRequest::default().of_contacts(&model)?;
+///
+/// // From 10 to 80 kg, with the spheres as they are.
+/// let mut wanted = Rescale::new(80.0, contacts_mass);
+/// wanted.radius = RadiusRule::Keep;
+/// let plan = rescale(&model, &selected, &wanted)?;
+/// // By (10), E* is 8 times as large; α and the smoothing follow the radius (14, C.2, C.5, C.10) and stay.
+/// let changes: Vec<_> = plan.changes.iter().map(|change| (change.property, change.to)).collect();
+/// assert_eq!(changes, [(Property::Stiffness, 8e6)]);
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Rescale {
-    /// The mass the contacts shall stand for, kg.
+    /// The mass to scale the contacts to, kg.
     pub target_mass_kg: f64,
-    /// The mass they stand for now.
+    /// The mass they were made for.
     pub contacts_mass: Mass,
     /// What becomes of the radii.
     pub radius: RadiusRule,
-    /// What may change.
+    /// Which properties may change.
     pub properties: PropertySet,
-    /// Which size α follows.
+    /// Which size α follows (14).
     pub dissipation_by: DissipationBy,
-    /// Gravity afterwards, m/s², where it differs. What the contacts stand for now is the note's, else the model's.
+    /// Gravity to scale to, m/s², where it differs from the one that the contacts were made for.
     pub target_gravity_m_s2: Option<f64>,
-    /// Gravity the contacts stand for now, m/s², where the note and the model do not say it rightly.
+    /// Gravity that the contacts were made for, m/s², where it is neither the note's nor the model's.
     pub contacts_gravity_m_s2: Option<f64>,
     /// Move sphere centres so that their bottoms stay where they are.
     pub level: Option<LevelAxis>,
 }
 
 impl Rescale {
-    /// Everything the paper scales, with isometric radii.
+    /// Everything the paper scales, with isometric radii (R ∝ M^{1/3}).
     #[must_use]
     pub fn new(target_mass_kg: f64, contacts_mass: Mass) -> Self {
         Self {
@@ -54,10 +73,15 @@ impl Rescale {
     }
 }
 
-/// Plans a rescaling of the forces `selected` of `model`.
+/// Plans a rescaling of the forces `selected` of `model` by (10), (14), (C.2), (C.5) and (C.10): see [`Rescale`] for an
+/// example.
 ///
 /// # Errors
-/// A value that cannot be scaled, a sphere another force needs as it is, or a quantity outside its domain.
+/// - A value of the model that cannot be scaled, with its place ([`FaultKind::Number`](osim_model::FaultKind::Number),
+///   [`FaultKind::Domain`](osim_model::FaultKind::Domain)), or that stands in an included file or in `<defaults>`.
+/// - A sphere whose radius would change and that a force which is not `selected` needs as it is
+///   ([`Needed::SharedSphere`]).
+/// - A mass or gravity that is not above 0, or that is not known ([`Needed::GravityNow`], [`Needed::ContactsGravity`]).
 pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<Plan, Fault> {
     let target = positive_mass(Input::TargetMass, wanted.target_mass_kg)?;
     let origin = wanted.contacts_mass.kg;
@@ -117,7 +141,7 @@ fn scale_set(
     Ok(())
 }
 
-/// Gravity that the contacts stand for; a doubtful note is not taken at its word where a factor depends on it.
+/// Gravity that the contacts were made for; a doubtful note is not believed where a factor depends on it.
 fn gravity_now(model: &Model, wanted: &Rescale) -> Result<Option<f64>, Fault> {
     let noted = model.note.as_ref().and_then(|note| note.gravity_m_s2);
     let differs = noted.is_some() && noted != model.gravity();

@@ -12,11 +12,11 @@ use crate::radii::{Users, moving_spheres};
 /// Between the operations that a note lists.
 const AND: &str = " + ";
 
-/// What becomes of a property.
+/// What becomes of a property: see [`Set`] for an example.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Assignment {
-    /// This value, in OpenSim's unit.
+    /// This value, in the unit of the property.
     Value(f64),
     /// Its value times this.
     Factor(f64),
@@ -38,13 +38,32 @@ impl Assignment {
     }
 }
 
-/// What is wanted.
+/// Plain values and factors that are wanted.
+///
+/// ```
+/// use osim_model::{Model, Property, Selection};
+/// use osim_patch::{Assignment, Set, set};
+///
+/// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
+/// let model = Model::parse(bytes)?;
+/// let selected = Selection::default().apply(&model)?;
+/// // <stiffness>1000000</stiffness> twice as large; <dissipation> becomes 1 s/m.
+/// let wanted = Set::new(vec![
+///     (Property::Stiffness, Assignment::Factor(2.0)),
+///     (Property::Dissipation, Assignment::Value(1.0)),
+/// ]);
+/// assert_eq!(wanted.operation(), "set stiffness=x2 dissipation=1");
+/// let plan = set(&model, &selected, &wanted)?;
+/// let changes: Vec<_> = plan.changes.iter().map(|change| (change.from, change.to, change.equation)).collect();
+/// assert_eq!(changes, [(1e6, 2e6, "given"), (2.0, 1.0, "given")]);
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 #[non_exhaustive]
 pub struct Set {
     /// Properties and what becomes of them.
     pub assignments: Vec<(Property, Assignment)>,
-    /// What the contacts stand for, where known; it stays.
+    /// The mass that the contacts were made for, where known; it stays.
     pub contacts_mass: Option<Mass>,
     /// Apply factors once more to a file whose note says they were applied already.
     pub again: bool,
@@ -66,10 +85,12 @@ impl Set {
     }
 }
 
-/// Plans plain changes of the forces `selected` of `model`.
+/// Plans plain changes of the forces `selected` of `model`, in which nothing else follows: see [`Set`] for an example.
 ///
 /// # Errors
-/// A value outside its domain, a property that none of the forces has, or a factor that was applied already.
+/// - A value outside the domain of its property, a property that none of the forces has, and the errors of
+///   [`rescale`](crate::rescale) that are about values and shared spheres.
+/// - A factor that the note in the file says was applied already ([`Needed::Repetition`]).
 pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fault> {
     let operation = wanted.operation();
     let relative = wanted.assignments.iter().any(|(_, value)| matches!(value, Assignment::Factor(_)));

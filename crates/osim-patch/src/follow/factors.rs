@@ -10,7 +10,7 @@ const SHORTEST_OFFSET: f64 = 1e-6;
 const AGREEMENT: f64 = 0.01;
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Who says a factor.
+/// Where a factor comes from, in the order in which sources are taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum FactorSource {
@@ -37,13 +37,13 @@ impl FactorSource {
     }
 }
 
-/// The factor of one axis of one body; `None` where no source says.
+/// The factor of one axis of one body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct AxisFactor {
-    /// New over old length.
+    /// New length over old length.
     pub factor: f64,
-    /// Who says so.
+    /// Where it comes from.
     pub source: FactorSource,
 }
 
@@ -53,23 +53,43 @@ pub struct AxisFactor {
 pub struct BodyFactors {
     /// Name of the body.
     pub body: String,
-    /// x, y, z.
+    /// Along x, y and z of the body; `None` where no source says it.
     pub axes: [Option<AxisFactor>; 3],
-    /// What each source says, in their order.
+    /// What each source says along x, y and z, in their order.
     pub sources: Vec<(FactorSource, [Option<f64>; 3])>,
 }
 
-/// Factors of all bodies of a scaled model.
+/// Scale factors of all bodies of a scaled model.
+///
+/// ```
+/// use std::collections::BTreeMap;
+/// use osim_model::{Anatomy, Document, Model};
+/// use osim_patch::{FactorSource, Factors, ScaleFile};
+///
+/// # let bytes: &[u8] = include_bytes!("../../../osim-model/tests/data/one_foot.osim");
+/// // The file in which the Scale Tool says what it did: foot_r is 1.2 times as long.
+/// let text = r#"<OpenSimDocument Version="40000"><ScaleSet><objects><Scale>
+///     <scales>1.2 1.1 1</scales><segment>foot_r</segment><apply>true</apply>
+/// </Scale></objects></ScaleSet></OpenSimDocument>"#;
+/// let file = ScaleFile::read(&Document::parse(text)?)?;
+///
+/// // The model here has no meshes and no joints, which would say the same.
+/// let anatomy = Anatomy::of(&Model::parse(bytes)?)?;
+/// let factors = Factors::find(&anatomy, &anatomy, Some(&file), &BTreeMap::new())?;
+/// assert_eq!(factors.of("foot_r")?, [1.2, 1.1, 1.0]);
+/// assert_eq!(factors.bodies[0].axes[0].map(|axis| axis.source), Some(FactorSource::ScaleFile));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Factors {
     /// In file order of the scaled model.
     pub bodies: Vec<BodyFactors>,
-    /// Sources that disagree.
+    /// Where sources disagree by more than 1 %.
     pub warnings: Vec<Warning>,
 }
 
-/// Factors from the Scale Tool's applied ScaleSet file, by body name.
+/// Factors from the Scale Tool's applied ScaleSet file, by body name: see [`Factors`] for an example.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ScaleFile(BTreeMap<String, [f64; 3]>);
 
@@ -114,7 +134,8 @@ impl ScaleFile {
 }
 
 impl Factors {
-    /// Compares `scaled` with the `generic` model it came from.
+    /// Compares `scaled` with the `generic` model it came from. `given` has factors along x, y and z by body name, which count
+    /// more than any other source; then `file`, meshes and joint offsets.
     ///
     /// # Errors
     /// A factor that is zero, negative or not finite, or one given for a body that is not there.
@@ -172,10 +193,10 @@ impl Factors {
         Ok(())
     }
 
-    /// All three factors of `body`.
+    /// The factors of `body` along x, y and z.
     ///
     /// # Errors
-    /// An axis that no source determines: the body and axis are named.
+    /// An axis that no source determines ([`Needed::BodyFactors`]): the body and axis are named.
     pub fn of(&self, body: &str) -> Result<[f64; 3], Fault> {
         let found = self.bodies.iter().find(|factors| factors.body == body);
         let axes = found.map(|factors| factors.axes).unwrap_or([None; 3]);

@@ -13,13 +13,13 @@ const UNTOUCHED: f64 = 1e-6;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum RadiusAxis {
-    /// One axis.
+    /// The factor along x.
     X,
-    /// One axis.
+    /// The factor along y.
     Y,
-    /// One axis.
+    /// The factor along z.
     Z,
-    /// The cube root of their product.
+    /// The cube root of the product of all three.
     #[default]
     GeometricMean,
     /// The smallest.
@@ -47,7 +47,7 @@ impl RadiusAxis {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum MovedSpheres {
-    /// Ask.
+    /// Refuse, so that the caller decides ([`Needed::MovedSpheres`]).
     #[default]
     Refuse,
     /// They are right: keep their location and radius.
@@ -56,38 +56,65 @@ pub enum MovedSpheres {
     Replace,
 }
 
-/// What is wanted.
+/// How spheres follow their bodies: see [`Follow`] for an example.
 #[derive(Debug, Clone, Default, PartialEq)]
 #[non_exhaustive]
 pub struct FollowRequest {
-    /// How radii follow.
+    /// How a radius follows from the three factors of its body.
     pub radius_axis: RadiusAxis,
-    /// Keep bottoms on the scaled sole.
+    /// The axis along which bottoms stay on the scaled sole; `None`: centres are scaled, whatever the radius.
     pub level: Option<LevelAxis>,
-    /// Spheres that were changed by hand.
+    /// What to do with spheres that were changed already.
     pub moved: MovedSpheres,
     /// Radii stay as they are in the scaled model.
     pub keep_radii: bool,
 }
 
-/// One sphere's new place.
+/// The new place and radius of one sphere: from [`Follow::of`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Followed {
     /// Radius in the reference, m.
     pub old_radius_m: f64,
-    /// Radius, m.
+    /// New radius, m.
     pub radius_m: f64,
-    /// Location in its frame, m.
+    /// New location in its frame, m.
     pub location_m: [f64; 3],
 }
 
-/// New places of all moving spheres of a scaled model.
+/// New places and radii of the spheres of a model that OpenSim has scaled.
+///
+/// ```
+/// use std::collections::BTreeMap;
+/// use osim_model::{Anatomy, Model};
+/// use osim_patch::{Factors, Follow, FollowRequest, RadiusAxis, moving_spheres};
+///
+/// # let text = include_str!("../../../osim-model/tests/data/one_foot.osim");
+/// // OpenSim scales bones and leaves contact spheres as they were: 0.03 m at (0.05, -0.01, 0) m.
+/// let text = text.replace("<radius>", "<location>0.05 -0.01 0</location><radius>");
+/// let scaled = Model::parse(text.as_str())?;
+/// let spheres = moving_spheres(&scaled, &scaled.force_ids());
+/// # let generic = Model::parse(text.as_str())?;
+/// let (here, there) = (Anatomy::of(&scaled)?, Anatomy::of(&generic)?);
+///
+/// // The foot is twice as long; the caller says so.
+/// let given = BTreeMap::from([("foot_r".to_owned(), [2.0, 1.0, 1.0])]);
+/// let factors = Factors::find(&here, &there, None, &given)?;
+/// let mut request = FollowRequest::default();
+/// request.radius_axis = RadiusAxis::X;
+/// let follow = Follow::find(&scaled, &spheres, &here, &there, &factors, &request)?;
+///
+/// let heel = follow.of(spheres[0]).expect("it stands on the foot");
+/// assert_eq!((heel.radius_m, heel.location_m), (0.06, [0.1, -0.01, 0.0]));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+///
+/// [`Transfer::follow`](crate::Transfer::follow) writes them.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Follow {
     pub(crate) spheres: BTreeMap<SphereId, Followed>,
-    /// Geometric mean of the factors of the bodies that carry spheres: the ratio of sizes.
+    /// Geometric mean of the factors of the bodies that carry spheres: the ratio of sizes, new over old.
     pub size_ratio: f64,
 }
 
@@ -96,10 +123,16 @@ impl Follow {
         self.spheres.get(&sphere).map(|followed| followed.old_radius_m)
     }
 
-    /// Every contact sphere of the reference must be in the scaled model.
+    /// The new place of `sphere`; `None` where it does not follow a body.
+    #[must_use]
+    pub fn of(&self, sphere: SphereId) -> Option<&Followed> {
+        self.spheres.get(&sphere)
+    }
+
+    /// Sees that every contact sphere of the `reference`, by name, is in the scaled model.
     ///
     /// # Errors
-    /// The names of those that are not.
+    /// Some are not: their names.
     pub fn refuse_missing<'n>(
         scaled: &Anatomy,
         reference: impl Iterator<Item = &'n String>,
@@ -119,7 +152,8 @@ impl Follow {
     /// Matches the spheres `wanted` of `model` with those of the reference by name and moves them with their bodies.
     ///
     /// # Errors
-    /// A sphere without a namesake, on another body, or moved already; a body whose factors are not known.
+    /// A sphere that has no counterpart of its name in `generic`, is on another body there, or was moved already
+    /// ([`Needed::MovedSpheres`]); a body whose factors are not known ([`Needed::BodyFactors`]).
     pub fn find(
         model: &Model,
         wanted: &[SphereId],

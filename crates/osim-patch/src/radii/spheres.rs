@@ -125,7 +125,8 @@ pub(crate) fn root_mean_square(radii: impl Iterator<Item = f64> + Clone) -> f64 
     }
 }
 
-/// Moving spheres of `forces`, each once, in file order.
+/// The spheres of `forces` that stand neither on ground nor on a body welded to it, each once, in file order: those whose radii
+/// may change.
 #[must_use]
 pub fn moving_spheres(model: &Model, forces: &[ForceId]) -> Vec<SphereId> {
     let mut spheres: Vec<SphereId> =

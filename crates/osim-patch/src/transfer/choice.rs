@@ -40,7 +40,7 @@ impl<'t> Choice<'t> {
             });
         }
         if wanted.follow.is_some() {
-            // Following has matched every sphere with its namesake already.
+            // Following has matched every sphere by its name already.
             return Ok(Self::Paired { first, all: contacts });
         }
         let base = dimensionless(first)?;
@@ -70,7 +70,7 @@ impl<'t> Choice<'t> {
         }
     }
 
-    /// The reference radius that a sphere's follows from: its namesake's, else the one radius all have there.
+    /// The reference radius that a sphere's follows from: that of the sphere of its name, else the one radius all have there.
     pub(crate) fn radius_for(&self, model: &Model, sphere: SphereId, reference: &Reference) -> Option<f64> {
         let name = name_of(model, sphere);
         let named = reference.contacts.iter().find_map(|contact| {
@@ -83,7 +83,7 @@ impl<'t> Choice<'t> {
         named.or(one.then_some(first))
     }
 
-    /// Isometric radii need a namesake for each sphere, or one radius in the reference.
+    /// Isometric radii need a sphere of the same name for each sphere, or one radius in the reference.
     pub(crate) fn refuse_unclear_radii(
         &self,
         model: &Model,

@@ -19,10 +19,18 @@ use crate::remarks::{bottoms_remark, warn_forces};
 use crate::scaling::{DissipationBy, factor};
 use crate::surfaces::write_composite;
 
-/// Plans a transfer onto the forces `selected` of `model`.
+/// Plans a transfer onto the forces `selected` of `model`, by (10), (14), (C.2), (C.5) and (C.10): see [`Transfer`] for an
+/// example.
 ///
 /// # Errors
-/// As [`super::rescale`]; also when it is not clear which contact of the reference is meant.
+/// - The errors of [`rescale`](crate::rescale).
+/// - It is not clear which contact of the reference a sphere gets, or which radius
+///   ([`Needed::ReferenceContact`](osim_model::Needed::ReferenceContact),
+///   [`Needed::ReferenceContactOfForce`](osim_model::Needed::ReferenceContactOfForce),
+///   [`Needed::ReferenceRadius`](osim_model::Needed::ReferenceRadius)), or the reference has no such sphere
+///   ([`FaultKind::UnknownReferenceSphere`](osim_model::FaultKind::UnknownReferenceSphere)).
+/// - Spheres of one force follow bodies with different factors, and that is to be refused
+///   ([`FaultKind::FactorSpread`](osim_model::FaultKind::FactorSpread)).
 pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result<Plan, Fault> {
     let mut plan = PlanBuilder::new(model);
     let chosen = Choice::make(model, selected, wanted)?;
@@ -168,7 +176,7 @@ fn finish(plan: PlanBuilder<'_>, wanted: &Transfer, complete: bool, radii: &Radi
         Contents { changes, moves, masses, taken, warnings, remarks },
         &NoteFacts {
             mass_kg: Some(wanted.mass.kg),
-            // Without a target, what the reference's contacts stand for.
+            // Without a target, the gravity that the reference's contacts were made for.
             gravity_m_s2: wanted.target_gravity_m_s2.or(wanted.reference.gravity_m_s2).or(model.gravity()),
             scope: if all { Scope::All } else { Scope::Partial },
             operation: "transfer",

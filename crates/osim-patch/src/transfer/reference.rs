@@ -8,10 +8,11 @@ use crate::loaded_sphere::contact_of_set;
 use crate::radii::root_mean_square;
 use crate::surfaces::{Surfaces, sphere_sets};
 
-/// Reads the contacts of the forces `selected` of a reference model.
+/// Reads the contacts of the forces `selected` of a reference model, which were made for `mass` and for `sphere_count` spheres
+/// that share its weight: see [`Reference`] for an example.
 ///
 /// # Errors
-/// A value that is outside its domain.
+/// A value that is no plain number or outside its domain, with its place.
 pub fn reference_of_model(
     model: &Model,
     selected: &Selected,

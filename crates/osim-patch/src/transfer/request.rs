@@ -8,7 +8,7 @@ use crate::property_set::PropertySet;
 use crate::radii::RadiusRule;
 use crate::scaling::DissipationBy;
 
-/// One contact of a reference.
+/// One contact of a reference, and the spheres that have it.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct ReferenceContact {
@@ -18,23 +18,42 @@ pub struct ReferenceContact {
     pub radii_m: Vec<f64>,
     /// Their radius (the root of the mean R² where they differ), m.
     pub radius_m: f64,
-    /// E₁* of two equal surfaces, α, and the smoothing where the class has it.
+    /// E₁* (N/m²) of two equal surfaces, α (s/m), and the smoothing where the class has it.
     pub contact: Contact,
     /// `transition_velocity` in m/s and `viscous_friction` in s/m.
     pub friction: Option<(f64, f64)>,
 }
 
-/// Where contacts are taken from.
+/// Where contacts are taken from: another model ([`reference_of_model`](crate::reference_of_model)) or a preset.
+///
+/// ```
+/// use osim_model::{MassRequest, Model, Selection};
+/// use osim_patch::{Reference, reference_of_model};
+///
+/// // The published contacts of Falisse et al. (2022): 62 kg on 6 spheres of 0.032 m.
+/// let human = Reference::from(&contact_scaling::falisse2022());
+/// assert_eq!((human.mass.kg, human.sphere_count, human.contacts[0].radius_m), (62.0, 6.0, 0.032));
+///
+/// # let bytes: &[u8] = include_bytes!("../../../osim-model/tests/data/one_foot.osim");
+/// // A model of 10 kg on one sphere.
+/// let model = Model::parse(bytes)?;
+/// let selected = Selection::default().apply(&model)?;
+/// let mass = MassRequest::default().of_model(&model)?;
+/// let own = reference_of_model(&model, &selected, mass, 1.0)?;
+/// assert_eq!((own.name.as_str(), own.gravity_m_s2), ("one_foot", Some(9.81)));
+/// assert_eq!((own.contacts[0].spheres[0].as_str(), own.contacts[0].radii_m[0]), ("heel_r", 0.03));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Reference {
-    /// File or preset, for the note.
+    /// Name of the model or preset, for reports.
     pub name: String,
-    /// Mass its contacts stand for.
+    /// Mass its contacts were made for.
     pub mass: Mass,
-    /// Spheres that share the body weight.
+    /// Spheres n that share its body weight.
     pub sphere_count: f64,
-    /// Gravity, m/s², where known.
+    /// Gravity its contacts were made for, m/s², where known.
     pub gravity_m_s2: Option<f64>,
     /// Its contacts.
     pub contacts: Vec<ReferenceContact>,
@@ -59,36 +78,57 @@ impl From<&Preset> for Reference {
     }
 }
 
-/// What is wanted of a transfer.
+/// What is wanted of a transfer: the contacts of a reference, given the size of this model.
+///
+/// ```
+/// use osim_model::{MassRequest, Model, Property, Selection};
+/// use osim_patch::{Reference, Transfer, transfer};
+///
+/// # let bytes: &[u8] = include_bytes!("../../../osim-model/tests/data/one_foot.osim");
+/// let model = Model::parse(bytes)?;
+/// let selected = Selection::default().apply(&model)?;
+/// let mass = MassRequest::default().of_model(&model)?;
+///
+/// // 62 kg on 6 spheres of 0.032 m with E₁* = 1e6 N/m², to 10 kg on one sphere of 0.03 m.
+/// let human = Reference::from(&contact_scaling::falisse2022());
+/// let plan = transfer(&model, &selected, &Transfer::new(human, mass, 1.0))?;
+/// let stiffness = plan.changes.iter().find(|change| change.property == Property::Stiffness).unwrap();
+/// // (10): E*_b = (M_b / M_a) (n_a / n_b) (R_a² / R_b²) E*_a.
+/// let expected = (10.0 / 62.0) * (6.0 / 1.0) * (0.032 * 0.032) / (0.03 * 0.03) * 1e6;
+/// assert!((stiffness.to / expected - 1.0).abs() < 1e-12);
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Transfer {
     /// Where the contacts come from.
     pub reference: Reference,
-    /// Take the contact of this sphere for all.
+    /// Name of the sphere of the reference whose contact all get; `None`: the one that all have there, else that of the sphere
+    /// of the same name.
     pub reference_sphere: Option<String>,
     /// What this model weighs.
     pub mass: Mass,
-    /// Spheres that share this model's weight.
+    /// Spheres n that share this model's weight.
     pub sphere_count: f64,
     /// What becomes of the radii.
     pub radius: RadiusRule,
-    /// What may change.
+    /// Which properties may change.
     pub properties: PropertySet,
-    /// Which size α follows.
+    /// Which size α follows (14).
     pub dissipation_by: DissipationBy,
-    /// Gravity of this model, m/s², where contacts shall follow it.
+    /// Gravity of this model, m/s², where the contacts are scaled to it; `None`: they are as under the reference's gravity.
     pub target_gravity_m_s2: Option<f64>,
-    /// New places and radii of the spheres, where they follow their bodies.
+    /// New places and radii of the spheres, where they follow their bodies; `radius` does not count for
+    /// these.
     pub follow: Option<Follow>,
-    /// Whose scaling.
+    /// By which rule E₁* and α follow.
     pub rule: ScalingRule,
     /// Refuse instead of warning where spheres of one force follow bodies with different factors.
     pub strict: bool,
 }
 
 impl Transfer {
-    /// Everything the paper scales, with radii as they are.
+    /// Everything the paper scales, with radii as they are: `mass` and `sphere_count` are those of the model that is changed.
     #[must_use]
     pub fn new(reference: Reference, mass: Mass, sphere_count: f64) -> Self {
         Self {

@@ -14,7 +14,7 @@ use crate::surfaces::{Surfaces, sphere_sets};
 /// Factors this close (relative) are one.
 const SAME_FACTOR: f64 = 1e-6;
 
-/// Whether the spheres of `force` have several ContactParameters, each with a namesake in the reference.
+/// Whether the spheres of `force` have several ContactParameters, each matched by name with the reference.
 pub(crate) fn has_several(plan: &PlanBuilder<'_>, force: &Force, wanted: &Transfer) -> bool {
     let paired = wanted.follow.is_some() && wanted.reference_sphere.is_none();
     paired && sphere_sets(plan.model, force).len() > 1

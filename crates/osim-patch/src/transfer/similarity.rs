@@ -22,7 +22,7 @@ pub(crate) fn check_spread(
 ) -> Result<(), Fault> {
     let model = plan.model;
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
-        // Radii of a reference force stand for all its spheres; what differs here is the bodies' factors.
+        // A reference force has one radius for all its spheres; what differs here is the bodies' factors.
         let old = |sphere: SphereId| match wanted.follow.as_ref().and_then(|follow| follow.old_radius(sphere))
         {
             Some(radius) => radius,
