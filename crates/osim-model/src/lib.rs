@@ -82,3 +82,8 @@ pub use skeleton::Body;
 pub use value::{Origin, Value};
 pub use warning::{Seen, Severity, Warning, WarningCode};
 pub use xml::{Children, ElementId, LineIndex, Piece, PieceKind, Position, RawText, SyntaxFault, Tree};
+
+/// The example of the README compiles.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -67,3 +67,8 @@ pub use rescale::{Rescale, rescale};
 pub use scaling::DissipationBy;
 pub use set::{Assignment, Set, set};
 pub use transfer::{Reference, ReferenceContact, ScalingRule, Transfer, reference_of_model, transfer};
+
+/// The example of the README compiles.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
