@@ -208,7 +208,7 @@ fn share(panel: &Panel, limit: &Limit) -> f64 {
     (limit.at - low) / (high - low)
 }
 
-/// Named vertical limits within the panel, parted into rows in which no two names touch.
+/// Named vertical limits within the panel, split into rows in which no two names touch.
 fn limit_rows(panel: &Panel, plot_width_pt: f64) -> Vec<Vec<&Limit>> {
     let mut rows: Vec<Vec<&Limit>> = Vec::new();
     let place = |limit: &Limit| {

@@ -177,7 +177,7 @@ pub struct StateFigure {
     pub limits: Vec<Limit>,
 }
 
-/// Draws the contact state (C.4) with the step it stands for.
+/// Draws the contact state (C.4) with the step that it smooths.
 ///
 /// # Errors
 /// As [`force_figure`].

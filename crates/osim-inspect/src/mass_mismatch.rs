@@ -1,4 +1,4 @@
-//! Models that weigh something else than their contacts stand for: scaled contacts under a body that is not scaled yet.
+//! Models that weigh something else than their contacts are made for: scaled contacts under a body that is not scaled yet.
 
 use osim_model::wording::{Input, Phrase, phrase};
 use osim_model::{MassRequest, MassSource, Model, readable, same_mass};

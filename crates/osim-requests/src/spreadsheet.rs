@@ -1,4 +1,4 @@
-//! Tables as spreadsheets of any country write them: CSV parted by commas, semicolons or tabs.
+//! Tables as spreadsheets of any country write them: CSV separated by commas, semicolons or tabs.
 
 use std::borrow::Cow;
 

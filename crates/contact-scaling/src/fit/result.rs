@@ -15,7 +15,7 @@ pub struct Fit {
     pub dissipation: Option<Estimate>,
     /// x₀, in m; `None` where it was given.
     pub onset_m: Option<Estimate>,
-    /// The parameters that rows and columns of the covariance stand for.
+    /// The parameters that rows and columns of the covariance belong to.
     pub parameters: Vec<Parameter>,
     /// Covariance of the parameters, in their units.
     pub covariance: Vec<Vec<f64>>,

@@ -15,7 +15,7 @@ pub(super) const BODY_WEIGHTS: [f64; 2] = [1.0, 2.0];
 #[schemars(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct Figures {
-    /// Mass whose weight the spheres carry: what the model weighs, else what its contacts stand for, kg.
+    /// Mass whose weight the spheres carry: what the model weighs, else the mass that its contacts are made for, kg.
     pub mass_kg: Option<f64>,
     /// Gravity that was taken, m/s²: the model's own as a rule; `None` without gravity.
     pub gravity_m_s2: Option<f64>,

@@ -60,7 +60,7 @@ impl InspectOptions {
     }
 }
 
-/// Each selected force's contact, without dimensions at the mass its contacts stand for on one limb.
+/// Each selected force's contact, without dimensions at the mass its contacts are made for on one limb.
 fn contacts(model: &Model, selected: &Selected, mass: Option<&Mass>, limbs: &Limbs) -> Vec<SetContact> {
     let Ok(loaded) = loaded_spheres(model, &selected.forces) else { return Vec::new() };
     let mut found: Vec<SetContact> = Vec::new();

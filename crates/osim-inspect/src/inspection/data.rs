@@ -40,7 +40,7 @@ pub struct Inspection {
     pub mass_source: Phrase,
     /// Magnitude of gravity, m/s².
     pub gravity_m_s2: Option<f64>,
-    /// What the contacts stand for.
+    /// The mass that the contacts are made for.
     pub contacts_mass_kg: Option<ContactsMass>,
     /// The limbs, where left and right can be told.
     pub limbs: Option<Vec<InspectedLimb>>,
@@ -67,7 +67,7 @@ pub struct Inspection {
     pub figures: Figures,
 }
 
-/// What the contacts stand for.
+/// The mass that the contacts are made for.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 #[non_exhaustive]
@@ -145,7 +145,7 @@ pub struct InspectedForce {
     pub parameters: Parameters,
     /// Where each comes from.
     pub origin: Origins,
-    /// The contact without dimensions, at the mass it stands for.
+    /// The contact without dimensions, at the mass it is made for.
     pub dimensionless: Option<Dimensionless>,
     /// Line of the element, from 1.
     pub line: usize,

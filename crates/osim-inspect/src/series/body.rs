@@ -67,7 +67,7 @@ pub struct Body {
     pub kinds: Vec<SphereKind>,
     /// What it weighs; what is missing, where that is not known.
     pub weight: Result<Weight, Failure>,
-    /// The mass its contacts stand for, likewise.
+    /// The mass its contacts are made for, likewise.
     contacts_mass_kg: Result<f64, Failure>,
     /// The two masses, where they disagree.
     pub mismatch: Option<MassMismatch>,
@@ -140,7 +140,7 @@ impl Body {
     /// The same body scaled to another mass: radii isometric, every parameter by its equation.
     ///
     /// # Errors
-    /// The mass its contacts stand for is not known, or the ratio leaves the range of numbers.
+    /// The mass its contacts are made for is not known, or the ratio leaves the range of numbers.
     pub fn scaled(&self, target_kg: f64) -> Result<Self, Failure> {
         let from_kg = *self.contacts_mass_kg.as_ref().map_err(Failure::clone)?;
         let failed = |error: DomainError| self.failure(&error);

@@ -150,7 +150,7 @@ impl<F: FrontEnd> ModelJob<'_, F> {
         sha256(std::iter::once(own.to_owned()).chain(companions).collect::<Vec<_>>().join("\n").as_bytes())
     }
 
-    /// In a manifest, the row is what the user can mend.
+    /// In a manifest, the row is what the user can fix.
     fn located(&self, mut failure: Failure) -> Failure {
         if let Some(row) = self.task.row {
             failure.message.push(format!(" (row {row})"));

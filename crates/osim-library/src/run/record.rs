@@ -68,7 +68,7 @@ pub struct Record {
     pub contacts_mass_from_kg: Option<f64>,
     /// Who said so.
     pub contacts_mass_source: Option<String>,
-    /// What they stand for afterwards.
+    /// The mass they are made for afterwards.
     pub contacts_mass_to_kg: Option<f64>,
     /// How many numbers and places change.
     pub changes: usize,

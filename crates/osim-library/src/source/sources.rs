@@ -60,7 +60,7 @@ pub struct Sources {
     pub models: Vec<Source>,
     /// What could not even be listed.
     pub failures: Vec<Failure>,
-    /// Things to say aloud: what was passed over.
+    /// Things to say aloud: what was skipped.
     pub remarks: Vec<String>,
 }
 

@@ -94,7 +94,7 @@ pub struct SymbolRecord {
     pub symbol: &'static str,
     /// The same in ASCII.
     pub ascii: String,
-    /// What it stands for.
+    /// What it means.
     pub meaning: String,
     /// Its unit; `1` for a pure number.
     pub unit: &'static str,

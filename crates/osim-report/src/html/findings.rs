@@ -110,7 +110,7 @@ enum Lines {
     New,
 }
 
-/// Whether commands that mend are shown.
+/// Whether commands that fix are shown.
 #[derive(Clone, Copy, PartialEq)]
 enum Commands {
     Shown,

@@ -16,7 +16,7 @@ pub struct RunRow {
     pub status: String,
     /// What its contacts stood for, kg.
     pub contacts_mass_from_kg: Option<f64>,
-    /// What they stand for afterwards, kg.
+    /// The mass they are made for afterwards, kg.
     pub contacts_mass_to_kg: Option<f64>,
     /// How many numbers and places changed.
     pub changes: usize,

@@ -34,7 +34,7 @@ pub struct PlanRecord {
     /// Its name in bytes, where that is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub geometry_output_bytes: Option<Vec<u8>>,
-    /// What the contacts stand for; null where nobody knows.
+    /// The mass that the contacts are made for; null where nobody knows.
     pub contacts_mass_kg: Option<MassesRecord>,
     /// Numbers that change, then sphere centres that move.
     pub changes: Vec<ChangeRecord>,
@@ -44,7 +44,7 @@ pub struct PlanRecord {
     pub notes: Vec<String>,
 }
 
-/// What the contacts stand for, before and after.
+/// The mass that the contacts are made for, before and after.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 #[non_exhaustive]

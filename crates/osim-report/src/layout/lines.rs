@@ -20,7 +20,7 @@ pub(crate) fn filled(text: &str) -> String {
 /// Text in lines of at most [`WIDTH`] columns, the second and later ones behind `indent`.
 #[must_use]
 pub fn wrapped(text: &str, indent: &str) -> String {
-    // Options of a command line are never parted at their hyphens.
+    // Options of a command line are never broken at their hyphens.
     let options =
         options().subsequent_indent(indent).break_words(false).word_splitter(WordSplitter::NoHyphenation);
     format!("{}\n", textwrap::fill(text, options))

@@ -91,7 +91,7 @@ impl TransferRequest {
         Ok(Change::new(self.models, self.output, self.set_files, planner))
     }
 
-    /// The reference is told by its contents; a preset by its name, which stands for the same numbers in one version.
+    /// The reference is identified by its contents; a preset by its name, which means the same numbers in one version.
     fn settings(&self, is_file: bool) -> String {
         let Self { from, counts, reference, follow, masses, scaling, choice, .. } = self;
         let preset = from.as_ref().filter(|_| !is_file).map(|from| from.to_string_lossy());

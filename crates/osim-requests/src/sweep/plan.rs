@@ -48,7 +48,7 @@ struct Job {
     asked: Vec<String>,
     /// As the note has it.
     operation: String,
-    /// What the contacts stand for then, where that changes.
+    /// The mass that the contacts are made for then, where that changes.
     mass_kg: Option<f64>,
     stages: Stages,
 }

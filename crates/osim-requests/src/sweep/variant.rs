@@ -18,7 +18,7 @@ pub(super) struct Variant {
 }
 
 impl Variant {
-    /// Does `stages` one after the other and reads what came out. The contacts then stand for `mass_kg`, else for what
+    /// Does `stages` one after the other and reads what came out. The contacts are then made for `mass_kg`, else for what
     /// the model weighs.
     ///
     /// # Errors
