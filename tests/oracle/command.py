@@ -6,6 +6,8 @@ import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
+import schemas
+
 ROOT = Path(__file__).resolve().parents[2]
 BINARY = Path(os.environ.get("OSIM_CONTACT_SCALE", ROOT / "target/release/osim-contact-scale"))
 
@@ -33,6 +35,7 @@ def run(*arguments):
     assert text.count("\n") == 1 and text.endswith("\n"), f"not one line of JSON: {text[:300]!r}"
     report = json.loads(text, parse_constant=not_json)
     assert report["schema_version"] == 1
+    schemas.check(str(arguments[0]), report)
     return Outcome(done.returncode, report, done.stderr.decode("utf-8", "replace"))
 
 

@@ -16,6 +16,7 @@ import pytest
 import command
 import models
 import rules
+import schemas
 from opensim_scales import scaled
 
 TOLERANCE = 1e-12
@@ -218,7 +219,9 @@ def apart(model, other):
     """How far two drops lie apart in dimensionless form: height over radius, force over body weight."""
     call = [str(command.BINARY), "drop-test", str(model), "--compare", str(other), "--format", "json"]
     done = subprocess.run(call, capture_output=True, timeout=120, check=True)
-    compared = json.loads(done.stdout)["compare"]
+    printed = json.loads(done.stdout)
+    schemas.check("drop-test", printed)
+    compared = printed["compare"]
     return compared["height_over_radius"], compared["force_bw"]
 
 

@@ -12,6 +12,7 @@ import subprocess
 import pytest
 
 import command
+import schemas
 
 REFERENCE = command.ROOT / "crates/contact-scaling/tests/data/reference.csv"
 NUMBER, NAME = r"\d+(?:\.\d+)?(?:e-?\d+)?", r"[A-Za-z_]\w*"
@@ -80,6 +81,7 @@ def explained():
     spelled = {"x̂": "xhat", "α": "alpha", "x̂_c": "xhat_c"}
     found = {}
     for topic in topics:
+        schemas.check("explain", topic)
         for formula in topic.get("formulas", []):
             note = formula["note"]
             for symbol in sorted(spelled, key=len, reverse=True):

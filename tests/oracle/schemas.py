@@ -1,0 +1,30 @@
+"""The JSON Schemas of `schemas/`: what the command printed is one of its results, or a failure."""
+
+import json
+from functools import cache
+from pathlib import Path
+
+from jsonschema import Draft202012Validator
+
+SCHEMAS = Path(__file__).resolve().parents[2] / "schemas"
+# Verbs that are not named here print changes.
+RESULTS = {
+    "inspect": "inspection",
+    "check": "check",
+    "sweep": "sweep",
+    "drop-test": "drop-test",
+    "fit": "fit",
+    "presets": "preset",
+    "explain": "explanation",
+}
+
+
+@cache
+def validator(name):
+    return Draft202012Validator(json.loads((SCHEMAS / f"{name}.schema.json").read_text("utf-8")))
+
+
+def check(verb, printed):
+    """Raise ValidationError where `printed` is not what a call of `verb` may print."""
+    name = "failure" if "error" in printed else f"results/{RESULTS.get(verb, 'change')}"
+    validator(name).validate(printed)
