@@ -110,6 +110,7 @@ pub struct Record {
 
 /// A record as NDJSON has it: beside it the bytes of names that are no text.
 #[derive(Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(expecting = "a JSON object with what became of a model")]
 #[schemars(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct JsonRecord {
