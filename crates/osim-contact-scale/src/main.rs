@@ -18,7 +18,7 @@ use std::process::ExitCode;
 use clap::FromArgMatches;
 use clap::error::ErrorKind;
 
-use args::{Cli, command, in_words_of_the_command, usage_line};
+use args::{Cli, command, usage_line};
 use session::Session;
 use terminal::{Exit, Terminal};
 use words::WORDS;
@@ -40,25 +40,16 @@ fn main() -> ExitCode {
 /// Help and version go to standard output; anything else is one line.
 fn usage(error: &clap::Error, terminal: &mut Terminal) -> Exit {
     match error.kind() {
-        ErrorKind::DisplayHelp => help(Exit::Done),
-        ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => help(Exit::Usage),
-        ErrorKind::DisplayVersion => {
+        ErrorKind::DisplayHelp
+        | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand
+        | ErrorKind::DisplayVersion => {
             // Nobody is left to tell if this fails.
             let _ = error.print();
-            Exit::Done
+            if error.use_stderr() { Exit::Usage } else { Exit::Done }
         }
         _ => {
             terminal.error(&format!("error: {} (see --help)\n", usage_line(error)));
             Exit::Usage
         }
     }
-}
-
-/// The same words once more, by a parser whose help says options as they are typed: that is for readers only.
-fn help(exit: Exit) -> Exit {
-    if let Err(error) = in_words_of_the_command(command()).try_get_matches() {
-        // Nobody is left to tell if this fails.
-        let _ = error.print();
-    }
-    exit
 }

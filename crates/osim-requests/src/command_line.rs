@@ -11,15 +11,15 @@ use crate::request::relations_of;
 pub fn with_relations(command: Command, verb: Verb) -> Command {
     let all = relations_of(verb);
     command.mut_args(|argument| {
-        let name = argument.get_id().to_string();
-        all.iter().copied().flatten().fold(argument, |argument, relation| match *relation {
-            Relation::Required(field) if field == name => argument.required(true),
-            Relation::RequiredUnless(field, other) if field == name => {
-                argument.required_unless_present(other)
-            }
-            Relation::Needs(field, other) if field == name => argument.requires(other),
-            Relation::Excludes(field, other) if field == name => argument.conflicts_with(other),
-            _ => argument,
+        let name = argument.get_id().clone();
+        // Arguments are large, and each step moves one: only its own relations take part.
+        let own = all.iter().copied().flatten().filter(|relation| name == relation.field());
+        own.fold(argument, |argument, relation| match *relation {
+            Relation::Required(_) => argument.required(true),
+            Relation::Expected(_) => argument,
+            Relation::RequiredUnless(_, other) => argument.required_unless_present(other),
+            Relation::Needs(_, other) => argument.requires(other),
+            Relation::Excludes(_, other) => argument.conflicts_with(other),
         })
     })
 }

@@ -14,3 +14,17 @@ pub(crate) enum Relation {
     /// Only one of the two can be said.
     Excludes(&'static str, &'static str),
 }
+
+#[cfg(feature = "clap")]
+impl Relation {
+    /// The field that it is about.
+    pub(crate) const fn field(self) -> &'static str {
+        match self {
+            Self::Required(field)
+            | Self::Expected(field)
+            | Self::RequiredUnless(field, _)
+            | Self::Needs(field, _)
+            | Self::Excludes(field, _) => field,
+        }
+    }
+}

@@ -1,6 +1,7 @@
 //! The command line: verbs, each with the request that its options make.
 
 mod help;
+mod later;
 mod own;
 mod usage;
 
@@ -12,7 +13,8 @@ use osim_requests::{
     PlotRequest, PresetsRequest, RescaleRequest, SweepRequest, TransferRequest,
 };
 
-pub(crate) use help::in_words_of_the_command;
+use help::in_words_of_the_command;
+use later::Later;
 pub(crate) use own::{CompletionsArgs, ManArgs, RequestArgs, SetArgs};
 pub(crate) use usage::usage_line;
 
@@ -38,48 +40,42 @@ pub(crate) struct Cli {
 #[derive(Debug, Subcommand)]
 pub(crate) enum VerbArgs {
     /// Rescale a model's own contacts to another mass (the verb may be left out)
-    Rescale(Box<RescaleRequest>),
+    Rescale(Later<RescaleRequest>),
     /// Give a model the contacts of another model or of a preset, at its own size
-    Transfer(Box<TransferRequest>),
+    Transfer(Later<TransferRequest>),
     /// Find parameters from what is wanted: indentation, stiffness, restitution
-    Design(Box<DesignRequest>),
+    Design(Later<DesignRequest>),
     /// Set properties to a value, or multiply them by a factor
-    Set(Box<SetArgs>),
+    Set(Later<SetArgs>),
     /// Change many models, as a table says: one row per model
-    Batch(Box<BatchRequest>),
+    Batch(Later<BatchRequest>),
     /// Make a grid of variants of a model, or a ladder of them from soft to stiff
-    Sweep(Box<SweepRequest>),
+    Sweep(Later<SweepRequest>),
     /// Show what contacts a model has
-    Inspect(Box<InspectRequest>),
+    Inspect(Later<InspectRequest>),
     /// Hold models against the limits of the paper and the traps of the format
-    Check(Box<CheckRequest>),
+    Check(Later<CheckRequest>),
     /// Let a model fall on its contacts and see what they do
-    DropTest(Box<DropTestRequest>),
+    DropTest(Later<DropTestRequest>),
     /// Draw what contacts do, as SVG or PNG
-    Plot(Box<PlotRequest>),
+    Plot(Later<PlotRequest>),
     /// Find contact parameters from a measured indentation and force
-    Fit(Box<FitRequest>),
+    Fit(Later<FitRequest>),
     /// List presets, or show one
-    Presets(PresetsRequest),
+    Presets(Later<PresetsRequest>),
     /// Explain an equation, or the code of a warning or an error (alone: list them all)
-    Explain(ExplainRequest),
+    Explain(Later<ExplainRequest>),
     /// Do what a request says: a verb with its options, as JSON
-    Request(RequestArgs),
+    Request(Later<RequestArgs>),
     /// Let the shell complete verbs and options
-    Completions(CompletionsArgs),
+    Completions(Later<CompletionsArgs>),
     /// Print the manual page, or write all of them
-    Man(ManArgs),
+    Man(Later<ManArgs>),
 }
 
-/// The parser, with what options need and exclude.
+/// The parser, with what options need and exclude, and help in the words of the command line.
 pub(crate) fn command() -> Command {
-    with_relations(Cli::command(), Verb::Rescale).mut_subcommands(|command| {
-        let verb = Verb::ALL.iter().copied().find(|verb| verb.name() == command.get_name());
-        match verb {
-            Some(verb) => with_relations(command, verb),
-            None => command,
-        }
-    })
+    in_words_of_the_command(with_relations(Cli::command(), Verb::Rescale))
 }
 
 #[cfg(test)]

@@ -18,24 +18,24 @@ use crate::terminal::Exit;
 pub(crate) fn call(cli: Cli, session: &mut Session) -> Result<Exit> {
     let request: Request = match cli.verb {
         None => return rescale::run(cli.rescale, true, session),
-        Some(VerbArgs::Set(args)) => args.request()?.into(),
-        Some(VerbArgs::Request(args)) => request::read(&args, session)?,
+        Some(VerbArgs::Set(args)) => args.0.request()?.into(),
+        Some(VerbArgs::Request(args)) => request::read(&args.0, session)?,
         Some(VerbArgs::Completions(args)) => {
-            return completions::run(&args, &mut session.terminal).map(|()| Exit::Done);
+            return completions::run(&args.0, &mut session.terminal).map(|()| Exit::Done);
         }
-        Some(VerbArgs::Man(args)) => return manual::run(&args, session),
-        Some(VerbArgs::Rescale(request)) => Request::Rescale(request),
-        Some(VerbArgs::Transfer(request)) => Request::Transfer(request),
-        Some(VerbArgs::Design(request)) => Request::Design(request),
-        Some(VerbArgs::Batch(request)) => Request::Batch(request),
-        Some(VerbArgs::Sweep(request)) => Request::Sweep(request),
-        Some(VerbArgs::Inspect(request)) => Request::Inspect(request),
-        Some(VerbArgs::Check(request)) => Request::Check(request),
-        Some(VerbArgs::DropTest(request)) => Request::DropTest(request),
-        Some(VerbArgs::Plot(request)) => Request::Plot(request),
-        Some(VerbArgs::Fit(request)) => Request::Fit(request),
-        Some(VerbArgs::Presets(request)) => request.into(),
-        Some(VerbArgs::Explain(request)) => request.into(),
+        Some(VerbArgs::Man(args)) => return manual::run(&args.0, session),
+        Some(VerbArgs::Rescale(request)) => Request::Rescale(request.0),
+        Some(VerbArgs::Transfer(request)) => Request::Transfer(request.0),
+        Some(VerbArgs::Design(request)) => Request::Design(request.0),
+        Some(VerbArgs::Batch(request)) => Request::Batch(request.0),
+        Some(VerbArgs::Sweep(request)) => Request::Sweep(request.0),
+        Some(VerbArgs::Inspect(request)) => Request::Inspect(request.0),
+        Some(VerbArgs::Check(request)) => Request::Check(request.0),
+        Some(VerbArgs::DropTest(request)) => Request::DropTest(request.0),
+        Some(VerbArgs::Plot(request)) => Request::Plot(request.0),
+        Some(VerbArgs::Fit(request)) => Request::Fit(request.0),
+        Some(VerbArgs::Presets(request)) => (*request.0).into(),
+        Some(VerbArgs::Explain(request)) => (*request.0).into(),
     };
     ask(request, session)
 }

@@ -7,7 +7,7 @@ use clap::Command;
 use clap_mangen::Man;
 use osim_library::{Mode, Prepared};
 
-use crate::args::{ManArgs, command, in_words_of_the_command};
+use crate::args::{ManArgs, command};
 use crate::session::Session;
 use crate::terminal::Exit;
 use crate::words::Words;
@@ -45,9 +45,10 @@ pub(super) fn run(args: &ManArgs, session: &mut Session) -> Result<Exit> {
 fn pages() -> Vec<Man> {
     // A page has room for what the short help leaves out; clap_mangen would leave it out too.
     let in_full = |command: Command| command.mut_args(|argument| argument.hide_short_help(false));
-    let mut command = in_full(in_words_of_the_command(command())).mut_subcommands(in_full);
-    // Gives verbs their full names.
+    let mut command = command();
+    // Gives verbs their full names, and their options.
     command.build();
+    let command = in_full(command).mut_subcommands(in_full);
     let verbs: Vec<Man> = command.get_subcommands().cloned().map(Man::new).collect();
     verbs.into_iter().chain([Man::new(command)]).map(titled).collect()
 }
