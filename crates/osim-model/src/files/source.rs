@@ -1,7 +1,7 @@
 //! Where bytes come from.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// Reads files by the names that models and requests give them.
 ///
@@ -66,6 +66,8 @@ impl FileError {
 /// let files = InMemory::from_iter([("walker.osim", "<OpenSimDocument/>")]);
 /// assert!(files.exists(Path::new("walker.osim")));
 /// assert!(files.read(Path::new("runner.osim")).is_err());
+/// // Models name files in folders beside their own.
+/// assert!(files.exists(Path::new("parts/../walker.osim")));
 /// ```
 #[derive(Debug, Clone, Default)]
 pub struct InMemory(BTreeMap<PathBuf, Vec<u8>>);
@@ -73,22 +75,37 @@ pub struct InMemory(BTreeMap<PathBuf, Vec<u8>>);
 impl InMemory {
     /// Adds a file, or replaces the one of that name.
     pub fn add(&mut self, path: impl Into<PathBuf>, bytes: impl Into<Vec<u8>>) {
-        self.0.insert(path.into(), bytes.into());
+        self.0.insert(plain(&path.into()), bytes.into());
     }
 }
 
 impl<P: Into<PathBuf>, B: Into<Vec<u8>>> FromIterator<(P, B)> for InMemory {
     fn from_iter<I: IntoIterator<Item = (P, B)>>(files: I) -> Self {
-        Self(files.into_iter().map(|(path, bytes)| (path.into(), bytes.into())).collect())
+        Self(files.into_iter().map(|(path, bytes)| (plain(&path.into()), bytes.into())).collect())
     }
 }
 
 impl Files for InMemory {
     fn read(&self, path: &Path) -> Result<Vec<u8>, FileError> {
-        self.0.get(path).cloned().ok_or_else(FileError::not_found)
+        self.0.get(&plain(path)).cloned().ok_or_else(FileError::not_found)
     }
 
     fn exists(&self, path: &Path) -> bool {
-        self.0.contains_key(path)
+        self.0.contains_key(&plain(path))
     }
+}
+
+/// A path without `.` and `..`, as models write them to name files in folders beside their own.
+fn plain(path: &Path) -> PathBuf {
+    let mut plain = PathBuf::new();
+    for component in path.components() {
+        match component {
+            Component::CurDir => {}
+            Component::ParentDir if matches!(plain.components().next_back(), Some(Component::Normal(_))) => {
+                plain.pop();
+            }
+            component => plain.push(component),
+        }
+    }
+    plain
 }
