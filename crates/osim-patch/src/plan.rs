@@ -253,6 +253,13 @@ impl Plan {
         self.warnings.iter_mut().for_each(|warning| warning.spell(dialect));
     }
 
+    /// The files that come of it: the model's own, and the geometry set of a standalone force set where that changes, too.
+    pub fn files(&self, model: &Model) -> impl Iterator<Item = FileId> {
+        let others = model.companions().map(|(file, _)| file);
+        let changed = others.filter(|&file| !self.edits(model, file).is_empty());
+        std::iter::once(FileId::MAIN).chain(changed)
+    }
+
     /// The edits of `file`, the note's among them. `model` is the one that the plan was made for.
     #[must_use]
     pub fn edits(&self, model: &Model, file: FileId) -> Vec<Edit> {

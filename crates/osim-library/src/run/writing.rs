@@ -40,8 +40,7 @@ impl<'m> Results<'m> {
     /// # Errors
     /// Edits that overlap, which would be a defect.
     pub(super) fn of(task: &Task, plan: &Plan, model: &'m Model) -> Result<Self, Fault> {
-        let mut companions = model.companions().map(|(file, _)| file);
-        let changed = companions.find(|&file| !plan.edits(model, file).is_empty());
+        let changed = plan.files(model).find(|&file| file != FileId::MAIN);
         let geometry = match (&task.geometry_output, changed) {
             (Some(path), Some(file)) => {
                 Some(GeometryResult { file, path: path.clone(), patch: plan.patch(model, file)? })

@@ -40,7 +40,7 @@ impl Variant {
             } else {
                 plan.note_anyway();
             }
-            if open.model.companions().any(|(file, _)| !plan.edits(&open.model, file).is_empty()) {
+            if plan.files(&open.model).any(|file| file != FileId::MAIN) {
                 let message = "its contacts stand in a file that it includes: make variants of that file";
                 return Err(open.failure(Fault::refused(message)));
             }
