@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use osim_requests::options::OutputOptions;
 
-use crate::source::{OUTPUT_MARK, Source};
+use crate::source::Source;
 
 /// Where one model's result goes.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -47,29 +47,8 @@ impl Destination {
         match &output.output_dir {
             // A file goes to DIR/its name, a folder's files to DIR/their path below that folder.
             Some(folder) => Self::File(folder.join(source.below_folder())),
-            None => Self::File(beside(&source.path)),
+            None => Self::File(OutputOptions::beside(&source.path)),
         }
-    }
-}
-
-/// `NAME.scaled.osim` beside the model.
-fn beside(path: &Path) -> PathBuf {
-    let mut name = path.file_stem().unwrap_or_default().to_owned();
-    name.push(OUTPUT_MARK);
-    if let Some(extension) = path.extension() {
-        name.push(".");
-        name.push(extension);
-    }
-    path.with_file_name(name)
-}
-
-/// Where the changed geometry set of a standalone force set goes.
-pub(super) fn geometry_destination(geometry: &Path, output: &OutputOptions) -> PathBuf {
-    match (&output.geometry_output, &output.output_dir) {
-        _ if output.in_place => geometry.to_owned(),
-        (Some(path), _) => path.clone(),
-        (None, Some(folder)) => folder.join(geometry.file_name().unwrap_or_default()),
-        (None, None) => beside(geometry),
     }
 }
 
@@ -79,12 +58,6 @@ mod tests {
 
     fn source(path: &str, folder: Option<&str>) -> Source {
         Source { path: path.into(), folder: folder.map(|folder| Path::new(folder).into()) }
-    }
-
-    #[test]
-    fn the_default_is_a_new_file_beside_the_model() {
-        assert_eq!(beside(Path::new("a/human.osim")), Path::new("a/human.scaled.osim"));
-        assert_eq!(beside(Path::new("set.xml")), Path::new("set.scaled.xml"));
     }
 
     #[test]

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use osim_requests::options::OutputOptions;
 
 use super::conflicts::PathOwner;
-use super::destination::{Destination, geometry_destination};
+use super::destination::Destination;
 use super::settings::JobSettings;
 use crate::source::Source;
 
@@ -33,7 +33,7 @@ impl Task {
         let geometry = settings.set_files.geometry.as_deref();
         Self {
             destination: Destination::of(&source, output),
-            geometry_output: geometry.map(|geometry| geometry_destination(geometry, output)),
+            geometry_output: geometry.map(|geometry| output.of_geometry(geometry)),
             asked: output.output.is_some() || output.output_dir.is_some(),
             source,
             settings,

@@ -6,4 +6,4 @@ mod sources;
 
 pub use disk::{Disk, Stamp};
 pub use loaded::{Loaded, Origin};
-pub use sources::{FOLDER_MARK, OUTPUT_MARK, Source, Sources};
+pub use sources::{FOLDER_MARK, Source, Sources};

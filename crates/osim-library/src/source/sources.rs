@@ -5,13 +5,11 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use osim_model::files::Failure;
+use osim_requests::options::OutputOptions;
 use walkdir::{DirEntry, WalkDir};
 
 use crate::digest::{self, NameDigest};
 use crate::paths::{Resolver, resolved};
-
-/// End of the name of files that this tool writes by default.
-pub const OUTPUT_MARK: &str = ".scaled";
 
 /// End of the name of the folder that variants are written into by default. Walks over folders leave it out.
 pub const FOLDER_MARK: &str = ".sweep";
@@ -122,8 +120,10 @@ impl Sources {
         }
         let shown = folder.display();
         if own > 0 {
-            self.remarks
-                .push(format!("{shown}: outputs of this tool (*{OUTPUT_MARK}.osim) passed over: {own}"));
+            self.remarks.push(format!(
+                "{shown}: outputs of this tool (*{}.osim) passed over: {own}",
+                OutputOptions::MARK
+            ));
         }
         if sweeps > 0 {
             self.remarks.push(format!("{shown}: folders of sweeps (*{FOLDER_MARK}) passed over: {sweeps}"));
@@ -158,7 +158,7 @@ fn is_dead_link(path: &Path) -> bool {
 }
 
 fn is_own_output(path: &Path) -> bool {
-    path.file_stem().unwrap_or_default().as_encoded_bytes().ends_with(OUTPUT_MARK.as_bytes())
+    path.file_stem().unwrap_or_default().as_encoded_bytes().ends_with(OutputOptions::MARK.as_bytes())
 }
 
 fn is_sweep(folder: &Path) -> bool {

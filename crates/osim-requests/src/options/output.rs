@@ -1,6 +1,6 @@
 //! Where results go.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -44,6 +44,9 @@ pub struct OutputOptions {
 }
 
 impl OutputOptions {
+    /// What the names of results end in by default, before their extension.
+    pub const MARK: &'static str = ".scaled";
+
     pub(crate) const RELATIONS: &'static [Relation] = &[
         Relation::Excludes("output_dir", "output"),
         Relation::Excludes("in_place", "output"),
@@ -55,5 +58,39 @@ impl OutputOptions {
     /// Whether a factor may be applied to a model whose note says that it was applied already: a new file is no mistake.
     pub(crate) fn may_repeat(&self) -> bool {
         self.force || !self.in_place
+    }
+
+    /// Where a result goes by default: `NAME.scaled.osim` beside the model.
+    #[must_use]
+    pub fn beside(model: &Path) -> PathBuf {
+        let mut name = model.file_stem().unwrap_or_default().to_owned();
+        name.push(Self::MARK);
+        if let Some(extension) = model.extension() {
+            name.push(".");
+            name.push(extension);
+        }
+        model.with_file_name(name)
+    }
+
+    /// Where the changed geometry set of a standalone force set goes.
+    #[must_use]
+    pub fn of_geometry(&self, geometry: &Path) -> PathBuf {
+        match (&self.geometry_output, &self.output_dir) {
+            _ if self.in_place => geometry.to_owned(),
+            (Some(path), _) => path.clone(),
+            (None, Some(folder)) => folder.join(geometry.file_name().unwrap_or_default()),
+            (None, None) => Self::beside(geometry),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_default_is_a_new_file_beside_the_model() {
+        assert_eq!(OutputOptions::beside(Path::new("a/human.osim")), Path::new("a/human.scaled.osim"));
+        assert_eq!(OutputOptions::beside(Path::new("set.xml")), Path::new("set.scaled.xml"));
     }
 }
