@@ -23,6 +23,7 @@
 //! It knows no disk, only [`osim_model::files::Files`], and no terminal. What is wrong with a request is a [`RequestFault`],
 //! in which fields are data that each front end spells.
 
+mod before_after;
 mod calculator;
 #[cfg(feature = "clap")]
 pub mod command_line;
@@ -49,6 +50,7 @@ mod sweep;
 mod table;
 mod value;
 
+pub use before_after::BeforeAfter;
 pub use calculator::{DesignFigure, DesignLimit, DesignSheet};
 pub use drop_test::{ComparedDrop, DropResult};
 pub use fault::{RequestError, RequestFault};

@@ -2,9 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
+use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::{Fault, Model};
 use osim_patch::Plan;
 
+use crate::opening::open_with;
 use crate::options::{InspectionOptions, OutputOptions, SetFiles};
 
 /// Plans the change of one model after the other, on any thread.
@@ -14,6 +16,25 @@ pub trait Planner: Send + Sync {
     /// # Errors
     /// What only the caller can know, or what cannot be done with this model.
     fn plan(&self, model: &Model) -> Result<Plan, Fault>;
+
+    /// The same for a model that was opened: what is odd about the model itself is among the warnings. `no_note` leaves no
+    /// note in it.
+    ///
+    /// # Errors
+    /// Those of [`plan`](Self::plan), with the name of the file and the place.
+    fn plan_opened(&self, opened: &OpenModel, no_note: bool) -> Result<Plan, Failure> {
+        let model = &opened.model;
+        let mut plan = self.plan(model).map_err(|fault| opened.failure(fault))?;
+        if no_note {
+            plan.without_note();
+            if model.note.is_some() && !plan.is_empty() {
+                let text = "the note is removed: the next run cannot know what the contacts stand for";
+                plan.remarks.push(text.into());
+            }
+        }
+        plan.warnings.splice(0..0, model.warnings.iter().cloned());
+        Ok(plan)
+    }
 
     /// Files that were read beside the models.
     fn reads(&self) -> Vec<PathBuf> {
@@ -36,6 +57,25 @@ pub trait Planner: Send + Sync {
 }
 
 /// A request that was checked: where its models are, what it plans, and where results go.
+///
+/// ```
+/// use osim_model::FileId;
+/// use osim_model::files::InMemory;
+/// use osim_requests::{Request, RequestError};
+///
+/// let bytes = include_bytes!("../../osim-model/tests/data/one_foot.osim");
+/// let files = InMemory::from_iter([("one_foot.osim", bytes.as_slice())]);
+/// let json = br#"{"verb": "rescale", "models": "one_foot.osim", "target_mass": 80}"#;
+///
+/// let change = Request::from_json(json)?.prepare(&files)?;
+/// for path in &change.models {
+///     let opened = change.open(path, &files)?;
+///     let plan = change.plan(&opened)?;
+///     let changed = plan.patched(&opened.model, FileId::MAIN).map_err(|fault| opened.failure(fault))?;
+///     assert!(String::from_utf8_lossy(&changed).contains("<radius>0.06</radius>"));
+/// }
+/// # Ok::<(), RequestError>(())
+/// ```
 #[non_exhaustive]
 pub struct Change {
     /// Files and folders.
@@ -56,6 +96,22 @@ impl Change {
         planner: impl Planner + 'static,
     ) -> Self {
         Self { models, output, set_files, planner: Box::new(planner) }
+    }
+
+    /// Opens one of its models, with the files of a standalone set.
+    ///
+    /// # Errors
+    /// It cannot be read.
+    pub fn open(&self, path: &Path, files: &dyn Files) -> Result<OpenModel, Failure> {
+        open_with(path, self.set_files.beside(), files)
+    }
+
+    /// Plans for a model that was [opened](Self::open), as the request says.
+    ///
+    /// # Errors
+    /// Those of [`Planner::plan_opened`].
+    pub fn plan(&self, opened: &OpenModel) -> Result<Plan, Failure> {
+        self.planner.plan_opened(opened, self.output.no_note)
     }
 }
 

@@ -3,8 +3,8 @@
 use osim_inspect::RemedyDialect;
 use osim_model::files::OpenModel;
 use osim_patch::Plan;
+use osim_requests::BeforeAfter;
 
-use super::before_after::BeforeAfter;
 use super::record::Record;
 use super::task::Task;
 use super::writing::{Results, Written};

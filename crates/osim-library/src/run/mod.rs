@@ -3,7 +3,6 @@
 //! A [`Task`] is one model with its [`JobSettings`]; tasks are independent of each other, so threads share them. What a task
 //! did is an [`Outcome`], told in the order in which the models were named.
 
-mod before_after;
 mod conflicts;
 mod context;
 mod destination;
@@ -19,7 +18,6 @@ mod start;
 mod task;
 mod writing;
 
-pub use before_after::BeforeAfter;
 pub use conflicts::{PathConflicts, PathOwner};
 pub use destination::Destination;
 pub use front_end::{ChangedModel, Detail, FrontEnd};

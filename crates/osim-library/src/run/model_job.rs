@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use osim_model::files::{Failure, FileName, ModelFiles, OpenModel};
 use osim_model::wording::{Input, phrase};
 use osim_patch::Plan;
+use osim_requests::BeforeAfter;
 
-use super::before_after::BeforeAfter;
 use super::context::Context;
 use super::destination::Destination;
 use super::front_end::{ChangedModel, Detail, FrontEnd};
@@ -134,7 +134,8 @@ impl<F: FrontEnd> ModelJob<'_, F> {
         match (files, detail) {
             (Some(files), Detail::BeforeAfter { bodies }) => {
                 let how = (self.front_end.dialect(), bodies);
-                BeforeAfter::of(self.task, files, opened, plan, results, how).map(Some)
+                let changed = || changed(self.task, files, results);
+                BeforeAfter::of(self.task.settings.planner(), opened, plan, changed, how).map(Some)
             }
             _ => Ok(None),
         }
@@ -161,17 +162,7 @@ impl<F: FrontEnd> ModelJob<'_, F> {
 
     fn plan(&self, opened: &OpenModel, record: &mut Record) -> Result<Plan, Failure> {
         let settings = &self.task.settings;
-        let model = &opened.model;
-        let planned = settings.planner().plan(model);
-        let mut plan = planned.map_err(|fault| opened.failure(fault))?;
-        if settings.no_note {
-            plan.without_note();
-            if model.note.is_some() && !plan.is_empty() {
-                let text = "the note is removed: the next run cannot know what the contacts stand for";
-                plan.remarks.push(text.into());
-            }
-        }
-        plan.warnings.splice(0..0, model.warnings.iter().cloned());
+        let mut plan = settings.planner().plan_opened(opened, settings.no_note)?;
         let compiled = self.task.output().and_then(|path| self.context.folders.compiled_beside(path));
         plan.warnings.extend(compiled);
         plan.spell(self.front_end.dialect());
@@ -221,4 +212,16 @@ fn edited(model: &FileName, output: &Path) -> Failure {
         Input::Force,
     ];
     Failure::outside(model, "output", message)
+}
+
+/// The model as it will be, with the geometry set that goes with it.
+fn changed(task: &Task, files: &ModelFiles, results: &Results<'_>) -> ModelFiles {
+    let mut changed = files.with_bytes(results.model.to_vec());
+    if let Some(path) = task.output() {
+        changed = changed.named(path.display().to_string());
+    }
+    if let Some(geometry) = &results.geometry {
+        changed.replace_companion(geometry.file, geometry.patch.to_vec());
+    }
+    changed
 }

@@ -3,10 +3,9 @@
 use std::path::PathBuf;
 use std::sync::OnceLock;
 
-use osim_inspect::InspectOptions;
 use osim_model::files::Files;
 use osim_requests::Planner;
-use osim_requests::options::{InspectionOptions, OutputOptions, SetFiles};
+use osim_requests::options::{OutputOptions, SetFiles};
 
 use crate::digest::sha256;
 use crate::source::Disk;
@@ -39,13 +38,6 @@ impl JobSettings {
 
     pub(super) fn planner(&self) -> &dyn Planner {
         self.planner.as_ref()
-    }
-
-    /// How a model would be inspected with the same options.
-    pub(super) fn inspect_options(&self) -> InspectOptions {
-        let inspection = self.planner.inspection();
-        let InspectionOptions { stance, masses, choice, .. } = inspection;
-        InspectionOptions::new(stance, masses, choice, self.set_files.clone()).inspect_options()
     }
 
     /// Files that are read beside the models.

@@ -8,7 +8,7 @@ use osim_patch::{Design, DesignModulus, Plan, RadiusRule, design};
 use serde_json::json;
 
 use crate::fault::RequestFault;
-use crate::options::{CountOptions, InspectionOptions, LoadOptions, SetFiles, StanceOptions, WantedOptions};
+use crate::options::{CountOptions, InspectionOptions, LoadOptions, StanceOptions, WantedOptions};
 use crate::planner::{Change, Planner};
 use crate::request::DesignRequest;
 use crate::value::{PoissonRatio, Positive, RelativeIndentation, RestitutionCoefficient};
@@ -43,7 +43,7 @@ impl DesignRequest {
             counts,
             selection: choice.selection(),
             masses: masses.request(),
-            inspection: InspectionOptions::new(stance, masses, choice, SetFiles::default()),
+            inspection: InspectionOptions::new(stance, masses, choice, set_files.clone()),
         };
         Ok(Change::new(models, output, set_files, planner))
     }

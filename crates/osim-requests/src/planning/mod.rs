@@ -1,5 +1,6 @@
 //! What each changing verb plans for a model.
 
+mod any;
 mod design;
 mod operation;
 mod reference;

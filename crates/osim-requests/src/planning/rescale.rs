@@ -7,7 +7,7 @@ use serde_json::json;
 
 use super::operation::{operation, refuse_again};
 use crate::fault::RequestFault;
-use crate::options::{InspectionOptions, ScalingOptions, SetFiles, StanceOptions};
+use crate::options::{InspectionOptions, ScalingOptions, StanceOptions};
 use crate::planner::{Change, Planner};
 use crate::request::RescaleRequest;
 use crate::value::{Acceleration, Radius};
@@ -46,7 +46,7 @@ impl RescaleRequest {
             selection: choice.selection(),
             scaling,
             may_repeat: output.may_repeat(),
-            inspection: InspectionOptions::new(StanceOptions::default(), masses, choice, SetFiles::default()),
+            inspection: InspectionOptions::new(StanceOptions::default(), masses, choice, set_files.clone()),
             settings,
         };
         Ok(Change::new(models, output, set_files, planner))

@@ -5,7 +5,7 @@ use osim_patch::{Plan, Set, set};
 use serde_json::json;
 
 use crate::fault::RequestFault;
-use crate::options::{InspectionOptions, SetFiles, StanceOptions};
+use crate::options::{InspectionOptions, StanceOptions};
 use crate::planner::{Change, Planner};
 use crate::request::SetRequest;
 use crate::value::Assignments;
@@ -40,7 +40,7 @@ impl SetRequest {
             selection: choice.selection(),
             masses: masses.request(),
             may_repeat: output.may_repeat(),
-            inspection: InspectionOptions::new(StanceOptions::default(), masses, choice, SetFiles::default()),
+            inspection: InspectionOptions::new(StanceOptions::default(), masses, choice, set_files.clone()),
         };
         Ok(Change::new(models, output, set_files, planner))
     }

@@ -18,7 +18,7 @@ use super::operation::{operation, refuse_again};
 use super::reference::{Generic, preset, reference_from_file};
 use crate::fault::{RequestError, RequestFault};
 use crate::options::{
-    CountOptions, FollowOptions, InspectionOptions, RuleChoice, ScalingOptions, SetFiles, StanceOptions,
+    CountOptions, FollowOptions, InspectionOptions, RuleChoice, ScalingOptions, StanceOptions,
 };
 use crate::planner::{Change, Planner};
 use crate::request::TransferRequest;
@@ -85,7 +85,7 @@ impl TransferRequest {
             generic,
             may_repeat: self.output.may_repeat(),
             reads,
-            inspection: InspectionOptions::new(stance, self.masses, self.choice, SetFiles::default()),
+            inspection: InspectionOptions::new(stance, self.masses, self.choice, self.set_files.clone()),
             settings,
         };
         Ok(Change::new(self.models, self.output, self.set_files, planner))

@@ -86,21 +86,15 @@ impl Table {
         let mut fields = row.fields.clone();
         fields.insert("models".to_owned(), path::to_value(&row.model));
         let request = Request::read(row.verb, fields).map_err(|fault| self.placed(&fault, row.verb))?;
-        let change = match request {
-            Request::Rescale(request) => request.prepare().map_err(RequestError::Fault),
-            Request::Design(request) => request.prepare().map_err(RequestError::Fault),
-            Request::Set(request) => request.prepare().map_err(RequestError::Fault),
-            Request::Transfer(request) => request.prepare(files),
-            _ => return Err(RowFault::of("verb", "expected rescale, transfer, design or set")),
-        };
-        change.map_err(|error| match error {
+        let change = request.prepare(files).map_err(|error| match error {
             RequestError::Fault(fault) => self.placed(&fault, row.verb),
             RequestError::Failure(Failure { model, message, .. }) => {
                 let mut text = Phrase::from(format!("{model}: "));
                 text.push(&message);
                 RowFault::of("from", text)
             }
-        })
+        })?;
+        Ok(Change { output: row.output.clone(), ..change })
     }
 
     /// The column that a fault is about.

@@ -6,9 +6,7 @@ use osim_model::files::{Failure, ModelFiles, OpenModel};
 use osim_model::same_mass;
 use osim_patch::Plan;
 
-use super::settings::JobSettings;
-use super::task::Task;
-use super::writing::Results;
+use crate::planner::Planner;
 
 /// What is known of both states of a model, spelled.
 #[derive(Debug)]
@@ -27,23 +25,22 @@ pub struct BeforeAfter {
 }
 
 impl BeforeAfter {
-    /// Both states; `files` are those that `opened` was read from.
+    /// Both states of a model for which `planner` has made `plan`. `changed` gives its files as they will be, under their
+    /// names; it is asked only where something changes. `bodies` are kept for plots only where that is said.
     ///
     /// # Errors
-    /// The new model cannot be read, which would be a defect: it is not written then.
-    pub(super) fn of(
-        task: &Task,
-        files: &ModelFiles,
+    /// The new model cannot be read, which would be a defect: it is not to be written then.
+    pub fn of(
+        planner: &dyn Planner,
         opened: &OpenModel,
         plan: &Plan,
-        results: &Results<'_>,
+        changed: impl FnOnce() -> ModelFiles,
         (dialect, bodies): (&dyn RemedyDialect, bool),
     ) -> Result<Self, Failure> {
-        let settings = task.settings.as_ref();
-        let before = settings.inspect_options();
+        let before = planner.inspection().inspect_options();
         let now = seen(&before, opened);
-        let mut after = options_after(settings, &before, plan, &now.0);
-        after.stance.gravity_m_s2 = settings.planner().target_gravity_m_s2();
+        let mut after = options_after(planner, &before, plan, &now.0);
+        after.stance.gravity_m_s2 = planner.target_gravity_m_s2();
         let target_gravity_m_s2 =
             after.stance.gravity_m_s2.filter(|&gravity| now.0.figures.gravity_m_s2 != Some(gravity));
         let mut both = Self {
@@ -61,7 +58,7 @@ impl BeforeAfter {
         }
         both.bodies.extend(body("before", &before, opened).filter(|_| bodies));
         if !plan.is_empty() {
-            let written = written(task, files, results).open()?;
+            let written = changed().open()?;
             both.after = Some(seen(&after, &written));
             both.bodies.extend(body("after", &after, &written).filter(|_| bodies));
         }
@@ -90,7 +87,7 @@ fn body(name: &str, options: &InspectOptions, opened: &OpenModel) -> Option<Body
 
 /// How the new model is inspected: its contacts carry the body that they were scaled for.
 fn options_after(
-    settings: &JobSettings,
+    planner: &dyn Planner,
     before: &InspectOptions,
     plan: &Plan,
     now: &Inspection,
@@ -98,23 +95,11 @@ fn options_after(
     let mut options = before.clone();
     let to_kg = plan.masses.as_ref().map(|masses| masses.to_kg);
     // The note says it; without one somebody has to.
-    options.masses.contacts_kg = to_kg.filter(|_| settings.no_note);
-    if let Some(kg) = to_kg.filter(|_| settings.planner().name() == "rescale")
+    options.masses.contacts_kg = to_kg.filter(|_| plan.note().is_none());
+    if let Some(kg) = to_kg.filter(|_| planner.name() == "rescale")
         && now.figures.mass_kg.is_none_or(|weighs| !same_mass(weighs, kg))
     {
         options.masses.model_kg = Some(kg);
     }
     options
-}
-
-/// The model as it will be, with the geometry set that goes with it.
-fn written(task: &Task, files: &ModelFiles, results: &Results<'_>) -> ModelFiles {
-    let mut written = files.with_bytes(results.model.to_vec());
-    if let Some(path) = task.output() {
-        written = written.named(path.display().to_string());
-    }
-    if let Some(geometry) = &results.geometry {
-        written.replace_companion(geometry.file, geometry.patch.to_vec());
-    }
-    written
 }
