@@ -16,9 +16,6 @@ use crate::source::{FOLDER_MARK, Loaded, Origin, Source, Stamp};
 use crate::workers::{in_order, threads};
 use crate::write::{Mode, Prepared};
 
-/// More models than this are made only where that was said.
-const MANY: usize = 10_000;
-
 /// Whoever asks for a sweep. Its methods are called on the threads that do the work.
 pub trait SweepFrontEnd: Sync {
     /// Whether no further variant shall be begun.
@@ -68,15 +65,7 @@ impl<'s> SweepRun<'s> {
         if model.as_os_str() == "-" || model.is_dir() {
             return Err(RequestFault::general("a sweep makes variants of one model: name its file").into());
         }
-        let count = request.count()?;
-        if count > MANY && !request.yes && !request.dry_run {
-            let message = phrase![
-                format!("{count} models would be made, more than 10,000: say "),
-                Input::Yes,
-                ", or give fewer values",
-            ];
-            return Err(RequestFault::general(message).into());
-        }
+        request.check()?;
         let Loaded { files, origin } = Loaded::read(&Source::file(model), &SetFiles::default())?;
         let plan = SweepPlan::new(request, files)?;
         Ok(Self { request, plan, origin, folder: folder(request, model) })
@@ -91,7 +80,7 @@ impl<'s> SweepRun<'s> {
     /// So many that they are made only where that was said.
     #[must_use]
     pub fn is_large(&self) -> bool {
-        self.count() > MANY
+        self.request.is_large()
     }
 
     /// The model, as it was named.

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use osim_model::files::{Failure, ModelFiles};
 use osim_model::shortest;
-use osim_model::wording::Phrase;
+use osim_model::wording::{Input, Phrase, phrase};
 
 use super::grid::{Point, count, ends, point};
 use super::ladder::Ladder;
@@ -15,7 +15,34 @@ use crate::fault::{RequestError, RequestFault};
 use crate::request::SweepRequest;
 use crate::value::AxisName;
 
+/// More models than this are made only where that was said.
+const MANY: usize = 10_000;
+
 impl SweepRequest {
+    /// Checks what can be known without the model.
+    ///
+    /// # Errors
+    /// Axes that undo each other, or so many models that they are made only where that was said.
+    pub fn check(&self) -> Result<(), RequestFault> {
+        self.check_axes()?;
+        let count = self.count()?;
+        if self.is_large() && !self.yes && !self.dry_run {
+            let message = phrase![
+                format!("{count} models would be made, more than 10,000: say "),
+                Input::Yes,
+                ", or give fewer values",
+            ];
+            return Err(RequestFault::general(message));
+        }
+        Ok(())
+    }
+
+    /// So many models that they are made only where that was said.
+    #[must_use]
+    pub fn is_large(&self) -> bool {
+        self.count().is_ok_and(|count| count > MANY)
+    }
+
     /// Checks that axes do not undo each other.
     ///
     /// # Errors
@@ -77,8 +104,9 @@ impl<'s> SweepPlan<'s> {
     /// A sweep of the model whose files are `model`.
     ///
     /// # Errors
-    /// The model itself cannot be read, or a ladder has no last step.
+    /// Those of [`SweepRequest::check`], or the model itself cannot be read, or a ladder has no last step.
     pub fn new(request: &'s SweepRequest, model: ModelFiles) -> Result<Self, RequestError> {
+        request.check()?;
         let count = request.count()?;
         // What is wrong with the model itself is told once, not for every variant.
         Variant::unchanged(request, &model)?;
