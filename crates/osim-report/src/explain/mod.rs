@@ -1,5 +1,6 @@
 //! What an equation says, and what a warning or an error means and asks for.
 
+mod answer;
 mod ascii;
 mod equations;
 mod errors;
@@ -10,6 +11,7 @@ mod text;
 mod topic;
 mod uses;
 
+pub use answer::answer;
 pub use equations::{equation, equations};
 pub use errors::{ErrorCode, error, errors};
 pub use letters::Letters;
