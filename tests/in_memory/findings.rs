@@ -1,0 +1,111 @@
+//! What is wrong with a model, and its remedy, which is data: applied, and gone.
+
+use std::path::Path;
+
+use osim_inspect::CheckResult;
+use osim_model::WarningCode;
+use osim_model::files::InMemory;
+use osim_report::check::{LibraryTable, csv_rows, text};
+use osim_report::dialect::{CommandLine, FrontEnd};
+use osim_report::json::line;
+use osim_report::layout::Colour;
+use osim_requests::{CheckRequest, Request, open_with};
+use serde_json::json;
+
+use crate::front_end::{Changed, files_of, request};
+use crate::support::{Bench, HUMAN};
+
+/// What is found in a model, spelled.
+fn checked(request: &CheckRequest, path: &Path, files: &InMemory) -> CheckResult {
+    let inspector = request.inspector();
+    let opened = open_with(path, inspector.set_files().beside(), files).unwrap();
+    let inspected = inspector.inspect(&opened).unwrap();
+    inspector.refuse_without_contacts(&opened, &inspected).unwrap();
+    let mut found = inspector.check(&opened.model, &inspected, None);
+    found.spell(&CommandLine);
+    found
+}
+
+fn check_of(model: &str) -> CheckRequest {
+    request!(Check, {"verb": "check", "models": [model]})
+}
+
+#[test]
+fn check() {
+    let bench = Bench::with(&[HUMAN, ("format/unequal_stiffness.osim", "unequal.osim")]);
+    let files = files_of(&bench);
+    for model in ["human.osim", "unequal.osim"] {
+        let found = checked(&check_of(model), Path::new(model), &files);
+        let said = |more: &str| bench.run(&format!("check {model}{more}")).out();
+        assert_eq!(text(&found, CommandLine.prompt(), Colour::Plain), said(""));
+        assert_eq!(line(&found), said(" --format json"));
+        assert_eq!(csv_rows(&found, true).unwrap(), said(" --format csv"));
+    }
+}
+
+#[test]
+fn check_of_several_models() {
+    let bench = Bench::with(&[HUMAN, ("check/floats.osim", "floats.osim")]);
+    let files = files_of(&bench);
+    let request = request!(Check, {"verb": "check", "models": ["human.osim", "floats.osim"], "deny": "warn"});
+    let mut table = LibraryTable::default();
+    let mut denied = false;
+    for path in &request.models {
+        let found = checked(&request, path, &files);
+        table.add(&found);
+        denied |= found.reaches(request.deny.severity());
+    }
+    let ran = bench.run("check human.osim floats.osim --deny warn");
+    assert_eq!(ran.status, Some(i32::from(denied)));
+    assert_eq!(table.text(true, &CommandLine, Colour::Plain), ran.out());
+}
+
+/// Applies the remedy of `code`, as data in memory and as the command that is proposed: both give the same file, and in it
+/// the finding is gone.
+#[track_caller]
+fn put_right(bench: &Bench, model: &str, code: WarningCode) {
+    let mut files = files_of(bench);
+    let found = checked(&check_of(model), Path::new(model), &files);
+    let finding = found.findings.iter().find(|finding| finding.code == code).unwrap();
+
+    let remedy = Request::try_from(finding.remedy.as_ref().unwrap()).unwrap();
+    // A dictionary can be kept, sent and changed before it is run.
+    let remedy = Request::from_json(remedy.to_json().as_bytes()).unwrap();
+    let change = remedy.prepare(&files).unwrap();
+    let changed = Changed::new(&change, Path::new(model), &files).unwrap();
+
+    let command = finding.command.as_deref().unwrap();
+    bench.run(command.strip_prefix("osim-contact-scale ").unwrap()).done();
+    for made in changed.results {
+        assert!(bench.read(&made.name.to_string_lossy()) == made.bytes, "{command}");
+        files.add(model, made.bytes);
+    }
+    let left = checked(&check_of(model), Path::new(model), &files);
+    assert!(left.findings.iter().all(|finding| finding.code != code), "{command}: {left:?}");
+}
+
+#[test]
+fn remedies() {
+    for (fixture, code) in [
+        (HUMAN.0, WarningCode::BeyondHertz),
+        (HUMAN.0, WarningCode::BeyondHuntCrossley),
+        ("check/contacts_of_another_mass.osim", WarningCode::ContactsOfAnotherMass),
+        ("check/wide_transition.osim", WarningCode::WideTransition),
+        ("format/left_out_stiffness.osim", WarningCode::DefaultStiffness),
+    ] {
+        put_right(&Bench::with(&[(fixture, "model.osim")]), "model.osim", code);
+    }
+}
+
+#[test]
+fn a_remedy_in_the_words_of_requests_is_a_request() {
+    let bench = Bench::human();
+    let inspector = check_of("human.osim").inspector();
+    let opened =
+        open_with(Path::new("human.osim"), inspector.set_files().beside(), &files_of(&bench)).unwrap();
+    let inspected = inspector.inspect(&opened).unwrap();
+    let mut found = inspector.check(&opened.model, &inspected, None);
+    found.spell(&osim_report::dialect::JsonRequest);
+    let asked = json!({"verb": "check", "models": ["human.osim"], "format": "json"}).to_string();
+    assert_eq!(line(&found), bench.run_with("request -", asked.as_bytes()).out());
+}

@@ -1,0 +1,26 @@
+//! Every verb without a disk and without a terminal, as a page in a browser does it: a request in JSON, files in a map, and
+//! the libraries. What comes of it is what the command prints and writes for the same files.
+//!
+//! Only `osim-model`, `osim-patch`, `osim-inspect`, `osim-requests`, `osim-report` and `contact-plots` are used here. Each
+//! expected value is the command's: both are to be one logic behind two front ends.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    missing_docs,
+    reason = "a test fails by panicking"
+)]
+
+mod changes;
+mod findings;
+mod front_end;
+mod inspections;
+mod pages;
+mod pictures;
+mod results;
+mod rows;
+#[path = "../command/support.rs"]
+#[allow(dead_code, reason = "shared with the tests of the command, which use all of it")]
+mod support;
+mod variants;

@@ -1,0 +1,151 @@
+//! The HTML page: of a model that was inspected, and of one that was changed.
+
+use std::path::Path;
+
+use osim_model::files::{Beside, InMemory, ModelFiles, OpenModel};
+use osim_model::wording::Verb;
+use osim_report::dialect::CommandLine;
+use osim_report::html::{
+    self, About, Columns, DetailLevel, Entry, Files, InMemory as Kept, NamedDigest, Page, RunRow,
+};
+use osim_requests::{BeforeAfter, open_with};
+use serde_json::json;
+use sha2::{Digest, Sha256};
+
+use crate::front_end::{Changed, files_of, read, request};
+use crate::support::Bench;
+
+fn digest(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+fn digests(opened: &OpenModel) -> Vec<NamedDigest> {
+    opened.files().map(|(name, bytes)| (name.to_owned(), digest(bytes))).collect()
+}
+
+/// The page about one model.
+fn page(verb: Verb, model: &str, columns: Columns, words: &str, entry: Entry) -> String {
+    let about = About::new(verb, Some(model.to_owned()), columns, format!("osim-contact-scale {words}"));
+    let mut page = Page::new(about, Kept::default(), Kept::default(), &CommandLine);
+    page.add(entry);
+    let mut bytes = Vec::new();
+    page.finish(&mut bytes).unwrap();
+    String::from_utf8(bytes).unwrap()
+}
+
+#[test]
+fn of_an_inspection() {
+    let bench = Bench::human();
+    let files = files_of(&bench);
+    let request = request!(Inspect, {"verb": "inspect", "models": "human.osim"});
+    let inspector = request.inspector(&files);
+    let opened = open_with(&request.models[0], inspector.set_files().beside(), &files).unwrap();
+    let mut inspected = inspector.inspect(&opened).unwrap();
+    let mut found = inspector.check(&opened.model, &inspected, None);
+    inspected.spell(&CommandLine);
+    found.spell(&CommandLine);
+    let entry = html::inspected(
+        inspector.options(),
+        &opened,
+        (&inspected, &found),
+        &digests(&opened),
+        DetailLevel::Alone,
+        &CommandLine,
+    );
+    let words = "inspect human.osim --report page.html";
+    bench.run(words).done().wrote(&["page.html"]);
+    assert_eq!(
+        page(Verb::Inspect, "human.osim", Columns::Inspections, words, entry),
+        bench.text("page.html")
+    );
+}
+
+/// The page of a change, made in memory and by the command.
+#[track_caller]
+fn same_page(bench: &Bench, verb: Verb, words: &str, json: &serde_json::Value) {
+    let files = files_of(bench);
+    let change = read(json).prepare(&files).unwrap();
+    let path = change.models[0].as_path();
+    let changed = Changed::new(&change, path, &files).unwrap();
+    let new_files = || changed_files(path, &change.set_files.beside(), &files, &changed);
+    let both =
+        BeforeAfter::of(&*change.planner, &changed.opened, &changed.plan, new_files, (&CommandLine, true))
+            .unwrap();
+
+    let (shown, names) = (changed.opened.name().to_string(), changed.names());
+    let mut row = RunRow::new(shown.as_str(), "written");
+    row.output = names.first().cloned();
+    row.contacts_mass_from_kg = changed.plan.masses.as_ref().map(|masses| masses.from.kg);
+    row.contacts_mass_to_kg = changed.plan.masses.as_ref().map(|masses| masses.to_kg);
+    row.changes = changed.plan.changes.len() + changed.plan.moves.len();
+    let outputs = changed.results.iter().zip(&names).map(|(made, name)| (name.clone(), digest(&made.bytes)));
+    let told = Files {
+        inputs: digests(&changed.opened),
+        result: format!("written: {}", names.join(", ")),
+        outputs: outputs.collect(),
+    };
+    let mut shows = html::Changed::new(&changed.plan, (&both.before.0, &both.before.1), told);
+    shows.before_under_new_weight = both.before_under_new_weight.as_ref();
+    shows.after = both.after.as_ref().map(|(after, found)| (after, found));
+    shows.bodies = both.bodies;
+    shows.in_file = true;
+    shows.target_gravity_m_s2 = both.target_gravity_m_s2;
+    let entry = html::changed(&row, &shows, DetailLevel::Alone, &CommandLine);
+
+    let words = format!("{words} --report page.html");
+    bench.run(&words).done();
+    assert_eq!(page(verb, &shown, Columns::Changes, &words, entry), bench.text("page.html"), "{words}");
+}
+
+/// The files of the model as they are after the change.
+fn changed_files(path: &Path, beside: &Beside<'_>, files: &InMemory, changed: &Changed) -> ModelFiles {
+    let bytes = changed.opened.files().next().unwrap().1.to_vec();
+    let before = ModelFiles::read(path, bytes, *beside, files).unwrap();
+    changed.as_files(&before)
+}
+
+#[test]
+fn of_a_change() {
+    same_page(
+        &Bench::human(),
+        Verb::Rescale,
+        "rescale human.osim --target-mass 500",
+        &json!({"verb": "rescale", "models": "human.osim", "target_mass": 500}),
+    );
+    same_page(
+        &Bench::human(),
+        Verb::Rescale,
+        "rescale human.osim --target-mass 500 --target-gravity 1.62 --no-note",
+        &json!({
+            "verb": "rescale",
+            "models": "human.osim",
+            "target_mass": 500,
+            "target_gravity": 1.62,
+            "no_note": true,
+        }),
+    );
+}
+
+#[test]
+fn of_a_change_to_a_standalone_force_set() {
+    let bench = Bench::with(&[
+        ("format/standalone_ForceSet.xml", "forces.xml"),
+        ("format/standalone_ContactGeometrySet.xml", "geometry.xml"),
+    ]);
+    same_page(
+        &bench,
+        Verb::Design,
+        "design forces.xml --geometry geometry.xml --mass 61.5 --spheres 1 --gravity 9.81 --indentation 0.16 \
+         --radius 0.04",
+        &json!({
+            "verb": "design",
+            "models": "forces.xml",
+            "geometry": "geometry.xml",
+            "mass": 61.5,
+            "spheres": 1,
+            "gravity": 9.81,
+            "indentation": 0.16,
+            "radius": 0.04,
+        }),
+    );
+}

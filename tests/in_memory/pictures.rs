@@ -1,0 +1,84 @@
+//! Figures: SVG and PNG as bytes, and what is said beside them.
+
+use osim_report::dialect::CommandLine;
+use osim_report::figures;
+use serde_json::{Value, json};
+
+use crate::front_end::{files_of, request};
+use crate::support::{Bench, HUMAN};
+
+fn bench() -> Bench {
+    Bench::with(&[HUMAN, ("table1/mouse_smooth_sphere.osim", "mouse.osim")])
+}
+
+/// Draws the figure of `json` in memory, and that of `words` by the command: both are the same.
+#[track_caller]
+fn same(words: &str, json: &Value) {
+    let bench = bench();
+    let request = request!(Plot, json);
+    request.check_models().unwrap();
+    let bodies = request.bodies(&files_of(&bench)).unwrap();
+    let svg = figures::draw(&request, &bodies).unwrap();
+
+    let said = figures::weights(&bodies, &CommandLine);
+    let ran = bench.run(&format!("plot {words} -o figure.svg")).done().wrote(&["figure.svg"]);
+    assert_eq!(bench.text("figure.svg"), svg);
+    assert_eq!(format!("{said}written to figure.svg\n"), ran.out());
+
+    #[cfg(feature = "png")]
+    {
+        let png = contact_plots::png(&svg, f32::from(request.dpi.get())).unwrap();
+        bench.run(&format!("plot {words} -o figure.png")).done().wrote(&["figure.png"]);
+        assert!(bench.read("figure.png") == png, "{words}");
+    }
+}
+
+#[test]
+fn force() {
+    same(
+        "force human.osim mouse.osim --title Both",
+        &json!({
+            "verb": "plot",
+            "kind": "force",
+            "models": ["human.osim", "mouse.osim"],
+            "title": "Both",
+            "output": "-",
+        }),
+    );
+}
+
+#[test]
+fn one_drop() {
+    same(
+        "drop human.osim --height x0.1 --dpi 72",
+        &json!({
+            "verb": "plot",
+            "kind": "drop",
+            "models": "human.osim",
+            "height": "x0.1",
+            "dpi": 72,
+            "output": "-",
+        }),
+    );
+}
+
+#[test]
+fn a_heat_map() {
+    same(
+        "sweep human.osim --quantity restitution --stiffness x0.5..x2/3 --dissipation 0.5..2/4",
+        &json!({
+            "verb": "plot",
+            "kind": "sweep",
+            "models": "human.osim",
+            "quantity": "restitution",
+            "stiffness": "x0.5..x2/3",
+            "dissipation": "0.5..2/4",
+            "output": "-",
+        }),
+    );
+}
+
+#[test]
+fn a_figure_of_the_paper() {
+    same("fig4", &json!({"verb": "plot", "kind": "fig4", "output": "-"}));
+}

@@ -1,0 +1,79 @@
+//! Variants of one model: the bytes of each, and the table that says what is in which.
+
+use std::path::Path;
+
+use osim_model::files::{Beside, FileName, Files, ModelFiles};
+use osim_report::json::line;
+use osim_report::results::SweepRecord;
+use osim_requests::SweepPlan;
+use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
+
+use crate::front_end::{files_of, request};
+use crate::support::Bench;
+
+#[track_caller]
+fn same(words: &str, json: &Value) {
+    let bench = Bench::human();
+    let files = files_of(&bench);
+    let request = request!(Sweep, json);
+    let path = request.model.clone().unwrap();
+    let bytes = files.read(&path).unwrap();
+    let model = ModelFiles::read(&path, bytes, Beside::default(), &files).unwrap();
+    let plan = SweepPlan::new(&request, model).unwrap();
+    plan.check_ends().unwrap();
+    let ran = bench.run(&format!("sweep {words} -d out --format json")).done();
+
+    let mut table = csv::Writer::from_writer(Vec::new());
+    table.write_record(plan.table_header()).unwrap();
+    for index in 0..plan.count() {
+        let name = plan.file_name(index);
+        let made = plan.make(index).unwrap();
+        assert!(bench.read(&format!("out/{name}")) == made.bytes, "{name}");
+        let digest = Sha256::digest(&made.bytes).iter().map(|byte| format!("{byte:02x}")).collect();
+        table.write_record(made.row(digest)).unwrap();
+    }
+    let manifest = Path::new("out").join(plan.table_name());
+    assert_eq!(
+        bench.text(&manifest.to_string_lossy()),
+        String::from_utf8(table.into_inner().unwrap()).unwrap()
+    );
+    let record = SweepRecord::new(&FileName::from(path.as_path()), Path::new("out"), Some(&manifest));
+    assert_eq!(line(&record.counted(plan.count(), 0)), ran.out());
+}
+
+#[test]
+fn the_points_of_a_grid() {
+    same(
+        "human.osim --grid stiffness=x0.5,x2 --grid restitution=0.5,0.8",
+        &json!({
+            "verb": "sweep",
+            "model": "human.osim",
+            "grid": {"stiffness": ["x0.5", "x2"], "restitution": [0.5, 0.8]},
+        }),
+    );
+}
+
+#[test]
+fn the_steps_of_a_ladder() {
+    same(
+        "human.osim --ladder 3 --indentation 0.16 --restitution 0.8",
+        &json!({"verb": "sweep", "model": "human.osim", "ladder": 3, "indentation": 0.16, "restitution": 0.8}),
+    );
+}
+
+#[test]
+fn axes_that_undo_each_other() {
+    let bench = Bench::human();
+    let files = files_of(&bench);
+    let request = request!(Sweep, {
+        "verb": "sweep",
+        "model": "human.osim",
+        "grid": {"stiffness": [1e5], "indentation": [0.1]},
+    });
+    let path = Path::new("human.osim");
+    let model = ModelFiles::read(path, files.read(path).unwrap(), Beside::default(), &files).unwrap();
+    let Err(osim_requests::RequestError::Fault(fault)) = SweepPlan::new(&request, model) else { panic!() };
+    let ran = bench.run("sweep human.osim --grid stiffness=1e5 --grid indentation=0.1").usage();
+    assert_eq!(format!("error: {}\n", fault.spelled(&osim_report::dialect::CommandLine)), ran.err());
+}
