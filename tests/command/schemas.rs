@@ -67,6 +67,7 @@ mod names_that_are_no_text {
     use std::path::PathBuf;
 
     use super::*;
+    use crate::support::fixture;
 
     const NAME: &[u8] = b"m\xE4use.osim";
 
@@ -125,6 +126,17 @@ mod names_that_are_no_text {
         let output: Vec<u8> = serde_json::from_value(line["output_bytes"].clone()).unwrap();
         let output = PathBuf::from(OsStr::from_bytes(&output));
         assert!(bench.path("").join(output).is_file(), "{line}");
+    }
+
+    #[test]
+    fn stay_in_remedies_that_are_sent_back() {
+        let Some(bench) = bench() else { return };
+        std::fs::write(bench.path("").join(OsStr::from_bytes(NAME)), fixture("check/sunk_in.osim")).unwrap();
+        let asked = json!({"verb": "check", "models": [{"bytes": NAME}], "format": "json"}).to_string();
+        let found: Value =
+            serde_json::from_str(&bench.run_with("request -", asked.as_bytes()).out()).unwrap();
+        let remedy = found["findings"][0]["command"].as_str().unwrap();
+        bench.run_with("request -", remedy.as_bytes()).done().says(&["scaled.osim"]);
     }
 
     #[test]

@@ -53,7 +53,7 @@ fn wanted(result: &CheckResult, code: WarningCode) -> RemedyDesign {
 fn spheres_that_sink_in_too_deep_get_the_indentation_of_the_limit() {
     let result = check("human.osim", HUMAN);
     let remedy = find(&result, WarningCode::BeyondHertz).remedy.as_ref().unwrap();
-    assert_eq!(remedy.model, "human.osim");
+    assert_eq!(&*remedy.model, "human.osim");
     assert_eq!(remedy.selection, Selection::default());
     let wanted = wanted(&result, WarningCode::BeyondHertz);
     assert_eq!((wanted.indentation, wanted.body_weights), (Some(0.16), None));

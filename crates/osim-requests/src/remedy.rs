@@ -25,7 +25,7 @@ impl TryFrom<&Remedy> for Request {
     /// # Errors
     /// A number outside its domain, which no finding has.
     fn try_from(remedy: &Remedy) -> Result<Self, RequestFault> {
-        let models = vec![remedy.model.clone().into()];
+        let models = vec![remedy.model.to_path()];
         let choice = choice(remedy);
         let set_files = SetFiles { geometry: remedy.geometry.clone(), model: remedy.set_model.clone() };
         let load = remedy.load.clone().unwrap_or_default();

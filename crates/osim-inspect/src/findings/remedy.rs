@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use contact_scaling::limits;
+use osim_model::files::FileName;
 use osim_model::wording::Dialect;
 use osim_model::{Pattern, Property, Selection, readable};
 use osim_patch::Assignment;
@@ -19,7 +20,7 @@ const PROPOSED_PRESET: &str = "falisse2022";
 #[non_exhaustive]
 pub struct Remedy {
     /// The model, as it was named.
-    pub model: String,
+    pub model: FileName,
     /// What is done with it.
     pub change: RemedyChange,
     /// Whose weight is carried, where that matters.
@@ -101,7 +102,7 @@ pub trait RemedyDialect: Dialect {
 pub(super) struct Remedies<'m> {
     /// `None` for standard input, which cannot be read twice, for a model that is not changed as it is, and where something
     /// else has to be done first.
-    model: Option<String>,
+    model: Option<FileName>,
     load: RemedyLoad,
     options: &'m InspectOptions,
     /// Some force gives spheres of different size or material one modulus, so that no design serves all of them; all numbers
@@ -129,7 +130,8 @@ impl<'m> Remedies<'m> {
             spheres: stance.spheres,
             stance_limbs: Some(stance.limbs).filter(|&limbs| limbs != 1.0),
         };
-        let model = Some(inspected.model.clone()).filter(|model| model != "-" && changes);
+        let model = (inspected.model != "-" && changes)
+            .then(|| FileName::from_parts(inspected.model.clone(), inspected.model_bytes.clone()));
         let counted = inspected.spheres_per_limb.is_some() || stance.spheres.is_some();
         Self { model, load, options, joined, counted }
     }

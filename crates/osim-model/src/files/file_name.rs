@@ -2,7 +2,7 @@
 
 use std::fmt;
 use std::ops::Deref;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// A file as it was named: text, and the bytes of the name where that is no UTF-8 and the text only an approximation.
 ///
@@ -23,6 +23,22 @@ impl FileName {
     #[must_use]
     pub fn bytes(&self) -> Option<&[u8]> {
         self.bytes.as_deref()
+    }
+
+    /// The name with the bytes that [`into_parts`](Self::into_parts) gave.
+    #[must_use]
+    pub fn from_parts(text: String, bytes: Option<Vec<u8>>) -> Self {
+        Self { text, bytes: bytes.map(Into::into) }
+    }
+
+    /// The name as the system has it, where the system has names of bytes; elsewhere the text.
+    #[must_use]
+    pub fn to_path(&self) -> PathBuf {
+        #[cfg(unix)]
+        if let Some(bytes) = &self.bytes {
+            return <std::ffi::OsStr as std::os::unix::ffi::OsStrExt>::from_bytes(bytes).into();
+        }
+        PathBuf::from(&self.text)
     }
 
     /// The text, and the bytes where they are no UTF-8: as JSON has them, side by side.
@@ -89,6 +105,9 @@ mod tests {
         let name = FileName::from(Path::new(std::ffi::OsStr::from_bytes(b"m\xE4use.osim")));
         assert_eq!(&*name, "m\u{FFFD}use.osim");
         assert_eq!(name.bytes(), Some(b"m\xE4use.osim".as_slice()));
+        assert_eq!(name.to_path().as_os_str().as_bytes(), b"m\xE4use.osim");
+        let (text, bytes) = name.clone().into_parts();
+        assert_eq!(FileName::from_parts(text, bytes), name);
     }
 
     #[test]
