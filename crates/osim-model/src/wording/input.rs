@@ -30,10 +30,12 @@ macro_rules! inputs {
 
 inputs! {
     Again = "again", "apply it once more";
+    Ascii = "ascii", "plain letters";
     Axes = "axes", "units of the axes";
     BodyScale = "body_scale", "scale factors of a body";
     BodyScaleFile = "body_scale_file", "the Scale Tool's ScaleSet";
     BodyWeights = "body_weights", "load in body weights";
+    Branch = "branch", "part of the measurement";
     Compare = "compare", "body to compare with";
     CompareSpheres = "compare_spheres", "spheres that share the other body's weight";
     ConstantContactForce = "constant_contact_force", "constant contact force";
@@ -41,27 +43,36 @@ inputs! {
     ContactStiffness = "contact_stiffness", "stiffness of one sphere";
     ContactsGravity = "contacts_gravity", "gravity the contacts were made for";
     ContactsMass = "contacts_mass", "mass the contacts were made for";
+    Deny = "deny", "findings that count as a failure";
     Diff = "diff", "unified diff";
     Dissipation = "dissipation", "dissipation";
+    DissipationBy = "dissipation_by", "how dissipation follows";
+    Dpi = "dpi", "pixels to the inch";
     DryRun = "dry_run", "dry run";
     Duration = "duration", "duration";
     Exclude = "exclude", "forces to leave out";
     ExcludeBody = "exclude_body", "bodies to leave out of the sum";
     FollowBodies = "follow_bodies", "spheres follow their bodies";
     Force = "force", "replace existing files";
+    ForceColumn = "force_column", "column of the force";
+    ForceUnit = "force_unit", "unit of the force";
     Format = "format", "how to print";
     Friction = "friction", "scale friction speeds too";
     From = "from", "where the contacts come from";
     Geometry = "geometry", "file of the contact geometry set";
+    GeometryOutput = "geometry_output", "output file of the geometry set";
     Gravity = "gravity", "gravity";
     Grid = "grid", "values along an axis";
+    Height = "height", "height of the drop";
     HeightRatio = "height_ratio", "ratio of the heights";
     HertzSmoothing = "hertz_smoothing", "Hertz smoothing";
     HuntCrossleySmoothing = "hunt_crossley_smoothing", "Hunt-Crossley smoothing";
     ImpactSpeed = "impact_speed", "impact speed";
     InPlace = "in_place", "change the model itself";
     Indentation = "indentation", "relative indentation";
+    IndentationColumn = "indentation_column", "column of the indentation";
     IndentationUnit = "indentation_unit", "unit of the indentation";
+    Jobs = "jobs", "models to work on at once";
     Keep = "keep", "properties that stay";
     Kind = "kind", "what to draw";
     Ladder = "ladder", "steps of a ladder";
@@ -71,13 +82,16 @@ inputs! {
     Mass = "mass", "mass of the model";
     Model = "model", "file of the model";
     MovedSpheres = "moved_spheres", "spheres that were moved already";
+    NoBackup = "no_backup", "keep no backup";
     NoNote = "no_note", "leave no note";
-    Onset = "onset", "where contact begins";
     Only = "only", "properties that change";
+    Onset = "onset", "where contact begins";
     Output = "output", "output file";
     OutputDir = "output_dir", "output folder";
     Poisson = "poisson", "Poisson's ratio";
     Presets = "presets", "file with presets";
+    Quantity = "quantity", "what the colours show";
+    Quiet = "quiet", "errors only";
     Radius = "radius", "radius";
     RadiusAxis = "radius_axis", "how a radius follows from three factors";
     ReferenceGravity = "reference_gravity", "gravity of the reference";
@@ -89,10 +103,13 @@ inputs! {
     Restitution = "restitution", "coefficient of restitution";
     Resume = "resume", "go on with an earlier run";
     Rule = "rule", "whose scaling";
+    Samples = "samples", "points of the series";
     Select = "select", "forces to choose";
     Shard = "shard", "share of the models";
     SkipDisabled = "skip_disabled", "leave out disabled forces";
     Soft = "soft", "dimensionless stiffness of the first step";
+    SpeedColumn = "speed_column", "column of the speed";
+    SpeedUnit = "speed_unit", "unit of the speed";
     SpeedWidth = "speed_width", "width of the transition in speed";
     Spheres = "spheres", "spheres that share the body weight";
     StanceLimbs = "stance_limbs", "limbs that share the body weight";
@@ -102,6 +119,10 @@ inputs! {
     Summary = "summary", "summary file";
     TargetGravity = "target_gravity", "gravity to scale to";
     TargetMass = "target_mass", "target mass";
+    Threshold = "threshold", "threshold that the widths refer to";
+    TimeColumn = "time_column", "column of the time";
+    TimeUnit = "time_unit", "unit of the time";
+    Title = "title", "title of the figure";
     Topics = "topics", "what to explain";
     Yes = "yes", "make more than 10,000 models";
     Young = "young", "Young's modulus";
@@ -114,6 +135,7 @@ impl Input {
         matches!(
             self,
             Self::Again
+                | Self::Ascii
                 | Self::Diff
                 | Self::DryRun
                 | Self::FollowBodies
@@ -121,7 +143,9 @@ impl Input {
                 | Self::Friction
                 | Self::InPlace
                 | Self::Level
+                | Self::NoBackup
                 | Self::NoNote
+                | Self::Quiet
                 | Self::Resume
                 | Self::SkipDisabled
                 | Self::Strict
