@@ -19,15 +19,11 @@ where
     T: Default + Serialize + DeserializeOwned,
 {
     let known = map(&T::default());
-    let fields: Map<String, Value> = fields
-        .into_iter()
-        .filter(|(_, value)| !value.is_null())
-        .map(|(name, value)| (name.replace('-', "_"), value))
-        .collect();
     if let Some(field) = fields.keys().find(|field| !known.contains_key(*field)) {
         let nearest = nearest(field, &known);
         return Err(RequestFault::UnknownField { field: field.clone(), nearest });
     }
+    let fields: Map<String, Value> = fields.into_iter().filter(|(_, value)| !value.is_null()).collect();
     check_fields(&fields, relations)?;
     match serde_json::from_value(Value::Object(fields.clone())) {
         Ok(request) => Ok(request),

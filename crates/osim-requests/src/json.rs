@@ -3,11 +3,19 @@
 use std::path::Path;
 
 use osim_model::wording::Verb;
+use serde_json::error::Category;
 use serde_json::{Map, Value};
 
 use crate::fault::RequestFault;
 use crate::request::Request;
+use crate::unique;
 use crate::value::path;
+
+/// What some editors write before a text in UTF-8.
+const UTF8_MARK: &[u8] = b"\xEF\xBB\xBF";
+
+/// What stands before a text in UTF-16, as PowerShell's `>` writes it.
+const UTF16_MARKS: [&[u8]; 2] = [b"\xFF\xFE", b"\xFE\xFF"];
 
 /// Fields that name files to be read.
 const FILES_READ: [&str; 10] = [
@@ -29,8 +37,14 @@ impl Request {
     /// # Errors
     /// It is no JSON object, has no verb, or as [`Request::read`].
     pub fn from_json(bytes: &[u8]) -> Result<Self, RequestFault> {
-        let value: Value = serde_json::from_slice(bytes)
-            .map_err(|error| RequestFault::general(format!("this is no JSON: {error}")))?;
+        let text = bytes.strip_prefix(UTF8_MARK).unwrap_or(bytes);
+        if UTF16_MARKS.iter().any(|mark| text.starts_with(mark)) {
+            return Err(RequestFault::general("this is UTF-16: save it as UTF-8"));
+        }
+        let value = unique::from_slice(text).map_err(|error| match error.classify() {
+            Category::Data => RequestFault::general(error.to_string()),
+            _ => RequestFault::general(format!("this is no JSON: {error}")),
+        })?;
         match value {
             Value::Object(fields) => Self::from_map(fields),
             _ => Err(RequestFault::general("expected a JSON object such as {\"verb\": \"inspect\", ...}")),

@@ -48,6 +48,7 @@ mod spreadsheet;
 mod subject;
 mod sweep;
 mod table;
+mod unique;
 mod value;
 
 pub use before_after::BeforeAfter;

@@ -47,13 +47,29 @@ pub(crate) fn schema<T: JsonSchema>(verb: Verb, relations: &[&[Relation]]) -> Sc
 fn says(field: &str) -> Value {
     json!({
         "required": [field],
-        "properties": {field: {"not": {"anyOf": [{"enum": [null, false]}, {"type": "array", "maxItems": 0}]}}},
+        "properties": {field: {"not": {"anyOf": [
+            {"enum": [null, false]},
+            {"type": "array", "maxItems": 0},
+            {"type": "object", "maxProperties": 0},
+        ]}}},
     })
 }
 
 fn or_null(mut schema: Value) -> Value {
-    if let Some(Value::String(kind)) = schema.get("type").cloned().as_ref() {
+    // One value may stand alone in the place of a list.
+    if schema.get("type") == Some(&json!("array")) {
+        let list = json!({"type": "array", "items": schema["items"]});
+        let alternatives = json!([schema["items"].take(), list, {"type": "null"}]);
+        if let Some(object) = schema.as_object_mut() {
+            object.remove("items");
+            object.remove("type");
+            object.insert("anyOf".to_owned(), alternatives);
+        }
+    } else if let Some(Value::String(kind)) = schema.get("type").cloned().as_ref() {
         schema["type"] = json!([kind, "null"]);
+        if let Some(Value::Array(words)) = schema.get_mut("enum") {
+            words.push(Value::Null);
+        }
     } else if let Some(Value::Array(choices)) = schema.get_mut("anyOf")
         && !choices.contains(&json!({"type": "null"}))
     {

@@ -1,6 +1,6 @@
 //! Requests from dictionaries: what is read, and what is said of a wrong one.
 
-use osim_model::wording::Verb;
+use osim_model::wording::{Input, Verb};
 use osim_requests::{Request, RequestFault, schema_of};
 use serde_json::{Value, json};
 
@@ -60,8 +60,13 @@ fn a_wrong_field_is_named_with_what_to_write() {
         (json!({"level_axis": "y"}), "level_axis", "says nothing without `level`"),
         (json!({"in_place": true, "output": "b.osim"}), "in_place", "exclude each other"),
         (json!({"dissipation_by": "height"}), "dissipation_by", "expected one of radius, mass"),
-        (json!({"jobs": 0}), "jobs", "nonzero"),
-        (json!({"models": 7}), "models", "expected the name of a file"),
+        (json!({"jobs": 0}), "jobs", "non-zero"),
+        (json!({"models": 7}), "models", "expected the name of a file, as text or as"),
+        (json!({"output": ""}), "output", "expected the name of a file"),
+        (json!({"output": {"bytes": [97], "byte": [98]}}), "output", "expected the name of a file"),
+        // Also where it says nothing, and however it is spelled.
+        (json!({"outptu": null}), "outptu", "did you mean `output`"),
+        (json!({"target-mass": 5}), "target-mass", "did you mean `target_mass`"),
     ] {
         let fault = rescale(&fields).unwrap_err();
         assert_eq!(fault.field(), Some(field), "{fields}: {fault}");
@@ -71,6 +76,8 @@ fn a_wrong_field_is_named_with_what_to_write() {
         ("{", "this is no JSON"),
         ("[]", "expected a JSON object"),
         ("{}", "`verb` is missing"),
+        ("{\"verb\": \"rescale\", \"verb\": \"set\"}", "'verb' is there twice at line 1 column"),
+        ("{\"verb\": \"set\", \"set\": {\"radius\": 1, \"radius\": 2}}", "'radius' is there twice"),
         ("{\"verb\": \"rescal\"}", "expected one of rescale, transfer"),
         ("{\"verb\": \"rescale\", \"target_mass\": 5}", "`models` is missing"),
     ] {
@@ -141,6 +148,9 @@ fn a_schema_knows_what_goes_together() {
     let schema = Value::from(schema_of(Verb::Rescale).unwrap());
     let validator = jsonschema::validator_for(&schema).unwrap();
     for (fields, valid) in [
+        (json!({"models": "a.osim", "select": "heel_*", "only": "radius"}), true),
+        (json!({"models": [], "target_mass": 5}), false),
+        (json!({"format": null, "dissipation_by": null, "jobs": null}), true),
         (json!({"level": true, "level_axis": "y"}), true),
         (json!({"level_axis": "y"}), false),
         (json!({"in_place": true, "output": "b.osim"}), false),
@@ -154,5 +164,72 @@ fn a_schema_knows_what_goes_together() {
             "{fields}"
         );
         assert_eq!(rescale(&fields).is_ok(), valid, "{fields}");
+    }
+}
+
+#[test]
+fn an_object_without_fields_says_nothing_in_the_schema_too() {
+    for (fields, valid) in [
+        (json!({"verb": "transfer", "models": ["a.osim"], "from": "b.osim", "body_scale": {}}), true),
+        (
+            json!({"verb": "transfer", "models": ["a.osim"], "from": "b.osim", "body_scale": {"toes": [1, 1, 1]}}),
+            false,
+        ),
+        (json!({"verb": "sweep", "model": "a.osim", "grid": {}}), false),
+        (json!({"verb": "set", "models": ["a.osim"], "set": {}}), false),
+        (json!({"verb": "set", "models": ["a.osim"], "set": "stiffness=x2"}), true),
+        (json!({"verb": "sweep", "model": "a.osim", "grid": "stiffness=x1,x2"}), true),
+    ] {
+        let verb = Verb::ALL.iter().find(|verb| fields["verb"] == verb.name()).unwrap();
+        let schema = Value::from(schema_of(*verb).unwrap());
+        assert_eq!(jsonschema::is_valid(&schema, &fields), valid, "{fields}");
+        assert_eq!(read(&fields).is_ok(), valid, "{fields}: {:?}", read(&fields));
+    }
+}
+
+#[test]
+fn texts_are_read_whatever_editor_wrote_them() {
+    let request = r#"{"verb": "explain"}"#;
+    let marked = [b"\xEF\xBB\xBF", request.as_bytes()].concat();
+    assert_eq!(Request::from_json(&marked), Request::from_json(request.as_bytes()));
+    let utf16: Vec<u8> =
+        std::iter::once(0xFEFF).chain(request.encode_utf16()).flat_map(u16::to_le_bytes).collect();
+    assert!(Request::from_json(&utf16).unwrap_err().to_string().contains("save it as UTF-8"));
+}
+
+#[test]
+fn a_number_may_be_its_text_as_in_a_table() {
+    let request = rescale(&json!({"target_mass": "70", "jobs": "2"})).unwrap();
+    assert_eq!(request.to_map()["jobs"], 2);
+    assert_eq!(request.to_map()["target_mass"], 70.0);
+}
+
+#[test]
+fn a_body_may_have_any_name() {
+    let fields = json!({
+        "verb": "transfer", "models": ["a.osim"], "from": "b.osim",
+        "follow_bodies": true, "body_scale": {"a=b": [1.0, 2.0, 0.5]},
+    });
+    let Ok(Request::Transfer(request)) = read(&fields) else { panic!("{:?}", read(&fields)) };
+    assert_eq!(
+        (&*request.follow.body_scale[0].body, request.follow.body_scale[0].factors),
+        ("a=b", [1.0, 2.0, 0.5])
+    );
+    let none = with(fields, &json!({"body_scale": {"calcn_r": [1, 0, 1]}}));
+    assert!(read(&none).unwrap_err().to_string().contains("calcn_r: expected three factors above 0"));
+}
+
+/// What front ends say of a field is an [`Input`]; a flag is one that is false by default.
+#[test]
+fn every_option_is_an_input() {
+    const OPERANDS: [&str; 7] = ["verb", "models", "subject", "manifest", "file", "name", "set"];
+    for verb in Verb::ALL {
+        let schema = Value::from(schema_of(*verb).unwrap());
+        for (field, schema) in schema["properties"].as_object().unwrap() {
+            let input = Input::ALL.iter().find(|input| input.name() == field);
+            assert_eq!(input.is_some(), !OPERANDS.contains(&field.as_str()), "{field}");
+            let is_flag = schema["type"] == json!(["boolean", "null"]);
+            assert_eq!(input.is_some_and(|input| input.is_flag()), is_flag, "{field}");
+        }
     }
 }

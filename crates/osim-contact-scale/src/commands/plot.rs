@@ -6,6 +6,7 @@ use anyhow::{Result, bail};
 use osim_inspect::series::Body;
 use osim_library::run::PathConflicts;
 use osim_library::{Disk, Mode, Prepared};
+use osim_model::wording::Input;
 use osim_report::figures;
 use osim_report::messages::mass_mismatch;
 use osim_requests::PlotRequest;
@@ -64,7 +65,11 @@ impl<'o> Output<'o> {
             Some("svg") => Picture::Svg,
             Some("png") if cfg!(feature = "png") => Picture::Png,
             Some("png") => bail!("this program was built without PNG: write to a name that ends in .svg"),
-            _ => bail!("--output '{}': expected a name that ends in .svg or .png", path.display()),
+            _ => bail!(
+                "{} '{}': expected a name that ends in .svg or .png",
+                session.words.input(Input::Output, None),
+                path.display()
+            ),
         };
         let mut conflicts = PathConflicts::default();
         for read in request.models.iter().chain(&request.presets) {

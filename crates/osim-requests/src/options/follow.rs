@@ -8,7 +8,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::relation::Relation;
-use crate::value::body_scale::{self, BodyScaleMap};
+use crate::value::body_scale::{self, BodyScaleSchema};
 use crate::value::choice::choices;
 use crate::value::{BodyScale, Positive, path};
 
@@ -71,7 +71,7 @@ pub struct FollowOptions {
     /// Factors of a body that the files do not tell; may be repeated
     #[cfg_attr(feature = "clap", arg(long, value_name = "BODY=x,y,z"))]
     #[serde(with = "body_scale")]
-    #[schemars(with = "BodyScaleMap")]
+    #[schemars(with = "BodyScaleSchema")]
     pub body_scale: Vec<BodyScale>,
     /// How a radius follows from three factors
     #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t, hide_short_help = true))]

@@ -57,6 +57,7 @@ pub struct SweepRequest {
     pub grid: Vec<Axis>,
     /// N steps from a soft contact to `indentation` and `restitution`, to search for a gait in turn
     #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
+    #[serde(deserialize_with = "serial::optional_from_text")]
     pub ladder: Option<u32>,
     /// With `ladder`: dimensionless stiffness of the first step
     #[cfg_attr(feature = "clap", arg(long, value_name = "K", default_value_t = Positive::SOFT_STIFFNESS))]
@@ -89,6 +90,7 @@ pub struct SweepRequest {
         feature = "clap",
         arg(long, value_name = "N", help_heading = "Output", hide_short_help = true)
     )]
+    #[serde(deserialize_with = "serial::optional_from_text")]
     pub jobs: Option<NonZeroUsize>,
     /// What is wanted at every point.
     #[cfg_attr(feature = "clap", command(flatten))]

@@ -47,6 +47,9 @@ pub struct SetRequest {
 }
 
 impl SetRequest {
-    pub(crate) const RELATIONS: &'static [&'static [Relation]] =
-        &[&[Relation::Expected("models")], OutputOptions::RELATIONS, RunOptions::RELATIONS];
+    pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[
+        &[Relation::Expected("models"), Relation::Expected("set")],
+        OutputOptions::RELATIONS,
+        RunOptions::RELATIONS,
+    ];
 }

@@ -1,10 +1,10 @@
 //! What becomes of properties: `stiffness=x2 dissipation=1`.
 
-use std::collections::BTreeMap;
+use std::borrow::Cow;
 
 use osim_model::{Property, shortest};
 use osim_patch::Assignment;
-use schemars::JsonSchema;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::Error;
 use serde::ser::SerializeMap;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -13,20 +13,31 @@ use serde_json::Value;
 use super::decimal::{factor, number};
 
 /// Properties and what becomes of them, in the order in which they were said.
-#[derive(Debug, Clone, PartialEq, Default, JsonSchema)]
-#[schemars(inline)]
-pub struct Assignments(#[schemars(with = "BTreeMap<String, NumberOrFactor>")] Vec<(Property, Assignment)>);
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Assignments(Vec<(Property, Assignment)>);
 
-/// How JSON has a value or a factor.
-#[derive(JsonSchema)]
-#[schemars(inline)]
-struct NumberOrFactor(#[schemars(schema_with = "number_or_factor")] ());
+impl JsonSchema for Assignments {
+    fn schema_name() -> Cow<'static, str> {
+        "Assignments".into()
+    }
 
-fn number_or_factor(_generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
-    schemars::json_schema!({"anyOf": [
-        {"type": "number", "minimum": 0},
-        {"type": "string", "pattern": "^[xX]?[0-9.eE+-]+$"},
-    ]})
+    /// Properties with a value or a factor each, or the text that [`Assignments::read`] takes.
+    fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
+        json_schema!({"anyOf": [
+            {
+                "type": "object",
+                "additionalProperties": {"anyOf": [
+                    {"type": "number", "minimum": 0},
+                    {"type": "string", "pattern": "^[xX]?[0-9.eE+-]+$"},
+                ]},
+            },
+            {"type": "string", "pattern": "="},
+        ]})
+    }
+
+    fn inline_schema() -> bool {
+        true
+    }
 }
 
 /// Reads one `PROPERTY=VALUE` or `PROPERTY=xFACTOR`, its two sides given apart.

@@ -197,6 +197,7 @@ impl JsonSchema for AxesSchema {
 
     fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
         json_schema!({"anyOf": [
+            {"type": "string", "pattern": "="},
             {"type": "array", "items": {"type": "string", "pattern": "="}},
             {
                 "type": "object",

@@ -1,13 +1,14 @@
 //! Scale factors of a body, in words.
 
-use std::collections::BTreeMap;
+use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
 use osim_model::shortest;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serializer};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use super::decimal::positive_number;
 use super::serial::from_texts;
@@ -22,18 +23,20 @@ pub struct BodyScale {
     pub factors: [f64; 3],
 }
 
+/// What is expected of a text.
+const EXPECTED: &str = "expected BODY=x,y,z with three factors above 0, like calcn_r=1.1,1.05,1.1";
+
 impl FromStr for BodyScale {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let expected = "expected BODY=x,y,z with three factors above 0, like calcn_r=1.1,1.05,1.1";
-        let (body, factors) = text.split_once('=').ok_or(expected)?;
+        let (body, factors) = text.split_once('=').ok_or(EXPECTED)?;
         let factors: Vec<f64> = factors
             .split(',')
             .map(positive_number)
             .collect::<Result<_, _>>()
-            .map_err(|_| expected.to_owned())?;
-        let factors: [f64; 3] = factors.try_into().map_err(|_| expected.to_owned())?;
+            .map_err(|_| EXPECTED.to_owned())?;
+        let factors: [f64; 3] = factors.try_into().map_err(|_| EXPECTED.to_owned())?;
         Ok(Self { body: body.trim().to_owned(), factors })
     }
 }
@@ -52,9 +55,10 @@ pub(crate) fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Ve
     match Value::deserialize(deserializer)? {
         Value::Object(bodies) => {
             let scale = |(body, factors): (String, Value)| {
-                let factors: [f64; 3] = serde_json::from_value(factors).map_err(D::Error::custom)?;
-                // The text's own rules hold for numbers too.
-                BodyScale { body, factors }.to_string().parse().map_err(D::Error::custom)
+                let expected = || D::Error::custom(format!("{body}: expected three factors above 0"));
+                let factors: [f64; 3] = serde_json::from_value(factors).map_err(|_| expected())?;
+                let above_0 = |factor: &f64| factor.is_finite() && *factor > 0.0;
+                if factors.iter().all(above_0) { Ok(BodyScale { body, factors }) } else { Err(expected()) }
             };
             bodies.into_iter().map(scale).collect()
         }
@@ -70,5 +74,28 @@ pub(crate) fn serialize<S: Serializer>(scales: &[BodyScale], serializer: S) -> R
     serializer.collect_map(scales.iter().map(|scale| (&scale.body, scale.factors)))
 }
 
-/// The type of both, for the schema.
-pub(crate) type BodyScaleMap = BTreeMap<String, [f64; 3]>;
+/// The schema of both.
+pub(crate) struct BodyScaleSchema;
+
+impl JsonSchema for BodyScaleSchema {
+    fn schema_name() -> Cow<'static, str> {
+        "BodyScale".into()
+    }
+
+    fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
+        let text = json!({"type": "string", "pattern": "="});
+        let factor = json!({"type": "number", "exclusiveMinimum": 0});
+        json_schema!({"anyOf": [
+            {
+                "type": "object",
+                "additionalProperties": {"type": "array", "items": factor, "minItems": 3, "maxItems": 3},
+            },
+            text,
+            {"type": "array", "items": text},
+        ]})
+    }
+
+    fn inline_schema() -> bool {
+        true
+    }
+}

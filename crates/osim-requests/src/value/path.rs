@@ -10,7 +10,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 /// How JSON has a path.
 #[derive(Serialize, Deserialize)]
-#[serde(untagged)]
+#[serde(untagged, deny_unknown_fields)]
 enum Written {
     /// As text.
     Text(String),
@@ -28,7 +28,7 @@ impl JsonSchema for PathSchema {
 
     fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
         json_schema!({"anyOf": [
-            {"type": "string"},
+            {"type": "string", "minLength": 1},
             {
                 "type": "object",
                 "properties": {"bytes": {"type": "array", "items": {"type": "integer", "minimum": 0, "maximum": 255}}},
@@ -53,6 +53,8 @@ impl Written {
 
     fn path(self) -> Result<PathBuf, &'static str> {
         match self {
+            Self::Text(text) if text.is_empty() => Err(EXPECTED),
+            Self::Bytes { bytes } if bytes.is_empty() => Err(EXPECTED),
             Self::Text(text) => Ok(text.into()),
             Self::Bytes { bytes } => of_bytes(bytes).map(PathBuf::from),
         }
@@ -72,9 +74,8 @@ fn of_bytes(bytes: Vec<u8>) -> Result<OsString, &'static str> {
         .map_err(|_| "a path that is no text cannot be given on this system")
 }
 
-fn expected(error: impl std::fmt::Display) -> String {
-    format!("expected the name of a file ({error})")
-}
+/// What is expected, whatever is there instead.
+const EXPECTED: &str = "expected the name of a file, as text or as {\"bytes\": [...]}";
 
 /// A path as a value.
 pub(crate) fn to_value(path: &Path) -> serde_json::Value {
@@ -83,22 +84,21 @@ pub(crate) fn to_value(path: &Path) -> serde_json::Value {
 
 /// One path, or none.
 pub(crate) mod optional {
-    use super::{Deserialize, Deserializer, Error, PathBuf, Serialize, Serializer, Written, expected};
+    use super::{Deserialize, Deserializer, EXPECTED, Error, PathBuf, Serialize, Serializer, Written};
 
     pub(crate) fn serialize<S: Serializer>(path: &Option<PathBuf>, serializer: S) -> Result<S::Ok, S::Error> {
         path.as_deref().map(Written::of).serialize(serializer)
     }
 
     pub(crate) fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Option<PathBuf>, D::Error> {
-        let written = Option::<Written>::deserialize(deserializer)
-            .map_err(|error| D::Error::custom(expected(error)))?;
+        let written = Option::<Written>::deserialize(deserializer).map_err(|_| D::Error::custom(EXPECTED))?;
         written.map(Written::path).transpose().map_err(D::Error::custom)
     }
 }
 
 /// A list of paths, or one alone in its place.
 pub(crate) mod list {
-    use super::{Deserialize, Deserializer, Error, PathBuf, Serializer, Written, expected};
+    use super::{Deserialize, Deserializer, EXPECTED, Error, PathBuf, Serializer, Written};
 
     pub(crate) fn serialize<S: Serializer>(paths: &[PathBuf], serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_seq(paths.iter().map(|path| Written::of(path)))
@@ -111,11 +111,10 @@ pub(crate) mod list {
             One(Written),
             Many(Vec<Written>),
         }
-        let written =
-            match OneOrMany::deserialize(deserializer).map_err(|error| D::Error::custom(expected(error)))? {
-                OneOrMany::One(path) => vec![path],
-                OneOrMany::Many(paths) => paths,
-            };
+        let written = match OneOrMany::deserialize(deserializer).map_err(|_| D::Error::custom(EXPECTED))? {
+            OneOrMany::One(path) => vec![path],
+            OneOrMany::Many(paths) => paths,
+        };
         written.into_iter().map(Written::path).collect::<Result<_, _>>().map_err(D::Error::custom)
     }
 }

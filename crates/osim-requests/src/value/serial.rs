@@ -47,6 +47,21 @@ where
     deserializer.deserialize_any(Text(PhantomData))
 }
 
+/// The same of a value that may be absent.
+///
+/// # Errors
+/// What [`FromStr`] says of it.
+pub(crate) fn optional_from_text<'d, T, D>(deserializer: D) -> Result<Option<T>, D::Error>
+where
+    T: FromStr<Err: Display>,
+    D: Deserializer<'d>,
+{
+    match Option::<Value>::deserialize(deserializer)? {
+        None => Ok(None),
+        Some(value) => from_text(value).map(Some).map_err(D::Error::custom),
+    }
+}
+
 /// Reads a list of such values, or one alone in its place.
 ///
 /// # Errors
