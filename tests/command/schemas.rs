@@ -54,10 +54,7 @@ fn a_wrong_line_of_a_summary_is_refused() {
 #[test]
 #[should_panic(expected = "assertion `left == right` failed")]
 fn objects_of_a_list_that_differ_are_refused() {
-    let call = "explain C.2 --format json";
-    let differing = changed(call, |topic| topic["symbols"] = json!([{"symbol": "x"}, {"unit": "m"}]));
-    // What the schema says about the fields is not asked here: the schema of another verb would refuse it.
-    validation::alike(&serde_json::from_slice(&differing).unwrap());
+    validation::alike(&json!({"symbols": [{"symbol": "x", "unit": "m"}, {"symbol": "y"}]}));
 }
 
 #[cfg(unix)]
