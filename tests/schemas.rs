@@ -5,7 +5,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use osim_inspect::{CheckResult, Finding, Inspection, WarningRecord};
+use osim_inspect::{CheckResult, FindingRecord, Inspection};
 use osim_library::run::JsonRecord;
 use osim_model::wording::Verb;
 use osim_report::explain::TopicRecord;
@@ -24,8 +24,7 @@ fn schemas() -> BTreeMap<String, String> {
     });
     let others = [
         ("failure", printed::<FailureRecord>("A model that failed, on standard output of any verb")),
-        ("finding", printed::<Finding>("One finding of check")),
-        ("warning", printed::<WarningRecord>("One warning of a change or an inspection")),
+        ("finding", printed::<FindingRecord>("One finding: of a model, of a check, of a change")),
         ("results/change", printed::<PlanRecord>("The result of rescale, transfer, design, set and batch")),
         ("results/check", printed::<CheckResult>("The result of check")),
         ("results/design", printed::<DesignSheet>("The result of design without a model")),

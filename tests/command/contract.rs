@@ -14,7 +14,7 @@ pub(crate) struct Plan {
     pub(crate) geometry_output: Option<String>,
     pub(crate) contacts_mass_kg: Masses,
     pub(crate) changes: Vec<Change>,
-    pub(crate) warnings: Vec<Warning>,
+    pub(crate) warnings: Vec<Finding>,
     pub(crate) notes: Vec<String>,
 }
 
@@ -42,12 +42,19 @@ pub(crate) struct Change {
     pub(crate) inserted: bool,
 }
 
+/// One thing to know: of a model, of a change, and of a check.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Warning {
+pub(crate) struct Finding {
     pub(crate) code: String,
+    pub(crate) severity: String,
     pub(crate) message: String,
+    pub(crate) why: String,
+    pub(crate) advice: String,
+    pub(crate) place: Option<String>,
+    pub(crate) spheres: Vec<String>,
     pub(crate) line: Option<usize>,
+    pub(crate) command: Option<String>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -65,7 +72,7 @@ pub(crate) struct Inspection {
     pub(crate) spheres_per_limb: Option<usize>,
     pub(crate) spheres: Vec<Sphere>,
     pub(crate) forces: Vec<Force>,
-    pub(crate) warnings: Vec<Warning>,
+    pub(crate) warnings: Vec<Finding>,
     pub(crate) bodies: Vec<Body>,
     pub(crate) figures: Figures,
 }
@@ -76,7 +83,7 @@ pub(crate) struct Figures {
     pub(crate) mass_kg: Option<f64>,
     pub(crate) gravity_m_s2: Option<f64>,
     pub(crate) impact_speed_m_s: Option<f64>,
-    pub(crate) without_weight: Option<String>,
+    pub(crate) why_no_body_weight: Option<String>,
     pub(crate) limbs: Vec<LimbFigures>,
 }
 
@@ -97,7 +104,15 @@ pub(crate) struct SphereFigures {
     pub(crate) forces: Vec<String>,
     pub(crate) radius_m: f64,
     pub(crate) composite_modulus_n_m2: f64,
-    pub(crate) loads: Vec<LoadFigures>,
+    pub(crate) load_n: Option<f64>,
+    pub(crate) relative_indentation_hertz: Option<f64>,
+    pub(crate) relative_indentation_model_law: Option<f64>,
+    pub(crate) relative_indentation_hertz_level: Option<f64>,
+    pub(crate) relative_indentation_model_law_level: Option<f64>,
+    pub(crate) relative_indentation_hertz_at_two: Option<f64>,
+    pub(crate) relative_indentation_model_law_at_two: Option<f64>,
+    pub(crate) relative_indentation_hertz_level_at_two: Option<f64>,
+    pub(crate) relative_indentation_model_law_level_at_two: Option<f64>,
     pub(crate) contact_stiffness_n_m: Option<f64>,
     pub(crate) dimensionless_stiffness: Option<f64>,
     pub(crate) natural_frequency_hz: Option<f64>,
@@ -109,27 +124,16 @@ pub(crate) struct SphereFigures {
     pub(crate) transition_width: Option<f64>,
     pub(crate) force_just_touching_n: Option<f64>,
     pub(crate) touching_share: Option<f64>,
-    pub(crate) limits: Vec<Verdict>,
+    pub(crate) limits: Vec<LimitCheck>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct LoadFigures {
-    pub(crate) body_weights: f64,
-    pub(crate) load_n: f64,
-    pub(crate) hertz: Option<f64>,
-    pub(crate) own: Option<f64>,
-    pub(crate) level_hertz: Option<f64>,
-    pub(crate) level_own: Option<f64>,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct Verdict {
+pub(crate) struct LimitCheck {
     pub(crate) figure: String,
     pub(crate) value: Option<f64>,
     pub(crate) limit: f64,
-    pub(crate) holds: bool,
+    pub(crate) within_limit: bool,
 }
 
 #[derive(Debug, Deserialize)]

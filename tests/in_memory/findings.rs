@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use osim_inspect::CheckResult;
-use osim_model::WarningCode;
+use osim_model::FindingCode;
 use osim_model::files::InMemory;
 use osim_report::check::{LibraryTable, csv_rows, text};
 use osim_report::dialect::{CommandLine, FrontEnd};
@@ -63,7 +63,7 @@ fn check_of_several_models() {
 /// Applies the remedy of `code`, as data in memory and as the command that is proposed: both give the same file, and in it
 /// the finding is gone.
 #[track_caller]
-fn put_right(bench: &Bench, model: &str, code: WarningCode) {
+fn put_right(bench: &Bench, model: &str, code: FindingCode) {
     let mut files = files_of(bench);
     let found = checked(&check_of(model), Path::new(model), &files);
     let finding = found.findings.iter().find(|finding| finding.code == code).unwrap();
@@ -87,11 +87,11 @@ fn put_right(bench: &Bench, model: &str, code: WarningCode) {
 #[test]
 fn remedies() {
     for (fixture, code) in [
-        (HUMAN.0, WarningCode::BeyondHertz),
-        (HUMAN.0, WarningCode::BeyondHuntCrossley),
-        ("check/contacts_of_another_mass.osim", WarningCode::ContactsOfAnotherMass),
-        ("check/wide_transition.osim", WarningCode::WideTransition),
-        ("format/left_out_stiffness.osim", WarningCode::DefaultStiffness),
+        (HUMAN.0, FindingCode::BeyondHertz),
+        (HUMAN.0, FindingCode::BeyondHuntCrossley),
+        ("check/contacts_of_another_mass.osim", FindingCode::ContactsOfAnotherMass),
+        ("check/wide_transition.osim", FindingCode::WideTransition),
+        ("format/left_out_stiffness.osim", FindingCode::DefaultStiffness),
     ] {
         put_right(&Bench::with(&[(fixture, "model.osim")]), "model.osim", code);
     }

@@ -43,11 +43,11 @@ def test_opensim_finds_the_load_at_rest(path, tmp_path):
     document.write_text(model(contacts), encoding="utf-8")
     touching = [[contact.radius, 0.0] for contact in contacts]
     moments, wanted = [touching], [[one["force_just_touching_n"] or 0.0 for one in figures]]
-    for number in range(len(figures[0]["loads"])):
-        loads = [one["loads"][number] for one in figures]
-        depth = [load["own"] * one["radius_m"] for load, one in zip(loads, figures)]
-        moments.append([[contact.radius - x, 0.0] for contact, x in zip(contacts, depth)])
-        wanted.append([load["load_n"] for load in loads])
+    if figures[0]["load_n"] is not None:
+        for end, weights in [("", 1.0), ("_at_two", 2.0)]:
+            depth = [one["relative_indentation_model_law" + end] * one["radius_m"] for one in figures]
+            moments.append([[contact.radius - x, 0.0] for contact, x in zip(contacts, depth)])
+            wanted.append([weights * one["load_n"] for one in figures])
     for found, expected in zip(forces(document, moments), wanted, strict=True):
         for force, load in zip(found, expected, strict=True):
             assert abs(force - load) <= TOLERANCE * max(load, 1e-6), (force, load)

@@ -173,7 +173,7 @@ fn a_sphere_that_is_too_soft_is_said_to_be() {
     bench
         .run("design --mass 62 --spheres 6 --radius 0.0032 --stiffness 1e5")
         .done()
-        .says(&["outside: at most 0.16 (Hertz)", "softer than its load allows"]);
+        .says(&["outside: at most 0.16", "softer than its load allows"]);
 }
 
 #[test]

@@ -66,7 +66,7 @@ fn is_the_truth(ran: &Ran) {
         "c_r",
     );
     assert_eq!(
-        (fit["hertz_holds"].as_bool(), fit["hunt_crossley_holds"].as_bool()),
+        (fit["within_hertz_limit"].as_bool(), fit["within_hunt_crossley_limit"].as_bool()),
         (Some(true), Some(true))
     );
 }
@@ -139,7 +139,7 @@ fn without_a_rate_the_branches_lie_on_either_side() {
     assert!(
         both["dissipation"].is_null()
             && both["restitution"].is_null()
-            && both["hunt_crossley_holds"].is_null()
+            && both["within_hunt_crossley_limit"].is_null()
     );
     let rows = |branch: &str| fit(branch)["residuals"]["force_n"].as_array().unwrap().len();
     assert_eq!((rows("loading"), rows("unloading"), rows("both")), (21, 20, 41));

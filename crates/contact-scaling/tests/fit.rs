@@ -181,10 +181,10 @@ fn the_report_tells_its_limits() {
     let result = press(&law(), 0.0, 0.1, &mut Random(7)).fit(0.02, true, Onset::At(0.0)).unwrap();
     assert_eq!(result.parameters, [Parameter::CompositeModulus, Parameter::Dissipation]);
     assert_close(result.largest_relative_indentation, 0.0036 / 0.02, 1e-3, "x hat");
-    assert!(!result.hertz_holds);
+    assert!(!result.within_hertz_limit);
     assert_close(result.largest_speed_m_s.unwrap(), 0.16, 0.02, "speed");
     assert_close(result.restitution.unwrap(), 1.0 - 0.8 * 0.16, 0.02, "restitution");
-    assert_eq!(result.hunt_crossley_holds, Some(true));
+    assert_eq!(result.within_hunt_crossley_limit, Some(true));
     assert!(result.r_squared > 0.99);
     assert_eq!(result.residuals_n.len(), 80);
 }

@@ -1,7 +1,7 @@
 //! What the contacts of a model do under its weight, and whether that is right.
 //!
 //! ```
-//! use osim_inspect::{InspectOptions, check_model};
+//! use osim_inspect::{Figure, InspectOptions, check_model};
 //! use osim_model::Model;
 //!
 //! # fn main() -> Result<(), osim_model::Fault> {
@@ -9,7 +9,7 @@
 //! let options = InspectOptions::default();
 //! let inspected = options.inspect("one_foot.osim", &model, None);
 //! let sphere = &inspected.figures.limbs[0].spheres[0];
-//! assert!(sphere.loads[0].hertz.is_some_and(|x| x > 0.0));
+//! assert!(sphere.value(Figure::Indentation).is_some_and(|x| x > 0.0));
 //! let found = check_model(&options, &model, &inspected, None);
 //! assert_eq!(found.counts.error, 0);
 //! # Ok(())
@@ -25,22 +25,20 @@ mod drop_height;
 mod figures;
 mod findings;
 mod inspection;
+mod load_sharing;
 mod mass_mismatch;
 mod options;
 mod serialized;
 pub mod series;
-mod sphere_count;
 
 pub use drop_height::DropHeight;
-pub use figures::{Figure, Figures, LimbFigures, LimitCheck, LoadFigures, SphereFigures};
-pub use findings::{
-    CheckResult, Counts, Finding, Remedy, RemedyChange, RemedyDesign, RemedyDialect, RemedyLoad, check_model,
-};
+pub use figures::{Figure, FigureInfo, Figures, LimbFigures, LimitCheck, Shown, SphereFigures};
+pub use findings::{CheckResult, Counts, check_model};
 pub use inspection::{
     ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,
     InspectedLimb, InspectedSphere, Inspection, Origins, Parameters,
 };
+pub use load_sharing::LoadSharing;
 pub use mass_mismatch::MassMismatch;
 pub use options::{InspectOptions, Stance};
-pub use serialized::WarningRecord;
-pub use sphere_count::sphere_count;
+pub use serialized::{FindingRecord, SCHEMA_VERSION};

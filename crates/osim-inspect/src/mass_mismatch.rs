@@ -29,7 +29,7 @@ impl MassMismatch {
         let (body, contacts) = (readable(self.body_kg), readable(self.contacts_kg));
         phrase![
             format!(
-                "its contacts stand for {contacts} kg (note in the file) and carry its body of {body} kg here: say "
+                "its contacts are made for {contacts} kg (note in the file) and carry its body of {body} kg here: say "
             ),
             Input::Mass.being(contacts),
             ", or scale the body first",

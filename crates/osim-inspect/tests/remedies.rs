@@ -11,9 +11,11 @@
 )]
 
 use contact_scaling::SharedLoad;
-use osim_inspect::{CheckResult, Finding, InspectOptions, RemedyChange, RemedyDesign, check_model};
-use osim_model::{FileId, Model, Pattern, Property, Selection, WarningCode};
-use osim_patch::{Assignment, Design, DesignModulus, design};
+use osim_inspect::{CheckResult, InspectOptions, check_model};
+use osim_model::{
+    Assignment, FileId, Finding, FindingCode, Model, Pattern, Property, RemedyChange, RemedyDesign, Selection,
+};
+use osim_patch::{Design, DesignModulus, design};
 
 /// 62 kg on 6 spheres a foot, R = 0.032 m, E₁* = 1e6 N/m², α = 2 s/m: Table 1 of the paper.
 const HUMAN: &str = include_str!("../../../fixtures/table1/human_62kg_smooth_sphere.osim");
@@ -30,19 +32,19 @@ fn check(name: &str, text: &str) -> CheckResult {
 }
 
 #[track_caller]
-fn find(result: &CheckResult, code: WarningCode) -> &Finding {
+fn find(result: &CheckResult, code: FindingCode) -> &Finding {
     let found = result.findings.iter().find(|finding| finding.code == code);
     found.unwrap_or_else(|| panic!("no {code:?}"))
 }
 
 /// The change that puts `code` right.
 #[track_caller]
-fn change(result: &CheckResult, code: WarningCode) -> &RemedyChange {
+fn change(result: &CheckResult, code: FindingCode) -> &RemedyChange {
     &find(result, code).remedy.as_ref().expect("it has a remedy").change
 }
 
 #[track_caller]
-fn wanted(result: &CheckResult, code: WarningCode) -> RemedyDesign {
+fn wanted(result: &CheckResult, code: FindingCode) -> RemedyDesign {
     match change(result, code) {
         RemedyChange::Design(wanted) => *wanted,
         other => panic!("{code:?}: {other:?}"),
@@ -52,10 +54,10 @@ fn wanted(result: &CheckResult, code: WarningCode) -> RemedyDesign {
 #[test]
 fn spheres_that_sink_in_too_deep_get_the_indentation_of_the_limit() {
     let result = check("human.osim", HUMAN);
-    let remedy = find(&result, WarningCode::BeyondHertz).remedy.as_ref().unwrap();
+    let remedy = find(&result, FindingCode::BeyondHertz).remedy.as_ref().unwrap();
     assert_eq!(&*remedy.model, "human.osim");
     assert_eq!(remedy.selection, Selection::default());
-    let wanted = wanted(&result, WarningCode::BeyondHertz);
+    let wanted = wanted(&result, FindingCode::BeyondHertz);
     assert_eq!((wanted.indentation, wanted.body_weights), (Some(0.16), None));
     // At rest a sphere that just touches carries ½ (x̂_c / 0.16)^{3/2} of its share, a tenth at most: x̂_c ≤ 0.0547.
     assert_eq!(wanted.constant_indentation, Some(0.054));
@@ -67,7 +69,7 @@ fn spheres_that_sink_in_too_deep_get_the_indentation_of_the_limit() {
 
 #[test]
 fn a_damper_gets_the_restitution_of_the_limit_at_its_own_impact_speed() {
-    let wanted = wanted(&check("human.osim", HUMAN), WarningCode::BeyondHuntCrossley);
+    let wanted = wanted(&check("human.osim", HUMAN), FindingCode::BeyondHuntCrossley);
     // √(g R / 2) is 0.39618 m/s; rounded up, so that the limit is kept.
     assert_eq!((wanted.restitution, wanted.impact_speed_m_s), (Some(0.8), Some(0.3962)));
     assert_eq!((wanted.indentation, wanted.constant_indentation), (None, None));
@@ -76,8 +78,8 @@ fn a_damper_gets_the_restitution_of_the_limit_at_its_own_impact_speed() {
 #[test]
 fn what_a_remedy_says_puts_the_finding_right() {
     let result = check("human.osim", HUMAN);
-    let deep = wanted(&result, WarningCode::BeyondHertz);
-    let damped = wanted(&result, WarningCode::BeyondHuntCrossley);
+    let deep = wanted(&result, FindingCode::BeyondHertz);
+    let damped = wanted(&result, FindingCode::BeyondHuntCrossley);
     let model = Model::parse(HUMAN).unwrap();
     let selected = Selection::default().apply(&model).unwrap();
     let mut request = Design::default();
@@ -101,9 +103,9 @@ fn what_a_remedy_says_puts_the_finding_right() {
 fn contacts_of_another_body_are_rescaled_from_its_mass_to_this_one() {
     let result = check("model.osim", OTHER_MASS);
     let expected = RemedyChange::Rescale { contacts_mass_kg: 62.0, target_mass_kg: 90.0 };
-    assert_eq!(*change(&result, WarningCode::ContactsOfAnotherMass), expected);
+    assert_eq!(*change(&result, FindingCode::ContactsOfAnotherMass), expected);
     // Everything else has to wait until the contacts are those of this body.
-    let others = result.findings.iter().filter(|finding| finding.code != WarningCode::ContactsOfAnotherMass);
+    let others = result.findings.iter().filter(|finding| finding.code != FindingCode::ContactsOfAnotherMass);
     assert!(others.into_iter().all(|finding| finding.remedy.is_none()));
 }
 
@@ -114,7 +116,7 @@ fn the_side_that_differs_gets_the_value_of_the_other() {
     let text = format!("{before}{}", force.replacen("<stiffness>1000000<", "<stiffness>2500000<", 1));
     assert_ne!(text, HUMAN);
     let result = check("human.osim", &text);
-    let remedy = find(&result, WarningCode::LeftRightDiffer).remedy.as_ref().unwrap();
+    let remedy = find(&result, FindingCode::LeftRightDiffer).remedy.as_ref().unwrap();
     let assignments = vec![(Property::Stiffness, Assignment::Value(1e6))];
     assert_eq!(remedy.change, RemedyChange::Set { assignments });
     let select: Vec<&str> = remedy.selection.select.iter().map(Pattern::as_str).collect();
@@ -126,7 +128,7 @@ fn a_forgotten_stiffness_is_taken_from_a_preset() {
     let text = ONE_FOOT.replace("<stiffness>1000000</stiffness>", "");
     let result = check("one_foot.osim", &text);
     let expected = RemedyChange::Transfer { from: "falisse2022" };
-    assert_eq!(*change(&result, WarningCode::DefaultStiffness), expected);
+    assert_eq!(*change(&result, FindingCode::DefaultStiffness), expected);
 }
 
 #[test]

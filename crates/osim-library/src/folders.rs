@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-use osim_model::{Warning, WarningCode};
+use osim_model::{Finding, FindingCode};
 
 use crate::fault::{Context, LibraryFault};
 use crate::paths::{folder_of, resolved};
@@ -37,7 +37,7 @@ impl Folders {
 
     /// A compiled copy of the model `output`, which PredSim and OpenCap would go on using.
     #[must_use]
-    pub fn compiled_beside(&self, output: &Path) -> Option<Warning> {
+    pub fn compiled_beside(&self, output: &Path) -> Option<Finding> {
         let compiled = self.compiled.get(folder_of(output)).filter(|compiled| !compiled.is_empty())?;
         let prefix = format!("F_{}.", output.file_stem()?.to_string_lossy());
         let found = compiled.iter().find(|name| name.starts_with(&prefix))?;
@@ -45,7 +45,7 @@ impl Folders {
             "{} lies beside the output: PredSim and OpenCap would go on using it",
             folder_of(output).join(found).display()
         );
-        Some(Warning::new(WarningCode::CompiledModelBeside, text))
+        Some(Finding::new(FindingCode::CompiledModelBeside, text))
     }
 }
 

@@ -11,10 +11,10 @@
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use osim_inspect::{Remedy, RemedyDialect};
 use osim_library::run::{ChangedModel, Counts, Detail, FrontEnd, Record, Run, RunRequest, Status};
 use osim_library::{LibraryFault, sha256};
 use osim_model::wording::{Call, Dialect, Example, Input, Plain};
+use osim_model::{Remedy, RemedyDialect};
 use osim_requests::Request;
 use osim_requests::options::RunOptions;
 use tempfile::TempDir;

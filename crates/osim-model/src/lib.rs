@@ -32,6 +32,7 @@
 //! a [`wording::Input`]. It reads what a model says, not what OpenSim would make of a file it cannot load.
 
 mod anatomy;
+mod assignment;
 mod class;
 mod components;
 mod contact_digest;
@@ -40,6 +41,7 @@ mod contacts_elsewhere;
 mod document;
 mod fault;
 pub mod files;
+mod finding;
 mod frames;
 mod limbs;
 mod mass;
@@ -51,22 +53,27 @@ mod pattern;
 mod property;
 mod read;
 mod rotation;
+mod selected;
 mod selection;
 mod side;
 mod skeleton;
 mod traps;
 mod value;
-mod warning;
 pub mod wording;
 mod xml;
 
 pub use anatomy::{Anatomy, AnatomySphere};
+pub use assignment::Assignment;
 pub use class::Class;
 pub use components::Companion;
 pub use contact_digest::ValueKey;
 pub use contacts::{Force, ForceId, ForceKind, ParameterSet, SetId, Slot, Sphere, SphereId};
 pub use document::{Document, may_include};
 pub use fault::{CountOf, Excerpt, Fault, FaultKind, FileId, Needed, NoteDoubt, TreeOfForces};
+pub use finding::{
+    Finding, FindingCode, Remedy, RemedyChange, RemedyDesign, RemedyDialect, RemedyLoad, Repair, Seen,
+    Severity,
+};
 pub use limbs::{Limb, Limbs};
 pub use mass::{Mass, MassRequest, MassSource, SAME_MASS, positive_mass, same_mass};
 pub use model::Model;
@@ -76,11 +83,11 @@ pub use opensim_text::NumberFault;
 pub use pattern::{Pattern, PatternError};
 pub use property::Property;
 pub use rotation::{Axis, LevelAxis, Rotation};
-pub use selection::{Selected, Selection};
+pub use selected::Selected;
+pub use selection::Selection;
 pub use side::Side;
 pub use skeleton::Body;
 pub use value::{Origin, Value};
-pub use warning::{Seen, Severity, Warning, WarningCode};
 pub use xml::{Children, ElementId, LineIndex, Piece, PieceKind, Position, RawText, SyntaxFault, Tree};
 
 /// The example of the README compiles.

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashSet};
 
 use crate::components::{Base, ComponentId};
-use crate::contacts::{Force, ForceId, SphereId};
+use crate::contacts::{Force, ForceId, Sphere, SphereId};
 use crate::model::Model;
 use crate::side::Side;
 use crate::wording::Phrase;
@@ -108,6 +108,24 @@ impl Model {
             }
         }
         spheres
+    }
+
+    /// The forces whose moving spheres hang on the same body on top of the joint tree as those of `forces`: a ball is joined
+    /// to its player only through ground.
+    #[must_use]
+    pub fn forces_of_same_body(&self, forces: &[ForceId]) -> Vec<ForceId> {
+        let tops = |id: ForceId| -> HashSet<ComponentId> {
+            let spheres = self.force(id).map(Force::spheres).unwrap_or_default();
+            let moving = spheres.into_iter().filter_map(|id| self.sphere(id)).filter(|sphere| !sphere.fixed);
+            let top = |sphere: &Sphere| match sphere.base {
+                Base::Body(body) => self.skeleton().chain(body).pop(),
+                _ => None,
+            };
+            moving.filter_map(top).collect()
+        };
+        let chosen: HashSet<ComponentId> = forces.iter().flat_map(|&id| tops(id)).collect();
+        let same = |id: &ForceId| forces.contains(id) || !tops(*id).is_disjoint(&chosen);
+        self.force_ids().into_iter().filter(same).collect()
     }
 
     /// `true` when a moving sphere of `force` can touch a half-space on another body.

@@ -1,10 +1,10 @@
 //! Masses: what the model weighs, and the mass its contacts were made for.
 
 use crate::fault::{Fault, FaultKind, Needed};
+use crate::finding::{Finding, FindingCode};
 use crate::model::Model;
 use crate::number::shortest;
 use crate::pattern::{Pattern, any_matches};
-use crate::warning::{Warning, WarningCode};
 use crate::wording::{Input, Phrase, phrase};
 
 /// Masses closer than this (relative) count as one: a scale is not read better than to 0.1 %.
@@ -127,7 +127,7 @@ impl MassRequest {
     ///
     /// # Errors
     /// A note that no longer fits the file, or any error of [`MassRequest::of_model`].
-    pub fn of_contacts(&self, model: &Model) -> Result<(Mass, Vec<Warning>), Fault> {
+    pub fn of_contacts(&self, model: &Model) -> Result<(Mass, Vec<Finding>), Fault> {
         let noted_kg = model.note.as_ref().and_then(|note| note.mass_kg);
         let mass = if let Some(kg) = self.contacts_kg {
             Mass { kg: positive_mass(Input::ContactsMass, kg)?, source: MassSource::ContactsMass }
@@ -144,7 +144,7 @@ impl MassRequest {
 
     /// A warning for each other source that disagrees with the mass that was `taken`.
     #[must_use]
-    pub fn disagreements(&self, model: &Model, taken: &Mass) -> Vec<Warning> {
+    pub fn disagreements(&self, model: &Model, taken: &Mass) -> Vec<Finding> {
         let mut others: Vec<(f64, Phrase)> = Vec::new();
         if taken.source != MassSource::Note
             && let Some(kg) = model.note.as_ref().and_then(|note| note.mass_kg)
@@ -172,7 +172,7 @@ impl MassRequest {
                 &source,
                 format!(" says {} kg", shortest(kg)),
             ];
-            Warning::new(WarningCode::MassSourcesDisagree, message)
+            Finding::new(FindingCode::MassSourcesDisagree, message)
         };
         others.into_iter().filter(|(kg, _)| differs(*kg)).map(warning).collect()
     }

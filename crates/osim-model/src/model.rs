@@ -4,9 +4,9 @@ use crate::components::{Companion, Components};
 use crate::contacts::{Force, ForceId, Sphere, SphereId};
 use crate::document::Document;
 use crate::fault::{FileId, NoteDoubt};
+use crate::finding::Finding;
 use crate::note::Note;
 use crate::skeleton::{Body, Skeleton};
-use crate::warning::Warning;
 
 /// Everything that is known about a model.
 ///
@@ -34,7 +34,7 @@ pub struct Model {
     /// The note that an earlier change left in the file.
     pub note: Option<Note>,
     /// Traps found while reading, in the order in which reports list them.
-    pub warnings: Vec<Warning>,
+    pub warnings: Vec<Finding>,
 }
 
 impl Model {

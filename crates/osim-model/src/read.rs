@@ -4,11 +4,11 @@ use crate::components::{Companion, Components};
 use crate::contacts::ContactReader;
 use crate::document::Document;
 use crate::fault::{Fault, FaultKind, Needed, NoteDoubt};
+use crate::finding::{Finding, FindingCode};
 use crate::model::Model;
 use crate::note::Note;
 use crate::skeleton::Skeleton;
 use crate::traps;
-use crate::warning::{Warning, WarningCode};
 
 /// OpenSim's `gravity` where a model gives none, m/s².
 const DEFAULT_GRAVITY: [f64; 3] = [0.0, -9.80665, 0.0];
@@ -87,7 +87,7 @@ impl Model {
             .count();
         for _ in 0..beside {
             self.note_fault = Some(NoteDoubt::MixedPair);
-            self.warnings.push(Warning::new(WarningCode::MixedPair, NoteDoubt::MixedPair.as_str()));
+            self.warnings.push(Finding::new(FindingCode::MixedPair, NoteDoubt::MixedPair.as_str()));
         }
     }
 }

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use osim_model::wording::Phrase;
 use osim_model::{
-    Fault, FaultKind, FileId, ForceId, Model, Property, SetId, Slot, SphereId, ValueKey, Warning,
+    Fault, FaultKind, FileId, Finding, ForceId, Model, Property, SetId, Slot, SphereId, ValueKey,
 };
 
 use crate::plan::{Change, Move};
@@ -31,7 +31,7 @@ impl New {
 pub(crate) struct PlanBuilder<'m> {
     pub(crate) model: &'m Model,
     pub(crate) changes: Vec<Change>,
-    pub(crate) warnings: Vec<Warning>,
+    pub(crate) warnings: Vec<Finding>,
     planned: HashSet<ValueKey>,
     pub(crate) moves: Vec<Move>,
     pub(crate) remarks: Vec<Phrase>,

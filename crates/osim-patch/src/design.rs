@@ -5,7 +5,7 @@ use contact_scaling::{
 };
 use osim_model::wording::{Phrase, phrase};
 use osim_model::{
-    Fault, Force, ForceKind, Mass, Model, Needed, Property, Scope, Selected, Warning, WarningCode, readable,
+    Fault, Finding, FindingCode, Force, ForceKind, Mass, Model, Needed, Property, Scope, Selected, readable,
 };
 
 use crate::builder::{New, PlanBuilder};
@@ -116,7 +116,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
     let properties = PropertySet::default();
     let rule = wanted.radius_rule()?;
     let radii = Radii::plan(&mut plan, &selected.forces, |_| rule, 1.0, &properties)?;
-    radii.warn_mixed(&mut plan, &selected.forces);
+    plan.warnings.extend(model.remarks_on(&selected.forces));
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
         let radius = radii.mean_new(force);
         let own = RatioValues { mass: 1.0, sphere_count: 1.0, radius: radii.ratio(force), gravity: 1.0 };
@@ -133,7 +133,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
     let PlanBuilder { changes, moves, mut warnings, .. } = plan;
     if changes.is_empty() {
         let text = "nothing that is wanted applies to these forces, or every value is already as wanted";
-        warnings.push(Warning::new(WarningCode::NothingToChange, text));
+        warnings.push(Finding::new(FindingCode::NothingToChange, text));
     }
     let is_smooth = |force: &Force| force.kind == ForceKind::SmoothSphereHalfSpace;
     let smooth = selected.forces.iter().filter_map(|&id| model.force(id)).any(is_smooth);

@@ -65,7 +65,7 @@ pub use property_set::PropertySet;
 pub use radii::{RadiusRule, moving_spheres};
 pub use rescale::{Rescale, rescale};
 pub use scaling::DissipationBy;
-pub use set::{Assignment, Set, set};
+pub use set::{Set, set};
 pub use transfer::{Reference, ReferenceContact, ScalingRule, Transfer, reference_of_model, transfer};
 
 /// The example of the README compiles.

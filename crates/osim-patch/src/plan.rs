@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, HashMap};
 
 use osim_model::wording::{Dialect, Phrase};
 use osim_model::{
-    Class, ElementId, Fault, FileId, Mass, Model, Note, Property, Scope, Slot, ValueKey, Warning, shortest,
+    Class, ElementId, Fault, FileId, Finding, Mass, Model, Note, Property, Scope, Slot, ValueKey, shortest,
 };
 
 use crate::edit::{Edit, Patch};
@@ -156,7 +156,7 @@ pub struct Plan {
     /// What was taken and from where, in words: the first line of every report.
     pub taken: Phrase,
     /// Things the user should know.
-    pub warnings: Vec<Warning>,
+    pub warnings: Vec<Finding>,
     /// What the change leaves as it is, said once.
     pub remarks: Vec<Phrase>,
     note: Option<Note>,
@@ -194,7 +194,7 @@ pub(crate) struct Contents {
     pub(crate) moves: Vec<Move>,
     pub(crate) masses: Option<Masses>,
     pub(crate) taken: Phrase,
-    pub(crate) warnings: Vec<Warning>,
+    pub(crate) warnings: Vec<Finding>,
     pub(crate) remarks: Vec<Phrase>,
 }
 

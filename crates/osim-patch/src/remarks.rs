@@ -1,7 +1,7 @@
 //! What is said of a change beside its numbers.
 
 use osim_model::wording::Phrase;
-use osim_model::{ForceId, ForceKind, Property, Warning, WarningCode, readable};
+use osim_model::{Finding, FindingCode, ForceId, ForceKind, Property, readable};
 
 use crate::builder::PlanBuilder;
 use crate::property_set::PropertySet;
@@ -10,18 +10,13 @@ use crate::radii::Radii;
 /// Says what is special about the chosen forces.
 pub(crate) fn warn_forces(plan: &mut PlanBuilder<'_>, forces: &[ForceId], properties: &PropertySet) {
     let model = plan.model;
-    for force in forces.iter().filter_map(|&id| model.force(id)) {
-        if !force.applies {
-            let text = format!("{} is switched off; it is changed with the others", force.path);
-            plan.warnings.push(Warning::at(WarningCode::DisabledForce, force.line, text));
-        }
-    }
+    plan.warnings.extend(model.remarks_on(forces));
     let smooth =
         |&id: &ForceId| model.force(id).is_some_and(|force| force.kind == ForceKind::SmoothSphereHalfSpace);
     if properties.contains(Property::TransitionVelocity) && forces.iter().any(smooth) {
         let text = "friction of SmoothSphereHalfSpaceForce scales only as far as constant_contact_force is small \
                     against the squared slip speed";
-        plan.warnings.push(Warning::new(WarningCode::FrictionNotSimilar, text));
+        plan.warnings.push(Finding::new(FindingCode::FrictionNotSimilar, text));
     }
 }
 

@@ -3,7 +3,7 @@
 use contact_scaling::{RatioValues, Ratios};
 use osim_model::wording::{Input, Phrase, Verb, phrase};
 use osim_model::{
-    Fault, ForceId, LevelAxis, Mass, Model, Needed, Property, Scope, Selected, SetId, Warning, WarningCode,
+    Fault, Finding, FindingCode, ForceId, LevelAxis, Mass, Model, Needed, Property, Scope, Selected, SetId,
     positive_mass, readable, same_mass, shortest,
 };
 
@@ -105,23 +105,17 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
     if let Some(axis) = wanted.level {
         radii.level(&mut plan, axis)?;
     }
-    radii.warn_mixed(&mut plan, &selected.forces);
     warn_forces(&mut plan, &selected.forces, &wanted.properties);
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
         let values = RatioValues { mass, sphere_count: 1.0, radius: radii.ratio(force), gravity };
         let ratios = Ratios::new(values).map_err(Fault::new)?;
-        if force.sets.iter().filter(|set| !set.spheres.is_empty() || set.half_spaces > 0).count() > 1 {
-            let text =
-                format!("{} has {} ContactParameters: all get the same factor", force.path, force.sets.len());
-            plan.warnings.push(Warning::at(WarningCode::SeveralParameterSets, force.line, text));
-        }
         for set in &force.sets {
             scale_set(&mut plan, (force.id, set.id), &ratios, wanted)?;
         }
     }
     if plan.changes.is_empty() {
         let text = "every factor is exactly 1: the radius stays, so what follows the radius stays too";
-        plan.warnings.push(Warning::new(WarningCode::NothingToChange, text));
+        plan.warnings.push(Finding::new(FindingCode::NothingToChange, text));
     }
     Ok(finish(plan, wanted, selected, Some(&radii)))
 }
@@ -154,7 +148,7 @@ fn gravity_now(model: &Model, wanted: &Rescale) -> Result<Option<f64>, Fault> {
     }
 }
 
-fn already_there(origin: f64, mass: &Mass) -> Warning {
+fn already_there(origin: f64, mass: &Mass) -> Finding {
     let message = phrase![
         format!("contacts are taken to stand for {} kg already (", shortest(origin)),
         &mass.source.describe(),
@@ -163,7 +157,7 @@ fn already_there(origin: f64, mass: &Mass) -> Warning {
         " or ",
         Verb::Transfer.call().with(Input::From, "MODEL"),
     ];
-    Warning::new(WarningCode::AlreadyAtTarget, message)
+    Finding::new(FindingCode::AlreadyAtTarget, message)
 }
 
 fn finish(plan: PlanBuilder<'_>, wanted: &Rescale, selected: &Selected, radii: Option<&Radii>) -> Plan {

@@ -2,7 +2,7 @@
 
 use osim_model::wording::phrase;
 use osim_model::{
-    Fault, Mass, Model, Needed, Property, Scope, Selected, Warning, WarningCode, readable, shortest,
+    Assignment, Fault, Finding, FindingCode, Mass, Model, Needed, Property, Scope, Selected, readable,
 };
 
 use crate::builder::{New, PlanBuilder};
@@ -12,28 +12,12 @@ use crate::radii::{Users, moving_spheres};
 /// Between the operations that a note lists.
 const AND: &str = " + ";
 
-/// What becomes of a property: see [`Set`] for an example.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum Assignment {
-    /// This value, in the unit of the property.
-    Value(f64),
-    /// Its value times this.
-    Factor(f64),
-}
-
-impl Assignment {
-    fn applied_to(self, from: f64) -> New {
-        match self {
-            Self::Value(to) => New { to, factor: None, equation: "given" },
-            Self::Factor(factor) => New::times(from, factor, "given"),
-        }
-    }
-
-    fn text(self) -> String {
-        match self {
-            Self::Value(value) => shortest(value),
-            Self::Factor(factor) => format!("x{}", shortest(factor)),
+impl New {
+    /// What `assignment` makes of a value.
+    fn assigned(assignment: Assignment, from: f64) -> Self {
+        match assignment {
+            Assignment::Value(to) => Self { to, factor: None, equation: "given" },
+            Assignment::Factor(factor) => Self::times(from, factor, "given"),
         }
     }
 }
@@ -41,8 +25,8 @@ impl Assignment {
 /// Plain values and factors that are wanted.
 ///
 /// ```
-/// use osim_model::{Model, Property, Selection};
-/// use osim_patch::{Assignment, Set, set};
+/// use osim_model::{Assignment, Model, Property, Selection};
+/// use osim_patch::{Set, set};
 ///
 /// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
 /// let model = Model::parse(bytes)?;
@@ -80,7 +64,7 @@ impl Set {
     #[must_use]
     pub fn operation(&self) -> String {
         let each: Vec<_> =
-            self.assignments.iter().map(|(property, value)| format!("{property}={}", value.text())).collect();
+            self.assignments.iter().map(|(property, value)| format!("{property}={value}")).collect();
         format!("set {}", each.join(" "))
     }
 }
@@ -107,17 +91,17 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
             let users = Users::outside(model, &selected.forces);
             for sphere in moving_spheres(model, &selected.forces) {
                 let from = plan.current_radius(sphere)?;
-                if value.applied_to(from).to != from {
+                if New::assigned(value, from).to != from {
                     users.refuse(model, &selected.forces, sphere)?;
                 }
-                plan.radius(sphere, value.applied_to(from))?;
+                plan.radius(sphere, New::assigned(value, from))?;
                 found = true;
             }
         } else {
             for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
                 for set in &force.sets {
                     if let Some(from) = plan.current(force.id, set.id, property)? {
-                        plan.parameter(force.id, set.id, property, value.applied_to(from))?;
+                        plan.parameter(force.id, set.id, property, New::assigned(value, from))?;
                         found = true;
                     }
                 }
@@ -129,7 +113,7 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
     }
     let PlanBuilder { changes, moves, mut warnings, .. } = plan;
     if changes.is_empty() {
-        warnings.push(Warning::new(WarningCode::NothingToChange, "every value is already as wanted"));
+        warnings.push(Finding::new(FindingCode::NothingToChange, "every value is already as wanted"));
     }
     let mut taken = phrase![];
     if let Some(mass) = &wanted.contacts_mass {

@@ -9,7 +9,7 @@
 )]
 
 use osim_model::{
-    Axis, Companion, Document, Fault, LevelAxis, Mass, MassSource, Model, Property, Selection, WarningCode,
+    Axis, Companion, Document, Fault, FindingCode, LevelAxis, Mass, MassSource, Model, Property, Selection,
 };
 use osim_patch::{Plan, PropertySet, RadiusRule, Rescale, Transfer, reference_of_model, rescale, transfer};
 
@@ -35,7 +35,7 @@ fn rescaled(text: &str, change: impl FnOnce(&mut Rescale)) -> Plan {
     try_rescaled(text, change).unwrap()
 }
 
-fn codes(plan: &Plan) -> Vec<WarningCode> {
+fn codes(plan: &Plan) -> Vec<FindingCode> {
     plan.warnings.iter().map(|warning| warning.code).collect()
 }
 
@@ -117,9 +117,9 @@ fn friction_changes_only_where_asked_and_says_what_it_is_worth() {
         "</dissipation>",
         "</dissipation><viscous_friction>0.5</viscous_friction><transition_velocity>0.2</transition_velocity>",
     );
-    assert!(!codes(&rescaled(&text, |_| ())).contains(&WarningCode::FrictionNotSimilar));
+    assert!(!codes(&rescaled(&text, |_| ())).contains(&FindingCode::FrictionNotSimilar));
     let plan = rescaled(&text, |wanted| wanted.properties = PropertySet::default().with_friction());
-    assert!(codes(&plan).contains(&WarningCode::FrictionNotSimilar));
+    assert!(codes(&plan).contains(&FindingCode::FrictionNotSimilar));
     // Speeds follow the root of the length (2): numbers from theory.md's rule with rho = 2, computed by hand.
     assert!((change(&plan, Property::TransitionVelocity).to - 0.2 * std::f64::consts::SQRT_2).abs() < 1e-15);
     assert!((change(&plan, Property::ViscousFriction).to - 0.5 / std::f64::consts::SQRT_2).abs() < 1e-15);
@@ -132,14 +132,14 @@ fn the_transition_velocity_of_a_hunt_crossley_force_is_the_forces_own() {
     let change = change(&plan, Property::TransitionVelocity);
     assert_eq!(change.set, None);
     assert!((change.factor.unwrap() - std::f64::consts::SQRT_2).abs() < 1e-15);
-    assert!(!codes(&plan).contains(&WarningCode::FrictionNotSimilar));
+    assert!(!codes(&plan).contains(&FindingCode::FrictionNotSimilar));
 }
 
 #[test]
 fn a_force_that_is_switched_off_is_named() {
     let off = ONE_FOOT.replace("<stiffness>", "<appliesForce>false</appliesForce><stiffness>");
-    assert!(codes(&rescaled(&off, |_| ())).contains(&WarningCode::DisabledForce));
-    assert!(!codes(&rescaled(ONE_FOOT, |_| ())).contains(&WarningCode::DisabledForce));
+    assert!(codes(&rescaled(&off, |_| ())).contains(&FindingCode::DisabledForce));
+    assert!(!codes(&rescaled(ONE_FOOT, |_| ())).contains(&FindingCode::DisabledForce));
 }
 
 #[test]
@@ -160,7 +160,7 @@ fn gravity_scales_from_what_is_there_or_not_at_all() {
 fn an_explicit_radius_is_done_at_an_equal_mass_too() {
     let same = |rule| rescaled(ONE_FOOT, |wanted| (wanted.target_mass_kg, wanted.radius) = (10.0, rule));
     assert!(same(RadiusRule::Isometric).is_empty());
-    assert_eq!(codes(&same(RadiusRule::Keep)).last(), Some(&WarningCode::AlreadyAtTarget));
+    assert_eq!(codes(&same(RadiusRule::Keep)).last(), Some(&FindingCode::AlreadyAtTarget));
     assert_eq!(change(&same(RadiusRule::Factor(2.0)), Property::Stiffness).factor, Some(0.25));
 }
 

@@ -2,11 +2,11 @@
 
 use osim_inspect::MassMismatch;
 use osim_model::wording::Dialect;
-use osim_model::{Warning, WarningCode};
+use osim_model::{Finding, FindingCode};
 
 /// Warnings, one line each: `warning: line 12: message [code]`.
 #[must_use]
-pub fn warnings(warnings: &[Warning]) -> String {
+pub fn warnings(warnings: &[Finding]) -> String {
     let mut text = String::new();
     for warning in warnings {
         let line = warning.line.map(|line| format!("line {line}: ")).unwrap_or_default();
@@ -19,5 +19,5 @@ pub fn warnings(warnings: &[Warning]) -> String {
 #[must_use]
 pub fn mass_mismatch(name: &str, mismatch: &MassMismatch, dialect: &dyn Dialect) -> String {
     let message = mismatch.message().spelled(dialect);
-    format!("warning: {name}: {message} [{}]\n", WarningCode::MassSourcesDisagree)
+    format!("warning: {name}: {message} [{}]\n", FindingCode::MassSourcesDisagree)
 }

@@ -1,7 +1,8 @@
 //! A model before and after: seen before anything is written.
 
 use osim_inspect::series::Body;
-use osim_inspect::{CheckResult, Figures, InspectOptions, Inspection, RemedyDialect, check_model};
+use osim_inspect::{CheckResult, Figures, InspectOptions, Inspection, check_model};
+use osim_model::RemedyDialect;
 use osim_model::files::{Failure, ModelFiles, OpenModel};
 use osim_model::same_mass;
 use osim_patch::Plan;

@@ -5,7 +5,7 @@ use std::path::Path;
 use contact_scaling::drop_test::{Difference, DropError, DropReport, DropTest, DropValues, compare};
 use contact_scaling::{Contact, ContactValues, Law, Preset, Spheres};
 use osim_inspect::series::standing_spheres;
-use osim_inspect::{MassMismatch, sphere_count};
+use osim_inspect::{LoadSharing, MassMismatch};
 use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::wording::{Input, Phrase, phrase};
 use osim_model::{CountOf, Fault, MassRequest, Needed};
@@ -132,10 +132,8 @@ impl DropTestRequest {
         let masses = MassRequest { model_kg: own.mass_kg, ..self.masses.request() };
         let selected = self.choice.selection().apply(model)?;
         let mass = masses.of_model(model)?;
-        let count = match own.spheres {
-            Some(count) => count,
-            None => sphere_count(model, own.stance_limbs, own.count_of)?,
-        };
+        let sharing = LoadSharing::of(model, &selected.forces);
+        let count = sharing.count(own.spheres, own.stance_limbs, own.count_of)?;
         let spheres = standing_spheres(model, &selected.forces, count)?;
         let gravity = own.gravity_m_s2.or(model.gravity().filter(|&gravity| gravity > 0.0));
         let Some(gravity) = gravity else { return Err(Fault::new(Needed::Gravity)) };

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use osim_inspect::{CheckResult, InspectOptions, Inspection, check_model};
 use osim_model::files::{Failure, Files, OpenModel};
-use osim_model::{Anatomy, Model, Severity, Warning};
+use osim_model::{Anatomy, Finding, Model, Severity};
 use osim_patch::{Factors, ScaleFile};
 
 use crate::opening::{open, scale_file};
@@ -96,7 +96,7 @@ impl Inspector {
 
     /// What is wrong with a model that was inspected; `compiled` tells of files that other programs would read instead of it.
     #[must_use]
-    pub fn check(&self, model: &Model, inspected: &Inspection, compiled: Option<&Warning>) -> CheckResult {
+    pub fn check(&self, model: &Model, inspected: &Inspection, compiled: Option<&Finding>) -> CheckResult {
         check_model(&self.options, model, inspected, compiled)
     }
 

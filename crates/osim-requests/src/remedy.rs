@@ -1,7 +1,7 @@
 //! A remedy as a request: what puts a finding right, ready to be run.
 
-use osim_inspect::{Remedy, RemedyChange, RemedyDesign, RemedyLoad};
 use osim_model::wording::Input;
+use osim_model::{Remedy, RemedyChange, RemedyDesign, RemedyLoad};
 
 use crate::fault::RequestFault;
 use crate::options::{CountOptions, ForceOptions, LoadOptions, MassOptions, SetFiles, WantedOptions};

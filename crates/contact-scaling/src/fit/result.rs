@@ -32,11 +32,11 @@ pub struct Fit {
     /// The largest x̂ of these rows, from the onset.
     pub largest_relative_indentation: f64,
     /// Whether that is within the Hertz law.
-    pub hertz_holds: bool,
+    pub within_hertz_limit: bool,
     /// The largest |ẋ| in contact, in m/s; `None` where no rate is known.
     pub largest_speed_m_s: Option<f64>,
     /// Restitution by (13) at that speed; `None` also where (13) has none.
     pub restitution: Option<f64>,
     /// Whether that is within the Hunt–Crossley law; `None` where no rate is known.
-    pub hunt_crossley_holds: Option<bool>,
+    pub within_hunt_crossley_limit: Option<bool>,
 }

@@ -64,12 +64,12 @@ fn report(model: &Model, points: &[Point], fitted: &Parameters, radius: f64) -> 
         residuals_n,
         degrees_of_freedom,
         largest_relative_indentation: deepest,
-        hertz_holds: limits::hertz_holds(deepest),
+        within_hertz_limit: limits::INDENTATION.admits(deepest),
         largest_speed_m_s: model.with_dissipation.then_some(fastest),
         restitution: restitution.filter(|_| model.with_dissipation),
-        hunt_crossley_holds: model
+        within_hunt_crossley_limit: model
             .with_dissipation
-            .then(|| restitution.is_some_and(limits::hunt_crossley_holds)),
+            .then(|| restitution.is_some_and(|c_r| limits::RESTITUTION.admits(c_r))),
     })
 }
 

@@ -1,9 +1,9 @@
 //! What is shown of a model that was changed, made on the thread that changed it.
 
-use osim_inspect::RemedyDialect;
 use osim_library::run::{ChangedModel, Detail, FrontEnd, Record, Written};
 use osim_library::sha256;
 use osim_model::FileId;
+use osim_model::RemedyDialect;
 use osim_report::html::{self, Changed, DetailLevel, EarlierRun, Entry, Files, RowError, RunRow};
 use osim_report::json::{PlanRecord, line};
 use osim_report::plan;

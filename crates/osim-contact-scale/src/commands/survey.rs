@@ -4,7 +4,7 @@ use anyhow::Result;
 use osim_inspect::{CheckResult, Inspection};
 use osim_library::run::PathConflicts;
 use osim_library::{Folders, Loaded, Source, Sources};
-use osim_model::Warning;
+use osim_model::Finding;
 use osim_model::files::{Failure, OpenModel};
 use osim_model::wording::Verb;
 use osim_report::html::{self, About, Columns, DetailLevel, Entry};
@@ -69,7 +69,7 @@ impl Survey<'_> {
     }
 
     /// What is wrong with it, spelled.
-    pub(super) fn check(&self, seen: &mut Seen, compiled: Option<&Warning>) -> CheckResult {
+    pub(super) fn check(&self, seen: &mut Seen, compiled: Option<&Finding>) -> CheckResult {
         let mut found = self.inspector.check(&seen.opened.model, &seen.inspection, compiled);
         found.spell(self.words);
         found

@@ -6,23 +6,25 @@
 
 use contact_scaling::{mixed_radii, restitution};
 use osim_model::wording::{Input, Phrase, phrase};
-use osim_model::{Fault, Limbs, Mass, Model, Selected, SphereId};
+use osim_model::{Fault, Limbs, Mass, Model, Selected};
 use osim_patch::loaded_spheres;
 
 use super::data::{Figures, LimbFigures};
-use super::limb::{LoadedLimb, Weight};
+use super::limb::LoadedLimb;
+use super::on_floor::Weight;
 use super::sphere_loads::{SphereLoads, sphere_loads};
+use crate::load_sharing::LoadSharing;
 use crate::options::Stance;
 
 impl Figures {
-    /// Figures of the `selected` forces of `model`.
+    /// Figures of the `selected` forces of `model`, whose weight is shared as `sharing` says.
     ///
     /// # Errors
     /// A value that is no plain number or outside its domain, with its place.
     pub fn of(
         model: &Model,
         selected: &Selected,
-        limbs: &Limbs,
+        sharing: &LoadSharing,
         mass: Option<&Mass>,
         stance: &Stance,
     ) -> Result<Self, Fault> {
@@ -32,23 +34,21 @@ impl Figures {
         let speed = stance.impact_speed_m_s.or_else(|| default_speed(&loads, gravity));
         let weight =
             mass.zip(gravity).map(|(mass, gravity)| Weight { mass_kg: mass.kg, gravity_m_s2: gravity });
-        let groups = groups(limbs, &loads);
-        let mut without: Option<Phrase> = match (mass, gravity) {
+        let mut why: Option<Phrase> = match (mass, gravity) {
             (None, _) => Some("what the model weighs is not known".into()),
             (_, None) => Some("the model has no gravity".into()),
             _ => None,
         };
-        let mut figures = Vec::new();
-        for group in groups {
-            let count = sphere_count(limbs, &group, stance);
-            if count.is_none() && without.is_none() {
-                without = limbs_unknown(limbs);
+        let mut limbs = Vec::new();
+        for group in groups(sharing.limbs(), &loads, stance) {
+            if group.count.is_none() && why.is_none() {
+                why = limbs_unknown(sharing.limbs());
             }
-            let limb = LoadedLimb { model, members: &group.members, count, weight, speed };
-            figures.push(LimbFigures {
+            let limb = LoadedLimb { model, members: &group.members, count: group.count, weight, speed };
+            limbs.push(LimbFigures {
                 limb: group.name,
                 side: group.side,
-                sphere_count: count,
+                sphere_count: group.count,
                 spheres: limb.spheres(),
             });
         }
@@ -56,15 +56,17 @@ impl Figures {
             mass_kg: mass.map(|mass| mass.kg),
             gravity_m_s2: gravity,
             impact_speed_m_s: speed,
-            without_weight: without,
-            limbs: figures,
+            why_no_body_weight: why,
+            limbs,
         })
     }
 }
 
+/// The chosen spheres of a limb, and n.
 struct Group<'p> {
     name: Option<String>,
     side: Option<&'static str>,
+    count: Option<f64>,
     members: Vec<&'p SphereLoads>,
 }
 
@@ -75,30 +77,25 @@ fn default_speed(loads: &[SphereLoads], gravity: Option<f64>) -> Option<f64> {
     restitution::drop_speed(gravity?, radius).ok()
 }
 
-/// The spheres of each limb; all together where limbs are not known.
-fn groups<'p>(limbs: &Limbs, loads: &'p [SphereLoads]) -> Vec<Group<'p>> {
-    let Some(limbs) = limbs.known() else {
-        let members: Vec<&SphereLoads> = loads.iter().collect();
-        let none = members.is_empty();
-        let group = Group { name: None, side: None, members };
-        return if none { Vec::new() } else { vec![group] };
+/// The chosen spheres of each limb; all together where limbs are not known.
+fn groups<'p>(limbs: &Limbs, loads: &'p [SphereLoads], stance: &Stance) -> Vec<Group<'p>> {
+    let at_least_one = |count: &f64| *count >= 1.0;
+    let groups: Vec<Group<'p>> = match limbs.known() {
+        None => {
+            let members = loads.iter().collect();
+            vec![Group { name: None, side: None, count: stance.spheres.filter(at_least_one), members }]
+        }
+        Some(limbs) => limbs
+            .iter()
+            .map(|limb| Group {
+                name: Some(limb.name.clone()),
+                side: Some(limb.side.as_str()),
+                count: Some(LoadSharing::count_on(limb, stance.spheres, stance.limbs)).filter(at_least_one),
+                members: loads.iter().filter(|one| limb.spheres.contains(&one.sphere)).collect(),
+            })
+            .collect(),
     };
-    let of_limb = |spheres: &[SphereId]| loads.iter().filter(|one| spheres.contains(&one.sphere)).collect();
-    limbs
-        .iter()
-        .map(|limb| Group {
-            name: Some(limb.name.clone()),
-            side: Some(limb.side.as_str()),
-            members: of_limb(&limb.spheres),
-        })
-        .collect()
-}
-
-/// n: as said, else as found on this limb times the stance limbs.
-fn sphere_count(limbs: &Limbs, group: &Group<'_>, stance: &Stance) -> Option<f64> {
-    #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
-    let found = group.members.len() as f64 * stance.limbs;
-    stance.spheres.or_else(|| limbs.known().map(|_| found)).filter(|&count| count >= 1.0)
+    groups.into_iter().filter(|group| !group.members.is_empty()).collect()
 }
 
 fn limbs_unknown(limbs: &Limbs) -> Option<Phrase> {

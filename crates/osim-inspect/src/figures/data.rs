@@ -1,14 +1,15 @@
 //! The figures of a model's contacts, as data.
 
+use std::borrow::Cow;
+
 use osim_model::wording::{Dialect, Phrase};
-use schemars::JsonSchema;
-use serde::Serialize;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
 
-use super::limit_check::{Figure, LimitCheck};
+use super::answer::Answer;
+use super::register::Figure;
 use crate::serialized::optional_phrase;
-
-/// The loads that are looked at, in body weights.
-pub(super) const BODY_WEIGHTS: [f64; 2] = [1.0, 2.0];
 
 /// Figures of one model.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -24,8 +25,8 @@ pub struct Figures {
     /// Why figures under body weight are absent, in words.
     #[serde(serialize_with = "optional_phrase")]
     #[schemars(with = "Option<String>")]
-    pub without_weight: Option<Phrase>,
-    /// Each limb; one entry without a name where limbs are not known.
+    pub why_no_body_weight: Option<Phrase>,
+    /// Each limb with chosen spheres; one entry without a name where limbs are not known.
     pub limbs: Vec<LimbFigures>,
 }
 
@@ -34,19 +35,18 @@ pub struct Figures {
 #[schemars(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct LimbFigures {
-    /// First body below the place where left and right part; `None` where limbs are not known.
+    /// First body below the place where left and right split; `None` where limbs are not known.
     pub limb: Option<String>,
     /// `right` or `left`.
     pub side: Option<&'static str>,
-    /// Spheres n that share the body weight; `None` where it cannot be told.
+    /// Spheres n that share the body weight, chosen or not; `None` where it cannot be told.
     pub sphere_count: Option<f64>,
-    /// Each sphere, in file order.
+    /// Each chosen sphere, in file order.
     pub spheres: Vec<SphereFigures>,
 }
 
-/// Figures of one sphere.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+/// Figures of one sphere: a value, or none, for each [`Figure`].
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct SphereFigures {
     /// Name of the sphere.
@@ -55,55 +55,23 @@ pub struct SphereFigures {
     pub path: String,
     /// Names of the forces that press it on the floor.
     pub forces: Vec<String>,
-    /// Radius R, m.
-    pub radius_m: f64,
-    /// Composite modulus E* (A.3), N/m²; the sum where several forces press the sphere.
-    pub composite_modulus_n_m2: f64,
-    /// Under body weights; empty where the weight is not known.
-    pub loads: Vec<LoadFigures>,
-    /// Stiffness k of the Hertz law under one body weight (B.2), N/m.
-    pub contact_stiffness_n_m: Option<f64>,
-    /// k̂ = k R n / F at one body weight (B.3), without unit.
-    pub dimensionless_stiffness: Option<f64>,
-    /// Natural frequency f_n about the rest under one body weight, by k and M/n (B.4), Hz.
-    pub natural_frequency_hz: Option<f64>,
-    /// Mean contact stress σ under one body weight (15), N/m².
-    pub mean_contact_stress_n_m2: Option<f64>,
-    /// Dissipation α, s/m; `None` where forces of different α press the sphere.
-    pub dissipation_s_m: Option<f64>,
-    /// Restitution c_r of the law at the impact speed, without unit.
-    pub restitution_exact: Option<f64>,
-    /// Restitution by (13); `None` where it is below 0, or the speed is not known.
-    pub restitution_approximate: Option<f64>,
-    /// √cf / R (C.2), without unit; `None` for a `HuntCrossleyForce`.
-    pub constant_indentation: Option<f64>,
-    /// Width Δx̂ over which the contact state goes from 5 % to 95 % (C.7), in radii.
-    pub transition_width: Option<f64>,
-    /// Elastic force while the sphere just touches, x = 0 (C.3), N.
-    pub force_just_touching_n: Option<f64>,
-    /// The same over the sphere's share of one body weight.
-    pub touching_share: Option<f64>,
-    /// Each figure that has a limit, against it.
-    pub limits: Vec<LimitCheck>,
+    /// In the order of [`Figure::ALL`].
+    pub(super) answers: Vec<Answer>,
 }
 
-/// One sphere under one load.
+/// One figure and its limit.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 #[non_exhaustive]
-pub struct LoadFigures {
-    /// The load in body weights.
-    pub body_weights: f64,
-    /// The sphere's share W/n, N.
-    pub load_n: f64,
-    /// x̂ under its share, by the Hertz law (11).
-    pub hertz: Option<f64>,
-    /// x̂ under its share, by the law of the file (C.3); below 0 where the sphere floats.
-    pub own: Option<f64>,
-    /// x̂ with all spheres of the limb level, by the Hertz law.
-    pub level_hertz: Option<f64>,
-    /// x̂ with all spheres of the limb level, by the law of the file.
-    pub level_own: Option<f64>,
+pub struct LimitCheck {
+    /// Name of the figure.
+    pub figure: &'static str,
+    /// Its value; `None` where it is beyond what its equation gives.
+    pub value: Option<f64>,
+    /// The limit, in the figure's own unit.
+    pub limit: f64,
+    /// Whether the figure is within it.
+    pub within_limit: bool,
 }
 
 impl Figures {
@@ -113,7 +81,7 @@ impl Figures {
             mass_kg: None,
             gravity_m_s2: None,
             impact_speed_m_s: None,
-            without_weight: Some(why),
+            why_no_body_weight: Some(why),
             limbs: Vec::new(),
         }
     }
@@ -125,7 +93,7 @@ impl Figures {
 
     /// Spells what they say in the words of a front end.
     pub fn spell(&mut self, dialect: &dyn Dialect) {
-        self.without_weight.iter_mut().for_each(|why| why.spell(dialect));
+        self.why_no_body_weight.iter_mut().for_each(|why| why.spell(dialect));
     }
 }
 
@@ -133,24 +101,100 @@ impl LimbFigures {
     /// `true` where the spheres differ, so that level figures say something of their own.
     #[must_use]
     pub fn is_mixed(&self) -> bool {
-        let differs = |load: &LoadFigures| match (load.hertz, load.level_hertz) {
+        let pairs = [
+            (Figure::Indentation, Figure::LevelIndentation),
+            (Figure::IndentationAtTwo, Figure::LevelIndentationAtTwo),
+        ];
+        let differs = |sphere: &SphereFigures, (equal, level): (Figure, Figure)| match (
+            sphere.value(equal),
+            sphere.value(level),
+        ) {
             (Some(equal), Some(level)) => (equal - level).abs() > 1e-9 * equal.abs(),
             _ => false,
         };
-        self.spheres.iter().any(|sphere| sphere.loads.iter().any(differs))
+        self.spheres.iter().any(|sphere| pairs.iter().any(|&pair| differs(sphere, pair)))
     }
 }
 
 impl SphereFigures {
-    /// The figures under `body_weights`.
-    #[must_use]
-    pub fn load(&self, body_weights: f64) -> Option<&LoadFigures> {
-        self.loads.iter().find(|load| load.body_weights == body_weights)
+    fn answer(&self, figure: Figure) -> Answer {
+        // The discriminant is the place in `Figure::ALL`: both come from one list.
+        self.answers.get(figure as usize).copied().unwrap_or(Answer::Unknown)
     }
 
-    /// Whether `figure` is within its limit; `None` where it is not known.
+    /// The figure, where it is known.
+    #[must_use]
+    pub fn value(&self, figure: Figure) -> Option<f64> {
+        self.answer(figure).value()
+    }
+
+    /// Whether `figure` is within its limit; `None` where it is not known, or has no limit.
     #[must_use]
     pub fn is_within(&self, figure: Figure) -> Option<bool> {
-        self.limits.iter().find(|check| check.figure == figure).map(|check| check.within_limit)
+        let limit = figure.info().limit?;
+        match self.answer(figure) {
+            Answer::Known(value) => Some(limit.admits(value)),
+            Answer::Beyond => Some(false),
+            Answer::Unknown => None,
+        }
+    }
+
+    /// Each figure that has a limit, compared with it, where it is known.
+    pub fn limits(&self) -> impl Iterator<Item = LimitCheck> {
+        Figure::ALL.iter().filter_map(|&figure| {
+            let info = figure.info();
+            Some(LimitCheck {
+                figure: info.name,
+                value: self.value(figure),
+                limit: info.limit?.value,
+                within_limit: self.is_within(figure)?,
+            })
+        })
+    }
+}
+
+/// Figures stand under their names, in their order.
+impl Serialize for SphereFigures {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("sphere", &self.sphere)?;
+        map.serialize_entry("path", &self.path)?;
+        map.serialize_entry("forces", &self.forces)?;
+        for &figure in Figure::ALL {
+            map.serialize_entry(figure.info().name, &self.value(figure))?;
+        }
+        map.serialize_entry("limits", &self.limits().collect::<Vec<_>>())?;
+        map.end()
+    }
+}
+
+impl JsonSchema for SphereFigures {
+    fn schema_name() -> Cow<'static, str> {
+        "SphereFigures".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let mut properties = serde_json::Map::new();
+        let mut add = |name: &str, description: String, mut schema: Schema| {
+            schema.insert("description".to_owned(), description.into());
+            properties.insert(name.to_owned(), schema.to_value());
+        };
+        add("sphere", "Name of the sphere.".to_owned(), generator.subschema_for::<String>());
+        add("path", "Its component path.".to_owned(), generator.subschema_for::<String>());
+        let forces = "Names of the forces that press it on the floor.".to_owned();
+        add("forces", forces, generator.subschema_for::<Vec<String>>());
+        for info in Figure::ALL.iter().map(|figure| figure.info()) {
+            add(info.name, info.described(), generator.subschema_for::<Option<f64>>());
+        }
+        let limits = "Each figure that has a limit, compared with it, where it is known.".to_owned();
+        add("limits", limits, generator.subschema_for::<Vec<LimitCheck>>());
+        let required: Vec<&String> = properties.keys().collect();
+        json_schema!({
+            "description": "Figures of one sphere; null where one is not known.",
+            "type": "object",
+            "required": required,
+            "properties": properties,
+            "additionalProperties": false,
+        })
     }
 }

@@ -1,19 +1,15 @@
-//! The spheres of a limb on the floor: what each does under its share of the weight.
+//! The spheres of a limb on the floor: where each rests under its share of the weight.
 
-use contact_scaling::{
-    Contact, Hertz, SharedLoad, Spheres, equilibrium, limits, patch, restitution, smoothing, stiffness,
-};
+use contact_scaling::{SharedLoad, Spheres, equilibrium};
 use osim_model::{ForceId, Model};
 
-use super::data::{BODY_WEIGHTS, LoadFigures, SphereFigures};
-use super::limits::limit_checks;
+use super::data::SphereFigures;
+use super::on_floor::{OnFloor, Rest, Weight};
+use super::register::Figure;
 use super::sphere_loads::SphereLoads;
 
-#[derive(Clone, Copy)]
-pub(super) struct Weight {
-    pub(super) mass_kg: f64,
-    pub(super) gravity_m_s2: f64,
-}
+/// The loads that are looked at, in body weights.
+const BODY_WEIGHTS: [f64; 2] = [1.0, 2.0];
 
 /// A limb on the floor.
 pub(super) struct LoadedLimb<'s> {
@@ -35,18 +31,18 @@ impl LoadedLimb<'_> {
     /// Figures of every sphere. Where a law rests is looked for once: the spheres of a limb are mostly alike.
     pub(super) fn spheres(&self) -> Vec<SphereFigures> {
         let level: Vec<Level> = BODY_WEIGHTS.iter().filter_map(|&weights| self.level(weights)).collect();
-        let mut known: Vec<(&SphereLoads, Vec<LoadFigures>)> = Vec::new();
+        let mut known: Vec<(&SphereLoads, Vec<Rest>)> = Vec::new();
         let mut figures = Vec::new();
         for &one in self.members {
             let alike = known.iter().find(|(other, _)| other.laws == one.laws);
-            let loads = match alike {
-                Some((_, loads)) => loads.clone(),
+            let rests = match alike {
+                Some((_, rests)) => rests.clone(),
                 None => level.iter().map(|level| under(one, level)).collect(),
             };
             if alike.is_none() {
-                known.push((one, loads.clone()));
+                known.push((one, rests.clone()));
             }
-            figures.push(self.sphere(one, loads));
+            figures.push(self.sphere(one, &rests));
         }
         figures
     }
@@ -62,74 +58,26 @@ impl LoadedLimb<'_> {
         #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
         let on_limb = load_n * self.members.len() as f64;
         let hertz = equilibrium::hertz_indentation(&all, on_limb).ok();
-        let own = equilibrium::indentation(&all, on_limb).ok();
-        Some(Level { body_weights, load_n, rest: Some((hertz, own)) })
+        let model_law = equilibrium::indentation(&all, on_limb).ok();
+        Some(Level { body_weights, load_n, rest: Some((hertz, model_law)) })
     }
 
-    fn sphere(&self, one: &SphereLoads, loads: Vec<LoadFigures>) -> SphereFigures {
+    fn sphere(&self, one: &SphereLoads, rests: &[Rest]) -> SphereFigures {
         let name = self.model.sphere(one.sphere);
         let force = |&id: &ForceId| self.model.force(id).map(|force| force.name.clone());
-        let composite: f64 = one.contacts.iter().map(Contact::composite_modulus).sum();
-        let dissipation = one.contacts.first().map(Contact::dissipation);
-        let dissipation = dissipation.filter(|&alpha| one.contacts.iter().all(|c| c.dissipation() == alpha));
-        let mut figures = SphereFigures {
+        let on_floor = OnFloor {
+            sphere: one,
+            weight: self.weight,
+            one_body_weight: self.load(1.0),
+            impact_speed_m_s: self.speed,
+            rests,
+        };
+        let answers = Figure::ALL.iter().map(|figure| (figure.info().answer)(&on_floor)).collect();
+        SphereFigures {
             sphere: name.map(|sphere| sphere.name.clone()).unwrap_or_default(),
             path: name.map(|sphere| sphere.path.clone()).unwrap_or_default(),
             forces: one.forces.iter().filter_map(force).collect(),
-            radius_m: one.radius_m,
-            composite_modulus_n_m2: composite,
-            loads,
-            contact_stiffness_n_m: None,
-            dimensionless_stiffness: None,
-            natural_frequency_hz: None,
-            mean_contact_stress_n_m2: None,
-            dissipation_s_m: dissipation,
-            restitution_exact: self.speed.zip(dissipation).and_then(|(v, a)| restitution::exact(a, v).ok()),
-            restitution_approximate: self
-                .speed
-                .zip(dissipation)
-                .and_then(|(v, a)| restitution::approximate(a, v).ok()),
-            constant_indentation: None,
-            transition_width: None,
-            force_just_touching_n: None,
-            touching_share: None,
-            limits: Vec::new(),
-        };
-        self.stiffness(&mut figures);
-        self.smoothing(one, &mut figures);
-        figures.limits = limit_checks(&figures, self.speed);
-        figures
-    }
-
-    /// k, k̂, f_n and σ under one body weight, by the Hertz law.
-    fn stiffness(&self, figures: &mut SphereFigures) {
-        let (Some(load), Some(weight)) = (self.load(1.0), self.weight) else { return };
-        let Some(x_hat) = figures.load(1.0).and_then(|load| load.hertz) else { return };
-        let hertz = Hertz::sphere(figures.composite_modulus_n_m2, figures.radius_m);
-        let Ok(k) = hertz.map(|hertz| hertz.stiffness_at_relative_indentation(x_hat)) else { return };
-        figures.contact_stiffness_n_m = Some(k);
-        figures.dimensionless_stiffness = stiffness::dimensionless(k, figures.radius_m, &load).ok();
-        figures.natural_frequency_hz =
-            stiffness::natural_frequency(k, weight.mass_kg / load.sphere_count()).ok();
-        figures.mean_contact_stress_n_m2 =
-            patch::mean_stress(load.per_sphere_n(), figures.radius_m, x_hat).ok();
-    }
-
-    /// What the smoothing does; of several forces the one that does most.
-    fn smoothing(&self, one: &SphereLoads, figures: &mut SphereFigures) {
-        let smoothed = || one.contacts.iter().filter_map(Contact::smoothing);
-        let most = |values: &mut dyn Iterator<Item = f64>| values.reduce(f64::max);
-        figures.constant_indentation =
-            most(&mut smoothed().filter_map(|s| {
-                smoothing::constant_indentation(s.constant_contact_force, one.radius_m).ok()
-            }));
-        figures.transition_width = most(&mut smoothed().filter_map(|s| {
-            smoothing::transition_width(limits::TRANSITION_THRESHOLD, s.hertz_smoothing, one.radius_m).ok()
-        }));
-        if smoothed().next().is_some() {
-            let touching: f64 = one.laws.iter().map(|law| law.law().elastic_force(0.0)).sum();
-            figures.force_just_touching_n = Some(touching);
-            figures.touching_share = self.load(1.0).map(|load| touching / load.per_sphere_n());
+            answers,
         }
     }
 }
@@ -139,23 +87,23 @@ struct Level {
     body_weights: f64,
     /// The share of each sphere, N.
     load_n: f64,
-    /// Indentation of all spheres by the Hertz law and by the law of the file, m; `None` where the spheres are alike, so
-    /// that they stand level with equal shares.
+    /// Indentation of all spheres by the Hertz law and by the model's, m; `None` where the spheres are alike, so that they
+    /// stand level with equal shares.
     rest: Option<(Option<f64>, Option<f64>)>,
 }
 
 /// One sphere of the limb.
-fn under(one: &SphereLoads, level: &Level) -> LoadFigures {
+fn under(one: &SphereLoads, level: &Level) -> Rest {
     let relative = |x: f64| Some(x / one.radius_m).filter(|x| x.is_finite());
     let hertz = equilibrium::hertz_indentation(&one.laws, level.load_n).ok();
-    let own = equilibrium::indentation(&one.laws, level.load_n).ok();
-    let (level_hertz, level_own) = level.rest.unwrap_or((hertz, own));
-    LoadFigures {
+    let model_law = equilibrium::indentation(&one.laws, level.load_n).ok();
+    let (level_hertz, level_model_law) = level.rest.unwrap_or((hertz, model_law));
+    Rest {
         body_weights: level.body_weights,
         load_n: level.load_n,
         hertz: hertz.and_then(relative),
-        own: own.and_then(relative),
+        model_law: model_law.and_then(relative),
         level_hertz: level_hertz.and_then(relative),
-        level_own: level_own.and_then(relative),
+        level_model_law: level_model_law.and_then(relative),
     }
 }

@@ -1,11 +1,14 @@
-//! What a model's contacts do under its weight.
+//! What a model's contacts do under its weight, figure by figure.
 
+mod answer;
 mod compute;
 mod data;
+mod figure;
 mod limb;
-mod limit_check;
-mod limits;
+mod on_floor;
+mod register;
 mod sphere_loads;
 
-pub use data::{Figures, LimbFigures, LoadFigures, SphereFigures};
-pub use limit_check::{Figure, LimitCheck};
+pub use data::{Figures, LimbFigures, LimitCheck, SphereFigures};
+pub use figure::{FigureInfo, Shown};
+pub use register::Figure;

@@ -1,12 +1,12 @@
 //! What the limits of the paper and the traps of the format say about a model.
 //!
-//! Codes, severities and their explanations are those of the one register, [`WarningCode`].
+//! Codes, severities and their explanations are those of the one register, [`FindingCode`].
 
-use osim_model::{FileId, Model, Property, Warning, WarningCode};
-use osim_patch::{Assignment, Set, set};
+use osim_model::{Assignment, FileId, Finding, FindingCode, Model, Property};
+use osim_patch::{Set, set};
 
-use super::finding::{CheckResult, Finding};
 use super::remedy::Remedies;
+use super::result::CheckResult;
 use super::{limits, traps};
 use crate::inspection::Inspection;
 use crate::mass_mismatch::MassMismatch;
@@ -18,10 +18,12 @@ pub fn check_model(
     options: &InspectOptions,
     model: &Model,
     inspected: &Inspection,
-    compiled: Option<&Warning>,
+    compiled: Option<&Finding>,
 ) -> CheckResult {
-    let joined = |force| traps::mixed_radii(model, force).is_some() || force.sets.len() > 1;
-    let joined = model.forces().iter().any(joined);
+    let is_joined = |finding: &Finding| {
+        matches!(finding.code, FindingCode::MixedRadii | FindingCode::SeveralParameterSets)
+    };
+    let joined = model.remarks_on(&model.force_ids()).iter().any(is_joined);
     let mut remedies = Remedies::new(inspected, joined, changes(options, model), options);
     let mismatch = MassMismatch::find(model, &options.masses);
     let another_mass = limits::another_mass(inspected, &remedies);
@@ -31,12 +33,12 @@ pub fn check_model(
     }
     let mut findings = traps::findings(model, inspected, &remedies);
     if let Some(mismatch) = mismatch {
-        let disagree = findings.iter_mut().filter(|finding| finding.code == WarningCode::MassSourcesDisagree);
+        let disagree = findings.iter_mut().filter(|finding| finding.code == FindingCode::MassSourcesDisagree);
         disagree.for_each(|finding| finding.message.push(&mismatch.aside()));
     }
     findings.extend(limits::findings(inspected, &remedies));
     findings.extend(another_mass);
-    findings.extend(compiled.map(Finding::from));
+    findings.extend(compiled.cloned());
     CheckResult::new(inspected, findings)
 }
 

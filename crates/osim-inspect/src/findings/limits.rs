@@ -1,12 +1,11 @@
 //! Findings from figures: what the contacts do, against the limits of the paper.
 
 use contact_scaling::limits;
-use osim_model::{WarningCode, four_significant, same_mass};
+use osim_model::{Finding, FindingCode, four_significant, same_mass};
 
-use super::finding::Finding;
 use super::remedy::Remedies;
 use crate::figures::{Figure, SphereFigures};
-use crate::inspection::Inspection;
+use crate::inspection::{InspectedForce, Inspection};
 
 /// x̂ at which a sphere is in the floor up to its centre.
 const CENTRE: f64 = 1.0;
@@ -38,12 +37,16 @@ struct Limits<'l> {
     spheres: Vec<&'l SphereFigures>,
 }
 
-fn hertz(sphere: &SphereFigures, body_weights: f64) -> Option<f64> {
-    sphere.load(body_weights).and_then(|load| load.hertz)
+/// The spheres that a finding is about, and the one of which its figure is the largest.
+struct Concerned<'l> {
+    most: f64,
+    worst: &'l SphereFigures,
+    all: Vec<&'l SphereFigures>,
 }
 
-fn own(sphere: &SphereFigures) -> Option<f64> {
-    sphere.load(1.0).and_then(|load| load.own)
+/// The figure of a sphere that is beyond its limit.
+fn beyond(sphere: &SphereFigures, figure: Figure) -> Option<f64> {
+    sphere.value(figure).filter(|_| sphere.is_within(figure) == Some(false))
 }
 
 impl<'l> Limits<'l> {
@@ -51,23 +54,18 @@ impl<'l> Limits<'l> {
         Self { inspected, remedies, spheres: inspected.figures.spheres().collect() }
     }
 
-    /// The spheres of which `concerned` tells a figure, and the one with the largest.
-    fn worst(
-        &self,
-        concerned: impl Fn(&SphereFigures) -> Option<f64>,
-    ) -> Option<(f64, &SphereFigures, Vec<&SphereFigures>)> {
-        let told: Vec<(f64, &SphereFigures)> =
-            self.spheres.iter().filter_map(|sphere| Some((concerned(sphere)?, *sphere))).collect();
+    /// The spheres that have the figure.
+    fn concerned(&self, figure: impl Fn(&SphereFigures) -> Option<f64>) -> Option<Concerned<'l>> {
+        let known: Vec<(f64, &SphereFigures)> =
+            self.spheres.iter().filter_map(|sphere| Some((figure(sphere)?, *sphere))).collect();
         // The first of equally bad ones.
-        let worst = told.iter().fold(None, |worst: Option<&(f64, &SphereFigures)>, one| match worst {
-            Some(known) if known.0 >= one.0 => Some(known),
-            _ => Some(one),
-        })?;
-        Some((worst.0, worst.1, told.iter().map(|(_, sphere)| *sphere).collect()))
+        let (most, worst) = known.iter().copied().reduce(|a, b| if b.0 > a.0 { b } else { a })?;
+        Some(Concerned { most, worst, all: known.into_iter().map(|(_, sphere)| sphere).collect() })
     }
 
     /// A finding about spheres, at the worst of them.
-    fn about(&self, code: WarningCode, text: &str, worst: &SphereFigures, all: &[&SphereFigures]) -> Finding {
+    fn about(&self, code: FindingCode, text: &str, found: &Concerned<'_>) -> Finding {
+        let Concerned { worst, all, .. } = found;
         let which = match (all.len(), self.spheres.len()) {
             (1, _) => worst.sphere.clone(),
             (some, of) if some == of => format!("all {of} spheres"),
@@ -75,148 +73,118 @@ impl<'l> Limits<'l> {
         };
         let line =
             self.inspected.spheres.iter().find(|sphere| sphere.path == worst.path).map(|sphere| sphere.line);
-        let mut finding = Finding::new(code, format!("{text} ({which})")).at(Some(&worst.path), line);
-        finding.spheres = all.iter().map(|sphere| sphere.sphere.clone()).collect();
-        finding
+        let finding = Finding::new(code, format!("{text} ({which})")).about(&worst.path);
+        finding.on_line(line).of_spheres(all.iter().map(|sphere| sphere.sphere.clone()).collect())
+    }
+
+    /// The same at the force that presses the worst sphere: its parameters are what can be changed.
+    fn about_force(&self, code: FindingCode, text: &str, found: &Concerned<'_>) -> Finding {
+        let (finding, sphere) = (self.about(code, text, found), found.worst);
+        let presses = |force: &&InspectedForce| {
+            sphere.forces.contains(&force.name) && force.spheres.contains(&sphere.sphere)
+        };
+        match self.inspected.forces.iter().find(presses) {
+            Some(force) => finding.about(&force.path).on_line(Some(force.line)),
+            None => finding,
+        }
     }
 
     fn sunk_in(&self) -> Option<Finding> {
-        let (x, worst, all) = self.worst(|sphere| hertz(sphere, 1.0).filter(|&x| x >= CENTRE))?;
-        let text = format!(
-            "at body weight on one limb x/R is {} by Hertz: in up to the centre",
-            four_significant(x)
-        );
-        Some(
-            self.about(WarningCode::SunkIn, &text, worst, &all)
-                .put_right_by(self.remedies.indentation(&self.spheres, 1.0)),
-        )
+        let found = self.concerned(|sphere| sphere.value(Figure::Indentation).filter(|&x| x >= CENTRE))?;
+        let x = four_significant(found.most);
+        let text = format!("at body weight on one limb x/R is {x} by Hertz: in up to the centre");
+        let remedy = self.remedies.indentation(&self.spheres, 1.0);
+        Some(self.about(FindingCode::SunkIn, &text, &found).with_remedy(remedy))
     }
 
     fn beyond_hertz(&self) -> Option<Finding> {
-        let beyond = |sphere: &SphereFigures| {
-            hertz(sphere, 1.0).filter(|&x| x < CENTRE && sphere.is_within(Figure::Hertz) == Some(false))
-        };
-        let (x, worst, all) = self.worst(beyond)?;
-        let limit = limits::HERTZ_RELATIVE_INDENTATION;
-        let text =
-            format!("at body weight on one limb x/R is {} by Hertz, at most {limit}", four_significant(x));
+        let found = self.concerned(|sphere| beyond(sphere, Figure::Indentation).filter(|&x| x < CENTRE))?;
+        let (x, limit) = (four_significant(found.most), limits::INDENTATION.in_words());
+        let text = format!("at body weight on one limb x/R is {x} by Hertz, {limit}");
         let remedy = self.remedies.indentation(&self.spheres, 1.0);
-        Some(self.about(WarningCode::BeyondHertz, &text, worst, &all).put_right_by(remedy))
+        Some(self.about(FindingCode::BeyondHertz, &text, &found).with_remedy(remedy))
     }
 
     fn beyond_hertz_at_two(&self) -> Option<Finding> {
-        let beyond = |sphere: &SphereFigures| {
-            let only_at_two = sphere.is_within(Figure::Hertz)? && !sphere.is_within(Figure::HertzAtTwo)?;
-            hertz(sphere, 2.0).filter(|_| only_at_two)
+        let only_at_two = |sphere: &SphereFigures| {
+            beyond(sphere, Figure::IndentationAtTwo)
+                .filter(|_| sphere.is_within(Figure::Indentation) == Some(true))
         };
-        let (x, worst, all) = self.worst(beyond)?;
-        let limit = limits::HERTZ_RELATIVE_INDENTATION;
-        let text = format!(
-            "at two body weights on one limb x/R is {} by Hertz, at most {limit}",
-            four_significant(x)
-        );
+        let found = self.concerned(only_at_two)?;
+        let (x, limit) = (four_significant(found.most), limits::INDENTATION.in_words());
+        let text = format!("at two body weights on one limb x/R is {x} by Hertz, {limit}");
         let remedy = self.remedies.indentation(&self.spheres, 2.0);
-        Some(self.about(WarningCode::BeyondHertzAtTwo, &text, worst, &all).put_right_by(remedy))
+        Some(self.about(FindingCode::BeyondHertzAtTwo, &text, &found).with_remedy(remedy))
     }
 
     fn beyond_hunt_crossley(&self) -> Option<Finding> {
         let speed = self.inspected.figures.impact_speed_m_s?;
         // The largest dissipation has the least restitution.
-        let beyond = |sphere: &SphereFigures| {
-            sphere.dissipation_s_m.filter(|_| sphere.is_within(Figure::Restitution) == Some(false))
-        };
-        let (dissipation, worst, all) = self.worst(beyond)?;
-        let restitution =
-            worst.restitution_approximate.map_or_else(|| "below 0".to_owned(), four_significant);
+        let found = self.concerned(|sphere| {
+            let outside = sphere.is_within(Figure::RestitutionApproximate) == Some(false);
+            sphere.value(Figure::Dissipation).filter(|_| outside)
+        })?;
+        let restitution = found.worst.value(Figure::RestitutionApproximate);
+        let restitution = restitution.map_or_else(|| "below 0".to_owned(), four_significant);
         let text = format!(
-            "at an impact speed of {} m/s the restitution is {restitution} by (13), at least {}",
+            "at an impact speed of {} m/s the restitution is {restitution} by (13), {}",
             four_significant(speed),
-            limits::HUNT_CROSSLEY_RESTITUTION
+            limits::RESTITUTION.in_words()
         );
-        let remedy = self.remedies.restitution(speed, dissipation);
-        Some(
-            self.at_force(self.about(WarningCode::BeyondHuntCrossley, &text, worst, &all), worst)
-                .put_right_by(remedy),
-        )
+        let remedy = self.remedies.restitution(speed, found.most);
+        Some(self.about_force(FindingCode::BeyondHuntCrossley, &text, &found).with_remedy(remedy))
     }
 
     fn constant_indentation(&self) -> Option<Finding> {
-        let large = |sphere: &SphereFigures| {
-            sphere
-                .constant_indentation
-                .filter(|_| sphere.is_within(Figure::ConstantIndentation) == Some(false))
-        };
-        let (x, worst, all) = self.worst(large)?;
-        let text = format!(
-            "sqrt(constant_contact_force)/R is {}, at most {}",
-            four_significant(x),
-            limits::CONSTANT_INDENTATION
-        );
-        let remedy = self.remedies.constant_indentation(limits::CONSTANT_INDENTATION);
-        let finding = self.about(WarningCode::LargeConstantIndentation, &text, worst, &all);
-        Some(self.at_force(finding, worst).put_right_by(remedy))
+        let found = self.concerned(|sphere| beyond(sphere, Figure::ConstantIndentation))?;
+        let limit = limits::CONSTANT_INDENTATION;
+        let x = four_significant(found.most);
+        let text = format!("sqrt(constant_contact_force)/R is {x}, {}", limit.in_words());
+        let remedy = self.remedies.constant_indentation(limit.value);
+        Some(self.about_force(FindingCode::LargeConstantIndentation, &text, &found).with_remedy(remedy))
     }
 
     fn transition(&self) -> Option<Finding> {
-        let wide = |sphere: &SphereFigures| {
-            sphere.transition_width.filter(|_| sphere.is_within(Figure::TransitionWidth) == Some(false))
-        };
-        let (width, worst, all) = self.worst(wide)?;
-        let text = format!(
-            "contact sets in over {} R, at most {}",
-            four_significant(width),
-            limits::TRANSITION_WIDTH
-        );
-        let finding = self.about(WarningCode::WideTransition, &text, worst, &all);
-        Some(self.at_force(finding, worst).put_right_by(self.remedies.transition()))
+        let found = self.concerned(|sphere| beyond(sphere, Figure::TransitionWidth))?;
+        let (width, limit) = (four_significant(found.most), limits::TRANSITION_WIDTH.in_words());
+        let text = format!("contact sets in over {width} R, {limit}");
+        let finding = self.about_force(FindingCode::WideTransition, &text, &found);
+        Some(finding.with_remedy(self.remedies.transition()))
     }
 
     fn before_contact(&self) -> Option<Finding> {
-        let early = |sphere: &SphereFigures| {
-            sphere.touching_share.filter(|_| sphere.is_within(Figure::TouchingShare) == Some(false))
-        };
-        let (share, worst, all) = self.worst(early)?;
-        let force = worst.force_just_touching_n.map(four_significant).unwrap_or_default();
-        let text = format!(
-            "just touching, a sphere carries {force} N, {} of its share of body weight",
-            four_significant(share)
-        );
-        let finding = self.about(WarningCode::ForceBeforeContact, &text, worst, &all);
-        Some(self.at_force(finding, worst).put_right_by(self.remedies.touching(&self.spheres)))
+        let found = self.concerned(|sphere| beyond(sphere, Figure::TouchingShare))?;
+        let force = found.worst.value(Figure::ForceJustTouching).map(four_significant).unwrap_or_default();
+        let share = four_significant(found.most);
+        let text = format!("just touching, a sphere carries {force} N, {share} of its share of body weight");
+        let finding = self.about_force(FindingCode::ForceBeforeContact, &text, &found);
+        Some(finding.with_remedy(self.remedies.touching(&self.spheres)))
     }
 
     fn floats(&self) -> Option<Finding> {
-        let above = |sphere: &SphereFigures| own(sphere).filter(|&x| x <= 0.0).map(|x| -x);
-        let (height, worst, all) = self.worst(above)?;
-        let text = format!("body weight is carried {} R above the floor", four_significant(height));
-        let finding = self.about(WarningCode::Floats, &text, worst, &all);
-        Some(self.at_force(finding, worst).put_right_by(self.remedies.touching(&self.spheres)))
-    }
-
-    /// Moves a finding to the force that presses the sphere: its parameters are what can be changed.
-    fn at_force(&self, finding: Finding, sphere: &SphereFigures) -> Finding {
-        let force = self
-            .inspected
-            .forces
-            .iter()
-            .find(|force| sphere.forces.contains(&force.name) && force.spheres.contains(&sphere.sphere));
-        match force {
-            Some(force) => finding.at(Some(&force.path), Some(force.line)),
-            None => finding,
-        }
+        let above = |sphere: &SphereFigures| {
+            sphere.value(Figure::IndentationModelLaw).filter(|&x| x <= 0.0).map(|x| -x)
+        };
+        let found = self.concerned(above)?;
+        let text = format!("body weight is carried {} R above the floor", four_significant(found.most));
+        let finding = self.about_force(FindingCode::Floats, &text, &found);
+        Some(finding.with_remedy(self.remedies.floating(&self.spheres)))
     }
 
     fn another_mass(&self) -> Option<Finding> {
         let mass = self.inspected.mass_kg?;
-        let stands_for = self.inspected.contacts_mass_kg.as_ref().filter(|told| told.source == "bodies")?;
+        let made_for = self.inspected.contacts_mass_kg.as_ref().filter(|mass| mass.source == "bodies")?;
         let presets = contact_scaling::preset_names().filter_map(contact_scaling::preset);
         for preset in presets {
             let scale = preset.scale;
             let alike = |a: f64, b: f64| (a - b).abs() <= 1e-6 * b;
+            let own = [
+                (Figure::Radius, scale.radius_m()),
+                (Figure::CompositeModulus, preset.contact.composite_modulus()),
+                (Figure::Dissipation, preset.contact.dissipation()),
+            ];
             let same = |sphere: &SphereFigures| {
-                alike(sphere.radius_m, scale.radius_m())
-                    && alike(sphere.composite_modulus_n_m2, preset.contact.composite_modulus())
-                    && sphere.dissipation_s_m.is_some_and(|alpha| alike(alpha, preset.contact.dissipation()))
+                own.iter().all(|&(figure, value)| sphere.value(figure).is_some_and(|ours| alike(ours, value)))
             };
             #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
             let count =
@@ -224,7 +192,7 @@ impl<'l> Limits<'l> {
             if count
                 && !self.spheres.is_empty()
                 && self.spheres.iter().all(|sphere| same(sphere))
-                && !same_mass(stands_for.value, scale.mass_kg())
+                && !same_mass(made_for.value, scale.mass_kg())
             {
                 let text = format!(
                     "the contacts are those of the preset {}, made for {} kg, and the body weighs {} kg",
@@ -233,7 +201,7 @@ impl<'l> Limits<'l> {
                     four_significant(mass)
                 );
                 let remedy = self.remedies.rescale(scale.mass_kg(), mass);
-                return Some(Finding::new(WarningCode::ContactsOfAnotherMass, text).put_right_by(remedy));
+                return Some(Finding::new(FindingCode::ContactsOfAnotherMass, text).with_remedy(remedy));
             }
         }
         None

@@ -1,11 +1,10 @@
-//! What is wrong with a model, and what would put it right.
+//! Whether the contacts are right: findings, and what puts them right.
 
 mod check;
-mod finding;
 mod limits;
 mod remedy;
+mod result;
 mod traps;
 
 pub use check::check_model;
-pub use finding::{CheckResult, Counts, Finding};
-pub use remedy::{Remedy, RemedyChange, RemedyDesign, RemedyDialect, RemedyLoad};
+pub use result::{CheckResult, Counts};

@@ -1,102 +1,18 @@
-//! Changes that put a finding right, as data: the command prints them, other front ends apply them.
-
-use std::path::PathBuf;
+//! Which change puts a finding right.
 
 use contact_scaling::limits;
 use osim_model::files::FileName;
-use osim_model::wording::Dialect;
-use osim_model::{Pattern, Property, Selection, readable};
-use osim_patch::Assignment;
+use osim_model::{Assignment, Property, Remedy, RemedyChange, RemedyDesign, RemedyLoad, Selection, readable};
 
-use crate::figures::SphereFigures;
+use crate::figures::{Figure, SphereFigures};
 use crate::inspection::Inspection;
 use crate::options::InspectOptions;
 
 /// The preset whose contacts are proposed where a model's own make no sense.
 const PROPOSED_PRESET: &str = "falisse2022";
 
-/// A change that puts a finding right.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct Remedy {
-    /// The model, as it was named.
-    pub model: FileName,
-    /// What is done with it.
-    pub change: RemedyChange,
-    /// Whose weight is carried, where that matters.
-    pub load: Option<RemedyLoad>,
-    /// Which forces.
-    pub selection: Selection,
-    /// The geometry set of a force set that stands alone.
-    pub geometry: Option<PathBuf>,
-    /// The model of a force set that stands alone.
-    pub set_model: Option<PathBuf>,
-}
-
-/// What a remedy does.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub enum RemedyChange {
-    /// Contacts that were made for one mass, scaled to another.
-    Rescale {
-        /// The mass they were made for, kg.
-        contacts_mass_kg: f64,
-        /// The mass of the body, kg.
-        target_mass_kg: f64,
-    },
-    /// Contacts of a preset.
-    Transfer {
-        /// Its name.
-        from: &'static str,
-    },
-    /// Parameters from what is wanted.
-    Design(RemedyDesign),
-    /// Values, or factors.
-    Set {
-        /// Properties and what becomes of them.
-        assignments: Vec<(Property, Assignment)>,
-    },
-}
-
-/// What is wanted of a contact; `None` is left as it is.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[non_exhaustive]
-pub struct RemedyDesign {
-    /// x̂ under the load (11).
-    pub indentation: Option<f64>,
-    /// The load, in body weights, where it is not one.
-    pub body_weights: Option<f64>,
-    /// c_r (13).
-    pub restitution: Option<f64>,
-    /// Speed of the impact that it is about, m/s.
-    pub impact_speed_m_s: Option<f64>,
-    /// x̂_c (C.2).
-    pub constant_indentation: Option<f64>,
-    /// Δx̂ (C.8).
-    pub state_width: Option<f64>,
-}
-
-/// Whose weight is carried, and by how many spheres: what was said of it is said again.
-#[derive(Debug, Clone, PartialEq, Default)]
-#[non_exhaustive]
-pub struct RemedyLoad {
-    /// What the model weighs, kg.
-    pub mass_kg: Option<f64>,
-    /// Gravity that the model's own file does not say, m/s².
-    pub gravity_m_s2: Option<f64>,
-    /// Bodies that do not count.
-    pub exclude_bodies: Vec<Pattern>,
-    /// Spheres that share the weight.
-    pub spheres: Option<f64>,
-    /// Limbs that share the weight, where it is not one.
-    pub stance_limbs: Option<f64>,
-}
-
-/// The words of a front end, for remedies too.
-pub trait RemedyDialect: Dialect {
-    /// A remedy, as the reader types it.
-    fn remedy(&self, remedy: &Remedy) -> String;
-}
+/// Width of the contact transition that is proposed, in radii: below its limit, and a round number.
+const STATE_WIDTH: f64 = 0.3;
 
 /// What all remedies for one model share.
 pub(super) struct Remedies<'m> {
@@ -163,15 +79,15 @@ impl<'m> Remedies<'m> {
 
     /// Brings x̂ down to the limit under `body_weights`; where the law is smoothed, its constant indentation with it.
     pub(super) fn indentation(&self, spheres: &[&SphereFigures], body_weights: f64) -> Option<Remedy> {
-        let limit = limits::HERTZ_RELATIVE_INDENTATION;
+        let limit = limits::INDENTATION.value;
         if self.joined || !self.counted {
             // The sphere that sinks in most decides. x̂ follows E*^(-2/3) (11).
-            let hertz = |sphere: &&SphereFigures| sphere.load(body_weights).and_then(|load| load.hertz);
-            let deepest = spheres.iter().filter_map(hertz).fold(0.0, f64::max);
+            let figure = if body_weights > 1.0 { Figure::IndentationAtTwo } else { Figure::Indentation };
+            let deepest = spheres.iter().filter_map(|sphere| sphere.value(figure)).fold(0.0, f64::max);
             let factor = (deepest / limit).powf(1.5);
             return self.factor(Property::Stiffness, (factor * 1e3).ceil() / 1e3);
         }
-        let smooth = spheres.iter().any(|sphere| sphere.constant_indentation.is_some());
+        let smooth = spheres.iter().any(|sphere| sphere.value(Figure::ConstantIndentation).is_some());
         // x̂ at body weight once it is at the limit under the load asked for.
         let x_hat = limit / body_weights.powf(2.0 / 3.0);
         let wanted = RemedyDesign {
@@ -185,7 +101,7 @@ impl<'m> Remedies<'m> {
 
     /// Brings the restitution up to the limit, from the largest dissipation that is there.
     pub(super) fn restitution(&self, impact_speed_m_s: f64, dissipation_s_m: f64) -> Option<Remedy> {
-        let limit = limits::HUNT_CROSSLEY_RESTITUTION;
+        let limit = limits::RESTITUTION.value;
         if self.joined {
             let factor = (1.0 - limit) / impact_speed_m_s / dissipation_s_m;
             return self.factor(Property::Dissipation, two_digits_below(factor));
@@ -204,14 +120,24 @@ impl<'m> Remedies<'m> {
     }
 
     pub(super) fn transition(&self) -> Option<Remedy> {
-        self.design(RemedyDesign { state_width: Some(0.3), ..RemedyDesign::default() }, false)
+        self.design(RemedyDesign { state_width: Some(STATE_WIDTH), ..RemedyDesign::default() }, false)
     }
 
     /// Brings the force just touching down to a tenth of the share of the weight.
     pub(super) fn touching(&self, spheres: &[&SphereFigures]) -> Option<Remedy> {
-        let hertz = |sphere: &&SphereFigures| sphere.load(1.0).and_then(|load| load.hertz);
-        let least = spheres.iter().filter_map(hertz).reduce(f64::min)?;
-        self.constant_indentation(constant_indentation_below(least))
+        self.constant_indentation(touching_indentation(spheres)?)
+    }
+
+    /// Brings spheres that float to the floor. Where contact sets in over a long way that has to be shorter, too: far above
+    /// the floor the force of (C.1) is large again.
+    pub(super) fn floating(&self, spheres: &[&SphereFigures]) -> Option<Remedy> {
+        let wide = spheres.iter().any(|sphere| sphere.is_within(Figure::TransitionWidth) == Some(false));
+        let wanted = RemedyDesign {
+            constant_indentation: Some(touching_indentation(spheres)?),
+            state_width: wide.then_some(STATE_WIDTH),
+            ..RemedyDesign::default()
+        };
+        self.design(wanted, false)
     }
 
     /// Scales contacts that were made for another body to this one.
@@ -248,12 +174,18 @@ fn rounded(kg: f64) -> f64 {
     readable(kg).parse().unwrap_or(kg)
 }
 
+/// √cf/R with which every sphere carries a tenth of its load while just touching.
+fn touching_indentation(spheres: &[&SphereFigures]) -> Option<f64> {
+    let least = spheres.iter().filter_map(|sphere| sphere.value(Figure::Indentation)).reduce(f64::min)?;
+    Some(constant_indentation_below(least))
+}
+
 /// √cf/R with which a sphere that rests at x̂ carries a tenth of its load while just touching, rounded down.
 ///
 /// ½ (x̂_c/x̂)^(3/2) ≤ 0.1, from (C.3) at x = 0 over (3).
 fn constant_indentation_below(x_hat: f64) -> f64 {
-    let most = x_hat * (2.0 * limits::TOUCHING_SHARE).powf(2.0 / 3.0);
-    let most = most.min(limits::CONSTANT_INDENTATION);
+    let most = x_hat * (2.0 * limits::TOUCHING_SHARE.value).powf(2.0 / 3.0);
+    let most = most.min(limits::CONSTANT_INDENTATION.value);
     two_digits_below(most)
 }
 

@@ -3,17 +3,19 @@
 use contact_scaling::{DimensionlessContact, EQUAL_SURFACES, Scale, ScaleValues};
 use osim_model::files::FileName;
 use osim_model::{
-    Fault, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected, SetId, SphereId, Value, Warning,
-    WarningCode,
+    Fault, Finding, FindingCode, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected, SetId,
+    SphereId, Value,
 };
 use osim_patch::{BodyFactors, Factors, loaded_spheres};
 
 use super::data::{
     ContactsMass, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce, InspectedLimb,
-    InspectedSphere, Inspection, Origins, Parameters, SCHEMA_VERSION,
+    InspectedSphere, Inspection, Origins, Parameters,
 };
 use crate::figures::Figures;
+use crate::load_sharing::LoadSharing;
 use crate::options::InspectOptions;
+use crate::serialized::SCHEMA_VERSION;
 
 impl InspectOptions {
     /// Inspects a model. It never refuses: what is not known is left open. `name` is that of the file.
@@ -28,15 +30,15 @@ impl InspectOptions {
             Ok(selected) => (selected, None),
             Err(fault) => (Selected::default(), Some(fault)),
         };
-        let limbs = match &unknown {
-            Some(fault) => Limbs::Unknown(fault.phrase()),
-            None => model.limbs(&selected.forces),
+        let sharing = match &unknown {
+            Some(fault) => LoadSharing::unknown(fault.phrase()),
+            None => LoadSharing::of(model, &selected.forces),
         };
         warnings.extend(factors.iter().flat_map(|factors| factors.warnings.iter().cloned()));
         for fault in [mass.as_ref().err(), contacts_mass.as_ref().err()].into_iter().flatten() {
             let code =
-                if fault.code() == "stale-note" { WarningCode::StaleNote } else { WarningCode::MassUnknown };
-            let mut warning = Warning::new(code, fault.phrase());
+                if fault.code() == "stale-note" { FindingCode::StaleNote } else { FindingCode::MassUnknown };
+            let mut warning = Finding::new(code, fault.phrase());
             warning.line = line_of(model, fault);
             if !warnings.contains(&warning) {
                 warnings.push(warning);
@@ -44,13 +46,13 @@ impl InspectOptions {
         }
         let (mass, contacts_mass) = (mass.ok(), contacts_mass.ok());
         let weight = mass.as_ref().or(contacts_mass.as_ref());
-        let figures = Figures::of(model, &selected, &limbs, weight, &self.stance);
-        let contacts = contacts(model, &selected, contacts_mass.as_ref(), &limbs);
+        let figures = Figures::of(model, &selected, &sharing, weight, &self.stance);
+        let contacts = contacts(model, &selected, contacts_mass.as_ref(), sharing.limbs());
         let found = Found {
             mass: mass.as_ref(),
             contacts_mass: contacts_mass.as_ref(),
             selected: &selected,
-            limbs: &limbs,
+            limbs: sharing.limbs(),
             warnings: &warnings,
             contacts: &contacts,
             factors,
@@ -95,7 +97,7 @@ pub(super) struct Found<'f> {
     pub contacts_mass: Option<&'f Mass>,
     pub selected: &'f Selected,
     pub limbs: &'f Limbs,
-    pub warnings: &'f [Warning],
+    pub warnings: &'f [Finding],
     /// For each force (and parameter set) its contact without dimensions, and E*.
     pub contacts: &'f [SetContact],
     pub factors: Option<&'f Factors>,

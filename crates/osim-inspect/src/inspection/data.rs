@@ -6,16 +6,13 @@ use std::collections::BTreeMap;
 
 use contact_scaling::DimensionlessContact;
 use osim_model::wording::{Dialect, Phrase};
-use osim_model::{Origin, Property, Warning};
+use osim_model::{Finding, Origin, Property};
 use schemars::JsonSchema;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
 use crate::figures::Figures;
-use crate::serialized::{WarningRecord, optional_phrase, warnings};
-
-/// Raised when a field changes its meaning or goes away.
-pub(super) const SCHEMA_VERSION: u32 = 1;
+use crate::serialized::{FindingRecord, optional_phrase, records};
 
 /// A model as it was found.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
@@ -55,9 +52,9 @@ pub struct Inspection {
     /// Contact forces, in file order; one entry for each of their parameter sets.
     pub forces: Vec<InspectedForce>,
     /// Traps found while reading, and masses that disagree.
-    #[serde(serialize_with = "warnings")]
-    #[schemars(with = "Vec<WarningRecord>")]
-    pub warnings: Vec<Warning>,
+    #[serde(serialize_with = "records")]
+    #[schemars(with = "Vec<FindingRecord>")]
+    pub warnings: Vec<Finding>,
     /// Bodies, in file order, ground left out.
     pub bodies: Vec<InspectedBody>,
     /// Factors against the generic model, where one was named.
@@ -86,7 +83,7 @@ pub struct ContactsMass {
 #[schemars(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct InspectedLimb {
-    /// First body below the place where left and right part.
+    /// First body below the place where left and right split.
     pub name: String,
     /// `right` or `left`.
     pub side: &'static str,

@@ -7,9 +7,9 @@ use osim_model::files::Failure;
 use osim_model::{CountOf, Fault, ForceId, MassRequest, Model, Needed, readable};
 use osim_patch::loaded_spheres;
 
+use crate::load_sharing::LoadSharing;
 use crate::mass_mismatch::MassMismatch;
 use crate::options::{InspectOptions, Stance};
-use crate::sphere_count::sphere_count;
 
 /// What a body weighs and on how many spheres it stands.
 #[derive(Debug, Clone)]
@@ -227,24 +227,22 @@ fn shortened(names: &[String]) -> String {
 
 fn weight(model: &Model, forces: &[ForceId], masses: &MassRequest, stance: &Stance) -> Result<Weight, Fault> {
     let mass_kg = masses.of_model(model)?.kg;
-    let sphere_count = match stance.spheres {
-        Some(count) => count,
-        None => sphere_count(model, stance.limbs, CountOf::Model)?,
-    };
+    let sphere_count = LoadSharing::of(model, forces).count(stance.spheres, stance.limbs, CountOf::Model)?;
     let gravity = stance.gravity_m_s2.or(model.gravity().filter(|&gravity| gravity > 0.0));
     let Some(gravity_m_s2) = gravity else { return Err(Fault::new(Needed::Gravity)) };
     let spheres = standing_spheres(model, forces, sphere_count)?;
     Ok(Weight { mass_kg, gravity_m_s2, sphere_count, spheres })
 }
 
-/// The spheres of all limbs, each with its share of the n that stand: 1/2 where one of two limbs does.
+/// The chosen spheres, each with its share of the n that stand: 1/2 where one of two limbs does. Where only some are chosen,
+/// the n that stand are all like these.
 ///
 /// # Errors
 /// A value that is no plain number or outside its domain, with its place.
 pub fn standing_spheres(model: &Model, forces: &[ForceId], count: f64) -> Result<Vec<Spheres>, Fault> {
     let loaded = loaded_spheres(model, forces)?;
     #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
-    let found = model.loaded_spheres(&model.force_ids()).len() as f64;
+    let found = model.loaded_spheres(forces).len() as f64;
     let mut spheres = Vec::new();
     for one in loaded {
         let law = Law::of(&one.contact, one.radius_m).map_err(Fault::new)?;

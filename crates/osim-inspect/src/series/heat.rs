@@ -156,10 +156,10 @@ impl<'s> Swept<'s> {
     fn limit(&self) -> Option<f64> {
         let speed = self.impact_speed_m_s;
         match self.quantity {
-            HeatQuantity::Indentation => Some(limits::HERTZ_RELATIVE_INDENTATION),
+            HeatQuantity::Indentation => Some(limits::INDENTATION.value),
             HeatQuantity::Restitution => {
                 // The limit is one of (13), as `check` has it; the values are the law's own.
-                let dissipation = restitution::dissipation(limits::HUNT_CROSSLEY_RESTITUTION, speed).ok()?;
+                let dissipation = restitution::dissipation(limits::RESTITUTION.value, speed).ok()?;
                 restitution::exact(dissipation, speed).ok()
             }
             HeatQuantity::PeakForce => None,

@@ -1,6 +1,6 @@
 //! Who asks for a run: what it wants of each model, and in whose words messages are.
 
-use osim_inspect::RemedyDialect;
+use osim_model::RemedyDialect;
 use osim_model::files::OpenModel;
 use osim_patch::Plan;
 use osim_requests::BeforeAfter;

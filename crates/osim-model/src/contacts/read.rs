@@ -7,10 +7,10 @@ use crate::class::Class;
 use crate::components::{Base, ComponentId, Components};
 use crate::document::Document;
 use crate::fault::Fault;
+use crate::finding::{Finding, FindingCode};
 use crate::property::Property;
 use crate::skeleton::Skeleton;
 use crate::value::Value;
-use crate::warning::{Warning, WarningCode};
 use crate::xml::ElementId;
 
 /// The frame a geometry is attached to.
@@ -34,7 +34,7 @@ pub(crate) struct ContactReader<'r> {
     pub skeleton: &'r Skeleton,
     pub spheres: Vec<Sphere>,
     pub forces: Vec<Force>,
-    pub warnings: Vec<Warning>,
+    pub warnings: Vec<Finding>,
     sphere_components: Vec<ComponentId>,
 }
 
@@ -152,7 +152,7 @@ impl<'r> ContactReader<'r> {
         let line = self.components.doc(owner).line(self.components.doc(owner).tree().span(element).start);
         let whose = self.components.tree.path(owner);
         let text = format!("'{text}' of {whose} leads nowhere; took {path}, the only one of that name");
-        self.warnings.push(Warning::at(WarningCode::ConnecteeByName, line, text).about(&whose));
+        self.warnings.push(Finding::at(FindingCode::ConnecteeByName, line, text).about(&whose));
     }
 
     fn surface(
@@ -284,7 +284,7 @@ impl<'r> ContactReader<'r> {
                 "{whose}: the parameter set is called '{name}', so OpenSim reads no parameters at all; call it contact_parameters"
             );
             let line = document.line(tree.span(set).start);
-            self.warnings.push(Warning::at(WarningCode::MisnamedParameterSet, line, text).about(&whose));
+            self.warnings.push(Finding::at(FindingCode::MisnamedParameterSet, line, text).about(&whose));
         }
     }
 

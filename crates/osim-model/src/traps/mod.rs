@@ -1,14 +1,15 @@
 //! Known traps of OpenSim and its users, looked for in every model that is read.
 
+mod remarks;
 mod sides;
 mod structure;
 mod values;
 
+use crate::finding::Finding;
 use crate::model::Model;
-use crate::warning::Warning;
 
 /// Everything that reading `model` showed, in the order in which reports list it.
-pub(crate) fn find(model: &Model) -> Vec<Warning> {
+pub(crate) fn find(model: &Model) -> Vec<Finding> {
     let all = [
         values::numbers,
         structure::included_contacts,

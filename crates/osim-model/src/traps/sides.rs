@@ -3,9 +3,9 @@
 use std::collections::HashMap;
 
 use crate::contacts::Force;
+use crate::finding::{Finding, FindingCode};
 use crate::model::Model;
 use crate::side::{Side, without_side};
-use crate::warning::{Warning, WarningCode};
 
 impl Model {
     /// The force on the right that has the name of `left` but for the side.
@@ -18,7 +18,7 @@ impl Model {
 }
 
 /// Forces whose names differ only in the side should have equal parameters.
-pub(super) fn left_and_right(model: &Model) -> Vec<Warning> {
+pub(super) fn left_and_right(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
     let mut right: HashMap<String, &Force> = HashMap::new();
     let side = |name: &str| Side::of_name(name);
@@ -44,7 +44,7 @@ pub(super) fn left_and_right(model: &Model) -> Vec<Warning> {
             None => continue,
         };
         let text = format!("{} and {} differ: {what}", force.path, other.path);
-        found.push(Warning::at(WarningCode::LeftRightDiffer, force.line, text).about(&force.path));
+        found.push(Finding::at(FindingCode::LeftRightDiffer, force.line, text).about(&force.path));
     }
     found
 }

@@ -5,13 +5,13 @@ use std::collections::HashMap;
 use crate::class::Class;
 use crate::contacts::{ForceKind, SphereId};
 use crate::fault::FileId;
+use crate::finding::{Finding, FindingCode};
 use crate::model::Model;
-use crate::warning::{Warning, WarningCode};
 
 const NOT_HERTZ: [&str; 3] = ["ElasticFoundationForce", "ExponentialContactForce", "MeyerFregly2016Force"];
 
 /// Contacts that stand in included files can be read but not changed.
-pub(super) fn included_contacts(model: &Model) -> Vec<Warning> {
+pub(super) fn included_contacts(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
     let forces = model.forces().iter().map(|force| (force.file, &force.path));
     let spheres = model.spheres().iter().map(|sphere| (sphere.file, &sphere.path));
@@ -19,27 +19,27 @@ pub(super) fn included_contacts(model: &Model) -> Vec<Warning> {
     for (file, path) in forces.chain(spheres) {
         if let (Some(name), false) = (model.included_file(file), said.contains(&file)) {
             let text = format!("{path} and others stand in the file '{name}' that the model includes");
-            found.push(Warning::new(WarningCode::IncludedFile, text));
+            found.push(Finding::new(FindingCode::IncludedFile, text));
             said.push(file);
         }
     }
     found
 }
 
-pub(super) fn several_spheres(model: &Model) -> Vec<Warning> {
+pub(super) fn several_spheres(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
     for force in model.forces() {
         let moving =
             force.spheres().into_iter().filter(|&s| model.sphere(s).is_some_and(|s| !s.fixed)).count();
         if matches!(force.kind, ForceKind::HuntCrossley) && moving > 1 {
             let text = format!("{} holds {moving} spheres: Simbody can drop the force of some", force.path);
-            found.push(Warning::at(WarningCode::SeveralSpheres, force.line, text).about(&force.path));
+            found.push(Finding::at(FindingCode::SeveralSpheres, force.line, text).about(&force.path));
         }
     }
     found
 }
 
-pub(super) fn spheres_in_two_forces(model: &Model) -> Vec<Warning> {
+pub(super) fn spheres_in_two_forces(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
     let mut users: HashMap<SphereId, Vec<&str>> = HashMap::new();
     for force in model.forces().iter().filter(|force| force.applies && model.meets_half_space(force)) {
@@ -52,17 +52,17 @@ pub(super) fn spheres_in_two_forces(model: &Model) -> Vec<Warning> {
     for (index, forces) in shared {
         let Some(sphere) = model.sphere(index) else { continue };
         let text = format!("sphere {} meets the ground through {}", sphere.path, forces.join(" and "));
-        found.push(Warning::at(WarningCode::SphereInTwoForces, sphere.line, text).about(&sphere.path));
+        found.push(Finding::at(FindingCode::SphereInTwoForces, sphere.line, text).about(&sphere.path));
     }
     found
 }
 
 /// Traps that are seen from the component tree itmodel.
-pub(super) fn special_components(model: &Model) -> Vec<Warning> {
+pub(super) fn special_components(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
     for sphere in model.spheres().iter().filter(|sphere| sphere.is_inside_force()) {
         let text = format!("{} keeps its sphere inside: OpenSim 4.2 and later cannot read it", sphere.path);
-        found.push(Warning::at(WarningCode::MocoDialect, sphere.line, text).about(&sphere.path));
+        found.push(Finding::at(FindingCode::MocoDialect, sphere.line, text).about(&sphere.path));
     }
     let components = model.components();
     for &(file, element) in &components.tree.skipped {
@@ -75,7 +75,7 @@ pub(super) fn special_components(model: &Model) -> Vec<Warning> {
                 "contacts inside a <{}> are left alone: OpenSim does not know that class",
                 tree.name(element)
             );
-            found.push(Warning::at(WarningCode::UnknownClass, line, text));
+            found.push(Finding::at(FindingCode::UnknownClass, line, text));
         }
     }
     for (id, object) in components.tree.iter() {
@@ -87,14 +87,14 @@ pub(super) fn special_components(model: &Model) -> Vec<Warning> {
         let path = components.tree.path(id);
         if NOT_HERTZ.contains(&tag) {
             let text = format!("{path} is a {tag}: left as it is");
-            found.push(Warning::at(WarningCode::NotHertz, components.line(id), text).about(&path));
+            found.push(Finding::at(FindingCode::NotHertz, components.line(id), text).about(&path));
         }
         let name = components.name(id);
         let ours =
             tag.starts_with("Contact") || tag == "HuntCrossleyForce" || tag.starts_with("SmoothSphere");
         if ours && tag != Class::ContactParameters.tag() && object.segment != name && !name.is_empty() {
             let text = format!("'{name}' is there twice: OpenSim calls this one {path}");
-            found.push(Warning::at(WarningCode::DuplicateNames, components.line(id), text).about(&path));
+            found.push(Finding::at(FindingCode::DuplicateNames, components.line(id), text).about(&path));
         }
     }
     found

@@ -2,12 +2,12 @@
 
 use crate::class::Class;
 use crate::contacts::SetId;
+use crate::finding::{Finding, FindingCode};
 use crate::model::Model;
 use crate::property::Property;
 use crate::value::{Origin, Value};
-use crate::warning::{Warning, WarningCode};
 
-pub(super) fn numbers(model: &Model) -> Vec<Warning> {
+pub(super) fn numbers(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
     let parameters = model.forces().iter().flat_map(|force| {
         let own = force.sets.iter().flat_map(|set| &set.values);
@@ -17,49 +17,49 @@ pub(super) fn numbers(model: &Model) -> Vec<Warning> {
     let masses = model.bodies().iter().map(|body| (body.path.as_str(), body.file, &body.mass));
     for (path, file, value) in parameters.chain(radii).chain(masses) {
         let (code, text) = if value.fault.is_some() {
-            (WarningCode::OddNumber, format!("is '{}', which OpenSim reads as {}", value.text, value.number))
+            (FindingCode::OddNumber, format!("is '{}', which OpenSim reads as {}", value.text, value.number))
         } else if !value.number.is_finite() {
-            (WarningCode::NotFinite, format!("is {}", value.number))
+            (FindingCode::NotFinite, format!("is {}", value.number))
         } else if !value.property.allows(value.number) && !is_default_stiffness(value) {
             let expected = value.property.domain();
-            (WarningCode::OutOfDomain, format!("is {}, expected {expected}", value.number))
+            (FindingCode::OutOfDomain, format!("is {}, expected {expected}", value.number))
         } else {
             continue;
         };
         let line = model.file(file).line(value.offset);
-        found.push(Warning::at(code, line, format!("{} of {path} {text}", value.property)).about(path));
+        found.push(Finding::at(code, line, format!("{} of {path} {text}", value.property)).about(path));
     }
     found
 }
 
-pub(super) fn dead_elements(model: &Model) -> Vec<Warning> {
+pub(super) fn dead_elements(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
     for force in model.forces() {
         let document = model.file(force.file);
         if let Some(dead) = document.tree().child(force.element, "derivative_smoothing") {
             let line = document.line(document.tree().span(dead).start);
             let text = format!("{}: derivative_smoothing is ignored by OpenSim", force.path);
-            found.push(Warning::at(WarningCode::DeadDerivativeSmoothing, line, text).about(&force.path));
+            found.push(Finding::at(FindingCode::DeadDerivativeSmoothing, line, text).about(&force.path));
         }
     }
     found
 }
 
-pub(super) fn default_stiffness(model: &Model) -> Vec<Warning> {
+pub(super) fn default_stiffness(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
     for force in model.forces() {
         for set in &force.sets {
             let default = set.value(Property::Stiffness).filter(|value| value.origin == Origin::ClassDefault);
             if let Some(value) = default {
                 let text = format!("{}: stiffness is OpenSim's default, {} N/m2", force.path, value.number);
-                found.push(Warning::at(WarningCode::DefaultStiffness, set.line, text).about(&force.path));
+                found.push(Finding::at(FindingCode::DefaultStiffness, set.line, text).about(&force.path));
             }
         }
     }
     found
 }
 
-pub(super) fn zero_constant_contact_force(model: &Model) -> Vec<Warning> {
+pub(super) fn zero_constant_contact_force(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
     for force in model.forces() {
         let zero =
@@ -68,13 +68,13 @@ pub(super) fn zero_constant_contact_force(model: &Model) -> Vec<Warning> {
             let line = model.file(force.file).line(value.offset);
             let text =
                 format!("{}: constant_contact_force is 0: OpenSim computes NaN without slip", force.path);
-            found.push(Warning::at(WarningCode::ZeroConstantContactForce, line, text).about(&force.path));
+            found.push(Finding::at(FindingCode::ZeroConstantContactForce, line, text).about(&force.path));
         }
     }
     found
 }
 
-pub(super) fn contact_defaults(model: &Model) -> Vec<Warning> {
+pub(super) fn contact_defaults(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
     let document = model.document();
     let tree = document.tree();
@@ -94,7 +94,7 @@ pub(super) fn contact_defaults(model: &Model) -> Vec<Warning> {
             let line = document.line(tree.span(default).start);
             let text =
                 format!("<defaults> holds a {}: OpenSim keeps it for models loaded later", class.tag());
-            found.push(Warning::at(WarningCode::ContactDefaults, line, text));
+            found.push(Finding::at(FindingCode::ContactDefaults, line, text));
         }
     }
     found

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use osim_model::{Anatomy, Document, Fault, FaultKind, Needed, Warning, WarningCode};
+use osim_model::{Anatomy, Document, Fault, FaultKind, Finding, FindingCode, Needed};
 
 /// Offsets shorter than this say nothing about a factor, m.
 const SHORTEST_OFFSET: f64 = 1e-6;
@@ -86,7 +86,7 @@ pub struct Factors {
     /// In file order of the scaled model.
     pub bodies: Vec<BodyFactors>,
     /// Where sources disagree by more than 1 %.
-    pub warnings: Vec<Warning>,
+    pub warnings: Vec<Finding>,
 }
 
 /// Factors from the Scale Tool's applied ScaleSet file, by body name: see [`Factors`] for an example.
@@ -178,8 +178,8 @@ impl Factors {
                 )));
             }
             for (other, value) in values.filter(|(_, value)| (value - factor).abs() > AGREEMENT * factor) {
-                self.warnings.push(Warning::new(
-                    WarningCode::FactorsDisagree,
+                self.warnings.push(Finding::new(
+                    FindingCode::FactorsDisagree,
                     format!(
                         "body {body}, {name}: {} says {factor:.6}, {} says {value:.6}; took the first",
                         source.as_str(),

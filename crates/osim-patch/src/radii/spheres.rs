@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use osim_model::{Fault, Force, ForceId, LevelAxis, Model, Property, SphereId, Warning, WarningCode};
+use osim_model::{Fault, Force, ForceId, LevelAxis, Model, Property, SphereId};
 
 use super::rule::{Pair, RadiusRule, SphereRule};
 use super::users::Users;
@@ -39,7 +39,6 @@ impl Radii {
             plan.radius(sphere, New { to: pair.new, factor, equation: rule.equation() })?;
             radii.insert(sphere, pair);
         }
-        warn_terrain(plan, forces);
         Ok(Self(radii))
     }
 
@@ -97,18 +96,6 @@ impl Radii {
         let least = ratios.iter().copied().fold(f64::INFINITY, f64::min);
         if ratios.is_empty() { 1.0 } else { most / least }
     }
-
-    /// Says where one modulus serves several radii.
-    pub(crate) fn warn_mixed(&self, plan: &mut PlanBuilder<'_>, forces: &[ForceId]) {
-        for force in forces.iter().filter_map(|&id| plan.model.force(id)) {
-            let pairs = self.of(force);
-            if pairs.windows(2).any(|two| matches!(two, [a, b] if a.old != b.old)) {
-                let text =
-                    format!("{} has spheres of different radii: the mean of R squared is used", force.path);
-                plan.warnings.push(Warning::at(WarningCode::MixedRadii, force.line, text));
-            }
-        }
-    }
 }
 
 /// Exactly the common value where all are equal.
@@ -135,14 +122,4 @@ pub fn moving_spheres(model: &Model, forces: &[ForceId]) -> Vec<SphereId> {
     spheres.dedup();
     spheres.retain(|&index| model.sphere(index).is_some_and(|sphere| !sphere.fixed));
     spheres
-}
-
-fn warn_terrain(plan: &mut PlanBuilder<'_>, forces: &[ForceId]) {
-    for force in forces.iter().filter_map(|&id| plan.model.force(id)) {
-        let fixed = force.spheres().iter().filter_map(|&s| plan.model.sphere(s)).filter(|s| s.fixed).count();
-        if fixed > 0 {
-            let text = format!("{} meets terrain ({fixed} fixed spheres): their radii stay", force.path);
-            plan.warnings.push(Warning::at(WarningCode::Terrain, force.line, text));
-        }
-    }
 }

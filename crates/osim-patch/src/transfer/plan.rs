@@ -3,7 +3,7 @@
 use contact_scaling::{RatioValues, Ratios};
 use osim_model::wording::phrase;
 use osim_model::{
-    Fault, Force, ForceKind, Model, Property, Scope, Selected, SphereId, Warning, WarningCode, readable,
+    Fault, Finding, FindingCode, Force, ForceKind, Model, Property, Scope, Selected, SphereId, readable,
 };
 
 use super::choice::Choice;
@@ -58,7 +58,6 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
     if wanted.follow.is_some() {
         check_spread(&mut plan, selected, wanted, &chosen, &radii)?;
     }
-    radii.warn_mixed(&mut plan, &selected.forces);
     warn_forces(&mut plan, &selected.forces, &wanted.properties);
     let mut without_smoothing = false;
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
@@ -92,7 +91,7 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
     let whole = !without_smoothing;
     if without_smoothing {
         let text = format!("{} has no smoothing parameters: the model's own stay", reference.name);
-        plan.warnings.push(Warning::new(WarningCode::ReferenceWithoutSmoothing, text));
+        plan.warnings.push(Finding::new(FindingCode::ReferenceWithoutSmoothing, text));
     }
     Ok(finish(plan, wanted, selected.complete && whole, &radii))
 }
@@ -154,7 +153,7 @@ fn finish(plan: PlanBuilder<'_>, wanted: &Transfer, complete: bool, radii: &Radi
     let PlanBuilder { model, changes, moves, mut warnings, mut remarks, .. } = plan;
     if changes.is_empty() {
         let text = "every value is already as the reference wants it";
-        warnings.push(Warning::new(WarningCode::NothingToChange, text));
+        warnings.push(Finding::new(FindingCode::NothingToChange, text));
     } else if wanted.follow.is_some() {
         remarks.push("body masses stay as they are; spheres follow their bodies".into());
     } else {

@@ -2,7 +2,7 @@
 
 use contact_scaling::{Contact, DimensionlessContact, Ratios, Scale, ScaleValues, restitution};
 use osim_model::wording::Phrase;
-use osim_model::{Fault, FaultKind, Model, Selected, SphereId, Warning, WarningCode};
+use osim_model::{Fault, FaultKind, Finding, FindingCode, Model, Selected, SphereId};
 
 use super::choice::Choice;
 use super::request::{ScalingRule, Transfer};
@@ -40,7 +40,7 @@ pub(crate) fn check_spread(
         if wanted.strict {
             return Err(Fault::new(FaultKind::FactorSpread { text }).of(force.path.clone()));
         }
-        plan.warnings.push(Warning::at(WarningCode::FactorSpread, force.line, text));
+        plan.warnings.push(Finding::at(FindingCode::FactorSpread, force.line, text));
     }
     Ok(())
 }

@@ -4,7 +4,7 @@ use std::cmp::Reverse;
 
 use osim_inspect::{CheckResult, Counts};
 use osim_model::wording::{Dialect, Phrase};
-use osim_model::{Severity, WarningCode};
+use osim_model::{FindingCode, Severity};
 
 use crate::layout::{Colour, clipped, right_aligned, severity, table};
 
@@ -14,13 +14,13 @@ pub struct LibraryTable {
     /// Counts; `None` for a model that could not be read.
     models: Vec<(String, Option<Counts>)>,
     /// For each code, how many models, and the first of them.
-    codes: Vec<(WarningCode, usize, String)>,
+    codes: Vec<(FindingCode, usize, String)>,
 }
 
 impl LibraryTable {
     /// Adds what was found in the next model.
     pub fn add(&mut self, found: &CheckResult) {
-        let mut seen: Option<WarningCode> = None;
+        let mut seen: Option<FindingCode> = None;
         for finding in &found.findings {
             // Findings come sorted, so that one code stands together.
             if seen == Some(finding.code) {

@@ -1,6 +1,7 @@
 //! Findings of one model, for people.
 
-use osim_inspect::{CheckResult, Finding};
+use osim_inspect::CheckResult;
+use osim_model::Finding;
 
 use crate::layout::{Colour, severity, wrapped};
 
@@ -21,7 +22,7 @@ pub fn text(found: &CheckResult, prompt: &str, colour: Colour) -> String {
 }
 
 fn block(first: &Finding, alike: &[Finding], prompt: &str, colour: Colour) -> String {
-    let mut text = format!("{} {}\n", severity(first.severity, colour), first.code);
+    let mut text = format!("{} {}\n", severity(first.code.severity(), colour), first.code);
     for finding in alike {
         let line = finding.line.map(|line| format!("line {line}: ")).unwrap_or_default();
         let message = finding.message.to_string();

@@ -1,9 +1,9 @@
 //! The words of the command line.
 
-use osim_inspect::{Remedy, RemedyDialect};
+use osim_model::Assignment;
 use osim_model::shortest;
 use osim_model::wording::{Call, Dialect, Example, Input, Verb};
-use osim_patch::Assignment;
+use osim_model::{Remedy, RemedyDialect};
 
 use super::front_end::FrontEnd;
 use super::remedy::{Parts, Said};
@@ -65,7 +65,6 @@ impl RemedyDialect for CommandLine {
         words.extend(parts.assignments.iter().map(|(property, assignment)| match assignment {
             Assignment::Factor(factor) => format!("{property}=x{}", shortest(*factor)),
             Assignment::Value(value) => format!("{property}={}", shortest(*value)),
-            _ => property.to_string(),
         }));
         for (input, said) in &parts.inputs {
             let mut say = |value: &str| words.extend([option(*input), shell_quoted(value)]);
@@ -105,7 +104,7 @@ fn option(input: Input) -> String {
 
 #[cfg(test)]
 mod tests {
-    use osim_model::WarningCode;
+    use osim_model::FindingCode;
     use osim_model::wording::Phrase;
 
     use super::*;
@@ -139,36 +138,36 @@ mod tests {
     fn the_register_reads_as_it_always_did() {
         for (code, why, remedy) in [
             (
-                WarningCode::AlreadyAtTarget,
+                FindingCode::AlreadyAtTarget,
                 "else --mass, else the sum of the bodies.",
                 "Say what the contacts were made for with --contacts-mass KG, or take those of a known model with \
                  transfer --from MODEL",
             ),
             (
-                WarningCode::ZeroConstantContactForce,
+                FindingCode::ZeroConstantContactForce,
                 "even without friction.",
                 "Give it a small value, for example design MODEL --constant-indentation 0.05",
             ),
-            (WarningCode::DisabledForce, "", "Nothing, if that is meant; else --skip-disabled"),
+            (FindingCode::DisabledForce, "", "Nothing, if that is meant; else --skip-disabled"),
             (
-                WarningCode::FactorsDisagree,
+                FindingCode::FactorsDisagree,
                 "",
                 "Look at inspect --from, and say --body-scale BODY=x,y,z where another source is right",
             ),
             (
-                WarningCode::BeyondHertzAtTwo,
+                FindingCode::BeyondHertzAtTwo,
                 "",
                 "Nothing, if the model only walks; else design MODEL --indentation 0.16 --body-weights 2",
             ),
             (
-                WarningCode::SunkIn,
+                FindingCode::SunkIn,
                 "",
                 "Scale the contacts to this body with MODEL --contacts-mass KG --target-mass KG, or design MODEL \
                  --indentation 0.16",
             ),
         ] {
             assert!(code.why().spelled(&CommandLine).contains(why), "{code}");
-            assert_eq!(code.remedy().spelled(&CommandLine), remedy);
+            assert_eq!(code.advice().spelled(&CommandLine), remedy);
         }
     }
 }

@@ -1,6 +1,6 @@
 //! What a front end spells beyond sentences.
 
-use osim_inspect::RemedyDialect;
+use osim_model::RemedyDialect;
 use osim_model::wording::Call;
 
 /// The words of a front end, for calls that stand alone too.

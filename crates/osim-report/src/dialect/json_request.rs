@@ -1,7 +1,7 @@
 //! The words of requests in JSON.
 
-use osim_inspect::{Remedy, RemedyDialect};
 use osim_model::wording::{Call, Dialect, Example, Input, Verb};
+use osim_model::{Remedy, RemedyDialect};
 use osim_requests::Request;
 use serde_json::Value;
 

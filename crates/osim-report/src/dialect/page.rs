@@ -1,9 +1,9 @@
 //! The words of a page with fields and buttons.
 
-use osim_inspect::{Remedy, RemedyDialect};
+use osim_model::Assignment;
 use osim_model::readable;
 use osim_model::wording::{Call, Dialect, Example, Input, Verb};
-use osim_patch::Assignment;
+use osim_model::{Remedy, RemedyDialect};
 
 use super::front_end::FrontEnd;
 use super::remedy::{Parts, Said};
@@ -45,7 +45,6 @@ impl RemedyDialect for Page {
             .map(|(property, assignment)| match assignment {
                 Assignment::Factor(factor) => format!("{property} × {}", readable(*factor)),
                 Assignment::Value(value) => format!("{property} {}", readable(*value)),
-                _ => property.to_string(),
             })
             .collect();
         wanted.extend(parts.inputs.iter().map(|(input, said)| {

@@ -1,9 +1,9 @@
 //! The words of the Python package.
 
-use osim_inspect::{Remedy, RemedyDialect};
+use osim_model::Assignment;
 use osim_model::shortest;
 use osim_model::wording::{Call, Dialect, Example, Input, Verb};
-use osim_patch::Assignment;
+use osim_model::{Remedy, RemedyDialect};
 
 use super::front_end::FrontEnd;
 use super::remedy::{Parts, Said};
@@ -52,7 +52,6 @@ impl RemedyDialect for Python {
                 format!("{property}={}", quoted(&format!("x{}", shortest(*factor))))
             }
             Assignment::Value(value) => format!("{property}={}", shortest(*value)),
-            _ => format!("{property}="),
         }));
         arguments.extend(parts.inputs.iter().map(|(input, said)| {
             let value = match said {

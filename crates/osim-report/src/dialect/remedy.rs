@@ -1,9 +1,9 @@
 //! What a remedy says, in the order in which it is said.
 
-use osim_inspect::{Remedy, RemedyChange, RemedyDesign, RemedyLoad};
+use osim_model::Assignment;
 use osim_model::wording::{Input, Verb};
 use osim_model::{Pattern, Property};
-use osim_patch::Assignment;
+use osim_model::{Remedy, RemedyChange, RemedyDesign, RemedyLoad};
 
 /// What is said of an input.
 pub(super) enum Said {

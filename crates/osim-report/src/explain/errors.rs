@@ -1,6 +1,6 @@
 //! A register of every error code: what it means and the way out.
 //!
-//! `docs/errors.md` has the same texts; a test compares them, and looks for codes that are not here.
+//! The tables of `docs/errors.md` are made from it; a test looks for codes that are not here.
 
 use osim_model::wording::Phrase;
 
@@ -28,23 +28,54 @@ impl ErrorCode {
     }
 }
 
+/// What failures are about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ErrorGroup {
+    /// The file, before anything in it.
+    File,
+    /// What is in it.
+    Model,
+    /// Something that only the user can know.
+    Question,
+    /// The request.
+    Request,
+}
+
+impl ErrorGroup {
+    /// Every group, in the order of the documents.
+    pub const ALL: [Self; 4] = [Self::File, Self::Model, Self::Question, Self::Request];
+
+    /// Its failures.
+    #[must_use]
+    pub const fn errors(self) -> &'static [ErrorCode] {
+        match self {
+            Self::File => FILE,
+            Self::Model => MODEL,
+            Self::Question => QUESTION,
+            Self::Request => REQUEST,
+        }
+    }
+}
+
 /// Every kind of failure.
 pub fn errors() -> impl Iterator<Item = &'static ErrorCode> {
-    ALL.iter()
+    ErrorGroup::ALL.iter().flat_map(|group| group.errors())
 }
 
 /// The failure of this code.
 #[must_use]
 pub fn error(code: &str) -> Option<&'static ErrorCode> {
-    ALL.iter().find(|error| error.code == code)
+    errors().find(|error| error.code == code)
 }
 
 const fn code(code: &'static str, means: &'static str, way_out: &'static str) -> ErrorCode {
     ErrorCode { code, means, way_out }
 }
 
-/// In backticks stand inputs and calls.
-const ALL: &[ErrorCode] = &[
+// In backticks stand inputs and calls.
+
+const FILE: &[ErrorCode] = &[
     code(
         "unreadable",
         "the file, or one that belongs to it, is not there or cannot be read; a link leads nowhere or back; another program is writing it; a folder holds a pipe or a device under the name of a model",
@@ -77,6 +108,9 @@ const ALL: &[ErrorCode] = &[
         "a ForceSet without its geometry, or a ContactGeometrySet alone",
         "name the force set and give `geometry=FILE`; see docs/workflow.md",
     ),
+];
+
+const MODEL: &[ErrorCode] = &[
     code(
         "not-a-number",
         "a number is written so that OpenSim reads something else than it looks like: 1,5e6 is 1 for OpenSim, abc is its default",
@@ -107,6 +141,9 @@ const ALL: &[ErrorCode] = &[
         "a force names a sphere, or a sphere a body, that is not in the file",
         "correct the path; OpenSim could not connect it either",
     ),
+];
+
+const QUESTION: &[ErrorCode] = &[
     code(
         "included-file",
         "the number to change stands in another file, which the model names with file=\"...\"",
@@ -157,6 +194,9 @@ const ALL: &[ErrorCode] = &[
         "the contacts of the reference differ, and your spheres have no namesakes there",
         "`reference_sphere=NAME`",
     ),
+];
+
+const REQUEST: &[ErrorCode] = &[
     code(
         "refused",
         "the request makes no sense for this model; the message says why (no force is left by `select`, say)",

@@ -13,7 +13,7 @@ mod uses;
 
 pub use answer::answer;
 pub use equations::{equation, equations};
-pub use errors::{ErrorCode, error, errors};
+pub use errors::{ErrorCode, ErrorGroup, error, errors};
 pub use letters::Letters;
 pub use record::{FormulaRecord, SymbolRecord, TopicRecord};
 pub use text::{list, text};

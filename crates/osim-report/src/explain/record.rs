@@ -3,7 +3,7 @@
 use contact_scaling::Equation;
 use contact_scaling::equations::{Form, Symbol};
 use osim_model::wording::{Dialect, Phrase};
-use osim_model::{Seen, WarningCode};
+use osim_model::{FindingCode, Repair, Seen};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -38,9 +38,9 @@ pub enum TopicRecord {
         /// Which part of the project uses it.
         used: String,
     },
-    /// A warning or finding.
+    /// A finding, of a model or of a change.
     #[non_exhaustive]
-    Warning {
+    Finding {
         /// Raised when a field changes its meaning or goes away.
         schema_version: u32,
         /// Stable short name.
@@ -54,7 +54,11 @@ pub enum TopicRecord {
         /// Why it matters.
         why: String,
         /// What to do about it.
-        remedy: String,
+        advice: String,
+        /// What the command does that `check` proposes; null where it cannot propose one.
+        proposed_command: Option<String>,
+        /// Why it cannot.
+        why_no_command: Option<String>,
     },
     /// An error.
     #[non_exhaustive]
@@ -106,7 +110,7 @@ impl TopicRecord {
     pub fn new(topic: Topic, dialect: &dyn Dialect) -> Self {
         match topic {
             Topic::Equation(equation) => Self::of_equation(equation, dialect),
-            Topic::Warning(code) => Self::of_warning(code, dialect),
+            Topic::Finding(code) => Self::of_finding(code, dialect),
             Topic::Error(error) => Self::of_error(error, dialect),
         }
     }
@@ -123,15 +127,21 @@ impl TopicRecord {
         }
     }
 
-    fn of_warning(code: WarningCode, dialect: &dyn Dialect) -> Self {
-        Self::Warning {
+    fn of_finding(code: FindingCode, dialect: &dyn Dialect) -> Self {
+        let (proposed_command, why_no_command) = match code.repair() {
+            Repair::Command(what) => (Some(what.to_owned()), None),
+            Repair::NotPossible(why) => (None, Some(why.to_owned())),
+        };
+        Self::Finding {
             schema_version: SCHEMA_VERSION,
             code: code.as_str(),
             severity: code.severity().as_str(),
             checked: code.seen() == Seen::Model,
             what: code.what().spelled(dialect),
             why: code.why().spelled(dialect),
-            remedy: code.remedy().spelled(dialect),
+            advice: code.advice().spelled(dialect),
+            proposed_command,
+            why_no_command,
         }
     }
 

@@ -2,7 +2,7 @@
 
 use comfy_table::{ContentArrangement, Table};
 use contact_scaling::Equation;
-use osim_model::WarningCode;
+use osim_model::FindingCode;
 use osim_model::wording::{Dialect, Phrase};
 
 use super::errors::ErrorCode;
@@ -16,7 +16,7 @@ use crate::layout::{WIDTH, options, table};
 pub fn text(topic: Topic, dialect: &dyn Dialect, letters: Letters) -> String {
     match topic {
         Topic::Equation(equation) => of_equation(equation, dialect, letters),
-        Topic::Warning(code) => of_warning(code, dialect),
+        Topic::Finding(code) => of_finding(code, dialect),
         Topic::Error(error) => of_error(error, dialect),
     }
 }
@@ -41,8 +41,10 @@ fn of_equation(equation: &Equation, dialect: &dyn Dialect, letters: Letters) -> 
     text
 }
 
-fn of_warning(code: WarningCode, dialect: &dyn Dialect) -> String {
-    let parts = [("What: ", code.what()), ("Why:  ", code.why()), ("Do:   ", code.remedy())];
+fn of_finding(code: FindingCode, dialect: &dyn Dialect) -> String {
+    let repair = code.repair().sentence().into();
+    let parts =
+        [("What: ", code.what()), ("Why:  ", code.why()), ("Do:   ", code.advice()), ("Fix:  ", repair)];
     let body: String =
         parts.into_iter().map(|(label, body)| paragraph(label, &body.spelled(dialect))).collect();
     format!("{code}\n\n{body}")
@@ -58,9 +60,9 @@ fn of_error(error: &ErrorCode, dialect: &dyn Dialect) -> String {
 /// Topics by kind, one line each.
 #[must_use]
 pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: Letters) -> String {
-    let (mut equations, mut warnings, mut errors) = (
+    let (mut equations, mut findings, mut errors) = (
         table(&["equation", "what it says"]),
-        table(&["warning", "what it is"]),
+        table(&["finding", "what it is"]),
         table(&["error", "what it means"]),
     );
     for topic in topics {
@@ -68,8 +70,8 @@ pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: Letters) -> String
             Topic::Equation(equation) => {
                 equations.add_row(vec![shown(equation.label), letters.spelled(equation.title)])
             }
-            Topic::Warning(code) => {
-                warnings.add_row(vec![code.as_str().to_owned(), code.what().spelled(dialect)])
+            Topic::Finding(code) => {
+                findings.add_row(vec![code.as_str().to_owned(), code.what().spelled(dialect)])
             }
             Topic::Error(error) => {
                 let means = letters.spelled(&error.means().spelled(dialect));
@@ -77,7 +79,7 @@ pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: Letters) -> String
             }
         };
     }
-    [equations, warnings, errors].map(|table| format!("{}\n", fitted(table))).join("\n")
+    [equations, findings, errors].map(|table| format!("{}\n", fitted(table))).join("\n")
 }
 
 /// Numbers of the paper stand in brackets, as there.

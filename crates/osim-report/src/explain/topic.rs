@@ -1,7 +1,7 @@
 //! Something that can be explained, by its name.
 
 use contact_scaling::Equation;
-use osim_model::WarningCode;
+use osim_model::FindingCode;
 use osim_model::wording::Verb;
 
 use super::equations::{equation, equations};
@@ -15,7 +15,7 @@ pub enum Topic {
     /// An equation, or a rule of this project.
     Equation(&'static Equation),
     /// A warning or finding.
-    Warning(WarningCode),
+    Finding(FindingCode),
     /// An error.
     Error(&'static ErrorCode),
 }
@@ -34,8 +34,8 @@ impl Topic {
     /// Everything that can be explained.
     #[must_use]
     pub fn all() -> Vec<Self> {
-        let warnings = WarningCode::ALL.iter().copied().map(Self::Warning);
-        equations().map(Self::Equation).chain(warnings).chain(errors().map(Self::Error)).collect()
+        let findings = FindingCode::ALL.iter().copied().map(Self::Finding);
+        equations().map(Self::Equation).chain(findings).chain(errors().map(Self::Error)).collect()
     }
 
     /// All topics of `named`: one name, or several as the column "equation" has them (`11, B.2`).
@@ -60,7 +60,7 @@ impl Topic {
     pub fn name(self) -> &'static str {
         match self {
             Self::Equation(equation) => equation.label,
-            Self::Warning(code) => code.as_str(),
+            Self::Finding(code) => code.as_str(),
             Self::Error(error) => error.code,
         }
     }
@@ -70,7 +70,7 @@ impl Topic {
 fn called(name: &str) -> Vec<Topic> {
     let is_code = |code: &str| code == name.trim_matches(['[', ']', ' ']);
     let equation = equation(name).map(Topic::Equation);
-    let warning = WarningCode::ALL.iter().copied().find(|code| is_code(code.as_str())).map(Topic::Warning);
+    let warning = FindingCode::ALL.iter().copied().find(|code| is_code(code.as_str())).map(Topic::Finding);
     let error = errors().find(|known| is_code(known.code)).map(Topic::Error);
     [equation, warning, error].into_iter().flatten().collect()
 }

@@ -1,6 +1,7 @@
 //! A quantity over stiffness and dissipation.
 
 use contact_plots::{HeatLimit, HeatMap};
+use contact_scaling::limits;
 use osim_inspect::series::{self, Body, HeatQuantity, HeatRequest};
 use osim_model::files::Failure;
 use osim_model::wording::{Input, phrase};
@@ -34,7 +35,7 @@ pub fn heat(
         x: series.x,
         y: series.y,
         value_label: words.label.to_owned(),
-        limit: series.limit.map(|at| HeatLimit { label: words.limit.to_owned(), at }),
+        limit: series.limit.map(|at| HeatLimit { label: words.limit.clone(), at }),
         mark: Some((format!("{} now", body.name), series.now)),
     })
 }
@@ -54,25 +55,27 @@ fn only(bodies: &[Body]) -> Result<&Body, Failure> {
 struct Words {
     title: &'static str,
     label: &'static str,
-    limit: &'static str,
+    limit: String,
 }
 
 impl Words {
-    const fn of(quantity: HeatQuantity) -> Self {
+    fn of(quantity: HeatQuantity) -> Self {
         match quantity {
             HeatQuantity::Indentation => Self {
                 title: "Indentation at rest",
                 label: "x̂ under body weight, Hertz (–)",
-                limit: "x̂ = 0.16, limit of the Hertz law",
+                limit: format!("x̂ = {}, limit of the Hertz law", limits::INDENTATION.value),
             },
             HeatQuantity::Restitution => Self {
                 title: "Restitution",
                 label: "coefficient of restitution (–)",
-                limit: "0.8 by (13), limit of the Hunt–Crossley law",
+                limit: format!("{} by (13), limit of the Hunt–Crossley law", limits::RESTITUTION.value),
             },
-            HeatQuantity::PeakForce => {
-                Self { title: "Peak force of the drop", label: "peak force / body weight (–)", limit: "" }
-            }
+            HeatQuantity::PeakForce => Self {
+                title: "Peak force of the drop",
+                label: "peak force / body weight (–)",
+                limit: String::new(),
+            },
         }
     }
 }

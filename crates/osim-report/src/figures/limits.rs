@@ -8,8 +8,8 @@ use osim_inspect::series::{self, IndentationUnit, SphereKind, Units};
 pub(super) fn hertz_limit(units: Units) -> Vec<Limit> {
     match units.indentation {
         IndentationUnit::Relative => vec![Limit {
-            label: "x̂ = 0.16".to_owned(),
-            at: limits::HERTZ_RELATIVE_INDENTATION,
+            label: format!("x̂ = {}", limits::INDENTATION.value),
+            at: limits::INDENTATION.value,
             direction: Direction::Vertical,
         }],
         // It is another length for each radius.

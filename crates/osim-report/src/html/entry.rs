@@ -1,6 +1,6 @@
 //! What became of one model: its row in the table, and everything else about it.
 
-use osim_inspect::{Counts, Inspection, SphereFigures};
+use osim_inspect::{Counts, Figure, Inspection, SphereFigures};
 use osim_model::files::Failure;
 use osim_model::wording::Dialect;
 use osim_model::{Property, four_significant, readable};
@@ -45,7 +45,7 @@ impl Entry {
 
     /// A model that was inspected.
     pub(super) fn of_inspection(inspected: &Inspection, found: Counts, fragment: Fragment) -> Self {
-        let hertz = |sphere: &SphereFigures| sphere.load(1.0).and_then(|load| load.hertz);
+        let hertz = |sphere: &SphereFigures| sphere.value(Figure::Indentation);
         let deepest = inspected.figures.spheres().filter_map(hertz).reduce(f64::max);
         let mut cells = vec![
             "read".to_owned(),

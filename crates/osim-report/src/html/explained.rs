@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use contact_scaling::Equation;
 use maud::{Markup, html};
-use osim_model::WarningCode;
+use osim_model::FindingCode;
 use osim_model::wording::{Dialect, Phrase};
 
 use super::values::sentence;
@@ -17,7 +17,7 @@ pub(super) const SECTION: (&str, &str) = ("explained", "Equations and findings e
 #[derive(Debug, Clone, Default)]
 pub(super) struct Topics {
     equations: BTreeSet<&'static str>,
-    codes: BTreeSet<WarningCode>,
+    codes: BTreeSet<FindingCode>,
     errors: BTreeSet<&'static str>,
 }
 
@@ -60,7 +60,7 @@ impl Topics {
     }
 
     /// A code linked to its explanation.
-    pub(super) fn code(&mut self, code: WarningCode) -> Markup {
+    pub(super) fn code(&mut self, code: FindingCode) -> Markup {
         self.codes.insert(code);
         html! { a.code href={ "#" (anchor("finding", code.as_str())) } { (code.as_str()) } }
     }
@@ -147,12 +147,12 @@ fn of_equation(equation: &Equation, dialect: &dyn Dialect) -> Markup {
     }
 }
 
-fn of_code(code: WarningCode, dialect: &dyn Dialect) -> Markup {
+fn of_code(code: FindingCode, dialect: &dyn Dialect) -> Markup {
     html! {
         div.explained id=(anchor("finding", code.as_str())) {
             h4 { (code.as_str()) }
             p { (code.what().spelled(dialect)) " " (code.why().spelled(dialect)) }
-            p { b { "What to do: " } (code.remedy().spelled(dialect)) "." }
+            p { b { "What to do: " } (code.advice().spelled(dialect)) "." }
         }
     }
 }

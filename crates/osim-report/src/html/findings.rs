@@ -1,8 +1,8 @@
 //! What `check` found, and what a change made of it.
 
 use maud::{Markup, html};
-use osim_inspect::{CheckResult, Finding};
-use osim_model::{WarningCode, readable};
+use osim_inspect::CheckResult;
+use osim_model::{Finding, FindingCode, readable};
 
 use super::fragment::Fragment;
 use super::shell::command_line;
@@ -72,8 +72,8 @@ fn paired<'f>(now: &'f [Finding], new: &'f [Finding]) -> Vec<(&'f Finding, Optio
 }
 
 /// Findings that are steps of one ladder: one takes the place of the other as spheres sink in deeper.
-const DEPTH: [WarningCode; 3] =
-    [WarningCode::BeyondHertzAtTwo, WarningCode::BeyondHertz, WarningCode::SunkIn];
+const DEPTH: [FindingCode; 3] =
+    [FindingCode::BeyondHertzAtTwo, FindingCode::BeyondHertz, FindingCode::SunkIn];
 
 /// How far apart what two findings say is: 0 the same, 1 another step of a ladder; `None` where they are not akin.
 ///
@@ -95,7 +95,7 @@ fn was(fragment: &mut Fragment, one: &Finding, before: &Finding) -> Markup {
         @if other || message_before != message {
             p.quiet {
                 "Before: "
-                @if other { (severity(before.severity)) " " (fragment.topics.code(before.code)) " " }
+                @if other { (severity(before.code.severity())) " " (fragment.topics.code(before.code)) " " }
                 (message_before) "."
             }
         }
@@ -135,7 +135,7 @@ fn item(fragment: &mut Fragment, finding: &Finding, lines: Lines, commands: Comm
     };
     html! {
         p {
-            (severity(finding.severity)) " " (fragment.topics.code(finding.code)) " "
+            (severity(finding.code.severity())) " " (fragment.topics.code(finding.code)) " "
             (message) "."
             @if place.is_some() || finding.line.is_some() {
                 " " span.quiet {
@@ -155,31 +155,31 @@ fn item(fragment: &mut Fragment, finding: &Finding, lines: Lines, commands: Comm
 mod tests {
     use super::*;
 
-    fn finding(code: WarningCode, place: &str, spheres: &[&str]) -> Finding {
+    fn finding(code: FindingCode, place: &str, spheres: &[&str]) -> Finding {
         let spheres = spheres.iter().map(|&name| name.to_owned()).collect();
-        Finding::new(code, "").at(Some(place), None).about(spheres)
+        Finding::new(code, "").about(place).of_spheres(spheres)
     }
 
     #[test]
     fn the_worst_sphere_may_be_another_one_after_a_change() {
         let (heel, toe) = (&["heel", "toe"], &["toe"]);
-        let before = finding(WarningCode::BeyondHertz, "heel", heel);
-        assert_eq!(kinship(&before, &finding(WarningCode::BeyondHertz, "toe", toe)), Some(0));
-        assert_eq!(kinship(&before, &finding(WarningCode::SunkIn, "toe", toe)), Some(1));
-        assert_eq!(kinship(&before, &finding(WarningCode::BeyondHuntCrossley, "toe", toe)), None);
+        let before = finding(FindingCode::BeyondHertz, "heel", heel);
+        assert_eq!(kinship(&before, &finding(FindingCode::BeyondHertz, "toe", toe)), Some(0));
+        assert_eq!(kinship(&before, &finding(FindingCode::SunkIn, "toe", toe)), Some(1));
+        assert_eq!(kinship(&before, &finding(FindingCode::BeyondHuntCrossley, "toe", toe)), None);
     }
 
     #[test]
     fn what_is_said_of_forces_belongs_to_each() {
-        let before = finding(WarningCode::ConnecteeByName, "left", &[]);
-        assert_eq!(kinship(&before, &finding(WarningCode::ConnecteeByName, "left", &[])), Some(0));
-        assert_eq!(kinship(&before, &finding(WarningCode::ConnecteeByName, "right", &[])), None);
+        let before = finding(FindingCode::ConnecteeByName, "left", &[]);
+        assert_eq!(kinship(&before, &finding(FindingCode::ConnecteeByName, "left", &[])), Some(0));
+        assert_eq!(kinship(&before, &finding(FindingCode::ConnecteeByName, "right", &[])), None);
     }
 
     #[test]
     fn the_same_finding_is_nearer_than_another_step() {
-        let now = [finding(WarningCode::SunkIn, "a", &["a"]), finding(WarningCode::BeyondHertz, "b", &["b"])];
-        let new = [finding(WarningCode::BeyondHertz, "c", &["c"])];
-        assert_eq!(paired(&now, &new)[0].1.map(|old| old.code), Some(WarningCode::BeyondHertz));
+        let now = [finding(FindingCode::SunkIn, "a", &["a"]), finding(FindingCode::BeyondHertz, "b", &["b"])];
+        let new = [finding(FindingCode::BeyondHertz, "c", &["c"])];
+        assert_eq!(paired(&now, &new)[0].1.map(|old| old.code), Some(FindingCode::BeyondHertz));
     }
 }

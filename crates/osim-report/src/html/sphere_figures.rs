@@ -2,11 +2,10 @@
 
 use maud::{Markup, html};
 use osim_inspect::{Figure, Figures, SphereFigures};
-use osim_model::four_significant;
 
 use super::fragment::{Fragment, boxed};
 use super::values::listed;
-use crate::inspection::rows::{RESTITUTION, ROWS, Row, When};
+use crate::inspection::rows::{Spheres, heading, key, limit, value};
 use crate::layout::OUTSIDE;
 
 const SECTION: (&str, &str) = ("figures", "What the spheres do");
@@ -33,7 +32,8 @@ struct Group<'s> {
 pub(super) fn section(fragment: &mut Fragment, states: &[State<'_>]) {
     let groups = groups(states);
     let abreast = (ABREAST / states.len().max(1)).max(1);
-    let why = states.iter().find_map(|state| state.figures.without_weight.as_ref()).map(ToString::to_string);
+    let why =
+        states.iter().find_map(|state| state.figures.why_no_body_weight.as_ref()).map(ToString::to_string);
     let mut body = html! {
         @if let Some(why) = why { p.note { "No figures under body weight: " (why) "." } }
         @if groups.is_empty() { p { "No sphere of a chosen force touches a half-space." } }
@@ -63,7 +63,7 @@ fn groups<'s>(states: &'s [State<'s>]) -> Vec<Group<'s>> {
         for sphere in &limb.spheres {
             let spheres: Vec<Option<&SphereFigures>> =
                 states.iter().map(|state| state.figures.spheres().find(|s| s.path == sphere.path)).collect();
-            let key = key(&spheres);
+            let key = spheres.iter().flat_map(|sphere| sphere.map(key).unwrap_or_default()).collect();
             let limb = limb.limb.as_deref().unwrap_or_default();
             match groups.iter_mut().find(|group| group.key == key) {
                 Some(group) => {
@@ -87,17 +87,6 @@ fn groups<'s>(states: &'s [State<'s>]) -> Vec<Group<'s>> {
     groups
 }
 
-/// What is shown of a sphere.
-fn key(spheres: &[Option<&SphereFigures>]) -> Vec<String> {
-    let shown = |sphere: &SphereFigures| {
-        ROWS.iter()
-            .map(|row| (row.value)(sphere).map(four_significant).unwrap_or_default())
-            .collect::<Vec<_>>()
-            .join(" ")
-    };
-    spheres.iter().map(|sphere| sphere.map(shown).unwrap_or_default()).collect()
-}
-
 fn described(group: &Group<'_>) -> String {
     let limbs: Vec<&str> = group.limbs.iter().copied().filter(|limb| !limb.is_empty()).collect();
     let limbs = if limbs.is_empty() { String::new() } else { format!(" ({})", limbs.join(", ")) };
@@ -114,19 +103,11 @@ fn sheet(
     let several = states.len() > 1;
     let mixed = groups.iter().any(|group| group.mixed);
     let spheres = || groups.iter().flat_map(|group| group.spheres.iter().flatten());
-    let smooth = spheres().any(|sphere| sphere.constant_indentation.is_some());
-    let shown = |row: &&Row| match row.when {
-        When::Always => true,
-        When::Smooth => smooth,
-        When::Mixed => mixed,
-        When::MixedSmooth => mixed && smooth,
-    };
     let speed = states.first().and_then(|state| state.figures.impact_speed_m_s);
-    let rows: Vec<Markup> = ROWS
-        .iter()
-        .filter(shown)
-        .filter(|row| spheres().any(|sphere| value(row, sphere).is_some()))
-        .map(|row| line(fragment, row, speed.filter(|_| !several), groups, outside))
+    let rows: Vec<Markup> = Spheres::new(mixed, spheres().copied())
+        .figures()
+        .filter(|&figure| spheres().any(|sphere| value(figure, sphere).is_some()))
+        .map(|figure| line(fragment, figure, speed.filter(|_| !several), groups, outside))
         .collect();
     let caption = if several { "Figures of the spheres, before and after" } else { "Figures of the spheres" };
     let table = html! {
@@ -152,40 +133,25 @@ fn sheet(
 
 fn line(
     fragment: &mut Fragment,
-    row: &Row,
+    figure: Figure,
     speed: Option<f64>,
     groups: &[Group<'_>],
     outside: &mut bool,
 ) -> Markup {
-    let name = match (row.name, speed) {
-        (RESTITUTION, Some(speed)) => format!("restitution at {} m/s", four_significant(speed)),
-        (name, _) => name.to_owned(),
-    };
+    let name = heading(figure, speed);
     let part = name.starts_with(' ');
     let name = fragment.topics.linked(name.trim_start());
-    let limit = row.figure.map(Figure::limit_text).unwrap_or_default();
     html! {
         tr {
             th.part[part] scope="row" { (name) }
-            td { (limit.replace(">=", "≥").replace("<=", "≤")) }
-            @for sphere in groups.iter().flat_map(|group| &group.spheres) { (cell(row, *sphere, outside)) }
+            td { (limit(figure).replace(">=", "≥").replace("<=", "≤")) }
+            @for sphere in groups.iter().flat_map(|group| &group.spheres) { (cell(figure, *sphere, outside)) }
         }
     }
 }
 
-/// The figure as shown, and whether it is within its limit; none where it is not known.
-fn value(row: &Row, sphere: &SphereFigures) -> Option<(String, bool)> {
-    let within = row.figure.and_then(|figure| sphere.is_within(figure));
-    match ((row.value)(sphere), within) {
-        (Some(value), _) => Some((four_significant(value), within != Some(false))),
-        // (13) has no answer below 0, and that is outside.
-        (None, Some(false)) => Some(("below 0".to_owned(), false)),
-        (None, _) => None,
-    }
-}
-
-fn cell(row: &Row, sphere: Option<&SphereFigures>, outside: &mut bool) -> Markup {
-    match sphere.and_then(|sphere| value(row, sphere)) {
+fn cell(figure: Figure, sphere: Option<&SphereFigures>, outside: &mut bool) -> Markup {
+    match sphere.and_then(|sphere| value(figure, sphere)) {
         None => html! { td { "–" } },
         Some((text, true)) => html! { td { (text) } },
         Some((text, false)) => {

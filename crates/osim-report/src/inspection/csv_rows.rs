@@ -1,6 +1,6 @@
 //! A model's spheres as CSV: one row per sphere that stands, numbers in full.
 
-use osim_inspect::{Figure, InspectedForce, Inspection, LimbFigures, LoadFigures, SphereFigures};
+use osim_inspect::{Figure, InspectedForce, Inspection, LimbFigures, SphereFigures};
 use osim_model::{Property, shortest};
 
 use crate::layout::csv_text;
@@ -23,16 +23,8 @@ fn parameter(place: &Place<'_>, property: Property) -> String {
     text(place.force.and_then(|force| force.parameters.get(property)))
 }
 
-fn load(place: &Place<'_>, body_weights: f64, of: fn(&LoadFigures) -> Option<f64>) -> String {
-    text(place.sphere.load(body_weights).and_then(of))
-}
-
-fn is_within(place: &Place<'_>, figure: Figure) -> String {
-    place.sphere.is_within(figure).map(|within| within.to_string()).unwrap_or_default()
-}
-
 /// `docs/json.md` explains the columns; they have the names of the JSON fields.
-const COLUMNS: [Column; 45] = [
+const COLUMNS: [Column; 21] = [
     ("model", |p| p.model.model.clone()),
     ("name", |p| p.model.name.clone()),
     ("mass_kg", |p| text(p.model.mass_kg)),
@@ -45,9 +37,7 @@ const COLUMNS: [Column; 45] = [
     ("sphere", |p| p.sphere.sphere.clone()),
     ("path", |p| p.sphere.path.clone()),
     ("forces", |p| p.sphere.forces.join(" ")),
-    ("radius_m", |p| shortest(p.sphere.radius_m)),
     ("stiffness", |p| parameter(p, Property::Stiffness)),
-    ("composite_modulus_n_m2", |p| shortest(p.sphere.composite_modulus_n_m2)),
     ("dissipation", |p| parameter(p, Property::Dissipation)),
     ("static_friction", |p| parameter(p, Property::StaticFriction)),
     ("dynamic_friction", |p| parameter(p, Property::DynamicFriction)),
@@ -56,38 +46,31 @@ const COLUMNS: [Column; 45] = [
     ("constant_contact_force", |p| parameter(p, Property::ConstantContactForce)),
     ("hertz_smoothing", |p| parameter(p, Property::HertzSmoothing)),
     ("hunt_crossley_smoothing", |p| parameter(p, Property::HuntCrossleySmoothing)),
-    ("load_n", |p| load(p, 1.0, |l| Some(l.load_n))),
-    ("hertz", |p| load(p, 1.0, |l| l.hertz)),
-    ("own", |p| load(p, 1.0, |l| l.own)),
-    ("level_hertz", |p| load(p, 1.0, |l| l.level_hertz)),
-    ("level_own", |p| load(p, 1.0, |l| l.level_own)),
-    ("hertz_at_two", |p| load(p, 2.0, |l| l.hertz)),
-    ("own_at_two", |p| load(p, 2.0, |l| l.own)),
-    ("level_hertz_at_two", |p| load(p, 2.0, |l| l.level_hertz)),
-    ("level_own_at_two", |p| load(p, 2.0, |l| l.level_own)),
-    ("contact_stiffness_n_m", |p| text(p.sphere.contact_stiffness_n_m)),
-    ("dimensionless_stiffness", |p| text(p.sphere.dimensionless_stiffness)),
-    ("natural_frequency_hz", |p| text(p.sphere.natural_frequency_hz)),
-    ("mean_contact_stress_n_m2", |p| text(p.sphere.mean_contact_stress_n_m2)),
-    ("restitution_exact", |p| text(p.sphere.restitution_exact)),
-    ("restitution_approximate", |p| text(p.sphere.restitution_approximate)),
-    ("constant_indentation", |p| text(p.sphere.constant_indentation)),
-    ("transition_width", |p| text(p.sphere.transition_width)),
-    ("force_just_touching_n", |p| text(p.sphere.force_just_touching_n)),
-    ("touching_share", |p| text(p.sphere.touching_share)),
-    ("hertz_holds", |p| is_within(p, Figure::Hertz)),
-    ("restitution_holds", |p| is_within(p, Figure::Restitution)),
-    ("warnings", |p| {
-        p.model.warnings.iter().map(|warning| warning.code.as_str()).collect::<Vec<_>>().join(" ")
-    }),
 ];
+
+/// Behind the figures: the names of those that are beyond their limits, and the codes of warnings.
+const LAST: [&str; 2] = ["outside_limits", "warnings"];
+
+fn header() -> Vec<String> {
+    let figures = Figure::ALL.iter().map(|figure| figure.info().name);
+    let columns = COLUMNS.iter().map(|(name, _)| *name);
+    columns.chain(figures).chain(LAST).map(str::to_owned).collect()
+}
+
+fn cells(place: &Place<'_>) -> Vec<String> {
+    let figures = Figure::ALL.iter().map(|&figure| text(place.sphere.value(figure)));
+    let outside = place.sphere.limits().filter(|check| !check.within_limit).map(|check| check.figure);
+    let warnings = place.model.warnings.iter().map(|warning| warning.code.as_str());
+    let last = [outside.collect::<Vec<_>>().join(" "), warnings.collect::<Vec<_>>().join(" ")];
+    COLUMNS.iter().map(|(_, value)| value(place)).chain(figures).chain(last).collect()
+}
 
 /// The rows of one model, behind a header where `header`.
 ///
 /// # Errors
 /// None in practice: the rows are written into memory.
 pub fn csv_rows(inspected: &Inspection, header: bool) -> Result<String, csv::Error> {
-    let header = header.then(|| COLUMNS.map(|(name, _)| name.to_owned()).to_vec());
+    let header = header.then(self::header);
     let spheres =
         inspected.figures.limbs.iter().flat_map(|limb| limb.spheres.iter().map(move |sphere| (limb, sphere)));
     let rows = spheres.map(|(limb, sphere)| {
@@ -95,7 +78,7 @@ pub fn csv_rows(inspected: &Inspection, header: bool) -> Result<String, csv::Err
             sphere.forces.contains(&force.name) && force.spheres.contains(&sphere.sphere)
         };
         let place = Place { model: inspected, limb, sphere, force: inspected.forces.iter().find(presses) };
-        COLUMNS.map(|(_, value)| value(&place)).to_vec()
+        cells(&place)
     });
     csv_text(header.into_iter().chain(rows))
 }

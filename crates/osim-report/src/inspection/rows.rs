@@ -1,71 +1,66 @@
-//! What is shown of a sphere, line by line: the table and the page share them.
+//! The figures of spheres as rows of a table: the text and the page share them.
 
-use osim_inspect::{Figure, LoadFigures, SphereFigures};
+use osim_inspect::{Figure, Shown, SphereFigures};
+use osim_model::four_significant;
 
-/// One line of the sheet.
-pub(crate) struct Row {
-    pub name: &'static str,
-    pub figure: Option<Figure>,
-    pub value: fn(&SphereFigures) -> Option<f64>,
-    pub when: When,
-}
-
-/// Where a line says something of its own.
-#[derive(Clone, Copy, PartialEq)]
-pub(crate) enum When {
-    Always,
-    /// The law of the file is not Hertz's.
-    Smooth,
+/// What the spheres of a table have in common.
+#[derive(Clone, Copy)]
+pub(crate) struct Spheres {
     /// Spheres of a limb differ.
-    Mixed,
-    MixedSmooth,
+    pub mixed: bool,
+    /// Some follow the smoothed law.
+    pub smooth: bool,
 }
 
-type Value = fn(&SphereFigures) -> Option<f64>;
+impl Spheres {
+    pub(crate) fn new<'s>(mixed: bool, mut spheres: impl Iterator<Item = &'s SphereFigures>) -> Self {
+        let smooth = spheres.any(|sphere| sphere.value(Figure::ConstantIndentation).is_some());
+        Self { mixed, smooth }
+    }
 
-const fn row(name: &'static str, value: Value) -> Row {
-    Row { name, figure: None, value, when: When::Always }
+    /// The figures that say something about them, in their order.
+    pub(crate) fn figures(self) -> impl Iterator<Item = Figure> {
+        let shown = move |figure: &Figure| match figure.info().shown {
+            Shown::Always => true,
+            Shown::Nowhere => false,
+            Shown::Smooth => self.smooth,
+            Shown::Mixed => self.mixed,
+            Shown::MixedSmooth => self.mixed && self.smooth,
+        };
+        Figure::ALL.iter().copied().filter(shown)
+    }
 }
 
-const fn limited(name: &'static str, figure: Figure, value: Value) -> Row {
-    Row { name, figure: Some(figure), value, when: When::Always }
+/// The first cell of a row; restitution says at which speed (m/s) where that is one.
+pub(crate) fn heading(figure: Figure, impact_speed_m_s: Option<f64>) -> String {
+    match (figure, impact_speed_m_s) {
+        (Figure::RestitutionExact, Some(speed)) => format!("restitution at {} m/s", four_significant(speed)),
+        _ => figure.info().heading(),
+    }
 }
 
-const fn only(when: When, name: &'static str, figure: Figure, value: Value) -> Row {
-    Row { name, figure: Some(figure), value, when }
+/// The limit, in the second cell.
+pub(crate) fn limit(figure: Figure) -> String {
+    figure.info().limit.map(ToString::to_string).unwrap_or_default()
 }
 
-fn at(sphere: &SphereFigures, body_weights: f64, of: fn(&LoadFigures) -> Option<f64>) -> Option<f64> {
-    sphere.load(body_weights).and_then(of)
+/// The figure as shown, and whether it is within its limit; nothing where it is not known.
+pub(crate) fn value(figure: Figure, sphere: &SphereFigures) -> Option<(String, bool)> {
+    let within = sphere.is_within(figure);
+    match (sphere.value(figure), within) {
+        (Some(value), _) => Some((four_significant(value), within != Some(false))),
+        // (13) has no answer below 0, and that is outside.
+        (None, Some(false)) => Some(("below 0".to_owned(), false)),
+        (None, _) => None,
+    }
 }
 
-/// The row that says at which speed where that is known.
-pub(crate) const RESTITUTION: &str = "restitution, exact";
-
-/// All lines, in their order.
-pub(crate) const ROWS: [Row; 20] = [
-    row("radius, m", |s| Some(s.radius_m)),
-    row("load at 1 BW, N", |s| at(s, 1.0, |load| Some(load.load_n))),
-    limited("x/R at 1 BW, Hertz (11)", Figure::Hertz, |s| at(s, 1.0, |load| load.hertz)),
-    only(When::Smooth, "  by the file's law (C.3)", Figure::Own, |s| at(s, 1.0, |load| load.own)),
-    only(When::Mixed, "  level, Hertz", Figure::LevelHertz, |s| at(s, 1.0, |load| load.level_hertz)),
-    only(When::MixedSmooth, "  level, the file's law", Figure::LevelOwn, |s| {
-        at(s, 1.0, |load| load.level_own)
-    }),
-    limited("x/R at 2 BW, Hertz", Figure::HertzAtTwo, |s| at(s, 2.0, |load| load.hertz)),
-    only(When::Smooth, "  by the file's law", Figure::OwnAtTwo, |s| at(s, 2.0, |load| load.own)),
-    only(When::Mixed, "  level, Hertz", Figure::LevelHertzAtTwo, |s| at(s, 2.0, |load| load.level_hertz)),
-    only(When::MixedSmooth, "  level, the file's law", Figure::LevelOwnAtTwo, |s| {
-        at(s, 2.0, |load| load.level_own)
-    }),
-    row("stiffness k, N/m (B.2)", |s| s.contact_stiffness_n_m),
-    row("k R n/F (B.3)", |s| s.dimensionless_stiffness),
-    row("frequency f_n, Hz (B.4)", |s| s.natural_frequency_hz),
-    row("mean stress, N/m2 (15)", |s| s.mean_contact_stress_n_m2),
-    row(RESTITUTION, |s| s.restitution_exact),
-    limited("  by (13)", Figure::Restitution, |s| s.restitution_approximate),
-    limited("sqrt(cf)/R (C.2)", Figure::ConstantIndentation, |s| s.constant_indentation),
-    limited("transition, in R (C.7)", Figure::TransitionWidth, |s| s.transition_width),
-    row("force at touch, N (C.3)", |s| s.force_just_touching_n),
-    limited("  over the load at 1 BW", Figure::TouchingShare, |s| s.touching_share),
-];
+/// What is shown of a sphere: spheres with the same figures share a column.
+pub(crate) fn key(sphere: &SphereFigures) -> Vec<String> {
+    let shown = |figure: &&Figure| figure.info().shown != Shown::Nowhere;
+    Figure::ALL
+        .iter()
+        .filter(shown)
+        .map(|&figure| sphere.value(figure).map(four_significant).unwrap_or_default())
+        .collect()
+}

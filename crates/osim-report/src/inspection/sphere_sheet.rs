@@ -1,10 +1,9 @@
 //! What the spheres do, with a column for each group of spheres that do the same.
 
 use osim_inspect::{Figure, Inspection, SphereFigures};
-use osim_model::four_significant;
 use osim_model::wording::{Dialect, Phrase};
 
-use super::rows::{RESTITUTION, ROWS, Row, When};
+use super::rows::{Spheres, heading, key, limit, value};
 use crate::layout::{OUTSIDE, right_aligned, table, wrapped};
 
 /// Figures of more groups of spheres than this go into a further table.
@@ -25,7 +24,7 @@ struct Alike<'a> {
 pub(super) fn text(inspected: &Inspection, dialect: &dyn Dialect) -> String {
     let groups = groups(inspected);
     let mut text = String::new();
-    if let Some(why) = &inspected.figures.without_weight {
+    if let Some(why) = &inspected.figures.why_no_body_weight {
         text.push_str(&wrapped(&format!("no figures under body weight: {why}"), ""));
     }
     if !groups.is_empty() {
@@ -61,11 +60,6 @@ fn groups(inspected: &Inspection) -> Vec<Alike<'_>> {
     groups
 }
 
-/// What is shown of a sphere: spheres with the same figures share a column.
-fn key(sphere: &SphereFigures) -> Vec<String> {
-    ROWS.iter().map(|row| (row.value)(sphere).map(four_significant).unwrap_or_default()).collect()
-}
-
 fn listed(names: &[&str]) -> String {
     const SHOWN: usize = 6;
     let shown = names.iter().take(SHOWN).copied().collect::<Vec<_>>().join(", ");
@@ -80,39 +74,22 @@ fn sheet(inspected: &Inspection, groups: &[Alike<'_>], before: usize) -> String 
     let header: Vec<String> = ["figure".to_owned(), "limit".to_owned()].into_iter().chain(labels).collect();
     let mut table = table(&header.iter().map(String::as_str).collect::<Vec<_>>());
     let mixed = groups.iter().any(|group| group.mixed);
-    let smooth = groups.iter().any(|group| group.first.constant_indentation.is_some());
-    let shown = |row: &&Row| match row.when {
-        When::Always => true,
-        When::Smooth => smooth,
-        When::Mixed => mixed,
-        When::MixedSmooth => mixed && smooth,
-    };
-    for row in ROWS.iter().filter(shown) {
-        let values: Vec<String> = groups.iter().map(|group| cell(row, group.first)).collect();
+    for figure in Spheres::new(mixed, groups.iter().map(|group| group.first)).figures() {
+        let values: Vec<String> = groups.iter().map(|group| cell(figure, group.first)).collect();
         if values.iter().all(|value| value == NOTHING) {
             continue;
         }
-        let name = match (row.name, inspected.figures.impact_speed_m_s) {
-            (RESTITUTION, Some(speed)) => format!("restitution at {} m/s", four_significant(speed)),
-            (name, _) => name.to_owned(),
-        };
-        let limit = row.figure.map(Figure::limit_text).unwrap_or_default();
-        table.add_row([vec![name, limit], values].concat());
+        let name = heading(figure, inspected.figures.impact_speed_m_s);
+        table.add_row([vec![name, limit(figure)], values].concat());
     }
     right_aligned(&mut table, &(2..2 + groups.len()).collect::<Vec<_>>());
     format!("{}\n", table.trim_fmt())
 }
 
-fn cell(row: &Row, sphere: &SphereFigures) -> String {
-    let within = row.figure.and_then(|figure| sphere.is_within(figure));
-    let value = match ((row.value)(sphere), within) {
-        (Some(value), _) => four_significant(value),
-        // (13) has no answer below 0, and that is outside.
-        (None, Some(false)) => "below 0".to_owned(),
-        (None, _) => return NOTHING.to_owned(),
-    };
-    match within {
-        Some(false) => format!("{value} {OUTSIDE}"),
-        _ => format!("{value}  "),
+fn cell(figure: Figure, sphere: &SphereFigures) -> String {
+    match value(figure, sphere) {
+        None => NOTHING.to_owned(),
+        Some((value, true)) => format!("{value}  "),
+        Some((value, false)) => format!("{value} {OUTSIDE}"),
     }
 }

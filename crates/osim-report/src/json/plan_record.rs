@@ -2,14 +2,12 @@
 
 use std::path::Path;
 
-use osim_inspect::WarningRecord;
+use osim_inspect::{FindingRecord, SCHEMA_VERSION};
 use osim_model::files::FileName;
 use osim_model::wording::Phrase;
 use osim_patch::{Change, Masses, Move, Plan};
 use schemars::JsonSchema;
 use serde::Serialize;
-
-const SCHEMA_VERSION: u32 = 1;
 
 /// What changes in a model, and where the result went.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -39,7 +37,7 @@ pub struct PlanRecord {
     /// Numbers that change, then sphere centres that move.
     pub changes: Vec<ChangeRecord>,
     /// Things the user should know.
-    pub warnings: Vec<WarningRecord>,
+    pub warnings: Vec<FindingRecord>,
     /// Things that always hold and are said once.
     pub notes: Vec<String>,
 }
@@ -116,7 +114,7 @@ impl PlanRecord {
             geometry_output_bytes: geometry_output_bytes.flatten(),
             contacts_mass_kg: plan.masses.as_ref().map(MassesRecord::from),
             changes: numbers.chain(plan.moves.iter().map(ChangeRecord::from)).collect(),
-            warnings: plan.warnings.iter().map(WarningRecord::from).collect(),
+            warnings: plan.warnings.iter().map(FindingRecord::from).collect(),
             notes: plan.remarks.iter().map(Phrase::to_string).collect(),
         }
     }

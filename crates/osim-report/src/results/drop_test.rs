@@ -106,11 +106,16 @@ fn rows(report: &DropReport, figures: &DropFigures) -> String {
 /// Whether the figures are within what the laws were made for.
 fn limits(figures: &DropFigures) -> String {
     let word = |within: bool| if within { "within" } else { "outside" };
-    let hertz = limits::hertz_holds(figures.own_relative_indentation);
-    let mut text = format!("\nindentation/radius at rest is {} the Hertz law (at most 0.16)\n", word(hertz));
+    let hertz = limits::INDENTATION.admits(figures.own_relative_indentation);
+    let mut text = format!(
+        "\nindentation/radius at rest is {} the Hertz law ({})\n",
+        word(hertz),
+        limits::INDENTATION.in_words()
+    );
     if let (Some(exact), Some(speed)) = (figures.restitution_exact, figures.impact_speed_m_s) {
-        let within = limits::hunt_crossley_holds(exact);
-        text.push_str(&format!("restitution is {} the Hunt-Crossley law (at least 0.8)\n", word(within)));
+        let within = limits::RESTITUTION.admits(exact);
+        let limit = limits::RESTITUTION.in_words();
+        text.push_str(&format!("restitution is {} the Hunt-Crossley law ({limit})\n", word(within)));
         if figures.restitution_approximate.is_none() {
             text.push_str(&format!("(13) would be below 0 at {} m/s, outside its domain\n", readable(speed)));
         }

@@ -1,6 +1,7 @@
 //! A fit as text.
 
 use contact_scaling::fit::{Estimate, Fit};
+use contact_scaling::limits;
 use osim_model::readable;
 use osim_model::wording::{Dialect, Input, phrase};
 use osim_requests::FitResult;
@@ -25,9 +26,10 @@ pub fn fit_text(result: &FitResult, dialect: &dyn Dialect) -> String {
         readable(fit.residual_deviation_n)
     ));
     text.push_str(&format!(
-        "largest indentation/radius {:.4}: {} the Hertz law (at most 0.16)\n",
+        "largest indentation/radius {:.4}: {} the Hertz law ({})\n",
         fit.largest_relative_indentation,
-        word(fit.hertz_holds)
+        word(fit.within_hertz_limit),
+        limits::INDENTATION.in_words()
     ));
     if fit.largest_relative_indentation > 1.0 {
         let question =
@@ -67,11 +69,12 @@ fn parameters(fit: &Fit) -> String {
 }
 
 fn restitution(fit: &Fit) -> String {
-    match (fit.restitution, fit.hunt_crossley_holds, fit.largest_speed_m_s) {
+    match (fit.restitution, fit.within_hunt_crossley_limit, fit.largest_speed_m_s) {
         (Some(restitution), Some(within), Some(speed)) => format!(
-            "restitution by (13) at the largest speed ({} m/s) {restitution:.4}: {} the Hunt-Crossley law (at least 0.8)\n",
+            "restitution by (13) at the largest speed ({} m/s) {restitution:.4}: {} the Hunt-Crossley law ({})\n",
             readable(speed),
-            word(within)
+            word(within),
+            limits::RESTITUTION.in_words()
         ),
         (None, Some(_), Some(speed)) => format!(
             "at the largest speed ({} m/s) (13) is outside its domain: the Hunt-Crossley law does not hold\n",

@@ -48,13 +48,13 @@ pub struct FitRecord {
     /// Largest x̂.
     pub largest_relative_indentation: f64,
     /// Whether it is within the Hertz law.
-    pub hertz_holds: bool,
+    pub within_hertz_limit: bool,
     /// Largest speed, m/s.
     pub largest_speed_m_s: Option<f64>,
     /// c_r by (13) at that speed.
     pub restitution: Option<f64>,
     /// Whether it is within the Hunt–Crossley law.
-    pub hunt_crossley_holds: Option<bool>,
+    pub within_hunt_crossley_limit: Option<bool>,
     /// What the fit leaves over.
     pub residuals: ResidualsRecord,
 }
@@ -128,10 +128,10 @@ impl From<&FitResult> for FitRecord {
             degrees_of_freedom: fit.degrees_of_freedom,
             residual_deviation_n: fit.residual_deviation_n,
             largest_relative_indentation: fit.largest_relative_indentation,
-            hertz_holds: fit.hertz_holds,
+            within_hertz_limit: fit.within_hertz_limit,
             largest_speed_m_s: fit.largest_speed_m_s,
             restitution: fit.restitution,
-            hunt_crossley_holds: fit.hunt_crossley_holds,
+            within_hunt_crossley_limit: fit.within_hunt_crossley_limit,
             residuals: ResidualsRecord { line: result.lines.clone(), force_n: fit.residuals_n.clone() },
         }
     }

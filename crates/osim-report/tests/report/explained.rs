@@ -51,7 +51,7 @@ fn records_say_their_kind_first() {
          that are joined only through ground (player and ball): which are meant?\",\"way_out\":\"--select GLOB\"}\n"
     );
     assert!(record("sunk-in").starts_with(
-        r#"{"kind":"warning","schema_version":1,"code":"sunk-in","severity":"error","checked":true,"what":"#
+        r#"{"kind":"finding","schema_version":1,"code":"sunk-in","severity":"error","checked":true,"what":"#
     ));
 }
 

@@ -99,7 +99,7 @@ fn sized(
     sheet.add("load_per_sphere_n", sizing.load_per_sphere_n, "N", "3", known.load_per_sphere_n.is_some());
     sheet.add("radius_m", radius, "m", "11, B.2", known.radius_m.is_some());
     sheet.add("relative_indentation", x, "", "2, 11", known.relative_indentation.is_some());
-    sheet.limited("at most 0.16 (Hertz)", limits::hertz_holds(x));
+    sheet.limited(&limits::INDENTATION);
     sheet.add("indentation_m", x * radius, "m", "2", false);
     moduli(sheet, sizing.composite_modulus_n_m2, given.modulus)?;
     sheet.add("contact_stiffness_n_m", sizing.stiffness_n_m, "N/m", "B.2", known.stiffness_n_m.is_some());
@@ -151,7 +151,7 @@ fn dissipation(
     sheet.add("impact_speed_m_s", speed, "m/s", "13", wanted.impact_speed.is_some());
     let alpha = restitution::dissipation(target, speed).map_err(refused)?;
     sheet.add("restitution", target, "", "13", true);
-    sheet.limited("at least 0.8 (Hunt-Crossley)", limits::hunt_crossley_holds(target));
+    sheet.limited(&limits::RESTITUTION);
     sheet.add("dissipation", alpha, "s/m", "13", false);
     let exact = restitution::exact(alpha, speed).map_err(refused)?;
     sheet.add("restitution_exact_at_this_dissipation", exact, "", "exact", false);

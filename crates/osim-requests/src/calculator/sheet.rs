@@ -1,5 +1,6 @@
 //! The figures of a design, as data.
 
+use contact_scaling::limits::Limit;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -46,9 +47,8 @@ pub struct DesignFigure {
 #[non_exhaustive]
 pub struct DesignLimit {
     /// In words.
-    pub text: &'static str,
+    pub text: String,
     /// Whether the figure is within it.
-    #[serde(rename = "holds")]
     pub within_limit: bool,
 }
 
@@ -69,9 +69,10 @@ impl DesignSheet {
     }
 
     /// Gives the last figure a limit.
-    pub(super) fn limited(&mut self, text: &'static str, within_limit: bool) {
+    pub(super) fn limited(&mut self, limit: &Limit) {
         if let Some(figure) = self.figures.last_mut() {
-            figure.limit = Some(DesignLimit { text, within_limit });
+            let within_limit = limit.admits(figure.value);
+            figure.limit = Some(DesignLimit { text: limit.in_words(), within_limit });
         }
     }
 }

@@ -72,11 +72,14 @@ pub struct StanceOptions {
     /// Impact speed for the restitution, m/s [default: sqrt(gR/2), a fall from a quarter of the radius]
     #[cfg_attr(feature = "clap", arg(long, value_name = "M/S"))]
     pub impact_speed: Option<Positive>,
+    /// Gravity, m/s2 [default: the model's own]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "G"))]
+    pub gravity: Option<Acceleration>,
 }
 
 impl Default for StanceOptions {
     fn default() -> Self {
-        Self { spheres: None, stance_limbs: Count::ONE, impact_speed: None }
+        Self { spheres: None, stance_limbs: Count::ONE, impact_speed: None, gravity: None }
     }
 }
 
@@ -85,7 +88,7 @@ impl StanceOptions {
     #[must_use]
     pub fn stance(&self) -> Stance {
         let counts = CountOptions { spheres: self.spheres, stance_limbs: self.stance_limbs };
-        counts.stance(self.impact_speed, None)
+        counts.stance(self.impact_speed, self.gravity)
     }
 }
 

@@ -1,9 +1,9 @@
 //! Parameters from what is wanted.
 
 use contact_scaling::SharedLoad;
-use osim_inspect::sphere_count;
+use osim_inspect::LoadSharing;
 use osim_model::wording::{Input, phrase};
-use osim_model::{CountOf, Fault, Mass, MassRequest, Model, Needed, Selection};
+use osim_model::{CountOf, Fault, Mass, MassRequest, Model, Needed, Selected, Selection};
 use osim_patch::{Design, DesignModulus, Plan, RadiusRule, design};
 use serde_json::json;
 
@@ -35,6 +35,7 @@ impl DesignRequest {
             spheres: counts.spheres,
             stance_limbs: counts.stance_limbs,
             impact_speed: wanted.impact_speed,
+            gravity: load.gravity,
         };
         let planner = Designing {
             settings: json!(["design", wanted, load, masses, counts, choice]).to_string(),
@@ -115,14 +116,12 @@ fn check(request: &DesignRequest) -> Result<(), RequestFault> {
 }
 
 impl Designing {
-    fn load(&self, model: &Model) -> Result<(Option<SharedLoad>, Option<Mass>), Fault> {
+    fn load(&self, model: &Model, selected: &Selected) -> Result<(Option<SharedLoad>, Option<Mass>), Fault> {
         if self.wanted.indentation.is_none() {
             return Ok((None, None));
         }
-        let count = match self.counts.spheres() {
-            Some(count) => count,
-            None => sphere_count(model, self.counts.stance_limbs(), CountOf::Model)?,
-        };
+        let sharing = LoadSharing::of(model, &selected.forces);
+        let count = sharing.count(self.counts.spheres(), self.counts.stance_limbs(), CountOf::Model)?;
         let (load_n, mass) = match self.load.load {
             Some(load) => (load.get(), None),
             None => {
@@ -152,7 +151,7 @@ impl Planner for Designing {
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         let selected = self.selection.apply(model)?;
         let asked = &self.wanted;
-        let (load, mass) = self.load(model)?;
+        let (load, mass) = self.load(model, &selected)?;
         let young = asked.young.map(Positive::get).zip(asked.poisson.map(PoissonRatio::get));
         let width = |width: Option<Positive>| width.map(|width| (asked.threshold.get(), width.get()));
         let mut wanted = Design::default();

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use osim_inspect::sphere_count;
+use osim_inspect::LoadSharing;
 use osim_model::files::{Failure, Files};
 use osim_model::wording::{Input, phrase};
 use osim_model::{
@@ -110,7 +110,7 @@ fn reference_from_model(
     // How many limbs stand is about the model that gets the contacts; a reference on several limbs says its own count.
     let (count, unknown) = match options.reference_spheres {
         Some(count) => (count.get(), None),
-        None => match sphere_count(model, 1.0, CountOf::Reference) {
+        None => match LoadSharing::of(model, &selected.forces).count(None, 1.0, CountOf::Reference) {
             Ok(count) => (count, None),
             // A sphere that is missing on one side is named first, by comparing the two models.
             Err(fault) if request.follow.follow_bodies => (f64::NAN, Some(fault)),

@@ -2,11 +2,11 @@
 
 use std::path::PathBuf;
 
-use osim_inspect::sphere_count;
+use osim_inspect::LoadSharing;
 use osim_model::files::Files;
 use osim_model::wording::{Input, phrase};
 use osim_model::{
-    Anatomy, CountOf, Fault, MassRequest, Model, Needed, Property, Selected, Selection, Warning,
+    Anatomy, CountOf, Fault, Finding, MassRequest, Model, Needed, Property, Selected, Selection,
 };
 use osim_patch::{
     Factors, Follow, FollowRequest, Plan, RadiusRule, Reference, ScalingRule, Transfer, moving_spheres,
@@ -73,6 +73,7 @@ impl TransferRequest {
             spheres: self.counts.spheres,
             stance_limbs: self.counts.stance_limbs,
             impact_speed: None,
+            gravity: None,
         };
         let planner = Transferring {
             counts: self.counts,
@@ -164,10 +165,9 @@ impl Planner for Transferring {
             }
             None => (None, Vec::new()),
         };
-        let sphere_count = match self.counts.spheres() {
-            Some(count) => count,
-            None => sphere_count(model, self.counts.stance_limbs(), CountOf::Model)?,
-        };
+        let sharing = LoadSharing::of(model, &selected.forces);
+        let sphere_count =
+            sharing.count(self.counts.spheres(), self.counts.stance_limbs(), CountOf::Model)?;
         let radius = self.scaling.radius.map(Radius::rule);
         let operation = operation("transfer", radius);
         if matches!(radius, Some(RadiusRule::Factor(_))) {
@@ -197,7 +197,7 @@ impl Transferring {
         model: &Model,
         selected: &Selected,
         generic: &Generic,
-    ) -> Result<(Follow, Vec<Warning>), Fault> {
+    ) -> Result<(Follow, Vec<Finding>), Fault> {
         let scaled = Anatomy::of(model)?;
         let factors = Factors::find(&scaled, &generic.anatomy, generic.file.as_ref(), &self.follow.given())?;
         let mut wanted = FollowRequest::default();

@@ -1,10 +1,10 @@
 //! From a soft contact to the wanted one, in steps (section 4.3 of the paper).
 
 use contact_scaling::{continuation, stiffness};
+use osim_model::Assignment;
 use osim_model::files::{Failure, ModelFiles};
 use osim_model::wording::{Input, Phrase, phrase};
 use osim_model::{Property, shortest};
-use osim_patch::Assignment;
 
 use super::stages::{Stages, design, set};
 use super::variant::Variant;

@@ -1,8 +1,8 @@
 //! What is done to the model at a point: rescaled, then set, then designed, as far as the point asks.
 
+use osim_model::Assignment;
 use osim_model::wording::{Input, Phrase, phrase};
 use osim_model::{Property, shortest};
-use osim_patch::Assignment;
 
 use super::grid::Point;
 use crate::fault::RequestFault;

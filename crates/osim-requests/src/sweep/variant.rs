@@ -1,14 +1,11 @@
 //! One variant of the model: its bytes, and what stands in them.
 
-use osim_inspect::{Figures, SphereFigures};
+use osim_inspect::{Figure, Figures, LoadSharing};
 use osim_model::files::{Failure, ModelFiles};
 use osim_model::{Fault, FileId, Mass, MassSource, Model, Property, Selected};
 
 use super::stages::Stages;
 use crate::request::SweepRequest;
-
-/// The load at which variants are compared, in body weights.
-const ONE_BODY_WEIGHT: f64 = 1.0;
 
 /// A variant, read again from its own bytes.
 pub(super) struct Variant {
@@ -65,8 +62,8 @@ impl Variant {
         let given = |kg| Mass { kg, source: MassSource::Grid };
         let mass = mass_kg.map(given).or_else(|| request.masses.request().of_model(model).ok());
         let stance = request.counts.stance(request.wanted.impact_speed, None);
-        let limbs = model.limbs(&selected.forces);
-        let figures = Figures::of(model, &selected, &limbs, mass.as_ref(), &stance).ok();
+        let sharing = LoadSharing::of(model, &selected.forces);
+        let figures = Figures::of(model, &selected, &sharing, mass.as_ref(), &stance).ok();
         let bytes = model.file(FileId::MAIN).bytes().to_vec();
         Ok(Self { bytes, values: values(model, &selected), figures })
     }
@@ -83,22 +80,22 @@ impl Variant {
 
     /// x̂ under one body weight by the Hertz law (11).
     pub(super) fn indentation(&self) -> Option<f64> {
-        self.figure(|sphere| sphere.load(ONE_BODY_WEIGHT)?.hertz)
+        self.figure(Figure::Indentation)
     }
 
     /// k̂ under one body weight (B.3).
     pub(super) fn dimensionless_stiffness(&self) -> Option<f64> {
-        self.figure(|sphere| sphere.dimensionless_stiffness)
+        self.figure(Figure::DimensionlessStiffness)
     }
 
     /// c_r at the impact speed, by the law of the file.
     pub(super) fn restitution(&self) -> Option<f64> {
-        self.figure(|sphere| sphere.restitution_exact)
+        self.figure(Figure::RestitutionExact)
     }
 
-    fn figure(&self, of: impl Fn(&SphereFigures) -> Option<f64>) -> Option<f64> {
+    fn figure(&self, figure: Figure) -> Option<f64> {
         let figures = self.figures.as_ref()?;
-        let all: Option<Vec<f64>> = figures.spheres().map(of).collect();
+        let all: Option<Vec<f64>> = figures.spheres().map(|sphere| sphere.value(figure)).collect();
         alike(all?.into_iter())
     }
 }

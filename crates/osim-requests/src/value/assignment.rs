@@ -2,8 +2,8 @@
 
 use std::borrow::Cow;
 
+use osim_model::Assignment;
 use osim_model::{Property, shortest};
-use osim_patch::Assignment;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::Error;
 use serde::ser::SerializeMap;
@@ -110,7 +110,6 @@ impl Serialize for Assignments {
                     map.serialize_entry(property.name(), &format!("x{}", shortest(*factor)))?;
                 }
                 Assignment::Value(value) => map.serialize_entry(property.name(), value)?,
-                _ => {}
             }
         }
         map.end()

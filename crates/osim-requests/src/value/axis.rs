@@ -5,8 +5,8 @@ use std::collections::HashSet;
 use std::fmt;
 use std::str::FromStr;
 
+use osim_model::Assignment;
 use osim_model::{Property, shortest};
-use osim_patch::Assignment;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer};
@@ -127,7 +127,6 @@ fn value(name: AxisName, text: &str) -> Result<GridValue, String> {
         AxisName::Property(property) => match assignment(property.name(), text)?.1 {
             Assignment::Factor(number) => (number, true),
             Assignment::Value(number) => (number, false),
-            _ => return Err("expected a number or a factor".to_owned()),
         },
         // What design and rescale take is checked by them; here it must be a number.
         _ => (positive_number(text)?, false),

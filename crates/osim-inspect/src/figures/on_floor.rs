@@ -1,0 +1,97 @@
+//! A sphere on the floor: everything that its figures are computed from.
+
+use contact_scaling::{Contact, DomainError, SharedLoad, SmoothingValues};
+
+use super::answer::Answer;
+use super::sphere_loads::SphereLoads;
+
+/// Whose weight the spheres carry.
+#[derive(Clone, Copy)]
+pub(super) struct Weight {
+    pub(super) mass_kg: f64,
+    pub(super) gravity_m_s2: f64,
+}
+
+/// One sphere of a limb under its share of the weight.
+pub(super) struct OnFloor<'s> {
+    pub(super) sphere: &'s SphereLoads,
+    /// Whose weight, where it is known.
+    pub(super) weight: Option<Weight>,
+    /// One body weight on all spheres that share it.
+    pub(super) one_body_weight: Option<SharedLoad>,
+    /// Speed before an impact, m/s.
+    pub(super) impact_speed_m_s: Option<f64>,
+    /// How it rests under one and two body weights, where that is known.
+    pub(super) rests: &'s [Rest],
+}
+
+/// Where a sphere rests under a load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Rest {
+    pub(super) body_weights: f64,
+    /// Its share, N.
+    pub(super) load_n: f64,
+    /// x̂ under its share, by the Hertz law and by the model's.
+    pub(super) hertz: Option<f64>,
+    pub(super) model_law: Option<f64>,
+    /// x̂ with all spheres of the limb level.
+    pub(super) level_hertz: Option<f64>,
+    pub(super) level_model_law: Option<f64>,
+}
+
+impl OnFloor<'_> {
+    fn at(&self, body_weights: f64) -> Option<&Rest> {
+        self.rests.iter().find(|rest| rest.body_weights == body_weights)
+    }
+
+    pub(super) fn at_one(&self) -> Option<&Rest> {
+        self.at(1.0)
+    }
+
+    /// A figure under one body weight.
+    pub(super) fn one(&self, of: impl Fn(&Rest) -> Option<f64>) -> Answer {
+        self.at(1.0).and_then(of).into()
+    }
+
+    /// A figure under two body weights.
+    pub(super) fn two(&self, of: impl Fn(&Rest) -> Option<f64>) -> Answer {
+        self.at(2.0).and_then(of).into()
+    }
+
+    pub(super) fn load(&self) -> Option<SharedLoad> {
+        self.one_body_weight
+    }
+
+    pub(super) fn mass_on_sphere(&self) -> Option<f64> {
+        Some(self.weight?.mass_kg / self.one_body_weight?.sphere_count())
+    }
+
+    pub(super) fn composite_modulus(&self) -> f64 {
+        self.sphere.contacts.iter().map(Contact::composite_modulus).sum()
+    }
+
+    pub(super) fn dissipation(&self) -> Option<f64> {
+        let contacts = &self.sphere.contacts;
+        let first = contacts.first().map(Contact::dissipation);
+        first.filter(|&alpha| contacts.iter().all(|contact| contact.dissipation() == alpha))
+    }
+
+    /// α and the speed before an impact.
+    pub(super) fn impact(&self) -> Option<(f64, f64)> {
+        self.dissipation().zip(self.impact_speed_m_s)
+    }
+
+    fn smoothed(&self) -> impl Iterator<Item = SmoothingValues> {
+        self.sphere.contacts.iter().filter_map(Contact::smoothing)
+    }
+
+    /// What the smoothing does; of several forces the one that does most.
+    pub(super) fn most(&self, of: impl Fn(SmoothingValues, f64) -> Result<f64, DomainError>) -> Option<f64> {
+        self.smoothed().filter_map(|values| of(values, self.sphere.radius_m).ok()).reduce(f64::max)
+    }
+
+    pub(super) fn force_just_touching(&self) -> Option<f64> {
+        self.smoothed().next()?;
+        Some(self.sphere.laws.iter().map(|law| law.law().elastic_force(0.0)).sum())
+    }
+}

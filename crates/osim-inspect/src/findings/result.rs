@@ -1,0 +1,89 @@
+//! What `check` found: data for the table, CSV, JSON and reports.
+
+use std::cmp::Reverse;
+
+use osim_model::{Finding, RemedyDialect, Severity};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use crate::inspection::Inspection;
+use crate::serialized::{FindingRecord, SCHEMA_VERSION, records};
+
+/// Everything found in one model. Serialised it is the JSON contract of `check`; `docs/json.md` describes it.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct CheckResult {
+    /// Raised when a field changes its meaning or goes away.
+    pub schema_version: u32,
+    /// The model as it was named.
+    pub model: String,
+    /// Its name in bytes, where that is not UTF-8.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub model_bytes: Option<Vec<u8>>,
+    /// How many of each severity.
+    pub counts: Counts,
+    /// From the worst to the least; equally bad ones in the order of the register.
+    #[serde(serialize_with = "records")]
+    #[schemars(with = "Vec<FindingRecord>")]
+    pub findings: Vec<Finding>,
+}
+
+/// How many findings of each severity.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct Counts {
+    /// What OpenSim computes otherwise than it looks, or as nonsense.
+    pub error: usize,
+    /// Limits of the paper, and traps.
+    pub warn: usize,
+    /// Worth knowing.
+    pub info: usize,
+}
+
+impl Counts {
+    /// "1 error, 2 warnings"; `none` where there is nothing.
+    #[must_use]
+    pub fn describe(self, none: &str) -> String {
+        let all = [(self.error, "error"), (self.warn, "warning"), (self.info, "remark")];
+        let parts: Vec<String> = all
+            .into_iter()
+            .filter(|(count, _)| *count > 0)
+            .map(|(count, name)| format!("{count} {name}{}", if count == 1 { "" } else { "s" }))
+            .collect();
+        if parts.is_empty() { none.to_owned() } else { parts.join(", ") }
+    }
+}
+
+impl CheckResult {
+    /// Everything found in a model, in any order.
+    #[must_use]
+    pub fn new(inspected: &Inspection, mut findings: Vec<Finding>) -> Self {
+        findings.sort_by_key(|finding| (Reverse(finding.code.severity()), finding.code, finding.line));
+        let count = |severity| findings.iter().filter(|finding| finding.code.severity() == severity).count();
+        let counts = Counts {
+            error: count(Severity::Error),
+            warn: count(Severity::Warn),
+            info: count(Severity::Info),
+        };
+        Self {
+            schema_version: SCHEMA_VERSION,
+            model: inspected.model.clone(),
+            model_bytes: inspected.model_bytes.clone(),
+            counts,
+            findings,
+        }
+    }
+
+    /// `true` where something is as bad as `severity`, or worse.
+    #[must_use]
+    pub fn reaches(&self, severity: Severity) -> bool {
+        self.findings.iter().any(|finding| finding.code.severity() >= severity)
+    }
+
+    /// Spells everything it says in the words of a front end.
+    pub fn spell(&mut self, dialect: &dyn RemedyDialect) {
+        self.findings.iter_mut().for_each(|finding| finding.spell_with_remedy(dialect));
+    }
+}

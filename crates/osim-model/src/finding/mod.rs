@@ -1,0 +1,110 @@
+//! Things a user should know about a model or a change, each with a stable code, an explanation and, where there is one, a
+//! change that puts it right.
+
+mod register;
+mod remedy;
+mod severity;
+
+use crate::wording::{Dialect, Phrase};
+
+pub use register::{FindingCode, Repair};
+pub use remedy::{Remedy, RemedyChange, RemedyDesign, RemedyDialect, RemedyLoad};
+pub use severity::{Seen, Severity};
+
+/// One thing to know, about a model or about a change of it.
+///
+/// ```
+/// use osim_model::{FindingCode, Model, Severity};
+///
+/// # let text = include_str!("../../tests/data/one_foot.osim");
+/// // A force without a stiffness has OpenSim's default, 1 N/m², which carries nothing.
+/// let model = Model::parse(text.replace("<stiffness>1000000</stiffness>", ""))?;
+/// let finding = &model.warnings[0];
+/// assert_eq!((finding.code, finding.code.as_str()), (FindingCode::DefaultStiffness, "default-stiffness"));
+/// assert_eq!(finding.place.as_deref(), Some("/forceset/contact_heel_r"));
+/// // What a code means is the same for every case of it.
+/// assert_eq!(finding.code.severity(), Severity::Error);
+/// assert!(finding.code.advice().to_string().starts_with("Set a stiffness"));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Finding {
+    /// Which kind.
+    pub code: FindingCode,
+    /// This case, in words.
+    pub message: Phrase,
+    /// Why it matters, from the register.
+    pub why: Phrase,
+    /// What to do about it, from the register.
+    pub advice: Phrase,
+    /// Component path of the force, sphere or body concerned, where it is one; of the worst where it is several.
+    pub place: Option<String>,
+    /// Names of all spheres concerned, where it is about spheres.
+    pub spheres: Vec<String>,
+    /// Line in the model, from 1, where there is one.
+    pub line: Option<usize>,
+    /// A change that puts it right; `None` where only the user can know what to write.
+    pub remedy: Option<Remedy>,
+    /// The same in the words of a front end, once [`Finding::spell`] was given them.
+    pub command: Option<String>,
+}
+
+impl Finding {
+    /// A finding without a place.
+    pub fn new(code: FindingCode, message: impl Into<Phrase>) -> Self {
+        Self {
+            code,
+            message: message.into(),
+            why: code.why(),
+            advice: code.advice(),
+            place: None,
+            spheres: Vec::new(),
+            line: None,
+            remedy: None,
+            command: None,
+        }
+    }
+
+    /// A finding about a line of the model, from 1.
+    pub fn at(code: FindingCode, line: usize, message: impl Into<Phrase>) -> Self {
+        Self { line: Some(line), ..Self::new(code, message) }
+    }
+
+    /// The same, about the component at `path`.
+    #[must_use]
+    pub fn about(self, path: &str) -> Self {
+        Self { place: Some(path.to_owned()), ..self }
+    }
+
+    /// The same, about a line of the model, from 1, where there is one.
+    #[must_use]
+    pub fn on_line(self, line: Option<usize>) -> Self {
+        Self { line, ..self }
+    }
+
+    /// The same about these spheres, by name.
+    #[must_use]
+    pub fn of_spheres(self, spheres: Vec<String>) -> Self {
+        Self { spheres, ..self }
+    }
+
+    /// The same with a change that puts it right, where there is one.
+    #[must_use]
+    pub fn with_remedy(self, remedy: Option<Remedy>) -> Self {
+        Self { remedy, ..self }
+    }
+
+    /// Spells what it says in the words of a front end.
+    pub fn spell(&mut self, dialect: &dyn Dialect) {
+        for phrase in [&mut self.message, &mut self.why, &mut self.advice] {
+            phrase.spell(dialect);
+        }
+    }
+
+    /// Spells its remedy, too.
+    pub fn spell_with_remedy(&mut self, dialect: &dyn RemedyDialect) {
+        self.spell(dialect);
+        self.command = self.remedy.as_ref().map(|remedy| dialect.remedy(remedy));
+    }
+}

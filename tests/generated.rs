@@ -1,0 +1,203 @@
+//! Parts of docs/ are made from the registers of the program: findings, errors, limits, figures. Such a part stands between
+//! `<!-- begin NAME -->` and `<!-- end NAME -->`. To write them anew: `UPDATE_DOCS=1 cargo test --test generated`.
+
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "a test fails by panicking")]
+
+use std::path::{Path, PathBuf};
+
+use contact_scaling::limits;
+use osim_inspect::Figure;
+use osim_model::wording::{Call, Dialect, Example, Input, Phrase};
+use osim_model::{FindingCode, Repair, Seen, Severity};
+use osim_report::dialect::CommandLine;
+use osim_report::explain::ErrorGroup;
+
+/// The words of the command line, marked as code.
+struct Markdown;
+
+impl Dialect for Markdown {
+    fn input(&self, input: Input, example: Option<&Example>) -> String {
+        format!("`{}`", CommandLine.input(input, example))
+    }
+
+    fn call(&self, call: &Call) -> String {
+        format!("`{}`", CommandLine.call(call))
+    }
+}
+
+/// In Markdown outside of code, with what would be read as marks kept as it is.
+fn spelled(phrase: &Phrase) -> String {
+    marked(&phrase.spelled(&Markdown))
+}
+
+/// In Markdown: code stays as it is, and a page of docs/ is a link.
+fn marked(text: &str) -> String {
+    let pieces = text.split('`').enumerate().map(|(index, piece)| match index % 2 {
+        0 => piece.replace('*', "\\*").replace('<', "\\<").replace('|', "\\|"),
+        _ => format!("`{}`", piece.replace('|', "\\|")),
+    });
+    let words = pieces.collect::<String>();
+    let words = words.split(' ').map(|word| {
+        match word.split_once("docs/").and_then(|(before, page)| Some((before, page.split_once(".md")?))) {
+            Some((before, (page, after))) => format!("{before}[docs/{page}.md]({page}.md){after}"),
+            None => word.to_owned(),
+        }
+    });
+    words.collect::<Vec<_>>().join(" ")
+}
+
+fn table(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
+    let mut text = format!("| {} |\n|{}\n", header.join(" | "), "---|".repeat(header.len()));
+    for row in rows {
+        text.push_str(&format!("| {} |\n", row.join(" | ")));
+    }
+    text
+}
+
+/// Findings with the worst first, as `check` sorts them.
+fn by_severity() -> Vec<FindingCode> {
+    let mut codes = FindingCode::ALL.to_vec();
+    codes.sort_by_key(|code| std::cmp::Reverse(code.severity()));
+    codes
+}
+
+/// docs/warnings.md: a list, then a section for each code.
+fn findings() -> String {
+    let mut text: String = FindingCode::ALL.iter().map(|code| format!("- [`{code}`](#{code})\n")).collect();
+    for code in FindingCode::ALL {
+        let severity = match code.severity() {
+            Severity::Error => "error",
+            Severity::Warn => "warning",
+            Severity::Info => "remark",
+        };
+        let seen = match code.seen() {
+            Seen::Change => ", said of changes alone",
+            _ => "",
+        };
+        text.push_str(&format!(
+            "\n## {code}\n\n{what} ({severity}{seen})\n\n*Why:* {why}\n\n*What to do:* {advice}.\n\n*Fix:* {repair}.\n",
+            what = spelled(&code.what()),
+            why = spelled(&code.why()),
+            advice = spelled(&code.advice()),
+            repair = marked(&code.repair().sentence()),
+        ));
+    }
+    text
+}
+
+/// docs/check.md: what it looks for.
+fn looked_for() -> String {
+    let checked = by_severity().into_iter().filter(|code| code.seen() == Seen::Model);
+    let rows = checked.map(|code| {
+        let what = spelled(&code.what());
+        vec![format!("`{code}`"), code.severity().as_str().to_owned(), what.trim_end_matches('.').to_owned()]
+    });
+    table(&["code", "severity", "what it is"], rows)
+}
+
+/// docs/check.md: the command of each code, or why there is none.
+fn repairs() -> String {
+    let checked = by_severity().into_iter().filter(|code| code.seen() == Seen::Model);
+    let rows = checked.map(|code| {
+        let (command, why) = match code.repair() {
+            Repair::Command(what) => (what, ""),
+            Repair::NotPossible(why) => ("", why),
+        };
+        vec![format!("`{code}`"), marked(command), marked(why)]
+    });
+    table(&["code", "the proposed command", "why there is none"], rows)
+}
+
+fn limits() -> String {
+    let rows =
+        limits::ALL.iter().map(|limit| vec![marked(limit.what), limit.in_words(), marked(limit.source)]);
+    table(&["figure", "limit", "source"], rows)
+}
+
+/// docs/json.md: the figures of a sphere.
+fn figures() -> String {
+    let rows = Figure::ALL.iter().map(|figure| {
+        let info = figure.info();
+        let meaning = spelled(&info.meaning());
+        let limit = info.limit.map(limits::Limit::in_words).unwrap_or_default();
+        vec![
+            format!("`….{}`", info.name),
+            meaning.trim_end_matches('.').to_owned(),
+            info.unit.to_owned(),
+            info.equation.to_owned(),
+            limit,
+        ]
+    });
+    table(&["field", "meaning", "unit", "equation", "limit"], rows)
+}
+
+fn errors(group: ErrorGroup) -> String {
+    let header = match group {
+        ErrorGroup::Question => ["code", "question", "answer"],
+        _ => ["code", "means", "way out"],
+    };
+    let rows = group
+        .errors()
+        .iter()
+        .map(|error| vec![format!("`{}`", error.code), spelled(&error.means()), spelled(&error.way_out())]);
+    table(&header, rows)
+}
+
+/// Each part: its page, its name, its text.
+fn parts() -> Vec<(&'static str, &'static str, String)> {
+    vec![
+        ("warnings.md", "findings", findings()),
+        ("check.md", "looked-for", looked_for()),
+        ("check.md", "repairs", repairs()),
+        ("check.md", "limits", limits()),
+        ("json.md", "figures", figures()),
+        ("errors.md", "errors-file", errors(ErrorGroup::File)),
+        ("errors.md", "errors-model", errors(ErrorGroup::Model)),
+        ("errors.md", "errors-question", errors(ErrorGroup::Question)),
+        ("errors.md", "errors-request", errors(ErrorGroup::Request)),
+    ]
+}
+
+fn page(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs").join(name)
+}
+
+/// The page with `text` between the marks of the part.
+fn replaced(page: &str, name: &str, text: &str) -> Option<String> {
+    let (begin, end) = (format!("<!-- begin {name} -->\n"), format!("<!-- end {name} -->"));
+    let (before, rest) = page.split_once(&begin)?;
+    let (_, after) = rest.split_once(&end)?;
+    Some(format!("{before}{begin}\n{text}\n{end}{after}"))
+}
+
+#[test]
+fn the_documents_say_what_the_registers_say() {
+    let update = std::env::var_os("UPDATE_DOCS").is_some();
+    let mut differ = Vec::new();
+    for (name, part, text) in parts() {
+        let path = page(name);
+        let now = std::fs::read_to_string(&path).unwrap();
+        let new = replaced(&now, part, &text).unwrap_or_else(|| panic!("{name} has no marks of {part}"));
+        if update && new != now {
+            std::fs::write(&path, new).unwrap();
+        } else if new != now {
+            differ.push(format!("docs/{name}, part {part}"));
+        }
+    }
+    assert!(
+        differ.is_empty(),
+        "not what the registers say (UPDATE_DOCS=1 cargo test --test generated writes them): {}",
+        differ.join("; ")
+    );
+}
+
+#[test]
+fn a_changed_text_is_noticed() {
+    let page = "before\n<!-- begin x -->\n\nold\n<!-- end x -->\nafter\n";
+    assert_eq!(
+        replaced(page, "x", "old").as_deref(),
+        Some("before\n<!-- begin x -->\n\nold\n<!-- end x -->\nafter\n")
+    );
+    assert_ne!(replaced(page, "x", "new").as_deref(), Some(page));
+    assert_eq!(replaced(page, "y", "new"), None);
+}
