@@ -4,6 +4,7 @@
 //! their radii.
 
 use crate::error::{DomainError, positive, within};
+use crate::hertz::depth;
 use crate::{Law, Spheres};
 
 /// Indentation at rest by the Hertz law, x = (F / Σ 4/3 E*_i √R_i)^(2/3), in m.
@@ -25,8 +26,7 @@ use crate::{Law, Spheres};
 pub fn hertz_indentation(spheres: &[Spheres], load_n: f64) -> Result<f64, DomainError> {
     let load = positive("load", load_n)?;
     let sum: f64 = spheres.iter().map(|s| s.count() * s.law().hertz().coefficient()).sum();
-    let root = libm::cbrt(load / positive("sum of force coefficients", sum)?);
-    Ok(root * root)
+    Ok(depth(load, positive("sum of force coefficients", sum)?))
 }
 
 /// Indentation at rest by the laws themselves, Σ F_s,i(x) = F, in m.

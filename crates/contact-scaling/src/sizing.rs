@@ -1,5 +1,6 @@
 //! Any three of load, radius, indentation, modulus and stiffness give the other two: (3) and (B.2) together.
 
+use crate::design;
 use crate::error::{DomainError, positive, within};
 
 /// What is known of one sphere at its load, by name and not yet checked; `None` is to be found.
@@ -128,10 +129,9 @@ impl Known {
         let (f, r, x) = (self.load_per_sphere_n, self.radius_m, self.relative_indentation);
         let (e, k) = (self.composite_modulus_n_m2, self.stiffness_n_m);
         let power = |x: f64| x * x.sqrt();
-        let two_thirds = |y: f64| libm::cbrt(y) * libm::cbrt(y);
         let (radius_m, relative_indentation, composite_modulus_n_m2) = match (f, r, x, e, k) {
             (Some(f), Some(r), Some(x), ..) => (r, x, 0.75 * f / (r * r * power(x))),
-            (Some(f), Some(r), _, Some(e), _) => (r, two_thirds(0.75 * f / (e * (r * r))), e),
+            (Some(f), Some(r), _, Some(e), _) => (r, design::depth_of(f, e, r), e),
             (Some(f), Some(r), _, _, Some(k)) => {
                 let x = 1.5 * f / (k * r);
                 (r, x, k / (2.0 * r * x.sqrt()))
