@@ -12,7 +12,7 @@ use super::sheet::DesignSheet;
 use crate::fault::RequestFault;
 use crate::options::WantedOptions;
 use crate::request::DesignRequest;
-use crate::value::{Positive, RestitutionCoefficient};
+use crate::value::{ConstantIndentation, Positive, RestitutionCoefficient};
 
 impl DesignRequest {
     /// Calculates a design that names no model.
@@ -177,7 +177,7 @@ fn smoothed(
     let t = wanted.threshold.get();
     let mut cf = None;
     let mut bd = None;
-    if let Some(x) = wanted.constant_indentation.map(Positive::get) {
+    if let Some(x) = wanted.constant_indentation.map(ConstantIndentation::get) {
         let radius = need(Input::ConstantIndentation)?;
         let value = smoothing::constant_contact_force(x, radius).map_err(refused)?;
         sheet.add("constant_contact_force", value, "m^2", "C.2", false);
