@@ -127,7 +127,7 @@ impl LoadedLimb<'_> {
             smoothing::transition_width(limits::TRANSITION_THRESHOLD, s.hertz_smoothing, one.radius_m).ok()
         }));
         if smoothed().next().is_some() {
-            let touching: f64 = one.laws.iter().map(|law| law.law().elastic_force(0.0)).sum();
+            let touching: f64 = one.laws.iter().map(|law| law.law().rest_force(0.0)).sum();
             figures.force_just_touching_n = Some(touching);
             figures.touching_share = self.load(1.0).map(|load| touching / load.per_sphere_n());
         }
