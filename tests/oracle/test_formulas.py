@@ -67,6 +67,8 @@ FORMULAS = {
     ("C.8", ""): ("smoothing::hertz_smoothing_for_width", "t Delta_xhat R"),
     ("C.9", ""): ("SmoothSphere::force", SMOOTH),
     ("C.9", "second factor"): ("SmoothSphere::speed_state", SMOOTH),
+    ("C.9", "second factor at rest"): ("smoothing::speed_state_at_rest", "alpha bv"),
+    ("C.9", "at rest"): ("SmoothSphere::rest_force", SMOOTH),
     ("C.10", ""): ("smoothing::hunt_crossley_smoothing", "b_xdot R"),
     ("C.10", "from a speed"): ("smoothing::hunt_crossley_smoothing_for_speed_width", "t Delta_v"),
     ("C.10", "as printed"): ("smoothing::hunt_crossley_smoothing_for_reduced_width", "t Delta_xdot R"),
@@ -162,7 +164,8 @@ def test_the_printed_formula_is_the_equation(key, formulas):
 
 
 def test_no_formula_is_left_out(formulas):
-    """Every numbered equation that computes something; (4) to (7) are steps, (9) is (10), (A.5) a limit, (C.3) has its slope."""
-    left = {("4", ""), ("5", ""), ("6", ""), ("7", ""), ("9", ""), ("A.5", ""), ("C.3", "its slope")}
+    """Every numbered equation that computes something; (4) to (7) are steps, (9) is (10), (A.5) a limit, (C.3) and (C.9) have slopes."""
+    left = {("4", ""), ("5", ""), ("6", ""), ("7", ""), ("9", ""), ("A.5", "")}
+    left |= {("C.3", "its slope"), ("C.9", "its slope at rest")}
     numbered = {key for key in formulas if re.match(r"\d|[ABC]\.\d", key[0])}
     assert numbered - set(FORMULAS) == left

@@ -129,6 +129,70 @@ fn widths_give_the_smoothing() {
     has(&falisse, "constant_contact_force", 1e-5, 1e-3);
 }
 
+/// What `design` of the human plans, as value and equation, and where the result is said to rest.
+#[track_caller]
+fn planned(arguments: &str) -> (f64, String, String) {
+    let bench = Bench::with(&[HUMAN]);
+    bench.run("set human.osim dissipation=20 -o damped.osim").done();
+    let plan = object(&bench.run(&format!("design {arguments} --dry-run --format json")).done());
+    let changes = plan["changes"].as_array().unwrap();
+    let stiffness = changes.iter().find(|change| change["property"] == "stiffness").unwrap();
+    let notes = plan["notes"].as_array().unwrap().iter().filter_map(|note| note.as_str());
+    let rests = notes.filter(|note| note.contains("rest at")).collect::<Vec<_>>().join("; ");
+    (stiffness["to"].as_f64().unwrap(), stiffness["equation"].as_str().unwrap().to_owned(), rests)
+}
+
+#[test]
+fn a_smoothed_force_gets_the_modulus_that_carries_the_load_at_rest() {
+    // mpmath 1.4.1, 50 digits: 2^(3/2) 3 F / (4 R² x̂^(3/2) n) over 1/2 + 1/2 tanh(2 bv / (3 α)), with M = 62, n = 6,
+    // g = 9.81, x̂ = 0.16 and the α, bv and R of the result. The law with cf and bd rests at 0.13561 in each.
+    for (call, expected) in [
+        // α = 50 s/m from (13), bv = 50 s/m.
+        ("human.osim --indentation 0.16 --restitution 0 --impact-speed 0.02", 4_146_144.237_161_515_7),
+        // bv = 9.81 s/m from (C.10), α = 2 s/m.
+        ("human.osim --indentation 0.16 --speed-width 0.3", 3_285_947.750_885_746_4),
+        // α = 17.9 s/m and bv = 44.7 s/m, carried along by the radius.
+        ("damped.osim --indentation 0.16 --radius 0.04", 2_174_897.618_016_728_5),
+    ] {
+        let (stiffness, equation, rests) = planned(call);
+        assert_close(stiffness, expected, 1e-12, call);
+        assert_eq!(equation, "11, C.9", "{call}");
+        assert!(rests.ends_with("x/R = 0.1356 under this load"), "{call}: {rests}");
+    }
+}
+
+#[test]
+fn where_nothing_is_missing_at_rest_it_is_equation_11_alone() {
+    // tanh(2 · 50 / (3 · 0.5)) is 1 in binary64.
+    let (stiffness, equation, rests) =
+        planned("human.osim --indentation 0.16 --restitution 0.75 --impact-speed 0.5");
+    // mpmath 1.4.1: 2^(3/2) 3 F / (4 R² x̂^(3/2) n).
+    assert_close(stiffness, 3_281_223.193_765_884, 1e-12, "stiffness");
+    assert_eq!(equation, "11");
+    assert!(rests.contains("(C.9) at speed 0"), "{rests}");
+    // A HuntCrossleyForce rests where (11) says.
+    let bench = Bench::with(&[("table1/human_62kg_hunt_crossley.osim", "model.osim")]);
+    let call = "design model.osim --indentation 0.16 --restitution 0 --impact-speed 0.02 --dry-run";
+    let ran = bench.run(call).done().says(&["(11)"]);
+    assert!(!ran.out().contains("C.9"), "{}", ran.out());
+}
+
+#[test]
+fn the_calculator_knows_the_law_at_rest() {
+    let load = "--mass 62 --spheres 6 --gravity 9.81 --indentation 0.16 --restitution 0 --speed-width 0.3";
+    // mpmath 1.4.1, findroot: the radius at which α = 1/√(gR/2) and bv = 2 atanh(0.9)/0.3 leave so much of the force that
+    // E1* = 1e6 carries the load at 0.16.
+    let radius = sheet(&format!("{load} --stiffness 1e6"));
+    has(&radius, "radius_m", 0.057_992_239_981_385_96, 1e-13);
+    has(&radius, "dissipation", 1.874_975_305_427_459_7, 1e-13);
+    let modulus = sheet(&format!("{load} --radius 0.057992239981385957"));
+    has(&modulus, "stiffness", 1e6, 1e-13);
+    // Without a dissipation nothing is known of it: (11).
+    let hertz =
+        sheet("--mass 62 --spheres 6 --gravity 9.81 --indentation 0.16 --radius 0.032 --speed-width 0.3");
+    has(&hertz, "stiffness", 3_281_223.193_765_884, 1e-12);
+}
+
 #[test]
 fn too_little_is_named() {
     refused("").says(&[

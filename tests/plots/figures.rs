@@ -44,7 +44,7 @@ fn the_preset_shows_its_three_laws() {
         "Contact force: falisse2022",
         "Hertz (1)",
         "Hertz with cf (C.1)",
-        "smoothed (C.3)",
+        "smoothed, at rest (C.9)",
         "x̂ = 0.16",
     ]);
     let axes = (&svg.scale_of_x(), &svg.scale_of_y());
@@ -186,7 +186,7 @@ fn drops_states_and_loops_name_their_axes() {
     drawn(&bench, "state human.osim").says(&["contact state (–)", "smoothed (C.4)", "state 0.05"]);
     let svg = drawn(&bench, "loop falisse2022");
     // √(gR/2) = 0.39611 m/s; theory.md: the exact restitution at α ẋ⁻ = 0.792 is 0.550.
-    svg.says(&["0.396 m/s, restitution 0.55", "elastic force alone"]);
+    svg.says(&["0.396 m/s, restitution 0.55", "force at rest"]);
 }
 
 #[test]

@@ -74,7 +74,7 @@ pub struct ForceCurves {
     pub hertz: Vec<Point>,
     /// The Hertz law with the constant indentation (C.1); empty where the law has none.
     pub with_constant: Vec<Point>,
-    /// The smoothed law of the file (C.3); empty for a law without smoothing.
+    /// The smoothed law of the file at rest (C.9); empty for a law without smoothing.
     pub own: Vec<Point>,
     /// Where the body rests on its contacts, if that is known.
     pub rest: Option<Point>,
@@ -139,7 +139,7 @@ pub fn force_panel(data: &ForceFigure) -> Result<Panel, PlotError> {
             panel.curves.push(curve("Hertz with cf (C.1)", &one.with_constant, Look::WITH_CONSTANT));
         }
         if !one.own.is_empty() {
-            panel.curves.push(curve("smoothed (C.3)", &one.own, Look::OWN));
+            panel.curves.push(curve("smoothed, at rest (C.9)", &one.own, Look::OWN));
             panel.areas.push(Area { label: "before contact".to_owned(), points: before(&one.own) });
         }
         return Ok(panel);
@@ -245,7 +245,7 @@ pub struct LoopFigure {
     pub indentation: IndentationAxis,
     /// Unit of the vertical axis.
     pub force: ForceAxis,
-    /// The elastic force alone, without a loop; empty for none.
+    /// The force at rest, without a loop; empty for none.
     pub elastic: Vec<Point>,
     /// The loops.
     pub loops: Vec<LoopCurve>,
@@ -263,11 +263,7 @@ pub fn loop_figure(data: &LoopFigure) -> Result<String, PlotError> {
     panel.limits.clone_from(&data.limits);
     if !data.elastic.is_empty() {
         let look = Look { colour: (0x77, 0x77, 0x77), dash: Dash::Solid, width_pt: 0.8 };
-        panel.curves.push(Curve {
-            label: "elastic force alone".to_owned(),
-            points: data.elastic.clone(),
-            look,
-        });
+        panel.curves.push(Curve { label: "force at rest".to_owned(), points: data.elastic.clone(), look });
     }
     for (index, one) in data.loops.iter().enumerate() {
         let (label, points) = (one.name.clone(), one.points.clone());

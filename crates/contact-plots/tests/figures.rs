@@ -70,7 +70,7 @@ fn one_body_has_its_three_laws_a_shade_and_its_limit() {
         "force of one sphere (N)",
         "Hertz (1)",
         "Hertz with cf (C.1)",
-        "smoothed (C.3)",
+        "smoothed, at rest (C.9)",
         "before contact",
         "x̂ = 0.16",
         "at rest under body weight",
@@ -126,7 +126,7 @@ fn every_kind_of_figure_is_a_document_with_its_axes() {
         limits: vec![],
     };
     let svg = Svg::read(&contact_plots::loop_figure(&loops).unwrap());
-    svg.says(&["0.4 m/s", "elastic force alone", "force of one sphere / its share Mg/n (–)"]);
+    svg.says(&["0.4 m/s", "force at rest", "force of one sphere / its share Mg/n (–)"]);
     assert!(svg.description.contains("Half a sine wave."));
     let points: Vec<Point> = (0..=20).map(|i| (f64::from(i) / 10.0, 1.0)).collect();
     let bodies = vec![

@@ -5,6 +5,7 @@
 
 use crate::SharedLoad;
 use crate::error::{DomainError, positive, within};
+use crate::hertz::depth;
 
 /// A relative indentation that can be asked for: 0 < x̂ ≤ 1.
 fn wanted(relative_indentation: f64) -> Result<f64, DomainError> {
@@ -60,8 +61,12 @@ pub fn relative_indentation(
 ) -> Result<f64, DomainError> {
     let modulus = positive("composite modulus", composite_modulus_n_m2)?;
     let radius = positive("sphere radius", radius_m)?;
-    let root = libm::cbrt(0.75 * load.per_sphere_n() / (modulus * (radius * radius)));
-    Ok(root * root)
+    Ok(depth_of(load.per_sphere_n(), modulus, radius))
+}
+
+/// [`relative_indentation`] of numbers that are known to be right: x̂ under `load` on one sphere.
+pub(crate) fn depth_of(load: f64, modulus: f64, radius: f64) -> f64 {
+    depth(0.75 * load, modulus * (radius * radius))
 }
 
 /// Sphere radius that gives a stiffness at x̂ under a load, R = 3 F / (2 k x̂ n), in m.

@@ -1,6 +1,6 @@
 //! The dimensionless contact: what two similar contacts have in common.
 
-use crate::{Contact, ContactValues, EQUAL_SURFACES, Scale, SmoothingValues};
+use crate::{Contact, ContactValues, EQUAL_SURFACES, Scale, SmoothingValues, design};
 
 /// The parameters of a contact made dimensionless with a [`Scale`].
 ///
@@ -88,8 +88,7 @@ impl DimensionlessContact {
     /// It is (11) solved for x̂, and says nothing of cf and bd; a smoothed law rests elsewhere.
     #[must_use]
     pub fn relative_indentation(&self) -> f64 {
-        let root = libm::cbrt(0.75 / self.modulus);
-        root * root
+        design::depth_of(1.0, self.modulus, 1.0)
     }
 
     /// Whether both contacts have the same parameters, each within `rel_tol` of the larger.

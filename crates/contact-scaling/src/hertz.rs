@@ -160,8 +160,7 @@ impl Hertz {
     /// # Ok::<(), contact_scaling::DomainError>(())
     /// ```
     pub fn indentation_from_force(&self, force_n: f64) -> Result<f64, DomainError> {
-        let root = libm::cbrt(non_negative("force", force_n)? / self.coefficient);
-        Ok(root * root)
+        Ok(depth(non_negative("force", force_n)?, self.coefficient))
     }
 
     /// Stiffness k = ∂F_e/∂x = 2 η √R E* √x, in N/m.
@@ -199,6 +198,14 @@ impl Hertz {
         }
         2.0 * shape_factor * radius_m * composite_modulus * relative_indentation.sqrt()
     }
+}
+
+/// The depth d with `coefficient` d^(3/2) = `force`: (1) solved for x, or (3) for x̂, as the coefficient is.
+///
+/// Every indentation by the Hertz law comes from here.
+pub(crate) fn depth(force: f64, coefficient: f64) -> f64 {
+    let root = libm::cbrt(force / coefficient);
+    root * root
 }
 
 #[cfg(test)]

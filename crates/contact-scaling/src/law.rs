@@ -40,21 +40,30 @@ impl Law {
         }
     }
 
-    /// Elastic force, in N, at the indentation x (m).
+    /// Normal force at rest (ẋ = 0), in N, at the indentation x (m): (1), or (C.9) for a smoothed law.
+    ///
+    /// Whatever is told of a body at rest follows from this: where it rests, how stiff it stands, what just touches.
+    ///
+    /// ```
+    /// # use contact_scaling::{falisse2022, Law};
+    /// let law = Law::of(&falisse2022().contact, 0.032)?;
+    /// assert_eq!(law.rest_force(0.01), law.force(0.01, 0.0));
+    /// # Ok::<(), contact_scaling::DomainError>(())
+    /// ```
     #[must_use]
-    pub fn elastic_force(&self, indentation_m: f64) -> f64 {
+    pub fn rest_force(&self, indentation_m: f64) -> f64 {
         match self {
             Self::HuntCrossley(law) => law.hertz().force(indentation_m),
-            Self::Smooth(law) => law.elastic_force(indentation_m),
+            Self::Smooth(law) => law.rest_force(indentation_m),
         }
     }
 
-    /// Slope of the elastic force, in N/m, at the indentation x (m).
+    /// Slope of the force at rest, in N/m, at the indentation x (m).
     #[must_use]
-    pub fn stiffness(&self, indentation_m: f64) -> f64 {
+    pub fn rest_stiffness(&self, indentation_m: f64) -> f64 {
         match self {
             Self::HuntCrossley(law) => law.hertz().stiffness(indentation_m),
-            Self::Smooth(law) => law.stiffness(indentation_m),
+            Self::Smooth(law) => law.rest_stiffness(indentation_m),
         }
     }
 

@@ -1,5 +1,6 @@
 //! Any three of load, radius, indentation, modulus and stiffness give the other two: (3) and (B.2) together.
 
+use crate::design;
 use crate::error::{DomainError, positive, within};
 
 /// What is known of one sphere at its load, by name and not yet checked; `None` is to be found.
@@ -123,15 +124,51 @@ impl Known {
         Ok(sizing)
     }
 
+    /// The same for a smoothed contact at rest, whose force and stiffness are `speed_state` times Hertz's:
+    /// [`crate::smoothing::speed_state_at_rest`].
+    ///
+    /// # Errors
+    /// Those of [`Known::solve`], and a `speed_state` that is not above 0.
+    ///
+    /// ```
+    /// use contact_scaling::sizing::Known;
+    /// let known = Known {
+    ///     load_per_sphere_n: Some(300.0),
+    ///     radius_m: Some(0.03),
+    ///     relative_indentation: Some(0.1),
+    ///     ..Known::default()
+    /// };
+    /// // Where 0.8 of the Hertz force is left, E* makes up for it; k at that load and depth is the same.
+    /// let (hertz, smoothed) = (known.solve()?, known.solve_smoothed(0.8)?);
+    /// assert!((smoothed.composite_modulus_n_m2 * 0.8 / hertz.composite_modulus_n_m2 - 1.0).abs() < 1e-15);
+    /// assert_eq!(smoothed.stiffness_n_m, hertz.stiffness_n_m);
+    /// # Ok::<(), contact_scaling::sizing::SizingError>(())
+    /// ```
+    pub fn solve_smoothed(&self, speed_state: f64) -> Result<Sizing, SizingError> {
+        let share = positive("speed state", speed_state)?;
+        let given = self.composite_modulus_n_m2;
+        let seen = Self { composite_modulus_n_m2: given.map(|modulus| modulus * share), ..*self };
+        match seen.solve() {
+            Ok(sizing) => {
+                let modulus = given.unwrap_or(sizing.composite_modulus_n_m2 / share);
+                Ok(Sizing { composite_modulus_n_m2: modulus, ..sizing })
+            }
+            Err(SizingError::Contradictory { quantity: "modulus", given, follows }) => {
+                let (given, follows) = (given / share, follows / share);
+                Err(SizingError::Contradictory { quantity: "modulus", given, follows })
+            }
+            Err(other) => Err(other),
+        }
+    }
+
     /// Radius, indentation and modulus from any three, then load and stiffness by (3) and (B.2).
     fn solve_checked(&self) -> Option<Sizing> {
         let (f, r, x) = (self.load_per_sphere_n, self.radius_m, self.relative_indentation);
         let (e, k) = (self.composite_modulus_n_m2, self.stiffness_n_m);
         let power = |x: f64| x * x.sqrt();
-        let two_thirds = |y: f64| libm::cbrt(y) * libm::cbrt(y);
         let (radius_m, relative_indentation, composite_modulus_n_m2) = match (f, r, x, e, k) {
             (Some(f), Some(r), Some(x), ..) => (r, x, 0.75 * f / (r * r * power(x))),
-            (Some(f), Some(r), _, Some(e), _) => (r, two_thirds(0.75 * f / (e * (r * r))), e),
+            (Some(f), Some(r), _, Some(e), _) => (r, design::depth_of(f, e, r), e),
             (Some(f), Some(r), _, _, Some(k)) => {
                 let x = 1.5 * f / (k * r);
                 (r, x, k / (2.0 * r * x.sqrt()))

@@ -1,7 +1,7 @@
 //! The smoothed law of OpenSim's `SmoothSphereHalfSpaceForce`: (C.1), (C.3), (C.4), (C.9).
 
 use crate::error::{DomainError, non_negative, positive};
-use crate::{Contact, Hertz, SmoothingValues};
+use crate::{Contact, Hertz, SmoothingValues, smoothing};
 
 /// The normal force of one `SmoothSphereHalfSpaceForce`.
 ///
@@ -12,6 +12,8 @@ pub struct SmoothSphere {
     hertz: Hertz,
     dissipation: f64,
     smoothing: SmoothingValues,
+    /// The speed state at ẋ = 0.
+    at_rest: f64,
 }
 
 impl SmoothSphere {
@@ -24,7 +26,9 @@ impl SmoothSphere {
         non_negative("constant contact force", smoothing.constant_contact_force)?;
         positive("hertz smoothing", smoothing.hertz_smoothing)?;
         positive("hunt crossley smoothing", smoothing.hunt_crossley_smoothing)?;
-        Ok(Self { hertz, dissipation, smoothing })
+        let mut law = Self { hertz, dissipation, smoothing, at_rest: 1.0 };
+        law.at_rest = law.speed_state(0.0);
+        Ok(law)
     }
 
     /// The law of a sphere of radius R (m) whose file holds `contact`; OpenSim's own smoothing where it has none.
@@ -121,8 +125,7 @@ impl SmoothSphere {
     /// ```
     #[must_use]
     pub fn speed_state(&self, speed_m_s: f64) -> f64 {
-        let centred = speed_m_s + 2.0 / (3.0 * self.dissipation);
-        0.5 + 0.5 * libm::tanh(self.smoothing.hunt_crossley_smoothing * centred)
+        smoothing::speed_state(self.dissipation, self.smoothing.hunt_crossley_smoothing, speed_m_s)
     }
 
     /// Smoothed normal force, F = (F_s + 3/2 F_s α ẋ)(½ + ½ tanh(bv (ẋ + 2/(3α)))), in N.
@@ -141,6 +144,41 @@ impl SmoothSphere {
     pub fn force(&self, indentation_m: f64, speed_m_s: f64) -> f64 {
         let elastic = self.elastic_force(indentation_m);
         elastic * (1.0 + 1.5 * self.dissipation * speed_m_s) * self.speed_state(speed_m_s)
+    }
+
+    /// Normal force at rest, F = F_s (½ + ½ tanh(2 bv/(3α))), in N.
+    ///
+    /// x in m, bv in s/m, α in s/m. It is what a body rests on; (C.3) alone is more where α is large against bv.
+    ///
+    /// Source: (C.9) at ẋ = 0.
+    ///
+    /// ```
+    /// # use contact_scaling::{Hertz, SmoothSphere, SmoothingValues};
+    /// let law = SmoothSphere::new(Hertz::sphere(3e6, 0.25)?, 20.0, SmoothingValues::OPENSIM_DEFAULT)?;
+    /// assert_eq!(law.rest_force(0.01), law.force(0.01, 0.0));
+    /// # Ok::<(), contact_scaling::DomainError>(())
+    /// ```
+    #[must_use]
+    pub fn rest_force(&self, indentation_m: f64) -> f64 {
+        self.elastic_force(indentation_m) * self.at_rest
+    }
+
+    /// Stiffness at rest, ∂F/∂x = ∂F_s/∂x (½ + ½ tanh(2 bv/(3α))), in N/m.
+    ///
+    /// x in m, bv in s/m, α in s/m.
+    ///
+    /// Source: the derivative of (C.9) at ẋ = 0; not in the paper.
+    ///
+    /// ```
+    /// # use contact_scaling::{Hertz, SmoothSphere, SmoothingValues};
+    /// let law = SmoothSphere::new(Hertz::sphere(3e6, 0.25)?, 20.0, SmoothingValues::OPENSIM_DEFAULT)?;
+    /// let slope = (law.force(0.01 + 1e-6, 0.0) - law.force(0.01 - 1e-6, 0.0)) / 2e-6;
+    /// assert!((law.rest_stiffness(0.01) / slope - 1.0).abs() < 1e-6);
+    /// # Ok::<(), contact_scaling::DomainError>(())
+    /// ```
+    #[must_use]
+    pub fn rest_stiffness(&self, indentation_m: f64) -> f64 {
+        self.stiffness(indentation_m) * self.at_rest
     }
 
     /// Stiffness of the smoothed elastic force, ∂F_s/∂x, in N/m.
@@ -235,6 +273,17 @@ mod tests {
         let law = falisse(|s| s.constant_contact_force = 0.0);
         assert_eq!(law.stiffness(0.0), 0.0);
         assert_eq!(law.elastic_force(0.0), 0.0);
+    }
+
+    #[test]
+    fn at_rest_is_at_speed_0() {
+        for alpha in [0.0, 1e-9, 2.0, 20.0, 50.0, 1e9] {
+            let law =
+                SmoothSphere::new(*falisse(|_| ()).hertz(), alpha, SmoothingValues::OPENSIM_DEFAULT).unwrap();
+            for x in [-0.01, 0.0, 0.004] {
+                assert_eq!(law.rest_force(x), law.force(x, 0.0), "{alpha} {x}");
+            }
+        }
     }
 
     proptest! {

@@ -201,6 +201,32 @@ pub fn hunt_crossley_smoothing_for_reduced_width(
     Ok(full_width(threshold)? / (width * positive("sphere radius", radius_m)?.sqrt()))
 }
 
+/// Speed state of a smoothed contact at rest, ½ + ½ tanh(2 bv/(3α)), without unit, from ½ to 1.
+///
+/// Dissipation α in s/m, 0 or above; bv in s/m. The share that a smoothed contact at rest has of the force without
+/// smoothing of speeds; 1 for α = 0.
+///
+/// Source: (C.9), its second factor at ẋ = 0.
+///
+/// # Errors
+/// [`DomainError`] unless α ≥ 0 and bv > 0, both finite.
+///
+/// ```
+/// # use contact_scaling::smoothing;
+/// assert_eq!(smoothing::speed_state_at_rest(0.0, 50.0)?, 1.0);
+/// assert!((smoothing::speed_state_at_rest(20.0, 50.0)? - 0.966).abs() < 5e-4); // 3.4 % of the force is missing
+/// # Ok::<(), contact_scaling::DomainError>(())
+/// ```
+pub fn speed_state_at_rest(dissipation_s_m: f64, smoothing_s_m: f64) -> Result<f64, DomainError> {
+    let alpha = non_negative("dissipation", dissipation_s_m)?;
+    Ok(speed_state(alpha, positive("hunt crossley smoothing", smoothing_s_m)?, 0.0))
+}
+
+/// The second factor of (C.9), of numbers that are known to be right.
+pub(crate) fn speed_state(alpha: f64, bv: f64, speed_m_s: f64) -> f64 {
+    0.5 + 0.5 * libm::tanh(bv * (speed_m_s + 2.0 / (3.0 * alpha)))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -36,12 +36,14 @@ const PRESSURE: Dimension = [-1.0, 1.0, -2.0];
 /// `values.csv` and this crate may differ by the rounding of a handful of operations.
 const REFERENCE_TOLERANCE: f64 = 2e-15;
 /// Where a root is found, or a difference of large parts taken, by more.
-const LOOSE: [(&str, f64); 6] = [
+const LOOSE: [(&str, f64); 8] = [
     ("SmoothSphere::contact_state", 2e-14), // ½ + ½ tanh: cancels before contact
     ("SmoothSphere::elastic_force", 2e-14),
     ("SmoothSphere::speed_state", 2e-14),
     ("SmoothSphere::force", 2e-14),
     ("SmoothSphere::stiffness", 2e-14),
+    ("SmoothSphere::rest_force", 2e-14),
+    ("SmoothSphere::rest_stiffness", 2e-14),
     ("restitution::exact_dissipation", 2e-14),
 ];
 /// Other units change the rounding of every input as well.
@@ -83,14 +85,14 @@ fn smooth(i: &[f64]) -> SmoothSphere {
 fn standing(i: &[f64]) -> [Spheres; 1] {
     let values = ContactValues {
         plane_strain_modulus: i[0] * EQUAL_SURFACES,
-        dissipation: 0.0,
+        dissipation: i[2],
         smoothing: Some(SmoothingValues {
-            constant_contact_force: i[2],
-            hertz_smoothing: i[3],
-            hunt_crossley_smoothing: 1.0,
+            constant_contact_force: i[3],
+            hertz_smoothing: i[4],
+            hunt_crossley_smoothing: i[5],
         }),
     };
-    [Spheres::new(Law::of(&Contact::new(values).unwrap(), i[1]).unwrap(), i[4]).unwrap()]
+    [Spheres::new(Law::of(&Contact::new(values).unwrap(), i[1]).unwrap(), i[6]).unwrap()]
 }
 
 fn load(i: &[f64]) -> SharedLoad {
@@ -105,7 +107,7 @@ const HERTZ_X: &[Dimension] = &[PRESSURE, LENGTH, ONE, LENGTH];
 const HERTZ_X_HAT: &[Dimension] = &[PRESSURE, LENGTH, ONE, ONE];
 const HUNT_CROSSLEY: &[Dimension] = &[PRESSURE, LENGTH, PER_SPEED, LENGTH, SPEED];
 const SMOOTH: &[Dimension] = &[PRESSURE, LENGTH, PER_SPEED, AREA, PER_LENGTH, PER_SPEED, LENGTH, SPEED];
-const STANDING: &[Dimension] = &[PRESSURE, LENGTH, AREA, PER_LENGTH, ONE, FORCE];
+const STANDING: &[Dimension] = &[PRESSURE, LENGTH, PER_SPEED, AREA, PER_LENGTH, PER_SPEED, ONE, FORCE];
 const RATIOS: &[Dimension] = &[ONE, ONE, ONE, ONE];
 const SURFACES: &[Dimension] = &[PRESSURE, PER_SPEED, PRESSURE, PER_SPEED];
 
@@ -135,6 +137,8 @@ const TABLE: &[Equation] = &[
     eq("SmoothSphere::speed_state", SMOOTH, ONE, |i| smooth(i).speed_state(i[7])),
     eq("SmoothSphere::force", SMOOTH, FORCE, |i| smooth(i).force(i[6], i[7])),
     eq("SmoothSphere::stiffness", SMOOTH, STIFFNESS, |i| smooth(i).stiffness(i[6])),
+    eq("SmoothSphere::rest_force", SMOOTH, FORCE, |i| smooth(i).rest_force(i[6])),
+    eq("SmoothSphere::rest_stiffness", SMOOTH, STIFFNESS, |i| smooth(i).rest_stiffness(i[6])),
     eq("patch::radius", &[LENGTH, LENGTH], LENGTH, |i| patch::radius(i[0], i[1]).unwrap()),
     eq("patch::diameter", &[LENGTH, LENGTH], LENGTH, |i| patch::diameter(i[0], i[1]).unwrap()),
     eq("patch::relative_radius", &[ONE], ONE, |i| patch::relative_radius(i[0]).unwrap()),
@@ -231,11 +235,14 @@ const TABLE: &[Equation] = &[
         PER_SPEED,
         |i| smoothing::hunt_crossley_smoothing_for_reduced_width(i[0], i[1], i[2]).unwrap(),
     ),
+    eq("smoothing::speed_state_at_rest", &[PER_SPEED, PER_SPEED], ONE, |i| {
+        smoothing::speed_state_at_rest(i[0], i[1]).unwrap()
+    }),
     eq("equilibrium::hertz_indentation", STANDING, LENGTH, |i| {
-        equilibrium::hertz_indentation(&standing(i), i[5]).unwrap()
+        equilibrium::hertz_indentation(&standing(i), i[7]).unwrap()
     }),
     eq("equilibrium::indentation", STANDING, LENGTH, |i| {
-        equilibrium::indentation(&standing(i), i[5]).unwrap()
+        equilibrium::indentation(&standing(i), i[7]).unwrap()
     }),
     eq("mixed_radii::mean_square", &[LENGTH, LENGTH, LENGTH], AREA, |i| mixed_radii::mean_square(i).unwrap()),
     eq("Ratios::plane_strain_modulus", RATIOS, ONE, |i| ratios(i).plane_strain_modulus()),

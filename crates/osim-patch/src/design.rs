@@ -1,18 +1,20 @@
 //! Parameters from what is wanted, written into a model: (11), (A.5), (13), (C.2), (C.8), (C.10).
 
 use contact_scaling::{
-    RatioValues, Ratios, SharedLoad, design as wanted_of, modulus, restitution, smoothing,
+    Contact, ContactValues, DomainError, Law, RatioValues, Ratios, SharedLoad, SmoothingValues, Spheres,
+    design as wanted_of, equilibrium, modulus, restitution, smoothing,
 };
 use osim_model::wording::{Phrase, phrase};
 use osim_model::{
-    Fault, Finding, FindingCode, Force, ForceKind, Mass, Model, Needed, Property, Scope, Selected, readable,
+    Fault, Finding, FindingCode, Force, ForceKind, Mass, Model, Needed, Property, Scope, Selected, SetId,
+    readable,
 };
 
 use crate::builder::{New, PlanBuilder};
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
 use crate::property_set::PropertySet;
 use crate::radii::{Radii, RadiusRule, SphereRule};
-use crate::remarks::bottoms_remark;
+use crate::remarks::{bottoms_remark, rest_remark};
 use crate::scaling::{DissipationBy, factor};
 use crate::surfaces::write_composite;
 
@@ -20,7 +22,8 @@ use crate::surfaces::write_composite;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum DesignModulus {
-    /// By (11): this relative indentation x̂ under the load.
+    /// By (11): this relative indentation x̂ under the load. A smoothed force gets the modulus whose Hertz force, times what
+    /// (C.9) leaves of it at rest, carries the load.
     Indentation(f64),
     /// By (A.1) and (A.5): this Young's modulus (N/m²) and Poisson's ratio on rigid ground.
     Young {
@@ -117,25 +120,27 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
     let rule = wanted.radius_rule()?;
     let radii = Radii::plan(&mut plan, &selected.forces, |_| rule, 1.0, &properties)?;
     plan.warnings.extend(model.remarks_on(&selected.forces));
+    let mut rests = Vec::new();
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
-        let radius = radii.mean_new(force);
         let own = RatioValues { mass: 1.0, sphere_count: 1.0, radius: radii.ratio(force), gravity: 1.0 };
         let own = Ratios::new(own).map_err(Fault::new)?;
+        let sphere = DesignedForce { force, radius_m: radii.mean_new(force), own };
+        rests.extend(wanted.rest(&plan, &sphere)?);
         for property in Property::ALL.into_iter().filter(|&property| properties.contains(property)) {
-            match wanted.value(property, force, radius, model)? {
+            match wanted.value(&plan, &sphere, property)? {
                 Some((to, equation)) => write_composite(&mut plan, force.id, property, to, equation)?,
-                None => carry(&mut plan, force, property, &own)?,
+                None => carry(&mut plan, force, property, &sphere.own)?,
             }
         }
     }
     let mut remarks: Vec<Phrase> = vec!["body masses and sphere locations stay as they are".into()];
     remarks.extend(bottoms_remark(&radii));
+    remarks.extend(rest_remark(&rests));
     let PlanBuilder { changes, moves, mut warnings, .. } = plan;
     if changes.is_empty() {
         let text = "nothing that is wanted applies to these forces, or every value is already as wanted";
         warnings.push(Finding::new(FindingCode::NothingToChange, text));
     }
-    let is_smooth = |force: &Force| force.kind == ForceKind::SmoothSphereHalfSpace;
     let smooth = selected.forces.iter().filter_map(|&id| model.force(id)).any(is_smooth);
     let masses = wanted.mass.clone().map(|from| Masses { to_kg: from.kg, from });
     Ok(Plan::new(
@@ -148,6 +153,25 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
             operation: "design",
         },
     ))
+}
+
+/// A force with what becomes of its radius.
+struct DesignedForce<'f> {
+    force: &'f Force,
+    /// New, m.
+    radius_m: f64,
+    /// Ratios of its radii, new to old.
+    own: Ratios,
+}
+
+impl DesignedForce<'_> {
+    fn is_smooth(&self) -> bool {
+        is_smooth(self.force)
+    }
+}
+
+fn is_smooth(force: &Force) -> bool {
+    force.kind == ForceKind::SmoothSphereHalfSpace
 }
 
 /// A changed radius carries along what is not designed.
@@ -180,17 +204,17 @@ impl Design {
         self.modulus.is_some() && self.restitution.is_some() && (smoothing || !smooth)
     }
 
+    /// What `property` is wanted to be, and by which equation; `None` where nothing is wanted of it.
     fn value(
         &self,
+        plan: &PlanBuilder<'_>,
+        sphere: &DesignedForce<'_>,
         property: Property,
-        force: &Force,
-        radius_m: f64,
-        model: &Model,
     ) -> Result<Option<(f64, &'static str)>, Fault> {
-        let smooth = force.kind == ForceKind::SmoothSphereHalfSpace;
+        let (radius_m, smooth, model) = (sphere.radius_m, sphere.is_smooth(), plan.model);
         Ok(match property {
             Property::Stiffness => match self.modulus {
-                Some(modulus) => Some(self.modulus(modulus, radius_m)?),
+                Some(modulus) => Some(self.modulus(modulus, radius_m, self.speed_state(plan, sphere)?)?),
                 None => None,
             },
             Property::Dissipation => match self.restitution {
@@ -223,15 +247,69 @@ impl Design {
         })
     }
 
-    fn modulus(&self, modulus: DesignModulus, radius_m: f64) -> Result<(f64, &'static str), Fault> {
+    /// What `property` of a smoothed force will be in the file: as wanted, or carried along by the radius.
+    fn after(
+        &self,
+        plan: &PlanBuilder<'_>,
+        sphere: &DesignedForce<'_>,
+        property: Property,
+    ) -> Result<Option<f64>, Fault> {
+        if let Some((to, _)) = self.value(plan, sphere, property)? {
+            return Ok(Some(to));
+        }
+        let from = plan.current(sphere.force.id, SetId::FIRST, property)?;
+        let carried = from.zip(factor(property, &sphere.own, DissipationBy::Radius));
+        Ok(carried.map(|(from, (factor, equation))| New::times(from, factor, equation).to))
+    }
+
+    /// The share of the Hertz force that the law of the file has at rest, the second factor of (C.9); 1 without smoothing.
+    fn speed_state(&self, plan: &PlanBuilder<'_>, sphere: &DesignedForce<'_>) -> Result<f64, Fault> {
+        if !sphere.is_smooth() {
+            return Ok(1.0);
+        }
+        let dissipation = self.after(plan, sphere, Property::Dissipation)?;
+        match dissipation.zip(self.after(plan, sphere, Property::HuntCrossleySmoothing)?) {
+            Some((alpha, bv)) => smoothing::speed_state_at_rest(alpha, bv).map_err(Fault::new),
+            None => Ok(1.0),
+        }
+    }
+
+    /// Where a smoothed force will rest under the load, x/R; `None` where no load is known or nothing carries it.
+    fn rest(&self, plan: &PlanBuilder<'_>, sphere: &DesignedForce<'_>) -> Result<Option<f64>, Fault> {
+        let Some(load) = self.load.filter(|_| sphere.is_smooth()) else { return Ok(None) };
+        let after = |property| self.after(plan, sphere, property).map(|value| value.unwrap_or(f64::NAN));
+        let values = ContactValues {
+            plane_strain_modulus: after(Property::Stiffness)?,
+            dissipation: after(Property::Dissipation)?,
+            smoothing: Some(SmoothingValues {
+                constant_contact_force: after(Property::ConstantContactForce)?,
+                hertz_smoothing: after(Property::HertzSmoothing)?,
+                hunt_crossley_smoothing: after(Property::HuntCrossleySmoothing)?,
+            }),
+        };
+        let indentation = || -> Result<f64, DomainError> {
+            let law = Law::of(&Contact::new(values)?, sphere.radius_m)?;
+            equilibrium::indentation(&[Spheres::new(law, 1.0)?], load.per_sphere_n())
+        };
+        Ok(indentation().ok().map(|x| x / sphere.radius_m))
+    }
+
+    /// E₁* and its equation; `speed_state` is the share of the Hertz force that the law has at rest.
+    fn modulus(
+        &self,
+        modulus: DesignModulus,
+        radius_m: f64,
+        speed_state: f64,
+    ) -> Result<(f64, &'static str), Fault> {
         match modulus {
             DesignModulus::Indentation(x) => {
                 let Some(load) = &self.load else {
                     return Err(Fault::new(Needed::Load));
                 };
                 let composite = wanted_of::composite_modulus(radius_m, x, load).map_err(Fault::new)?;
+                let composite = composite / speed_state;
                 let equal = modulus::of_equal_surfaces(composite, modulus::MixingRule::Sherman);
-                Ok((equal.map_err(Fault::new)?, "11"))
+                Ok((equal.map_err(Fault::new)?, if speed_state == 1.0 { "11" } else { "11, C.9" }))
             }
             DesignModulus::Young { young_n_m2, poisson } => {
                 Ok((modulus::stiffness_on_rigid_ground(young_n_m2, poisson).map_err(Fault::new)?, "A.5"))

@@ -38,3 +38,15 @@ pub(crate) fn bottoms_remark(radii: &Radii) -> Option<Phrase> {
     };
     Some(format!("sphere bottoms move {moves}, because radii change and centres stay").into())
 }
+
+/// Where the model's own smoothed law rests after a design: its x/R is not that of the Hertz law, which (11) is about.
+pub(crate) fn rest_remark(rests: &[f64]) -> Option<Phrase> {
+    let four = |x: f64| format!("{x:.4}");
+    let least = rests.iter().copied().reduce(f64::min).map(four)?;
+    let most = rests.iter().copied().reduce(f64::max).map(four)?;
+    let range = if least == most { most } else { format!("{least} to {most}") };
+    Some(
+        format!("by the model's own law, (C.9) at speed 0, spheres rest at x/R = {range} under this load")
+            .into(),
+    )
+}

@@ -11,7 +11,8 @@
 mod given;
 
 use given::{fixture, fixtures, given_fixture};
-use osim_model::{Fault, Property};
+use osim_model::{Assignment, Fault, FaultKind, FindingCode, Model, Property, Selection};
+use osim_patch::{Design, Set, design, set};
 
 #[test]
 fn a_mass_that_is_missing_is_asked_for() {
@@ -65,4 +66,31 @@ fn a_refused_number_is_pointed_at() {
         let text = String::from_utf8(bytes).unwrap();
         assert!(text.lines().nth(line - 1).unwrap().contains(line_of), "{name} points at line {line}");
     }
+}
+
+#[test]
+fn a_constant_contact_force_of_0_is_never_written() {
+    const ONE_FOOT: &str = include_str!("../../osim-model/tests/data/one_foot.osim");
+    let model = Model::parse(ONE_FOOT.as_bytes()).unwrap();
+    let selected = Selection::default().apply(&model).unwrap();
+    let cf = Property::ConstantContactForce;
+    let assigned = [0.0, -0.0].map(Assignment::Value).into_iter();
+    // 1e-5 m² times 1e-320 is less than the smallest number there is.
+    for value in assigned.chain([0.0, 1e-320].map(Assignment::Factor)) {
+        let fault = set(&model, &selected, &Set::new(vec![(cf, value)])).unwrap_err();
+        assert_eq!((fault.code(), &fault.kind), ("out-of-domain", &FaultKind::ZeroConstantContactForce));
+        assert!(fault.to_string().contains("NaN"), "{fault}");
+    }
+    let mut wanted = Design::default();
+    wanted.constant_indentation = Some(1e-200);
+    assert_eq!(design(&model, &selected, &wanted).unwrap_err().kind, FaultKind::ZeroConstantContactForce);
+    // What is 0 already and stays 0 is not written.
+    let zero =
+        ONE_FOOT.replace("<dissipation>", "<constant_contact_force>0</constant_contact_force><dissipation>");
+    let model = Model::parse(zero.as_bytes()).unwrap();
+    let selected = Selection::default().apply(&model).unwrap();
+    let plan = set(&model, &selected, &Set::new(vec![(cf, Assignment::Factor(2.0))])).unwrap();
+    assert!(plan.changes.is_empty());
+    let warned = plan.warnings.iter().any(|warning| warning.code == FindingCode::ZeroConstantContactForce);
+    assert!(warned, "{:?}", plan.warnings);
 }

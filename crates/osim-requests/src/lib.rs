@@ -69,7 +69,7 @@ pub use request::{
 pub use sweep::{SweepPlan, VariantMade};
 pub use table::{RowFault, RowRequest, Table};
 pub use value::{
-    Acceleration, Assignments, Axis, AxisName, BodyScale, ContactOnset, Count, Dpi, Grid, GridValue, Height,
-    Kilograms, NotNegative, PoissonRatio, Positive, Radius, RelativeIndentation, RestitutionCoefficient,
-    Samples, Shard, Threshold, assignment,
+    Acceleration, Assignments, Axis, AxisName, BodyScale, ConstantIndentation, ContactOnset, Count, Dpi,
+    Grid, GridValue, Height, Kilograms, NotNegative, PoissonRatio, Positive, Radius, RelativeIndentation,
+    RestitutionCoefficient, Samples, Shard, Threshold, assignment,
 };

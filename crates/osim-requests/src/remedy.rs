@@ -7,7 +7,8 @@ use crate::fault::RequestFault;
 use crate::options::{CountOptions, ForceOptions, LoadOptions, MassOptions, SetFiles, WantedOptions};
 use crate::request::{DesignRequest, Request, RescaleRequest, SetRequest, TransferRequest};
 use crate::value::{
-    Acceleration, Assignments, Count, Kilograms, Positive, RelativeIndentation, RestitutionCoefficient,
+    Acceleration, Assignments, ConstantIndentation, Count, Kilograms, Positive, RelativeIndentation,
+    RestitutionCoefficient,
 };
 
 /// Checks a number of a remedy.
@@ -104,7 +105,7 @@ fn wanted(design: &RemedyDesign) -> Result<WantedOptions, RequestFault> {
         constant_indentation: checked(
             Input::ConstantIndentation,
             design.constant_indentation,
-            Positive::new,
+            ConstantIndentation::new,
         )?,
         state_width: checked(Input::StateWidth, design.state_width, Positive::new)?,
         ..WantedOptions::default()

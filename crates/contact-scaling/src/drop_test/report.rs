@@ -66,7 +66,7 @@ pub struct DropReport {
     pub equilibrium_indentation_m: f64,
     /// Stiffness of one sphere (their mean) at rest by the Hertz law (B.1), in N/m.
     pub hertz_stiffness_n_m: f64,
-    /// Stiffness of one sphere (their mean) at rest by the laws themselves, in N/m.
+    /// Stiffness of one sphere (their mean) at rest by the laws themselves, (C.9) at ẋ = 0 for a smoothed one, in N/m.
     pub equilibrium_stiffness_n_m: f64,
     /// The largest normal force of all spheres, in N.
     pub peak_force_n: f64,
@@ -87,7 +87,7 @@ impl DropReport {
             hertz_indentation_m: hertz,
             equilibrium_indentation_m: own,
             hertz_stiffness_n_m: body.mean(|s| s.law().hertz().stiffness(hertz)),
-            equilibrium_stiffness_n_m: body.mean(|s| s.law().stiffness(own)),
+            equilibrium_stiffness_n_m: body.mean(|s| s.law().rest_stiffness(own)),
             peak_force_n: record.peak_force * body.weight_n,
             first_contact: first_contact(body, &record)?,
             series: series(body, values, record),

@@ -2,8 +2,8 @@
 
 use super::equation::{Equation, form};
 use super::symbols::{
-    ALPHA, C_EXACT, D, E_A, E_B, E_I, F_LOAD, F_S, G, IMPACT, K_HAT_A, K_HAT_B, N, R, R_EQUIVALENT, R_I, U_V,
-    V_T, X,
+    ALPHA, C_EXACT, D, E_A, E_B, E_I, F_I, F_LOAD, G, IMPACT, K_HAT_A, K_HAT_B, N, R, R_EQUIVALENT, R_I,
+    SPEED, U_V, V_T, X,
 };
 
 pub(super) const ALL: &[Equation] = &[
@@ -35,12 +35,12 @@ pub(super) const ALL: &[Equation] = &[
         source: "beyond the paper: (1) summed over spheres whose bottoms are level",
     },
     Equation {
-        label: "rest by (C.3)",
+        label: "rest by (C.9)",
         aliases: &["rest by the own law"],
         title: "Indentation at rest by the file's own law",
-        forms: &[form("", "Σ F_s,i(x) = F", "equilibrium::indentation", "m")],
-        symbols: &[F_S, X, F_LOAD],
-        source: "beyond the paper: (C.3) summed over spheres whose bottoms are level",
+        forms: &[form("", "Σ F_i(x, ẋ = 0) = F", "equilibrium::indentation", "m")],
+        symbols: &[F_I, X, SPEED, F_LOAD],
+        source: "beyond the paper: (C.9) at ẋ = 0 summed over spheres whose bottoms are level",
     },
     Equation {
         label: "continuation",

@@ -93,9 +93,12 @@ pub(super) const ALL: &[Equation] = &[
         forms: &[
             form("", "F = (F_s + 3/2 F_s α ẋ)(½ + ½ tanh(bv (ẋ + 2/(3α))))", "SmoothSphere::force", "N"),
             form("second factor", "½ + ½ tanh(bv (ẋ + 2/(3α)))", "SmoothSphere::speed_state", "1"),
+            form("second factor at rest", "½ + ½ tanh(2 bv/(3α))", "smoothing::speed_state_at_rest", "1"),
+            form("at rest", "F = F_s (½ + ½ tanh(2 bv/(3α)))", "SmoothSphere::rest_force", "N"),
+            form("its slope at rest", "∂F / ∂x at ẋ = 0", "SmoothSphere::rest_stiffness", "N/m"),
         ],
         symbols: &[F_SMOOTH, F_S, ALPHA, SPEED, BV],
-        source: "Van Bijlert (2026), appendix C.2. With α = 0 the second factor is 1",
+        source: "Van Bijlert (2026), appendix C.2. With α = 0 the second factor is 1. At rest (ẋ = 0) it is below 1: by 3e-15 at α = 2 s/m and bv = 50 s/m, by 3.4 % at α = 20",
     },
     Equation {
         label: "C.10",

@@ -23,6 +23,7 @@ pub(super) const F_CF: Symbol = symbol("F_cf", "elastic force with the constant 
 pub(super) const F_S: Symbol = symbol("F_s", "smoothed elastic force", "N");
 pub(super) const F: Symbol = symbol("F", "expected load on all n spheres together", "N");
 pub(super) const F_SMOOTH: Symbol = symbol("F", "smoothed contact force of one sphere", "N");
+pub(super) const F_I: Symbol = symbol("F_i", "smoothed contact force of sphere i", "N");
 pub(super) const F_LOAD: Symbol = symbol("F", "load on all spheres together", "N");
 pub(super) const X: Symbol = symbol("x", "indentation: how far sphere and ground overlap", "m");
 pub(super) const X_HAT: Symbol = symbol("x̂", "relative indentation, x / R", "1");

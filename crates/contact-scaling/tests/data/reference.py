@@ -55,8 +55,12 @@ def restitution_dissipation(c, v):
     return d / mpf("1.5") / v
 
 
-def rest(e, r, cf, bd, n, load):
-    return findroot(lambda x: n * smooth_cf(e, r, cf, x) * state(bd, x) - load, (mpf("0.3") * r, mpf("0.4") * r))
+def rest(e, r, a, cf, bd, bv, n, load):
+    return findroot(lambda x: n * smooth(e, r, a, cf, bd, bv, x, 0) - load, (mpf("0.3") * r, mpf("0.4") * r))
+
+
+def rest_slope(e, r, a, cf, bd, bv, x):
+    return mpmath.diff(lambda y: smooth(e, r, a, cf, bd, bv, y, 0), x)
 
 
 def slope(e, r, cf, bd, x):
@@ -78,8 +82,11 @@ K = [13449.5, 218.0, 206515.0]
 M = [62.0, 0.0209, 1190.0]
 G = [9.81, 9.80665, 1.62]
 CF, BD, BV = [1e-5, 3.90625e-8, 2.5e-4], [300.0, 4800.0, 150.7], [50.0, 200.0, 35.4]
+# With these the second factor of (C.9) is far from 1 at speed 0.
+AT_REST, BV_AT_REST = [20.0, 50.0, 2.0], [50.0, 5.0, 1.7]
 T = [0.05, 0.01, 0.25]
 ETA = [1.0, 1.3, 0.8]
+STANDING = ([353553.39, 91540.5, 353553.39, 353553.39], [0.032, 0.002, 0.032, 0.032], [2.0, 8.0, 20.0, 50.0], [1e-5, 3.90625e-8, 1e-5, 1e-5], [300.0, 4800.0, 300.0, 300.0], [50.0, 200.0, 50.0, 5.0], [6.0, 2.0, 6.0, 6.0], [608.22, 0.205, 608.22, 608.22])
 
 ROWS = [
     ("Hertz::relative_indentation", lambda e, r, eta, x: x / r, (E, R, ETA, X)),
@@ -97,6 +104,8 @@ ROWS = [
     ("SmoothSphere::speed_state", lambda e, r, a, cf, bd, bv, x, v: speed_state(a, bv, v), (E, R, A, CF, BD, BV, X, [-0.32, -0.08, -1.35])),
     ("SmoothSphere::force", smooth, (E, R, A, CF, BD, BV, [0.0113, -0.0001, 0.002], [-0.32, 0.3, -1.3])),
     ("SmoothSphere::stiffness", lambda e, r, a, cf, bd, bv, x, v: slope(e, r, cf, bd, x), (E, R, A, CF, BD, BV, [0.0113, -0.0001, 0.002], V)),
+    ("SmoothSphere::rest_force", lambda e, r, a, cf, bd, bv, x, v: smooth(e, r, a, cf, bd, bv, x, 0), (E * 2, R * 2, A + AT_REST, CF * 2, BD * 2, BV + BV_AT_REST, [0.0113, -0.0001, 0.002] * 2, V * 2)),
+    ("SmoothSphere::rest_stiffness", lambda e, r, a, cf, bd, bv, x, v: rest_slope(e, r, a, cf, bd, bv, x), (E * 2, R * 2, A + AT_REST, CF * 2, BD * 2, BV + BV_AT_REST, [0.0113, -0.0001, 0.002] * 2, V * 2)),
     ("patch::radius", lambda x, r: sqrt(x * r), (X, R)),
     ("patch::diameter", lambda x, r: 2 * sqrt(x * r), (X, R)),
     ("patch::relative_radius", lambda xh: sqrt(xh), (XH,)),
@@ -132,8 +141,9 @@ ROWS = [
     ("smoothing::hunt_crossley_smoothing", lambda b, r: b / sqrt(r), ([8.94, 9.0, 20.0], R)),
     ("smoothing::hunt_crossley_smoothing_for_speed_width", lambda t, w: 2 * atanh(1 - 2 * t) / w, (T, [0.06, 0.3, 0.01])),
     ("smoothing::hunt_crossley_smoothing_for_reduced_width", lambda t, w, r: 2 * atanh(1 - 2 * t) / (w * sqrt(r)), (T, [0.3, 0.2, 1.0], R)),
-    ("equilibrium::hertz_indentation", lambda e, r, cf, bd, n, f: (f / (n * mpf(4) / 3 * sqrt(r) * e)) ** (mpf(2) / 3), ([353553.39, 91540.5], [0.032, 0.002], [1e-5, 3.90625e-8], [300.0, 4800.0], [6.0, 2.0], [608.22, 0.205])),
-    ("equilibrium::indentation", rest, ([353553.39, 91540.5], [0.032, 0.002], [1e-5, 3.90625e-8], [300.0, 4800.0], [6.0, 2.0], [608.22, 0.205])),
+    ("smoothing::speed_state_at_rest", lambda a, bv: speed_state(a, bv, 0), (A + AT_REST, BV + BV_AT_REST)),
+    ("equilibrium::hertz_indentation", lambda e, r, a, cf, bd, bv, n, f: (f / (n * mpf(4) / 3 * sqrt(r) * e)) ** (mpf(2) / 3), STANDING),
+    ("equilibrium::indentation", rest, STANDING),
     ("continuation::modulus_ratio", lambda a, b: (a / b) ** half3, ([1.2, 2.5, 4.246], [9.375, 4.246, 1.5])),
     ("mixed_radii::mean_square", lambda a, b, c: (a**2 + b**2 + c**2) / 3, ([0.032, 0.015], [0.03, 0.002], [0.0637, 0.1])),
 ]

@@ -92,6 +92,6 @@ impl OnFloor<'_> {
 
     pub(super) fn force_just_touching(&self) -> Option<f64> {
         self.smoothed().next()?;
-        Some(self.sphere.laws.iter().map(|law| law.law().elastic_force(0.0)).sum())
+        Some(self.sphere.laws.iter().map(|law| law.law().rest_force(0.0)).sum())
     }
 }

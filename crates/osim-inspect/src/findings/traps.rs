@@ -55,6 +55,9 @@ fn differing(model: &Model, left: &Force, right: &Force) -> Option<Vec<(Property
         }
         changes.push((Property::Radius, first));
     }
+    if changes.contains(&(Property::ConstantContactForce, 0.0)) {
+        return None; // It would be refused.
+    }
     Some(changes).filter(|changes| !changes.is_empty())
 }
 

@@ -17,7 +17,7 @@ pub struct ForceSeries {
     pub hertz: Vec<Point>,
     /// With the constant indentation (C.1); empty for a `HuntCrossleyForce`.
     pub with_constant: Vec<Point>,
-    /// By the smoothed law of the file (C.3); empty for a `HuntCrossleyForce`.
+    /// By the smoothed law of the file at rest, (C.9) at speed 0; empty for a `HuntCrossleyForce`.
     pub own: Vec<Point>,
     /// Where it rests under its share of the body weight.
     pub rest: Option<Point>,
@@ -121,7 +121,7 @@ pub fn force(body: &Body, kind: &SphereKind, units: Units, depth: f64) -> Result
         places.map(|x| (units.x(x, kind.radius_m), force(x) / unit)).collect()
     };
     let (with_constant, own) = match &law {
-        Law::Smooth(law) => (curve(&|x| law.constant_indentation_force(x)), curve(&|x| law.elastic_force(x))),
+        Law::Smooth(law) => (curve(&|x| law.constant_indentation_force(x)), curve(&|x| law.rest_force(x))),
         // Without smoothing the force is Hertz's.
         _ => (vec![], vec![]),
     };
@@ -163,13 +163,13 @@ fn loop_depth(body: &Body, kind: &SphereKind) -> Result<f64, Failure> {
     law.hertz().indentation_from_force(2.0 * body.weight()?.share_n()).map_err(|error| body.failure(&error))
 }
 
-/// The elastic force on the way of a loop.
+/// The force at rest on the way of a loop.
 pub fn elastic(body: &Body, kind: &SphereKind, units: Units) -> Result<Vec<Point>, Failure> {
     let law = law(body, kind)?;
     let unit = force_unit(units, body)?;
     let depth = loop_depth(body, kind)? / kind.radius_m;
     let places = indentations(0.0, depth, kind.radius_m).into_iter();
-    Ok(places.map(|x| (units.x(x, kind.radius_m), law.elastic_force(x) / unit)).collect())
+    Ok(places.map(|x| (units.x(x, kind.radius_m), law.rest_force(x) / unit)).collect())
 }
 
 /// Force against indentation while a sphere goes in and out in half a sine wave that begins with a speed (m/s).

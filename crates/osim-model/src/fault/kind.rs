@@ -4,7 +4,7 @@ use contact_scaling::DomainError;
 
 use super::needed::Needed;
 use crate::opensim_text::NumberFault;
-use crate::wording::{Input, Phrase, phrase};
+use crate::wording::{Input, Phrase, Verb, phrase};
 use crate::xml::SyntaxFault;
 
 /// Kinds of fault, each with what a program needs to know of it.
@@ -67,6 +67,8 @@ pub enum FaultKind {
         /// The domain, in words.
         expected: &'static str,
     },
+    /// A `constant_contact_force` that would become 0.
+    ZeroConstantContactForce,
     /// No contact forces in the model.
     NoContacts {
         /// What was looked for and what was found instead.
@@ -151,7 +153,7 @@ impl FaultKind {
             Self::NotOpenSim { .. } | Self::NoVersion { .. } | Self::WrongDataRoot { .. } => "not-opensim",
             Self::Number { .. } => "not-a-number",
             Self::BrokenText { .. } => "broken-text",
-            Self::Domain { .. } => "out-of-domain",
+            Self::Domain { .. } | Self::ZeroConstantContactForce => "out-of-domain",
             Self::NoContacts { .. } => "no-contacts",
             Self::Unresolved { .. } => "unresolved",
             Self::Needed(needed) => needed.code(),
@@ -191,6 +193,11 @@ impl FaultKind {
                 " and ",
                 Input::SkipDisabled,
                 format!("; the model has {forces}"),
+            ],
+            Self::ZeroConstantContactForce => phrase![
+                "the new constant_contact_force is 0, and OpenSim computes NaN with 0 whenever the sphere does not \
+                 slip, so in every model at rest: give it a small value, such as that of ",
+                Verb::Design.call().with(Input::ConstantIndentation, "0.05"),
             ],
             Self::FactorSpread { text } => {
                 phrase![text.clone(), " (refused because of ", Input::Strict, ")"]

@@ -123,8 +123,8 @@ const MODEL: &[ErrorCode] = &[
     ),
     code(
         "out-of-domain",
-        "a number for which the equations do not hold: a radius or stiffness that is 0, negative or not finite, a negative dissipation",
-        "correct it in the model. A radius of 0 often means that the element is missing",
+        "a number for which the equations do not hold: a radius or stiffness that is 0, negative or not finite, a negative dissipation; or a constant_contact_force that would become 0, with which OpenSim computes NaN without slip",
+        "correct it in the model, or ask for another value. A radius of 0 often means that the element is missing",
     ),
     code(
         "no-mass",

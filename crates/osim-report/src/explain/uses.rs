@@ -39,19 +39,19 @@ fn template(label: &str) -> &'static str {
         "B.5" => "design: equilibrium frequency",
         "C.1" | "C.4" => "through (C.3)",
         "C.2" => "rescale, transfer, design: constant_contact_force; inspect: the same over the radius",
-        "C.3" => {
-            "inspect, design: force with the sphere just touching; inspect, drop-test: indentation at rest"
-        }
+        "C.3" => "through (C.9)",
         "C.5" => "rescale, transfer, design: hertz_smoothing",
         "C.6" => "the library only",
         "C.7" => "inspect: width of the contact transition",
         "C.8" => "`design state_width`: hertz_smoothing",
-        "C.9" => "drop-test: force of a SmoothSphereHalfSpaceForce",
+        "C.9" => {
+            "drop-test: force of a SmoothSphereHalfSpaceForce; at rest also inspect, plot: indentation, force with the sphere just touching; design: stiffness"
+        }
         "C.10" => "rescale, transfer, design: hunt_crossley_smoothing",
         "drop speed" => "inspect, design, drop-test: the speed of an impact where nobody says another",
         "exact restitution" => "inspect, design, drop-test, transfer: restitution by the exact law",
         "rest by (1)" => "inspect, drop-test: indentation at rest by the Hertz law",
-        "rest by (C.3)" => "inspect, drop-test: indentation at rest by the model's own law",
+        "rest by (C.9)" => "inspect, drop-test: indentation at rest by the model's own law",
         "continuation" => "`sweep ladder`: stiffness of the steps",
         "mixed radii" => "rescale, transfer: one ContactParameters with spheres of several radii",
         "friction" => "`friction`: transition_velocity and viscous_friction",

@@ -10,7 +10,7 @@ use super::limits::hertz_limit;
 use super::names::title;
 
 /// Force against indentation while spheres go in and out: one contact at a quarter, half and all of the speed of a fall from
-/// `height`, beside its elastic force; several contacts each at that speed.
+/// `height`, beside its force at rest; several contacts each at that speed.
 ///
 /// # Errors
 /// What a body weighs is not known.

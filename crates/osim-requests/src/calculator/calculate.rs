@@ -1,18 +1,19 @@
 //! Figures that follow from what is known.
 
-use contact_scaling::sizing::{Known, Sizing, SizingError};
+use contact_scaling::sizing::{Known, Sizing};
 use contact_scaling::{
     Hertz, SharedLoad, SmoothSphere, SmoothingValues, limits, modulus, patch, restitution, smoothing,
     stiffness,
 };
 use osim_model::wording::{Input, phrase};
 
+use super::at_rest::{self, AtRest};
 use super::given::{Given, ModulusFrom, refused};
 use super::sheet::DesignSheet;
 use crate::fault::RequestFault;
 use crate::options::WantedOptions;
 use crate::request::DesignRequest;
-use crate::value::{Positive, RestitutionCoefficient};
+use crate::value::{ConstantIndentation, Positive, RestitutionCoefficient};
 
 impl DesignRequest {
     /// Calculates a design that names no model.
@@ -28,28 +29,20 @@ impl DesignRequest {
         let load = given.shared_load().map_err(refused)?;
         let known = given.known(load.as_ref());
         let mut sheet = DesignSheet::new();
-        let sizing = match known.solve() {
-            Ok(sizing) => Some(sizing),
-            // Some figures need no sizing; whether anything is left to say is seen at the end.
-            Err(SizingError::Insufficient { .. }) => None,
-            Err(SizingError::Contradictory { quantity, given: said, follows }) => {
-                return Err(given.contradiction(quantity, said, follows));
-            }
-            Err(error) => return Err(refused(error)),
-        };
+        let (sizing, at_rest) = at_rest::solve(&known, &given, &self.wanted)?;
         match &sizing {
-            Some(sizing) => sized(&mut sheet, sizing, &known, &given, load.as_ref())?,
+            Some(sizing) => sized(&mut sheet, sizing, &known, &given, load.as_ref(), at_rest)?,
             None if given.needs_sizing() => return Err(given.missing()),
             None => {
                 if let Some(composite) = given.composite_modulus {
-                    moduli(&mut sheet, composite, given.modulus)?;
+                    moduli(&mut sheet, composite, given.modulus.equation(), given.modulus)?;
                 }
             }
         }
         let radius = sizing.map(|sizing| sizing.radius_m).or(given.radius_m);
         let composite = sizing.map(|sizing| sizing.composite_modulus_n_m2).or(given.composite_modulus);
         dissipation(&mut sheet, &self.wanted, radius, given.gravity_m_s2)?;
-        smoothed(&mut sheet, &self.wanted, radius, composite)?;
+        smoothed(&mut sheet, &self.wanted, radius, composite, at_rest)?;
         if sheet.figures.is_empty() {
             return Err(given.missing());
         }
@@ -81,8 +74,13 @@ fn without_meaning(request: &DesignRequest) -> Option<Input> {
     given.into_iter().find(|(_, given)| *given).map(|(input, _)| input)
 }
 
-fn moduli(sheet: &mut DesignSheet, composite: f64, from: ModulusFrom) -> Result<(), RequestFault> {
-    sheet.add("composite_modulus_n_m2", composite, "N/m^2", from.equation(), false);
+fn moduli(
+    sheet: &mut DesignSheet,
+    composite: f64,
+    equation: &'static str,
+    from: ModulusFrom,
+) -> Result<(), RequestFault> {
+    sheet.add("composite_modulus_n_m2", composite, "N/m^2", equation, false);
     let surface = modulus::of_equal_surfaces(composite, modulus::MixingRule::Sherman).map_err(refused)?;
     sheet.add("stiffness", surface, "N/m^2", "A.4", from == ModulusFrom::Stiffness);
     Ok(())
@@ -94,15 +92,23 @@ fn sized(
     known: &Known,
     given: &Given,
     load: Option<&SharedLoad>,
+    at_rest: Option<AtRest>,
 ) -> Result<(), RequestFault> {
     let (radius, x) = (sizing.radius_m, sizing.relative_indentation);
-    sheet.add("load_per_sphere_n", sizing.load_per_sphere_n, "N", "3", known.load_per_sphere_n.is_some());
+    let by = |hertz, smoothed| if at_rest.is_some_and(AtRest::matters) { smoothed } else { hertz };
+    let load_given = known.load_per_sphere_n.is_some();
+    sheet.add("load_per_sphere_n", sizing.load_per_sphere_n, "N", by("3", "3, C.9"), load_given);
     sheet.add("radius_m", radius, "m", "11, B.2", known.radius_m.is_some());
-    sheet.add("relative_indentation", x, "", "2, 11", known.relative_indentation.is_some());
+    sheet.add("relative_indentation", x, "", by("2, 11", "2, 11, C.9"), known.relative_indentation.is_some());
     sheet.limited(&limits::INDENTATION);
     sheet.add("indentation_m", x * radius, "m", "2", false);
-    moduli(sheet, sizing.composite_modulus_n_m2, given.modulus)?;
-    sheet.add("contact_stiffness_n_m", sizing.stiffness_n_m, "N/m", "B.2", known.stiffness_n_m.is_some());
+    let modulus_by = match given.modulus {
+        ModulusFrom::Sizing => by("11", "11, C.9"),
+        known => known.equation(),
+    };
+    moduli(sheet, sizing.composite_modulus_n_m2, modulus_by, given.modulus)?;
+    let stiffness_given = known.stiffness_n_m.is_some();
+    sheet.add("contact_stiffness_n_m", sizing.stiffness_n_m, "N/m", by("B.2", "B.2, C.9"), stiffness_given);
     let one = SharedLoad::new(sizing.load_per_sphere_n, 1.0).map_err(refused)?;
     let pure = stiffness::dimensionless(sizing.stiffness_n_m, radius, &one).map_err(refused)?;
     sheet.add("dimensionless_stiffness", pure, "", "B.3", false);
@@ -117,6 +123,7 @@ fn sized(
         let frequency = stiffness::equilibrium_frequency(x, radius, given.gravity_m_s2).map_err(refused)?;
         sheet.add("equilibrium_frequency_hz", frequency, "Hz", "B.5", false);
     }
+    sheet.notes.extend(at_rest.and_then(AtRest::note));
     if x > 1.0 {
         let note = "a relative indentation above 1: the sphere is softer than its load allows";
         sheet.notes.push(note.to_owned());
@@ -167,6 +174,7 @@ fn smoothed(
     wanted: &WantedOptions,
     radius: Option<f64>,
     composite: Option<f64>,
+    at_rest: Option<AtRest>,
 ) -> Result<(), RequestFault> {
     let need = |input: Input| {
         radius.ok_or_else(|| {
@@ -177,7 +185,7 @@ fn smoothed(
     let t = wanted.threshold.get();
     let mut cf = None;
     let mut bd = None;
-    if let Some(x) = wanted.constant_indentation.map(Positive::get) {
+    if let Some(x) = wanted.constant_indentation.map(ConstantIndentation::get) {
         let radius = need(Input::ConstantIndentation)?;
         let value = smoothing::constant_contact_force(x, radius).map_err(refused)?;
         sheet.add("constant_contact_force", value, "m^2", "C.2", false);
@@ -196,14 +204,12 @@ fn smoothed(
     if let (Some(constant_contact_force), Some(hertz_smoothing), Some(radius), Some(composite)) =
         (cf, bd, radius, composite)
     {
-        let values = SmoothingValues {
-            constant_contact_force,
-            hertz_smoothing,
-            hunt_crossley_smoothing: SmoothingValues::OPENSIM_DEFAULT.hunt_crossley_smoothing,
-        };
+        let values =
+            SmoothingValues { constant_contact_force, hertz_smoothing, ..SmoothingValues::OPENSIM_DEFAULT };
         let hertz = Hertz::sphere(composite, radius).map_err(refused)?;
-        let law = SmoothSphere::new(hertz, 0.0, values).map_err(refused)?;
-        sheet.add("force_just_touching_n", law.elastic_force(0.0), "N", "C.3", false);
+        let elastic = SmoothSphere::new(hertz, 0.0, values).map_err(refused)?.elastic_force(0.0);
+        let (share, equation) = at_rest.map_or((1.0, "C.3"), |known| (known.speed_state, "C.9"));
+        sheet.add("force_just_touching_n", elastic * share, "N", equation, false);
     }
     Ok(())
 }

@@ -1,5 +1,6 @@
 //! A design without a model: from what is known, every figure that follows, with its equation and limit.
 
+mod at_rest;
 mod calculate;
 mod given;
 mod sheet;

@@ -5,7 +5,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::relation::Relation;
-use crate::value::{PoissonRatio, Positive, Radius, RelativeIndentation, RestitutionCoefficient, Threshold};
+use crate::value::{
+    ConstantIndentation, PoissonRatio, Positive, Radius, RelativeIndentation, RestitutionCoefficient,
+    Threshold,
+};
 
 /// What is wanted or known of the contact.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -39,7 +42,7 @@ pub struct WantedOptions {
     pub impact_speed: Option<Positive>,
     /// Constant indentation over radius, for constant_contact_force (C.2)
     #[cfg_attr(feature = "clap", arg(long, value_name = "X"))]
-    pub constant_indentation: Option<Positive>,
+    pub constant_indentation: Option<ConstantIndentation>,
     /// Width of the contact transition over radius, for hertz_smoothing (C.8)
     #[cfg_attr(feature = "clap", arg(long, value_name = "X"))]
     pub state_width: Option<Positive>,

@@ -11,7 +11,9 @@ use crate::fault::RequestFault;
 use crate::options::{CountOptions, InspectionOptions, LoadOptions, StanceOptions, WantedOptions};
 use crate::planner::{Change, Planner};
 use crate::request::DesignRequest;
-use crate::value::{PoissonRatio, Positive, RelativeIndentation, RestitutionCoefficient};
+use crate::value::{
+    ConstantIndentation, PoissonRatio, Positive, RelativeIndentation, RestitutionCoefficient,
+};
 
 struct Designing {
     wanted: WantedOptions,
@@ -165,7 +167,7 @@ impl Planner for Designing {
             .restitution
             .map(RestitutionCoefficient::get)
             .map(|restitution| (restitution, asked.impact_speed.map(Positive::get)));
-        wanted.constant_indentation = asked.constant_indentation.map(Positive::get);
+        wanted.constant_indentation = asked.constant_indentation.map(ConstantIndentation::get);
         wanted.state_width = width(asked.state_width);
         wanted.speed_width = width(asked.speed_width);
         wanted.radius = asked.radius().unwrap_or(RadiusRule::Keep);

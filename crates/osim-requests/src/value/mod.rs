@@ -23,8 +23,8 @@ pub use grid::Grid;
 pub use height::Height;
 pub use onset::ContactOnset;
 pub use quantity::{
-    Acceleration, Count, Kilograms, NotNegative, PoissonRatio, Positive, RelativeIndentation,
-    RestitutionCoefficient, Threshold,
+    Acceleration, ConstantIndentation, Count, Kilograms, NotNegative, PoissonRatio, Positive,
+    RelativeIndentation, RestitutionCoefficient, Threshold,
 };
 pub use radius::Radius;
 pub use shard::Shard;

@@ -101,6 +101,13 @@ quantities! {
         if x <= 1.0 { Ok(x) } else { Err(format!("expected {expected}")) }
     }, {"type": "number", "exclusiveMinimum": 0, "maximum": 1};
 
+    /// √cf/R: above 0, for OpenSim computes nothing from a cf of 0.
+    ConstantIndentation = |text| match plain(text.trim()) {
+        Some(0.0) => Err("expected a number above 0, such as 0.05: it would make constant_contact_force 0, and \
+                          OpenSim computes NaN with 0 whenever the sphere does not slip".to_owned()),
+        _ => positive_number(text),
+    }, {"type": "number", "exclusiveMinimum": 0};
+
     /// t, the share of a transition that counts as outside it: between 0 and 0.5.
     Threshold = |text| {
         let expected = "a threshold between 0 and 0.5";
