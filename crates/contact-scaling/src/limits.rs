@@ -11,7 +11,7 @@ pub const HUNT_CROSSLEY_RESTITUTION: f64 = 0.8;
 /// al. (2022), who had no trouble with it, have 0.0988. Where x̂ ≤ 0.16 is wanted, 0.05.
 pub const CONSTANT_INDENTATION: f64 = 0.1;
 
-/// The fraction t of the contact state from which, and up to 1 − t, the width of the contact transition is told
+/// The fraction t of the contact state from which, and up to 1 − t, the width of the contact transition is given
 /// (section C.2).
 pub const TRANSITION_THRESHOLD: f64 = 0.05;
 

@@ -7,7 +7,7 @@ use osim_model::{CountOf, Fault, Model, Needed};
 /// All spheres that stand count, whichever forces were selected: those left out carry weight too.
 ///
 /// # Errors
-/// Left and right cannot be told, or limbs have different numbers of spheres.
+/// Left and right cannot be determined, or limbs have different numbers of spheres.
 pub fn sphere_count(model: &Model, stance_limbs: f64, of: CountOf) -> Result<f64, Fault> {
     match model.limbs(&model.force_ids()).spheres_per_limb() {
         #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]

@@ -12,7 +12,7 @@ use crate::radii::{Users, moving_spheres};
 /// Between the operations that a note lists.
 const AND: &str = " + ";
 
-/// What becomes of a property: see [`Set`] for an example.
+/// What happens to a property: see [`Set`] for an example.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Assignment {
@@ -61,7 +61,7 @@ impl Assignment {
 #[derive(Debug, Clone, PartialEq, Default)]
 #[non_exhaustive]
 pub struct Set {
-    /// Properties and what becomes of them.
+    /// Properties and what happens to them.
     pub assignments: Vec<(Property, Assignment)>,
     /// The mass that the contacts were made for, where known; it stays.
     pub contacts_mass: Option<Mass>,
@@ -133,7 +133,7 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
     }
     let mut taken = phrase![];
     if let Some(mass) = &wanted.contacts_mass {
-        taken.push(format!("contacts stand for {} kg (", readable(mass.kg)));
+        taken.push(format!("contacts made for {} kg (", readable(mass.kg)));
         taken.push(&mass.source.describe());
         taken.push("); ");
     }

@@ -36,8 +36,8 @@ pub(super) const ALL: &[Equation] = &[
     },
     Equation {
         label: "rest by (C.3)",
-        aliases: &["rest by the own law"],
-        title: "Indentation at rest by the file's own law",
+        aliases: &["rest by the file's law"],
+        title: "Indentation at rest by the file's law",
         forms: &[form("", "Σ F_s,i(x) = F", "equilibrium::indentation", "m")],
         symbols: &[F_S, X, F_LOAD],
         source: "beyond the paper: (C.3) summed over spheres whose bottoms are level",
