@@ -476,8 +476,9 @@ fn version_3_says_factors_in_visible_objects_and_joints() {
     let seen = json(&bench.run("inspect scaled.osim --from generic.osim --format json").done());
     let foot =
         seen["body_factors"].as_array().unwrap().iter().find(|body| body["body"] == "calcn_r").unwrap();
-    assert_eq!(foot["said"]["mesh"], serde_json::json!([2.0, 1.5, 1.0]));
-    for (said, expected) in foot["said"]["joint offset"].as_array().unwrap().iter().zip([2.0, 1.5, 1.0]) {
+    assert_eq!(foot["by_source"]["mesh"], serde_json::json!([2.0, 1.5, 1.0]));
+    for (said, expected) in foot["by_source"]["joint offset"].as_array().unwrap().iter().zip([2.0, 1.5, 1.0])
+    {
         close(said, expected);
     }
     let report = plan(&bench, "--spheres 1 --reference-spheres 1");

@@ -16,6 +16,10 @@ class Digits(str):
     """A number of JSON as it is spelt."""
 
 
+# The digest of all settings in summaries, and its old name.
+SETTINGS = {"recipe", "sha256_settings"}
+
+
 @dataclass(frozen=True)
 class Map:
     """Names that changed on purpose, and fields that only the new program has.
@@ -52,7 +56,7 @@ class Rules:
     """How what a program left is made ready for the comparison."""
 
     map: Map = field(default_factory=Map)
-    ignore_recipe: bool = False
+    ignore_settings: bool = False
 
     def apply(self, data: bytes, name: str, is_old: bool) -> bytes:
         """The bytes of a file, or of a stream of that name, as they are compared."""
@@ -60,10 +64,10 @@ class Rules:
             data = TEMPORARY.sub(PLAIN_NAME, data)
         name = name.removesuffix(".partial")
         of_json = bool(self.map.fields or self.map.added)
-        if (of_json and name == STANDARD_OUTPUT) or ((of_json or self.ignore_recipe) and name.endswith(".ndjson")):
+        if (of_json and name == STANDARD_OUTPUT) or ((of_json or self.ignore_settings) and name.endswith(".ndjson")):
             return b"".join(self._json_line(line, is_old) for line in data.splitlines(keepends=True))
         of_tables = bool(self.map.columns or self.map.added_columns)
-        if (of_tables and name == STANDARD_OUTPUT) or ((of_tables or self.ignore_recipe) and name.endswith(".csv")):
+        if (of_tables and name == STANDARD_OUTPUT) or ((of_tables or self.ignore_settings) and name.endswith(".csv")):
             return self._table(data, is_old)
         return data
 
@@ -88,13 +92,13 @@ class Rules:
             if not is_old and (name in self.map.added or full in self.map.added):
                 continue
             renamed = self.map.fields.get(full, self.map.fields.get(name, name)) if is_old else name
-            ignored = self.ignore_recipe and full == "recipe"
+            ignored = self.ignore_settings and full in SETTINGS
             result[renamed] = None if ignored else self._object(inner, full, is_old)
         return result
 
     def _table(self, data: bytes, is_old: bool) -> bytes:
         """A table whose columns are renamed, taken out or emptied; what is no such table stays as it is."""
-        touched = {*self.map.columns, *self.map.added_columns} | ({"recipe"} if self.ignore_recipe else set())
+        touched = {*self.map.columns, *self.map.added_columns} | (SETTINGS if self.ignore_settings else set())
         try:
             rows = list(csv.reader(io.StringIO(data.decode("utf-8"), newline="")))
         except (csv.Error, UnicodeDecodeError):
@@ -104,8 +108,8 @@ class Rules:
         header = rows[0]
         kept = [at for at, name in enumerate(header) if is_old or name not in self.map.added_columns]
         for row in rows[1:]:
-            if self.ignore_recipe and "recipe" in header and len(row) == len(header):
-                row[header.index("recipe")] = ""
+            for name in SETTINGS.intersection(header) if self.ignore_settings and len(row) == len(header) else ():
+                row[header.index(name)] = ""
         if is_old:
             rows[0] = [self.map.columns.get(name, name) for name in header]
         out = io.StringIO(newline="")

@@ -96,10 +96,10 @@ fn a_table_that_is_no_manifest_is_refused_with_what_to_mend() {
     let bench = Bench::human();
     for (manifest, says) in [
         ("model,targt-mass\nhuman.osim,5\n", "did you mean 'target-mass'"),
-        ("file,target-mass\nhuman.osim,5\n", "'file' is no option"),
+        ("file,target-mass\nhuman.osim,5\n", "'file' is not an option"),
         ("#file,target-mass\nhuman.osim,5\n", "no column 'model'"),
-        ("model,model\nhuman.osim,5\n", "there twice"),
-        ("model,target-mass,dry-run\nhuman.osim,5,yes\n", "behind the manifest's name"),
+        ("model,model\nhuman.osim,5\n", "appears twice"),
+        ("model,target-mass,dry-run\nhuman.osim,5,yes\n", "after the manifest's name"),
         ("model,target-mass\nhuman.osim\n", "line 2: 1 cells, expected 2"),
         ("model,target-mass\n", "no rows"),
         ("m\0o\0", "UTF-16"),

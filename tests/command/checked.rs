@@ -199,7 +199,7 @@ fn fixtures() -> Vec<String> {
 
 #[test]
 fn every_command_that_is_proposed_mends_what_it_is_proposed_for() {
-    let mut mended: BTreeMap<String, usize> = BTreeMap::new();
+    let mut fixed: BTreeMap<String, usize> = BTreeMap::new();
     for fixture in fixtures() {
         let bench = Bench::with(&[(fixture.as_str(), "model.osim")]);
         let ran = bench.run("check model.osim --format json");
@@ -208,13 +208,13 @@ fn every_command_that_is_proposed_mends_what_it_is_proposed_for() {
             let Some(command) = &finding.command else { continue };
             let arguments = command.strip_prefix("osim-contact-scale ").unwrap();
             let place = |finding: &Finding| (finding.code.clone(), finding.place.clone());
-            bench.run(&format!("{arguments} --force -o mended.osim")).done();
-            let after = self::report(&bench, "mended.osim");
+            bench.run(&format!("{arguments} --force -o fixed.osim")).done();
+            let after = self::report(&bench, "fixed.osim");
             assert!(
                 !after.findings.iter().any(|left| place(left) == place(finding)),
                 "{fixture}: {command} leaves {finding:?}"
             );
-            *mended.entry(finding.code.clone()).or_default() += 1;
+            *fixed.entry(finding.code.clone()).or_default() += 1;
         }
     }
     for code in [
@@ -231,7 +231,7 @@ fn every_command_that_is_proposed_mends_what_it_is_proposed_for() {
         "zero-constant-contact-force",
         "left-right-differ",
     ] {
-        assert!(mended.contains_key(code), "nothing that {code} proposes was tried: {mended:?}");
+        assert!(fixed.contains_key(code), "nothing that {code} proposes was tried: {fixed:?}");
     }
 }
 
@@ -272,7 +272,7 @@ fn drops_and_plots_say_whose_weight_the_contacts_carry() {
 fn it_says_why_figures_are_absent() {
     for (fixture, option, why) in [
         ("format/player_and_ball.osim", "--select contact_* --spheres 2", "--select GLOB"),
-        ("format/no_sides.osim", "--spheres 2", "left or right cannot be told"),
+        ("format/no_sides.osim", "--spheres 2", "left or right cannot be determined"),
     ] {
         let bench = Bench::with(&[(fixture, "model.osim")]);
         let before = report(&bench, "model.osim");

@@ -86,7 +86,7 @@ fn standard_input_goes_to_standard_output() {
     let piped = bench.run_with("- --target-mass 1190", &fixture(HUMAN.0)).done().wrote_nothing();
     assert_eq!(piped.stdout, bench.read("file.osim"));
     assert!(
-        piped.err().contains("contacts stand for 62 kg"),
+        piped.err().contains("contacts made for 62 kg"),
         "the table goes to standard error: {}",
         piped.err()
     );
@@ -133,7 +133,7 @@ fn a_folder_keeps_its_shape_and_passes_over_its_own_outputs_aloud() {
         .run("lib --target-mass 492 -d out")
         .done()
         .wrote(&["out/UPPER.OSIM", "out/left/foot.osim", "out/right/foot.osim"])
-        .says(&["outputs of this tool (*.scaled.osim) passed over: 1", "1 passed over (no contacts)"]);
+        .says(&["outputs of this tool (*.scaled.osim) skipped: 1", "1 skipped (no contacts)"]);
     // The output folder inside the walked one is not walked.
     let bench = library();
     bench.run("lib --target-mass 492 -d lib/out").done();
@@ -210,7 +210,7 @@ fn a_standalone_pair_is_written_together() {
         .run("forces.xml --geometry geometry.xml --model model.osim --target-mass 492")
         .done()
         .wrote(&["forces.scaled.xml", "geometry.scaled.xml"])
-        .says(&["contacts stand for 61.5 kg"]);
+        .says(&["contacts made for 61.5 kg"]);
     assert!(bench.text("forces.scaled.xml").contains("<stiffness>2469135.6</stiffness>"));
     assert!(bench.text("geometry.scaled.xml").contains("<radius>0.065</radius>"));
     bench.run("forces.xml --geometry geometry.xml --contacts-mass 61.5 --target-mass 492 -o f.xml --geometry-output g.xml").done().wrote(&["f.xml", "g.xml"]);
@@ -218,7 +218,7 @@ fn a_standalone_pair_is_written_together() {
     bench
         .run("f.xml --geometry g.xml --target-mass 61.5 -d back")
         .done()
-        .says(&["contacts stand for 492 kg (note"]);
+        .says(&["contacts made for 492 kg (note"]);
     bench.run("f.xml --geometry geometry.xml --target-mass 100 -d mixed").failed().wrote_nothing();
     // Where one of the two cannot be written, neither is.
     let bench = Bench::with(&pair);

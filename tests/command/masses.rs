@@ -9,16 +9,16 @@ fn running_twice_goes_from_where_the_contacts_are() {
     bench
         .run("human.osim --target-mass 1190 -o a.osim")
         .done()
-        .says(&["contacts stand for 62 kg", "9 bodies"]);
+        .says(&["contacts made for 62 kg", "9 bodies"]);
     let ran = bench.run("a.osim --target-mass 500 -o b.osim").done();
-    ran.says(&["contacts stand for 1190 kg", "note"]);
+    ran.says(&["contacts made for 1190 kg", "note"]);
     let text = bench.text("b.osim");
     assert_eq!(text.matches("<!-- osim-contact-scale").count(), 1, "the note is replaced, not repeated");
     assert!(text.contains("contacts stand for 500 kg"));
     // To where they are: nothing.
     bench.run("b.osim --target-mass 500 --in-place").done().wrote_nothing().says(&["already"]);
     // To what the bodies weigh: back.
-    bench.run("b.osim --target-mass 62 -o c.osim").done().says(&["contacts stand for 500 kg"]);
+    bench.run("b.osim --target-mass 62 -o c.osim").done().says(&["contacts made for 500 kg"]);
 }
 
 #[test]
@@ -57,7 +57,7 @@ fn a_model_that_was_scaled_but_not_its_contacts() {
         .run("giraffe.osim --target-mass 1190 --contacts-mass 62 -o out.osim")
         .done()
         .wrote(&["out.osim"])
-        .says(&["contacts stand for 62 kg (--contacts-mass)", "1190"]);
+        .says(&["contacts made for 62 kg (--contacts-mass)", "1190"]);
     // Where the bodies weigh neither, something is odd.
     bench
         .run("giraffe.osim --target-mass 500 --contacts-mass 62 --dry-run")
@@ -102,7 +102,7 @@ fn an_edited_value_makes_the_note_stale() {
     // Other parts of the model may change freely.
     let other = bench.text("a.osim").replacen("<mass>42.0390625", "<mass>43", 1);
     bench.write("heavier.osim", other);
-    bench.run("heavier.osim --target-mass 500").done().says(&["contacts stand for 1190 kg (note"]);
+    bench.run("heavier.osim --target-mass 500").done().says(&["contacts made for 1190 kg (note"]);
 }
 
 #[test]
@@ -149,7 +149,7 @@ fn a_transfer_stands_for_the_models_own_mass() {
     bench
         .run("four.osim --target-mass 0.0418 -o twice.osim")
         .done()
-        .says(&["contacts stand for 0.0209 kg (note"]);
+        .says(&["contacts made for 0.0209 kg (note"]);
 }
 
 #[test]

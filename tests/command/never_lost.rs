@@ -62,7 +62,7 @@ fn what_is_no_ordinary_file_is_not_replaced() {
     let bench = Bench::human();
     symlink("nowhere.osim", bench.path("link.osim")).unwrap();
     bench.run("human.osim --target-mass 500 -o link.osim --force").failed().says(&["leads nowhere"]);
-    bench.run("human.osim --target-mass 500 -o /dev/null --force").failed().says(&["no ordinary file"]);
+    bench.run("human.osim --target-mass 500 -o /dev/null --force").failed().says(&["not an ordinary file"]);
 }
 
 #[cfg(unix)]

@@ -70,7 +70,7 @@ fn what_it_says_is_in_the_words_of_requests() {
 fn a_wrong_request_is_refused_with_a_way_out() {
     let bench = Bench::human();
     for (text, said) in [
-        ("", "standard input: this is no JSON: EOF while parsing a value at line 1 column 0"),
+        ("", "standard input: this is not JSON: EOF while parsing a value at line 1 column 0"),
         ("{\"verb\": \"rescale\", \"models\": [", "at line 1 column 31"),
         ("[1]", "expected a JSON object"),
         (r#"{"models": ["human.osim"]}"#, "`verb` is missing"),
@@ -91,7 +91,7 @@ fn a_wrong_request_is_refused_with_a_way_out() {
     }
     bench.run("request absent.json").usage().says(&["absent.json: there is no such file"]);
     bench.write("wrong.json", "{");
-    bench.run("request wrong.json").usage().says(&["wrong.json: this is no JSON"]);
+    bench.run("request wrong.json").usage().says(&["wrong.json: this is not JSON"]);
 }
 
 #[test]

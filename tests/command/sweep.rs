@@ -160,8 +160,8 @@ fn what_makes_no_sense_is_refused_before_anything_is_written() {
     for (arguments, says) in [
         ("emu.osim", "--grid"),
         ("emu.osim --grid stifness=x2", "unknown property"),
-        ("emu.osim --grid stiffness=x2,x2", "there twice"),
-        ("emu.osim --grid stiffness=x2 --grid stiffness=x3", "there twice"),
+        ("emu.osim --grid stiffness=x2,x2", "appears twice"),
+        ("emu.osim --grid stiffness=x2 --grid stiffness=x3", "given twice"),
         ("emu.osim --grid stiffness=x0.1..x10", "expected a range"),
         ("emu.osim --grid indentation=0.1 --grid stiffness=x2", "both say"),
         ("emu.osim --grid indentation=0.1 --grid target-mass=2", "contradict"),
@@ -192,7 +192,7 @@ fn walks_over_folders_pass_sweeps_over_aloud() {
     let bench = Bench::with(&[(EMU.0, "lib/emu.osim")]);
     bench.run("sweep lib/emu.osim --grid stiffness=x1,x2").done();
     let ran =
-        bench.run("lib --target-mass 5 -d out").done().says(&["folders of sweeps (*.sweep) passed over: 1"]);
+        bench.run("lib --target-mass 5 -d out").done().says(&["folders of sweeps (*.sweep) skipped: 1"]);
     assert_eq!(ran.changed, ["out/emu.osim"]);
 }
 

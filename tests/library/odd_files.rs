@@ -132,7 +132,7 @@ fn a_pipe_in_a_folder_is_not_waited_for() {
     pipe(&bench, "lib/pipe.osim");
     let (status, text) = ended(start(&bench, CALL));
     assert_eq!(status, Some(1), "{text}");
-    assert!(text.contains("error: lib/pipe.osim: this is no ordinary file"), "{text}");
+    assert!(text.contains("error: lib/pipe.osim: this is not an ordinary file"), "{text}");
     assert!(text.contains("2 written"), "{text}");
 }
 

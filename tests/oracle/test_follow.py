@@ -184,7 +184,7 @@ def test_sources_of_factors_agree(path, tmp_path, readings):
     assert outcome.status == 0
     said = {}
     for body in outcome.report["body_factors"]:
-        for source, values in body["said"].items():
+        for source, values in body["by_source"].items():
             told = [(body["body"], axis, value) for axis, value in zip("xyz", values) if value is not None]
             said.setdefault(source, []).extend(told)
     assert said["joint offset"] and said["scale file"]

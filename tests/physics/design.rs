@@ -256,7 +256,7 @@ fn with_a_model_an_indentation_writes_the_stiffness_and_nothing_else() {
     assert!(bench.text("out.osim").contains("scope partial; by design;"));
     // The tool reads its own result back as what was asked for.
     let ran = bench.run("drop-test out.osim --format json").done();
-    assert_close(object(&ran)["hertz_relative_indentation"].as_f64().unwrap(), 0.16, 1e-12, "x̂");
+    assert_close(object(&ran)["relative_indentation_hertz"].as_f64().unwrap(), 0.16, 1e-12, "x̂");
 }
 
 #[test]
@@ -336,7 +336,7 @@ fn a_design_of_everything_stands_for_the_model_and_can_be_scaled_on() {
     assert!(
         bench.text("out.osim").contains("contacts stand for 62 kg; gravity 9.81 m/s2; scope all; by design;")
     );
-    bench.run("out.osim --target-mass 500 --dry-run").done().says(&["contacts stand for 62 kg (note"]);
+    bench.run("out.osim --target-mass 500 --dry-run").done().says(&["contacts made for 62 kg (note"]);
 }
 
 #[test]

@@ -163,13 +163,13 @@ fn limits_are_told() {
 fn bad_tables_name_the_place() {
     let bench = Bench::new();
     for (text, words) in [
-        ("indentation,force\n0.001,1\n0.002,abc\n", ["line 3, column 'force'", "'abc' is no number"]),
+        ("indentation,force\n0.001,1\n0.002,abc\n", ["line 3, column 'force'", "'abc' is not a number"]),
         ("indentation,force\n0.001,1\n0.002,\n", ["line 3, column 'force'", "is empty"]),
         ("indentation,force\n0.001,1\n0.002\n", ["line 3", "1 cells, expected 2"]),
         ("indentation,force\n0.001,nan\n", ["line 2, column 'force'", "'nan'"]),
         ("indentation,force\n\"0,001\",1\n", ["line 2, column 'indentation'", "decimal comma"]),
         ("indentation;force\n1.000,5;1\n", ["line 2, column 'indentation'", "separators between thousands"]),
-        ("indentation,force\nm,N\n0.001,1\n", ["line 2, column 'indentation'", "'m' is no number"]),
+        ("indentation,force\nm,N\n0.001,1\n", ["line 2, column 'indentation'", "'m' is not a number"]),
         ("depth,load\n0.001,1\n", ["no column 'indentation'", "'depth', 'load'"]),
         ("", ["no column 'indentation'", "nothing"]),
         ("indentation,force\n0.001,1\n", ["1 rows are in contact", "at least 2"]),

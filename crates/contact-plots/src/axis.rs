@@ -115,7 +115,7 @@ fn exponent(value: f64) -> i32 {
     value.abs().log10().floor() as i32
 }
 
-/// Digits behind the point that tell values apart that are `step` apart.
+/// Digits after the point that distinguish values that are `step` apart.
 fn decimals(step: f64) -> usize {
     (0..12)
         .find(|&digits| {

@@ -35,7 +35,7 @@ type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<Scale, Scale>>
 /// Draws panels with one legend below them, as an SVG document.
 ///
 /// # Errors
-/// [`PlotError`]: no panel, a panel without a curve, or a point that is no finite number.
+/// [`PlotError`]: no panel, a panel without a curve, or a point that is not a finite number.
 pub fn figure(figure: &Figure) -> Result<String, PlotError> {
     if figure.panels.is_empty() {
         return Err(PlotError::Empty { what: "the figure has no panel" });

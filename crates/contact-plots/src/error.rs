@@ -5,7 +5,7 @@
 #[non_exhaustive]
 pub enum PlotError {
     /// A point is not a number.
-    #[error("the curve '{curve}' has a point that is no finite number, expected numbers only")]
+    #[error("the curve '{curve}' has a point that is not a finite number, expected numbers only")]
     NotFinite {
         /// The curve's label.
         curve: String,
@@ -16,8 +16,8 @@ pub enum PlotError {
         /// What is missing.
         what: &'static str,
     },
-    /// More curves than can be told apart.
-    #[error("{count} curves cannot be told apart, expected at most {most}")]
+    /// More curves than can be distinguished.
+    #[error("{count} curves cannot be distinguished, expected at most {most}")]
     TooMany {
         /// How many there are.
         count: usize,

@@ -58,7 +58,7 @@ pub struct HeatMap {
 /// Draws a heat map with its colour bar, as an SVG document.
 ///
 /// # Errors
-/// [`PlotError`]: fewer than two values along an axis, values that do not rise or are not above 0, a quantity that is no
+/// [`PlotError`]: fewer than two values along an axis, values that do not rise or are not above 0, a quantity that is not a
 /// finite number, or none at all.
 pub fn heat_map(map: &HeatMap) -> Result<String, PlotError> {
     let layout = HeatLayout::of(map)?;

@@ -98,7 +98,7 @@ pub struct ForceFigure {
 /// Draws force against indentation: Hertz, Hertz with cf and smoothed, as in Fig. C.5.
 ///
 /// # Errors
-/// [`PlotError`]: no body, more than [`Look::MOST_SERIES`], or a point that is no finite number.
+/// [`PlotError`]: no body, more than [`Look::MOST_SERIES`], or a point that is not a finite number.
 pub fn force_figure(data: &ForceFigure) -> Result<String, PlotError> {
     let description = match data.bodies.as_slice() {
         [one] if !one.own.is_empty() => format!(

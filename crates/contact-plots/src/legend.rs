@@ -15,7 +15,7 @@ const ROW_PT: f64 = 10.0;
 const SAMPLE_PT: f64 = 18.0;
 const GAP_PT: f64 = 4.0;
 
-/// What stands before the name.
+/// What is before the name.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Sample {
     Line(Look),

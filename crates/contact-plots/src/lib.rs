@@ -1,6 +1,6 @@
 //! Figures of contact forces: series of points in, SVG text out, and PNG from that; or letters for a terminal ([`text()`]).
 //!
-//! It computes no physics and reads no file. Whoever calls it brings the points ([`ForceCurves`], [`DropCurve`],
+//! It computes no physics and reads no file. Callers bring the points ([`ForceCurves`], [`DropCurve`],
 //! [`HeatMap`], …); what comes back is one SVG document as a `String`.
 //!
 //! ```
@@ -21,7 +21,7 @@
 //! # What a figure promises
 //!
 //! - It is drawn for a paper: 90 mm wide (one column) or 190 mm (the page), text of 7 and 8 pt in Arial or a font of the
-//!   same metrics. The size stands in its `width` and `height`; a page may override it, the `viewBox` scales.
+//!   same metrics. The size is in its `width` and `height`; a page may override it, the `viewBox` scales.
 //! - Curves differ in dash as well as in colour, colours are those of Okabe and Ito, heat maps are viridis: readable
 //!   without colour vision and in grey. The background is white.
 //! - It has `role="img"`, a `<title>` and a `<desc>`, and no `id`: several stand inline in one page without a clash.

@@ -123,7 +123,7 @@ impl Look {
         Self::of((0x22, 0x22, 0x22), Dash::Dotted, 0.8),
     ];
 
-    /// How many series can be told apart.
+    /// How many series can be distinguished.
     pub const MOST_SERIES: usize = Self::SERIES.len();
 
     const fn of(colour: (u8, u8, u8), dash: Dash, width_pt: f64) -> Self {

@@ -7,7 +7,7 @@ use crate::figure::{Panel, Point};
 
 /// The curves of a panel with its axes, in lines of at most `columns` letters, `rows` of them between the axes.
 ///
-/// Areas, limits, marks and how curves look are left out: letters could not tell them apart.
+/// Areas, limits, marks and how curves look are left out: letters could not distinguish them.
 ///
 /// ```
 /// use contact_plots::{Axis, Curve, Look, Panel, text};

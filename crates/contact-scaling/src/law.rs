@@ -42,7 +42,7 @@ impl Law {
 
     /// Normal force at rest (ẋ = 0), in N, at the indentation x (m): (1), or (C.9) for a smoothed law.
     ///
-    /// Whatever is told of a body at rest follows from this: where it rests, how stiff it stands, what just touches.
+    /// Everything about a body at rest follows from this: where it rests, how stiff it stands, what just touches.
     ///
     /// ```
     /// # use contact_scaling::{falisse2022, Law};
@@ -89,7 +89,7 @@ impl Law {
 /// Equal spheres of a body: their law and how many there are.
 ///
 /// The count may be any number above 0, so that a load shared by part of the spheres (one stance limb of two)
-/// can be told.
+/// can be described.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spheres {
     law: Law,

@@ -113,7 +113,7 @@ pub const TOUCHING_SHARE: Limit = Limit::at_most(
      \"does not have the issue\", have 0.074",
 );
 
-/// The fraction t of the contact state from which, and up to 1 − t, the width of the contact transition is told
+/// The fraction t of the contact state from which, and up to 1 − t, the width of the contact transition is given
 /// (section C.2).
 pub const TRANSITION_THRESHOLD: f64 = 0.05;
 

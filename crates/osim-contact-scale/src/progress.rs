@@ -40,9 +40,9 @@ impl Progress {
         self.bar.inc(1);
     }
 
-    /// Lets `tell` write to the terminal between two pictures of the bar.
-    pub(crate) fn suspended<T>(&self, tell: impl FnOnce() -> T) -> T {
-        if self.bar.is_hidden() { tell() } else { self.bar.suspend(tell) }
+    /// Lets `write` write to the terminal between two pictures of the bar.
+    pub(crate) fn suspended<T>(&self, write: impl FnOnce() -> T) -> T {
+        if self.bar.is_hidden() { write() } else { self.bar.suspend(write) }
     }
 
     pub(crate) fn end(&self) {

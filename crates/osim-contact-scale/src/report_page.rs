@@ -23,7 +23,7 @@ const HEAD: u64 = 1024;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Replace {
     Never,
-    /// Pages of this program: a run that goes on writes its page anew.
+    /// Pages of this program: a run that goes on writes its page again.
     Pages,
     /// Any file.
     Files,
@@ -39,7 +39,7 @@ impl ReportPage {
     /// Begins the page that `path` will hold.
     ///
     /// # Errors
-    /// A name that is no page's, a file that is there already, or a folder that cannot be written.
+    /// A name that is not a page's, a file that is there already, or a folder that cannot be written.
     pub(crate) fn begin(path: &Path, replace: Replace, about: About, session: &Session) -> Result<Self> {
         let words = session.words;
         check_name(path, words)?;
@@ -68,7 +68,7 @@ impl ReportPage {
         self.page.add(entry);
     }
 
-    /// Ends the page, if there is one; what cannot be written is told.
+    /// Ends the page, if there is one; what cannot be written is reported.
     pub(crate) fn end(page: Option<Self>, session: &mut Session) -> Exit {
         match page.map_or(Ok(()), |page| page.finish(session)) {
             Ok(()) => Exit::Done,
@@ -106,7 +106,7 @@ fn check_name(path: &Path, words: Words) -> Result<()> {
     }
 }
 
-/// Text that waits in a nameless file until what stands before it on the page is known.
+/// Text that waits in a nameless file until what is before it on the page is known.
 struct NamelessFile(BufWriter<File>);
 
 impl NamelessFile {

@@ -19,7 +19,7 @@ pub(crate) struct Session {
 }
 
 impl Session {
-    /// Tells of a failure; scripts that read JSON get it there, too.
+    /// Reports a failure; scripts that read JSON get it there, too.
     pub(crate) fn fail(&mut self, failure: &Failure, json: bool) -> Result<Exit> {
         if json {
             self.terminal.print(&line(&FailureRecord::new(failure, self.words)))?;

@@ -86,7 +86,7 @@ impl Terminal {
         }
     }
 
-    /// A failure, on standard error; where even that is closed there is nobody to tell.
+    /// A failure, on standard error; where even that is closed nobody can read it.
     pub(crate) fn error(&mut self, text: &str) {
         let _ = io::stderr().lock().write_all(text.as_bytes());
     }

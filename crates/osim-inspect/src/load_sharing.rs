@@ -48,7 +48,7 @@ impl LoadSharing {
     /// n: as `given`, else the spheres of a limb times the `stance_limbs`. `of` says whose spheres a question is about.
     ///
     /// # Errors
-    /// None was given, and left and right cannot be told, or limbs have different numbers of spheres.
+    /// None was given, and left and right are not known, or limbs have different numbers of spheres.
     pub fn count(&self, given: Option<f64>, stance_limbs: f64, of: CountOf) -> Result<f64, Fault> {
         if let Some(count) = given {
             return Ok(count);
@@ -59,7 +59,7 @@ impl LoadSharing {
         }
     }
 
-    /// n while the body stands on limbs like `limb`: figures are told for each limb, even where limbs differ.
+    /// n while the body stands on limbs like `limb`: figures are given for each limb, even where limbs differ.
     #[must_use]
     pub fn count_on(limb: &Limb, given: Option<f64>, stance_limbs: f64) -> f64 {
         given.unwrap_or_else(|| on_limbs(limb.spheres.len(), stance_limbs))

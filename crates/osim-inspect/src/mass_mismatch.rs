@@ -3,7 +3,7 @@
 use osim_model::wording::{Input, Phrase, phrase};
 use osim_model::{MassRequest, MassSource, Model, readable, same_mass};
 
-/// The two masses, where the note in the file tells one and the bodies another, and nobody says which is meant.
+/// The two masses, where the note in the file says one and the bodies another, and no option says which is meant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MassMismatch {
     body_kg: f64,
@@ -36,7 +36,7 @@ impl MassMismatch {
         ]
     }
 
-    /// The same behind a finding.
+    /// The same after a finding.
     pub(crate) fn aside(&self) -> Phrase {
         let (body, contacts) = (readable(self.body_kg), readable(self.contacts_kg));
         phrase![

@@ -17,7 +17,7 @@ pub fn sha256_of_parts<'p>(parts: impl Iterator<Item = &'p [u8]>) -> String {
     hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// Stands for a name where very many are compared: no two names that anybody ever met share one.
+/// Used in the place of a name where very many are compared: no two names that anybody ever met share one.
 pub(crate) type NameDigest = [u8; 16];
 
 /// The first half of the SHA-256 of a name.

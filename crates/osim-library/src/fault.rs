@@ -12,7 +12,7 @@ pub struct LibraryFault {
 }
 
 impl LibraryFault {
-    /// In words; what the reader can say stands in them as data.
+    /// In words; what the reader can say is in them as data.
     pub fn new(message: impl Into<Phrase>) -> Self {
         Self { message: message.into() }
     }
@@ -22,7 +22,7 @@ impl LibraryFault {
         Self::new(format!("{what}: {why}"))
     }
 
-    /// The same, behind what could not be done because of it.
+    /// The same, after what could not be done because of it.
     #[must_use]
     pub fn within(self, what: impl Display) -> Self {
         let mut message = Phrase::from(format!("{what}: "));
@@ -57,10 +57,10 @@ impl Display for LibraryFault {
 
 impl std::error::Error for LibraryFault {}
 
-/// Says what could not be done, where something else tells why.
+/// Says what could not be done, where something else says why.
 pub(crate) trait Context<T> {
     /// # Errors
-    /// The same, behind `what`.
+    /// The same, after `what`.
     fn context<D: Display>(self, what: impl FnOnce() -> D) -> Result<T, LibraryFault>;
 }
 

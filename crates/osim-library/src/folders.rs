@@ -9,7 +9,7 @@ use crate::fault::{Context, LibraryFault};
 use crate::paths::{folder_of, resolved};
 use crate::write::temporary;
 
-/// What stood in the folders when the run began.
+/// What was in the folders when the run began.
 #[derive(Debug, Default)]
 pub struct Folders {
     compiled: HashMap<PathBuf, Vec<String>>,

@@ -2,7 +2,7 @@
 //!
 //! # What it will not do
 //!
-//! It knows no terminal: what is to be told goes through [`run::FrontEnd`] and is data until then.
+//! It knows no terminal: what is to be reported goes through [`run::FrontEnd`] and is data until then.
 
 mod digest;
 mod fault;

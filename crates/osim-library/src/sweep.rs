@@ -16,9 +16,9 @@ use crate::source::{FOLDER_MARK, Loaded, Origin, Source, Stamp};
 use crate::workers::{in_order, threads};
 use crate::write::{Mode, Prepared};
 
-/// Whoever asks for a sweep. Its methods are called on the threads that do the work.
+/// The caller of a sweep. Its methods are called on the threads that do the work.
 pub trait SweepFrontEnd: Sync {
-    /// Whether no further variant shall be begun.
+    /// Whether no further variant should be started.
     fn is_interrupted(&self) -> bool;
 
     /// One more variant is made.
@@ -47,7 +47,7 @@ pub struct SweepEnd {
     pub not_begun: usize,
 }
 
-/// What became of a variant.
+/// The outcome for a variant.
 enum Made {
     Row(Vec<u8>),
     Failed(Failure),

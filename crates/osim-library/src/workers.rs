@@ -1,4 +1,4 @@
-//! Work on many models at once, told in the order in which they were named.
+//! Work on many models at once, reported in the order in which they were named.
 
 use std::collections::VecDeque;
 use std::num::NonZeroUsize;
@@ -9,7 +9,7 @@ use rayon::ThreadPoolBuilder;
 
 use crate::fault::{Context, LibraryFault};
 
-/// How many results may wait for an earlier one. A slow model holds up the reports behind it, never the memory.
+/// How many results may wait for an earlier one. A slow model holds up the reports after it, never the memory.
 const WINDOW: usize = 512;
 
 /// Threads to use: those asked for, else one per processor; never more than there are items.
@@ -37,7 +37,7 @@ pub fn in_order<T: Sync, R: Send, E: From<LibraryFault>>(
     pool.in_place_scope_fifo(|scope| {
         let mut waiting: VecDeque<Option<R>> = VecDeque::new();
         let mut begun = 0;
-        let mut told = items.iter();
+        let mut waiting_items = items.iter();
         loop {
             while let Some(item) = items.get(begun).filter(|_| waiting.len() < WINDOW) {
                 let (sender, index) = (sender.clone(), begun);
@@ -55,7 +55,7 @@ pub fn in_order<T: Sync, R: Send, E: From<LibraryFault>>(
                 *place = Some(result);
             }
             while waiting.front().is_some_and(Option::is_some) {
-                if let (Some(Some(result)), Some(item)) = (waiting.pop_front(), told.next()) {
+                if let (Some(Some(result)), Some(item)) = (waiting.pop_front(), waiting_items.next()) {
                     each(item, result)?;
                 }
             }
@@ -74,7 +74,7 @@ mod tests {
     fn results_come_in_the_order_of_the_items_whoever_is_ready_first() {
         let items: Vec<usize> = (0..2000).collect();
         for threads in [1, 2, 7] {
-            let mut told = Vec::new();
+            let mut reported = Vec::new();
             let slow = |&item: &usize| {
                 if item.is_multiple_of(500) {
                     std::thread::sleep(Duration::from_millis(5));
@@ -82,11 +82,11 @@ mod tests {
                 item * 2
             };
             in_order(&items, threads, slow, |&item, result| {
-                told.push((item, result));
+                reported.push((item, result));
                 Ok::<(), LibraryFault>(())
             })
             .unwrap();
-            assert_eq!(told, items.iter().map(|&item| (item, item * 2)).collect::<Vec<_>>());
+            assert_eq!(reported, items.iter().map(|&item| (item, item * 2)).collect::<Vec<_>>());
         }
     }
 

@@ -15,7 +15,7 @@ use crate::xml::ElementId;
 pub struct Anatomy {
     /// Names of the bodies, in file order.
     pub bodies: Vec<String>,
-    /// Per body: mesh file (numbered where it repeats) and its scale factors along x, y and z; NaN where they are no numbers.
+    /// Per body: mesh file (numbered where it repeats) and its scale factors along x, y and z; NaN where they are not numbers.
     pub meshes: BTreeMap<String, BTreeMap<String, [f64; 3]>>,
     /// Per body: translations of frames that are fixed to it, m, by the name of the joint or frame.
     pub offsets: BTreeMap<String, BTreeMap<String, [f64; 3]>>,
@@ -156,7 +156,7 @@ fn file_of(document: &Document, element: ElementId, tag: &str) -> String {
     tree.child(element, tag).map(|file| tree.text_of(file)).unwrap_or_default()
 }
 
-/// Factors that are written but are no numbers stay visible as NaN: they must not pass for 1.
+/// Factors that are written but are not numbers stay visible as NaN: they must not pass for 1.
 fn scale(document: &Document, element: ElementId) -> [f64; 3] {
     let missing = document.tree().child(element, "scale_factors").is_none();
     document.triple(element, "scale_factors").unwrap_or([if missing { 1.0 } else { f64::NAN }; 3])

@@ -2,7 +2,7 @@
 
 use crate::number::shortest;
 
-/// What becomes of a property.
+/// What happens to a property.
 ///
 /// Exhaustive: there is nothing between a value and a factor.
 ///

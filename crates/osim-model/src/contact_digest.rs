@@ -27,7 +27,7 @@ impl Model {
     /// Digest of all contact values: parameters of every contact force and radii of their spheres.
     ///
     /// `changed` gives the new value of those that a plan changes. The same numbers have the same digest whatever their
-    /// spelling and wherever they stand in the file.
+    /// spelling and wherever they are in the file.
     #[must_use]
     pub fn contact_digest(&self, changed: impl Fn(ValueKey) -> Option<f64>) -> String {
         let mut hash = Sha256::new();

@@ -141,7 +141,7 @@ impl Document {
         }
     }
 
-    /// Elements whose contents stand in another file, and that file as written: `<ForceSet file="x.xml"/>`.
+    /// Elements whose contents are in another file, and that file as written: `<ForceSet file="x.xml"/>`.
     #[must_use]
     pub fn included_files(&self) -> Vec<(ElementId, String)> {
         if !may_include(self.bytes()) {

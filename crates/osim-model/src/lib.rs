@@ -1,7 +1,7 @@
-//! What stands in an OpenSim model: bodies, limbs, contact spheres and contact forces, typed, each value with its place.
+//! What is in an OpenSim model: bodies, limbs, contact spheres and contact forces, typed, each value with its place.
 //!
 //! The reading direction never turns back: bytes → [`Document`] (exact spans) → [`Model`] (typed, effective values).
-//! Nothing is decoded and encoded again; a [`Slot`] says where a property stands, for whoever wants to change it
+//! Nothing is decoded and encoded again; a [`Slot`] says where a property stands, for code that changes it
 //! (the crate `osim-patch` does).
 //!
 //! ```
@@ -28,7 +28,7 @@
 //!
 //! # What it will not do
 //!
-//! It knows no file system (only [`files::Files`]), no terminal and no options: what the caller can say stands in messages as
+//! It knows no file system (only [`files::Files`]), no terminal and no options: what the caller can say is in messages as
 //! a [`wording::Input`]. It reads what a model says, not what OpenSim would make of a file it cannot load.
 
 mod anatomy;

@@ -224,7 +224,7 @@ impl Model {
             _ => {
                 let unknown = group.iter().find(|footing| footing.side.is_none()).and_then(|f| f.way.last());
                 let body = unknown.map(|&id| self.components().name(id)).unwrap_or(name);
-                Err(format!("whether body {body} is left or right cannot be told from its name"))
+                Err(format!("whether body {body} is left or right cannot be determined from its name"))
             }
         }
     }

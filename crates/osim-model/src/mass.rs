@@ -166,7 +166,7 @@ impl MassRequest {
         let differs = |kg: f64| !same_mass(kg, taken.kg) && !expected(kg);
         let warning = |(kg, source): (f64, Phrase)| {
             let message = phrase![
-                format!("contacts are taken to stand for {} kg (", shortest(taken.kg)),
+                format!("contacts are taken as made for {} kg (", shortest(taken.kg)),
                 &taken.source.describe(),
                 "), but ",
                 &source,

@@ -106,7 +106,7 @@ impl Note {
         fields.next().is_none().then_some(note)
     }
 
-    /// The comment as it stands in the file: one line, no `--` inside.
+    /// The comment as it is in the file: one line, no `--` inside.
     #[must_use]
     pub fn comment(&self) -> String {
         let gravity = self.gravity_m_s2.map_or("unknown".to_owned(), |g| format!("{} m/s2", shortest(g)));

@@ -21,7 +21,7 @@ pub struct Pattern {
     matcher: GlobSet,
 }
 
-/// Why a text is no pattern, in words.
+/// Why a text is not a pattern, in words.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{0}")]
 pub struct PatternError(String);

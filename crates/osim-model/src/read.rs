@@ -33,7 +33,7 @@ impl Model {
     /// Reads a model from its main file and the companions that belong to it.
     ///
     /// # Errors
-    /// A document that is no model and no force set with its geometry, or a connection that leads nowhere.
+    /// A document that is not a model and no force set with its geometry, or a connection that leads nowhere.
     pub fn read_with(document: Document, companions: Vec<Companion>) -> Result<Self, Fault> {
         check_data_root(&document, companions.is_empty()).map_err(|fault| fault.located(document.bytes()))?;
         let components = Components::new(document, companions);

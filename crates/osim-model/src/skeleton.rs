@@ -18,7 +18,7 @@ pub struct Body {
     pub path: String,
     /// `mass` in kg; NaN where the file gives none. [`Body::mass_kg`] checks it.
     pub mass: Value,
-    /// The file it stands in.
+    /// The file it is in.
     pub file: FileId,
 }
 
@@ -26,7 +26,7 @@ impl Body {
     /// The mass, if it is one plain number that is not negative.
     ///
     /// # Errors
-    /// No mass, or a text that is no plain number, with its place.
+    /// No mass, or a text that is not a plain number, with its place.
     pub fn mass_kg(&self) -> Result<f64, Fault> {
         let missing = self.mass.origin == Origin::ClassDefault && self.mass.fault.is_none();
         let fault = if missing {

@@ -58,7 +58,7 @@ pub struct Value {
     pub origin: Origin,
     /// The number's bytes in its file, where the object's own element has it.
     pub span: Option<Range<usize>>,
-    /// Why the text is no plain number, if it is not; then `number` is still what OpenSim reads.
+    /// Why the text is not a plain number, if it is not; then `number` is still what OpenSim reads.
     pub fault: Option<NumberFault>,
     /// As written (empty for a class default).
     pub text: String,

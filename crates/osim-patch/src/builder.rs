@@ -162,7 +162,7 @@ impl<'m> PlanBuilder<'m> {
         Err(Fault::new(kind).of(path))
     }
 
-    /// Says once that a cf of 0 is no other cf in a larger or smaller model.
+    /// Says once that a cf of 0 is also 0 in a larger or smaller model.
     fn warn_zero_stays(&mut self, change: &Change) {
         let code = FindingCode::ZeroConstantContactForce;
         let scaled = change.factor.is_some_and(|factor| factor != 1.0);

@@ -77,7 +77,7 @@ pub struct Design {
     pub state_width: Option<(f64, f64)>,
     /// Threshold t, without a unit, and width Δv in m/s of (C.10).
     pub speed_width: Option<(f64, f64)>,
-    /// What becomes of the radii, unless a stiffness is wanted.
+    /// What happens to the radii, unless a stiffness is wanted.
     pub radius: RadiusRule,
     /// Stiffness of one sphere at the indentation and load wanted, N/m: it gives the radius (11, B.2), and `radius` does not
     /// count then.
@@ -155,7 +155,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
     ))
 }
 
-/// A force with what becomes of its radius.
+/// A force with its new radius.
 struct DesignedForce<'f> {
     force: &'f Force,
     /// New, m.

@@ -39,11 +39,11 @@ pub struct LoadedSphere {
     pub contact: Contact,
 }
 
-/// Every moving sphere that an applied force among `forces` presses on a half-space; one that two forces press is there
+/// Every moving sphere that an applied force among `forces` presses on a half-space; one that two forces press appears
 /// twice.
 ///
 /// # Errors
-/// A value that is no plain number or outside its domain, with its place.
+/// A value that is not a plain number or outside its domain, with its place.
 pub fn loaded_spheres(model: &Model, forces: &[ForceId]) -> Result<Vec<LoadedSphere>, Fault> {
     let values = PlanBuilder::new(model);
     let mut loaded = Vec::new();

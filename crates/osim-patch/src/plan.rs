@@ -120,7 +120,7 @@ impl Move {
 }
 
 /// Everything that is to be done to one model: made by [`rescale`](crate::rescale), [`transfer`](crate::transfer()),
-/// [`design`](crate::design()) or [`set`](crate::set()), shown and written by whoever asked.
+/// [`design`](crate::design()) or [`set`](crate::set()), shown and written by the caller.
 ///
 /// ```
 /// # use osim_model::{FileId, MassRequest, Model, Selection};
@@ -253,7 +253,7 @@ impl Plan {
         self.warnings.iter_mut().for_each(|warning| warning.spell(dialect));
     }
 
-    /// The files that come of it: the model's own, and the geometry set of a standalone force set where that changes, too.
+    /// The files that result: the model's own, and the geometry set of a standalone force set where that changes, too.
     pub fn files(&self, model: &Model) -> impl Iterator<Item = FileId> {
         let others = model.companions().map(|(file, _)| file);
         let changed = others.filter(|&file| !self.edits(model, file).is_empty());

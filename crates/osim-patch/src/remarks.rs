@@ -46,7 +46,6 @@ pub(crate) fn rest_remark(rests: &[f64]) -> Option<Phrase> {
     let most = rests.iter().copied().reduce(f64::max).map(four)?;
     let range = if least == most { most } else { format!("{least} to {most}") };
     Some(
-        format!("by the model's own law, (C.9) at speed 0, spheres rest at x/R = {range} under this load")
-            .into(),
+        format!("by the model's law, (C.9) at speed 0, spheres rest at x/R = {range} under this load").into(),
     )
 }

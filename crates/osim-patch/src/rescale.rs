@@ -42,7 +42,7 @@ pub struct Rescale {
     pub target_mass_kg: f64,
     /// The mass they were made for.
     pub contacts_mass: Mass,
-    /// What becomes of the radii.
+    /// What happens to the radii.
     pub radius: RadiusRule,
     /// Which properties may change.
     pub properties: PropertySet,
@@ -78,7 +78,7 @@ impl Rescale {
 ///
 /// # Errors
 /// - A value of the model that cannot be scaled, with its place ([`FaultKind::Number`](osim_model::FaultKind::Number),
-///   [`FaultKind::Domain`](osim_model::FaultKind::Domain)), or that stands in an included file or in `<defaults>`.
+///   [`FaultKind::Domain`](osim_model::FaultKind::Domain)), or that is in an included file or in `<defaults>`.
 /// - A sphere whose radius would change and that a force which is not `selected` needs as it is
 ///   ([`Needed::SharedSphere`]).
 /// - A mass or gravity that is not above 0, or that is not known ([`Needed::GravityNow`], [`Needed::ContactsGravity`]).
@@ -150,7 +150,7 @@ fn gravity_now(model: &Model, wanted: &Rescale) -> Result<Option<f64>, Fault> {
 
 fn already_there(origin: f64, mass: &Mass) -> Finding {
     let message = phrase![
-        format!("contacts are taken to stand for {} kg already (", shortest(origin)),
+        format!("contacts are taken as made for {} kg already (", shortest(origin)),
         &mass.source.describe(),
         "); if they were made for another mass, say ",
         Input::ContactsMass.like("KG"),
@@ -177,7 +177,7 @@ fn finish(plan: PlanBuilder<'_>, wanted: &Rescale, selected: &Selected, radii: O
     let to_kg = if changes.is_empty() { wanted.contacts_mass.kg } else { wanted.target_mass_kg };
     let from = wanted.contacts_mass.clone();
     let mut taken =
-        phrase![format!("contacts stand for {} kg (", readable(from.kg)), &from.source.describe(), ")",];
+        phrase![format!("contacts made for {} kg (", readable(from.kg)), &from.source.describe(), ")",];
     if !changes.is_empty() {
         let ratio = readable(to_kg / from.kg);
         taken.push(format!("; scaled to {} kg (mass x{ratio})", readable(to_kg)));

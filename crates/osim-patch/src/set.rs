@@ -45,7 +45,7 @@ impl New {
 #[derive(Debug, Clone, PartialEq, Default)]
 #[non_exhaustive]
 pub struct Set {
-    /// Properties and what becomes of them.
+    /// Properties and what happens to them.
     pub assignments: Vec<(Property, Assignment)>,
     /// The mass that the contacts were made for, where known; it stays.
     pub contacts_mass: Option<Mass>,
@@ -117,7 +117,7 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
     }
     let mut taken = phrase![];
     if let Some(mass) = &wanted.contacts_mass {
-        taken.push(format!("contacts stand for {} kg (", readable(mass.kg)));
+        taken.push(format!("contacts made for {} kg (", readable(mass.kg)));
         taken.push(&mass.source.describe());
         taken.push("); ");
     }

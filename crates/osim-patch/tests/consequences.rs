@@ -90,7 +90,7 @@ fn how_far_bottoms_move_is_said_with_its_direction() {
 fn the_first_line_says_by_how_much() {
     assert_eq!(
         rescaled(ONE_FOOT, |_| ()).taken.to_string(),
-        "contacts stand for 10 kg (`contacts_mass`); scaled to 80 kg (mass x8)"
+        "contacts made for 10 kg (`contacts_mass`); scaled to 80 kg (mass x8)"
     );
 }
 

@@ -24,7 +24,7 @@
 //! # What it will not do
 //!
 //! It knows no files, no arguments and no terminal, computes nothing of its own, and decides nothing: plans, inspections and
-//! checks are told as they are.
+//! checks are shown as they are.
 
 pub mod check;
 pub mod dialect;

@@ -80,7 +80,7 @@ impl Inspector {
     /// Everything about a model.
     ///
     /// # Errors
-    /// The generic model cannot be read, or factors cannot be told.
+    /// The generic model cannot be read, or factors cannot be determined.
     pub fn inspect(&self, opened: &OpenModel) -> Result<Inspection, Failure> {
         let factors = match &self.generic {
             None => None,
@@ -94,7 +94,7 @@ impl Inspector {
         Ok(self.options.inspect(opened.name(), &opened.model, factors.as_ref()))
     }
 
-    /// What is wrong with a model that was inspected; `compiled` tells of files that other programs would read instead of it.
+    /// What is wrong with a model that was inspected; `compiled` names files that other programs would read instead of it.
     #[must_use]
     pub fn check(&self, model: &Model, inspected: &Inspection, compiled: Option<&Finding>) -> CheckResult {
         check_model(&self.options, model, inspected, compiled)

@@ -14,7 +14,7 @@ use crate::value::path;
 /// What some editors write before a text in UTF-8.
 const UTF8_MARK: &[u8] = b"\xEF\xBB\xBF";
 
-/// What stands before a text in UTF-16, as PowerShell's `>` writes it.
+/// What is before a text in UTF-16, as PowerShell's `>` writes it.
 const UTF16_MARKS: [&[u8]; 2] = [b"\xFF\xFE", b"\xFE\xFF"];
 
 /// Fields that name files to be read.
@@ -35,7 +35,7 @@ impl Request {
     /// Reads a request from a JSON object that has its verb and its fields.
     ///
     /// # Errors
-    /// It is no JSON object, has no verb, or as [`Request::read`].
+    /// It is not a JSON object, has no verb, or as [`Request::read`].
     pub fn from_json(bytes: &[u8]) -> Result<Self, RequestFault> {
         let text = bytes.strip_prefix(UTF8_MARK).unwrap_or(bytes);
         if UTF16_MARKS.iter().any(|mark| text.starts_with(mark)) {
@@ -43,7 +43,7 @@ impl Request {
         }
         let value = unique::from_slice(text).map_err(|error| match error.classify() {
             Category::Data => RequestFault::general(error.to_string()),
-            _ => RequestFault::general(format!("this is no JSON: {error}")),
+            _ => RequestFault::general(format!("this is not JSON: {error}")),
         })?;
         match value {
             Value::Object(fields) => Self::from_map(fields),

@@ -31,7 +31,7 @@ fn read(path: &Path, files: &dyn Files) -> Result<Vec<u8>, Failure> {
 /// Reads the Scale Tool's applied factors.
 ///
 /// # Errors
-/// The file cannot be read, or is no ScaleSet.
+/// The file cannot be read, or is not a ScaleSet.
 pub fn scale_file(path: &Path, files: &dyn Files) -> Result<ScaleFile, Failure> {
     let bytes = read(path, files)?;
     let document = Document::parse(bytes).map_err(|fault| Failure::of_fault(path, fault))?;

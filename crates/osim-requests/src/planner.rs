@@ -28,7 +28,7 @@ pub trait Planner: Send + Sync {
         if no_note {
             plan.without_note();
             if model.note.is_some() && !plan.is_empty() {
-                let text = "the note is removed: the next run cannot know what the contacts stand for";
+                let text = "the note is removed: the next run cannot know what the contacts are made for";
                 plan.remarks.push(text.into());
             }
         }

@@ -67,7 +67,7 @@ impl TryFrom<&Remedy> for Request {
                 let set: Assignments = assignments.iter().copied().collect();
                 SetRequest { models, set, choice, set_files, ..SetRequest::default() }.into()
             }
-            _ => return Err(RequestFault::general("this remedy is no request")),
+            _ => return Err(RequestFault::general("this remedy is not a request")),
         })
     }
 }

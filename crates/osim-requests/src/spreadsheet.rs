@@ -9,7 +9,7 @@ pub(crate) struct Sheet {
     pub header: Vec<String>,
     pub rows: Vec<Row>,
     delimiter: u8,
-    /// A country's spreadsheet wrote it whose decimal mark is the comma: semicolons part the cells, or some number has one.
+    /// A country's spreadsheet wrote it whose decimal mark is the comma: semicolons separate the cells, or some number has one.
     pub decimal_commas: bool,
 }
 
@@ -24,7 +24,7 @@ impl Sheet {
     /// Reads a whole table.
     ///
     /// # Errors
-    /// It is no text in UTF-8, or a row has more or fewer cells than the header: with the line.
+    /// It is not text in UTF-8, or a row has more or fewer cells than the header: with the line.
     pub(crate) fn read(bytes: &[u8]) -> Result<Self, String> {
         if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") || bytes.contains(&0) {
             return Err("the file is UTF-16 or binary: save it as CSV in UTF-8".to_owned());
@@ -55,7 +55,7 @@ impl Sheet {
         if !unequal.is_empty() {
             let hint = match delimiter {
                 b',' => {
-                    "a number with a decimal comma needs a point instead, or columns that are parted by ;"
+                    "a number with a decimal comma needs a point instead, or columns that are separated by ;"
                 }
                 _ => "a cell that holds the mark between columns needs quotation marks",
             };
@@ -67,7 +67,7 @@ impl Sheet {
         Ok(Self { header, rows, delimiter, decimal_commas })
     }
 
-    /// A number's text with a decimal point. A decimal comma is clear only where commas do not part the cells.
+    /// A number's text with a decimal point. A decimal comma is clear only where commas do not separate the cells.
     ///
     /// # Errors
     /// The comma may mean something else.
@@ -84,7 +84,7 @@ struct Lines<'b> {
 }
 
 impl Lines<'_> {
-    /// Line of the first letter of the record that begins at `start`, or behind the line ends there.
+    /// Line of the first letter of the record that begins at `start`, or after the line ends there.
     fn of(&mut self, start: u64) -> u64 {
         let start = usize::try_from(start).unwrap_or(self.bytes.len());
         let rest = self.bytes.get(start..).unwrap_or_default();
@@ -96,7 +96,7 @@ impl Lines<'_> {
     }
 }
 
-/// `;` and tabs part the cells where commas are decimal; the first line tells.
+/// `;` and tabs separate the cells where commas are decimal; the first line shows which.
 fn delimiter(bytes: &[u8]) -> u8 {
     let first = bytes.split(|&byte| byte == b'\n').next().unwrap_or_default();
     [b';', b'\t'].into_iter().find(|delimiter| first.contains(delimiter)).unwrap_or(b',')
@@ -112,7 +112,7 @@ fn with_point(cell: &str, delimiter: u8) -> Result<Cow<'_, str>, &'static str> {
     match (cell.matches(',').count(), cell.contains('.')) {
         (0, _) => Ok(cell.into()),
         (1, false) if delimiter != b',' => Ok(cell.replace(',', ".").into()),
-        (1, false) => Err("has a decimal comma: part the columns by ; or write a decimal point"),
+        (1, false) => Err("has a decimal comma: separate the columns by ; or write a decimal point"),
         _ => Err("has separators between thousands, expected a plain number"),
     }
 }

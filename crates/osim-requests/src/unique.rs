@@ -1,4 +1,4 @@
-//! JSON in which no name stands twice: of two values, nobody can tell which one was meant.
+//! JSON in which no name appears twice: of two values, nobody can know which one was meant.
 
 use std::fmt;
 
@@ -8,7 +8,7 @@ use serde_json::{Map, Number, Value};
 /// Reads a JSON text.
 ///
 /// # Errors
-/// It is no JSON, or an object in it has a name twice.
+/// It is not JSON, or an object in it has a name twice.
 pub(crate) fn from_slice(text: &[u8]) -> Result<Value, serde_json::Error> {
     let mut reader = serde_json::Deserializer::from_slice(text);
     let value = Unique.deserialize(&mut reader)?;
@@ -70,7 +70,7 @@ impl<'d> Visitor<'d> for Unique {
         while let Some(name) = fields.next_key::<String>()? {
             let value = fields.next_value_seed(Self)?;
             if map.contains_key(&name) {
-                return Err(A::Error::custom(format!("'{name}' is there twice")));
+                return Err(A::Error::custom(format!("'{name}' appears twice")));
             }
             map.insert(name, value);
         }
@@ -92,7 +92,7 @@ mod tests {
     fn a_name_that_is_there_twice_is_refused_at_any_depth() {
         for text in [r#"{"a": 1, "a": 1}"#, r#"[{"b": {"a": 1, "c": 2, "a": null}}]"#] {
             let error = from_slice(text.as_bytes()).unwrap_err().to_string();
-            assert!(error.contains("'a' is there twice at line 1"), "{error}");
+            assert!(error.contains("'a' appears twice at line 1"), "{error}");
         }
         for text in ["", "{", "1 2", "nul"] {
             assert!(from_slice(text.as_bytes()).is_err(), "{text}");

@@ -73,11 +73,11 @@ fn a_wrong_field_is_named_with_what_to_write() {
         assert!(fault.to_string().contains(hint), "{fields}: {fault}");
     }
     for (text, hint) in [
-        ("{", "this is no JSON"),
+        ("{", "this is not JSON"),
         ("[]", "expected a JSON object"),
         ("{}", "`verb` is missing"),
-        ("{\"verb\": \"rescale\", \"verb\": \"set\"}", "'verb' is there twice at line 1 column"),
-        ("{\"verb\": \"set\", \"set\": {\"radius\": 1, \"radius\": 2}}", "'radius' is there twice"),
+        ("{\"verb\": \"rescale\", \"verb\": \"set\"}", "'verb' appears twice at line 1 column"),
+        ("{\"verb\": \"set\", \"set\": {\"radius\": 1, \"radius\": 2}}", "'radius' appears twice"),
         ("{\"verb\": \"rescal\"}", "expected one of rescale, transfer"),
         ("{\"verb\": \"rescale\", \"target_mass\": 5}", "`models` is missing"),
     ] {

@@ -32,6 +32,14 @@ pub enum Error {
         /// What is wrong with it.
         message: String,
     },
+    /// A list of words that cannot be understood.
+    #[error("{}: {message}", path.display())]
+    Words {
+        /// Which one.
+        path: PathBuf,
+        /// What is wrong with it.
+        message: String,
+    },
     /// A `mod x;` without a file.
     #[error("{file}:{line}: no file for the module {name}")]
     NoFile {

@@ -45,6 +45,12 @@
 //!
 //! [`Workspace::too_large`]: lines as an editor counts them. Of crates and folders, test code does not count.
 //!
+//! # Words
+//!
+//! [`Words`] is a list of words that texts must not use, each with what to write instead:
+//! [`Workspace::forbidden`] looks for them in texts and doc comments, [`Words::in_prose`] in any text and
+//! [`Words::in_schema`] in JSON Schemas.
+//!
 //! # What it cannot see
 //!
 //! It reads the source and expands nothing, so
@@ -72,5 +78,8 @@ mod uses;
 mod workspace;
 
 pub use error::Error;
-pub use rules::{Arrow, Ban, Banned, Circle, LayerFault, Limits, Measured, OptionNamed, Size, TooLarge};
+pub use rules::{
+    Arrow, Ban, Banned, Circle, Example, Forbidden, LayerFault, Limits, Measured, OptionNamed, Size,
+    TooLarge, Words,
+};
 pub use workspace::Workspace;

@@ -7,8 +7,8 @@ use crate::error::Error;
 use crate::manifest::{self, Manifest};
 use crate::package::Package;
 use crate::rules::{
-    Arrow, Ban, Banned, Circle, LayerFault, Limits, OptionNamed, Size, TooLarge, arrows_of, banned, circles,
-    layer_faults, options_named, sizes, too_large,
+    Arrow, Ban, Banned, Circle, Forbidden, LayerFault, Limits, OptionNamed, Size, TooLarge, Words, arrows_of,
+    banned, circles, layer_faults, options_named, sizes, too_large,
 };
 
 /// All crates of a workspace, with their sources.
@@ -112,6 +112,12 @@ impl Workspace {
             found.extend(options_named(self.package(name)?));
         }
         Ok(found)
+    }
+
+    /// Words in the texts and doc comments of all crates that must not be used there.
+    #[must_use]
+    pub fn forbidden(&self, words: &Words) -> Vec<Forbidden> {
+        self.packages.iter().flat_map(|package| words.in_package(package)).collect()
     }
 
     fn package(&self, name: &str) -> Result<&Package, Error> {

@@ -1,7 +1,7 @@
 //! The integration of a drop, in dimensionless form: dx/dt = v, dv/dt = 1 − F(x, v)/(M g).
 //!
 //! The Hertz force is only once differentiable where contact begins. There the integration stops, on the point
-//! itself, and starts anew; in between the motion is smooth.
+//! itself, and starts again; in between the motion is smooth.
 
 use differential_equations::methods::ExplicitRungeKutta;
 use differential_equations::ode::{ODE, solve_ode};

@@ -1,4 +1,4 @@
-//! What a drop test tells.
+//! The results of a drop test.
 
 use super::body::Body;
 use super::error::DropError;

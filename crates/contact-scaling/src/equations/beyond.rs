@@ -36,8 +36,8 @@ pub(super) const ALL: &[Equation] = &[
     },
     Equation {
         label: "rest by (C.9)",
-        aliases: &["rest by the own law"],
-        title: "Indentation at rest by the file's own law",
+        aliases: &["rest by the model's law"],
+        title: "Indentation at rest by the file's law",
         forms: &[form("", "Σ F_i(x, ẋ = 0) = F", "equilibrium::indentation", "m")],
         symbols: &[F_I, X, SPEED, F_LOAD],
         source: "beyond the paper: (C.9) at ẋ = 0 summed over spheres whose bottoms are level",

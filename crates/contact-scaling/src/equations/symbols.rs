@@ -3,9 +3,9 @@
 /// One symbol of an equation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Symbol {
-    /// As it stands in the formulas.
+    /// As it is written in the formulas.
     pub symbol: &'static str,
-    /// What it means; OpenSim's property name stands in it where it has one.
+    /// What it means; OpenSim's property name is in it where it has one.
     pub meaning: &'static str,
     /// SI unit; `1` for a pure number.
     pub unit: &'static str,
@@ -40,7 +40,7 @@ pub(super) const R_2: Symbol = symbol("R₂", "radius of the second sphere", "m"
 pub(super) const R_A: Symbol = symbol("R_a", "radius of the spheres of a, the reference", "m");
 pub(super) const R_B: Symbol = symbol("R_b", "radius of the spheres of b, the model", "m");
 pub(super) const R_I: Symbol = symbol("R_i", "radius of sphere i", "m");
-pub(super) const R_EQUIVALENT: Symbol = symbol("R", "radius that stands for all n spheres", "m");
+pub(super) const R_EQUIVALENT: Symbol = symbol("R", "one radius in the place of all n", "m");
 pub(super) const E: Symbol = symbol("E*", "composite plane strain modulus of the contact", "N/m²");
 pub(super) const E_A: Symbol = symbol("E*_a", "composite plane strain modulus of a, the reference", "N/m²");
 pub(super) const E_B: Symbol = symbol("E*_b", "composite plane strain modulus of b, the model", "N/m²");

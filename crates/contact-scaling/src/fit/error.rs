@@ -43,7 +43,7 @@ pub enum FitError {
         /// Rows the fit needs: one more than it has parameters.
         needed: usize,
     },
-    /// The data do not tell the parameters apart: for α, speeds must vary.
+    /// The data do not determine all parameters: for α, speeds must vary.
     #[error("the data do not determine {parameter}, expected rows that differ in it")]
     Undetermined {
         /// The parameter.

@@ -2,7 +2,7 @@
 
 /// A fitted parameter, in the order of the covariance.
 ///
-/// Exhaustive: whoever writes the covariance needs a name for each row, and a new parameter must not go without one.
+/// Exhaustive: code that writes the covariance needs a name for each row, and a new parameter must not go without one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Parameter {
     /// E*, in N/m².

@@ -27,7 +27,7 @@ pub struct Fit {
     pub degrees_of_freedom: usize,
     /// Standard deviation of the residuals, in N.
     pub residual_deviation_n: f64,
-    /// R²: the share of the force's variance that the model tells.
+    /// R²: the share of the force's variance that the model explains.
     pub r_squared: f64,
     /// The largest x̂ of these rows, from the onset.
     pub largest_relative_indentation: f64,

@@ -20,7 +20,7 @@ pub(crate) use usage::usage_line;
 
 /// Makes the contact parameters of OpenSim models right at every body size.
 ///
-/// Rescales the contacts of MODEL from the mass they stand for to --target-mass; with a verb, does something else.
+/// Rescales the contacts of MODEL from the mass they were made for to --target-mass; with a verb, does something else.
 /// MODEL alone is inspected.
 #[derive(Debug, Parser)]
 #[command(
@@ -53,7 +53,7 @@ pub(crate) enum VerbArgs {
     Sweep(Later<SweepRequest>),
     /// Show what contacts a model has
     Inspect(Later<InspectRequest>),
-    /// Hold models against the limits of the paper and the traps of the format
+    /// Compare models with the limits of the paper and the traps of the format
     Check(Later<CheckRequest>),
     /// Let a model fall on its contacts and see what they do
     DropTest(Later<DropTestRequest>),

@@ -18,10 +18,10 @@ pub(crate) struct SetArgs {
 }
 
 impl SetArgs {
-    /// The request, with the words told apart.
+    /// The request, with the words sorted.
     ///
     /// # Errors
-    /// No model, nothing to set, an unknown property or a value that is no number.
+    /// No model, nothing to set, an unknown property or a value that is not a number.
     pub(crate) fn request(self) -> Result<SetRequest> {
         let Self { items, mut request } = self;
         for item in items {

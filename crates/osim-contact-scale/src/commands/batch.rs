@@ -1,6 +1,6 @@
 //! `batch`: a verb per row of a table.
 //!
-//! All rows are read before the first file is written, and all that is wrong is told at once.
+//! All rows are read before the first file is written, and everything wrong is reported at once.
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -18,8 +18,8 @@ use super::run;
 use crate::session::Session;
 use crate::terminal::Exit;
 
-/// Rows that are wrong are told one by one up to this number, then counted.
-const TOLD: usize = 20;
+/// Rows that are wrong are reported one by one up to this number, then counted.
+const REPORTED: usize = 20;
 
 /// Rows that only differ in model and output share what is to be done.
 type Known = HashMap<String, Arc<JobSettings>>;
@@ -27,7 +27,7 @@ type Known = HashMap<String, Arc<JobSettings>>;
 /// Does all rows of the table.
 ///
 /// # Errors
-/// It cannot be read, or is no table with a column `model`.
+/// It cannot be read, or is not a table with a column `model`.
 pub(super) fn run(request: &BatchRequest, session: &mut Session) -> Result<Exit> {
     let Some(manifest) = &request.manifest else { bail!("no manifest given") };
     let shown = manifest.display().to_string();
@@ -55,7 +55,7 @@ pub(super) fn run(request: &BatchRequest, session: &mut Session) -> Result<Exit>
         }
     }
     if !wrong.is_empty() {
-        return tell(&wrong, &shown, request.run.is_json(), session);
+        return report(&wrong, &shown, request.run.is_json(), session);
     }
     if tasks.is_empty() {
         bail!("{shown}: no rows below the first one, which names the columns");
@@ -92,15 +92,15 @@ fn settings(table: &Table, row: &RowRequest, known: &mut Known) -> Result<Arc<Jo
     Ok(settings)
 }
 
-fn tell(wrong: &[Failure], shown: &str, json: bool, session: &mut Session) -> Result<Exit> {
+fn report(wrong: &[Failure], shown: &str, json: bool, session: &mut Session) -> Result<Exit> {
     for failure in wrong.iter().filter(|_| json) {
         session.terminal.print(&line(&FailureRecord::new(failure, session.words)))?;
     }
-    for failure in wrong.iter().take(TOLD) {
+    for failure in wrong.iter().take(REPORTED) {
         let message = failure.message.spelled(session.words);
         session.terminal.error(&format!("error: {}: {message}\n", failure.model));
     }
-    let more = wrong.len().saturating_sub(TOLD);
+    let more = wrong.len().saturating_sub(REPORTED);
     let more = if more > 0 { format!(", {more} of them not shown") } else { String::new() };
     let rows = if wrong.len() == 1 { "1 row is".to_owned() } else { format!("{} rows are", wrong.len()) };
     session.terminal.error(&format!("error: {shown}: {rows} wrong{more}: nothing was written\n"));

@@ -58,17 +58,17 @@ pub(super) fn run(request: &CheckRequest, session: &mut Session) -> Result<Exit>
                     if found.reaches(deny) {
                         exit = exit.and(Exit::Failed);
                     }
-                    let told = match (request.format, &mut library) {
+                    let reported = match (request.format, &mut library) {
                         (SheetFormat::Table, Some(library)) => {
                             library.add(&found);
                             Ok(())
                         }
-                        (format, _) => tell(&found, format, first, session),
+                        (format, _) => print(&found, format, first, session),
                     };
                     // What cannot be printed is no reason to leave a page without its models.
-                    match (told, &page) {
+                    match (reported, &page) {
                         (Err(error), Some(_)) => untold = untold.take().or(Some(error)),
-                        (told, _) => told.map_err(Stop)?,
+                        (reported, _) => reported.map_err(Stop)?,
                     }
                     first = false;
                 }
@@ -100,12 +100,12 @@ pub(super) fn run(request: &CheckRequest, session: &mut Session) -> Result<Exit>
         session.terminal.print_painted(&library.text(whole_names, words, Colour::Ansi))?;
     }
     if without_contacts > 0 {
-        session.terminal.note(&format!("note: models without contacts passed over: {without_contacts}\n"))?;
+        session.terminal.note(&format!("note: models without contacts skipped: {without_contacts}\n"))?;
     }
     Ok(exit)
 }
 
-fn tell(found: &CheckResult, format: SheetFormat, first: bool, session: &mut Session) -> Result<()> {
+fn print(found: &CheckResult, format: SheetFormat, first: bool, session: &mut Session) -> Result<()> {
     match format {
         SheetFormat::Json => session.terminal.print(&line(found))?,
         SheetFormat::Csv => session.terminal.print(&check::csv_rows(found, first)?)?,

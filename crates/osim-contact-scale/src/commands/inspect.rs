@@ -17,7 +17,7 @@ use crate::report_page::ReportPage;
 use crate::session::Session;
 use crate::terminal::Exit;
 
-/// Inspects all models; `hint` where somebody should be told what to do next.
+/// Inspects all models; `hint` where the reader should see what to do next.
 ///
 /// # Errors
 /// Wrong usage.
@@ -46,10 +46,10 @@ pub(super) fn run(request: &InspectRequest, hint: bool, session: &mut Session) -
             match seen {
                 Ok((seen, entry)) => {
                     // What cannot be printed is no reason to leave a page without its models.
-                    let told = tell(&seen, request.format, first, session);
-                    match (told, &page) {
+                    let reported = print(&seen, request.format, first, session);
+                    match (reported, &page) {
                         (Err(error), Some(_)) => untold = untold.take().or(Some(error)),
-                        (told, _) => told.map_err(Stop)?,
+                        (reported, _) => reported.map_err(Stop)?,
                     }
                     first = false;
                     if let Some((page, entry)) = page.as_mut().zip(entry) {
@@ -98,7 +98,7 @@ fn one(
     Ok((seen.inspection, entry))
 }
 
-fn tell(seen: &Inspection, format: SheetFormat, first: bool, session: &mut Session) -> Result<()> {
+fn print(seen: &Inspection, format: SheetFormat, first: bool, session: &mut Session) -> Result<()> {
     match format {
         SheetFormat::Json => session.terminal.print(&line(seen))?,
         SheetFormat::Csv => session.terminal.print(&inspection::csv_rows(seen, first)?)?,
@@ -111,7 +111,7 @@ fn tell(seen: &Inspection, format: SheetFormat, first: bool, session: &mut Sessi
     Ok(())
 }
 
-/// What to do next, once, behind all models.
+/// What to do next, once, after all models.
 fn next_steps(session: &Session) -> String {
     let words = session.words;
     let rescale = Verb::Rescale.of_model().with(Input::TargetMass, "KG");
@@ -119,7 +119,7 @@ fn next_steps(session: &Session) -> String {
     let row = |call: &Call, what: &str| format!("  {:<50}{what}\n", words.command(call));
     format!(
         "\nNothing was changed. Next (MODEL is the name of the file, in quotes where it has blanks):\n{}{}{}{}",
-        row(&Verb::Check.of_model(), "what to mend, and how"),
+        row(&Verb::Check.of_model(), "what to fix, and how"),
         row(&rescale, "scale its contacts to another mass"),
         row(&transfer, "take the contacts of a known model"),
         "  osim-contact-scale --help                         everything else\n"

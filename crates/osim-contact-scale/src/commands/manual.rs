@@ -35,7 +35,7 @@ pub(super) fn run(args: &ManArgs, session: &mut Session) -> Result<Exit> {
         Some(verb) => pages.iter().find(|page| page.get_filename() == format!("{NAME}-{verb}.1")),
     };
     let Some(page) = page else {
-        bail!("'{}' is no verb (see --help)", args.verb.as_deref().unwrap_or_default());
+        bail!("'{}' is not a verb (see --help)", args.verb.as_deref().unwrap_or_default());
     };
     session.terminal.write_bytes(&rendered(page)?)?;
     Ok(Exit::Done)

@@ -1,4 +1,4 @@
-//! What each verb does when it is called: read, plan, write, tell.
+//! What each verb does when it is called: read, plan, write, report.
 
 mod asked;
 mod batch;

@@ -23,7 +23,7 @@ enum Picture {
 /// Draws and writes one figure.
 ///
 /// # Errors
-/// Wrong usage: an ending that is no picture's, a body too many or too few, a file that is there already.
+/// Wrong usage: an ending that is not a picture's, a body too many or too few, a file that is there already.
 pub(super) fn run(request: &PlotRequest, session: &mut Session) -> Result<Exit> {
     let output = Output::of(request, session)?;
     request.check_models().map_err(|fault| session.usage(&fault))?;

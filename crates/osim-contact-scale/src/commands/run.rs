@@ -1,4 +1,4 @@
-//! One run of a changing verb: what is told of it, and in which order.
+//! One run of a changing verb: what is reported of it, and in which order.
 
 use anyhow::Result;
 use osim_library::LibraryFault;
@@ -10,7 +10,7 @@ use osim_report::json::{FailureRecord, line};
 use osim_requests::options::{RunFormat, RunOptions};
 
 use super::asked::asked;
-use super::shown::{Said, Shower, Shown, bare_entry};
+use super::shown::{Output, Shower, Shown, bare_entry};
 use crate::progress::Progress;
 use crate::report_page::{Replace, ReportPage};
 use crate::session::Session;
@@ -18,7 +18,7 @@ use crate::terminal::Exit;
 use crate::words::Words;
 use crate::{failure, interrupt};
 
-/// More models than this are told in a line each, unless a table is asked for.
+/// More models than this are reported in a line each, unless a table is asked for.
 const FEW: usize = 10;
 
 /// Does all of `request`.
@@ -57,7 +57,7 @@ pub(super) fn run(request: RunRequest, options: &RunOptions, session: &mut Sessi
     Ok(exit.and(exit_of(&counts, untold)))
 }
 
-/// Does all tasks and tells each in its turn; also whether something could not be shown.
+/// Does all tasks and reports each in its turn; also whether something could not be shown.
 fn work_off(
     run: &Run<'_>,
     options: &RunOptions,
@@ -77,24 +77,24 @@ fn work_off(
         progress: Progress::begin(tasks, options.quiet),
     };
     let mut untold = false;
-    let tell = |_: &Task, outcome: Outcome<Shown>| {
+    let report = |_: &Task, outcome: Outcome<Shown>| {
         let Outcome { record, earlier, shown, failure, .. } = outcome;
-        let Shown { said, entry } = shown.unwrap_or_default();
+        let Shown { outputs, entry } = shown.unwrap_or_default();
         if let Some(page) = page {
             page.add(entry.unwrap_or_else(|| bare_entry(&record, earlier)));
         }
         // Results that cannot be shown are no reason to leave the other models undone.
-        let told = shower.progress.suspended(|| match &failure {
+        let reported = shower.progress.suspended(|| match &failure {
             Some(failure) => say_failure(failure, format, session),
-            None => say(&said, session),
+            None => say(&outputs, session),
         });
-        if let Err(error) = told {
+        if let Err(error) = reported {
             session.terminal.error(&format!("error: cannot write to standard output: {error:#}\n"));
             untold = true;
         }
         Ok::<(), LibraryFault>(())
     };
-    let counts = run.work_off(&shower, tell);
+    let counts = run.work_off(&shower, report);
     shower.progress.end();
     match counts {
         Ok(counts) => Ok((counts, untold)),
@@ -143,11 +143,11 @@ fn say_failure(failure: &Failure, format: RunFormat, session: &mut Session) -> R
     Ok(())
 }
 
-fn say(all: &[Said], session: &mut Session) -> Result<()> {
-    for said in all {
-        match said {
-            Said::Result(bytes) => session.terminal.write_bytes(bytes)?,
-            Said::Note(text) => session.terminal.note(text)?,
+fn say(all: &[Output], session: &mut Session) -> Result<()> {
+    for output in all {
+        match output {
+            Output::Result(bytes) => session.terminal.write_bytes(bytes)?,
+            Output::Note(text) => session.terminal.note(text)?,
         }
     }
     Ok(())
@@ -168,7 +168,7 @@ fn summary(counts: &Counts, options: &RunOptions, words: Words) -> String {
         (counts.dry, "planned (dry run)"),
         (counts.unchanged, "unchanged"),
         (counts.earlier, "done before"),
-        (counts.no_contacts, "passed over (no contacts)"),
+        (counts.no_contacts, "skipped (no contacts)"),
         (counts.failed, "failed"),
         (counts.not_begun, "not begun"),
     ];

@@ -17,13 +17,13 @@ use crate::words::Words;
 /// What is shown of one model.
 #[derive(Default)]
 pub(super) struct Shown {
-    pub said: Vec<Said>,
+    pub outputs: Vec<Output>,
     /// The model on the page; none where no page is asked for.
     pub entry: Option<Entry>,
 }
 
-/// One thing to tell.
-pub(super) enum Said {
+/// One thing to report.
+pub(super) enum Output {
     /// On standard output.
     Result(Vec<u8>),
     /// On standard error, beside the results.
@@ -58,8 +58,8 @@ impl FrontEnd for Shower<'_> {
     fn show(&self, mut changed: ChangedModel<'_>) -> Shown {
         let both = changed.before_after.take();
         let entry = both.map(|both| self.entry(&changed, both));
-        let said = if changed.earlier { Vec::new() } else { self.said(&changed) };
-        Shown { said, entry }
+        let outputs = if changed.earlier { Vec::new() } else { self.outputs(&changed) };
+        Shown { outputs, entry }
     }
 
     fn is_interrupted(&self) -> bool {
@@ -72,26 +72,26 @@ impl FrontEnd for Shower<'_> {
 }
 
 impl Shower<'_> {
-    fn said(&self, changed: &ChangedModel<'_>) -> Vec<Said> {
-        let mut said = Vec::new();
+    fn outputs(&self, changed: &ChangedModel<'_>) -> Vec<Output> {
+        let mut outputs = Vec::new();
         let to_stdout = matches!(changed.written, Written::Stdout);
-        if let Some(text) = self.told(changed) {
-            said.push(if to_stdout { Said::Note(text) } else { Said::Result(text.into_bytes()) });
+        if let Some(text) = self.text(changed) {
+            outputs.push(if to_stdout { Output::Note(text) } else { Output::Result(text.into_bytes()) });
         }
         if self.options.diff {
             let text = diff(changed);
             // With JSON on standard output, the diff would not be JSON.
             let aside = self.format == RunFormat::Json;
-            said.push(if aside { Said::Note(text) } else { Said::Result(text.into_bytes()) });
+            outputs.push(if aside { Output::Note(text) } else { Output::Result(text.into_bytes()) });
         }
         if to_stdout {
-            said.push(Said::Result(changed.results.model.to_vec()));
+            outputs.push(Output::Result(changed.results.model.to_vec()));
         }
-        said
+        outputs
     }
 
-    /// What changed, as the run is told; nothing where only errors are.
-    fn told(&self, changed: &ChangedModel<'_>) -> Option<String> {
+    /// What changed, as the run reports it; nothing where only errors are.
+    fn text(&self, changed: &ChangedModel<'_>) -> Option<String> {
         let ChangedModel { plan, task, opened, written, .. } = changed;
         if self.format == RunFormat::Json {
             let mut paths = written.paths().iter().map(std::path::PathBuf::as_path);
@@ -157,7 +157,7 @@ pub(super) fn bare_entry(record: &Record, earlier: bool) -> Entry {
     left.radius_factor = record.radius_factor;
     left.stiffness_factor = record.stiffness_factor;
     left.dissipation_factor = record.dissipation_factor;
-    left.unlike = record.unlike.split(' ').map(str::to_owned).collect();
+    left.unequal_factors = record.unequal_factors.split(' ').map(str::to_owned).collect();
     left.warnings = record.warnings.split_whitespace().count();
     Entry::left_by_earlier_run(&row(record), &left)
 }

@@ -1,6 +1,6 @@
 //! `sweep`: variants of one model, and a table of what is in which file.
 //!
-//! Count and size are told first; then each variant is made, written, and read again from its own bytes for the table.
+//! Count and size are reported first; then each variant is made, written, and read again from its own bytes for the table.
 
 use anyhow::Result;
 use osim_library::{LibraryFault, SweepEnd, SweepFrontEnd, SweepRun};
@@ -16,7 +16,7 @@ use crate::progress::Progress;
 use crate::session::Session;
 use crate::terminal::Exit;
 
-/// Tells how far a sweep is.
+/// Shows how far a sweep is.
 struct Watch(Progress);
 
 impl SweepFrontEnd for Watch {
@@ -32,7 +32,7 @@ impl SweepFrontEnd for Watch {
 /// Why a sweep ended early.
 enum Stop {
     Refused(LibraryFault),
-    Told(anyhow::Error),
+    Reported(anyhow::Error),
 }
 
 impl From<LibraryFault> for Stop {
@@ -62,7 +62,7 @@ pub(super) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
             ),
             false => "dry run: nothing written\n".to_owned(),
         };
-        return tell(&record, &text, request, session).map(|()| Exit::Done);
+        return report(&record, &text, request, session).map(|()| Exit::Done);
     }
     let end = make(&sweep, request, session)?;
     if end.not_begun > 0 {
@@ -70,7 +70,7 @@ pub(super) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
         session.terminal.note(&format!("note: stopped: {made} of {count} models are made\n"))?;
     }
     let record = SweepRecord::new(sweep.model(), sweep.folder(), end.manifest.as_deref());
-    tell(&record.counted(end.made, end.failed), &text(&sweep, &end), request, session)?;
+    report(&record.counted(end.made, end.failed), &text(&sweep, &end), request, session)?;
     Ok(match (end.not_begun, end.failed) {
         (0, 0) => Exit::Done,
         (0, _) => Exit::Failed,
@@ -84,18 +84,18 @@ fn make(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Session) -> 
     let watch = Watch(Progress::begin(sweep.count(), request.quiet));
     let json = request.format == Format::Json;
     let failed = |failure: Failure| {
-        let told = watch.0.suspended(|| session.fail(&failure, json));
-        told.map(|_| ()).map_err(Stop::Told)
+        let reported = watch.0.suspended(|| session.fail(&failure, json));
+        reported.map(|_| ()).map_err(Stop::Reported)
     };
     let end = sweep.run(&watch, failed);
     watch.0.end();
     end.map_err(|stop| match stop {
         Stop::Refused(fault) => session.refused(&fault),
-        Stop::Told(error) => error,
+        Stop::Reported(error) => error,
     })
 }
 
-/// How many models of which size will be made: said before anything is made.
+/// How many models of which size will be made: shown before anything is made.
 fn announce(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Session) -> Result<()> {
     if request.quiet {
         return Ok(());
@@ -123,7 +123,7 @@ fn text(sweep: &SweepRun<'_>, end: &SweepEnd) -> String {
     }
 }
 
-fn tell(record: &SweepRecord, text: &str, request: &SweepRequest, session: &mut Session) -> Result<()> {
+fn report(record: &SweepRecord, text: &str, request: &SweepRequest, session: &mut Session) -> Result<()> {
     if request.format == Format::Json {
         session.terminal.print(&line(record))?;
     } else if !request.quiet {

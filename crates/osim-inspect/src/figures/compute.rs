@@ -20,7 +20,7 @@ impl Figures {
     /// Figures of the `selected` forces of `model`, whose weight is shared as `sharing` says.
     ///
     /// # Errors
-    /// A value that is no plain number or outside its domain, with its place.
+    /// A value that is not a plain number or outside its domain, with its place.
     pub fn of(
         model: &Model,
         selected: &Selected,

@@ -39,7 +39,7 @@ pub struct LimbFigures {
     pub limb: Option<String>,
     /// `right` or `left`.
     pub side: Option<&'static str>,
-    /// Spheres n that share the body weight, chosen or not; `None` where it cannot be told.
+    /// Spheres n that share the body weight, chosen or not; `None` where it is not known.
     pub sphere_count: Option<f64>,
     /// Each chosen sphere, in file order.
     pub spheres: Vec<SphereFigures>,
@@ -153,7 +153,7 @@ impl SphereFigures {
     }
 }
 
-/// Figures stand under their names, in their order.
+/// Each figure has its name, in their order.
 impl Serialize for SphereFigures {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;

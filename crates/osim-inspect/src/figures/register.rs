@@ -54,25 +54,25 @@ figures! {
     /// x̂ under its share of one body weight, by the Hertz law.
     Indentation = "relative_indentation_hertz", "x/R at 1 BW, Hertz", "", "11", HERTZ, Always:
         |s| s.one(|rest| rest.hertz);
-    /// The same by the model's own law; below 0 where the smoothing alone carries the load.
+    /// The same by the model's law; below 0 where the smoothing alone carries the load.
     IndentationModelLaw = "relative_indentation_model_law", "  by the model's law", "", "C.9", HERTZ, Smooth:
         |s| s.one(|rest| rest.model_law);
     /// x̂ with the bottoms of all spheres of the limb level, under one body weight, by the Hertz law.
     LevelIndentation = "relative_indentation_hertz_level", "  level, Hertz", "", "", HERTZ, Mixed:
         |s| s.one(|rest| rest.level_hertz);
-    /// The same by the model's own law.
+    /// The same by the model's law.
     LevelIndentationModelLaw = "relative_indentation_model_law_level", "  level, the model's law", "", "", HERTZ, MixedSmooth:
         |s| s.one(|rest| rest.level_model_law);
     /// x̂ under its share of two body weights, by the Hertz law.
     IndentationAtTwo = "relative_indentation_hertz_at_two", "x/R at 2 BW, Hertz", "", "", HERTZ, Always:
         |s| s.two(|rest| rest.hertz);
-    /// The same by the model's own law.
+    /// The same by the model's law.
     IndentationModelLawAtTwo = "relative_indentation_model_law_at_two", "  by the model's law", "", "", HERTZ, Smooth:
         |s| s.two(|rest| rest.model_law);
     /// x̂ with the bottoms of all spheres of the limb level, under two body weights, by the Hertz law.
     LevelIndentationAtTwo = "relative_indentation_hertz_level_at_two", "  level, Hertz", "", "", HERTZ, Mixed:
         |s| s.two(|rest| rest.level_hertz);
-    /// The same by the model's own law.
+    /// The same by the model's law.
     LevelIndentationModelLawAtTwo = "relative_indentation_model_law_level_at_two", "  level, the model's law", "", "", HERTZ,
         MixedSmooth: |s| s.two(|rest| rest.level_model_law);
     /// Stiffness k of the Hertz law under one body weight.

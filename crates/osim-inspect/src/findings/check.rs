@@ -12,7 +12,7 @@ use crate::inspection::Inspection;
 use crate::mass_mismatch::MassMismatch;
 use crate::options::InspectOptions;
 
-/// Everything found in a model that was inspected; `compiled` tells of files that other programs would read instead of it.
+/// Everything found in a model that was inspected; `compiled` names files that other programs would read instead of it.
 #[must_use]
 pub fn check_model(
     options: &InspectOptions,

@@ -189,7 +189,7 @@ fn constant_indentation_below(x_hat: f64) -> f64 {
     two_digits_below(most)
 }
 
-/// At most `value`, in two digits, without the dust of binary fractions.
+/// At most `value`, in two digits, without rounding error.
 fn two_digits_below(value: f64) -> f64 {
     let digit = 10_f64.powf(value.log10().floor() - 1.0);
     // A value that has two digits is itself, whatever its last bit.

@@ -91,7 +91,7 @@ fn line_of(model: &Model, fault: &Fault) -> Option<usize> {
     fault.offset.map(|offset| model.file(fault.file).line(offset))
 }
 
-/// What was worked out about a model, before it is told.
+/// What was worked out about a model, before it is shown.
 pub(super) struct Found<'f> {
     pub mass: Option<&'f Mass>,
     pub contacts_mass: Option<&'f Mass>,

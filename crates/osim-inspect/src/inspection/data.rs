@@ -39,7 +39,7 @@ pub struct Inspection {
     pub gravity_m_s2: Option<f64>,
     /// The mass that the contacts are made for.
     pub contacts_mass_kg: Option<ContactsMass>,
-    /// The limbs, where left and right can be told.
+    /// The limbs, where left and right can be determined.
     pub limbs: Option<Vec<InspectedLimb>>,
     /// Spheres of each limb, where all have equally many.
     pub spheres_per_limb: Option<usize>,
@@ -260,7 +260,6 @@ pub struct InspectedFactors {
     /// Which source was taken, axis by axis.
     pub sources: [Option<&'static str>; 3],
     /// What each source says, by its name.
-    #[serde(rename = "said")]
     pub by_source: FactorsBySource,
 }
 

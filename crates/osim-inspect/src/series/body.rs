@@ -77,7 +77,7 @@ impl Body {
     /// A model's chosen forces; `failed` names the file a fault is in.
     ///
     /// # Errors
-    /// No chosen force applies, or a value is no number. What is not known of the weight is no error until it is needed.
+    /// No chosen force applies, or a value is not a number. What is not known of the weight is no error until it is needed.
     pub fn of_model(
         name: String,
         model: &Model,
@@ -238,7 +238,7 @@ fn weight(model: &Model, forces: &[ForceId], masses: &MassRequest, stance: &Stan
 /// the n that stand are all like these.
 ///
 /// # Errors
-/// A value that is no plain number or outside its domain, with its place.
+/// A value that is not a plain number or outside its domain, with its place.
 pub fn standing_spheres(model: &Model, forces: &[ForceId], count: f64) -> Result<Vec<Spheres>, Fault> {
     let loaded = loaded_spheres(model, forces)?;
     #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]

@@ -56,7 +56,7 @@ pub struct DropSeries {
 const STEPS: u32 = 160;
 /// Share of the contact state that thresholds are drawn at (section C.2 uses it).
 const THRESHOLD: f64 = 0.05;
-/// A drop is followed for so many √(R/g) where nobody says how long.
+/// A drop is followed for so many √(R/g) where no duration is given.
 const DROP_UNITS: f64 = 20.0;
 /// Points of a drop for each √(R/g), and how many at least and at most.
 const SAMPLES_PER_UNIT: f64 = 20.0;
@@ -104,7 +104,7 @@ pub fn depth(bodies: &[Body]) -> f64 {
     rests.fold(0.5, |deepest: f64, rest| deepest.max(1.25 * rest))
 }
 
-/// Where one kind of sphere rests under its share of the body weight, by its own law: x in m, and the share in N.
+/// Where one kind of sphere rests under its share of the body weight, by the law of the file: x in m, and the share in N.
 fn rest(weight: &Weight, kind: &SphereKind) -> Option<Point> {
     let law = Law::of(&kind.contact, kind.radius_m).ok()?;
     let spheres = [Spheres::new(law, 1.0).ok()?];
@@ -193,7 +193,7 @@ pub fn hysteresis(
     Ok(LoopSeries { name, points: points.collect() })
 }
 
-/// How long to follow bodies where nobody says: 20 √(R/g) of the slowest.
+/// How long to follow bodies where no duration is given: 20 √(R/g) of the slowest.
 pub fn duration(bodies: &[Body]) -> Result<f64, Failure> {
     let mut longest = 0.0_f64;
     for body in bodies {

@@ -11,7 +11,7 @@ use crate::drop_height::DropHeight;
 
 /// What is computed.
 ///
-/// Exhaustive: whoever draws it needs a title and a scale for each quantity.
+/// Exhaustive: code that draws it needs a title and a scale for each quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HeatQuantity {
     /// Relative indentation at rest under body weight, by the Hertz law.

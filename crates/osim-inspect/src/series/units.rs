@@ -1,11 +1,11 @@
-//! The units that series are told in.
+//! The units of series.
 
 /// A point of a curve.
 pub type Point = (f64, f64);
 
 /// How indentations are counted.
 ///
-/// Exhaustive: whoever draws a series needs an axis for each unit, and no other axis can take its place.
+/// Exhaustive: code that draws a series needs an axis for each unit, and no other axis can take its place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum IndentationUnit {
     /// x/R.

@@ -40,7 +40,7 @@ impl fmt::Display for PathOwner<'_> {
 
 /// Outputs and inputs of a whole run, compared before anything is written.
 ///
-/// Of very many files it keeps digests of the names: the names themselves stand in the tasks.
+/// Of very many files it keeps digests of the names: the names themselves are in the tasks.
 #[derive(Debug, Default)]
 pub struct PathConflicts<'p> {
     resolver: Resolver,

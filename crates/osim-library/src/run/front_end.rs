@@ -22,7 +22,7 @@ pub enum Detail {
     },
 }
 
-/// Whoever asks for a run. Its methods are called on the threads that do the work.
+/// The caller of a run. Its methods are called on the threads that do the work.
 pub trait FrontEnd: Sync {
     /// What is kept of a model until its turn to be shown.
     type Shown: Send;
@@ -36,7 +36,7 @@ pub trait FrontEnd: Sync {
     /// What is shown of a model that was changed.
     fn show(&self, changed: ChangedModel<'_>) -> Self::Shown;
 
-    /// Whether no further model shall be begun.
+    /// Whether no further model should be started.
     fn is_interrupted(&self) -> bool;
 
     /// One more model is done.
@@ -54,7 +54,7 @@ pub struct ChangedModel<'c> {
     pub opened: &'c OpenModel,
     /// What changes, spelled.
     pub plan: &'c Plan,
-    /// The bytes that come of it.
+    /// The bytes that result.
     pub results: &'c Results<'c>,
     /// What was written.
     pub written: &'c Written,

@@ -170,7 +170,7 @@ impl Journal {
             return Err(LibraryFault::new(phrase![
                 format!("{} was left by a run that was stopped: go on with it (", partial_path.display()),
                 Input::Resume,
-                "), or begin anew (",
+                "), or start again (",
                 Input::Force,
                 ")",
             ]));

@@ -1,7 +1,7 @@
-//! One run of a changing verb over any number of models: compare all files, then load, plan, write and tell each.
+//! One run of a changing verb over any number of models: compare all files, then load, plan, write and report each.
 //!
 //! A [`Task`] is one model with its [`JobSettings`]; tasks are independent of each other, so threads share them. What a task
-//! did is an [`Outcome`], told in the order in which the models were named.
+//! did is an [`Outcome`], reported in the order in which the models were named.
 
 mod conflicts;
 mod context;

@@ -52,7 +52,7 @@ impl<F: FrontEnd> ModelJob<'_, F> {
         let mut force = task.settings.force;
         if self.context.journal.is_some() {
             let input = sha256(loaded.files.bytes());
-            record.recipe = Some(self.settings_digest(&loaded.files));
+            record.sha256_settings = Some(self.settings_digest(&loaded.files));
             if !self.context.previous.is_empty() {
                 match self.context.previous.of(task, &input, record) {
                     Previous::Holds(mut record) => {
@@ -202,7 +202,7 @@ impl<F: FrontEnd> ModelJob<'_, F> {
     }
 }
 
-/// Nobody's work is replaced in passing.
+/// No file is replaced unless the user asks for it.
 fn edited(model: &FileName, output: &Path) -> Failure {
     let message = phrase![
         format!(

@@ -1,11 +1,11 @@
-//! What became of one model, ready to be told in its turn.
+//! The outcome for one model, ready to be reported in its turn.
 
 use osim_model::files::Failure;
 
 use super::record::{Record, Status};
 use super::task::Task;
 
-/// What became of one model; `S` is what a front end shows of it.
+/// The outcome for one model; `S` is what a front end shows of it.
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct Outcome<S> {

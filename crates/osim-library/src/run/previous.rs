@@ -39,7 +39,7 @@ impl PreviousRun {
     /// Reads the summary, whole or partial, that a run goes on with.
     ///
     /// # Errors
-    /// It is no summary of this tool.
+    /// It is not a summary of this tool.
     pub(super) fn read(options: &RunOptions) -> Result<Self, LibraryFault> {
         let mut done = Self::default();
         let Some(path) = options.summary.as_ref().filter(|_| options.resume) else { return Ok(done) };
@@ -60,7 +60,7 @@ impl PreviousRun {
             let why = "its last line is cut off, so this tool did not leave it like that";
             return Err(LibraryFault::new(why));
         }
-        let records = form.read(whole).context(|| "this is no summary of this tool, or it was edited")?;
+        let records = form.read(whole).context(|| "this is not a summary of this tool, or it was edited")?;
         for record in records {
             self.records.entry(key(&record)).or_default().push(record);
         }
@@ -86,7 +86,8 @@ impl PreviousRun {
         let Some(records) = self.records.get(&key(now)) else { return Previous::Unknown };
         let there = Outputs::of(task, input);
         let holds = |record: &&Record| {
-            let same_settings = record.recipe == now.recipe && record.tool_version == now.tool_version;
+            let same_settings =
+                record.sha256_settings == now.sha256_settings && record.tool_version == now.tool_version;
             let same_input = record.sha256_input.as_deref() == Some(input);
             same_settings
                 && match record.status {

@@ -1,4 +1,4 @@
-//! One line of a summary: what became of one model. `docs/libraries.md` describes every column.
+//! One line of a summary: the outcome for one model. `docs/libraries.md` describes every column.
 
 use osim_model::Property;
 use osim_model::files::{Failure, FileName};
@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::task::Task;
 
-/// What became of a model.
+/// The outcome for a model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -36,7 +36,7 @@ impl Status {
             Self::Written => "written",
             Self::Unchanged => "unchanged",
             Self::DryRun => "dry run: nothing written",
-            Self::NoContacts => "passed over: no contacts",
+            Self::NoContacts => "skipped: no contacts",
             Self::Failed => "failed",
             Self::NotBegun => "not begun: the run was stopped",
         }
@@ -45,7 +45,7 @@ impl Status {
 
 /// Columns of a summary. Masses in kg; factors are new over old.
 ///
-/// A table without `model`, `status` and the other columns that are never empty is no summary: a run that goes on refuses it
+/// A table without `model`, `status` and the other columns that are never empty is not a summary: a run that goes on refuses it
 /// rather than replace it.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[non_exhaustive]
@@ -62,9 +62,9 @@ pub struct Record {
     /// Its name in bytes, where that is not UTF-8; in NDJSON only.
     #[serde(skip)]
     pub output_bytes: Option<Vec<u8>>,
-    /// What became of it.
+    /// The outcome.
     pub status: Status,
-    /// What the contacts stood for before.
+    /// What the contacts were made for before.
     pub contacts_mass_from_kg: Option<f64>,
     /// Who said so.
     pub contacts_mass_source: Option<String>,
@@ -85,7 +85,7 @@ pub struct Record {
     /// Factor of `hunt_crossley_smoothing`.
     pub hunt_crossley_smoothing_factor: Option<f64>,
     /// Properties whose factor is not the same everywhere.
-    pub unlike: String,
+    pub unequal_factors: String,
     /// Codes of the warnings.
     pub warnings: String,
     /// Code of the error.
@@ -103,14 +103,14 @@ pub struct Record {
     /// Of the geometry set that was written with a standalone force set.
     pub sha256_geometry_output: Option<String>,
     /// SHA-256 of everything else that the output follows from: options, version, other files.
-    pub recipe: Option<String>,
+    pub sha256_settings: Option<String>,
     /// Version of the program.
     pub tool_version: String,
 }
 
-/// A record as NDJSON has it: beside it the bytes of names that are no text.
+/// A record as NDJSON has it: beside it the bytes of names that are not text.
 #[derive(Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(expecting = "a JSON object with what became of a model")]
+#[serde(expecting = "a JSON object with the outcome for a model")]
 #[schemars(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct JsonRecord {
@@ -177,11 +177,11 @@ impl Record {
             self.contacts_mass_to_kg = Some(masses.to_kg);
         }
         self.changes = plan.changes.len() + plan.moves.len();
-        let mut unlike = Vec::new();
+        let mut unequal_factors = Vec::new();
         let mut factor = |property: Property| match common_factor(plan, property) {
             Common::Factor(factor) => Some(factor),
-            Common::Unlike => {
-                unlike.push(property.name());
+            Common::Unequal => {
+                unequal_factors.push(property.name());
                 None
             }
             Common::None => None,
@@ -192,7 +192,7 @@ impl Record {
         self.constant_contact_force_factor = factor(Property::ConstantContactForce);
         self.hertz_smoothing_factor = factor(Property::HertzSmoothing);
         self.hunt_crossley_smoothing_factor = factor(Property::HuntCrossleySmoothing);
-        self.unlike = unlike.join(" ");
+        self.unequal_factors = unequal_factors.join(" ");
         let mut codes: Vec<&str> = plan.warnings.iter().map(|warning| warning.code.as_str()).collect();
         codes.dedup();
         self.warnings = codes.join(" ");
@@ -212,7 +212,7 @@ impl Record {
 enum Common {
     None,
     Factor(f64),
-    Unlike,
+    Unequal,
 }
 
 fn common_factor(plan: &Plan, property: Property) -> Common {
@@ -220,6 +220,6 @@ fn common_factor(plan: &Plan, property: Property) -> Common {
     let Some(first) = of_property.next() else { return Common::None };
     match first.factor {
         Some(factor) if of_property.all(|change| change.factor == Some(factor)) => Common::Factor(factor),
-        _ => Common::Unlike,
+        _ => Common::Unequal,
     }
 }

@@ -24,7 +24,7 @@ pub struct RunRequest {
     pub tasks: Vec<Task>,
     /// What could not even be listed.
     pub failures: Vec<Failure>,
-    /// Things to say aloud before anything else.
+    /// Things to report before anything else.
     pub remarks: Vec<String>,
     /// Files that were read to know the tasks, such as a manifest.
     pub reads: Vec<PathBuf>,

@@ -1,4 +1,4 @@
-//! A run, step by step: each step may refuse, and a front end tells between them.
+//! A run, step by step: each step may refuse, and a front end reports between them.
 
 use std::path::Path;
 
@@ -86,14 +86,14 @@ impl<'r> Run<'r> {
         Folders::list(models.chain(geometry).chain(beside), !run.dry_run)
     }
 
-    /// Does all tasks on as many threads as there are processors; `tell` gets each in the order of the tasks, on this thread.
+    /// Does all tasks on as many threads as there are processors; `report` gets each in the order of the tasks, on this thread.
     ///
     /// # Errors
-    /// Threads cannot be started, or the first error of `tell`.
+    /// Threads cannot be started, or the first error of `report`.
     pub fn work_off<F: FrontEnd, E: From<LibraryFault>>(
         &self,
         front_end: &F,
-        mut tell: impl FnMut(&Task, Outcome<F::Shown>) -> Result<(), E>,
+        mut report: impl FnMut(&Task, Outcome<F::Shown>) -> Result<(), E>,
     ) -> Result<Counts, E> {
         let tasks = &self.request.tasks;
         let indices: Vec<usize> = (0..tasks.len()).collect();
@@ -110,7 +110,7 @@ impl<'r> Run<'r> {
             if let Some(journal) = &self.context.journal {
                 journal.add(&outcome.record);
             }
-            tell(task, outcome)
+            report(task, outcome)
         };
         in_order(&indices, threads(self.context.run.jobs, tasks.len()), work, each)?;
         Ok(counts)

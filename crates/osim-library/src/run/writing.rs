@@ -159,7 +159,7 @@ impl<'w> PreparedFiles<'w> {
         Ok(())
     }
 
-    /// A model that somebody protected is not changed in passing.
+    /// A write-protected model is not changed unless the user asks for it.
     fn refuse_protected(&self, path: &Path) -> Result<(), LibraryFault> {
         let protected = std::fs::metadata(path).is_ok_and(|metadata| metadata.permissions().readonly());
         if protected && !self.task.settings.force {

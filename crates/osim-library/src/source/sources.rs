@@ -58,7 +58,7 @@ pub struct Sources {
     pub models: Vec<Source>,
     /// What could not even be listed.
     pub failures: Vec<Failure>,
-    /// Things to say aloud: what was skipped.
+    /// Things to report: what was skipped.
     pub remarks: Vec<String>,
 }
 
@@ -100,7 +100,7 @@ impl Sources {
                 // A pipe would never end, or never begin.
                 Ok(entry) if !entry.file_type().is_file() => {
                     found = true;
-                    let why = "this is no ordinary file, and is read only where it is named itself";
+                    let why = "this is not an ordinary file, and is read only where it is named itself";
                     self.failures.push(Failure::outside(entry.path(), "unreadable", why));
                 }
                 Ok(entry) if is_own_output(entry.path()) => own += 1,
@@ -121,12 +121,12 @@ impl Sources {
         let shown = folder.display();
         if own > 0 {
             self.remarks.push(format!(
-                "{shown}: outputs of this tool (*{}.osim) passed over: {own}",
+                "{shown}: outputs of this tool (*{}.osim) skipped: {own}",
                 OutputOptions::MARK
             ));
         }
         if sweeps > 0 {
-            self.remarks.push(format!("{shown}: folders of sweeps (*{FOLDER_MARK}) passed over: {sweeps}"));
+            self.remarks.push(format!("{shown}: folders of sweeps (*{FOLDER_MARK}) skipped: {sweeps}"));
         }
         if again > 0 {
             self.remarks

@@ -87,7 +87,7 @@ impl Prepared {
             return Err(LibraryFault::new(message));
         }
         if existing.as_ref().is_some_and(|metadata| !metadata.is_file()) {
-            let message = format!("{} is no ordinary file: write to another name", shown.display());
+            let message = format!("{} is not an ordinary file: write to another name", shown.display());
             return Err(LibraryFault::new(message));
         }
         if existing.is_some() && mode == Mode::New {

@@ -3,7 +3,7 @@
 //! `.osim-contact-scale-HOST-PROCESS-XXXXXX.tmp`: a later run on the same computer sees whose file it is. If that
 //! process is gone, nobody will ever finish the file, and it is removed.
 //!
-//! On Windows a file tells by itself whether its writer is there: from the moment it is made until it has its final
+//! On Windows a file shows by itself whether its writer is there: from the moment it is made until it has its final
 //! name, nobody else can open it for writing.
 
 use std::ffi::OsStr;
@@ -54,7 +54,7 @@ fn is_alive(process: u32) -> bool {
     process.is_some_and(|process| process::test_kill_process(process) != Err(Errno::SRCH))
 }
 
-/// Whoever is alive has the file open, which [`nobody_has_open`] sees there.
+/// A process that is alive has the file open, which [`nobody_has_open`] sees there.
 #[cfg(windows)]
 fn is_alive(_process: u32) -> bool {
     false

@@ -1,6 +1,6 @@
 //! The files that make up one model, read as one tree of components.
 //!
-//! Usually there is one. A model whose sets stand in other files (`file="…"`), or a `ForceSet` with the
+//! Usually there is one. A model whose sets are in other files (`file="…"`), or a `ForceSet` with the
 //! `ContactGeometrySet` and the model it belongs to, are several.
 
 use super::tree::{ComponentId, ComponentTree};
@@ -41,7 +41,7 @@ pub(crate) struct Connectee {
 pub(crate) enum Base {
     Ground,
     Body(ComponentId),
-    /// The body stands in a file that was not given (standalone sets only).
+    /// The body is in a file that was not given (standalone sets only).
     Unknown,
 }
 

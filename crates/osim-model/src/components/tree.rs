@@ -1,7 +1,7 @@
 //! The components of a model and their paths: which elements OpenSim turns into objects, and what they are called.
 //!
 //! One pass over the elements in file order gives every element its role. ComponentTree are the items of `<objects>`,
-//! `<components>`, `<frames>` and of a Body's `<Joint>`, sets, and ground; everything else is a property. `<defaults>` of the data root is left out: its objects are no part of the model.
+//! `<components>`, `<frames>` and of a Body's `<Joint>`, sets, and ground; everything else is a property. `<defaults>` of the data root is left out: its objects are not part of the model.
 
 use std::collections::{HashMap, HashSet};
 

@@ -52,7 +52,7 @@ pub struct Force {
     pub transition_velocity: Value,
     /// Line of its element, from 1.
     pub line: usize,
-    /// The file it stands in.
+    /// The file it is in.
     pub file: FileId,
     pub(crate) element: ElementId,
 }
@@ -73,7 +73,7 @@ pub struct ParameterSet {
     pub other_surfaces: usize,
     /// Effective values, in OpenSim's order; `transition_velocity` among them for a `SmoothSphereHalfSpaceForce`.
     pub values: Vec<Value>,
-    /// The whole set stands in `<defaults>`, where other forces find it too.
+    /// The whole set is in `<defaults>`, where other forces find it too.
     pub inherited: bool,
     /// Line of its element, from 1.
     pub line: usize,
@@ -116,7 +116,7 @@ impl Force {
     /// The number of `property` in its own unit, if it can be scaled; `None` where the class has no such property.
     ///
     /// # Errors
-    /// A text that is no plain number, or a number outside its domain, with its place.
+    /// A text that is not a plain number, or a number outside its domain, with its place.
     pub fn checked(&self, set: SetId, property: Property) -> Result<Option<f64>, Fault> {
         let Some(value) = self.value(set, property) else { return Ok(None) };
         value.checked().map(Some).map_err(|fault| fault.of(self.path.clone()).in_file(self.file))

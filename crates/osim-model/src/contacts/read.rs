@@ -225,7 +225,7 @@ impl<'r> ContactReader<'r> {
         Ok(())
     }
 
-    /// Moco 0.1 to 0.3: the sphere's frame, radius and location stand in the force.
+    /// Moco 0.1 to 0.3: the sphere's frame, radius and location are in the force.
     fn add_sphere_inside(&mut self, id: ComponentId) -> Result<SphereId, Fault> {
         let (document, element) = (self.components.doc(id), self.components.element(id));
         let frame = self.attachment(id, "sphere_frame", &[])?;

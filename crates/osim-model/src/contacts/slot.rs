@@ -1,4 +1,4 @@
-//! Where a property stands in a file.
+//! Where a property is in a file.
 
 use std::ops::Range;
 

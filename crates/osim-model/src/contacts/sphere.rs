@@ -32,7 +32,7 @@ pub struct Sphere {
     pub fixed: bool,
     /// Line of its element, from 1.
     pub line: usize,
-    /// The file it stands in.
+    /// The file it is in.
     pub file: FileId,
     pub(crate) element: ElementId,
     /// First byte of its element.
@@ -49,12 +49,12 @@ impl Sphere {
     /// The radius in m, if it is one plain number above 0.
     ///
     /// # Errors
-    /// A text that is no plain number, or a number outside its domain, with its place.
+    /// A text that is not a plain number, or a number outside its domain, with its place.
     pub fn radius_m(&self) -> Result<f64, Fault> {
         self.radius.checked().map_err(|fault| fault.of(self.path.clone()).in_file(self.file))
     }
 
-    /// Whether the sphere stands inside its force, as in Moco 0.1 to 0.3.
+    /// Whether the sphere is inside its force, as in Moco 0.1 to 0.3.
     #[must_use]
     pub fn is_inside_force(&self) -> bool {
         self.spelling == SphereSpelling::InsideForce

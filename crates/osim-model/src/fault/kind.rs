@@ -50,10 +50,10 @@ pub enum FaultKind {
         property: String,
         /// As written.
         text: String,
-        /// Why it is no plain number.
+        /// Why it is not a plain number.
         fault: NumberFault,
     },
-    /// A text that OpenSim refuses because something stands in the middle of it.
+    /// A text that OpenSim refuses because something is in the middle of it.
     BrokenText {
         /// Tag of the element.
         property: String,
@@ -85,14 +85,14 @@ pub enum FaultKind {
     },
     /// Something that only the caller can know.
     Needed(Needed),
-    /// What should change stands in another file, which the model names.
+    /// What should change is in another file, which the model names.
     IncludedFile {
         /// Component path.
         path: String,
         /// The file, as the model names it.
         file: String,
     },
-    /// What should change stands in `<defaults>`.
+    /// What should change is in `<defaults>`.
     ParametersInDefaults {
         /// Component path of the force.
         force: String,
@@ -233,7 +233,7 @@ impl FaultKind {
                 format!("{owner}: nothing called '{connectee}' is in the file, expected the {wanted}")
             }
             Self::IncludedFile { path, file } => format!(
-                "{path} stands in the file '{file}' that the model includes: open the model in OpenSim and save it as one \
+                "{path} is in the file '{file}' that the model includes: open the model in OpenSim and save it as one \
                  file, then change that"
             ),
             Self::ParametersInDefaults { force } => format!(

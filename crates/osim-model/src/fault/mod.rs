@@ -1,7 +1,7 @@
 //! What can be wrong with a model or a request: data first, text second.
 //!
 //! Messages follow one pattern: lower case, no full stop, what is wrong, what was expected, and a way out where there is
-//! one. They never name a file: whoever opened it adds that. They name no option either: what the reader can say stands in
+//! one. They never name a file: the code that opened it adds that. They name no option either: what the reader can say is in
 //! them as an [`Input`](crate::wording::Input), which each front end spells.
 
 mod excerpt;

@@ -4,7 +4,7 @@ use std::fmt;
 use std::ops::Deref;
 use std::path::{Path, PathBuf};
 
-/// A file as it was named: text, and the bytes of the name where that is no UTF-8 and the text only an approximation.
+/// A file as it was named: text, and the bytes of the name where that is not UTF-8 and the text only an approximation.
 ///
 /// ```
 /// use osim_model::files::FileName;
@@ -19,7 +19,7 @@ pub struct FileName {
 }
 
 impl FileName {
-    /// The bytes of the name as the system has them, where they are no UTF-8.
+    /// The bytes of the name as the system has them, where they are not UTF-8.
     #[must_use]
     pub fn bytes(&self) -> Option<&[u8]> {
         self.bytes.as_deref()
@@ -41,7 +41,7 @@ impl FileName {
         PathBuf::from(&self.text)
     }
 
-    /// The text, and the bytes where they are no UTF-8: as JSON has them, side by side.
+    /// The text, and the bytes where they are not UTF-8: as JSON has them, side by side.
     #[must_use]
     pub fn into_parts(self) -> (String, Option<Vec<u8>>) {
         (self.text, self.bytes.map(Into::into))

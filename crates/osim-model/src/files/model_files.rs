@@ -70,7 +70,7 @@ impl ModelFiles {
     /// The model at `path`, whose bytes are known, with the files that it includes (beside `path`) and those given.
     ///
     /// # Errors
-    /// A file that cannot be read, or a model that includes files and is no document.
+    /// A file that cannot be read, or a model that includes files and is not a document.
     pub fn read(path: &Path, bytes: Vec<u8>, beside: Beside<'_>, files: &dyn Files) -> Result<Self, Failure> {
         let name = FileName::from(path);
         let mut companions = Vec::new();

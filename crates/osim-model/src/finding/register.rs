@@ -30,7 +30,7 @@ impl Repair {
     }
 }
 
-/// A text in which the numbers of limits stand by name.
+/// A text in which the numbers of limits have names.
 fn template(text: &str) -> Phrase {
     let named = [
         ("{indentation}", limits::INDENTATION),
@@ -45,7 +45,7 @@ fn template(text: &str) -> Phrase {
 
 macro_rules! codes {
     ($($(#[doc = $doc:literal])+ $variant:ident = $code:literal, $severity:ident, $seen:ident: $why:literal; $advice:literal; $repair:ident $what:literal.)+) => {
-        /// Kinds of finding, about models and about changes. In the texts, inputs and calls stand in backticks, see
+        /// Kinds of finding, about models and about changes. In the texts, inputs and calls are in backticks, see
         /// [`Phrase::template`].
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[non_exhaustive]
@@ -105,7 +105,7 @@ macro_rules! codes {
 codes! {
     /// The contacts are already made for the target mass, so nothing was written.
     AlreadyAtTarget = "already-at-target", Warn, Change:
-        "The mass the contacts are made for is taken from the note in the file, else `mass`, else the sum of the bodies. A model that was scaled in OpenSim weighs its new mass already while its contacts are still those of the old one; the file cannot tell.";
+        "The mass the contacts are made for is taken from the note in the file, else `mass`, else the sum of the bodies. A model that was scaled in OpenSim weighs its new mass already while its contacts are still those of the old one; the file does not show which.";
         "Say what the contacts were made for with `contacts_mass=KG`, or take those of a known model with `transfer from=MODEL`";
         NotPossible "only you know what the contacts were made for".
     /// The note, `mass` and the bodies give different masses.
@@ -203,7 +203,7 @@ codes! {
         "The values in the file are no longer those the note was written for, or only some of them were scaled.";
         "Say what the contacts are made for with `contacts_mass=KG`";
         NotPossible "only you know what the contacts were made for".
-    /// The sphere's radius stands inside the force, as in Moco 0.1 to 0.3.
+    /// The sphere's radius is inside the force, as in Moco 0.1 to 0.3.
     MocoDialect = "moco-dialect", Warn, Model:
         "OpenSim 4.2 and later cannot read such forces; the model works in OpenSim Moco 0.1 to 0.3 only.";
         "Rebuild the contacts with ContactSphere and ContactHalfSpace for a newer OpenSim";
@@ -213,7 +213,7 @@ codes! {
         "A force that does not apply carries no load, so its spheres are not counted; it is still scaled, so that it is right once it is switched on.";
         "Nothing, if that is meant; else `skip_disabled`";
         NotPossible "nothing is wrong".
-    /// Contacts stand in a component of a class that OpenSim does not know.
+    /// Contacts are in a component of a class that OpenSim does not know.
     UnknownClass = "unknown-class", Error, Model:
         "OpenSim skips a component of a class it does not know, with everything in it, so these contacts do not exist for it; they were left alone. A plugin may know the class.";
         "Move the contacts into the ForceSet, or out of the component of that class";
@@ -223,7 +223,7 @@ codes! {
         "OpenSim renames the second one when it loads the model, so a path or a name means the first one only.";
         "Give each a name of its own";
         NotPossible "names are left alone: only numbers are changed".
-    /// Contacts stand in a file that the model includes.
+    /// Contacts are in a file that the model includes.
     IncludedFile = "included-file", Info, Model:
         "The contacts were read from the file that the model names; a change would have to go into that file too.";
         "Save the model in OpenSim as one file before rescaling it";

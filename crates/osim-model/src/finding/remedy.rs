@@ -46,7 +46,7 @@ pub enum RemedyChange {
     Design(RemedyDesign),
     /// Values, or factors.
     Set {
-        /// Properties and what becomes of them.
+        /// Properties and what happens to them.
         assignments: Vec<(Property, Assignment)>,
     },
 }

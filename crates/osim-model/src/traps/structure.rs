@@ -10,7 +10,7 @@ use crate::model::Model;
 
 const NOT_HERTZ: [&str; 3] = ["ElasticFoundationForce", "ExponentialContactForce", "MeyerFregly2016Force"];
 
-/// Contacts that stand in included files can be read but not changed.
+/// Contacts that are in included files can be read but not changed.
 pub(super) fn included_contacts(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
     let forces = model.forces().iter().map(|force| (force.file, &force.path));
@@ -18,7 +18,7 @@ pub(super) fn included_contacts(model: &Model) -> Vec<Finding> {
     let mut said: Vec<FileId> = Vec::new();
     for (file, path) in forces.chain(spheres) {
         if let (Some(name), false) = (model.included_file(file), said.contains(&file)) {
-            let text = format!("{path} and others stand in the file '{name}' that the model includes");
+            let text = format!("{path} and others are in the file '{name}' that the model includes");
             found.push(Finding::new(FindingCode::IncludedFile, text));
             said.push(file);
         }
@@ -93,7 +93,7 @@ pub(super) fn special_components(model: &Model) -> Vec<Finding> {
         let ours =
             tag.starts_with("Contact") || tag == "HuntCrossleyForce" || tag.starts_with("SmoothSphere");
         if ours && tag != Class::ContactParameters.tag() && object.segment != name && !name.is_empty() {
-            let text = format!("'{name}' is there twice: OpenSim calls this one {path}");
+            let text = format!("'{name}' appears twice: OpenSim calls this one {path}");
             found.push(Finding::at(FindingCode::DuplicateNames, components.line(id), text).about(&path));
         }
     }

@@ -36,7 +36,7 @@ pub trait Dialect {
     fn call(&self, call: &Call) -> String;
 }
 
-/// The names of the fields in a request, for whoever has no dialect of their own.
+/// The names of the fields in a request, for callers that have no dialect.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Plain;
 

@@ -47,7 +47,7 @@ inputs! {
     Diff = "diff", "unified diff";
     Dissipation = "dissipation", "dissipation";
     DissipationBy = "dissipation_by", "how dissipation follows";
-    Dpi = "dpi", "pixels to the inch";
+    Dpi = "dpi", "pixels per inch";
     DryRun = "dry_run", "dry run";
     Duration = "duration", "duration";
     Exclude = "exclude", "forces to leave out";

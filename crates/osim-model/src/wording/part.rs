@@ -1,4 +1,4 @@
-//! Inputs and calls as they stand in a sentence.
+//! Inputs and calls as they are in a sentence.
 
 use std::borrow::Cow;
 use std::fmt;

@@ -22,7 +22,7 @@ use super::part::{Call, Example, Part};
 pub struct Phrase(Vec<Part>);
 
 impl Phrase {
-    /// A text in which inputs and calls stand in backticks: `` `mass` ``, `` `contacts_mass=KG` ``,
+    /// A text in which inputs and calls are in backticks: `` `mass` ``, `` `contacts_mass=KG` ``,
     /// `` `design MODEL indentation=0.16` ``. What stands there and is neither stays as it is.
     #[must_use]
     pub fn template(text: &str) -> Self {
@@ -119,7 +119,7 @@ fn input(word: &str) -> Option<(Input, Option<Example>)> {
     Some((*input, example))
 }
 
-/// In plain field names, for whoever has no dialect of their own.
+/// In plain field names, for callers that have no dialect.
 impl fmt::Display for Phrase {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.spelled(&Plain))

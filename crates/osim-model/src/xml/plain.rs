@@ -174,7 +174,7 @@ impl Scan<'_> {
         }
     }
 
-    /// Behind `="value"`.
+    /// After `="value"`.
     fn value(&self, at: usize) -> Option<usize> {
         let quote = self.byte(at + 1);
         if self.byte(at) != b'=' || !matches!(quote, b'"' | b'\'') {

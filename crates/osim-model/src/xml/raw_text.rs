@@ -15,7 +15,7 @@ pub struct RawText {
     /// The bytes that hold the text without the white space around it; what an edit replaces.
     /// Empty (at the place where text would start) when there is none.
     pub span: Range<usize>,
-    /// `false` when a comment or an element stands inside the text: OpenSim reads such a value as an error.
+    /// `false` when a comment or an element is inside the text: OpenSim reads such a value as an error.
     pub whole: bool,
 }
 

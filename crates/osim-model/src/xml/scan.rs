@@ -233,7 +233,7 @@ fn check_attributes(tag: &BytesStart<'_>, start: usize) -> Result<(), Fault> {
             few.contains(&key) || !many.insert(key)
         };
         if seen {
-            let what = format!("attribute '{key}' is there twice");
+            let what = format!("attribute '{key}' appears twice");
             return Err((SyntaxFault::Attribute { tag: name.as_ref().to_owned(), what }, start));
         }
     }

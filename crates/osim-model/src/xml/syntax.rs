@@ -67,7 +67,7 @@ pub enum SyntaxFault {
         what: String,
     },
     /// A zero byte.
-    #[error("a zero byte stands here: the file is damaged or no text, copy it again from where it came")]
+    #[error("a zero byte is here: the file is damaged or not text, copy it again from where it came")]
     Nul,
     /// More than 4 GiB.
     #[error("the file is larger than 4 GiB")]
@@ -80,6 +80,6 @@ pub(crate) struct SyntaxError {
     pub(crate) fault: SyntaxFault,
     /// Byte of the file.
     pub(crate) offset: usize,
-    /// The file, for whoever wants to show the place.
+    /// The file, for code that shows the place.
     pub(crate) file: FileText,
 }

@@ -125,7 +125,7 @@ impl ScaleFile {
                 return Err(Fault::over(FaultKind::Refused(text), tree.span(scale)));
             };
             if factors.insert(segment.clone(), values).is_some_and(|other| other != values) {
-                let text = format!("segment {segment} is there twice with different scales");
+                let text = format!("segment {segment} appears twice with different scales");
                 return Err(Fault::over(FaultKind::Refused(text), tree.span(scale)));
             }
         }

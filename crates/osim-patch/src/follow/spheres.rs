@@ -52,7 +52,7 @@ pub enum MovedSpheres {
     Refuse,
     /// They are right: keep their location and radius.
     Keep,
-    /// They are not: place them anew from the reference.
+    /// They are not: place them again from the reference.
     Replace,
 }
 
@@ -228,9 +228,7 @@ fn refuse_unmatched(model: &Model, wanted: &[SphereId], generic: &Anatomy) -> Re
     let twins = |name: &str| generic.spheres.iter().filter(|sphere| sphere.name == name).count() > 1;
     let names = wanted.iter().filter_map(|&id| model.sphere(id)).map(|sphere| &sphere.name);
     if let Some(name) = names.into_iter().find(|name| twins(name)) {
-        return Err(Fault::refused(format!(
-            "the reference has several spheres called {name}: which is meant cannot be told, expected one"
-        )));
+        return Err(Fault::refused(format!("the reference has several spheres called {name}: expected one")));
     }
     let unmatched: Vec<&str> = wanted
         .iter()
@@ -243,7 +241,7 @@ fn refuse_unmatched(model: &Model, wanted: &[SphereId], generic: &Anatomy) -> Re
     }
     let known: Vec<&str> = generic.spheres.iter().map(|sphere| sphere.name.as_str()).collect();
     Err(Fault::refused(format!(
-        "these spheres have no namesake in the reference: {}; it has {}",
+        "the reference has no spheres with these names: {}; it has {}",
         unmatched.join(", "),
         if known.is_empty() { "none".to_owned() } else { known.join(", ") }
     )))

@@ -1,6 +1,6 @@
-//! What becomes of radii.
+//! What happens to radii.
 
-/// What becomes of the radii of the moving spheres.
+/// What happens to the radii of the moving spheres.
 ///
 /// ```
 /// use osim_model::{MassRequest, Model, Property, Selection};
@@ -38,7 +38,7 @@ pub enum RadiusRule {
     Factor(f64),
 }
 
-/// What becomes of the radius of one sphere.
+/// What happens to the radius of one sphere.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum SphereRule {
     /// As for all spheres.

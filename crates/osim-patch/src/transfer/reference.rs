@@ -12,7 +12,7 @@ use crate::surfaces::{Surfaces, sphere_sets};
 /// that share its weight: see [`Reference`] for an example.
 ///
 /// # Errors
-/// A value that is no plain number or outside its domain, with its place.
+/// A value that is not a plain number or outside its domain, with its place.
 pub fn reference_of_model(
     model: &Model,
     selected: &Selected,

@@ -110,7 +110,7 @@ pub struct Transfer {
     pub mass: Mass,
     /// Spheres n that share this model's weight.
     pub sphere_count: f64,
-    /// What becomes of the radii.
+    /// What happens to the radii.
     pub radius: RadiusRule,
     /// Which properties may change.
     pub properties: PropertySet,

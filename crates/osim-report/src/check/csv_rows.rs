@@ -6,7 +6,7 @@ use crate::layout::csv_text;
 
 const COLUMNS: [&str; 8] = ["model", "severity", "code", "place", "line", "spheres", "message", "command"];
 
-/// The rows of one model, behind a header where `header`. What was found is taken as it is spelled.
+/// The rows of one model, after a header where `header`. What was found is taken as it is spelled.
 ///
 /// # Errors
 /// None in practice: the rows are written into memory.

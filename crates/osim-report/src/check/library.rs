@@ -68,7 +68,7 @@ impl LibraryTable {
         }
         right_aligned(&mut codes, &[2]);
         let more = Phrase::template(
-            "In full, with commands that mend: `check MODEL`. What one means: `explain topics=FINDING`",
+            "In full, with commands that fix it: `check MODEL`. What one means: `explain topics=FINDING`",
         );
         text.push_str(&format!("\n{}\n\n{}\n", codes.trim_fmt(), more.spelled(dialect)));
         painted_rows(&text, colour)

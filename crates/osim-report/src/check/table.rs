@@ -5,7 +5,7 @@ use osim_model::Finding;
 
 use crate::layout::{Colour, severity, wrapped};
 
-/// Every finding, worst first, with what to do. What was found is taken as it is spelled; `prompt` stands before each remedy.
+/// Every finding, worst first, with what to do. What was found is taken as it is spelled; `prompt` is before each remedy.
 #[must_use]
 pub fn text(found: &CheckResult, prompt: &str, colour: Colour) -> String {
     let mut text = wrapped(&format!("{}: {}", found.model, found.counts.describe("nothing to say")), "  ");

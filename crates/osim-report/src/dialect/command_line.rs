@@ -6,7 +6,7 @@ use osim_model::wording::{Call, Dialect, Example, Input, Verb};
 use osim_model::{Remedy, RemedyDialect};
 
 use super::front_end::FrontEnd;
-use super::remedy::{Parts, Said};
+use super::remedy::{InputValue, RemedyParts};
 use super::shell::shell_quoted;
 
 /// Name of the program.
@@ -38,7 +38,7 @@ impl Dialect for CommandLine {
     }
 
     fn call(&self, call: &Call) -> String {
-        let said = |positional: bool| {
+        let arguments = |positional: bool| {
             let inputs = call.inputs.iter().filter(move |(input, _)| is_positional(*input) == positional);
             inputs.map(|(input, example)| self.input(*input, example.as_ref()))
         };
@@ -47,16 +47,16 @@ impl Dialect for CommandLine {
         if call.verb != Verb::Rescale || !call.with_model {
             words.push(call.verb.name().to_owned());
         }
-        words.extend(said(true));
+        words.extend(arguments(true));
         words.extend(call.with_model.then(|| "MODEL".to_owned()));
-        words.extend(said(false));
+        words.extend(arguments(false));
         words.join(" ")
     }
 }
 
 impl RemedyDialect for CommandLine {
     fn remedy(&self, remedy: &Remedy) -> String {
-        let Some(parts) = Parts::of(remedy) else { return String::new() };
+        let Some(parts) = RemedyParts::of(remedy) else { return String::new() };
         let mut words = vec![PROGRAM.to_owned()];
         if parts.verb != Verb::Rescale {
             words.push(parts.verb.name().to_owned());
@@ -66,13 +66,13 @@ impl RemedyDialect for CommandLine {
             Assignment::Factor(factor) => format!("{property}=x{}", shortest(*factor)),
             Assignment::Value(value) => format!("{property}={}", shortest(*value)),
         }));
-        for (input, said) in &parts.inputs {
+        for (input, value) in &parts.inputs {
             let mut say = |value: &str| words.extend([option(*input), shell_quoted(value)]);
-            match said {
-                Said::Number(value) => say(&shortest(*value)),
-                Said::Text(text) => say(text),
-                Said::Patterns(patterns) => patterns.iter().for_each(|pattern| say(pattern)),
-                Said::Flag => words.push(option(*input)),
+            match value {
+                InputValue::Number(value) => say(&shortest(*value)),
+                InputValue::Text(text) => say(text),
+                InputValue::Patterns(patterns) => patterns.iter().for_each(|pattern| say(pattern)),
+                InputValue::Flag => words.push(option(*input)),
             }
         }
         words.join(" ")
@@ -93,7 +93,7 @@ impl FrontEnd for CommandLine {
     }
 }
 
-/// What is said without the name of an option.
+/// What is written without the name of an option.
 fn is_positional(input: Input) -> bool {
     matches!(input, Input::Kind | Input::Topics)
 }

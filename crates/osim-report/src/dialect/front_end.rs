@@ -10,7 +10,7 @@ pub trait FrontEnd: RemedyDialect {
         self.call(call)
     }
 
-    /// What stands before a remedy that is there to be copied.
+    /// What is before a remedy that is there to be copied.
     fn prompt(&self) -> &'static str {
         ""
     }

@@ -33,11 +33,11 @@ impl Dialect for JsonRequest {
     fn call(&self, call: &Call) -> String {
         let mut fields = vec![format!("\"verb\": \"{}\"", call.verb.name())];
         fields.extend(call.with_model.then(|| model(call.verb).to_owned()));
-        let said = call.inputs.iter().map(|(input, example)| match example {
+        let arguments = call.inputs.iter().map(|(input, example)| match example {
             None if !input.is_flag() => format!("\"{}\": ...", input.name()),
             example => self.input(*input, example.as_ref()),
         });
-        fields.extend(said);
+        fields.extend(arguments);
         format!("{{{}}}", fields.join(", "))
     }
 }

@@ -6,7 +6,7 @@ use osim_model::wording::{Call, Dialect, Example, Input, Verb};
 use osim_model::{Remedy, RemedyDialect};
 
 use super::front_end::FrontEnd;
-use super::remedy::{Parts, Said};
+use super::remedy::{InputValue, RemedyParts};
 
 /// A page: the field “mass of the model”.
 ///
@@ -38,7 +38,7 @@ impl Dialect for Page {
 
 impl RemedyDialect for Page {
     fn remedy(&self, remedy: &Remedy) -> String {
-        let Some(parts) = Parts::of(remedy) else { return String::new() };
+        let Some(parts) = RemedyParts::of(remedy) else { return String::new() };
         let mut wanted: Vec<String> = parts
             .assignments
             .iter()
@@ -47,13 +47,13 @@ impl RemedyDialect for Page {
                 Assignment::Value(value) => format!("{property} {}", readable(*value)),
             })
             .collect();
-        wanted.extend(parts.inputs.iter().map(|(input, said)| {
+        wanted.extend(parts.inputs.iter().map(|(input, value)| {
             let label = input.label();
-            match said {
-                Said::Number(value) => format!("“{label}” {}", readable(*value)),
-                Said::Text(text) => format!("“{label}” {text}"),
-                Said::Patterns(patterns) => format!("“{label}” {}", patterns.join(" and ")),
-                Said::Flag => format!("“{label}”"),
+            match value {
+                InputValue::Number(value) => format!("“{label}” {}", readable(*value)),
+                InputValue::Text(text) => format!("“{label}” {text}"),
+                InputValue::Patterns(patterns) => format!("“{label}” {}", patterns.join(" and ")),
+                InputValue::Flag => format!("“{label}”"),
             }
         }));
         let what = match parts.verb {

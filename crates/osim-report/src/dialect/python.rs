@@ -6,7 +6,7 @@ use osim_model::wording::{Call, Dialect, Example, Input, Verb};
 use osim_model::{Remedy, RemedyDialect};
 
 use super::front_end::FrontEnd;
-use super::remedy::{Parts, Said};
+use super::remedy::{InputValue, RemedyParts};
 
 /// Python: `mass=KG`, `ocs.design("model.osim", indentation=0.16)`.
 ///
@@ -45,7 +45,7 @@ impl Dialect for Python {
 
 impl RemedyDialect for Python {
     fn remedy(&self, remedy: &Remedy) -> String {
-        let Some(parts) = Parts::of(remedy) else { return String::new() };
+        let Some(parts) = RemedyParts::of(remedy) else { return String::new() };
         let mut arguments = vec![quoted(&remedy.model)];
         arguments.extend(parts.assignments.iter().map(|(property, assignment)| match assignment {
             Assignment::Factor(factor) => {
@@ -53,15 +53,15 @@ impl RemedyDialect for Python {
             }
             Assignment::Value(value) => format!("{property}={}", shortest(*value)),
         }));
-        arguments.extend(parts.inputs.iter().map(|(input, said)| {
-            let value = match said {
-                Said::Number(value) => shortest(*value),
-                Said::Text(text) => quoted(text),
-                Said::Patterns(patterns) => {
+        arguments.extend(parts.inputs.iter().map(|(input, given)| {
+            let value = match given {
+                InputValue::Number(value) => shortest(*value),
+                InputValue::Text(text) => quoted(text),
+                InputValue::Patterns(patterns) => {
                     let patterns: Vec<String> = patterns.iter().map(|pattern| quoted(pattern)).collect();
                     format!("[{}]", patterns.join(", "))
                 }
-                Said::Flag => "True".to_owned(),
+                InputValue::Flag => "True".to_owned(),
             };
             format!("{}={value}", name(*input))
         }));
@@ -75,12 +75,12 @@ fn function(verb: Verb, arguments: &[String]) -> String {
     format!("ocs.{}({})", verb.name().replace('-', "_"), arguments.join(", "))
 }
 
-/// What is said without a keyword.
+/// What is written without a keyword.
 fn is_positional(input: Input) -> bool {
     matches!(input, Input::Kind | Input::Topics)
 }
 
-/// The keyword; a word that Python reserves gets a line behind it.
+/// The keyword; a word that Python reserves gets a line after it.
 fn name(input: Input) -> String {
     match input.name() {
         "from" => "from_".to_owned(),

@@ -1,12 +1,12 @@
-//! What a remedy says, in the order in which it is said.
+//! The inputs of a remedy, in the order in which they are written.
 
 use osim_model::Assignment;
 use osim_model::wording::{Input, Verb};
 use osim_model::{Pattern, Property};
 use osim_model::{Remedy, RemedyChange, RemedyDesign, RemedyLoad};
 
-/// What is said of an input.
-pub(super) enum Said {
+/// The value of an input.
+pub(super) enum InputValue {
     Number(f64),
     Text(String),
     /// One or more patterns.
@@ -16,34 +16,34 @@ pub(super) enum Said {
 }
 
 /// A remedy, taken apart.
-pub(super) struct Parts<'r> {
+pub(super) struct RemedyParts<'r> {
     pub(super) verb: Verb,
-    /// Properties and what becomes of them.
+    /// Properties and what happens to them.
     pub(super) assignments: &'r [(Property, Assignment)],
-    pub(super) inputs: Vec<(Input, Said)>,
+    pub(super) inputs: Vec<(Input, InputValue)>,
 }
 
-impl<'r> Parts<'r> {
+impl<'r> RemedyParts<'r> {
     /// `None` for a change that this version does not know.
     pub(super) fn of(remedy: &'r Remedy) -> Option<Self> {
         let mut inputs = Vec::new();
         let mut assignments: &[(Property, Assignment)] = &[];
         let verb = match &remedy.change {
             RemedyChange::Rescale { contacts_mass_kg, target_mass_kg } => {
-                inputs.push((Input::ContactsMass, Said::Number(*contacts_mass_kg)));
-                inputs.push((Input::TargetMass, Said::Number(*target_mass_kg)));
+                inputs.push((Input::ContactsMass, InputValue::Number(*contacts_mass_kg)));
+                inputs.push((Input::TargetMass, InputValue::Number(*target_mass_kg)));
                 Verb::Rescale
             }
             RemedyChange::Transfer { from } => {
-                inputs.push((Input::From, Said::Text((*from).to_owned())));
+                inputs.push((Input::From, InputValue::Text((*from).to_owned())));
                 Verb::Transfer
             }
             RemedyChange::Design(wanted) => {
                 inputs.extend(design(wanted));
                 Verb::Design
             }
-            RemedyChange::Set { assignments: said } => {
-                assignments = said;
+            RemedyChange::Set { assignments: set } => {
+                assignments = set;
                 Verb::Set
             }
             _ => return None,
@@ -54,11 +54,11 @@ impl<'r> Parts<'r> {
     }
 }
 
-fn number((input, value): (Input, Option<f64>)) -> Option<(Input, Said)> {
-    Some((input, Said::Number(value?)))
+fn number((input, value): (Input, Option<f64>)) -> Option<(Input, InputValue)> {
+    Some((input, InputValue::Number(value?)))
 }
 
-fn design(wanted: &RemedyDesign) -> impl Iterator<Item = (Input, Said)> {
+fn design(wanted: &RemedyDesign) -> impl Iterator<Item = (Input, InputValue)> {
     let numbers = [
         (Input::Indentation, wanted.indentation),
         (Input::BodyWeights, wanted.body_weights),
@@ -70,7 +70,7 @@ fn design(wanted: &RemedyDesign) -> impl Iterator<Item = (Input, Said)> {
     numbers.into_iter().filter_map(number)
 }
 
-fn load(load: &RemedyLoad) -> Vec<(Input, Said)> {
+fn load(load: &RemedyLoad) -> Vec<(Input, InputValue)> {
     let mut inputs: Vec<_> = [(Input::Mass, load.mass_kg), (Input::Gravity, load.gravity_m_s2)]
         .into_iter()
         .filter_map(number)
@@ -82,19 +82,19 @@ fn load(load: &RemedyLoad) -> Vec<(Input, Said)> {
 }
 
 /// Which forces, and in which further files.
-fn choice(remedy: &Remedy) -> Vec<(Input, Said)> {
+fn choice(remedy: &Remedy) -> Vec<(Input, InputValue)> {
     let selection = &remedy.selection;
     let mut inputs = Vec::new();
     inputs.extend(patterns(Input::Select, &selection.select));
     inputs.extend(patterns(Input::Exclude, &selection.exclude));
-    inputs.extend(selection.skip_disabled.then_some((Input::SkipDisabled, Said::Flag)));
+    inputs.extend(selection.skip_disabled.then_some((Input::SkipDisabled, InputValue::Flag)));
     for (input, path) in [(Input::Geometry, &remedy.geometry), (Input::Model, &remedy.set_model)] {
-        inputs.extend(path.as_ref().map(|path| (input, Said::Text(path.display().to_string()))));
+        inputs.extend(path.as_ref().map(|path| (input, InputValue::Text(path.display().to_string()))));
     }
     inputs
 }
 
-fn patterns(input: Input, patterns: &[Pattern]) -> Option<(Input, Said)> {
+fn patterns(input: Input, patterns: &[Pattern]) -> Option<(Input, InputValue)> {
     let texts: Vec<String> = patterns.iter().map(|pattern| pattern.as_str().to_owned()).collect();
-    (!texts.is_empty()).then_some((input, Said::Patterns(texts)))
+    (!texts.is_empty()).then_some((input, InputValue::Patterns(texts)))
 }

@@ -45,7 +45,7 @@ pub(super) fn ascii(text: &str) -> String {
     roots(&out)
 }
 
-/// A root of one symbol gets brackets: nobody could tell how far it reaches.
+/// A root of one symbol gets brackets: nobody could see how far it reaches.
 fn roots(text: &str) -> String {
     let mut parts = text.split('√');
     let mut out = parts.next().unwrap_or_default().to_owned();

@@ -84,7 +84,7 @@ const FILE: &[ErrorCode] = &[
     code("no-models", "the folder holds no .osim file", "name a model, or the folder that holds them"),
     code(
         "not-xml",
-        "this is no XML: an empty file, a zip archive, a binary file",
+        "this is not XML: an empty file, a zip archive, a binary file",
         "get the model again from where it came",
     ),
     code(
@@ -113,12 +113,12 @@ const FILE: &[ErrorCode] = &[
 const MODEL: &[ErrorCode] = &[
     code(
         "not-a-number",
-        "a number is written so that OpenSim reads something else than it looks like: 1,5e6 is 1 for OpenSim, abc is its default",
+        "a number that OpenSim reads as another one: 1,5e6 is 1 for OpenSim, abc is its default",
         "write the number plainly, like 1.5e6",
     ),
     code(
         "broken-text",
-        "a comment or an element stands in the middle of a text that OpenSim must read, such as a list of geometry",
+        "a comment or an element is in the middle of a text that OpenSim must read, such as a list of geometry",
         "remove it",
     ),
     code(
@@ -128,12 +128,12 @@ const MODEL: &[ErrorCode] = &[
     ),
     code(
         "no-mass",
-        "a body has no mass, or the bodies weigh nothing in all",
+        "a body has no mass, or all bodies together weigh nothing",
         "give the body a <mass>, or say `mass=KG` or `contacts_mass=KG`",
     ),
     code(
         "no-contacts",
-        "no HuntCrossleyForce or SmoothSphereHalfSpaceForce in which a moving sphere can touch a half-space. A folder's models without contacts are passed over instead",
+        "no HuntCrossleyForce or SmoothSphereHalfSpaceForce in which a moving sphere can touch a half-space. A folder's models without contacts are skipped instead",
         "add contacts in OpenSim. If you see them there, look for a warning about a misnamed parameter set with inspect",
     ),
     code(
@@ -146,7 +146,7 @@ const MODEL: &[ErrorCode] = &[
 const QUESTION: &[ErrorCode] = &[
     code(
         "included-file",
-        "the number to change stands in another file, which the model names with file=\"...\"",
+        "the number to change is in another file, which the model names with file=\"...\"",
         "open the model in OpenSim, save it as one file, change that",
     ),
     code(
@@ -186,12 +186,12 @@ const QUESTION: &[ErrorCode] = &[
     ),
     code(
         "sphere-count",
-        "how many spheres share the body weight? Limbs have different counts, or left and right cannot be told",
+        "how many spheres share the body weight? Limbs have different counts, or left and right cannot be determined",
         "`spheres=N`; for the reference `reference_spheres=N`",
     ),
     code(
         "which-reference",
-        "the contacts of the reference differ, and your spheres have no namesakes there",
+        "the contacts of the reference differ, and it has no spheres with the names of yours",
         "`reference_sphere=NAME`",
     ),
 ];
@@ -219,7 +219,7 @@ const REQUEST: &[ErrorCode] = &[
     ),
     code(
         "fit",
-        "the CSV file, or what is in it: the message names line and column, or what the data do not tell",
+        "the CSV file, or what is in it: the message names line and column, or what the data do not determine",
         "see docs/fit.md",
     ),
     code(
@@ -230,7 +230,7 @@ const REQUEST: &[ErrorCode] = &[
     code(
         "manifest",
         "a row of a manifest is wrong: the message names row and column. No row was done",
-        "mend the cells that are named, and run again",
+        "correct the cells that are named, and run again",
     ),
     code(
         "internal",

@@ -1,4 +1,4 @@
-//! What stands in the column "equation" where no equation of the paper does: rules of this project.
+//! What is in the column "equation" where no equation of the paper does: rules of this project.
 
 use contact_scaling::Equation;
 use contact_scaling::equations::{Form, Symbol};
@@ -63,7 +63,7 @@ pub(super) const ALL: &[Equation] = &[
         symbols: &[
             symbol("E₁*", "plane strain modulus of one of the two surfaces (OpenSim: stiffness)", "N/m²"),
             symbol("α", "Hunt–Crossley dissipation (OpenSim: dissipation)", "s/m"),
-            symbol("M_a", "mass the reference's contacts stand for", "kg"),
+            symbol("M_a", "mass the reference's contacts are made for", "kg"),
             symbol("M_b", "mass of the model", "kg"),
             symbol("h", "ratio of the heights, model to reference", "1"),
         ],

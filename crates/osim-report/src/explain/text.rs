@@ -82,7 +82,7 @@ pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: Letters) -> String
     [equations, findings, errors].map(|table| format!("{}\n", fitted(table))).join("\n")
 }
 
-/// Numbers of the paper stand in brackets, as there.
+/// Numbers of the paper are in brackets, as there.
 fn shown(label: &str) -> String {
     if label.ends_with(|c: char| c.is_ascii_digit()) && !label.contains(' ') {
         format!("({label})")

@@ -87,7 +87,7 @@ impl UnknownTopic {
     pub fn message(&self, front_end: &dyn FrontEnd) -> String {
         let near = self.near.map(|near| format!(", expected one like '{near}'")).unwrap_or_default();
         let list = front_end.command(&Verb::Explain.call());
-        format!("'{}' is no equation and no code{near}: `{list}` lists them", self.name)
+        format!("'{}' is neither an equation nor a code{near}: `{list}` lists them", self.name)
     }
 }
 
@@ -108,7 +108,7 @@ mod tests {
         let unknown = Topic::find("11, sunk-inn").unwrap_err();
         assert_eq!(
             unknown.message(&CommandLine),
-            "'sunk-inn' is no equation and no code, expected one like 'sunk-in': `osim-contact-scale explain` lists \
+            "'sunk-inn' is neither an equation nor a code, expected one like 'sunk-in': `osim-contact-scale explain` lists \
              them"
         );
     }

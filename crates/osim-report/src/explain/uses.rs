@@ -48,10 +48,10 @@ fn template(label: &str) -> &'static str {
             "drop-test: force of a SmoothSphereHalfSpaceForce; at rest also inspect, plot: indentation, force with the sphere just touching; design: stiffness"
         }
         "C.10" => "rescale, transfer, design: hunt_crossley_smoothing",
-        "drop speed" => "inspect, design, drop-test: the speed of an impact where nobody says another",
+        "drop speed" => "inspect, design, drop-test: the speed of an impact where none is given",
         "exact restitution" => "inspect, design, drop-test, transfer: restitution by the exact law",
         "rest by (1)" => "inspect, drop-test: indentation at rest by the Hertz law",
-        "rest by (C.9)" => "inspect, drop-test: indentation at rest by the model's own law",
+        "rest by (C.9)" => "inspect, drop-test: indentation at rest by the model's law",
         "continuation" => "`sweep ladder`: stiffness of the steps",
         "mixed radii" => "rescale, transfer: one ContactParameters with spheres of several radii",
         "friction" => "`friction`: transition_velocity and viscous_friction",

@@ -13,7 +13,7 @@ pub struct About {
     pub verb: Verb,
     /// The model, where it is one.
     pub model: Option<String>,
-    /// Which table the models stand in, where they are several.
+    /// Which table the models are in, where they are several.
     pub columns: Columns,
     /// What was asked, as the reader would ask for it again.
     pub asked: String,

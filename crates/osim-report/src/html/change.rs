@@ -57,7 +57,7 @@ impl<'c> Changed<'c> {
     }
 }
 
-/// Everything about one model that was changed; `row` stands in the table of models.
+/// Everything about one model that was changed; `row` is in the table of models.
 #[must_use]
 pub fn changed(row: &RunRow, changed: &Changed<'_>, detail: DetailLevel, dialect: &dyn Dialect) -> Entry {
     let mut fragment = Fragment::new(detail);

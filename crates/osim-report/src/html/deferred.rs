@@ -1,4 +1,4 @@
-//! Text that waits until what stands before it on the page is known.
+//! Text that waits until what is before it on the page is known.
 
 use std::io::{self, Write};
 

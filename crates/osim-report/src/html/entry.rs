@@ -1,4 +1,4 @@
-//! What became of one model: its row in the table, and everything else about it.
+//! The outcome for one model: its row in the table, and everything else about it.
 
 use osim_inspect::{Counts, Figure, Inspection, SphereFigures};
 use osim_model::files::Failure;
@@ -11,15 +11,15 @@ use super::run_row::{EarlierRun, RowError, RunRow};
 use crate::explain::{ErrorCode, error};
 
 /// Factors that differ from place to place.
-const UNLIKE: &str = "unlike";
+const UNEQUAL: &str = "unequal";
 
-/// What became of one model.
+/// The outcome for one model.
 #[derive(Debug)]
 pub struct Entry {
     pub(super) model: String,
     /// In the order of the columns.
     pub(super) cells: Vec<String>,
-    /// Behind its name where its details are closed.
+    /// After its name where its details are closed.
     pub(super) summary: String,
     /// Everything else about it; `None` where it could not be done.
     pub(super) fragment: Option<Box<Fragment>>,
@@ -79,7 +79,7 @@ impl Entry {
     pub fn left_by_earlier_run(row: &RunRow, earlier: &EarlierRun) -> Self {
         let factor = |factor: Option<f64>, property: Property| match factor {
             Some(factor) => four_significant(factor),
-            None if earlier.unlike.iter().any(|name| name == property.name()) => UNLIKE.to_owned(),
+            None if earlier.unequal_factors.iter().any(|name| name == property.name()) => UNEQUAL.to_owned(),
             None => String::new(),
         };
         let became = format!("done by an earlier run: {}", row.status);
@@ -117,10 +117,10 @@ impl Entry {
     /// A model of a folder that has no contacts.
     #[must_use]
     pub fn without_contacts(model: &str) -> Self {
-        Self::not_done(model, "passed over: no contacts".to_owned())
+        Self::not_done(model, "skipped: no contacts".to_owned())
     }
 
-    /// A model of which there is nothing but what became of it.
+    /// A model of which there is nothing but the outcome.
     fn not_done(model: &str, became: String) -> Self {
         Self {
             model: model.to_owned(),
@@ -145,7 +145,7 @@ fn ratio(plan: &Plan, property: Property) -> String {
     let mut ratios = plan.changes.iter().filter(|change| change.property == property).map(|c| c.to / c.from);
     let Some(first) = ratios.next() else { return String::new() };
     let same = |ratio: f64| four_significant(ratio) == four_significant(first);
-    if ratios.all(same) { four_significant(first) } else { UNLIKE.to_owned() }
+    if ratios.all(same) { four_significant(first) } else { UNEQUAL.to_owned() }
 }
 
 fn counts(found: Counts) -> [String; 3] {

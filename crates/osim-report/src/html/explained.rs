@@ -74,7 +74,7 @@ impl Topics {
     }
 }
 
-/// The first number of an equation that stands in brackets, and what is around it.
+/// The first number of an equation that is in brackets, and what is around it.
 fn bracketed(text: &str) -> Option<(&str, &str, &str)> {
     let mut from = 0;
     loop {
@@ -89,7 +89,7 @@ fn bracketed(text: &str) -> Option<(&str, &str, &str)> {
     }
 }
 
-/// Numbers of the paper stand in brackets, as there.
+/// Numbers of the paper are in brackets, as there.
 fn shown(label: &str) -> String {
     let number = label.ends_with(|c: char| c.is_ascii_digit()) && !label.contains(' ');
     if number { format!("({label})") } else { label.to_owned() }

@@ -10,7 +10,7 @@ pub type NamedDigest = (String, String);
 pub struct Files {
     /// What was read, the model first.
     pub inputs: Vec<NamedDigest>,
-    /// What became of it, in words.
+    /// The outcome, in words.
     pub result: String,
     /// What was written.
     pub outputs: Vec<NamedDigest>,

@@ -48,7 +48,7 @@ pub(super) fn of_change(fragment: &mut Fragment, now: &CheckResult, new: &After<
     let groups = [("New with this change", comes), ("Still there", stays), ("Gone with this change", goes)];
     let body = html! {
         p {
-            "As " code { "check" } " sees the model before, and the new one under the mass its contacts stand for"
+            "As " code { "check" } " sees the model before, and the new one under the mass its contacts are made for"
             @if let Some(gravity) = new.gravity_m_s2 {
                 " at " (readable(gravity)) " m/s². The model's own " code { "<gravity>" } " is still another: set it in OpenSim"
             }
@@ -77,7 +77,7 @@ const DEPTH: [FindingCode; 3] =
 
 /// How far apart what two findings say is: 0 the same, 1 another step of a ladder; `None` where they are not akin.
 ///
-/// What is said of spheres is told once for all of them, at the worst, which may be another one after the change.
+/// What is said of spheres is shown once for all of them, at the worst, which may be another one after the change.
 fn kinship(old: &Finding, new: &Finding) -> Option<u8> {
     let about_spheres = !old.spheres.is_empty() && !new.spheres.is_empty();
     match old.code == new.code {

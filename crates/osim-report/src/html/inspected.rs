@@ -128,7 +128,7 @@ fn the_model(inspected: &Inspection, files: &[NamedDigest]) -> Markup {
                 Some(mass) => { (readable(mass)) " kg (" (inspected.mass_source) ")" }
                 None => { "not known" }
             } }
-            dt { "Contacts stand for" } dd { @match &inspected.contacts_mass_kg {
+            dt { "Contacts made for" } dd { @match &inspected.contacts_mass_kg {
                 Some(mass) => { (readable(mass.value)) " kg (" (mass.description) ")" }
                 None => { "not known" }
             } }

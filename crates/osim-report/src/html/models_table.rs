@@ -14,7 +14,7 @@ pub(super) const DETAILS_BEGIN: &str = "<section id=\"in-full\" aria-labelledby=
                                         <h2 id=\"in-full-title\">Each model in full</h2>\n";
 pub(super) const DETAILS_END: &str = "</section>\n";
 
-/// Which table the models stand in.
+/// Which table the models are in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Columns {
@@ -29,20 +29,20 @@ impl Columns {
     fn headers(self) -> &'static [&'static str] {
         match self {
             Self::Changes => &[
-                " became",
+                " outcome",
                 "from, kg",
                 "to, kg",
                 "changes",
                 "radius ×",
                 "stiffness ×",
                 "dissipation ×",
-                "said",
+                "warned",
                 "errors",
                 "warnings",
                 "remarks",
             ],
             Self::Inspections => &[
-                " became",
+                " outcome",
                 "weighs, kg",
                 "contacts for, kg",
                 "spheres per limb",
@@ -57,8 +57,8 @@ impl Columns {
     fn explained(self) -> &'static str {
         match self {
             Self::Changes => {
-                "From and to: the body mass that the contacts stand for. ×: new over old; “unlike” where it is not \
-                 the same everywhere. Said: warnings of the change. Errors, warnings, remarks: findings in the new model."
+                "From and to: the body mass that the contacts are made for. ×: new over old; “unequal” where it is not \
+                 the same everywhere. Warned: warnings of the change. Errors, warnings, remarks: findings in the new model."
             }
             Self::Inspections => {
                 "Deepest x/R: indentation over radius of the sphere that sinks in most under the body weight on one \
@@ -111,7 +111,7 @@ pub(super) fn row(
 
 /// Everything about model `number`, closed until somebody asks.
 ///
-/// The anchor stands inside: a browser that follows a link into closed details opens them.
+/// The anchor is inside: a browser that follows a link into closed details opens them.
 pub(super) fn details(entry: &Entry, number: usize, inside: &str) -> String {
     let summary = html! { h3 { (entry.model) } " " span.quiet { (entry.summary) } };
     format!(

@@ -2,7 +2,7 @@
 
 use osim_model::readable;
 
-/// What became of one model in a run.
+/// The outcome for one model in a run.
 #[derive(Debug, Clone, Default, PartialEq)]
 #[non_exhaustive]
 pub struct RunRow {
@@ -10,11 +10,11 @@ pub struct RunRow {
     pub row: Option<usize>,
     /// The model, as it was named.
     pub model: String,
-    /// The file that comes of it.
+    /// The file that results.
     pub output: Option<String>,
-    /// What became of it, in words.
+    /// The outcome, in words.
     pub status: String,
-    /// What its contacts stood for, kg.
+    /// What its contacts were made for, kg.
     pub contacts_mass_from_kg: Option<f64>,
     /// The mass they are made for afterwards, kg.
     pub contacts_mass_to_kg: Option<f64>,
@@ -33,7 +33,7 @@ pub struct EarlierRun {
     /// New over old dissipation, likewise.
     pub dissipation_factor: Option<f64>,
     /// OpenSim's names of the properties whose factor is not the same everywhere.
-    pub unlike: Vec<String>,
+    pub unequal_factors: Vec<String>,
     /// How many kinds of warnings there were.
     pub warnings: usize,
 }
@@ -58,7 +58,7 @@ impl RunRow {
         Self { model: model.into(), status: status.into(), ..Self::default() }
     }
 
-    /// The model; in a manifest, where several rows may use one, with its row and what comes of it.
+    /// The model; in a manifest, where several rows may use one, with its row and the result.
     pub(super) fn name(&self) -> String {
         match (self.row, &self.output) {
             (Some(row), Some(output)) => format!("row {row}: {} → {output}", self.model),
@@ -67,7 +67,7 @@ impl RunRow {
         }
     }
 
-    /// The cells that any change has: what became of it, both masses, and how many changes.
+    /// The cells that any change has: the outcome, both masses, and how many changes.
     pub(super) fn cells(&self, became: &str) -> Vec<String> {
         let mass = |kg: Option<f64>| kg.map(readable).unwrap_or_default();
         vec![

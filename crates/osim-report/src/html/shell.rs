@@ -1,4 +1,4 @@
-//! What stands around the models: head, contents, the call, and where the page comes from.
+//! What is around the models: head, contents, the call, and where the page comes from.
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
@@ -57,7 +57,7 @@ pub(super) fn asked(verb: Verb, command: &str) -> String {
     .0
 }
 
-/// A command in a box. Where it is too long for a line, it breaks between words and never behind the dashes of an option.
+/// A command in a box. Where it is too long for a line, it breaks between words and never after the dashes of an option.
 pub(super) fn command_line(command: &str) -> Markup {
     html! {
         pre.command { code {
@@ -72,24 +72,24 @@ pub(super) fn command_line(command: &str) -> Markup {
 fn purpose(verb: Verb) -> &'static str {
     match verb {
         Verb::Rescale => {
-            "Contacts that stand for one body mass, made right for another: each parameter is multiplied by the factor \
+            "Contacts that are made for one body mass, rescaled to another: each parameter is multiplied by the factor \
              that its equation gives, so that the contact without dimensions stays the same."
         }
         Verb::Transfer => {
             "The contacts of another model, given to this one at its own mass, radii and number of spheres, so that \
              the contact without dimensions is the reference's."
         }
-        Verb::Design => "Parameters found from what the contacts shall do.",
+        Verb::Design => "Parameters found from what the contacts should do.",
         Verb::Set => "Properties written, or multiplied, as given.",
         Verb::Batch => "Many models changed, each as its row of a table says.",
         Verb::Check => {
-            "Models held against the limits of the paper and the traps of the format. Nothing was changed."
+            "Models compared with the limits of the paper and the traps of the format. Nothing was changed."
         }
         _ => "What contacts the model has, and what they do under its weight. Nothing was changed.",
     }
 }
 
-/// Everything behind the last model.
+/// Everything after the last model.
 pub(super) fn closing() -> String {
     let (id, title) = ORIGIN;
     let end = html! {

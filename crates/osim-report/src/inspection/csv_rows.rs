@@ -48,7 +48,7 @@ const COLUMNS: [Column; 21] = [
     ("hunt_crossley_smoothing", |p| parameter(p, Property::HuntCrossleySmoothing)),
 ];
 
-/// Behind the figures: the names of those that are beyond their limits, and the codes of warnings.
+/// After the figures: the names of those that are beyond their limits, and the codes of warnings.
 const LAST: [&str; 2] = ["outside_limits", "warnings"];
 
 fn header() -> Vec<String> {
@@ -65,7 +65,7 @@ fn cells(place: &Place<'_>) -> Vec<String> {
     COLUMNS.iter().map(|(_, value)| value(place)).chain(figures).chain(last).collect()
 }
 
-/// The rows of one model, behind a header where `header`.
+/// The rows of one model, after a header where `header`.
 ///
 /// # Errors
 /// None in practice: the rows are written into memory.

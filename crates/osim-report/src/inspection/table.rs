@@ -45,8 +45,8 @@ fn head(inspected: &Inspection) -> String {
         None => "what the model weighs is not known".to_owned(),
     };
     let contacts = match &inspected.contacts_mass_kg {
-        Some(mass) => format!("contacts stand for {} kg ({})", readable(mass.value), mass.description),
-        None => "what its contacts stand for is not known".to_owned(),
+        Some(mass) => format!("contacts made for {} kg ({})", readable(mass.value), mass.description),
+        None => "which mass its contacts are made for is not known".to_owned(),
     };
     text.push_str(&wrapped(&format!("{weighs}; {contacts}"), ""));
     match inspected.gravity_m_s2 {

@@ -17,7 +17,7 @@ pub(crate) fn filled(text: &str) -> String {
     textwrap::fill(text, options())
 }
 
-/// Text in lines of at most [`WIDTH`] columns, the second and later ones behind `indent`.
+/// Text in lines of at most [`WIDTH`] columns, the second and later ones after `indent`.
 #[must_use]
 pub fn wrapped(text: &str, indent: &str) -> String {
     // Options of a command line are never broken at their hyphens.

@@ -3,7 +3,7 @@
 use anstyle::{AnsiColor, Style};
 use osim_model::Severity;
 
-/// Stands behind a figure that is outside its limit.
+/// Stands after a figure that is outside its limit.
 pub const OUTSIDE: char = '!';
 
 const OUTSIDE_STYLE: Style = AnsiColor::Yellow.on_default().bold();

@@ -1,4 +1,4 @@
-//! Where a line of text may end: behind a blank, behind the `/` of a path, and wherever else the Unicode line breaking
+//! Where a line of text may end: after a blank, after the `/` of a path, and wherever else the Unicode line breaking
 //! algorithm has it; never at a hyphen.
 
 use textwrap::core::Word;
@@ -6,7 +6,7 @@ use unicode_linebreak::linebreaks;
 
 const SOFT_HYPHEN: char = '\u{ad}';
 
-/// The pieces of a line between which it may be broken, each with the blanks behind it.
+/// The pieces of a line between which it may be broken, each with the blanks after it.
 pub(super) fn find(line: &str) -> Box<dyn Iterator<Item = Word<'_>> + '_> {
     Box::new(behind_quotes(line).flat_map(|part| {
         // Whether a word is broken at its hyphens is for the caller to say.
@@ -16,7 +16,7 @@ pub(super) fn find(line: &str) -> Box<dyn Iterator<Item = Word<'_>> + '_> {
     }))
 }
 
-/// A bracket behind a quoted name begins a word. The algorithm's older editions, that of the library among them, took
+/// A bracket after a quoted name begins a word. The algorithm's older editions, that of the library among them, took
 /// every quotation mark for one that opens, and a bracket for what it quotes.
 fn behind_quotes(line: &str) -> impl Iterator<Item = &str> {
     let brackets = line.match_indices(['(', '[', '{']).map(|(at, _)| at);

@@ -7,7 +7,7 @@ use super::groups::{groups, whose};
 use crate::layout::{right_aligned, table};
 use crate::messages::warnings;
 
-/// What was taken, changed and noticed; `output` says what became of it. What the plan says is taken as it is spelled.
+/// What was taken, changed and noticed; `output` says the outcome. What the plan says is taken as it is spelled.
 #[must_use]
 pub fn text(plan: &Plan, model: &str, output: &str) -> String {
     let mut text = format!("{model}: {}\n", plan.taken);

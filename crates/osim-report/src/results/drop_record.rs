@@ -37,9 +37,9 @@ pub struct DropRecord {
     /// x̂ at the end.
     pub final_relative_indentation: f64,
     /// x̂ at rest by the Hertz law (11).
-    pub hertz_relative_indentation: f64,
+    pub relative_indentation_hertz: f64,
     /// x̂ at rest by the law of the contacts.
-    pub own_relative_indentation: f64,
+    pub relative_indentation_model_law: f64,
     /// Largest force of all spheres, N.
     pub peak_force_n: f64,
     /// The same over body weight.
@@ -119,8 +119,8 @@ impl From<&DropResult> for DropRecord {
             reference_radius_m: report.reference_radius_m,
             reference_time_s: report.reference_time_s,
             final_relative_indentation: figures.final_relative_indentation,
-            hertz_relative_indentation: figures.hertz_relative_indentation,
-            own_relative_indentation: figures.own_relative_indentation,
+            relative_indentation_hertz: figures.relative_indentation_hertz,
+            relative_indentation_model_law: figures.relative_indentation_model_law,
             peak_force_n: report.peak_force_n,
             peak_force_bw: report.peak_force_bw(),
             equilibrium_stiffness_n_m: report.equilibrium_stiffness_n_m,

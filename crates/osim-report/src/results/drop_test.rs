@@ -16,8 +16,8 @@ const CHART_ROWS: usize = 16;
 /// The figures of a drop, in the order of the report.
 pub(super) struct DropFigures {
     pub(super) final_relative_indentation: f64,
-    pub(super) hertz_relative_indentation: f64,
-    pub(super) own_relative_indentation: f64,
+    pub(super) relative_indentation_hertz: f64,
+    pub(super) relative_indentation_model_law: f64,
     pub(super) contact_time_s: Option<f64>,
     pub(super) rebound_speed_m_s: Option<f64>,
     pub(super) impact_speed_m_s: Option<f64>,
@@ -32,8 +32,8 @@ impl DropFigures {
         let lift = contact.and_then(|contact| contact.end);
         Self {
             final_relative_indentation: report.final_indentation_m / radius,
-            hertz_relative_indentation: report.hertz_indentation_m / radius,
-            own_relative_indentation: report.equilibrium_indentation_m / radius,
+            relative_indentation_hertz: report.hertz_indentation_m / radius,
+            relative_indentation_model_law: report.equilibrium_indentation_m / radius,
             contact_time_s: lift.map(|lift| lift.contact_time_s),
             rebound_speed_m_s: lift.map(|lift| lift.rebound_speed_m_s),
             impact_speed_m_s: contact.map(|contact| contact.impact_speed_m_s),
@@ -87,11 +87,11 @@ fn rows(report: &DropReport, figures: &DropFigures) -> String {
         table.add_row(vec![name.to_owned(), shown, unit.to_owned()]);
     };
     row("indentation/radius at the end", Some(figures.final_relative_indentation), "");
-    row("  at rest, Hertz law (11)", Some(figures.hertz_relative_indentation), "");
-    row("  at rest, the model's own law", Some(figures.own_relative_indentation), "");
+    row("  at rest, Hertz law (11)", Some(figures.relative_indentation_hertz), "");
+    row("  at rest, the model's law", Some(figures.relative_indentation_model_law), "");
     row("peak force", Some(report.peak_force_n), "N");
     row("peak force/body weight", Some(report.peak_force_bw()), "");
-    row("stiffness of one sphere at rest, own law", Some(report.equilibrium_stiffness_n_m), "N/m");
+    row("stiffness of one sphere at rest, model's law", Some(report.equilibrium_stiffness_n_m), "N/m");
     row("stiffness of one sphere at rest, Hertz (B.1)", Some(report.hertz_stiffness_n_m), "N/m");
     row("impact speed", figures.impact_speed_m_s, "m/s");
     row("restitution without gravity, exact", figures.restitution_exact, "");
@@ -106,7 +106,7 @@ fn rows(report: &DropReport, figures: &DropFigures) -> String {
 /// Whether the figures are within what the laws were made for.
 fn limits(figures: &DropFigures) -> String {
     let word = |within: bool| if within { "within" } else { "outside" };
-    let hertz = limits::INDENTATION.admits(figures.own_relative_indentation);
+    let hertz = limits::INDENTATION.admits(figures.relative_indentation_model_law);
     let mut text = format!(
         "\nindentation/radius at rest is {} the Hertz law ({})\n",
         word(hertz),

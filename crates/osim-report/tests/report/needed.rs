@@ -20,7 +20,7 @@ fn examples() -> Vec<Needed> {
             ],
             input: Input::Select,
         },
-        Needed::SphereCount { of: CountOf::Reference, why: "left and right cannot be told".into() },
+        Needed::SphereCount { of: CountOf::Reference, why: "left and right cannot be determined".into() },
         Needed::SharedSphere {
             sphere: name("/contactgeometryset/heel_r"),
             changed: name("heel_floor_r"),

@@ -120,7 +120,7 @@ fn rows_say_what_became_of_models_that_are_not_shown() {
     row.output = Some("b.osim".to_owned());
     let mut earlier = EarlierRun::default();
     earlier.stiffness_factor = Some(2.0);
-    earlier.unlike = vec!["radius".to_owned()];
+    earlier.unequal_factors = vec!["radius".to_owned()];
     let error = RowError::new("no-mass", "body 'a' has no mass").at(Some(4), Some(2));
     let entries = [
         Entry::left_by_earlier_run(&row, &earlier),
@@ -131,12 +131,12 @@ fn rows_say_what_became_of_models_that_are_not_shown() {
     let text = page(changes(None), &CommandLine, entries);
     assert!(text.contains("row 3: a.osim → b.osim"));
     assert!(text.contains(
-        "done by an earlier run: written</td><td></td><td></td><td>0</td><td>unlike</td><td>2</td>"
+        "done by an earlier run: written</td><td></td><td></td><td>0</td><td>unequal</td><td>2</td>"
     ));
     assert!(text.contains(
         "failed: line 4, column 2: body 'a' has no mass [<a class=\"code\" href=\"#error-no-mass\">"
     ));
-    assert!(text.contains("not begun: the run was stopped") && text.contains("passed over: no contacts"));
+    assert!(text.contains("not begun: the run was stopped") && text.contains("skipped: no contacts"));
     assert_anchors(&text);
 }
 

@@ -21,7 +21,7 @@ impl Measured {
     /// Reads the columns that `columns` names.
     ///
     /// # Errors
-    /// A column that is missing (with those that are there), a row of another length, or a cell that is no number, with
+    /// A column that is missing (with those that are there), a row of another length, or a cell that is not a number, with
     /// row and column.
     pub(super) fn read(path: &Path, columns: &ColumnOptions, files: &dyn Files) -> Result<Self, String> {
         let bytes = files.read(path).map_err(|error| error.to_string())?;
@@ -68,7 +68,7 @@ impl Measured {
 /// The place of a column.
 fn find(header: &[String], name: &str) -> Result<usize, String> {
     if header.iter().filter(|cell| cell.eq_ignore_ascii_case(name)).count() > 1 {
-        return Err(format!("the column '{name}' is there twice, expected one"));
+        return Err(format!("the column '{name}' appears twice, expected one"));
     }
     header.iter().position(|cell| cell.eq_ignore_ascii_case(name)).ok_or_else(|| {
         let known: Vec<_> = header.iter().map(|cell| format!("'{cell}'")).collect();
@@ -98,7 +98,7 @@ fn cell_number(cell: &str, sheet: &Sheet) -> Result<f64, &'static str> {
     match text.parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
         Ok(_) => Err("is not finite, expected a number"),
-        Err(_) => Err("is no number"),
+        Err(_) => Err("is not a number"),
     }
 }
 

@@ -31,11 +31,11 @@ choices! {
 }
 
 choices! {
-    /// What becomes of spheres that were moved already.
+    /// What happens to spheres that were moved already.
     MovedChoice {
         /// They are right.
         Keep = "keep";
-        /// They are placed anew.
+        /// They are placed again.
         Replace = "replace";
     }
 }
@@ -68,7 +68,7 @@ pub struct FollowOptions {
     #[serde(with = "path::optional")]
     #[schemars(with = "Option<path::PathSchema>")]
     pub body_scale_file: Option<PathBuf>,
-    /// Factors of a body that the files do not tell; may be repeated
+    /// Factors of a body that the files do not give; may be repeated
     #[cfg_attr(feature = "clap", arg(long, value_name = "BODY=x,y,z"))]
     #[serde(with = "body_scale")]
     #[schemars(with = "BodyScaleSchema")]
@@ -76,7 +76,7 @@ pub struct FollowOptions {
     /// How a radius follows from three factors
     #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t, hide_short_help = true))]
     pub radius_axis: RadiusAxisChoice,
-    /// Spheres that were moved or resized already: keep them, or place them anew
+    /// Spheres that were moved or resized already: keep them, or place them again
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub moved_spheres: Option<MovedChoice>,
     /// Refuse where spheres of one force follow bodies with different factors

@@ -12,7 +12,7 @@ use crate::value::{Kilograms, serial};
 #[serde(default)]
 #[non_exhaustive]
 pub struct MassOptions {
-    /// Mass the contacts in the file stand for now, kg [default: the note in the file, else `mass`]
+    /// Mass the contacts in the file are made for now, kg [default: the note in the file, else `mass`]
     #[cfg_attr(feature = "clap", arg(long, value_name = "KG", allow_hyphen_values = true))]
     pub contacts_mass: Option<Kilograms>,
     /// What this model weighs, kg [default: the sum of its bodies]

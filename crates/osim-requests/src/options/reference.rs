@@ -12,7 +12,7 @@ use crate::value::{Acceleration, Count, Kilograms, serial};
 #[serde(default)]
 #[non_exhaustive]
 pub struct ReferenceOptions {
-    /// Mass its contacts stand for, kg [default: its note, else its bodies]
+    /// Mass its contacts are made for, kg [default: its note, else its bodies]
     #[cfg_attr(feature = "clap", arg(long, value_name = "KG", allow_hyphen_values = true))]
     pub reference_mass: Option<Kilograms>,
     /// Its spheres that share the body weight [default: as found per limb]

@@ -53,7 +53,7 @@ impl From<Format> for SheetFormat {
     }
 }
 
-/// How a run goes about its work and what it tells.
+/// How a run works and what it reports.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "Output"))]
 #[serde(default)]
@@ -85,7 +85,7 @@ pub struct RunOptions {
     #[serde(with = "path::optional")]
     #[schemars(with = "Option<path::PathSchema>")]
     pub summary: Option<PathBuf>,
-    /// Pass over models that `summary` says are done, if nothing has changed since
+    /// Skip models that `summary` says are done, if nothing has changed since
     #[cfg_attr(feature = "clap", arg(long, hide_short_help = true))]
     pub resume: bool,
     /// Only share I of N of the models, for job arrays

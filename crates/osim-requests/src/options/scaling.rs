@@ -85,7 +85,7 @@ pub struct ScalingOptions {
     /// Scale transition_velocity and viscous_friction too (an extension of the paper)
     #[cfg_attr(feature = "clap", arg(long, hide_short_help = true))]
     pub friction: bool,
-    /// Gravity the contacts stand for now, m/s2 [default: the note's, else the model's]
+    /// Gravity the contacts are made for now, m/s2 [default: the note's, else the model's]
     #[cfg_attr(feature = "clap", arg(long, value_name = "G", hide_short_help = true))]
     pub contacts_gravity: Option<Acceleration>,
     /// Scale to this gravity too, m/s2 (an extension of the paper)

@@ -81,7 +81,7 @@ impl WantedOptions {
         Relation::Needs("impact_speed", "restitution"),
     ];
 
-    /// What becomes of the radius, where it is said.
+    /// What happens to the radius, where it is given.
     pub(crate) fn radius(&self) -> Option<RadiusRule> {
         self.radius.map(Radius::rule)
     }

@@ -22,7 +22,7 @@ choices! {
     }
 }
 
-/// Lets a model fall on its contacts and tells what they do.
+/// Lets a model fall on its contacts and shows what they do.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]

@@ -57,8 +57,8 @@ choices! {
     Deny: Error {
         /// Limits of the paper and traps, too.
         Warn = "warn", "Limits of the paper and traps, too";
-        /// What OpenSim computes otherwise than it looks, or as nonsense.
-        Error = "error", "What OpenSim computes otherwise than it looks, or as nonsense";
+        /// What OpenSim computes differently from what is written, or wrongly.
+        Error = "error", "What OpenSim computes differently from what is written, or wrongly";
     }
 }
 

@@ -32,7 +32,7 @@ pub struct PresetsRequest {
 #[serde(default)]
 #[non_exhaustive]
 pub struct ExplainRequest {
-    /// Number of an equation (10, C.5), a word from the column "equation", or a code as printed behind a warning
+    /// Number of an equation (10, C.5), a word from the column "equation", or a code as printed after a warning
     #[cfg_attr(feature = "clap", arg(value_name = "EQUATION|CODE"))]
     #[serde(deserialize_with = "serial::from_texts")]
     pub topics: Vec<String>,

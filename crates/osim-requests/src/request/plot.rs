@@ -45,7 +45,7 @@ choices! {
     /// What the colours of a heat map show.
     QuantityChoice: Indentation {
         /// x̂ at rest.
-        Indentation = "indentation", "Relative indentation at rest under body weight, by the contact's own law";
+        Indentation = "indentation", "Relative indentation at rest under body weight, by the law of the contact's class";
         /// c_r, exact.
         Restitution = "restitution", "Coefficient of restitution at the impact speed of the fall, exact";
         /// Peak force over body weight.

@@ -29,7 +29,7 @@ pub struct RescaleRequest {
     #[serde(with = "path::list")]
     #[schemars(with = "Vec<path::PathSchema>")]
     pub models: Vec<PathBuf>,
-    /// Mass the contacts shall stand for, kg
+    /// Mass the contacts should be made for, kg
     #[cfg_attr(feature = "clap", arg(long, value_name = "KG", allow_hyphen_values = true))]
     pub target_mass: Option<Kilograms>,
     /// Which mass is meant.

@@ -4,7 +4,7 @@ use osim_model::{Property, shortest};
 
 use super::variant::Variant;
 
-/// Properties that a manifest tells.
+/// Properties that a manifest shows.
 const PROPERTIES: [Property; 6] = [
     Property::Radius,
     Property::Stiffness,
@@ -14,7 +14,7 @@ const PROPERTIES: [Property; 6] = [
     Property::HuntCrossleySmoothing,
 ];
 
-/// Names of the columns: the file, what was asked, what stands in the file, what follows from it.
+/// Names of the columns: the file, what was asked, what is in the file, what follows from it.
 pub(super) fn header(asked: Vec<String>) -> Vec<String> {
     let properties = PROPERTIES.map(|property| property.name().to_owned());
     let follows =

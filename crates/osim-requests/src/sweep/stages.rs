@@ -63,7 +63,7 @@ pub(super) fn check(request: &SweepRequest) -> Result<(), RequestFault> {
         if request.grid.iter().take(index).any(|other| other.name == axis.name) {
             return refused(phrase![
                 Input::Grid,
-                format!(" {}: there twice, expected one list of values", axis.name.as_str()),
+                format!(" {}: given twice, expected one list of values", axis.name.as_str()),
             ]);
         }
     }

@@ -1,4 +1,4 @@
-//! One variant of the model: its bytes, and what stands in them.
+//! One variant of the model: its bytes, and what is in them.
 
 use osim_inspect::{Figure, Figures, LoadSharing};
 use osim_model::files::{Failure, ModelFiles};
@@ -38,7 +38,7 @@ impl Variant {
                 plan.note_anyway();
             }
             if plan.files(&open.model).any(|file| file != FileId::MAIN) {
-                let message = "its contacts stand in a file that it includes: make variants of that file";
+                let message = "its contacts are in a file that it includes: make variants of that file";
                 return Err(open.failure(Fault::refused(message)));
             }
             let patched = plan.patched(&open.model, FileId::MAIN).map_err(|fault| open.failure(fault))?;

@@ -62,7 +62,7 @@ impl Cells {
             return Err(RowFault::of(&columns.model, "empty, expected the model's file name"));
         }
         if cells.model.as_os_str() == "-" {
-            let message = "standard input is no model of a manifest: name a file";
+            let message = "standard input is not a model of a manifest: name a file";
             return Err(RowFault::of(&columns.model, message));
         }
         Ok(cells)
@@ -123,7 +123,7 @@ fn below(folder: &Path, path: &str) -> PathBuf {
     if path == "-" { PathBuf::from(path) } else { folder.join(path) }
 }
 
-/// A model below the table's folder; what is no file there may be a preset.
+/// A model below the table's folder; what is not a file there may be a preset.
 fn from(folder: &Path, cell: &str, files: &dyn Files) -> PathBuf {
     let path = below(folder, cell);
     if files.exists(&path) { path } else { cell.into() }

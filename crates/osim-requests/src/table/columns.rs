@@ -26,7 +26,7 @@ const WITH_COMMAS: [&str; 2] = ["only", "keep"];
 pub(super) enum Kind {
     /// The model itself.
     Model,
-    /// The verb, where the row's fields do not tell.
+    /// The verb, where the row's fields do not say.
     Verb,
     /// Assignments of `set`.
     Set,
@@ -64,7 +64,7 @@ pub(super) struct Columns {
 
 impl Columns {
     /// # Errors
-    /// No column `model`, one that is there twice, or one that is no field of a changing verb.
+    /// No column `model`, one that appears twice, or one that is not a field of a changing verb.
     pub(super) fn of(header: &[String]) -> Result<Self, Phrase> {
         let known = fields();
         let mut columns: Vec<Column> = Vec::new();
@@ -72,7 +72,7 @@ impl Columns {
             let column = column(cell, &known)?;
             let twice = |other: &Column| (&other.field, other.kind) == (&column.field, column.kind);
             if column.kind != Kind::Remark && columns.iter().any(twice) {
-                return Err(format!("the column '{cell}' is there twice, expected one").into());
+                return Err(format!("the column '{cell}' appears twice, expected one").into());
             }
             columns.push(column);
         }
@@ -113,7 +113,7 @@ fn column(cell: &str, known: &BTreeMap<String, Kind>) -> Result<Column, Phrase> 
             Some(kind) => *kind,
             None => {
                 return Err(format!(
-                    "the column '{cell}' is no option of rescale, transfer, design or set (remarks begin with #){}",
+                    "the column '{cell}' is not an option of rescale, transfer, design or set (remarks begin with #){}",
                     nearest(name, known)
                 )
                 .into());
@@ -126,8 +126,8 @@ fn column(cell: &str, known: &BTreeMap<String, Kind>) -> Result<Column, Phrase> 
 fn of_the_run(cell: &str, field: &str) -> Phrase {
     let about = format!("the column '{cell}' is about the whole run: write ");
     match Input::ALL.iter().find(|input| input.name() == field) {
-        Some(input) => phrase![about, *input, " behind the manifest's name"],
-        None => format!("{about}{field} behind the manifest's name").into(),
+        Some(input) => phrase![about, *input, " after the manifest's name"],
+        None => format!("{about}{field} after the manifest's name").into(),
     }
 }
 

@@ -54,7 +54,7 @@ impl Table {
     /// Reads a table; `folder` is where it lies.
     ///
     /// # Errors
-    /// It is no table, or its first row does not name fields of changes.
+    /// It is not a table, or its first row does not name fields of changes.
     pub fn read(bytes: &[u8], folder: &Path) -> Result<Self, Phrase> {
         let sheet = Sheet::read(bytes)?;
         let columns = Columns::of(&sheet.header)?;

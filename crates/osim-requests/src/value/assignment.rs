@@ -1,4 +1,4 @@
-//! What becomes of properties: `stiffness=x2 dissipation=1`.
+//! What happens to properties: `stiffness=x2 dissipation=1`.
 
 use std::borrow::Cow;
 
@@ -12,7 +12,7 @@ use serde_json::Value;
 
 use super::decimal::{factor, number};
 
-/// Properties and what becomes of them, in the order in which they were said.
+/// Properties and what happens to them, in the order in which they were said.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Assignments(Vec<(Property, Assignment)>);
 
@@ -43,7 +43,7 @@ impl JsonSchema for Assignments {
 /// Reads one `PROPERTY=VALUE` or `PROPERTY=xFACTOR`, its two sides given apart.
 ///
 /// # Errors
-/// An unknown property, or a value that is no number.
+/// An unknown property, or a value that is not a number.
 pub fn assignment(name: &str, text: &str) -> Result<(Property, Assignment), String> {
     let property: Property = name.trim().parse()?;
     let text = text.trim();
@@ -82,7 +82,7 @@ impl Assignments {
     /// From `stiffness=x2 dissipation=1`, with blanks or semicolons between them.
     ///
     /// # Errors
-    /// A text that is no assignment, or a property that is there twice.
+    /// A text that is not an assignment, or a property that appears twice.
     pub fn read(text: &str) -> Result<Self, String> {
         let mut all = Self::default();
         for item in text.split([' ', ';']).filter(|item| !item.is_empty()) {

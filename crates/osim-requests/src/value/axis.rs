@@ -26,7 +26,7 @@ pub enum AxisName {
     Indentation,
     /// Coefficient of restitution (13).
     Restitution,
-    /// Mass the contacts stand for, kg.
+    /// Mass the contacts are made for, kg.
     TargetMass,
 }
 
@@ -109,7 +109,7 @@ impl FromStr for Axis {
         let (mut exact, mut labels) = (HashSet::new(), HashSet::new());
         for value in &values {
             if !exact.insert(value.exact()) || !labels.insert(value.label.as_str()) {
-                return Err(format!("{} is there twice", value.label));
+                return Err(format!("{} appears twice", value.label));
             }
         }
         Ok(Self { name, values, text: text.to_owned() })
@@ -157,7 +157,7 @@ fn range(name: AxisName, first: &str, rest: &str) -> Result<Vec<GridValue>, Stri
     Ok(std::iter::once(first.clone()).chain(inner).chain(std::iter::once(last.clone())).collect())
 }
 
-/// Enough to tell points apart in a file's name.
+/// Enough to distinguish points in a file's name.
 fn six_digits(number: f64) -> String {
     let rounded: f64 = format!("{number:.5e}").parse().unwrap_or(number);
     shortest(rounded)
@@ -166,7 +166,7 @@ fn six_digits(number: f64) -> String {
 /// Reads axes from texts, or from a map of names to values: one, several, or a range.
 ///
 /// # Errors
-/// What is no axis.
+/// What is not an axis.
 pub(crate) fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<Axis>, D::Error> {
     let item = |value: &Value| match value {
         Value::String(text) => text.clone(),

@@ -50,7 +50,7 @@ impl fmt::Display for BodyScale {
 /// Reads factors from a map of bodies to three numbers, or from texts such as `calcn_r=1.1,1.05,1.1`.
 ///
 /// # Errors
-/// A text or numbers that are no factors.
+/// A text or numbers that are not factors.
 pub(crate) fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<BodyScale>, D::Error> {
     match Value::deserialize(deserializer)? {
         Value::Object(bodies) => {

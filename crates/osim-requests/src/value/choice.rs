@@ -1,7 +1,7 @@
 //! Choices of one word out of few.
 
-/// Declares an enum whose variants are words: for a command line, for JSON and in messages. Behind its name stands the word
-/// that is taken where nobody says another, if there is one.
+/// Declares an enum whose variants are words: for a command line, for JSON and in messages. After its name comes the word
+/// that is taken where none is given, if there is one.
 macro_rules! choices {
     ($(#[doc = $doc:literal])+ $name:ident $(: $default:ident)? { $($(#[doc = $variant_doc:literal])+ $variant:ident = $word:literal $(, $help:literal)?;)+ }) => {
         $(#[doc = $doc])+

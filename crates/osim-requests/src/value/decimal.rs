@@ -20,7 +20,10 @@ pub(crate) fn positive(text: &str, expected: &str, units: &[UnitSpelling]) -> Re
         let grouped = |tail: &str| tail.len() == 3 && tail.bytes().all(|byte| byte.is_ascii_digit());
         return Err(match text.split_once(',') {
             Some((head, tail)) if head != "0" && grouped(tail) => {
-                format!("it has a comma: type {} (or {head}{tail}, if it parts thousands)", shortest(value))
+                format!(
+                    "it has a comma: type {} (or {head}{tail}, if it separates thousands)",
+                    shortest(value)
+                )
             }
             _ => format!("it has a decimal comma: type {}", shortest(value)),
         });
@@ -61,7 +64,7 @@ pub(crate) fn number(text: &str) -> Result<f64, String> {
     positive(text, "a number", &[])
 }
 
-/// What stands behind the `x` of a factor such as `x1.5`.
+/// What is after the `x` of a factor such as `x1.5`.
 pub(crate) fn factor(text: &str) -> Option<&str> {
     text.strip_prefix(['x', 'X'])
 }

@@ -1,4 +1,4 @@
-//! Paths in JSON: text, or the bytes where a path is no text.
+//! Paths in JSON: text, or the bytes where a path is not text.
 
 use std::borrow::Cow;
 use std::ffi::OsString;
@@ -14,7 +14,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 enum Written {
     /// As text.
     Text(String),
-    /// As the bytes that the system has, where these are no UTF-8.
+    /// As the bytes that the system has, where these are not UTF-8.
     Bytes { bytes: Vec<u8> },
 }
 
@@ -71,7 +71,7 @@ fn of_bytes(bytes: Vec<u8>) -> Result<OsString, &'static str> {
 fn of_bytes(bytes: Vec<u8>) -> Result<OsString, &'static str> {
     String::from_utf8(bytes)
         .map(OsString::from)
-        .map_err(|_| "a path that is no text cannot be given on this system")
+        .map_err(|_| "a path that is not text cannot be given on this system")
 }
 
 /// What is expected, whatever is there instead.

@@ -24,7 +24,7 @@ pub(crate) fn serialize<S: Serializer>(properties: &[Property], serializer: S) -
 /// Reads a list of names, or one text with commas between them.
 ///
 /// # Errors
-/// A name that is no property's.
+/// A name that is not a property's.
 pub(crate) fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<Property>, D::Error> {
     let names = match Value::deserialize(deserializer)? {
         Value::String(text) => text.split(',').map(str::to_owned).collect(),

@@ -140,9 +140,9 @@ impl Count {
 }
 
 impl Positive {
-    /// How long a drop is followed where nobody says, s.
+    /// How long a drop is followed where none is given, s.
     pub(crate) const DROP_DURATION_S: Self = Self(2.0);
-    /// k̂ of the first step of a ladder where nobody says: that of the softest contacts of the paper's Fig. 1(C).
+    /// k̂ of the first step of a ladder where none is given: that of the softest contacts of the paper's Fig. 1(C).
     pub(crate) const SOFT_STIFFNESS: Self = Self(1.2);
 }
 

@@ -1,4 +1,4 @@
-//! What becomes of radii, in words.
+//! What happens to radii, in words.
 
 use std::fmt;
 use std::str::FromStr;

@@ -47,7 +47,7 @@ pub(crate) fn options_named(package: &Package) -> Vec<OptionNamed> {
 
 /// The options in a literal, each with its line.
 fn options(literal: &Literal) -> Vec<(usize, String)> {
-    let text = without_escapes(&literal.source);
+    let text = literal.without_escapes();
     let mut found = Vec::new();
     for (at, dashes) in text.match_indices("--") {
         let (before, behind) = (&text[..at], &text[at + dashes.len()..]);
@@ -61,20 +61,4 @@ fn options(literal: &Literal) -> Vec<(usize, String)> {
         found.push((literal.line + before.matches('\n').count(), format!("--{name}")));
     }
     found
-}
-
-/// The source of a literal with blanks in the place of escapes, so that the `n` of `\n` is no letter of a word. Lines
-/// stay.
-fn without_escapes(source: &str) -> String {
-    if source.trim_start_matches(['b', 'c']).starts_with('r') {
-        return source.to_owned();
-    }
-    let mut text = String::with_capacity(source.len());
-    let mut escaped = false;
-    for c in source.chars() {
-        let blank = escaped || c == '\\';
-        escaped = !escaped && c == '\\';
-        text.push(if blank && c != '\n' { ' ' } else { c });
-    }
-    text
 }

@@ -117,6 +117,31 @@ pub(crate) struct Literal {
     pub(crate) line: usize,
 }
 
+impl Literal {
+    /// The source with blanks in the place of escapes, so that the `n` of `\n` is no letter of a word. Lines stay.
+    pub(crate) fn without_escapes(&self) -> String {
+        if self.source.trim_start_matches(['b', 'c']).starts_with('r') {
+            return self.source.clone();
+        }
+        let mut text = String::with_capacity(self.source.len());
+        let mut escaped = false;
+        for c in self.source.chars() {
+            let blank = escaped || c == '\\';
+            escaped = !escaped && c == '\\';
+            text.push(if blank && c != '\n' { ' ' } else { c });
+        }
+        text
+    }
+}
+
+/// A doc comment: lines that follow each other are one.
+#[derive(Debug, Clone)]
+pub(crate) struct Doc {
+    /// Its text, without the marks of the comment.
+    pub(crate) text: String,
+    pub(crate) line: usize,
+}
+
 /// A `macro_rules!`.
 #[derive(Debug, Clone)]
 pub(crate) struct MacroRules {
@@ -132,7 +157,22 @@ pub(crate) struct Facts {
     pub(crate) imports: Vec<Import>,
     pub(crate) mentions: Vec<Mention>,
     pub(crate) literals: Vec<Literal>,
+    pub(crate) docs: Vec<Doc>,
     pub(crate) macros: Vec<MacroRules>,
     /// Macros called where items stand.
     pub(crate) called: Vec<String>,
+}
+
+impl Facts {
+    /// Adds a doc comment, to the one before it where that ends on the line above.
+    pub(crate) fn doc(&mut self, text: &str, line: usize) {
+        if let Some(last) = self.docs.last_mut()
+            && last.line + last.text.matches('\n').count() + 1 == line
+        {
+            last.text.push('\n');
+            last.text.push_str(text);
+        } else {
+            self.docs.push(Doc { text: text.to_owned(), line });
+        }
+    }
 }

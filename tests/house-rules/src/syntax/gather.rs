@@ -5,7 +5,7 @@ use syn::ext::IdentExt;
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
-use super::facts::{Item, MacroRules, Sight, Spaces};
+use super::facts::{Facts, Item, MacroRules, Sight, Spaces};
 use super::generated::{items_in_call, items_in_rules};
 use super::hidden::{is_constant, of_generics, variables};
 use super::record::Record;
@@ -21,6 +21,17 @@ pub(crate) fn gather(items: &[syn::Item]) -> Record<'_> {
         walk.visit_item(item);
     }
     walk.record
+}
+
+/// Adds the doc comments in these attributes, those of a file or of a module.
+pub(crate) fn docs_of(attributes: &[Attribute], facts: &mut Facts) {
+    for attribute in attributes.iter().filter(|attribute| attribute.path().is_ident("doc")) {
+        if let syn::Meta::NameValue(pair) = &attribute.meta
+            && let syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(text), .. }) = &pair.value
+        {
+            facts.doc(&text.value(), text.span().start().line);
+        }
+    }
 }
 
 struct Walk<'ast> {
@@ -45,6 +56,9 @@ impl<'ast> Visit<'ast> for Walk<'ast> {
         let for_tests = only_in_tests(of_item(item));
         if let syn::Item::Mod(module) = item {
             self.record.child(module, for_tests);
+            if !for_tests {
+                docs_of(&module.attrs, &mut self.record.facts);
+            }
         }
         if for_tests {
             self.record.leave_out(item.span());
@@ -226,6 +240,7 @@ impl<'ast> Visit<'ast> for Walk<'ast> {
 
     fn visit_attribute(&mut self, attribute: &'ast Attribute) {
         let path = attribute.path();
+        docs_of(std::slice::from_ref(attribute), &mut self.record.facts);
         if ["doc", "cfg", "path"].iter().any(|name| path.is_ident(name)) || attribute_of_tests(attribute) {
             return;
         }

@@ -9,7 +9,7 @@ mod record;
 mod test_code;
 mod tokens;
 
-pub(crate) use facts::{Facts, Import, Item, Literal, Mention, Path, Sight, Spaces};
-pub(crate) use gather::gather;
+pub(crate) use facts::{Doc, Facts, Import, Item, Literal, Mention, Path, Sight, Spaces};
+pub(crate) use gather::{docs_of, gather};
 pub(crate) use record::{Child, Record};
 pub(crate) use test_code::only_in_tests;

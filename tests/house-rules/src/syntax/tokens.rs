@@ -55,7 +55,9 @@ impl Scan<'_> {
             at = match token {
                 TokenTree::Ident(_) => self.path(&tokens, at),
                 TokenTree::Group(group) => {
-                    if !is_doc(&tokens, at, group) && !is_visibility(&tokens, at, group) {
+                    if is_doc(&tokens, at, group) {
+                        self.doc(group);
+                    } else if !is_visibility(&tokens, at, group) {
                         self.stream(group.stream());
                     }
                     at + 1
@@ -126,6 +128,15 @@ impl Scan<'_> {
         let given = self.attribute && at.checked_sub(1).is_some_and(|at| is_punct(tokens.get(at), '='));
         let shouted = word.starts_with(char::is_uppercase);
         (called || given || shouted).then_some(if called { Spaces::VALUES } else { Spaces::ITEMS })
+    }
+
+    /// `[doc = "…"]`
+    fn doc(&mut self, group: &Group) {
+        if let Some(TokenTree::Literal(literal)) = group.stream().into_iter().nth(2)
+            && let Ok(text) = syn::parse_str::<syn::LitStr>(&literal.to_string())
+        {
+            self.facts.doc(&text.value(), group.span_open().start().line);
+        }
     }
 
     fn literal(&mut self, tokens: &[TokenTree], at: usize, literal: &Token) {

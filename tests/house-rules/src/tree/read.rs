@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::error::Error;
-use crate::syntax::{Child, Record, gather, only_in_tests};
+use crate::syntax::{Child, Record, docs_of, gather, only_in_tests};
 
 use super::module::{Branch, ModuleId, Tree};
 use super::place::Dir;
@@ -53,7 +53,11 @@ impl Reader<'_> {
             return Ok(None);
         }
         self.tree.files.entry(file.to_owned()).or_default().get_or_insert_default();
-        self.module(&Here { parent, name, file, dir }, &parsed.items).map(Some)
+        let id = self.module(&Here { parent, name, file, dir }, &parsed.items)?;
+        if let Some(module) = self.tree.get_mut(id) {
+            docs_of(&parsed.attrs, &mut module.facts);
+        }
+        Ok(Some(id))
     }
 
     fn parsed(&self, file: &Path) -> Result<syn::File, Error> {

@@ -16,3 +16,4 @@ mod layers;
 mod options;
 mod sizes;
 mod support;
+mod words;
