@@ -137,7 +137,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
     }
     let is_smooth = |force: &Force| force.kind == ForceKind::SmoothSphereHalfSpace;
     let smooth = selected.forces.iter().filter_map(|&id| model.force(id)).any(is_smooth);
-    let masses = wanted.mass.clone().map(|from| Masses { to_kg: from.kg, from });
+    let masses = wanted.mass.clone().map(|from| Masses { target_mass_kg: from.kg, from });
     Ok(Plan::new(
         model,
         Contents { changes, moves, masses, taken: wanted.taken(), warnings, remarks },

@@ -180,18 +180,18 @@ fn finish(plan: PlanBuilder<'_>, wanted: &Rescale, selected: &Selected, radii: O
             remarks.push("the model's own <gravity> stays as it is: set it in OpenSim".into());
         }
     }
-    let to_kg = if changes.is_empty() { wanted.contacts_mass.kg } else { wanted.target_mass_kg };
+    let target_mass_kg = if changes.is_empty() { wanted.contacts_mass.kg } else { wanted.target_mass_kg };
     let from = wanted.contacts_mass.clone();
     let mut taken =
         phrase![format!("contacts stand for {} kg (", readable(from.kg)), &from.source.describe(), ")",];
     if !changes.is_empty() {
-        let ratio = readable(to_kg / from.kg);
-        taken.push(format!("; scaled to {} kg (mass x{ratio})", readable(to_kg)));
+        let ratio = readable(target_mass_kg / from.kg);
+        taken.push(format!("; scaled to {} kg (mass x{ratio})", readable(target_mass_kg)));
     }
     let all = selected.complete && wanted.properties.is_complete();
     Plan::new(
         model,
-        Contents { changes, moves, masses: Some(Masses { from, to_kg }), taken, warnings, remarks },
+        Contents { changes, moves, masses: Some(Masses { from, target_mass_kg }), taken, warnings, remarks },
         &NoteFacts {
             mass_kg: Some(wanted.target_mass_kg),
             gravity_m_s2: wanted.target_gravity_m_s2.or(model.contacts_gravity()),

@@ -138,7 +138,7 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
         taken.push("); ");
     }
     taken.push(format!("{operation}; nothing else follows"));
-    let masses = wanted.contacts_mass.clone().map(|from| Masses { to_kg: from.kg, from });
+    let masses = wanted.contacts_mass.clone().map(|from| Masses { target_mass_kg: from.kg, from });
     Ok(Plan::new(
         model,
         Contents { changes, moves, masses, taken, warnings, remarks: vec![] },

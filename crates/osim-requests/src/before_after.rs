@@ -93,10 +93,10 @@ fn options_after(
     now: &Inspection,
 ) -> InspectOptions {
     let mut options = before.clone();
-    let to_kg = plan.masses.as_ref().map(|masses| masses.to_kg);
+    let target_mass_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
     // The note says it; without one somebody has to.
-    options.masses.contacts_kg = to_kg.filter(|_| plan.note().is_none());
-    if let Some(kg) = to_kg.filter(|_| planner.name() == "rescale")
+    options.masses.contacts_kg = target_mass_kg.filter(|_| plan.note().is_none());
+    if let Some(kg) = target_mass_kg.filter(|_| planner.name() == "rescale")
         && now.figures.mass_kg.is_none_or(|weighs| !same_mass(weighs, kg))
     {
         options.masses.model_kg = Some(kg);

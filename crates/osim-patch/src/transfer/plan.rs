@@ -169,7 +169,7 @@ fn finish(plan: PlanBuilder<'_>, wanted: &Transfer, complete: bool, radii: &Radi
         &wanted.mass.source.describe(),
         format!("; n = {})", wanted.sphere_count),
     ];
-    let masses = Some(Masses { from: reference.mass.clone(), to_kg: wanted.mass.kg });
+    let masses = Some(Masses { from: reference.mass.clone(), target_mass_kg: wanted.mass.kg });
     let all = complete && wanted.properties.is_complete();
     Plan::new(
         model,
