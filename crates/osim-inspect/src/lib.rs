@@ -42,5 +42,5 @@ pub use inspection::{
 };
 pub use mass_mismatch::MassMismatch;
 pub use options::{InspectOptions, Stance};
-pub use serialized::WarningRecord;
+pub use serialized::{SCHEMA_VERSION, WarningRecord};
 pub use sphere_count::sphere_count;

@@ -1,9 +1,12 @@
-//! Warnings and phrases as the JSON has them.
+//! What all JSON results share: their version, and warnings and phrases as they have them.
 
 use osim_model::Warning;
 use osim_model::wording::Phrase;
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
+
+/// The version of all JSON results: raised when a field of one changes its meaning or goes away.
+pub const SCHEMA_VERSION: u32 = 1;
 
 /// Something to know, as the JSON has it.
 #[derive(Debug, Serialize, JsonSchema)]

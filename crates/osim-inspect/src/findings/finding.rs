@@ -9,9 +9,7 @@ use serde::{Serialize, Serializer};
 
 use super::remedy::{Remedy, RemedyDialect};
 use crate::inspection::Inspection;
-use crate::serialized::phrase;
-
-const SCHEMA_VERSION: u32 = 1;
+use crate::serialized::{SCHEMA_VERSION, phrase};
 
 /// Everything found in one model. Serialised it is the JSON contract of `check`; `docs/json.md` describes it.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]

@@ -10,10 +10,11 @@ use osim_patch::{BodyFactors, Factors, loaded_spheres};
 
 use super::data::{
     ContactsMass, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce, InspectedLimb,
-    InspectedSphere, Inspection, Origins, Parameters, SCHEMA_VERSION,
+    InspectedSphere, Inspection, Origins, Parameters,
 };
 use crate::figures::Figures;
 use crate::options::InspectOptions;
+use crate::serialized::SCHEMA_VERSION;
 
 impl InspectOptions {
     /// Inspects a model. It never refuses: what is not known is left open. `name` is that of the file.

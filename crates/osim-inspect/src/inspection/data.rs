@@ -14,9 +14,6 @@ use serde::{Serialize, Serializer};
 use crate::figures::Figures;
 use crate::serialized::{WarningRecord, optional_phrase, warnings};
 
-/// Raised when a field changes its meaning or goes away.
-pub(super) const SCHEMA_VERSION: u32 = 1;
-
 /// A model as it was found.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]

@@ -2,14 +2,12 @@
 
 use std::path::Path;
 
-use osim_inspect::WarningRecord;
+use osim_inspect::{SCHEMA_VERSION, WarningRecord};
 use osim_model::files::FileName;
 use osim_model::wording::Phrase;
 use osim_patch::{Change, Masses, Move, Plan};
 use schemars::JsonSchema;
 use serde::Serialize;
-
-const SCHEMA_VERSION: u32 = 1;
 
 /// What changes in a model, and where the result went.
 #[derive(Debug, Serialize, JsonSchema)]
