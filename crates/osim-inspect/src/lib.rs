@@ -34,7 +34,8 @@ mod sphere_count;
 pub use drop_height::DropHeight;
 pub use figures::{Figure, Figures, LimbFigures, LimitCheck, LoadFigures, SphereFigures};
 pub use findings::{
-    CheckResult, Counts, Finding, Remedy, RemedyChange, RemedyDesign, RemedyDialect, RemedyLoad, check_model,
+    CheckResult, Counts, Finding, Remedy, RemedyChange, RemedyDesign, RemedyDialect, RemedyLoad,
+    can_be_changed, check_known, check_model,
 };
 pub use inspection::{
     ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,

@@ -6,6 +6,6 @@ mod limits;
 mod remedy;
 mod traps;
 
-pub use check::check_model;
+pub use check::{can_be_changed, check_known, check_model};
 pub use finding::{CheckResult, Counts, Finding};
 pub use remedy::{Remedy, RemedyChange, RemedyDesign, RemedyDialect, RemedyLoad};
