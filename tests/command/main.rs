@@ -33,3 +33,4 @@ mod shells;
 mod shown;
 mod support;
 mod sweep;
+mod transfers;

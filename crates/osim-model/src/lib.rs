@@ -66,7 +66,9 @@ pub use components::Companion;
 pub use contact_digest::ValueKey;
 pub use contacts::{Force, ForceId, ForceKind, ParameterSet, SetId, Slot, Sphere, SphereId};
 pub use document::{Document, may_include};
-pub use fault::{CountOf, Excerpt, Fault, FaultKind, FileId, Needed, NoteDoubt, TreeOfForces};
+pub use fault::{
+    CountOf, Excerpt, Fault, FaultKind, FileId, GravityFor, Needed, NoteDoubt, RadiusFrom, TreeOfForces,
+};
 pub use limbs::{Limb, Limbs};
 pub use mass::{Mass, MassRequest, MassSource, SAME_MASS, positive_mass, same_mass};
 pub use model::Model;

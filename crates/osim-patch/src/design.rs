@@ -5,7 +5,8 @@ use contact_scaling::{
 };
 use osim_model::wording::{Phrase, phrase};
 use osim_model::{
-    Fault, Force, ForceKind, Mass, Model, Needed, Property, Scope, Selected, Warning, WarningCode, readable,
+    Fault, Force, ForceKind, GravityFor, Mass, Model, Needed, Property, Scope, Selected, Warning,
+    WarningCode, readable,
 };
 
 use crate::builder::{New, PlanBuilder};
@@ -109,7 +110,7 @@ impl Default for Design {
 /// # Errors
 /// - A quantity outside its domain ([`FaultKind::Quantity`](osim_model::FaultKind::Quantity)).
 /// - An indentation without a load ([`Needed::Load`]), or a restitution without an impact speed in a model without gravity
-///   ([`Needed::ImpactSpeed`]).
+///   ([`Needed::Gravity`]).
 /// - The errors of [`rescale`](crate::rescale) that are about values and shared spheres.
 pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Plan, Fault> {
     let mut plan = PlanBuilder::new(model);
@@ -282,6 +283,6 @@ impl Design {
 fn default_speed(gravity: Option<f64>, radius_m: f64) -> Result<f64, Fault> {
     match gravity.filter(|&gravity| gravity > 0.0) {
         Some(gravity) => restitution::drop_speed(gravity, radius_m).map_err(Fault::new),
-        None => Err(Fault::new(Needed::ImpactSpeed)),
+        None => Err(Fault::new(Needed::Gravity { purpose: GravityFor::ImpactSpeed })),
     }
 }

@@ -2,7 +2,8 @@
 
 use osim_model::wording::phrase;
 use osim_model::{
-    Fault, Mass, Model, Needed, Property, Scope, Selected, Warning, WarningCode, readable, shortest,
+    Fault, Mass, Model, Needed, Property, RadiusFrom, Scope, Selected, Warning, WarningCode, readable,
+    shortest,
 };
 
 use crate::builder::{New, PlanBuilder};
@@ -108,7 +109,7 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
             for sphere in moving_spheres(model, &selected.forces) {
                 let from = plan.current_radius(sphere)?;
                 if value.applied_to(from).to != from {
-                    users.refuse(model, &selected.forces, sphere)?;
+                    users.refuse(model, &selected.forces, sphere, RadiusFrom::Assignment)?;
                 }
                 plan.radius(sphere, value.applied_to(from))?;
                 found = true;

@@ -4,7 +4,7 @@ use std::fmt::Display;
 
 use contact_scaling::{Contact, DomainError, Law, Preset, Ratios, Spheres};
 use osim_model::files::Failure;
-use osim_model::{CountOf, Fault, ForceId, MassRequest, Model, Needed, readable};
+use osim_model::{CountOf, Fault, ForceId, GravityFor, MassRequest, Model, Needed, readable};
 use osim_patch::loaded_spheres;
 
 use crate::mass_mismatch::MassMismatch;
@@ -232,7 +232,9 @@ fn weight(model: &Model, forces: &[ForceId], masses: &MassRequest, stance: &Stan
         None => sphere_count(model, stance.limbs, CountOf::Model)?,
     };
     let gravity = stance.gravity_m_s2.or(model.gravity().filter(|&gravity| gravity > 0.0));
-    let Some(gravity_m_s2) = gravity else { return Err(Fault::new(Needed::Gravity)) };
+    let Some(gravity_m_s2) = gravity else {
+        return Err(Fault::new(Needed::Gravity { purpose: GravityFor::Weight }));
+    };
     let spheres = standing_spheres(model, forces, sphere_count)?;
     Ok(Weight { mass_kg, gravity_m_s2, sphere_count, spheres })
 }

@@ -1,5 +1,6 @@
 //! What only the caller can know.
 
+use super::way_out::{GravityFor, RadiusFrom};
 use crate::number::shortest;
 use crate::wording::{Input, Phrase, phrase};
 
@@ -48,8 +49,6 @@ pub enum Needed {
         /// Why it is in doubt.
         doubt: NoteDoubt,
     },
-    /// The gravity that the contacts were made for: the model has none.
-    GravityNow,
     /// Which forces are meant: they belong to several animals.
     Selection {
         /// The animals.
@@ -72,6 +71,10 @@ pub enum Needed {
         changed: String,
         /// Names of the forces that stay.
         left: Vec<String>,
+        /// Whether all of those can be chosen, too.
+        can_choose: bool,
+        /// Why its radius would change.
+        radius: RadiusFrom,
     },
     /// Whose contact to take: those of the reference differ.
     ReferenceContact {
@@ -117,12 +120,11 @@ pub enum Needed {
     ForceSet,
     /// The load that an indentation is about.
     Load,
-    /// The load that an indentation is about: without gravity there is no body weight.
-    LoadOrGravity,
-    /// The gravity of the model.
-    Gravity,
-    /// The speed with which contacts begin.
-    ImpactSpeed,
+    /// A gravity: the file has none.
+    Gravity {
+        /// What it is needed for.
+        purpose: GravityFor,
+    },
     /// The ratio of heights that PredSim's rule is about.
     HeightRatio,
 }
@@ -207,12 +209,7 @@ impl Needed {
             Self::MovedSpheres { .. } => "moved-spheres",
             Self::Repetition { .. } => "same-operation",
             Self::Geometry | Self::ForceSet => "incomplete-set",
-            Self::GravityNow
-            | Self::Load
-            | Self::LoadOrGravity
-            | Self::Gravity
-            | Self::ImpactSpeed
-            | Self::HeightRatio => "refused",
+            Self::Load | Self::Gravity { .. } | Self::HeightRatio => "refused",
         }
     }
 
@@ -221,7 +218,6 @@ impl Needed {
     pub fn inputs(&self) -> Vec<Input> {
         match self {
             // The message begins with what was asked for.
-            Self::GravityNow => vec![Input::ContactsGravity, Input::ReferenceGravity],
             Self::HeightRatio => vec![Input::HeightRatio, Input::FollowBodies],
             other => other.phrase().inputs(),
         }
@@ -258,14 +254,6 @@ impl Needed {
                 ": say it with ",
                 Input::ContactsGravity.like("G"),
             ],
-            Self::GravityNow => phrase![
-                Input::TargetGravity,
-                " needs the gravity that the contacts stand for now, and the model has none: say it with ",
-                Input::ContactsGravity.like("G"),
-                " (in a transfer: ",
-                Input::ReferenceGravity.like("G"),
-                ")",
-            ],
             Self::Selection { trees, input } => {
                 let each: Vec<_> =
                     trees.iter().map(|tree| format!("{} (forces {})", tree.top, tree.forces)).collect();
@@ -282,16 +270,17 @@ impl Needed {
                 ": say it with ",
                 of.input().like("N"),
             ],
-            Self::SharedSphere { sphere, changed, left } => phrase![
-                format!(
-                    "sphere {sphere} is used by {changed} and by {}, which is not rescaled",
-                    left.join(", ")
-                ),
-                ": choose all of them with ",
-                Input::Select.like("GLOB"),
-                ", or leave radii as they are with ",
-                Input::Radius.being("keep"),
-            ],
+            Self::SharedSphere { sphere, changed, left, can_choose, radius } => {
+                let left = left.join(", ");
+                let mut text: Phrase =
+                    format!("sphere {sphere} is used by {changed} and by {left}, which is not rescaled: ")
+                        .into();
+                if *can_choose {
+                    text.push(&phrase!["choose all of them with ", Input::Select.like("GLOB"), ", or "]);
+                }
+                text.push(&radius.phrase());
+                text
+            }
             other => other.about_reference(),
         }
     }
@@ -319,6 +308,8 @@ impl Needed {
                 ),
                 ": say the radius with ",
                 Input::Radius.like("METRES"),
+                ", or whose with ",
+                Input::ReferenceSphere.like("NAME"),
                 ", or keep radii with ",
                 Input::Radius.being("keep"),
             ],
@@ -355,21 +346,10 @@ impl Needed {
             Self::Load => phrase![
                 "an indentation needs a load: say ",
                 Input::Load.like("N"),
-                ", or ",
-                Input::BodyWeights,
-                " with a model that has gravity",
-            ],
-            Self::LoadOrGravity => phrase![
-                "the model has no gravity, so body weight is nothing: say ",
-                Input::Gravity.like("G"),
                 " or ",
-                Input::Load.like("N"),
+                Input::BodyWeights.like("B"),
             ],
-            Self::Gravity => phrase!["the model has no gravity: say it with ", Input::Gravity.like("G")],
-            Self::ImpactSpeed => phrase![
-                "the model has no gravity: say how fast contacts begin with ",
-                Input::ImpactSpeed.like("M/S"),
-            ],
+            Self::Gravity { purpose } => purpose.phrase(),
             // HeightRatio; the others were answered before.
             _ => phrase![
                 Input::Rule.being("predsim"),
