@@ -33,4 +33,5 @@ mod shells;
 mod shown;
 mod support;
 mod sweep;
+mod transfers;
 mod zero_constant;

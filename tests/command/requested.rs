@@ -113,3 +113,54 @@ fn a_batch_goes_on_past_a_model_that_fails() {
     assert_eq!(lines[0]["error"]["code"], "malformed-xml");
     assert_eq!(lines[1]["output"], "human.scaled.osim");
 }
+
+#[test]
+fn what_an_option_needs_a_field_needs() {
+    let bench = Bench::human();
+    for (words, fields) in [
+        (
+            "human.osim --target-mass 5 -o x.osim --no-backup",
+            json!({"verb": "rescale", "models": "human.osim", "target_mass": 5, "output": "x.osim", "no_backup": true}),
+        ),
+        (
+            "design --mass 60 --spheres 2 --stiffness 1e6 --poisson 0.3",
+            json!({"verb": "design", "mass": 60, "spheres": 2, "stiffness": 1e6, "poisson": 0.3}),
+        ),
+        (
+            "transfer human.osim --from falisse2022 --strict",
+            json!({"verb": "transfer", "models": "human.osim", "from": "falisse2022", "strict": true}),
+        ),
+        (
+            "drop-test human.osim --compare-spheres 2",
+            json!({"verb": "drop-test", "subject": "human.osim", "compare_spheres": 2}),
+        ),
+    ] {
+        let typed = bench.run(words).usage().wrote_nothing().err();
+        let asked = request(&bench, &fields).usage().wrote_nothing().err();
+        // The same sentence, with each option as a field.
+        let sentence = typed.trim_start_matches("error: ").trim_end();
+        let spelled: Vec<String> = sentence
+            .split(' ')
+            .map(|word| match word.strip_prefix("--") {
+                Some(name) => format!("`{}`", name.replace('-', "_")),
+                None => word.to_owned(),
+            })
+            .collect();
+        let asked = asked.replace(": true", "").replace('"', "`");
+        assert!(sentence.contains(" says nothing without --"), "{words}: {typed}");
+        assert!(asked.trim_end().ends_with(&spelled.join(" ")), "{words}: {asked}");
+    }
+}
+
+#[test]
+fn ways_out_are_spelled_as_requests() {
+    let bench = Bench::human();
+    let known = json!({"verb": "design", "models": ["human.osim"], "stiffness": 1e6});
+    request(&bench, &known)
+        .usage()
+        .says(&[r#"write it with {"verb": "set", "models": ["model.osim"], "set": {"stiffness": VALUE}}"#]);
+    bench.run("design human.osim --stiffness 1e6").usage().says(&["write it with set MODEL stiffness=VALUE"]);
+    request(&bench, &json!({"verb": "design", "mass": 60}))
+        .usage()
+        .says(&[r#"(or "young": E with "poisson": NU)"#]);
+}

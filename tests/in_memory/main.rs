@@ -12,6 +12,7 @@
     reason = "a test fails by panicking"
 )]
 
+mod before_after;
 mod changes;
 mod findings;
 mod front_end;

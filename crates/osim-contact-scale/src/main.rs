@@ -18,19 +18,27 @@ use std::process::ExitCode;
 use clap::FromArgMatches;
 use clap::error::ErrorKind;
 
-use args::{Cli, command, usage_line};
+use args::{Cli, check_typed, command, usage_line};
 use session::Session;
 use terminal::{Exit, Terminal};
 use words::WORDS;
 
 fn main() -> ExitCode {
     let mut session = Session { terminal: Terminal::default(), words: WORDS };
-    let parsed = command().try_get_matches().and_then(|matches| Cli::from_arg_matches(&matches));
+    let parsed = command()
+        .try_get_matches()
+        .and_then(|matches| Cli::from_arg_matches(&matches).map(|cli| (cli, check_typed(&matches))));
     let exit = match parsed {
-        Ok(cli) => commands::call(cli, &mut session).unwrap_or_else(|error| {
-            session.terminal.error(&format!("error: {error:#}\n"));
-            Exit::Usage
-        }),
+        Ok((cli, typed)) => {
+            let done = match typed {
+                Ok(()) => commands::call(cli, &mut session),
+                Err(fault) => Err(session.usage(&fault)),
+            };
+            done.unwrap_or_else(|error| {
+                session.terminal.error(&format!("error: {error:#}\n"));
+                Exit::Usage
+            })
+        }
         Err(error) => usage(&error, &mut session.terminal),
     };
     window::keep_open(&mut session.terminal);

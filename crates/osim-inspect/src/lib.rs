@@ -33,7 +33,7 @@ pub mod series;
 
 pub use drop_height::DropHeight;
 pub use figures::{Figure, FigureInfo, Figures, LimbFigures, LimitCheck, Shown, SphereFigures};
-pub use findings::{CheckResult, Counts, check_model};
+pub use findings::{CheckResult, Counts, can_be_changed, check_known, check_model};
 pub use inspection::{
     ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,
     InspectedLimb, InspectedSphere, Inspection, Origins, Parameters,

@@ -1,4 +1,4 @@
-//! Findings and phrases as the JSON has them.
+//! What all JSON results share: their version, and findings and phrases as they have them.
 
 use osim_model::Finding;
 use osim_model::wording::Phrase;

@@ -69,7 +69,9 @@ pub use components::Companion;
 pub use contact_digest::ValueKey;
 pub use contacts::{Force, ForceId, ForceKind, ParameterSet, SetId, Slot, Sphere, SphereId};
 pub use document::{Document, may_include};
-pub use fault::{CountOf, Excerpt, Fault, FaultKind, FileId, Needed, NoteDoubt, TreeOfForces};
+pub use fault::{
+    CountOf, Excerpt, Fault, FaultKind, FileId, GravityFor, Needed, NoteDoubt, RadiusFrom, TreeOfForces,
+};
 pub use finding::{
     Finding, FindingCode, Remedy, RemedyChange, RemedyDesign, RemedyDialect, RemedyLoad, Repair, Seen,
     Severity,

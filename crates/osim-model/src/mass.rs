@@ -36,7 +36,7 @@ pub struct MassRequest {
     pub model_kg: Option<f64>,
     /// The mass that the contacts will be scaled to, kg. A source that says this mass is no reason for a warning: the bodies
     /// are often scaled before the contacts.
-    pub target_kg: Option<f64>,
+    pub target_mass_kg: Option<f64>,
     /// Bodies that do not belong to the animal and are not summed.
     pub exclude_bodies: Vec<Pattern>,
 }
@@ -161,7 +161,7 @@ impl MassRequest {
         // The usual case: the body was scaled to the target already, and the user says what the contacts were made for.
         let expected = |kg: f64| {
             taken.source == MassSource::ContactsMass
-                && self.target_kg.is_some_and(|target| same_mass(kg, target))
+                && self.target_mass_kg.is_some_and(|target| same_mass(kg, target))
         };
         let differs = |kg: f64| !same_mass(kg, taken.kg) && !expected(kg);
         let warning = |(kg, source): (f64, Phrase)| {

@@ -6,8 +6,8 @@ use contact_scaling::{
 };
 use osim_model::wording::{Phrase, phrase};
 use osim_model::{
-    Fault, Finding, FindingCode, Force, ForceKind, Mass, Model, Needed, Property, Scope, Selected, SetId,
-    readable,
+    Fault, Finding, FindingCode, Force, ForceKind, GravityFor, Mass, Model, Needed, Property, Scope,
+    Selected, SetId, readable,
 };
 
 use crate::builder::{New, PlanBuilder};
@@ -112,7 +112,7 @@ impl Default for Design {
 /// # Errors
 /// - A quantity outside its domain ([`FaultKind::Quantity`](osim_model::FaultKind::Quantity)).
 /// - An indentation without a load ([`Needed::Load`]), or a restitution without an impact speed in a model without gravity
-///   ([`Needed::ImpactSpeed`]).
+///   ([`Needed::Gravity`]).
 /// - The errors of [`rescale`](crate::rescale) that are about values and shared spheres.
 pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Plan, Fault> {
     let mut plan = PlanBuilder::new(model);
@@ -142,7 +142,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
         warnings.push(Finding::new(FindingCode::NothingToChange, text));
     }
     let smooth = selected.forces.iter().filter_map(|&id| model.force(id)).any(is_smooth);
-    let masses = wanted.mass.clone().map(|from| Masses { to_kg: from.kg, from });
+    let masses = wanted.mass.clone().map(|from| Masses { target_mass_kg: from.kg, from });
     Ok(Plan::new(
         model,
         Contents { changes, moves, masses, taken: wanted.taken(), warnings, remarks },
@@ -360,6 +360,6 @@ impl Design {
 fn default_speed(gravity: Option<f64>, radius_m: f64) -> Result<f64, Fault> {
     match gravity.filter(|&gravity| gravity > 0.0) {
         Some(gravity) => restitution::drop_speed(gravity, radius_m).map_err(Fault::new),
-        None => Err(Fault::new(Needed::ImpactSpeed)),
+        None => Err(Fault::new(Needed::Gravity { purpose: GravityFor::ImpactSpeed })),
     }
 }

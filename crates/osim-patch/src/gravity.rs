@@ -1,20 +1,45 @@
-//! The ratio of gravities, where contacts are scaled to another one.
+//! Contacts that are scaled to another gravity: the ratio, and what is said of it.
 
 use osim_model::wording::Input;
-use osim_model::{Fault, FaultKind, Needed};
+use osim_model::{Fault, FaultKind, GravityFor, Needed, readable};
 
-/// γ = g_b/g_a where a target is given, else 1.
-pub(crate) fn gravity_ratio(now: Option<f64>, target: Option<f64>) -> Result<f64, Fault> {
-    let Some(target) = target else { return Ok(1.0) };
-    if !(target.is_finite() && target > 0.0) {
-        return Err(Fault::new(FaultKind::BadInput {
-            input: Input::TargetGravity,
-            value: target,
-            expected: "an acceleration in m/s2 above 0",
-        }));
+/// Gravity that contacts were made for and that they are scaled to.
+pub(crate) struct GravityChange {
+    /// γ = g_b/g_a; 1 without a target.
+    pub(crate) ratio: f64,
+    said: Option<String>,
+}
+
+impl GravityChange {
+    /// From `now` to `target`; `now_for` says whose gravity is missing where `now` is not there.
+    ///
+    /// # Errors
+    /// A target that is not above 0, or a gravity that nobody knows.
+    pub(crate) fn new(now: Option<f64>, target: Option<f64>, now_for: GravityFor) -> Result<Self, Fault> {
+        let Some(target) = target else { return Ok(Self { ratio: 1.0, said: None }) };
+        if !(target.is_finite() && target > 0.0) {
+            return Err(Fault::new(FaultKind::BadInput {
+                input: Input::TargetGravity,
+                value: target,
+                expected: "an acceleration in m/s2 above 0",
+            }));
+        }
+        match now {
+            Some(now) if now.is_finite() && now > 0.0 => {
+                let said = format!(
+                    "; gravity {} -> {} m/s2 (x{})",
+                    readable(now),
+                    readable(target),
+                    readable(target / now)
+                );
+                Ok(Self { ratio: target / now, said: Some(said) })
+            }
+            _ => Err(Fault::new(Needed::Gravity { purpose: now_for })),
+        }
     }
-    match now {
-        Some(now) if now.is_finite() && now > 0.0 => Ok(target / now),
-        _ => Err(Fault::new(Needed::GravityNow)),
+
+    /// Which gravities were taken, for the end of a sentence; nothing without a target.
+    pub(crate) fn described(self) -> String {
+        self.said.unwrap_or_default()
     }
 }

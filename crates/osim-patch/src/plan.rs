@@ -170,7 +170,7 @@ pub struct Masses {
     /// Before (for a transfer: the mass that the reference's contacts were made for).
     pub from: Mass,
     /// Afterwards, kg.
-    pub to_kg: f64,
+    pub target_mass_kg: f64,
 }
 
 /// Elements that an object lacks and gets.

@@ -7,6 +7,9 @@ use crate::builder::PlanBuilder;
 use crate::property_set::PropertySet;
 use crate::radii::Radii;
 
+/// Said where contacts are scaled to a gravity that is not the model's own.
+pub(crate) const GRAVITY_STAYS: &str = "the model's own <gravity> stays as it is: set it in OpenSim";
+
 /// Says what is special about the chosen forces.
 pub(crate) fn warn_forces(plan: &mut PlanBuilder<'_>, forces: &[ForceId], properties: &PropertySet) {
     let model = plan.model;

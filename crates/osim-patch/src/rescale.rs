@@ -3,16 +3,16 @@
 use contact_scaling::{RatioValues, Ratios};
 use osim_model::wording::{Input, Phrase, Verb, phrase};
 use osim_model::{
-    Fault, Finding, FindingCode, ForceId, LevelAxis, Mass, Model, Needed, Property, Scope, Selected, SetId,
-    positive_mass, readable, same_mass, shortest,
+    Fault, Finding, FindingCode, ForceId, GravityFor, LevelAxis, Mass, Model, Needed, Property, Scope,
+    Selected, SetId, positive_mass, readable, same_mass, shortest,
 };
 
 use crate::builder::{New, PlanBuilder};
-use crate::gravity::gravity_ratio;
+use crate::gravity::GravityChange;
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
 use crate::property_set::PropertySet;
 use crate::radii::{Radii, RadiusRule, SphereRule};
-use crate::remarks::{bottoms_remark, warn_forces};
+use crate::remarks::{GRAVITY_STAYS, bottoms_remark, warn_forces};
 use crate::scaling::{DissipationBy, factor};
 
 /// What is wanted of a rescaling: the model's own contacts at another mass.
@@ -81,17 +81,18 @@ impl Rescale {
 ///   [`FaultKind::Domain`](osim_model::FaultKind::Domain)), or that is in an included file or in `<defaults>`.
 /// - A sphere whose radius would change and that a force which is not `selected` needs as it is
 ///   ([`Needed::SharedSphere`]).
-/// - A mass or gravity that is not above 0, or that is not known ([`Needed::GravityNow`], [`Needed::ContactsGravity`]).
+/// - A mass or gravity that is not above 0, or that is not known ([`Needed::Gravity`], [`Needed::ContactsGravity`]).
 pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<Plan, Fault> {
     let target = positive_mass(Input::TargetMass, wanted.target_mass_kg)?;
     let origin = wanted.contacts_mass.kg;
     let mut plan = PlanBuilder::new(model);
     let gravity = gravity_now(model, wanted)?;
-    let gravity = gravity_ratio(gravity, wanted.target_gravity_m_s2)?;
+    let change = GravityChange::new(gravity, wanted.target_gravity_m_s2, GravityFor::Contacts)?;
+    let gravity = change.ratio;
     let other_radius = matches!(wanted.radius, RadiusRule::Metres(_) | RadiusRule::Factor(_));
     if same_mass(target, origin) && gravity == 1.0 && !other_radius {
         plan.warnings.push(already_there(origin, &wanted.contacts_mass));
-        return Ok(finish(plan, wanted, selected, None));
+        return Ok(finish(plan, wanted, selected, None, change));
     }
     let mass = target / origin;
     let isometric = Ratios::isometric(mass).map_err(Fault::new)?.radius();
@@ -117,7 +118,7 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
         let text = "every factor is exactly 1: the radius stays, so what follows the radius stays too";
         plan.warnings.push(Finding::new(FindingCode::NothingToChange, text));
     }
-    Ok(finish(plan, wanted, selected, Some(&radii)))
+    Ok(finish(plan, wanted, selected, Some(&radii), change))
 }
 
 fn scale_set(
@@ -160,7 +161,13 @@ fn already_there(origin: f64, mass: &Mass) -> Finding {
     Finding::new(FindingCode::AlreadyAtTarget, message)
 }
 
-fn finish(plan: PlanBuilder<'_>, wanted: &Rescale, selected: &Selected, radii: Option<&Radii>) -> Plan {
+fn finish(
+    plan: PlanBuilder<'_>,
+    wanted: &Rescale,
+    selected: &Selected,
+    radii: Option<&Radii>,
+    gravity: GravityChange,
+) -> Plan {
     let PlanBuilder { model, changes, moves, warnings, .. } = plan;
     let mut remarks: Vec<Phrase> = Vec::new();
     if !changes.is_empty() {
@@ -171,21 +178,22 @@ fn finish(plan: PlanBuilder<'_>, wanted: &Rescale, selected: &Selected, radii: O
             remarks.push("body masses stay as they are; sphere centres move so that bottoms stay".into());
         }
         if wanted.target_gravity_m_s2.is_some() {
-            remarks.push("the model's own <gravity> stays as it is: set it in OpenSim".into());
+            remarks.push(GRAVITY_STAYS.into());
         }
     }
-    let to_kg = if changes.is_empty() { wanted.contacts_mass.kg } else { wanted.target_mass_kg };
+    let target_mass_kg = if changes.is_empty() { wanted.contacts_mass.kg } else { wanted.target_mass_kg };
     let from = wanted.contacts_mass.clone();
     let mut taken =
         phrase![format!("contacts made for {} kg (", readable(from.kg)), &from.source.describe(), ")",];
     if !changes.is_empty() {
-        let ratio = readable(to_kg / from.kg);
-        taken.push(format!("; scaled to {} kg (mass x{ratio})", readable(to_kg)));
+        let ratio = readable(target_mass_kg / from.kg);
+        taken.push(format!("; scaled to {} kg (mass x{ratio})", readable(target_mass_kg)));
+        taken.push(gravity.described());
     }
     let all = selected.complete && wanted.properties.is_complete();
     Plan::new(
         model,
-        Contents { changes, moves, masses: Some(Masses { from, to_kg }), taken, warnings, remarks },
+        Contents { changes, moves, masses: Some(Masses { from, target_mass_kg }), taken, warnings, remarks },
         &NoteFacts {
             mass_kg: Some(wanted.target_mass_kg),
             gravity_m_s2: wanted.target_gravity_m_s2.or(model.contacts_gravity()),

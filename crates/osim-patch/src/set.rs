@@ -2,7 +2,8 @@
 
 use osim_model::wording::phrase;
 use osim_model::{
-    Assignment, Fault, Finding, FindingCode, Mass, Model, Needed, Property, Scope, Selected, readable,
+    Assignment, Fault, Finding, FindingCode, Mass, Model, Needed, Property, RadiusFrom, Scope, Selected,
+    readable,
 };
 
 use crate::builder::{New, PlanBuilder};
@@ -92,7 +93,7 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
             for sphere in moving_spheres(model, &selected.forces) {
                 let from = plan.current_radius(sphere)?;
                 if New::assigned(value, from).to != from {
-                    users.refuse(model, &selected.forces, sphere)?;
+                    users.refuse(model, &selected.forces, sphere, RadiusFrom::Assignment)?;
                 }
                 plan.radius(sphere, New::assigned(value, from))?;
                 found = true;
@@ -122,7 +123,7 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
         taken.push("); ");
     }
     taken.push(format!("{operation}; nothing else follows"));
-    let masses = wanted.contacts_mass.clone().map(|from| Masses { to_kg: from.kg, from });
+    let masses = wanted.contacts_mass.clone().map(|from| Masses { target_mass_kg: from.kg, from });
     Ok(Plan::new(
         model,
         Contents { changes, moves, masses, taken, warnings, remarks: vec![] },

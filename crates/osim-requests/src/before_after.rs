@@ -1,10 +1,10 @@
 //! A model before and after: seen before anything is written.
 
 use osim_inspect::series::Body;
-use osim_inspect::{CheckResult, Figures, InspectOptions, Inspection, check_model};
+use osim_inspect::{CheckResult, Figures, InspectOptions, Inspection, can_be_changed, check_known};
 use osim_model::RemedyDialect;
 use osim_model::files::{Failure, ModelFiles, OpenModel};
-use osim_model::same_mass;
+use osim_model::{Property, same_mass};
 use osim_patch::Plan;
 
 use crate::planner::Planner;
@@ -39,7 +39,9 @@ impl BeforeAfter {
         (dialect, bodies): (&dyn RemedyDialect, bool),
     ) -> Result<Self, Failure> {
         let before = planner.inspection().inspect_options();
-        let now = seen(&before, opened);
+        // The new model has the same elements: what can be changed in one can be changed in the other.
+        let changes = shown_by(plan, &before, opened) || can_be_changed(&before, &opened.model);
+        let now = seen(&before, opened, changes);
         let mut after = options_after(planner, &before, plan, &now.0);
         after.stance.gravity_m_s2 = planner.target_gravity_m_s2();
         let target_gravity_m_s2 =
@@ -60,7 +62,7 @@ impl BeforeAfter {
         both.bodies.extend(body("before", &before, opened).filter(|_| bodies));
         if !plan.is_empty() {
             let written = changed().open()?;
-            both.after = Some(seen(&after, &written));
+            both.after = Some(seen(&after, &written, changes));
             both.bodies.extend(body("after", &after, &written).filter(|_| bodies));
         }
         both.spell(dialect);
@@ -76,10 +78,22 @@ impl BeforeAfter {
     }
 }
 
-fn seen(options: &InspectOptions, opened: &OpenModel) -> (Inspection, CheckResult) {
+fn seen(options: &InspectOptions, opened: &OpenModel, changes: bool) -> (Inspection, CheckResult) {
     let inspection = options.inspect(opened.name(), &opened.model, None);
-    let check = check_model(options, &opened.model, &inspection, None);
+    let check = check_known(options, &opened.model, &inspection, (None, changes));
     (inspection, check)
+}
+
+/// Whether `plan` shows that the numbers of the model can be changed: it changes those that remedies change, in all of the chosen
+/// forces.
+fn shown_by(plan: &Plan, options: &InspectOptions, opened: &OpenModel) -> bool {
+    let Ok(selected) = options.selection.apply(&opened.model) else { return false };
+    let forces = selected.forces.iter().filter_map(|&id| opened.model.force(id));
+    // A force without parameters of its own has none that could be changed.
+    let sets: usize = forces.map(|force| force.sets.len().max(1)).sum();
+    [Property::Stiffness, Property::Dissipation]
+        .into_iter()
+        .all(|property| plan.changes.iter().filter(|change| change.property == property).count() >= sets)
 }
 
 fn body(name: &str, options: &InspectOptions, opened: &OpenModel) -> Option<Body> {
@@ -94,10 +108,10 @@ fn options_after(
     now: &Inspection,
 ) -> InspectOptions {
     let mut options = before.clone();
-    let to_kg = plan.masses.as_ref().map(|masses| masses.to_kg);
+    let target_mass_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
     // The note says it; without one somebody has to.
-    options.masses.contacts_kg = to_kg.filter(|_| plan.note().is_none());
-    if let Some(kg) = to_kg.filter(|_| planner.name() == "rescale")
+    options.masses.contacts_kg = target_mass_kg.filter(|_| plan.note().is_none());
+    if let Some(kg) = target_mass_kg.filter(|_| planner.name() == "rescale")
         && now.figures.mass_kg.is_none_or(|weighs| !same_mass(weighs, kg))
     {
         options.masses.model_kg = Some(kg);

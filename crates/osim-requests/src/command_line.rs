@@ -1,12 +1,16 @@
 //! Requests from the words of a command line, read by clap.
 
-use clap::Command;
+use clap::parser::ValueSource;
+use clap::{ArgMatches, Command};
 use osim_model::wording::Verb;
 
+use crate::dictionary;
+use crate::fault::RequestFault;
 use crate::relation::Relation;
 use crate::request::relations_of;
 
-/// Teaches the parser of a verb how its options depend on each other: the same rules as for dictionaries.
+/// Teaches the parser of a verb which options have to be said and which exclude each other: the same rules as for dictionaries.
+/// What an option [needs](check) it is not taught: clap forgets that where the other one is excluded by a third.
 #[must_use]
 pub fn with_relations(command: Command, verb: Verb) -> Command {
     let all = relations_of(verb);
@@ -16,10 +20,21 @@ pub fn with_relations(command: Command, verb: Verb) -> Command {
         let own = all.iter().copied().flatten().filter(|relation| name == relation.field());
         own.fold(argument, |argument, relation| match *relation {
             Relation::Required(_) => argument.required(true),
-            Relation::Expected(_) => argument,
+            Relation::Expected(_) | Relation::Needs(..) => argument,
             Relation::RequiredUnless(_, other) => argument.required_unless_present(other),
-            Relation::Needs(_, other) => argument.requires(other),
             Relation::Excludes(_, other) => argument.conflicts_with(other),
         })
     })
+}
+
+/// Checks that the options which were typed for a verb go together, as a dictionary is checked.
+///
+/// # Errors
+/// The first that says nothing without another.
+pub fn check(matches: &ArgMatches, verb: Verb) -> Result<(), RequestFault> {
+    let typed = |id: &str| matches.value_source(id) == Some(ValueSource::CommandLine);
+    let typed: Vec<&str> = matches.ids().map(clap::Id::as_str).filter(|id| typed(id)).collect();
+    let needs = |relation: &Relation| matches!(relation, Relation::Needs(..));
+    let relations = relations_of(verb).iter().copied().flatten().copied().filter(needs);
+    dictionary::check_relations(|field| typed.contains(&field), relations)
 }

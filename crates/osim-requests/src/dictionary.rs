@@ -64,8 +64,19 @@ fn check_fields(fields: &Map<String, Value>, relations: &[&[Relation]]) -> Resul
         Some(Value::Object(items)) => !items.is_empty(),
         Some(_) => true,
     };
-    for relation in relations.iter().copied().flatten() {
-        match *relation {
+    check_relations(says, relations.iter().copied().flatten().copied())
+}
+
+/// Checks that the fields which say something go together.
+///
+/// # Errors
+/// The first that do not.
+pub(crate) fn check_relations(
+    says: impl Fn(&str) -> bool,
+    relations: impl Iterator<Item = Relation>,
+) -> Result<(), RequestFault> {
+    for relation in relations {
+        match relation {
             Relation::Required(field) | Relation::Expected(field) if !says(field) => {
                 return Err(RequestFault::Missing { field });
             }

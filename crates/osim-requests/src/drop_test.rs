@@ -8,7 +8,7 @@ use osim_inspect::series::standing_spheres;
 use osim_inspect::{LoadSharing, MassMismatch};
 use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::wording::{Input, Phrase, phrase};
-use osim_model::{CountOf, Fault, MassRequest, Needed};
+use osim_model::{CountOf, Fault, GravityFor, MassRequest, Needed};
 
 use crate::fault::{RequestError, RequestFault};
 use crate::gravity::STANDARD_GRAVITY_M_S2;
@@ -136,7 +136,14 @@ impl DropTestRequest {
         let count = sharing.count(own.spheres, own.stance_limbs, own.count_of)?;
         let spheres = standing_spheres(model, &selected.forces, count)?;
         let gravity = own.gravity_m_s2.or(model.gravity().filter(|&gravity| gravity > 0.0));
-        let Some(gravity) = gravity else { return Err(Fault::new(Needed::Gravity)) };
+        let Some(gravity) = gravity else {
+            // `gravity` is about the first body alone.
+            let purpose = match own.count_of {
+                CountOf::Compared => GravityFor::Compared,
+                _ => GravityFor::Weight,
+            };
+            return Err(Fault::new(Needed::Gravity { purpose }));
+        };
         let falling = self
             .falling(open.name(), spheres, (mass.kg, gravity), count)
             .map_err(|error| Fault::refused(error.to_string()))?;

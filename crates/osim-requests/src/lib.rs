@@ -66,6 +66,7 @@ pub use request::{
     QuantityChoice, Request, RescaleRequest, SeriesFormat, SetRequest, SweepRequest, TransferRequest,
     schema_of,
 };
+pub use subject::may_be_file;
 pub use sweep::{SweepPlan, VariantMade};
 pub use table::{RowFault, RowRequest, Table};
 pub use value::{

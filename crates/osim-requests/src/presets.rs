@@ -87,26 +87,6 @@ pub(crate) fn preset_names(file: Option<&Path>, files: &dyn Files) -> String {
     presets.iter().map(|preset| preset.name.to_string()).collect::<Vec<_>>().join(", ")
 }
 
-/// Refuses a name that is neither a file's nor a preset's.
-///
-/// # Errors
-/// It is.
-pub(crate) fn refuse_unknown_name(
-    path: &Path,
-    file: Option<&Path>,
-    files: &dyn Files,
-) -> Result<(), RequestFault> {
-    let may_be_file = files.exists(path) || path.as_os_str() == "-" || path.components().count() > 1;
-    if may_be_file || path.extension().is_some() {
-        return Ok(());
-    }
-    Err(RequestFault::general(format!(
-        "'{}': there is no such file and no such preset, expected a model or one of: {}",
-        path.display(),
-        preset_names(file, files)
-    )))
-}
-
 /// Why the values of a preset make no contact.
 #[derive(Debug, thiserror::Error)]
 enum EntryError {

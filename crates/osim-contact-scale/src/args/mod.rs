@@ -5,12 +5,12 @@ mod later;
 mod own;
 mod usage;
 
-use clap::{Command, CommandFactory, Parser, Subcommand};
+use clap::{ArgMatches, Command, CommandFactory, Parser, Subcommand};
 use osim_model::wording::Verb;
-use osim_requests::command_line::with_relations;
+use osim_requests::command_line::{check, with_relations};
 use osim_requests::{
     BatchRequest, CheckRequest, DesignRequest, DropTestRequest, ExplainRequest, FitRequest, InspectRequest,
-    PlotRequest, PresetsRequest, RescaleRequest, SweepRequest, TransferRequest,
+    PlotRequest, PresetsRequest, RequestFault, RescaleRequest, SweepRequest, TransferRequest,
 };
 
 use help::in_words_of_the_command;
@@ -76,6 +76,16 @@ pub(crate) enum VerbArgs {
 /// The parser, with what options need and exclude, and help in the words of the command line.
 pub(crate) fn command() -> Command {
     in_words_of_the_command(with_relations(Cli::command(), Verb::Rescale))
+}
+
+/// Checks that the options which were typed go together.
+///
+/// # Errors
+/// The first that says nothing without another.
+pub(crate) fn check_typed(matches: &ArgMatches) -> Result<(), RequestFault> {
+    let (name, typed) = matches.subcommand().unwrap_or((Verb::Rescale.name(), matches));
+    let verb = Verb::ALL.iter().copied().find(|verb| verb.name() == name);
+    verb.map_or(Ok(()), |verb| check(typed, verb))
 }
 
 #[cfg(test)]

@@ -1,11 +1,9 @@
 //! `rescale`, and a model alone.
 
-use std::path::Path;
-
 use anyhow::{Result, bail};
-use osim_requests::options::InspectionOptions;
-use osim_requests::options::{SheetFormat, StanceOptions};
-use osim_requests::{InspectRequest, RescaleRequest};
+use osim_library::Disk;
+use osim_requests::options::{InspectionOptions, SheetFormat, StanceOptions};
+use osim_requests::{InspectRequest, RescaleRequest, may_be_file};
 
 use super::change::change;
 use super::inspect;
@@ -20,7 +18,7 @@ pub(super) fn run(request: RescaleRequest, may_inspect: bool, session: &mut Sess
     if request.models.is_empty() {
         bail!("no model given, expected one or more .osim files or folders (see --help)");
     }
-    if let Some(word) = request.models.iter().find(|path| looks_like_verb(path)).filter(|_| may_inspect) {
+    if let Some(word) = request.models.iter().find(|path| !may_be_file(path, &Disk)).filter(|_| may_inspect) {
         bail!("'{}' is neither a verb nor a file (see --help)", word.display());
     }
     if request.target_mass.is_some() || !may_inspect || request.asks_for_change() {
@@ -42,10 +40,4 @@ pub(super) fn run(request: RescaleRequest, may_inspect: bool, session: &mut Sess
     inspect.options =
         InspectionOptions::new(StanceOptions::default(), request.masses, request.choice, request.set_files);
     inspect::run(&inspect, true, session)
-}
-
-/// `true` for a word that no model is called.
-fn looks_like_verb(path: &Path) -> bool {
-    let text = path.to_string_lossy();
-    !path.exists() && !text.contains(['.', '/', '\\']) && text != "-"
 }

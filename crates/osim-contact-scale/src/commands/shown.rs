@@ -1,7 +1,6 @@
 //! What is shown of a model that was changed, made on the thread that changed it.
 
 use osim_library::run::{ChangedModel, Detail, FrontEnd, Record, Written};
-use osim_library::sha256;
 use osim_model::FileId;
 use osim_model::RemedyDialect;
 use osim_report::html::{self, Changed, DetailLevel, EarlierRun, Entry, Files, RowError, RunRow};
@@ -110,7 +109,8 @@ impl Shower<'_> {
 
     fn entry(&self, changed: &ChangedModel<'_>, both: BeforeAfter) -> Entry {
         let record = changed.record;
-        let inputs = changed.opened.files().map(|(name, bytes)| (name.to_owned(), sha256(bytes)));
+        let names = changed.opened.files().map(|(name, _)| name.to_owned());
+        let inputs = names.zip(changed.inputs.iter().cloned());
         let digests = [&record.sha256_output, &record.sha256_geometry_output];
         let paths = changed.written.paths().iter().map(|path| path.display().to_string());
         let outputs: Vec<(String, String)> = paths.zip(digests.into_iter().flatten().cloned()).collect();

@@ -6,7 +6,7 @@
 
 use contact_scaling::{mixed_radii, restitution};
 use osim_model::wording::{Input, Phrase, phrase};
-use osim_model::{Fault, Limbs, Mass, Model, Selected};
+use osim_model::{Fault, GravityFor, Limbs, Mass, Model, Needed, Selected};
 use osim_patch::loaded_spheres;
 
 use super::data::{Figures, LimbFigures};
@@ -36,7 +36,7 @@ impl Figures {
             mass.zip(gravity).map(|(mass, gravity)| Weight { mass_kg: mass.kg, gravity_m_s2: gravity });
         let mut why: Option<Phrase> = match (mass, gravity) {
             (None, _) => Some("what the model weighs is not known".into()),
-            (_, None) => Some("the model has no gravity".into()),
+            (_, None) => Some(Needed::Gravity { purpose: GravityFor::Weight }.phrase()),
             _ => None,
         };
         let mut limbs = Vec::new();

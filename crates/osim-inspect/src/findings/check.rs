@@ -20,11 +20,23 @@ pub fn check_model(
     inspected: &Inspection,
     compiled: Option<&Finding>,
 ) -> CheckResult {
+    check_known(options, model, inspected, (compiled, can_be_changed(options, model)))
+}
+
+/// The same where it is known whether the numbers of the model [can be changed](can_be_changed): remedies are proposed only
+/// then.
+#[must_use]
+pub fn check_known(
+    options: &InspectOptions,
+    model: &Model,
+    inspected: &Inspection,
+    (compiled, can_be_changed): (Option<&Finding>, bool),
+) -> CheckResult {
     let is_joined = |finding: &Finding| {
         matches!(finding.code, FindingCode::MixedRadii | FindingCode::SeveralParameterSets)
     };
     let joined = model.remarks_on(&model.force_ids()).iter().any(is_joined);
-    let mut remedies = Remedies::new(inspected, joined, changes(options, model), options);
+    let mut remedies = Remedies::new(inspected, joined, can_be_changed, options);
     let mismatch = MassMismatch::find(model, &options.masses);
     let another_mass = limits::another_mass(inspected, &remedies);
     // Contacts that are made right for the body first need other commands afterwards.
@@ -42,8 +54,9 @@ pub fn check_model(
     CheckResult::new(inspected, findings)
 }
 
-/// `true` where the numbers of `model` can be changed: a remedy that would be refused is no help.
-fn changes(options: &InspectOptions, model: &Model) -> bool {
+/// `true` where the numbers of `model` can be changed, which is tried: a remedy that would be refused is no help.
+#[must_use]
+pub fn can_be_changed(options: &InspectOptions, model: &Model) -> bool {
     let assignments =
         vec![(Property::Dissipation, Assignment::Value(0.0)), (Property::Stiffness, Assignment::Value(1.0))];
     let mut trial = Set::new(assignments);

@@ -6,5 +6,5 @@ mod remedy;
 mod result;
 mod traps;
 
-pub use check::check_model;
+pub use check::{can_be_changed, check_known, check_model};
 pub use result::{CheckResult, Counts};

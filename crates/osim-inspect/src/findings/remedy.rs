@@ -141,10 +141,10 @@ impl<'m> Remedies<'m> {
     }
 
     /// Scales contacts that were made for another body to this one.
-    pub(super) fn rescale(&self, contacts_kg: f64, target_kg: f64) -> Option<Remedy> {
+    pub(super) fn rescale(&self, contacts_kg: f64, target_mass_kg: f64) -> Option<Remedy> {
         let change = RemedyChange::Rescale {
             contacts_mass_kg: rounded(contacts_kg),
-            target_mass_kg: rounded(target_kg),
+            target_mass_kg: rounded(target_mass_kg),
         };
         self.remedy(change, false)
     }

@@ -1,6 +1,6 @@
 //! Findings from the model itself: what reading it showed, and what only matters once it is asked.
 
-use osim_model::{Finding, FindingCode, Force, ForceId, Model, Property, Remedy};
+use osim_model::{Finding, FindingCode, Force, ForceId, GravityFor, Model, Needed, Property, Remedy};
 
 use super::remedy::Remedies;
 use crate::inspection::Inspection;
@@ -64,8 +64,11 @@ fn differing(model: &Model, left: &Force, right: &Force) -> Option<Vec<(Property
 /// What keeps figures under body weight away.
 fn unknown(inspected: &Inspection) -> Vec<Finding> {
     let mut found = Vec::new();
-    if inspected.gravity_m_s2.is_none_or(|gravity| gravity == 0.0) {
-        found.push(Finding::new(FindingCode::NoGravity, "the model has no gravity"));
+    let own = inspected.gravity_m_s2.filter(|&gravity| gravity != 0.0);
+    // Where figures are made, it may also have been given.
+    if own.or(inspected.figures.gravity_m_s2).is_none() {
+        let needed = Needed::Gravity { purpose: GravityFor::Weight };
+        found.push(Finding::new(FindingCode::NoGravity, needed.phrase()));
     }
     // Limbs are not known either where forces of several animals are there and nobody chose among them.
     let limbs = &inspected.figures.limbs;

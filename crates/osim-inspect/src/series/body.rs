@@ -4,7 +4,7 @@ use std::fmt::Display;
 
 use contact_scaling::{Contact, DomainError, Law, Preset, Ratios, Spheres};
 use osim_model::files::Failure;
-use osim_model::{CountOf, Fault, ForceId, MassRequest, Model, Needed, readable};
+use osim_model::{CountOf, Fault, ForceId, GravityFor, MassRequest, Model, Needed, readable};
 use osim_patch::loaded_spheres;
 
 use crate::load_sharing::LoadSharing;
@@ -141,10 +141,10 @@ impl Body {
     ///
     /// # Errors
     /// The mass its contacts are made for is not known, or the ratio leaves the range of numbers.
-    pub fn scaled(&self, target_kg: f64) -> Result<Self, Failure> {
+    pub fn scaled(&self, target_mass_kg: f64) -> Result<Self, Failure> {
         let from_kg = *self.contacts_mass_kg.as_ref().map_err(Failure::clone)?;
         let failed = |error: DomainError| self.failure(&error);
-        let ratios = Ratios::isometric(target_kg / from_kg).map_err(failed)?;
+        let ratios = Ratios::isometric(target_mass_kg / from_kg).map_err(failed)?;
         let kinds = self.kinds.iter().map(|kind| SphereKind {
             spheres: kind.spheres.clone(),
             radius_m: kind.radius_m * ratios.radius(),
@@ -154,13 +154,13 @@ impl Body {
         let weight = match &self.weight {
             Err(failure) => Err(failure.clone()),
             Ok(weight) => Ok(Weight {
-                mass_kg: target_kg,
+                mass_kg: target_mass_kg,
                 spheres: scaled_spheres(&self.kinds, &kinds, &weight.spheres).map_err(failed)?,
                 ..*weight
             }),
         };
-        let name = format!("{}, scaled to {} kg", self.name, readable(target_kg));
-        Ok(Self { name, kinds, weight, contacts_mass_kg: Ok(target_kg), mismatch: None })
+        let name = format!("{}, scaled to {} kg", self.name, readable(target_mass_kg));
+        Ok(Self { name, kinds, weight, contacts_mass_kg: Ok(target_mass_kg), mismatch: None })
     }
 
     /// What it weighs, where it must be known.
@@ -229,7 +229,9 @@ fn weight(model: &Model, forces: &[ForceId], masses: &MassRequest, stance: &Stan
     let mass_kg = masses.of_model(model)?.kg;
     let sphere_count = LoadSharing::of(model, forces).count(stance.spheres, stance.limbs, CountOf::Model)?;
     let gravity = stance.gravity_m_s2.or(model.gravity().filter(|&gravity| gravity > 0.0));
-    let Some(gravity_m_s2) = gravity else { return Err(Fault::new(Needed::Gravity)) };
+    let Some(gravity_m_s2) = gravity else {
+        return Err(Fault::new(Needed::Gravity { purpose: GravityFor::Weight }));
+    };
     let spheres = standing_spheres(model, forces, sphere_count)?;
     Ok(Weight { mass_kg, gravity_m_s2, sphere_count, spheres })
 }

@@ -52,6 +52,8 @@ pub struct ChangedModel<'c> {
     pub task: &'c Task,
     /// The model as it was.
     pub opened: &'c OpenModel,
+    /// SHA-256 of each of its files, in order; empty where neither a summary nor details are wanted.
+    pub inputs: &'c [String],
     /// What changes, spelled.
     pub plan: &'c Plan,
     /// The bytes that result.

@@ -50,14 +50,16 @@ impl<F: FrontEnd> ModelJob<'_, F> {
         let detail = self.front_end.detail(self.index);
         let loaded = Loaded::read(&task.source, &task.settings.set_files)?;
         let mut force = task.settings.force;
-        if self.context.journal.is_some() {
-            let input = sha256(loaded.files.bytes());
-            record.sha256_settings = Some(self.settings_digest(&loaded.files));
+        // A digest costs more than a plan: each is made once, for the journal and for the page.
+        let wanted = self.context.journal.is_some() || detail != Detail::Result;
+        let inputs = if wanted { loaded.digests() } else { Vec::new() };
+        if let (Some(input), Some(_)) = (inputs.first(), &self.context.journal) {
+            record.sha256_settings = Some(self.settings_digest(&inputs));
             if !self.context.previous.is_empty() {
-                match self.context.previous.of(task, &input, record) {
+                match self.context.previous.of(task, input, record) {
                     Previous::Holds(mut record) => {
                         record.row = task.row;
-                        let shown = self.show_again(loaded, &record, detail);
+                        let shown = self.show_again(loaded, &record, (detail, &inputs));
                         return Ok(Outcome { record: *record, earlier: true, shown, failure: None });
                     }
                     Previous::Outdated => force = true,
@@ -67,13 +69,11 @@ impl<F: FrontEnd> ModelJob<'_, F> {
                     Previous::Edited(_) | Previous::Unknown => {}
                 }
             }
-            record.sha256_input = Some(input);
-        } else if detail != Detail::Result {
-            record.sha256_input = Some(sha256(loaded.files.bytes()));
         }
+        record.sha256_input = inputs.first().cloned();
         let Loaded { files, origin } = loaded;
-        // The files are read once more as they will be: only where that is wanted.
-        let kept = (detail != Detail::Result).then(|| files.clone());
+        // The files are read once more as they will be: only where that is wanted. The model's own bytes will be others.
+        let kept = (detail != Detail::Result).then(|| files.with_bytes(Vec::new()));
         let opened = files.open()?;
         let plan = self.plan(&opened, record)?;
         let results = Results::of(task, &plan, &opened.model).map_err(|fault| opened.failure(fault))?;
@@ -85,6 +85,7 @@ impl<F: FrontEnd> ModelJob<'_, F> {
             index: self.index,
             task,
             opened: &opened,
+            inputs: &inputs,
             plan: &plan,
             results: &results,
             written: &written,
@@ -97,12 +98,17 @@ impl<F: FrontEnd> ModelJob<'_, F> {
 
     /// A model that an earlier run has done, where details are wanted. None where it was changed itself: what it was before is
     /// gone.
-    fn show_again(&self, loaded: Loaded, record: &Record, detail: Detail) -> Option<F::Shown> {
+    fn show_again(
+        &self,
+        loaded: Loaded,
+        record: &Record,
+        (detail, inputs): (Detail, &[String]),
+    ) -> Option<F::Shown> {
         let task = self.task;
         if task.settings.in_place || detail == Detail::Result {
             return None;
         }
-        let kept = loaded.files.clone();
+        let kept = loaded.files.with_bytes(Vec::new());
         let opened = loaded.files.open().ok()?;
         let plan = self.plan(&opened, &mut record.clone()).ok()?;
         let results = Results::of(task, &plan, &opened.model).ok()?;
@@ -114,6 +120,7 @@ impl<F: FrontEnd> ModelJob<'_, F> {
             index: self.index,
             task,
             opened: &opened,
+            inputs,
             plan: &plan,
             results: &results,
             written: &Written::Files { paths, kept: Vec::new() },
@@ -141,14 +148,18 @@ impl<F: FrontEnd> ModelJob<'_, F> {
         }
     }
 
-    /// Digest of everything the output follows from but for the model: with the files that the model includes.
-    fn settings_digest(&self, files: &ModelFiles) -> String {
+    /// Digest of everything the output follows from but for the model: with the files that belong to it. `inputs` has the
+    /// digests of all its files, the model first.
+    fn settings_digest(&self, inputs: &[String]) -> String {
         let own = self.task.settings.digest();
-        let companions: Vec<String> = files.companions().map(|(_, _, bytes)| sha256(bytes)).collect();
-        if companions.is_empty() {
-            return own.to_owned();
+        match inputs.get(1..) {
+            Some(companions) if !companions.is_empty() => {
+                let all: Vec<&str> =
+                    std::iter::once(own).chain(companions.iter().map(String::as_str)).collect();
+                sha256(all.join("\n").as_bytes())
+            }
+            _ => own.to_owned(),
         }
-        sha256(std::iter::once(own.to_owned()).chain(companions).collect::<Vec<_>>().join("\n").as_bytes())
     }
 
     /// In a manifest, the row is what the user can fix.

@@ -174,7 +174,7 @@ impl Record {
         if let Some(masses) = &plan.masses {
             self.contacts_mass_from_kg = Some(masses.from.kg);
             self.contacts_mass_source = Some(masses.from.source.as_str().to_owned());
-            self.contacts_mass_to_kg = Some(masses.to_kg);
+            self.contacts_mass_to_kg = Some(masses.target_mass_kg);
         }
         self.changes = plan.changes.len() + plan.moves.len();
         let mut unequal_factors = Vec::new();

@@ -52,13 +52,11 @@ impl Loaded {
         Ok(Self { files, origin })
     }
 
-    /// All files by name, the model first, with the SHA-256 of each.
+    /// SHA-256 of each file, the model first, in the order of [`OpenModel::files`](osim_model::files::OpenModel::files).
     #[must_use]
-    pub fn digests(&self) -> Vec<(String, String)> {
-        let main = (self.files.name().to_string(), sha256(self.files.bytes()));
-        let companions =
-            self.files.companions().map(|(_, path, bytes)| (path.display().to_string(), sha256(bytes)));
-        std::iter::once(main).chain(companions).collect()
+    pub fn digests(&self) -> Vec<String> {
+        let companions = self.files.companions().map(|(.., bytes)| bytes);
+        std::iter::once(self.files.bytes()).chain(companions).map(sha256).collect()
     }
 }
 

@@ -7,6 +7,7 @@
 mod excerpt;
 mod kind;
 mod needed;
+mod way_out;
 
 use std::fmt;
 use std::ops::Range;
@@ -17,6 +18,7 @@ use crate::xml::{LineIndex, Position};
 pub use excerpt::Excerpt;
 pub use kind::FaultKind;
 pub use needed::{CountOf, Needed, NoteDoubt, TreeOfForces};
+pub use way_out::{GravityFor, RadiusFrom};
 
 /// One thing that is wrong, and where.
 ///

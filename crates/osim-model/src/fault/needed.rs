@@ -1,5 +1,6 @@
 //! What only the caller can know.
 
+use super::way_out::{GravityFor, RadiusFrom};
 use crate::number::shortest;
 use crate::wording::{Input, Phrase, phrase};
 
@@ -48,8 +49,6 @@ pub enum Needed {
         /// Why it is in doubt.
         doubt: NoteDoubt,
     },
-    /// The gravity that the contacts were made for: the model has none.
-    GravityNow,
     /// Which forces are meant: they belong to several animals.
     Selection {
         /// The animals.
@@ -72,6 +71,10 @@ pub enum Needed {
         changed: String,
         /// Names of the forces that stay.
         left: Vec<String>,
+        /// Whether all of those can be chosen, too.
+        can_choose: bool,
+        /// Why its radius would change.
+        radius: RadiusFrom,
     },
     /// Whose contact to take: those of the reference differ.
     ReferenceContact {
@@ -106,7 +109,7 @@ pub enum Needed {
         /// Their names.
         spheres: Vec<String>,
     },
-    /// Whether a factor shall be applied once more.
+    /// Whether a factor should be applied once more.
     Repetition {
         /// The operation, as the note has it.
         operation: String,
@@ -117,12 +120,11 @@ pub enum Needed {
     ForceSet,
     /// The load that an indentation is about.
     Load,
-    /// The load that an indentation is about: without gravity there is no body weight.
-    LoadOrGravity,
-    /// The gravity of the model.
-    Gravity,
-    /// The speed with which contacts begin.
-    ImpactSpeed,
+    /// A gravity: the file has none.
+    Gravity {
+        /// What it is needed for.
+        purpose: GravityFor,
+    },
     /// The ratio of heights that PredSim's rule is about.
     HeightRatio,
 }
@@ -160,7 +162,7 @@ impl CountOf {
     }
 }
 
-/// Why the note in a file no longer speaks for its contacts.
+/// Why the note in a file no longer describes its contacts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum NoteDoubt {
@@ -207,12 +209,7 @@ impl Needed {
             Self::MovedSpheres { .. } => "moved-spheres",
             Self::Repetition { .. } => "same-operation",
             Self::Geometry | Self::ForceSet => "incomplete-set",
-            Self::GravityNow
-            | Self::Load
-            | Self::LoadOrGravity
-            | Self::Gravity
-            | Self::ImpactSpeed
-            | Self::HeightRatio => "refused",
+            Self::Load | Self::Gravity { .. } | Self::HeightRatio => "refused",
         }
     }
 
@@ -221,7 +218,6 @@ impl Needed {
     pub fn inputs(&self) -> Vec<Input> {
         match self {
             // The message begins with what was asked for.
-            Self::GravityNow => vec![Input::ContactsGravity, Input::ReferenceGravity],
             Self::HeightRatio => vec![Input::HeightRatio, Input::FollowBodies],
             other => other.phrase().inputs(),
         }
@@ -244,27 +240,22 @@ impl Needed {
                 },
                 ": say what the model weighs with ",
                 Input::Mass.like("KG"),
-                ", or what its contacts stand for with ",
+                ", or which mass its contacts are made for with ",
                 Input::ContactsMass.like("KG"),
             ],
             Self::ContactsMass { noted_kg, doubt } => {
                 let noted = noted_kg.map(|kg| format!(" (the note says {} kg)", shortest(kg)));
-                let what = format!("what the contacts stand for is not certain{}", noted.unwrap_or_default());
+                let what = format!(
+                    "which mass the contacts are made for is not certain{}",
+                    noted.unwrap_or_default()
+                );
                 phrase![what, ": ", doubt.as_str(), ": say it with ", Input::ContactsMass.like("KG")]
             }
             Self::ContactsGravity { doubt } => phrase![
-                "which gravity the contacts stand for is not certain: ",
+                "which gravity the contacts are made for is not certain: ",
                 doubt.as_str(),
                 ": say it with ",
                 Input::ContactsGravity.like("G"),
-            ],
-            Self::GravityNow => phrase![
-                Input::TargetGravity,
-                " needs the gravity that the contacts stand for now, and the model has none: say it with ",
-                Input::ContactsGravity.like("G"),
-                " (in a transfer: ",
-                Input::ReferenceGravity.like("G"),
-                ")",
             ],
             Self::Selection { trees, input } => {
                 let each: Vec<_> =
@@ -282,16 +273,17 @@ impl Needed {
                 ": say it with ",
                 of.input().like("N"),
             ],
-            Self::SharedSphere { sphere, changed, left } => phrase![
-                format!(
-                    "sphere {sphere} is used by {changed} and by {}, which is not rescaled",
-                    left.join(", ")
-                ),
-                ": choose all of them with ",
-                Input::Select.like("GLOB"),
-                ", or leave radii as they are with ",
-                Input::Radius.being("keep"),
-            ],
+            Self::SharedSphere { sphere, changed, left, can_choose, radius } => {
+                let left = left.join(", ");
+                let mut text: Phrase =
+                    format!("sphere {sphere} is used by {changed} and by {left}, which is not rescaled: ")
+                        .into();
+                if *can_choose {
+                    text.push(&phrase!["choose all of them with ", Input::Select.like("GLOB"), ", or "]);
+                }
+                text.push(&radius.phrase());
+                text
+            }
             other => other.about_reference(),
         }
     }
@@ -301,7 +293,7 @@ impl Needed {
         match self {
             Self::ReferenceContact { reference, unmatched } => phrase![
                 format!(
-                    "the contacts of {reference} differ from each other, and these spheres have no namesake there: {}",
+                    "the contacts of {reference} differ from each other, and it has no spheres with these names: {}",
                     unmatched.join(", ")
                 ),
                 ": say whose contact to take with ",
@@ -314,11 +306,13 @@ impl Needed {
             ],
             Self::ReferenceRadius { reference, unmatched } => phrase![
                 format!(
-                    "radii differ in {reference}, and these spheres have no namesake there: {}",
+                    "radii differ in {reference}, and it has no spheres with these names: {}",
                     unmatched.join(", ")
                 ),
                 ": say the radius with ",
                 Input::Radius.like("METRES"),
+                ", or whose with ",
+                Input::ReferenceSphere.like("NAME"),
                 ", or keep radii with ",
                 Input::Radius.being("keep"),
             ],
@@ -336,7 +330,7 @@ impl Needed {
                 ),
                 ": keep them with ",
                 Input::MovedSpheres.being("keep"),
-                ", or place them anew with ",
+                ", or place them again with ",
                 Input::MovedSpheres.being("replace"),
             ],
             Self::Repetition { operation } => phrase![
@@ -355,21 +349,10 @@ impl Needed {
             Self::Load => phrase![
                 "an indentation needs a load: say ",
                 Input::Load.like("N"),
-                ", or ",
-                Input::BodyWeights,
-                " with a model that has gravity",
-            ],
-            Self::LoadOrGravity => phrase![
-                "the model has no gravity, so body weight is nothing: say ",
-                Input::Gravity.like("G"),
                 " or ",
-                Input::Load.like("N"),
+                Input::BodyWeights.like("B"),
             ],
-            Self::Gravity => phrase!["the model has no gravity: say it with ", Input::Gravity.like("G")],
-            Self::ImpactSpeed => phrase![
-                "the model has no gravity: say how fast contacts begin with ",
-                Input::ImpactSpeed.like("M/S"),
-            ],
+            Self::Gravity { purpose } => purpose.phrase(),
             // HeightRatio; the others were answered before.
             _ => phrase![
                 Input::Rule.being("predsim"),

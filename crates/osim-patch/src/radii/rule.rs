@@ -1,5 +1,7 @@
 //! What happens to radii.
 
+use osim_model::RadiusFrom;
+
 /// What happens to the radii of the moving spheres.
 ///
 /// ```
@@ -66,6 +68,15 @@ impl SphereRule {
             Self::Followed(_) => "follow",
             Self::Designed(_) => "11, B.2",
             Self::Rule(_) => "given",
+        }
+    }
+
+    /// Why the radius changes.
+    pub(super) fn source(self) -> RadiusFrom {
+        match self {
+            Self::Rule(_) | Self::Like(_) => RadiusFrom::Rule,
+            Self::Designed(_) => RadiusFrom::ContactStiffness,
+            Self::Followed(_) => RadiusFrom::Bodies,
         }
     }
 

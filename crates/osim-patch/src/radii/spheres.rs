@@ -33,7 +33,7 @@ impl Radii {
             let rule = if stays { SphereRule::Rule(RadiusRule::Keep) } else { rule_of(sphere) };
             let pair = rule.pair(old, isometric);
             if pair.new != pair.old {
-                users.refuse(model, forces, sphere)?;
+                users.refuse(model, forces, sphere, rule.source())?;
             }
             let factor = rule.is_relative().then_some(pair.ratio);
             plan.radius(sphere, New { to: pair.new, factor, equation: rule.equation() })?;

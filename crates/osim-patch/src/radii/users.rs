@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use osim_model::{Fault, ForceId, Model, Needed, SphereId};
+use osim_model::{Fault, ForceId, Model, Needed, RadiusFrom, SphereId};
 
 /// Forces that use a sphere and are not changed with it.
 pub(crate) struct Users<'m> {
@@ -26,9 +26,16 @@ impl<'m> Users<'m> {
     }
 
     /// A radius may change only if every applied force that uses the sphere changes with it.
-    pub(crate) fn refuse(&self, model: &Model, chosen: &[ForceId], sphere: SphereId) -> Result<(), Fault> {
+    pub(crate) fn refuse(
+        &self,
+        model: &Model,
+        chosen: &[ForceId],
+        sphere: SphereId,
+        radius: RadiusFrom,
+    ) -> Result<(), Fault> {
         let Some(shared) = model.sphere(sphere) else { return Ok(()) };
         let mut left: Vec<&str> = self.forces.get(&sphere).cloned().unwrap_or_default();
+        let forces = left.len();
         left.extend(self.others.get(&shared.name).into_iter().flatten().map(String::as_str));
         if left.is_empty() {
             return Ok(());
@@ -38,6 +45,8 @@ impl<'m> Users<'m> {
         let needed = Needed::SharedSphere {
             sphere: shared.path.clone(),
             changed: model.names_of(&changed),
+            can_choose: left.len() == forces,
+            radius,
             left: left.into_iter().map(str::to_owned).collect(),
         };
         Err(Fault::at(needed, shared.radius.offset).of(shared.path.clone()).in_file(shared.file))

@@ -15,6 +15,11 @@ const ANY_GRAVITY: f64 = 9.80665;
 /// Which contact of the reference each sphere gets.
 pub(crate) enum Choice<'t> {
     One(&'t ReferenceContact),
+    /// The contact of one sphere, which says the radius too, m.
+    Named {
+        contact: &'t ReferenceContact,
+        radius_m: f64,
+    },
     /// By sphere name; every moving sphere of the chosen forces is in it.
     Paired {
         first: &'t ReferenceContact,
@@ -32,8 +37,11 @@ impl<'t> Choice<'t> {
             )));
         };
         if let Some(name) = &wanted.reference_sphere {
-            let named = contacts.iter().find(|contact| contact.spheres.contains(name));
-            return named.map(Self::One).ok_or_else(|| {
+            let named = contacts.iter().find_map(|contact| {
+                let radius_m = contact.radius_of(name)?;
+                Some(Self::Named { contact, radius_m })
+            });
+            return named.ok_or_else(|| {
                 let known = contacts.iter().flat_map(|contact| &contact.spheres).cloned().collect();
                 let reference = wanted.reference.name.clone();
                 Fault::new(FaultKind::UnknownReferenceSphere { sphere: name.clone(), reference, known })
@@ -62,7 +70,7 @@ impl<'t> Choice<'t> {
 
     pub(crate) fn of_sphere(&self, model: &Model, sphere: SphereId) -> &'t ReferenceContact {
         match self {
-            Self::One(contact) => contact,
+            Self::One(contact) | Self::Named { contact, .. } => contact,
             Self::Paired { first, all } => {
                 // `make` has seen that every name is there.
                 find(all, name_of(model, sphere)).unwrap_or(first)
@@ -70,13 +78,14 @@ impl<'t> Choice<'t> {
         }
     }
 
-    /// The reference radius that a sphere's follows from: that of the sphere of its name, else the one radius all have there.
+    /// The reference radius that a sphere's follows from: that of the sphere whose contact all get, else of the sphere of its
+    /// name, else the one radius all have there.
     pub(crate) fn radius_for(&self, model: &Model, sphere: SphereId, reference: &Reference) -> Option<f64> {
+        if let Self::Named { radius_m, .. } = self {
+            return Some(*radius_m);
+        }
         let name = name_of(model, sphere);
-        let named = reference.contacts.iter().find_map(|contact| {
-            let at = contact.spheres.iter().position(|known| known == name)?;
-            contact.radii_m.get(at).copied()
-        });
+        let named = reference.contacts.iter().find_map(|contact| contact.radius_of(name));
         let first = self.of_sphere(model, sphere).radius_m;
         let one =
             reference.contacts.iter().flat_map(|contact| &contact.radii_m).all(|radius| *radius == first);

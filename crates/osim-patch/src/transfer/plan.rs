@@ -3,7 +3,8 @@
 use contact_scaling::{RatioValues, Ratios};
 use osim_model::wording::phrase;
 use osim_model::{
-    Fault, Finding, FindingCode, Force, ForceKind, Model, Property, Scope, Selected, SphereId, readable,
+    Fault, Finding, FindingCode, Force, ForceKind, GravityFor, Model, Property, Scope, Selected, SphereId,
+    readable,
 };
 
 use super::choice::Choice;
@@ -12,10 +13,10 @@ use super::request::{ReferenceContact, ScalingRule, Transfer};
 use super::several_sets;
 use super::similarity::{check_spread, similarity};
 use crate::builder::{New, PlanBuilder};
-use crate::gravity::gravity_ratio;
+use crate::gravity::GravityChange;
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
 use crate::radii::{Radii, RadiusRule, SphereRule};
-use crate::remarks::{bottoms_remark, warn_forces};
+use crate::remarks::{GRAVITY_STAYS, bottoms_remark, warn_forces};
 use crate::scaling::{DissipationBy, factor};
 use crate::surfaces::write_composite;
 
@@ -37,7 +38,9 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
     let reference = &wanted.reference;
     let mass = wanted.mass.kg / reference.mass.kg;
     let isometric = Ratios::isometric(mass).map_err(Fault::new)?.radius();
-    let gravity = gravity_ratio(reference.gravity_m_s2, wanted.target_gravity_m_s2)?;
+    let change =
+        GravityChange::new(reference.gravity_m_s2, wanted.target_gravity_m_s2, GravityFor::Reference)?;
+    let gravity = change.ratio;
     let followed = |sphere: SphereId| wanted.follow.as_ref().and_then(|follow| follow.spheres.get(&sphere));
     let rule_of = |sphere: SphereId| match (followed(sphere), wanted.radius) {
         (Some(followed), _) => SphereRule::Followed(followed.radius_m),
@@ -86,14 +89,14 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
         target.plan(&mut plan, wanted)?;
     }
     if wanted.follow.is_some() || wanted.rule != ScalingRule::Paper {
-        plan.remarks.extend(similarity(model, selected, wanted, &chosen, &radii));
+        plan.remarks.extend(similarity(model, selected, wanted, &chosen, (&radii, gravity)));
     }
     let whole = !without_smoothing;
     if without_smoothing {
         let text = format!("{} has no smoothing parameters: the model's own stay", reference.name);
         plan.warnings.push(Finding::new(FindingCode::ReferenceWithoutSmoothing, text));
     }
-    Ok(finish(plan, wanted, selected.complete && whole, &radii))
+    Ok(finish(plan, wanted, selected.complete && whole, &radii, change))
 }
 
 struct Target<'t> {
@@ -149,7 +152,13 @@ impl Target<'_> {
     }
 }
 
-fn finish(plan: PlanBuilder<'_>, wanted: &Transfer, complete: bool, radii: &Radii) -> Plan {
+fn finish(
+    plan: PlanBuilder<'_>,
+    wanted: &Transfer,
+    complete: bool,
+    radii: &Radii,
+    gravity: GravityChange,
+) -> Plan {
     let PlanBuilder { model, changes, moves, mut warnings, mut remarks, .. } = plan;
     if changes.is_empty() {
         let text = "every value is already as the reference wants it";
@@ -160,15 +169,28 @@ fn finish(plan: PlanBuilder<'_>, wanted: &Transfer, complete: bool, radii: &Radi
         remarks.push("body masses and sphere locations stay as they are".into());
         remarks.extend(bottoms_remark(radii));
     }
+    // Nothing is to be set in OpenSim where the target is the model's own gravity.
+    let other_gravity = wanted.target_gravity_m_s2.is_some_and(|target| model.gravity() != Some(target));
+    if other_gravity && !changes.is_empty() {
+        remarks.push(GRAVITY_STAYS.into());
+    }
     let reference = &wanted.reference;
-    let taken = phrase![
+    let count = |count: f64| match wanted.counts_cancel {
+        true if count == 1.0 => "spheres one to one".to_owned(),
+        true => format!("spheres one to one, on {count} times as many limbs"),
+        false => format!("n = {count}"),
+    };
+    let mut taken = phrase![
         format!("contacts of {} ({} kg, ", reference.name, readable(reference.mass.kg)),
         &reference.mass.source.describe(),
-        format!("; n = {}) for {} kg (", reference.sphere_count, readable(wanted.mass.kg)),
+        format!("; {}) for {} kg (", count(reference.sphere_count), readable(wanted.mass.kg)),
         &wanted.mass.source.describe(),
-        format!("; n = {})", wanted.sphere_count),
+        format!("; {})", count(wanted.sphere_count)),
     ];
-    let masses = Some(Masses { from: reference.mass.clone(), to_kg: wanted.mass.kg });
+    if wanted.rule == ScalingRule::Paper {
+        taken.push(gravity.described());
+    }
+    let masses = Some(Masses { from: reference.mass.clone(), target_mass_kg: wanted.mass.kg });
     let all = complete && wanted.properties.is_complete();
     Plan::new(
         model,

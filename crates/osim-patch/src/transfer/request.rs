@@ -59,6 +59,14 @@ pub struct Reference {
     pub contacts: Vec<ReferenceContact>,
 }
 
+impl ReferenceContact {
+    /// The radius of the sphere called `name`, if it has this contact, m.
+    pub(super) fn radius_of(&self, name: &str) -> Option<f64> {
+        let at = self.spheres.iter().position(|known| known == name)?;
+        self.radii_m.get(at).copied()
+    }
+}
+
 impl From<&Preset> for Reference {
     fn from(preset: &Preset) -> Self {
         let mass = Mass { kg: preset.scale.mass_kg(), source: MassSource::Preset(preset.name.to_string()) };
@@ -110,6 +118,9 @@ pub struct Transfer {
     pub mass: Mass,
     /// Spheres n that share this model's weight.
     pub sphere_count: f64,
+    /// Each sphere has its own in the reference, and how many share the weight is not known: of the two counts only their ratio
+    /// says something.
+    pub counts_cancel: bool,
     /// What happens to the radii.
     pub radius: RadiusRule,
     /// Which properties may change.
@@ -136,6 +147,7 @@ impl Transfer {
             reference_sphere: None,
             mass,
             sphere_count,
+            counts_cancel: false,
             radius: RadiusRule::Keep,
             properties: PropertySet::default(),
             dissipation_by: DissipationBy::default(),

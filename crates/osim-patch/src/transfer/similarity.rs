@@ -1,6 +1,6 @@
 //! What is said of a transfer whose spheres follow their bodies: the spread of their factors, and figures to compare by.
 
-use contact_scaling::{Contact, DimensionlessContact, Ratios, Scale, ScaleValues, restitution};
+use contact_scaling::{Contact, DimensionlessContact, RatioValues, Ratios, Scale, ScaleValues, restitution};
 use osim_model::wording::Phrase;
 use osim_model::{Fault, FaultKind, Finding, FindingCode, Model, Selected, SphereId};
 
@@ -51,8 +51,12 @@ pub(crate) fn similarity(
     selected: &Selected,
     wanted: &Transfer,
     chosen: &Choice<'_>,
-    radii: &Radii,
+    (radii, gravity_ratio): (&Radii, f64),
 ) -> Option<Phrase> {
+    // Without a count nothing is known of indentations.
+    if wanted.counts_cancel {
+        return None;
+    }
     let force = selected.forces.iter().find_map(|&id| model.force(id))?;
     let from = chosen.of_force(model, force).ok()?;
     let gravity = wanted.reference.gravity_m_s2.or(model.gravity()).filter(|&gravity| gravity > 0.0)?;
@@ -71,7 +75,15 @@ pub(crate) fn similarity(
     });
     let (there, here) = (there.ok()?, here.ok()?);
     let contact = match wanted.rule {
-        ScalingRule::Paper => from.contact.scaled(&Ratios::between(&there, &here).ok()?),
+        ScalingRule::Paper => {
+            let values = RatioValues {
+                mass: wanted.mass.kg / wanted.reference.mass.kg,
+                sphere_count: wanted.sphere_count / wanted.reference.sphere_count,
+                radius: radii.mean_new(force) / from.radius_m,
+                gravity: gravity_ratio,
+            };
+            from.contact.scaled(&Ratios::new(values).ok()?)
+        }
         ScalingRule::PredSim { height_ratio } => {
             let mut values = from.contact.values();
             values.plane_strain_modulus *=

@@ -6,7 +6,7 @@ use osim_model::wording::{Call, Dialect, Example, Input, Verb};
 use osim_model::{Remedy, RemedyDialect};
 
 use super::front_end::FrontEnd;
-use super::remedy::{InputValue, RemedyParts};
+use super::remedy::{InputValue, RemedyParts, is_assignment};
 use super::shell::shell_quoted;
 
 /// Name of the program.
@@ -39,7 +39,9 @@ impl Dialect for CommandLine {
 
     fn call(&self, call: &Call) -> String {
         let arguments = |positional: bool| {
-            let inputs = call.inputs.iter().filter(move |(input, _)| is_positional(*input) == positional);
+            let inputs = call.inputs.iter().filter(move |(input, _)| {
+                !is_assignment(call, *input) && is_positional(*input) == positional
+            });
             inputs.map(|(input, example)| self.input(*input, example.as_ref()))
         };
         let mut words = Vec::new();
@@ -49,6 +51,11 @@ impl Dialect for CommandLine {
         }
         words.extend(arguments(true));
         words.extend(call.with_model.then(|| "MODEL".to_owned()));
+        let assignments = call.inputs.iter().filter(|(input, _)| is_assignment(call, *input));
+        words.extend(assignments.map(|(input, example)| match example {
+            Some(example) => format!("{}={example}", input.name()),
+            None => input.name().to_owned(),
+        }));
         words.extend(arguments(false));
         words.join(" ")
     }

@@ -6,6 +6,7 @@ use osim_requests::Request;
 use serde_json::Value;
 
 use super::front_end::FrontEnd;
+use super::remedy::is_assignment;
 
 /// A request in JSON: `"mass": KG`, `{"verb": "design", "models": ["model.osim"], "indentation": 0.16}`.
 ///
@@ -33,11 +34,15 @@ impl Dialect for JsonRequest {
     fn call(&self, call: &Call) -> String {
         let mut fields = vec![format!("\"verb\": \"{}\"", call.verb.name())];
         fields.extend(call.with_model.then(|| model(call.verb).to_owned()));
-        let arguments = call.inputs.iter().map(|(input, example)| match example {
+        let field = |(input, example): &(Input, Option<Example>)| match example {
             None if !input.is_flag() => format!("\"{}\": ...", input.name()),
             example => self.input(*input, example.as_ref()),
-        });
-        fields.extend(arguments);
+        };
+        let (set, others): (Vec<_>, Vec<_>) =
+            call.inputs.iter().partition(|(input, _)| is_assignment(call, *input));
+        let set: Vec<String> = set.into_iter().map(field).collect();
+        fields.extend((!set.is_empty()).then(|| format!("\"set\": {{{}}}", set.join(", "))));
+        fields.extend(others.into_iter().map(field));
         format!("{{{}}}", fields.join(", "))
     }
 }
@@ -96,6 +101,7 @@ mod tests {
             "`sweep MODEL grid=stiffness=x2`",
             "`explain topics=floats`",
             "`rescale MODEL target_mass=5 in_place`",
+            "`set MODEL stiffness=x2 dissipation=1.5 select=heel*`",
         ] {
             let request = Request::from_json(spelled(template).as_bytes());
             assert!(request.is_ok(), "{template}: {request:?}");

@@ -182,12 +182,12 @@ const QUESTION: &[ErrorCode] = &[
     code(
         "shared-sphere",
         "a sphere should change its radius, but another force that is not rescaled uses it too",
-        "choose all of its forces with `select`, or `radius=keep`",
+        "choose all of its forces with `select`, or keep radii: `radius=keep`, with `follow_bodies` `keep=radius`",
     ),
     code(
         "sphere-count",
         "how many spheres share the body weight? Limbs have different counts, or left and right cannot be determined",
-        "`spheres=N`; for the reference `reference_spheres=N`",
+        "`spheres=N`; for the reference `reference_spheres=N`. Nothing is asked where spheres are matched one to one (`follow_bodies`)",
     ),
     code(
         "which-reference",

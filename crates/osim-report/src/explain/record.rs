@@ -2,6 +2,7 @@
 
 use contact_scaling::Equation;
 use contact_scaling::equations::{Form, Symbol};
+use osim_inspect::SCHEMA_VERSION;
 use osim_model::wording::{Dialect, Phrase};
 use osim_model::{FindingCode, Repair, Seen};
 use schemars::JsonSchema;
@@ -11,8 +12,6 @@ use super::ascii::ascii;
 use super::errors::ErrorCode;
 use super::topic::Topic;
 use super::uses::uses;
-
-const SCHEMA_VERSION: u32 = 1;
 
 /// One topic. `docs/json.md` describes every field.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]

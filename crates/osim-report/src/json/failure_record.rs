@@ -1,11 +1,10 @@
 //! The JSON contract of what went wrong.
 
+use osim_inspect::SCHEMA_VERSION;
 use osim_model::files::Failure;
 use osim_model::wording::Dialect;
 use schemars::JsonSchema;
 use serde::Serialize;
-
-const SCHEMA_VERSION: u32 = 1;
 
 /// One model that could not be done.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]

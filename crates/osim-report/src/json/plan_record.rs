@@ -122,7 +122,7 @@ impl PlanRecord {
 
 impl From<&Masses> for MassesRecord {
     fn from(masses: &Masses) -> Self {
-        Self { from: masses.from.kg, source: masses.from.source.as_str(), to: masses.to_kg }
+        Self { from: masses.from.kg, source: masses.from.source.as_str(), to: masses.target_mass_kg }
     }
 }
 

@@ -1,12 +1,11 @@
 //! The JSON contract of a drop.
 
+use osim_inspect::SCHEMA_VERSION;
 use osim_requests::{ComparedDrop, DropResult};
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::drop_test::DropFigures;
-
-const SCHEMA_VERSION: u32 = 1;
 
 /// A drop, as the JSON has it.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]

@@ -1,12 +1,11 @@
 //! The JSON contract of a fit.
 
 use contact_scaling::fit::{Estimate, Parameter};
+use osim_inspect::SCHEMA_VERSION;
 use osim_model::files::FileName;
 use osim_requests::FitResult;
 use schemars::JsonSchema;
 use serde::Serialize;
-
-const SCHEMA_VERSION: u32 = 1;
 
 /// A fit, as the JSON has it.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]

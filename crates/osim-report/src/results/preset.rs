@@ -1,13 +1,12 @@
 //! A preset, as text and as JSON.
 
 use contact_scaling::{DimensionlessContact, Preset};
+use osim_inspect::SCHEMA_VERSION;
 use osim_model::readable;
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::layout::{filled, table};
-
-const SCHEMA_VERSION: u32 = 1;
 
 /// A preset, as the JSON has it.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]

@@ -2,11 +2,10 @@
 
 use std::path::Path;
 
+use osim_inspect::SCHEMA_VERSION;
 use osim_model::files::FileName;
 use schemars::JsonSchema;
 use serde::Serialize;
-
-const SCHEMA_VERSION: u32 = 1;
 
 /// The end of a sweep, for scripts.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]

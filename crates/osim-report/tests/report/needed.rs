@@ -1,7 +1,7 @@
 //! Every question, as each front end asks it.
 
 use osim_model::wording::Input;
-use osim_model::{CountOf, Fault, Needed, NoteDoubt, TreeOfForces};
+use osim_model::{CountOf, Fault, GravityFor, Needed, NoteDoubt, RadiusFrom, TreeOfForces};
 use osim_report::dialect::{CommandLine, JsonRequest, Page, Python};
 
 /// One example of every question.
@@ -12,7 +12,6 @@ fn examples() -> Vec<Needed> {
         Needed::ModelMass { bodies: 3, kg: 0.0 },
         Needed::ContactsMass { noted_kg: Some(62.0), doubt: NoteDoubt::ValuesChanged },
         Needed::ContactsGravity { doubt: NoteDoubt::Partial },
-        Needed::GravityNow,
         Needed::Selection {
             trees: vec![
                 TreeOfForces { top: name("pelvis"), forces: name("heel_r, heel_l") },
@@ -25,6 +24,8 @@ fn examples() -> Vec<Needed> {
             sphere: name("/contactgeometryset/heel_r"),
             changed: name("heel_floor_r"),
             left: vec![name("heel_ball")],
+            can_choose: true,
+            radius: RadiusFrom::Rule,
         },
         Needed::ReferenceContact { reference: name("human.osim"), unmatched: vec![name("toe_r")] },
         Needed::ReferenceContactOfForce { force: name("/forceset/foot_r") },
@@ -35,11 +36,30 @@ fn examples() -> Vec<Needed> {
         Needed::Geometry,
         Needed::ForceSet,
         Needed::Load,
-        Needed::LoadOrGravity,
-        Needed::Gravity,
-        Needed::ImpactSpeed,
+        Needed::Gravity { purpose: GravityFor::Weight },
         Needed::HeightRatio,
     ]
+}
+
+/// Questions whose way out depends on what was to be done.
+fn by_purpose() -> Vec<Needed> {
+    let shared = |radius, can_choose| Needed::SharedSphere {
+        sphere: "/contactgeometryset/heel_r".to_owned(),
+        changed: "heel_floor_r".to_owned(),
+        left: vec!["heel_ball".to_owned()],
+        can_choose,
+        radius,
+    };
+    let gravity = GravityFor::ALL.into_iter().filter(|&purpose| purpose != GravityFor::Weight);
+    gravity
+        .map(|purpose| Needed::Gravity { purpose })
+        .chain([
+            shared(RadiusFrom::Rule, false),
+            shared(RadiusFrom::Bodies, true),
+            shared(RadiusFrom::ContactStiffness, true),
+            shared(RadiusFrom::Assignment, true),
+        ])
+        .collect()
 }
 
 /// The variants that the source declares.
@@ -58,7 +78,7 @@ fn every_question_is_asked_in_the_words_of_each_front_end() {
     let examples = examples();
     assert_eq!(examples.len(), declared(), "a question is missing, or there twice");
     let mut review = String::new();
-    for needed in examples {
+    for needed in examples.into_iter().chain(by_purpose()) {
         let phrase = needed.phrase();
         let (command, python, page) =
             (phrase.spelled(&CommandLine), phrase.spelled(&Python), phrase.spelled(&Page));

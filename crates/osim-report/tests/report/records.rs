@@ -44,14 +44,17 @@ fn a_name_that_is_not_utf_8_has_its_bytes_beside_it() {
 
 #[test]
 fn a_failure_is_told_in_the_words_of_its_front_end() {
-    let failure = Failure::of_fault("walker.osim", Fault::new(Needed::Gravity));
+    let failure = Failure::of_fault(
+        "walker.osim",
+        Fault::new(Needed::Gravity { purpose: osim_model::GravityFor::Weight }),
+    );
     let text = |dialect| line(&FailureRecord::new(&failure, dialect));
     assert_eq!(
         text(&CommandLine),
         "{\"schema_version\":1,\"model\":\"walker.osim\",\"error\":{\"code\":\"refused\",\"message\":\"the model has no \
-         gravity: say it with --gravity G\",\"line\":null,\"column\":null}}\n"
+         gravity: say --gravity G\",\"line\":null,\"column\":null}}\n"
     );
-    assert!(text(&Python).contains("say it with gravity=G"));
+    assert!(text(&Python).contains("say gravity=G"));
 }
 
 #[test]

@@ -44,12 +44,12 @@ pub(crate) fn inspected(
     (inspected, found)
 }
 
-/// The plan by which the contacts of `model` are made right for a body of `target_kg`.
-pub(crate) fn rescaled(model: &Model, target_kg: f64, front_end: &dyn FrontEnd) -> Plan {
+/// The plan by which the contacts of `model` are made right for a body of `target_mass_kg`.
+pub(crate) fn rescaled(model: &Model, target_mass_kg: f64, front_end: &dyn FrontEnd) -> Plan {
     let options = InspectOptions::default();
     let selected = options.selection.apply(model).unwrap();
     let (mass, _) = MassRequest::default().of_contacts(model).unwrap();
-    let mut plan = rescale(model, &selected, &Rescale::new(target_kg, mass)).unwrap();
+    let mut plan = rescale(model, &selected, &Rescale::new(target_mass_kg, mass)).unwrap();
     plan.spell(front_end);
     plan
 }

@@ -143,7 +143,7 @@ impl Given {
                     Input::Stiffness.like("E1"),
                     " (or ",
                     Input::Young.like("E"),
-                    " ",
+                    " with ",
                     Input::Poisson.like("NU"),
                     ")",
                 ],

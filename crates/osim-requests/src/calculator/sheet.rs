@@ -1,11 +1,9 @@
 //! The figures of a design, as data.
 
 use contact_scaling::limits::Limit;
+use osim_inspect::SCHEMA_VERSION;
 use schemars::JsonSchema;
 use serde::Serialize;
-
-/// Raised when a field changes its meaning or goes away.
-const SCHEMA_VERSION: u32 = 1;
 
 /// Every figure that follows from what is known. Serialised it is the JSON contract of `design` without a model;
 /// `docs/json.md` describes it.

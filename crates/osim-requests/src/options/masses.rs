@@ -33,7 +33,7 @@ impl MassOptions {
             contacts_kg: self.contacts_mass.map(Kilograms::get),
             model_kg: self.mass.map(Kilograms::get),
             exclude_bodies: self.exclude_body.clone(),
-            target_kg: None,
+            target_mass_kg: None,
         }
     }
 }

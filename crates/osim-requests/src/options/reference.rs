@@ -18,7 +18,7 @@ pub struct ReferenceOptions {
     /// Its spheres that share the body weight [default: as found per limb]
     #[cfg_attr(feature = "clap", arg(long, value_name = "N", hide_short_help = true))]
     pub reference_spheres: Option<Count>,
-    /// Its gravity, m/s2
+    /// Its gravity, m/s2 [default: its note's, else its own]: said, contacts are scaled from it to `target_gravity`
     #[cfg_attr(feature = "clap", arg(long, value_name = "G", hide_short_help = true))]
     pub reference_gravity: Option<Acceleration>,
     /// Only its forces with such a name; may be repeated
@@ -26,7 +26,7 @@ pub struct ReferenceOptions {
     #[serde(deserialize_with = "serial::from_texts", serialize_with = "serial::as_texts")]
     #[schemars(with = "Vec<String>")]
     pub reference_select: Vec<Pattern>,
-    /// Take the contact of this sphere for all
+    /// Take contact and isometric radius of this sphere for all
     #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]
     pub reference_sphere: Option<String>,
 }

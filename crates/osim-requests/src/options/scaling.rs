@@ -88,7 +88,7 @@ pub struct ScalingOptions {
     /// Gravity the contacts are made for now, m/s2 [default: the note's, else the model's]
     #[cfg_attr(feature = "clap", arg(long, value_name = "G", hide_short_help = true))]
     pub contacts_gravity: Option<Acceleration>,
-    /// Scale to this gravity too, m/s2 (an extension of the paper)
+    /// Scale to this gravity too, m/s2 (an extension of the paper) [default with `reference_gravity`: the model's]
     #[cfg_attr(feature = "clap", arg(long, value_name = "G", hide_short_help = true))]
     pub target_gravity: Option<Acceleration>,
 }

@@ -2,8 +2,8 @@
 
 use contact_scaling::SharedLoad;
 use osim_inspect::LoadSharing;
-use osim_model::wording::{Input, phrase};
-use osim_model::{CountOf, Fault, Mass, MassRequest, Model, Needed, Selected, Selection};
+use osim_model::wording::{Input, Verb, phrase};
+use osim_model::{CountOf, Fault, GravityFor, Mass, MassRequest, Model, Needed, Selected, Selection};
 use osim_patch::{Design, DesignModulus, Plan, RadiusRule, design};
 use serde_json::json;
 
@@ -68,7 +68,7 @@ fn check(request: &DesignRequest) -> Result<(), RequestFault> {
         let why = phrase![
             "a load says nothing without ",
             Input::Indentation.like("X"),
-            ": leave it out, or say the indentation it shall give",
+            ": leave it out, or say the indentation it should give",
         ];
         return Err(RequestFault::general(why));
     }
@@ -80,8 +80,8 @@ fn check(request: &DesignRequest) -> Result<(), RequestFault> {
         return refused(Input::Radius, why);
     }
     if wanted.stiffness.is_some() {
-        let why =
-            phrase![Input::Stiffness, " is known, not designed: write it with set MODEL stiffness=VALUE"];
+        let call = Verb::Set.of_model().with(Input::Stiffness, "VALUE");
+        let why = phrase![Input::Stiffness, " is known, not designed: write it with ", call];
         return refused(Input::Stiffness, why);
     }
     if wanted.indentation.is_some() && wanted.young.is_some() {
@@ -129,7 +129,9 @@ impl Designing {
             None => {
                 let mass = self.masses.of_model(model)?;
                 let gravity = self.load.gravity().or(model.gravity()).filter(|&gravity| gravity > 0.0);
-                let Some(gravity) = gravity else { return Err(Fault::new(Needed::LoadOrGravity)) };
+                let Some(gravity) = gravity else {
+                    return Err(Fault::new(Needed::Gravity { purpose: GravityFor::Load }));
+                };
                 (mass.kg * gravity * self.load.body_weights(), Some(mass))
             }
         };

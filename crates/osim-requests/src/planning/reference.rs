@@ -1,5 +1,6 @@
 //! Where the contacts of a transfer come from: a preset, or a model with its bones.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use osim_inspect::LoadSharing;
@@ -8,21 +9,35 @@ use osim_model::wording::{Input, phrase};
 use osim_model::{
     Anatomy, CountOf, Fault, FaultKind, Mass, MassRequest, MassSource, Model, Needed, Selection,
 };
-use osim_patch::{Reference, ScaleFile, reference_of_model};
+use osim_patch::{Reference, ScaleFile, moving_spheres, reference_of_model};
 
 use crate::fault::RequestFault;
 use crate::opening::{open, scale_file};
 use crate::planner::file_name;
-use crate::presets::{find_preset, preset_names};
 use crate::request::TransferRequest;
+use crate::subject::Named;
 use crate::value::{Count, Kilograms};
 
 /// What spheres follow from.
 pub(super) struct Generic {
     pub(super) anatomy: Anatomy,
     pub(super) file: Option<ScaleFile>,
-    /// What to ask about the reference's sphere count, once its spheres are matched.
-    pub(super) count_unknown: Option<Fault>,
+    /// Its spheres that share the weight, or what to ask about them once spheres are matched.
+    pub(super) sphere_count: Result<f64, Fault>,
+    /// Names of its spheres that can stand.
+    standing: BTreeSet<String>,
+}
+
+impl Generic {
+    /// Whether each sphere of `model` that can stand has its own here, and the other way round.
+    pub(super) fn stands_like(&self, model: &Model) -> bool {
+        standing(model) == self.standing
+    }
+}
+
+fn standing(model: &Model) -> BTreeSet<String> {
+    let spheres = moving_spheres(model, &model.force_ids()).into_iter();
+    spheres.filter_map(|sphere| Some(model.sphere(sphere)?.name.clone())).collect()
 }
 
 /// The preset that `from` names, if it names one.
@@ -35,27 +50,14 @@ pub(super) fn preset(
     files: &dyn Files,
 ) -> Result<Option<Reference>, RequestFault> {
     let own = request.presets.as_deref();
-    if let Some(preset) = find_preset(from, own, files)? {
-        let mut reference = Reference::from(&preset);
-        if let Some(kg) = request.reference.reference_mass {
-            reference.mass = reference_mass(kg);
-        }
-        let count = request.reference.reference_spheres.map(Count::get);
-        reference.sphere_count = count.unwrap_or(reference.sphere_count);
-        return Ok(Some(reference));
+    let Named::Preset(preset) = Named::find(from, Some(Input::From), own, files)? else { return Ok(None) };
+    let mut reference = Reference::from(&preset);
+    if let Some(kg) = request.reference.reference_mass {
+        reference.mass = reference_mass(kg);
     }
-    if files.exists(from) {
-        return Ok(None);
-    }
-    let message = phrase![
-        Input::From,
-        format!(
-            " '{}': there is no such file and no such preset, expected a model or one of: {}",
-            from.display(),
-            preset_names(own, files)
-        ),
-    ];
-    Err(RequestFault::refused(Input::From, message))
+    let count = request.reference.reference_spheres.map(Count::get);
+    reference.sphere_count = count.unwrap_or(reference.sphere_count);
+    Ok(Some(reference))
 }
 
 fn reference_mass(kg: Kilograms) -> Mass {
@@ -73,7 +75,7 @@ pub(super) fn reference_from_file(
 ) -> Result<(Reference, Option<Generic>), Failure> {
     let read = || {
         let open = open(from, files)?;
-        let (reference, count_unknown) =
+        let (reference, sphere_count) =
             reference_from_model(&open.model, request, from).map_err(|fault| open.failure(fault))?;
         if !request.follow.follow_bodies {
             return Ok((reference, None));
@@ -81,7 +83,8 @@ pub(super) fn reference_from_file(
         let anatomy = Anatomy::of(&open.model).map_err(|fault| open.failure(fault))?;
         let file =
             request.follow.body_scale_file.as_deref().map(|path| scale_file(path, files)).transpose()?;
-        Ok((reference, Some(Generic { anatomy, file, count_unknown })))
+        let standing = standing(&open.model);
+        Ok((reference, Some(Generic { anatomy, file, sphere_count, standing })))
     };
     read().map_err(|failure: Failure| match failure.code {
         // The usual way out is about the model that gets the contacts.
@@ -99,7 +102,7 @@ fn reference_from_model(
     model: &Model,
     request: &TransferRequest,
     from: &Path,
-) -> Result<(Reference, Option<Fault>), Fault> {
+) -> Result<(Reference, Result<f64, Fault>), Fault> {
     let options = &request.reference;
     let selection = Selection { select: options.reference_select.clone(), ..Selection::default() };
     let selected = selection.apply(model).map_err(about_reference)?;
@@ -108,18 +111,29 @@ fn reference_from_model(
         None => MassRequest::default().of_contacts(model)?.0,
     };
     // How many limbs stand is about the model that gets the contacts; a reference on several limbs says its own count.
-    let (count, unknown) = match options.reference_spheres {
-        Some(count) => (count.get(), None),
-        None => match LoadSharing::of(model, &selected.forces).count(None, 1.0, CountOf::Reference) {
-            Ok(count) => (count, None),
-            // A sphere that is missing on one side is named first, by comparing the two models.
-            Err(fault) if request.follow.follow_bodies => (f64::NAN, Some(fault)),
-            Err(fault) => return Err(fault),
-        },
+    let count = match options.reference_spheres {
+        Some(count) => Ok(count.get()),
+        None => LoadSharing::of(model, &selected.forces).count(None, 1.0, CountOf::Reference),
     };
-    let mut reference = reference_of_model(model, &selected, mass, count)?;
+    // Where spheres are matched, a sphere that is missing on one side is named first, by comparing the two models; and counts
+    // may cancel.
+    let may_wait = request.follow.follow_bodies && request.counts.spheres.is_none();
+    let (known, count) = match count {
+        Err(fault) if may_wait => (f64::NAN, Err(of_reference(fault, from))),
+        Err(fault) => return Err(fault),
+        Ok(count) => (count, Ok(count)),
+    };
+    let mut reference = reference_of_model(model, &selected, mass, known)?;
     reference.name = file_name(from);
-    Ok((reference, unknown))
+    Ok((reference, count))
+}
+
+/// A question about the spheres of the reference names it: it may be asked when the model is read.
+fn of_reference(mut fault: Fault, from: &Path) -> Fault {
+    if let FaultKind::Needed(Needed::SphereCount { why, .. }) = &mut fault.kind {
+        *why = phrase![format!("in the reference {}, ", file_name(from)), &*why];
+    }
+    fault
 }
 
 /// A question about the forces of the reference is answered by another field than one about the model's.

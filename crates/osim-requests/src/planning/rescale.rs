@@ -33,7 +33,7 @@ impl RescaleRequest {
             return Err(RequestFault::refused(
                 Input::TargetMass,
                 phrase![
-                    "the target is missing: say what the contacts shall stand for with ",
+                    "the target is missing: say which mass the contacts should be made for with ",
                     Input::TargetMass.like("KG"),
                 ],
             ));
@@ -42,7 +42,7 @@ impl RescaleRequest {
         let settings = json!(["rescale", target, masses, scaling, choice]).to_string();
         let planner = Rescaling {
             target_mass_kg: target.get(),
-            masses: MassRequest { target_kg: Some(target.get()), ..masses.request() },
+            masses: MassRequest { target_mass_kg: Some(target.get()), ..masses.request() },
             selection: choice.selection(),
             scaling,
             may_repeat: output.may_repeat(),

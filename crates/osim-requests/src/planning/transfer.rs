@@ -6,7 +6,7 @@ use osim_inspect::LoadSharing;
 use osim_model::files::Files;
 use osim_model::wording::{Input, phrase};
 use osim_model::{
-    Anatomy, CountOf, Fault, Finding, MassRequest, Model, Needed, Property, Selected, Selection,
+    Anatomy, CountOf, Fault, Finding, GravityFor, MassRequest, Model, Needed, Property, Selected, Selection,
 };
 use osim_patch::{
     Factors, Follow, FollowRequest, Plan, RadiusRule, Reference, ScalingRule, Transfer, moving_spheres,
@@ -24,6 +24,20 @@ use crate::planner::{Change, Planner};
 use crate::request::TransferRequest;
 use crate::value::{Acceleration, Positive, Radius};
 
+/// What was said of the reference, so that it counts for more than what its file says.
+struct ReferenceSaid {
+    spheres: bool,
+    gravity: bool,
+}
+
+/// Spheres that share the weight, here and in the reference.
+struct SphereCounts {
+    here: f64,
+    there: f64,
+    /// Neither is known, only their ratio.
+    cancel: bool,
+}
+
 struct Transferring {
     counts: CountOptions,
     follow: FollowOptions,
@@ -32,6 +46,7 @@ struct Transferring {
     selection: Selection,
     masses: MassRequest,
     reference: Reference,
+    reference_said: ReferenceSaid,
     /// The generic model's bones and the Scale Tool's factors, where spheres follow their bodies.
     generic: Option<Generic>,
     may_repeat: bool,
@@ -44,13 +59,15 @@ impl TransferRequest {
     /// Checks the request and reads the reference once, for all models.
     ///
     /// # Errors
-    /// The reference is no preset and no file, or a model that cannot be a reference; or options that say nothing.
+    /// The reference is neither a preset nor a file, or a model that cannot be a reference; or options that say nothing.
     pub fn prepare(self, files: &dyn Files) -> Result<Change, RequestError> {
         check(&self)?;
         let Some(from) = self.from.clone() else {
             return Err(RequestFault::Missing { field: "from" }.into());
         };
-        let (mut reference, generic) = match preset(&self, &from, files)? {
+        let named = preset(&self, &from, files)?;
+        let is_file = named.is_none();
+        let (mut reference, generic) = match named {
             Some(_) if self.follow.follow_bodies => {
                 let message = phrase![
                     Input::FollowBodies,
@@ -65,7 +82,6 @@ impl TransferRequest {
         };
         let gravity = self.reference.reference_gravity.map(Acceleration::get);
         reference.gravity_m_s2 = gravity.or(reference.gravity_m_s2);
-        let is_file = files.exists(&from);
         let settings = self.settings(is_file);
         let own = Some(from).filter(|_| is_file);
         let reads = own.into_iter().chain(self.presets).chain(self.follow.body_scale_file.clone()).collect();
@@ -83,6 +99,10 @@ impl TransferRequest {
             selection: self.choice.selection(),
             masses: self.masses.request(),
             reference,
+            reference_said: ReferenceSaid {
+                spheres: self.reference.reference_spheres.is_some(),
+                gravity: gravity.is_some(),
+            },
             generic,
             may_repeat: self.output.may_repeat(),
             reads,
@@ -110,6 +130,16 @@ fn check(request: &TransferRequest) -> Result<(), RequestFault> {
             Input::Mass,
         ];
         return Err(RequestFault::refused(Input::ContactsMass, message));
+    }
+    if request.scaling.contacts_gravity.is_some() {
+        let message = phrase![
+            Input::ContactsGravity,
+            " says nothing here: the reference's gravity is ",
+            Input::ReferenceGravity,
+            ", the one to scale to ",
+            Input::TargetGravity,
+        ];
+        return Err(RequestFault::refused(Input::ContactsGravity, message));
     }
     if request.scaling.level && !request.follow.follow_bodies {
         let message = phrase![
@@ -165,9 +195,7 @@ impl Planner for Transferring {
             }
             None => (None, Vec::new()),
         };
-        let sharing = LoadSharing::of(model, &selected.forces);
-        let sphere_count =
-            sharing.count(self.counts.spheres(), self.counts.stance_limbs(), CountOf::Model)?;
+        let counts = self.sphere_counts(model, &selected)?;
         let radius = self.scaling.radius.map(Radius::rule);
         let operation = operation("transfer", radius);
         if matches!(radius, Some(RadiusRule::Factor(_))) {
@@ -175,12 +203,14 @@ impl Planner for Transferring {
         }
         let mass = self.masses.of_model(model)?;
         warnings.extend(self.masses.disagreements(model, &mass));
-        let mut wanted = Transfer::new(self.reference.clone(), mass, sphere_count);
+        let mut wanted = Transfer::new(self.reference.clone(), mass, counts.here);
+        wanted.reference.sphere_count = counts.there;
+        wanted.counts_cancel = counts.cancel;
         wanted.reference_sphere.clone_from(&self.reference_sphere);
         wanted.radius = radius.unwrap_or(RadiusRule::Keep);
         wanted.properties = self.scaling.properties();
         wanted.dissipation_by = self.scaling.dissipation();
-        wanted.target_gravity_m_s2 = self.target_gravity_m_s2();
+        wanted.target_gravity_m_s2 = self.target_gravity(model)?;
         wanted.rule = self.rule(follow.as_ref())?;
         wanted.follow = follow;
         wanted.strict = self.follow.strict;
@@ -208,9 +238,37 @@ impl Transferring {
         Follow::refuse_missing(&scaled, self.reference.contacts.iter().flat_map(|contact| &contact.spheres))?;
         let spheres = moving_spheres(model, &selected.forces);
         let follow = Follow::find(model, &spheres, &scaled, &generic.anatomy, &factors, &wanted)?;
-        match &generic.count_unknown {
-            Some(fault) => Err(fault.clone()),
-            None => Ok((follow, factors.warnings)),
+        Ok((follow, factors.warnings))
+    }
+
+    /// Spheres that share the weight, here and in the reference. Where each sphere has its own there, one of the two counts says
+    /// the other, and without either they cancel.
+    fn sphere_counts(&self, model: &Model, selected: &Selected) -> Result<SphereCounts, Fault> {
+        let limbs = self.counts.stance_limbs();
+        let here =
+            LoadSharing::of(model, &selected.forces).count(self.counts.spheres(), limbs, CountOf::Model);
+        let there = match &self.generic {
+            Some(generic) => generic.sphere_count.clone(),
+            None => Ok(self.reference.sphere_count),
+        };
+        let nothing_said = self.counts.spheres.is_none() && !self.reference_said.spheres;
+        let alike = nothing_said && self.generic.as_ref().is_some_and(|generic| generic.stands_like(model));
+        match (here, there) {
+            (Ok(here), Ok(there)) => Ok(SphereCounts { here, there, cancel: false }),
+            (Ok(here), Err(_)) if alike => Ok(SphereCounts { here, there: here / limbs, cancel: false }),
+            (Err(_), Ok(there)) if alike => Ok(SphereCounts { here: there * limbs, there, cancel: false }),
+            (Err(_), Err(_)) if alike => Ok(SphereCounts { here: limbs, there: 1.0, cancel: true }),
+            (Err(fault), _) | (_, Err(fault)) => Err(fault),
+        }
+    }
+
+    /// Gravity that the contacts are scaled to. Naming the reference's asks for the model's own, where no other is named.
+    fn target_gravity(&self, model: &Model) -> Result<Option<f64>, Fault> {
+        let asked = self.reference_said.gravity && self.follow.rule == RuleChoice::Paper;
+        match (self.target_gravity_m_s2(), model.gravity().filter(|&gravity| gravity > 0.0)) {
+            (None, None) if asked => Err(Fault::new(Needed::Gravity { purpose: GravityFor::Target })),
+            (None, own) if asked => Ok(own),
+            (target, _) => Ok(target),
         }
     }
 

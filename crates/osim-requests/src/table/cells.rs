@@ -8,7 +8,9 @@ use serde_json::{Map, Value};
 
 use super::columns::{Column, Columns, Kind, VERBS};
 use super::fault::RowFault;
+use crate::presets::find_preset;
 use crate::spreadsheet::{Row, Sheet};
+use crate::subject::looks_like_file;
 use crate::value::path;
 
 /// What a row says.
@@ -47,7 +49,11 @@ impl Cells {
             match column.kind {
                 Kind::Model => cells.model = below(folder, cell),
                 Kind::Path => cells.path(&column.field, below(folder, cell)),
-                Kind::From => cells.say(&column.field, path::to_value(&from(folder, cell, files))),
+                Kind::From => {
+                    let presets = presets(row, columns, folder);
+                    let from = from(folder, cell, presets.as_deref(), files);
+                    cells.say(&column.field, path::to_value(&from));
+                }
                 Kind::Value => cells.say(&column.field, number(cell, sheet, column)?),
                 Kind::List => {
                     let items = cell.split(';').map(str::trim).filter(|item| !item.is_empty());
@@ -118,15 +124,23 @@ fn verb(row: &Row, columns: &Columns) -> Result<Verb, RowFault> {
     Err(RowFault::general(message))
 }
 
+/// The row's own file of presets.
+fn presets(row: &Row, columns: &Columns, folder: &Path) -> Option<PathBuf> {
+    let (_, cell) = filled(row, columns).find(|(column, _)| column.field == "presets")?;
+    Some(below(folder, cell))
+}
+
 /// A path of the table: below the table's own folder.
 fn below(folder: &Path, path: &str) -> PathBuf {
     if path == "-" { PathBuf::from(path) } else { folder.join(path) }
 }
 
-/// A model below the table's folder; what is not a file there may be a preset.
-fn from(folder: &Path, cell: &str, files: &dyn Files) -> PathBuf {
+/// A preset, else a model below the table's folder.
+fn from(folder: &Path, cell: &str, presets: Option<&Path>, files: &dyn Files) -> PathBuf {
     let path = below(folder, cell);
-    if files.exists(&path) { path } else { cell.into() }
+    let is_preset = || find_preset(Path::new(cell), presets, files).is_ok_and(|preset| preset.is_some());
+    let is_file = !is_preset() && (files.exists(&path) || looks_like_file(Path::new(cell)));
+    if is_file { path } else { cell.into() }
 }
 
 /// A number may have a decimal comma where that is clear.

@@ -14,7 +14,11 @@ use serde_json::Value;
 
 use super::assignment::assignment;
 use super::decimal::positive_number;
+use super::range::{Range, spaced};
 use super::serial::from_texts;
+
+/// Nobody runs a grid with more values than this.
+const MOST: u32 = 100_000;
 
 /// What varies along an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -100,9 +104,10 @@ impl FromStr for Axis {
         let name: AxisName = name.trim().parse()?;
         let mut values = Vec::new();
         for item in list.split(',') {
-            match item.split_once("..") {
-                Some((first, rest)) => values.extend(range(name, first, rest)?),
-                None => values.push(value(name, item.trim())?),
+            if Range::is_meant(item) {
+                values.extend(range(name, item)?);
+            } else {
+                values.push(value(name, item.trim())?);
             }
         }
         // Two values that differ only behind the sixth digit would have one file.
@@ -134,27 +139,27 @@ fn value(name: AxisName, text: &str) -> Result<GridValue, String> {
     Ok(GridValue { label: text.to_owned(), number, is_factor })
 }
 
-/// `A..B/N`: N numbers from A to B, equally far apart in their logarithms, both ends exact.
-fn range(name: AxisName, first: &str, rest: &str) -> Result<Vec<GridValue>, String> {
+/// All values of a range; the ends keep their spelling.
+fn range(name: AxisName, text: &str) -> Result<Vec<GridValue>, String> {
     let expected =
         "expected a range FIRST..LAST/COUNT with numbers above 0 and 2 or more, such as x0.1..x10/9";
-    let (last, count) = rest.split_once('/').ok_or(expected)?;
-    let (first, last) = (value(name, first.trim())?, value(name, last.trim())?);
-    let count =
-        count.trim().parse::<u32>().ok().filter(|count| (2..=100_000).contains(count)).ok_or(expected)?;
-    let unlike = first.is_factor != last.is_factor;
-    if unlike || first.number <= 0.0 || last.number <= 0.0 {
+    let range = Range::read(text, MOST).filter(|range| range.are_factors().is_some()).ok_or(expected)?;
+    let (first, last) = (value(name, range.first)?, value(name, range.last)?);
+    if first.number <= 0.0 || last.number <= 0.0 {
         return Err(expected.to_owned());
     }
-    let steps = f64::from(count - 1);
-    let between = |index: u32| {
-        let part = f64::from(index) / steps;
-        let number = first.number * (last.number / first.number).powf(part);
-        let label = format!("{}{}", if first.is_factor { "x" } else { "" }, six_digits(number));
-        GridValue { label, number, is_factor: first.is_factor }
-    };
-    let inner = (1..count - 1).map(between);
-    Ok(std::iter::once(first.clone()).chain(inner).chain(std::iter::once(last.clone())).collect())
+    let x = if first.is_factor { "x" } else { "" };
+    let mut values: Vec<GridValue> = spaced(first.number, last.number, range.count)
+        .map(|number| GridValue {
+            label: format!("{x}{}", six_digits(number)),
+            number,
+            is_factor: first.is_factor,
+        })
+        .collect();
+    if let [begin, .., end] = values.as_mut_slice() {
+        (*begin, *end) = (first, last);
+    }
+    Ok(values)
 }
 
 /// Enough to distinguish points in a file's name.

@@ -8,6 +8,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::decimal::{factor, positive_number};
+use super::range::{Range, spaced};
 use super::serial::from_text;
 
 /// Values equally spaced on a logarithmic axis, as numbers or as factors of what is there: `FROM..TO/COUNT`, both ends with
@@ -34,8 +35,7 @@ impl Grid {
     #[must_use]
     pub fn values(self, now: f64) -> Vec<f64> {
         let unit = if self.factors { now } else { 1.0 };
-        let step = (self.to / self.from).ln() / f64::from(self.count - 1);
-        (0..self.count).map(|i| unit * self.from * (step * f64::from(i)).exp()).collect()
+        spaced(self.from, self.to, self.count).map(|value| unit * value).collect()
     }
 }
 
@@ -44,20 +44,16 @@ impl FromStr for Grid {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let expected = "expected FROM..TO/COUNT like 1e5..1e7/25, or factors like x0.1..x10/25";
-        let (ends, count) = text.trim().split_once('/').ok_or(expected)?;
-        let (from, to) = ends.split_once("..").ok_or(expected)?;
-        let (from, to) = (from.trim(), to.trim());
-        let (from, to, factors) = match (factor(from), factor(to)) {
-            (Some(from), Some(to)) => (from, to, true),
-            (None, None) => (from, to, false),
-            _ => return Err("both ends are numbers, or both are factors like x0.1..x10/25".to_owned()),
+        let range = Range::read(text, u32::MAX).ok_or(expected)?;
+        let Some(factors) = range.are_factors() else {
+            return Err("both ends are numbers, or both are factors like x0.1..x10/25".to_owned());
         };
-        let (from, to) = (positive_number(from)?, positive_number(to)?);
-        let count: u32 = count.trim().parse().map_err(|_| expected.to_owned())?;
+        let end = |text| positive_number(factor(text).unwrap_or(text));
+        let (from, to, count) = (end(range.first)?, end(range.last)?, range.count);
         if from >= to {
             return Err("the first value must be below the last".to_owned());
         }
-        if !(2..=MOST).contains(&count) {
+        if count > MOST {
             return Err(format!("expected 2 to {MOST} values"));
         }
         Ok(Self { from, to, count, factors })

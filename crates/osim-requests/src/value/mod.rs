@@ -12,6 +12,7 @@ pub(crate) mod path;
 pub(crate) mod property_list;
 mod quantity;
 mod radius;
+mod range;
 pub(crate) mod serial;
 mod shard;
 mod whole;

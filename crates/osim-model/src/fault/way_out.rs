@@ -1,0 +1,91 @@
+//! What a question asks for depends on what was to be done: for a gravity that is not there, and for radii that must stay.
+
+use crate::wording::{Input, Phrase, phrase};
+
+/// What a gravity is needed for that the file does not have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum GravityFor {
+    /// The weight of the body.
+    Weight,
+    /// The load that an indentation is about.
+    Load,
+    /// The speed with which contacts begin.
+    ImpactSpeed,
+    /// Contacts that were made for it, and are scaled to another.
+    Contacts,
+    /// The same contacts in a reference.
+    Reference,
+    /// The model that gets the contacts of another gravity.
+    Target,
+    /// The weight of a body that a drop is compared with.
+    Compared,
+}
+
+impl GravityFor {
+    /// Every purpose.
+    pub const ALL: [Self; 7] = [
+        Self::Weight,
+        Self::Load,
+        Self::ImpactSpeed,
+        Self::Contacts,
+        Self::Reference,
+        Self::Target,
+        Self::Compared,
+    ];
+
+    /// What answers it, and its unit; nothing where only the file can.
+    const fn answers(self) -> &'static [(Input, &'static str)] {
+        match self {
+            Self::Weight => &[(Input::Gravity, "G")],
+            Self::Load => &[(Input::Gravity, "G"), (Input::Load, "N")],
+            Self::ImpactSpeed => &[(Input::ImpactSpeed, "M/S")],
+            Self::Contacts => &[(Input::ContactsGravity, "G")],
+            Self::Reference => &[(Input::ReferenceGravity, "G")],
+            Self::Target => &[(Input::TargetGravity, "G")],
+            Self::Compared => &[],
+        }
+    }
+
+    pub(super) fn phrase(self) -> Phrase {
+        let whose = if self == Self::Reference { "the reference" } else { "the model" };
+        let mut text = phrase![whose, NO_GRAVITY];
+        for (index, &(input, unit)) in self.answers().iter().enumerate() {
+            text.push(if index == 0 { ": say " } else { " or " });
+            text.push(input.like(unit));
+        }
+        if self.answers().is_empty() {
+            text.push(": set <gravity> in its file");
+        }
+        text
+    }
+}
+
+/// What is missing, after whose it is.
+const NO_GRAVITY: &str = " has no gravity";
+
+/// Why a radius is about to change, which decides how it can stay.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum RadiusFrom {
+    /// The rule of radii.
+    Rule,
+    /// The bodies that spheres follow.
+    Bodies,
+    /// A wanted stiffness of the contact.
+    ContactStiffness,
+    /// A value that is set.
+    Assignment,
+}
+
+impl RadiusFrom {
+    /// How the radius stays.
+    pub(super) fn phrase(self) -> Phrase {
+        match self {
+            Self::Rule => phrase!["leave radii as they are with ", Input::Radius.being("keep")],
+            Self::Bodies => phrase!["leave radii as they are with ", Input::Keep.being("radius")],
+            Self::ContactStiffness => phrase!["leave out ", Input::ContactStiffness],
+            Self::Assignment => "set no radius".into(),
+        }
+    }
+}

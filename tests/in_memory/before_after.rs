@@ -1,0 +1,118 @@
+//! A model before and after a change: nothing is planned or patched for it again, and nothing is said that `check` would not say.
+
+use std::cell::Cell;
+use std::path::{Path, PathBuf};
+
+use osim_inspect::check_model;
+use osim_model::files::{InMemory, ModelFiles, OpenModel};
+use osim_model::{Fault, Model};
+use osim_patch::Plan;
+use osim_report::dialect::CommandLine;
+use osim_requests::options::InspectionOptions;
+use osim_requests::{BeforeAfter, Change, Planner};
+use serde_json::json;
+
+use crate::front_end::{Changed, read};
+use crate::support::root;
+
+/// Refuses to plan: whoever has a plan needs no other.
+struct Planned<'p>(&'p dyn Planner);
+
+impl Planner for Planned<'_> {
+    fn plan(&self, _: &Model) -> Result<Plan, Fault> {
+        panic!("planned once more")
+    }
+
+    fn name(&self) -> &'static str {
+        self.0.name()
+    }
+
+    fn inspection(&self) -> InspectionOptions {
+        self.0.inspection()
+    }
+
+    fn target_gravity_m_s2(&self) -> Option<f64> {
+        self.0.target_gravity_m_s2()
+    }
+
+    fn settings(&self) -> String {
+        self.0.settings()
+    }
+}
+
+fn found(planner: &dyn Planner, opened: &OpenModel) -> serde_json::Value {
+    let options = planner.inspection().inspect_options();
+    let mut found =
+        check_model(&options, &opened.model, &options.inspect(opened.name(), &opened.model, None), None);
+    found.spell(&CommandLine);
+    serde_json::to_value(found).unwrap()
+}
+
+fn models() -> Vec<PathBuf> {
+    let folders = ["table1", "check", "format", "quirks"].map(|folder| root().join("fixtures").join(folder));
+    let files = folders.iter().flat_map(|folder| std::fs::read_dir(folder).unwrap());
+    let mut models: Vec<PathBuf> = files.map(|file| file.unwrap().path()).collect();
+    models.retain(|path| path.extension().is_some_and(|ending| ending == "osim"));
+    models.sort();
+    models
+}
+
+#[test]
+fn a_plan_at_hand_is_enough_and_says_the_same_as_check() {
+    let mut compared = 0;
+    for path in models() {
+        let bytes = std::fs::read(&path).unwrap();
+        let files = InMemory::from_iter([("model.osim", bytes.as_slice())]);
+        for request in [
+            json!({"verb": "rescale", "models": "model.osim", "target_mass": 500}),
+            json!({"verb": "rescale", "models": "model.osim", "target_mass": 5, "only": "radius"}),
+            json!({"verb": "set", "models": "model.osim", "set": {"stiffness": "x2"}}),
+            json!({"verb": "design", "models": "model.osim", "restitution": 0.9, "impact_speed": 0.1}),
+        ] {
+            let change: Change = read(&request).prepare(&files).unwrap();
+            let Ok(changed) = Changed::new(&change, Path::new("model.osim"), &files) else { continue };
+            let asked = Cell::new(0);
+            let beside = change.set_files.beside();
+            let new_files = || {
+                asked.set(asked.get() + 1);
+                changed.as_files(
+                    &ModelFiles::read(Path::new("model.osim"), bytes.clone(), beside, &files).unwrap(),
+                )
+            };
+            let before = found(&*change.planner, &changed.opened);
+            let planned = Planned(&*change.planner);
+            let both =
+                BeforeAfter::of(&planned, &changed.opened, &changed.plan, new_files, (&CommandLine, false))
+                    .unwrap();
+            assert_eq!(
+                serde_json::to_value(&both.before.1).unwrap(),
+                before,
+                "{}: {request}",
+                path.display()
+            );
+            assert_eq!(asked.get(), usize::from(!changed.plan.is_empty()), "{}: {request}", path.display());
+            if let Some((_, after)) = &both.after {
+                // The remedies of the new model: by a trial of its own, they would be the same.
+                let written = ModelFiles::read(
+                    Path::new("model.osim"),
+                    changed.results[0].bytes.clone(),
+                    osim_model::files::Beside::default(),
+                    &files,
+                )
+                .unwrap()
+                .open()
+                .unwrap();
+                let remedies = |value: &serde_json::Value| -> Vec<bool> {
+                    let findings = value["findings"].as_array().unwrap();
+                    findings.iter().map(|finding| !finding["command"].is_null()).collect()
+                };
+                let tried =
+                    osim_inspect::can_be_changed(&planned.inspection().inspect_options(), &written.model);
+                let after = serde_json::to_value(after).unwrap();
+                assert!(tried || !remedies(&after).contains(&true), "{}: {request}", path.display());
+            }
+            compared += 1;
+        }
+    }
+    assert!(compared > 100, "{compared}");
+}
