@@ -15,7 +15,7 @@ REFUSED = {
     "sphere_on_sphere.osim": "two spheres are used by a force between spheres, too, which is not rescaled",
     "sphere_on_sphere_only.osim": "no sphere meets a half-space",
     "player_and_ball.osim": "two trees joined only through ground: the user has to select one",
-    "stale_note.osim": "its note cannot be read, so what its contacts stand for has to be said",
+    "stale_note.osim": "its note cannot be read, so which mass its contacts are made for has to be said",
     # of other people's models
     "v30517_elastic_foundation_with_sphere.osim": "its only contact is an ElasticFoundationForce",
     "v10905_gait2354_without_contacts.osim": "no contacts",

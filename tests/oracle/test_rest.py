@@ -43,7 +43,7 @@ def written(path, contacts):
 
 
 def inspected(path, count):
-    """The spheres of the one limb, as `inspect` tells them."""
+    """The spheres of the one limb, as `inspect` gives them."""
     outcome = command.run("inspect", path, *EVERY_BODY, "--mass", MASS, "--spheres", count)
     assert outcome.status == 0, outcome
     (limb,) = outcome.report["figures"]["limbs"]
@@ -67,8 +67,8 @@ def test_opensim_finds_the_weight_where_spheres_rest(stance, tmp_path):
         told = inspected(written(tmp_path / f"case{number}.osim", limb), count)
         assert [one["radius_m"] for one in told] == list(radii)
         contacts += limb
-        alone += [one["loads"][0]["own"] for one in told]
-        level += [one["loads"][0]["level_own"] for one in told]
+        alone += [one["relative_indentation_model_law"] for one in told]
+        level += [one["relative_indentation_model_law_level"] for one in told]
         touching += [one["force_just_touching_n"] for one in told]
     together = written(tmp_path / "all.osim", contacts)
     share = MASS * GRAVITY / count
@@ -83,11 +83,11 @@ def test_opensim_finds_the_weight_where_spheres_rest(stance, tmp_path):
 
 
 def rests(path, *options):
-    """Where the model's own law rests by `drop-test`: indentation in m."""
+    """Where the model's law rests by `drop-test`: indentation in m."""
     outcome = command.run("drop-test", path, "--duration", 0.1, "--samples", 2, *options)
     assert outcome.status == 0, outcome
     report = outcome.report
-    return report["own_relative_indentation"] * report["reference_radius_m"]
+    return report["relative_indentation_model_law"] * report["reference_radius_m"]
 
 
 def opensim_leaves(mass, contacts):
