@@ -46,7 +46,8 @@ def differences(old: list[Outcome], new: list[Outcome], rules: Rules) -> list[Di
     for number, (one, other) in enumerate(zip(old, new, strict=True), start=1):
         step = f"call {number}: " if len(old) > 1 else ""
         found = texts_differ(step + "exit status", one.status.encode(), other.status.encode())
-        for name, mine, theirs in ((STANDARD_OUTPUT, one.out, other.out), ("standard error", one.err, other.err)):
+        streams = ((STANDARD_OUTPUT, one.out, other.out), ("standard error", one.err, other.err))
+        for name, mine, theirs in () if rules.models_only else streams:
             found += texts_differ(step + name, rules.apply(mine, name, True), rules.apply(theirs, name, False))
         found += files_differ(step, one.files, other.files, rules)
         if found:
@@ -58,7 +59,7 @@ def files_differ(step: str, old: Files, new: Files, rules: Rules) -> list[Differ
     """Names and kinds first, then the bytes of what both have."""
     found = texts_differ(step + "files", listed(old, rules), listed(new, rules))
     for name in old:
-        if name in new and old[name][1] != new[name][1]:
+        if name in new and old[name][1] != new[name][1] and rules.compares(name):
             mine, theirs = rules.apply(old[name][1], name, True), rules.apply(new[name][1], name, False)
             found += texts_differ(f"{step}file {name}", mine, theirs)
     return found
@@ -66,7 +67,8 @@ def files_differ(step: str, old: Files, new: Files, rules: Rules) -> list[Differ
 
 def listed(files: Files, rules: Rules) -> bytes:
     """Names and kinds of all files, a line each."""
-    lines = (f"{name} ({kind})\n".encode("utf-8", "surrogateescape") for name, (kind, _) in files.items())
+    shown = {name: kind for name, (kind, _) in files.items() if rules.compares(name)}
+    lines = (f"{name} ({kind})\n".encode("utf-8", "surrogateescape") for name, kind in shown.items())
     return rules.apply(b"".join(lines), "", True)
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 
 TEMPORARY = re.compile(rb"\.osim-contact-scale-[A-Za-z0-9._]+-\d+-[A-Za-z0-9]{6}\.tmp")
 PLAIN_NAME = b".osim-contact-scale-HOST-PID-XXXXXX.tmp"
+MODELS = (".osim", ".xml")
 STANDARD_OUTPUT = "standard output"
 
 
@@ -57,6 +58,12 @@ class Rules:
 
     map: Map = field(default_factory=Map)
     ignore_settings: bool = False
+    # Only what is in models: whether they are written, and their bytes.
+    models_only: bool = False
+
+    def compares(self, name: str) -> bool:
+        """Whether a file of this name is compared."""
+        return not self.models_only or name.removesuffix(".bak").endswith(MODELS)
 
     def apply(self, data: bytes, name: str, is_old: bool) -> bytes:
         """The bytes of a file, or of a stream of that name, as they are compared."""
