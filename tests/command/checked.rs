@@ -90,6 +90,12 @@ const COMPOSED: &[Case] = &[
         check: "model.osim --contacts-mass 70",
     },
     Case {
+        code: "gravity-sources-disagree",
+        fixtures: &[("check/within_limits.osim", "made.osim")],
+        before: "made.osim --target-mass 70 --target-gravity 1.62 -o model.osim",
+        check: "model.osim --mass 70",
+    },
+    Case {
         code: "compiled-model-beside",
         // Only its name counts.
         fixtures: &[("check/within_limits.osim", "model.osim"), ("bad/empty.osim", "F_model.so")],

@@ -281,3 +281,14 @@ fn a_large_library_says_what_its_page_leaves_out() {
     assert_eq!((page.details, page.plots), (12, 30));
     assert!(page.text.contains("Only the first 10 models have plots"), "{}", page.text);
 }
+
+#[test]
+fn a_design_for_another_gravity_is_judged_under_it_before_and_after() {
+    let bench = Bench::human();
+    bench.run("design human.osim --indentation 0.16 --constant-indentation 0.05 --gravity 1.62 --report page.html -o new.osim").done();
+    // Under the model's own 9.81 m/s2 the design would sink in by more than three times as much, and a further one be proposed.
+    let page = bench.text("page.html");
+    assert!(!page.contains("new.osim --indentation 0.16 --"), "{page}");
+    let check = bench.run("check new.osim --gravity 1.62").out();
+    assert!(!check.contains("warn beyond-hertz\n"), "{check}");
+}

@@ -185,3 +185,47 @@ fn the_gravity_of_a_compared_body_is_its_files() {
         .says(&["weightless.osim", "the model has no gravity: set <gravity> in its file"]);
     bench.run("drop-test weightless.osim").failed().says(&["the model has no gravity: say --gravity G"]);
 }
+
+#[test]
+fn similarity_is_told_at_the_gravity_that_contacts_are_scaled_to() {
+    // One body at two gravities is similar to itself: 0.3533 (Table 1) in both.
+    let bench = Bench::with(&[
+        ("scale_tool/scaled_smooth.osim", "scaled.osim"),
+        ("scale_tool/generic_smooth.osim", "generic.osim"),
+        ("scale_tool/applied_scale_set.xml", "set.xml"),
+    ]);
+    let call = "transfer scaled.osim --from generic.osim --follow-bodies --body-scale-file set.xml --dry-run";
+    for gravity in ["", " --target-gravity 1.62"] {
+        let ran = bench.run(&format!("{call}{gravity}")).done();
+        let text = format!("{}{}", ran.out(), ran.err());
+        let line =
+            text.lines().find(|line| line.contains("in the reference")).unwrap_or_else(|| panic!("{text}"));
+        let x_hats: Vec<&str> = line.matches("0.3533").collect();
+        assert_eq!(x_hats.len(), 2, "{line}");
+    }
+}
+
+#[test]
+fn predsims_rule_has_no_gravity() {
+    let bench = Bench::human();
+    let call = "transfer human.osim --from falisse2022 --rule predsim --height-ratio 1.1";
+    for gravity in ["--target-gravity 1.62", "--reference-gravity 1.62"] {
+        let ran = bench.run(&format!("{call} {gravity}"));
+        assert_eq!(ran.status, Some(2), "{gravity}");
+        ran.says(&["says nothing with --rule predsim"]);
+    }
+}
+
+#[test]
+fn a_gravity_of_the_contacts_needs_one_to_scale_to() {
+    let ran = Bench::human().run("human.osim --target-mass 80 --contacts-gravity 1.62 --dry-run");
+    assert_eq!(ran.status, Some(2), "{}", ran.err());
+    ran.says(&["--target-gravity"]);
+}
+
+#[test]
+fn standard_input_is_one_file() {
+    let ran = Bench::human().run("transfer - --from - --spheres 2");
+    assert_eq!(ran.status, Some(2), "{}", ran.err());
+    ran.says(&["standard input cannot be both"]);
+}

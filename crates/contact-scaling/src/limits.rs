@@ -117,6 +117,12 @@ pub const TOUCHING_SHARE: Limit = Limit::at_most(
 /// (section C.2).
 pub const TRANSITION_THRESHOLD: f64 = 0.05;
 
+/// x̂_c that the paper suggests where x̂ ≤ 0.16 is wanted (section C.1).
+pub const SUGGESTED_CONSTANT_INDENTATION: f64 = 0.05;
+
+/// Width Δx̂ of the contact transition that is proposed: a round number within its limit.
+pub const SUGGESTED_TRANSITION_WIDTH: f64 = 0.3;
+
 /// Every limit.
 pub const ALL: [Limit; 5] =
     [INDENTATION, RESTITUTION, CONSTANT_INDENTATION, TRANSITION_WIDTH, TOUCHING_SHARE];

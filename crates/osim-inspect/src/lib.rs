@@ -24,6 +24,7 @@
 mod drop_height;
 mod figures;
 mod findings;
+mod gravity_mismatch;
 mod inspection;
 mod load_sharing;
 mod mass_mismatch;

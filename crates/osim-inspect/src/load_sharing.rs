@@ -25,24 +25,32 @@ use osim_model::{CountOf, Fault, ForceId, Limb, Limbs, Model, Needed};
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LoadSharing {
     limbs: Limbs,
+    forces: Vec<ForceId>,
 }
 
 impl LoadSharing {
     /// For the body that the spheres of `chosen` belong to.
     #[must_use]
     pub fn of(model: &Model, chosen: &[ForceId]) -> Self {
-        Self { limbs: model.limbs(&model.forces_of_same_body(chosen)) }
+        let forces = model.forces_of_same_body(chosen);
+        Self { limbs: model.limbs(&forces), forces }
     }
 
     /// For a model of which not even the forces can be chosen.
     pub(crate) fn unknown(why: Phrase) -> Self {
-        Self { limbs: Limbs::Unknown(why) }
+        Self { limbs: Limbs::Unknown(why), forces: Vec::new() }
     }
 
     /// The limbs, with every sphere that stands.
     #[must_use]
     pub fn limbs(&self) -> &Limbs {
         &self.limbs
+    }
+
+    /// The forces through which the body stands, chosen or not.
+    #[must_use]
+    pub fn forces(&self) -> &[ForceId] {
+        &self.forces
     }
 
     /// n: as `given`, else the spheres of a limb times the `stance_limbs`. `of` says whose spheres a question is about.

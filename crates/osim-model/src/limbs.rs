@@ -53,6 +53,15 @@ impl Limbs {
         }
     }
 
+    /// Why they are not known, where they are not.
+    #[must_use]
+    pub fn unknown(&self) -> Option<&Phrase> {
+        match self {
+            Self::Known(_) => None,
+            Self::Unknown(why) => Some(why),
+        }
+    }
+
     /// How many spheres each limb has, where all have equally many.
     ///
     /// # Errors

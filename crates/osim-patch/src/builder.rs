@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use osim_model::wording::Phrase;
 use osim_model::{
-    Fault, FaultKind, FileId, Finding, FindingCode, ForceId, Model, Property, SetId, Slot, SphereId, ValueKey,
+    Fault, FaultKind, FileId, Finding, ForceId, Model, Property, SetId, Slot, SphereId, ValueKey,
 };
 
 use crate::plan::{Change, Move};
@@ -162,17 +162,6 @@ impl<'m> PlanBuilder<'m> {
         Err(Fault::new(kind).of(path))
     }
 
-    /// Says once that a cf of 0 is also 0 in a larger or smaller model.
-    fn warn_zero_stays(&mut self, change: &Change) {
-        let code = FindingCode::ZeroConstantContactForce;
-        let scaled = change.factor.is_some_and(|factor| factor != 1.0);
-        let zero =
-            change.property == Property::ConstantContactForce && change.from == 0.0 && change.to == 0.0;
-        if zero && scaled && self.warnings.iter().all(|warning| warning.code != code) {
-            self.warnings.push(Finding::new(code, "a constant_contact_force of 0 stays 0 when scaled"));
-        }
-    }
-
     fn push(&mut self, change: Change) -> Result<(), Fault> {
         if !change.property.allows(change.to) {
             let kind = FaultKind::Domain {
@@ -182,7 +171,6 @@ impl<'m> PlanBuilder<'m> {
             };
             return Err(Fault::at(kind, change.slot.offset).of(change.path).in_file(change.slot.file));
         }
-        self.warn_zero_stays(&change);
         // A value that is computed anew may differ in its last bits and mean the same; a given one is taken exactly.
         let computed = change.factor.is_none() && change.equation != "given";
         let same = computed && (change.to - change.from).abs() <= SAME_VALUE * change.from.abs();

@@ -121,11 +121,13 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
     let radii = Radii::plan(&mut plan, &selected.forces, |_| rule, 1.0, &properties)?;
     plan.warnings.extend(model.remarks_on(&selected.forces));
     let mut rests = Vec::new();
+    let shared = model.warnings.iter().any(|known| known.code == FindingCode::SphereInTwoForces);
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
         let own = RatioValues { mass: 1.0, sphere_count: 1.0, radius: radii.ratio(force), gravity: 1.0 };
         let own = Ratios::new(own).map_err(Fault::new)?;
         let sphere = DesignedForce { force, radius_m: radii.mean_new(force), own };
-        rests.extend(wanted.rest(&plan, &sphere)?);
+        // What two forces carry together is not what one of them would.
+        rests.extend(wanted.rest(&plan, &sphere)?.filter(|_| !shared));
         for property in Property::ALL.into_iter().filter(|&property| properties.contains(property)) {
             match wanted.value(&plan, &sphere, property)? {
                 Some((to, equation)) => write_composite(&mut plan, force.id, property, to, equation)?,

@@ -43,9 +43,10 @@ impl BeforeAfter {
         let changes = shown_by(plan, &before, opened) || can_be_changed(&before, &opened.model);
         let now = seen(&before, opened, changes);
         let mut after = options_after(planner, &before, plan, &now.0);
-        after.stance.gravity_m_s2 = planner.target_gravity_m_s2();
-        let target_gravity_m_s2 =
-            after.stance.gravity_m_s2.filter(|&gravity| now.0.figures.gravity_m_s2 != Some(gravity));
+        // A gravity that figures are asked for (as in a design) is that of both states.
+        let target = planner.target_gravity_m_s2();
+        after.stance.gravity_m_s2 = target.or(after.stance.gravity_m_s2);
+        let target_gravity_m_s2 = target.filter(|&gravity| now.0.figures.gravity_m_s2 != Some(gravity));
         let mut both = Self {
             before: now,
             before_under_new_weight: None,

@@ -89,15 +89,6 @@ fn schemas() {
     nothing(&found);
 }
 
-/// What is left out is there: nothing stays left out because it was moved.
-#[test]
-fn what_is_left_out_is_there() {
-    for path in WORDS.left_out() {
-        let at = root().join(path);
-        assert!(if path.ends_with('/') { at.is_dir() } else { at.is_file() }, "{path} is not there");
-    }
-}
-
 /// Each word of the list is refused in its examples, and passes where the list says so.
 #[test]
 fn examples() {

@@ -14,7 +14,10 @@ const BODY_WEIGHTS: [f64; 2] = [1.0, 2.0];
 /// A limb on the floor.
 pub(super) struct LoadedLimb<'s> {
     pub(super) model: &'s Model,
+    /// The chosen spheres, of which figures are made.
     pub(super) members: &'s [&'s SphereLoads],
+    /// All its spheres; `None` where not all can be read.
+    pub(super) standing: Option<Vec<&'s SphereLoads>>,
     /// Spheres that share the weight.
     pub(super) count: Option<f64>,
     pub(super) weight: Option<Weight>,
@@ -50,13 +53,16 @@ impl LoadedLimb<'_> {
     /// The limb under `body_weights`, all its spheres level.
     fn level(&self, body_weights: f64) -> Option<Level> {
         let load_n = self.load(body_weights)?.per_sphere_n();
-        let first = self.members.first()?;
-        if self.members.iter().all(|member| member.laws == first.laws) {
+        let Some(standing) = &self.standing else {
+            return Some(Level { body_weights, load_n, rest: Some((None, None)) });
+        };
+        let first = standing.first()?;
+        if standing.iter().all(|member| member.laws == first.laws) {
             return Some(Level { body_weights, load_n, rest: None });
         }
-        let all: Vec<Spheres> = self.members.iter().flat_map(|member| member.laws.iter().copied()).collect();
+        let all: Vec<Spheres> = standing.iter().flat_map(|member| member.laws.iter().copied()).collect();
         #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
-        let on_limb = load_n * self.members.len() as f64;
+        let on_limb = load_n * standing.len() as f64;
         let hertz = equilibrium::hertz_indentation(&all, on_limb).ok();
         let model_law = equilibrium::indentation(&all, on_limb).ok();
         Some(Level { body_weights, load_n, rest: Some((hertz, model_law)) })

@@ -8,6 +8,7 @@ use osim_patch::{Set, set};
 use super::remedy::Remedies;
 use super::result::CheckResult;
 use super::{limits, traps};
+use crate::gravity_mismatch::gravity_mismatch;
 use crate::inspection::Inspection;
 use crate::mass_mismatch::MassMismatch;
 use crate::options::InspectOptions;
@@ -40,7 +41,8 @@ pub fn check_known(
     let mismatch = MassMismatch::find(model, &options.masses);
     let another_mass = limits::another_mass(inspected, &remedies);
     // Contacts that are made right for the body first need other commands afterwards.
-    if mismatch.is_some() || another_mass.is_some() {
+    let another_gravity = gravity_mismatch(model, options);
+    if mismatch.is_some() || another_mass.is_some() || another_gravity.is_some() {
         remedies = remedies.unsettled();
     }
     let mut findings = traps::findings(model, inspected, &remedies);
@@ -50,6 +52,7 @@ pub fn check_known(
     }
     findings.extend(limits::findings(inspected, &remedies));
     findings.extend(another_mass);
+    findings.extend(another_gravity);
     findings.extend(compiled.cloned());
     CheckResult::new(inspected, findings)
 }

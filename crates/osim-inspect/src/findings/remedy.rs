@@ -11,9 +11,6 @@ use crate::options::InspectOptions;
 /// The preset whose contacts are proposed where a model's own make no sense.
 const PROPOSED_PRESET: &str = "falisse2022";
 
-/// Width of the contact transition that is proposed, in radii: below its limit, and a round number.
-const STATE_WIDTH: f64 = 0.3;
-
 /// What all remedies for one model share.
 pub(super) struct Remedies<'m> {
     /// `None` for standard input, which cannot be read twice, for a model that is not changed as it is, and where something
@@ -120,7 +117,10 @@ impl<'m> Remedies<'m> {
     }
 
     pub(super) fn transition(&self) -> Option<Remedy> {
-        self.design(RemedyDesign { state_width: Some(STATE_WIDTH), ..RemedyDesign::default() }, false)
+        self.design(
+            RemedyDesign { state_width: Some(limits::SUGGESTED_TRANSITION_WIDTH), ..RemedyDesign::default() },
+            false,
+        )
     }
 
     /// Brings the force just touching down to a tenth of the share of the weight.
@@ -134,7 +134,7 @@ impl<'m> Remedies<'m> {
         let wide = spheres.iter().any(|sphere| sphere.is_within(Figure::TransitionWidth) == Some(false));
         let wanted = RemedyDesign {
             constant_indentation: Some(touching_indentation(spheres)?),
-            state_width: wide.then_some(STATE_WIDTH),
+            state_width: wide.then_some(limits::SUGGESTED_TRANSITION_WIDTH),
             ..RemedyDesign::default()
         };
         self.design(wanted, false)

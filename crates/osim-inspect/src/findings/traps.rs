@@ -1,5 +1,6 @@
 //! Findings from the model itself: what reading it showed, and what only matters once it is asked.
 
+use contact_scaling::limits;
 use osim_model::{Finding, FindingCode, Force, ForceId, GravityFor, Model, Needed, Property, Remedy};
 
 use super::remedy::Remedies;
@@ -23,7 +24,9 @@ fn meeting_half_space(model: &Model) -> Vec<ForceId> {
 fn remedy(model: &Model, finding: &Finding, remedies: &Remedies<'_>) -> Option<Remedy> {
     match finding.code {
         FindingCode::DefaultStiffness => remedies.preset(),
-        FindingCode::ZeroConstantContactForce => remedies.constant_indentation(0.05),
+        FindingCode::ZeroConstantContactForce => {
+            remedies.constant_indentation(limits::SUGGESTED_CONSTANT_INDENTATION)
+        }
         FindingCode::LeftRightDiffer => {
             let left =
                 model.forces().iter().find(|force| Some(force.path.as_str()) == finding.place.as_deref())?;
@@ -67,7 +70,7 @@ fn unknown(inspected: &Inspection) -> Vec<Finding> {
     let own = inspected.gravity_m_s2.filter(|&gravity| gravity != 0.0);
     // Where figures are made, it may also have been given.
     if own.or(inspected.figures.gravity_m_s2).is_none() {
-        let needed = Needed::Gravity { purpose: GravityFor::Weight };
+        let needed = Needed::Gravity { purpose: GravityFor::Figures };
         found.push(Finding::new(FindingCode::NoGravity, needed.phrase()));
     }
     // Limbs are not known either where forces of several animals are there and nobody chose among them.

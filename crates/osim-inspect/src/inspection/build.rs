@@ -1,12 +1,12 @@
 //! A model, inspected.
 
-use contact_scaling::{DimensionlessContact, EQUAL_SURFACES, Scale, ScaleValues};
+use contact_scaling::{DimensionlessContact, EQUAL_SURFACES, Scale, ScaleValues, mixed_radii};
 use osim_model::files::FileName;
 use osim_model::{
-    Fault, Finding, FindingCode, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected, SetId,
-    SphereId, Value,
+    CountOf, Fault, Finding, FindingCode, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected,
+    SetId, SphereId, Value,
 };
-use osim_patch::{BodyFactors, Factors, loaded_spheres};
+use osim_patch::{BodyFactors, Factors, LoadedSphere, loaded_spheres};
 
 use super::data::{
     ContactsMass, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce, InspectedLimb,
@@ -47,7 +47,8 @@ impl InspectOptions {
         let (mass, contacts_mass) = (mass.ok(), contacts_mass.ok());
         let weight = mass.as_ref().or(contacts_mass.as_ref());
         let figures = Figures::of(model, &selected, &sharing, weight, &self.stance);
-        let contacts = contacts(model, &selected, contacts_mass.as_ref(), sharing.limbs());
+        let count = sharing.count(self.stance.spheres, self.stance.limbs, CountOf::Model).ok();
+        let contacts = contacts(model, &selected, contacts_mass.as_ref(), count);
         let found = Found {
             mass: mass.as_ref(),
             contacts_mass: contacts_mass.as_ref(),
@@ -62,19 +63,22 @@ impl InspectOptions {
     }
 }
 
-/// Each selected force's contact, without dimensions at the mass its contacts are made for on one limb.
-fn contacts(model: &Model, selected: &Selected, mass: Option<&Mass>, limbs: &Limbs) -> Vec<SetContact> {
+/// Each selected force's contact, without dimensions at the mass its contacts are made for on n spheres. Spheres of several
+/// radii have the mean of R².
+fn contacts(model: &Model, selected: &Selected, mass: Option<&Mass>, count: Option<f64>) -> Vec<SetContact> {
     let Ok(loaded) = loaded_spheres(model, &selected.forces) else { return Vec::new() };
     let mut found: Vec<SetContact> = Vec::new();
-    for sphere in loaded {
+    for sphere in &loaded {
+        let of_set = |one: &LoadedSphere| (one.force, one.set) == (sphere.force, sphere.set);
         if found.iter().any(|known| (known.force, known.set) == (sphere.force, sphere.set)) {
             continue;
         }
         let scale = || {
-            #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
-            let sphere_count = limbs.spheres_per_limb().ok()? as f64;
-            let gravity_m_s2 = model.contacts_gravity()?;
-            let (mass_kg, radius_m) = (mass?.kg, sphere.radius_m);
+            let radii: Vec<f64> = loaded.iter().filter(|one| of_set(one)).map(|one| one.radius_m).collect();
+            let alike = radii.iter().all(|&radius| radius == sphere.radius_m);
+            let radius_m =
+                if alike { sphere.radius_m } else { mixed_radii::mean_square(&radii).ok()?.sqrt() };
+            let (mass_kg, sphere_count, gravity_m_s2) = (mass?.kg, count?, model.contacts_gravity()?);
             Scale::new(ScaleValues { mass_kg, radius_m, sphere_count, gravity_m_s2 }).ok()
         };
         found.push(SetContact {

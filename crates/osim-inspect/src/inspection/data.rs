@@ -142,7 +142,8 @@ pub struct InspectedForce {
     pub parameters: Parameters,
     /// Where each comes from.
     pub origin: Origins,
-    /// The contact without dimensions, at the mass it is made for.
+    /// The contact without dimensions, at the mass and gravity it is made for on n spheres; of several radii it is that of the
+    /// mean R².
     pub dimensionless: Option<Dimensionless>,
     /// Line of the element, from 1.
     pub line: usize,

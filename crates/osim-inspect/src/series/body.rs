@@ -206,7 +206,7 @@ fn kinds(model: &Model, forces: &[ForceId]) -> Result<Vec<SphereKind>, Fault> {
         }
     }
     if kinds.is_empty() {
-        return Err(Fault::refused("none of the chosen forces applies: there is no contact to draw"));
+        return Err(none_applies());
     }
     let single = kinds.len() == 1;
     let named = kinds.into_iter().map(|(kind, names)| {
@@ -214,6 +214,10 @@ fn kinds(model: &Model, forces: &[ForceId]) -> Result<Vec<SphereKind>, Fault> {
         SphereKind { spheres, ..kind }
     });
     Ok(named.collect())
+}
+
+fn none_applies() -> Fault {
+    Fault::refused("none of the chosen forces applies: there is no contact to work with")
 }
 
 /// The first name and how many more there are.
@@ -245,6 +249,9 @@ pub fn standing_spheres(model: &Model, forces: &[ForceId], count: f64) -> Result
     let loaded = loaded_spheres(model, forces)?;
     #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
     let found = model.loaded_spheres(forces).len() as f64;
+    if loaded.is_empty() {
+        return Err(none_applies());
+    }
     let mut spheres = Vec::new();
     for one in loaded {
         let law = Law::of(&one.contact, one.radius_m).map_err(Fault::new)?;

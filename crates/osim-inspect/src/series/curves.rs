@@ -1,7 +1,7 @@
 //! Points of curves, computed by the library of equations: the only place where a body becomes a figure's data.
 
 use contact_scaling::drop_test::{DropReport, DropTest, DropValues};
-use contact_scaling::{Law, Spheres, equilibrium, restitution, smoothing};
+use contact_scaling::{Law, Spheres, equilibrium, limits, restitution, smoothing};
 use osim_model::files::Failure;
 
 use super::body::{Body, SphereKind, Weight};
@@ -55,7 +55,7 @@ pub struct DropSeries {
 /// Points of a curve against indentation.
 const STEPS: u32 = 160;
 /// Share of the contact state that thresholds are drawn at (section C.2 uses it).
-const THRESHOLD: f64 = 0.05;
+const THRESHOLD: f64 = limits::TRANSITION_THRESHOLD;
 /// A drop is followed for so many √(R/g) where no duration is given.
 const DROP_UNITS: f64 = 20.0;
 /// Points of a drop for each √(R/g), and how many at least and at most.

@@ -1,6 +1,6 @@
 //! The kinds of fault.
 
-use contact_scaling::DomainError;
+use contact_scaling::{DomainError, limits};
 
 use super::needed::Needed;
 use crate::opensim_text::NumberFault;
@@ -183,7 +183,10 @@ impl FaultKind {
             }
             Self::UnknownReferenceSphere { sphere, reference, known } => phrase![
                 Input::ReferenceSphere.being(sphere),
-                format!(" is not in {reference}, which has {}", known.join(", ")),
+                match known.as_slice() {
+                    [] => format!(" is not in {reference}, whose contact belongs to no named sphere"),
+                    known => format!(" is not in {reference}, which has {}", known.join(", ")),
+                },
             ],
             Self::NothingSelected { forces } => phrase![
                 "no contact force is left by ",
@@ -197,7 +200,9 @@ impl FaultKind {
             Self::ZeroConstantContactForce => phrase![
                 "the new constant_contact_force is 0, and OpenSim computes NaN with 0 whenever the sphere does not \
                  slip, so in every model at rest: give it a small value, such as that of ",
-                Verb::Design.call().with(Input::ConstantIndentation, "0.05"),
+                Verb::Design
+                    .call()
+                    .saying(Input::ConstantIndentation, limits::SUGGESTED_CONSTANT_INDENTATION.to_string()),
             ],
             Self::FactorSpread { text } => {
                 phrase![text.clone(), " (refused because of ", Input::Strict, ")"]

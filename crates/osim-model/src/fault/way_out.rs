@@ -20,11 +20,13 @@ pub enum GravityFor {
     Target,
     /// The weight of a body that a drop is compared with.
     Compared,
+    /// Figures under body weight, beside something else that was asked for.
+    Figures,
 }
 
 impl GravityFor {
     /// Every purpose.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Weight,
         Self::Load,
         Self::ImpactSpeed,
@@ -32,6 +34,7 @@ impl GravityFor {
         Self::Reference,
         Self::Target,
         Self::Compared,
+        Self::Figures,
     ];
 
     /// What answers it, and its unit; nothing where only the file can.
@@ -43,7 +46,7 @@ impl GravityFor {
             Self::Contacts => &[(Input::ContactsGravity, "G")],
             Self::Reference => &[(Input::ReferenceGravity, "G")],
             Self::Target => &[(Input::TargetGravity, "G")],
-            Self::Compared => &[],
+            Self::Compared | Self::Figures => &[],
         }
     }
 

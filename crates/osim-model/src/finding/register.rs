@@ -33,13 +33,14 @@ impl Repair {
 /// A text in which the numbers of limits have names.
 fn template(text: &str) -> Phrase {
     let named = [
-        ("{indentation}", limits::INDENTATION),
-        ("{restitution}", limits::RESTITUTION),
-        ("{constant_indentation}", limits::CONSTANT_INDENTATION),
+        ("{indentation}", limits::INDENTATION.value),
+        ("{restitution}", limits::RESTITUTION.value),
+        ("{constant_indentation}", limits::CONSTANT_INDENTATION.value),
+        ("{suggested_indentation}", limits::SUGGESTED_CONSTANT_INDENTATION),
+        ("{suggested_width}", limits::SUGGESTED_TRANSITION_WIDTH),
     ];
-    let text = named
-        .iter()
-        .fold(text.to_owned(), |text, (name, limit)| text.replace(name, &limit.value.to_string()));
+    let text =
+        named.iter().fold(text.to_owned(), |text, (name, value)| text.replace(name, &value.to_string()));
     Phrase::template(text.trim_ascii())
 }
 
@@ -113,6 +114,11 @@ codes! {
         "The factor of every change follows from the mass the contacts are made for; a wrong one scales all of them wrongly.";
         "Check the mass that was taken (the first line of the output) and say `contacts_mass=KG` if it is not the right one";
         NotPossible "only you know which of the masses is right".
+    /// The note gives another gravity than the model.
+    GravitySourcesDisagree = "gravity-sources-disagree", Warn, Model:
+        "Under another gravity than they were made for, spheres sink in more or less; figures are those under the model's own.";
+        "Set gravity in OpenSim, or look at the model under the gravity of its contacts with `check MODEL gravity=G`";
+        NotPossible "only you know which gravity is meant".
     /// A component was found by its name because the path written leads nowhere.
     ConnecteeByName = "connectee-by-name", Warn, Model:
         "OpenSim may fail to load such a model, or connect it to something else.";
@@ -130,9 +136,9 @@ codes! {
         Command "takes the contacts of a published model".
     /// A SmoothSphereHalfSpaceForce has a constant_contact_force of 0.
     ZeroConstantContactForce = "zero-constant-contact-force", Error, Model:
-        "Simbody divides by the root of the squared slip speed plus constant_contact_force: with 0, the force is NaN whenever the sphere does not slip, even without friction.";
-        "Give it a small value, for example `design MODEL constant_indentation=0.05`";
-        Command "writes a constant indentation of 0.05 R".
+        "Simbody divides by the root of the squared slip speed plus constant_contact_force: with 0, the force is NaN whenever the sphere does not slip, even without friction. Scaling leaves a value of 0 as it is.";
+        "Give it a small value, for example `design MODEL constant_indentation={suggested_indentation}`";
+        Command "designs constant_contact_force for a small constant indentation".
     /// The file has a derivative_smoothing element, which OpenSim ignores.
     DeadDerivativeSmoothing = "dead-derivative-smoothing", Warn, Model:
         "derivative_smoothing was the name of constant_contact_force in early Moco. OpenSim ignores it and uses its default of 1e-5 m2 for constant_contact_force.";
@@ -286,13 +292,13 @@ codes! {
     /// The constant indentation of constant_contact_force is a large part of the radius.
     LargeConstantIndentation = "large-constant-indentation", Warn, Model:
         "constant_contact_force is a squared indentation and does not grow with the sphere by itself: OpenSim's default of 1e-5 m2, made for spheres of 32 mm, is 3.2 mm. On smaller spheres it holds the body up before they touch (C.2).";
-        "`design MODEL constant_indentation={constant_indentation}`, or 0.05 where spheres sink in by less than {indentation} R";
+        "`design MODEL constant_indentation={constant_indentation}`, or {suggested_indentation} where spheres sink in by less than {indentation} R";
         Command "designs constant_contact_force for the limit".
     /// Contact sets in over more of the radius than in published models.
     WideTransition = "wide-transition", Warn, Model:
         "hertz_smoothing is an inverse length: OpenSim's default of 300 1/m, made for spheres of 32 mm, spreads the onset of contact over 10 mm. On smaller spheres that is a large part of the radius, half of it before they touch (C.7).";
-        "`design MODEL state_width=0.3`";
-        Command "designs hertz_smoothing for a width of 0.3 R".
+        "`design MODEL state_width={suggested_width}`";
+        Command "designs hertz_smoothing for a width within the limit".
     /// A sphere that only just touches the floor carries a large part of its share of body weight already.
     ForceBeforeContact = "force-before-contact", Warn, Model:
         "Smoothing lets force through before contact (Fig. C.5): the floor repels the foot, as if the spheres were larger. In Falisse et al. (2022), where that did no harm, it is 0.074 of the share.";
@@ -311,12 +317,12 @@ codes! {
     /// How many spheres share the weight is not known.
     CountUnknown = "sphere-count-unknown", Info, Model:
         "Limbs are found by left and right sides below the joint tree. Where that does not work, figures under body weight are absent and nothing is said about indentations.";
-        "Say it with `spheres=N`";
+        "Say it with `spheres=N`; where spheres of several bodies are there that only ground joins, choose those of one with `select=GLOB`";
         NotPossible "only you know how many spheres share the weight".
     /// The model has no gravity.
     NoGravity = "no-gravity", Info, Model:
         "Without gravity there is no body weight, so nothing is said about indentations.";
-        "Nothing, if that is meant; else set gravity in the model";
+        "Nothing, if that is meant; else set gravity in the model, or look under another one with `check MODEL gravity=G`";
         NotPossible "only you know the gravity".
 }
 

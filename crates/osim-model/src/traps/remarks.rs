@@ -34,6 +34,7 @@ impl Model {
         let first = fixed.first()?;
         let text = match fixed.len() {
             1 => format!("{} stands on ground: its radius stays", first.path),
+            2 => format!("{} and one more sphere stand on ground: their radii stay", first.path),
             count => {
                 format!("{} and {} more spheres stand on ground: their radii stay", first.path, count - 1)
             }

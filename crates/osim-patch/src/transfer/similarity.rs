@@ -60,7 +60,7 @@ pub(crate) fn similarity(
     let force = selected.forces.iter().find_map(|&id| model.force(id))?;
     let from = chosen.of_force(model, force).ok()?;
     let gravity = wanted.reference.gravity_m_s2.or(model.gravity()).filter(|&gravity| gravity > 0.0)?;
-    let here_gravity = model.gravity().filter(|&gravity| gravity > 0.0)?;
+    let here_gravity = wanted.target_gravity_m_s2.or(model.gravity()).filter(|&gravity| gravity > 0.0)?;
     let there = Scale::new(ScaleValues {
         mass_kg: wanted.reference.mass.kg,
         radius_m: from.radius_m,

@@ -1,5 +1,7 @@
 //! The words of the command line.
 
+use std::borrow::Cow;
+
 use osim_model::Assignment;
 use osim_model::shortest;
 use osim_model::wording::{Call, Dialect, Example, Input, Verb};
@@ -68,13 +70,16 @@ impl RemedyDialect for CommandLine {
         if parts.verb != Verb::Rescale {
             words.push(parts.verb.name().to_owned());
         }
-        words.push(shell_quoted(&remedy.model));
+        words.push(shell_quoted(&model_word(&remedy.model)));
         words.extend(parts.assignments.iter().map(|(property, assignment)| match assignment {
             Assignment::Factor(factor) => format!("{property}=x{}", shortest(*factor)),
             Assignment::Value(value) => format!("{property}={}", shortest(*value)),
         }));
         for (input, value) in &parts.inputs {
-            let mut say = |value: &str| words.extend([option(*input), shell_quoted(value)]);
+            let mut say = |value: &str| match value.starts_with('-') {
+                true => words.push(format!("{}={}", option(*input), shell_quoted(value))),
+                false => words.extend([option(*input), shell_quoted(value)]),
+            };
             match value {
                 InputValue::Number(value) => say(&shortest(*value)),
                 InputValue::Text(text) => say(text),
@@ -105,6 +110,13 @@ fn is_positional(input: Input) -> bool {
     matches!(input, Input::Kind | Input::Topics)
 }
 
+/// The name of a file as a word that is neither an option nor a verb.
+fn model_word(name: &str) -> Cow<'_, str> {
+    let is_option = name.starts_with('-') && name != "-";
+    let may_be_verb = !name.contains(['.', '/', '\\']) && name != "-";
+    if is_option || may_be_verb { format!("./{name}").into() } else { name.into() }
+}
+
 fn option(input: Input) -> String {
     format!("--{}", input.name().replace('_', "-"))
 }
@@ -118,6 +130,12 @@ mod tests {
 
     fn spelled(template: &'static str) -> String {
         Phrase::template(template).spelled(&CommandLine)
+    }
+
+    #[test]
+    fn a_model_is_never_an_option_or_a_verb() {
+        let words = ["-y.osim", "set", "foot.osim", "a/b", "-"].map(model_word);
+        assert_eq!(words, ["./-y.osim", "./set", "foot.osim", "a/b", "-"]);
     }
 
     #[test]

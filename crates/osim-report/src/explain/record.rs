@@ -55,9 +55,9 @@ pub enum TopicRecord {
         /// What to do about it.
         advice: String,
         /// What the command does that `check` proposes; null where it cannot propose one.
-        proposed_command: Option<String>,
+        fix: Option<String>,
         /// Why it cannot.
-        why_no_command: Option<String>,
+        why_no_fix: Option<String>,
     },
     /// An error.
     #[non_exhaustive]
@@ -127,7 +127,7 @@ impl TopicRecord {
     }
 
     fn of_finding(code: FindingCode, dialect: &dyn Dialect) -> Self {
-        let (proposed_command, why_no_command) = match code.repair() {
+        let (fix, why_no_fix) = match code.repair() {
             Repair::Command(what) => (Some(what.to_owned()), None),
             Repair::NotPossible(why) => (None, Some(why.to_owned())),
         };
@@ -139,8 +139,8 @@ impl TopicRecord {
             what: code.what().spelled(dialect),
             why: code.why().spelled(dialect),
             advice: code.advice().spelled(dialect),
-            proposed_command,
-            why_no_command,
+            fix,
+            why_no_fix,
         }
     }
 

@@ -94,7 +94,8 @@ pub struct ScalingOptions {
 }
 
 impl ScalingOptions {
-    pub(crate) const RELATIONS: &'static [Relation] = &[Relation::Needs("level_axis", "level")];
+    pub(crate) const RELATIONS: &'static [Relation] =
+        &[Relation::Needs("level_axis", "level"), Relation::Needs("contacts_gravity", "target_gravity")];
 
     /// Refuses a choice of properties that leaves nothing.
     pub(crate) fn check(&self) -> Result<(), RequestFault> {

@@ -9,7 +9,7 @@ use osim_model::wording::{Input, phrase};
 use osim_model::{
     Anatomy, CountOf, Fault, FaultKind, Mass, MassRequest, MassSource, Model, Needed, Selection,
 };
-use osim_patch::{Reference, ScaleFile, moving_spheres, reference_of_model};
+use osim_patch::{Reference, ScaleFile, reference_of_model};
 
 use crate::fault::RequestFault;
 use crate::opening::{open, scale_file};
@@ -36,7 +36,7 @@ impl Generic {
 }
 
 fn standing(model: &Model) -> BTreeSet<String> {
-    let spheres = moving_spheres(model, &model.force_ids()).into_iter();
+    let spheres = model.loaded_spheres(&model.force_ids()).into_iter();
     spheres.filter_map(|sphere| Some(model.sphere(sphere)?.name.clone())).collect()
 }
 

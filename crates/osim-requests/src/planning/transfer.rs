@@ -1,6 +1,6 @@
 //! Contacts of another model or of a preset.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use osim_inspect::LoadSharing;
 use osim_model::files::Files;
@@ -120,7 +120,18 @@ impl TransferRequest {
     }
 }
 
+fn is_standard_input(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
 fn check(request: &TransferRequest) -> Result<(), RequestFault> {
+    if request.from.as_deref().is_some_and(is_standard_input)
+        && request.models.iter().any(|path| is_standard_input(path))
+    {
+        let message =
+            "standard input cannot be both the model and the reference: name a file for one of them";
+        return Err(RequestFault::refused(Input::From, message));
+    }
     if request.masses.contacts_mass.is_some() {
         let message = phrase![
             Input::ContactsMass,
@@ -140,6 +151,17 @@ fn check(request: &TransferRequest) -> Result<(), RequestFault> {
             Input::TargetGravity,
         ];
         return Err(RequestFault::refused(Input::ContactsGravity, message));
+    }
+    if request.follow.rule == RuleChoice::Predsim {
+        let gravities = [
+            (Input::TargetGravity, request.scaling.target_gravity.is_some()),
+            (Input::ReferenceGravity, request.reference.reference_gravity.is_some()),
+        ];
+        if let Some((input, _)) = gravities.into_iter().find(|(_, given)| *given) {
+            let message =
+                phrase![input, " says nothing with ", Input::Rule.being("predsim"), ", which has no gravity"];
+            return Err(RequestFault::refused(input, message));
+        }
     }
     if request.scaling.level && !request.follow.follow_bodies {
         let message = phrase![

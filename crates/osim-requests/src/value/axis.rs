@@ -83,7 +83,7 @@ impl GridValue {
     }
 }
 
-/// An axis of a grid: `NAME=V,V,...`, each a value, a factor or a range `FIRST..LAST/COUNT`.
+/// An axis of a grid: `NAME=V,V,...`, each a value, a factor or a range `FROM..TO/COUNT`.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Axis {
@@ -141,8 +141,7 @@ fn value(name: AxisName, text: &str) -> Result<GridValue, String> {
 
 /// All values of a range; the ends keep their spelling.
 fn range(name: AxisName, text: &str) -> Result<Vec<GridValue>, String> {
-    let expected =
-        "expected a range FIRST..LAST/COUNT with numbers above 0 and 2 or more, such as x0.1..x10/9";
+    let expected = "expected a range FROM..TO/COUNT with numbers above 0 and 2 or more, such as x0.1..x10/9";
     let range = Range::read(text, MOST).filter(|range| range.are_factors().is_some()).ok_or(expected)?;
     let (first, last) = (value(name, range.first)?, value(name, range.last)?);
     if first.number <= 0.0 || last.number <= 0.0 {

@@ -103,8 +103,11 @@ quantities! {
 
     /// √cf/R: above 0, for OpenSim computes nothing from a cf of 0.
     ConstantIndentation = |text| match plain(text.trim()) {
-        Some(0.0) => Err("expected a number above 0, such as 0.05: it would make constant_contact_force 0, and \
-                          OpenSim computes NaN with 0 whenever the sphere does not slip".to_owned()),
+        Some(0.0) => Err(format!(
+            "expected a number above 0, such as {}: it would make constant_contact_force 0, and OpenSim computes NaN with 0 \
+             whenever the sphere does not slip",
+            contact_scaling::limits::SUGGESTED_CONSTANT_INDENTATION
+        )),
         _ => positive_number(text),
     }, {"type": "number", "exclusiveMinimum": 0};
 
@@ -148,7 +151,7 @@ impl Positive {
 
 impl Threshold {
     /// The threshold of section C.2.
-    pub(crate) const OF_THE_PAPER: Self = Self(0.05);
+    pub(crate) const OF_THE_PAPER: Self = Self(contact_scaling::limits::TRANSITION_THRESHOLD);
 }
 
 #[cfg(test)]

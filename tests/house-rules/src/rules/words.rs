@@ -23,8 +23,7 @@ use crate::tree::Tree;
 /// - `unless`: where it may be written nevertheless, a regular expression for the words with what is around them;
 /// - `wrong` and `right`: texts that are refused, and that pass.
 ///
-/// Each `[[field]]` is the same for names of fields in JSON Schemas. Each `[[later]]` has the `path` of a file, or of a folder
-/// with `/` at its end, that is left out, and `why`.
+/// Each `[[field]]` is the same for names of fields in JSON Schemas.
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Words {
@@ -32,8 +31,6 @@ pub struct Words {
     word: Vec<Word>,
     #[serde(default)]
     field: Vec<Word>,
-    #[serde(default)]
-    later: Vec<Later>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -47,14 +44,6 @@ struct Word {
     wrong: Vec<String>,
     #[serde(default)]
     right: Vec<String>,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Later {
-    path: String,
-    #[expect(dead_code, reason = "for whoever reads the list")]
-    why: String,
 }
 
 /// A text that shows what a list refuses, or what it lets pass.
@@ -100,11 +89,6 @@ impl Words {
             .map_err(|error| Error::Words { path: path.to_owned(), message: error.to_string() })
     }
 
-    /// What the list leaves out.
-    pub fn left_out(&self) -> impl Iterator<Item = &str> {
-        self.later.iter().map(|later| later.path.as_str())
-    }
-
     /// The examples in the list.
     pub fn examples(&self) -> impl Iterator<Item = Example<'_>> {
         let words = self.word.iter().map(|word| (word, false));
@@ -120,14 +104,12 @@ impl Words {
         self.in_text(file, 1, text)
     }
 
-    /// What must not be written in a JSON Schema. In names, `_` parts the words.
+    /// What must not be written in a JSON Schema. In names, `_` separates the words.
     #[must_use]
     pub fn in_schema(&self, file: &str, text: &str) -> Vec<Forbidden> {
         let mut found = self.in_text(file, 1, &text.replace('_', " "));
-        if !self.leaves_out(file) {
-            for field in &self.field {
-                found.extend(field.in_text(file, 1, text, |rest| rest.starts_with("\":")));
-            }
+        for field in &self.field {
+            found.extend(field.in_text(file, 1, text, |rest| rest.starts_with("\":")));
         }
         found.sort();
         found
@@ -150,22 +132,15 @@ impl Words {
     }
 
     fn in_text(&self, file: &str, line: usize, text: &str) -> Vec<Forbidden> {
-        if self.leaves_out(file) {
-            return Vec::new();
-        }
         let mut found: Vec<Forbidden> =
             self.word.iter().flat_map(|word| word.in_text(file, line, text, |_| true)).collect();
         found.sort();
         found
     }
-
-    fn leaves_out(&self, file: &str) -> bool {
-        self.left_out().any(|path| if path.ends_with('/') { file.starts_with(path) } else { file == path })
-    }
 }
 
 impl Word {
-    /// Every place of the word in a text that begins on `line`, where `fits` holds for what comes behind it.
+    /// Every place of the word in a text that begins on `line`, where `fits` holds for what comes after it.
     fn in_text(&self, file: &str, line: usize, text: &str, fits: impl Fn(&str) -> bool) -> Vec<Forbidden> {
         let allowed: Vec<_> = self.unless.iter().flat_map(|unless| unless.find_iter(text)).collect();
         let is_allowed = |found: &regex::Match<'_>| {

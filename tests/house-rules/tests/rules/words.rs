@@ -49,20 +49,6 @@ fn passes() {
     assert_eq!(shown(&sources("words", "passes").forbidden(&list("passes"))), [""; 0]);
 }
 
-#[test]
-fn left_out() {
-    let words = "[[word]]\nnot = 'told'\nsay = 'known'\nwrong = []\n\
-        [[later]]\npath = 'a/'\nwhy = ''\n[[later]]\npath = 'b.md'\nwhy = ''\n";
-    let words = read(words).unwrap();
-    assert_eq!(words.left_out().collect::<Vec<_>>(), ["a/", "b.md"]);
-    for file in ["a/b.md", "a/b/c.md", "b.md"] {
-        assert_eq!(shown(&words.in_prose(file, "told")), [""; 0], "{file}");
-    }
-    for file in ["ab.md", "c/b.md", "b.md.txt"] {
-        assert_eq!(words.in_prose(file, "told").len(), 1, "{file}");
-    }
-}
-
 /// In schemas, `_` separates words, and there are words that no field is called.
 #[test]
 fn schemas() {
