@@ -106,3 +106,29 @@ fn a_share_of_less_than_one_sphere_gives_no_figures() {
     assert!(seen.figures.limbs.iter().all(|limb| limb.sphere_count.is_none()));
     assert!(seen.figures.spheres().all(|sphere| sphere.value(Figure::Load).is_none()));
 }
+
+#[test]
+fn a_limb_stands_level_on_all_its_spheres() {
+    // A larger heel: spheres of two sizes do not share a load equally where they stand level.
+    let from = HUMAN.find("<ContactSphere name=\"s1_r\">").unwrap();
+    let (before, after) = HUMAN.split_at(from);
+    let text = format!("{before}{}", after.replacen("<radius>0.032", "<radius>0.048", 1));
+    assert_ne!(text, HUMAN);
+    let model = Model::parse(text).unwrap();
+    let level = |pattern: &str| {
+        let seen = selecting(pattern).inspect("human.osim", &model, None);
+        let figures = seen.figures;
+        let speed = figures.impact_speed_m_s;
+        let sphere = figures.spheres().find(|sphere| sphere.sphere == "s2_r").unwrap();
+        (sphere.value(Figure::LevelIndentation).unwrap(), sphere.value(Figure::Indentation).unwrap(), speed)
+    };
+    let (all, some) = (level("*"), level("contact_s2_r"));
+    assert_eq!(all, some);
+    // The larger heel carries more than its share, so that the others sink in less.
+    assert!(all.0 < all.1, "{all:?}");
+    // Level, x = (F / (4/3 E* sum of sqrt(R)))^(2/3), with F = 62 kg x 9.81 m/s2 on 5 spheres of 0.032 m and one of 0.048 m.
+    let composite = 1e6 / 2_f64.powf(1.5);
+    let roots = 5.0 * 0.032_f64.sqrt() + 0.048_f64.sqrt();
+    let x = (62.0 * 9.81 / (4.0 / 3.0 * composite * roots)).powf(2.0 / 3.0);
+    assert!((all.0 - x / 0.032).abs() < 1e-9, "{} and {}", all.0, x / 0.032);
+}
