@@ -267,6 +267,13 @@ impl Needed {
                     input.like("GLOB"),
                 ]
             }
+            other => other.about_spheres(),
+        }
+    }
+
+    /// Questions about spheres of the model.
+    fn about_spheres(&self) -> Phrase {
+        match self {
             Self::SphereCount { of, why } => phrase![
                 "how many spheres share the body weight is not known: ",
                 why,
@@ -288,7 +295,7 @@ impl Needed {
         }
     }
 
-    /// Questions of transfers and of what is left.
+    /// Questions of transfers.
     fn about_reference(&self) -> Phrase {
         match self {
             Self::ReferenceContact { reference, unmatched } => phrase![
@@ -333,6 +340,13 @@ impl Needed {
                 ", or place them again with ",
                 Input::MovedSpheres.being("replace"),
             ],
+            other => other.about_request(),
+        }
+    }
+
+    /// Questions about what was asked for, and what belongs to it.
+    fn about_request(&self) -> Phrase {
+        match self {
             Self::Repetition { operation } => phrase![
                 format!("the note in the file says that '{operation}' was done already"),
                 ": apply it once more with ",
