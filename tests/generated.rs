@@ -11,7 +11,7 @@ use osim_model::wording::{Call, Dialect, Example, Input, Phrase};
 use osim_model::{FindingCode, Repair, Seen, Severity};
 use osim_report::dialect::CommandLine;
 use osim_report::explain::ErrorGroup;
-use osim_requests::{DropColumn, DropFigure, DropRow};
+use osim_requests::{DesignQuantity, DropColumn, DropFigure, DropRow};
 
 /// The words of the command line, marked as code.
 struct Markdown;
@@ -134,6 +134,16 @@ fn unit_equation_limit(info: &Quantity) -> [String; 3] {
     [info.unit.to_owned(), info.equation.to_owned(), limit]
 }
 
+/// docs/json.md: what a design without a model finds.
+fn design_figures() -> String {
+    let rows = DesignQuantity::ALL.iter().map(|quantity| {
+        let info = quantity.info();
+        let [unit, equation, limit] = unit_equation_limit(info);
+        vec![format!("`{}`", info.name), meaning(info), unit, equation, limit]
+    });
+    table(&["name", "meaning", "unit", "equation", "limit"], rows)
+}
+
 /// docs/json.md: the figures of a drop.
 fn drop_figures() -> String {
     let rows = DropFigure::ALL.iter().map(|figure| {
@@ -185,6 +195,7 @@ fn parts() -> Vec<(&'static str, &'static str, String)> {
         ("check.md", "repairs", repairs()),
         ("check.md", "limits", limits()),
         ("json.md", "figures", figures()),
+        ("json.md", "design-figures", design_figures()),
         ("json.md", "drop-figures", drop_figures()),
         ("json.md", "drop-series", drop_series()),
         ("drop-test.md", "drop-test-figures", drop_rows()),
