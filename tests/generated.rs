@@ -1,4 +1,4 @@
-//! Parts of docs/ are made from the registers of the program: findings, errors, limits, figures. Such a part stands between
+//! Parts of docs/ are made from the registers of the program: findings, errors, limits, figures of all verbs. Such a part stands between
 //! `<!-- begin NAME -->` and `<!-- end NAME -->`. To write them anew: `UPDATE_DOCS=1 cargo test --test generated`.
 
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "a test fails by panicking")]
@@ -6,11 +6,12 @@
 use std::path::{Path, PathBuf};
 
 use contact_scaling::limits;
-use osim_inspect::Figure;
+use osim_inspect::{Figure, Quantity};
 use osim_model::wording::{Call, Dialect, Example, Input, Phrase};
 use osim_model::{FindingCode, Repair, Seen, Severity};
 use osim_report::dialect::CommandLine;
 use osim_report::explain::ErrorGroup;
+use osim_requests::{DesignQuantity, DropColumn, DropFigure, DropRow};
 
 /// The words of the command line, marked as code.
 struct Markdown;
@@ -118,17 +119,60 @@ fn limits() -> String {
 fn figures() -> String {
     let rows = Figure::ALL.iter().map(|figure| {
         let info = figure.info();
-        let meaning = spelled(&info.meaning());
-        let limit = info.limit.map(limits::Limit::in_words).unwrap_or_default();
-        vec![
-            format!("`….{}`", info.name),
-            meaning.trim_end_matches('.').to_owned(),
-            info.unit.to_owned(),
-            info.equation.to_owned(),
-            limit,
-        ]
+        let [unit, equation, limit] = unit_equation_limit(info);
+        vec![format!("`….{}`", info.name), meaning(info), unit, equation, limit]
     });
     table(&["field", "meaning", "unit", "equation", "limit"], rows)
+}
+
+fn meaning(info: &Quantity) -> String {
+    spelled(&info.meaning()).trim_end_matches('.').to_owned()
+}
+
+fn unit_equation_limit(info: &Quantity) -> [String; 3] {
+    let limit = info.limit.map(limits::Limit::in_words).unwrap_or_default();
+    [info.unit.to_owned(), info.equation.to_owned(), limit]
+}
+
+/// docs/json.md: what a design without a model finds.
+fn design_figures() -> String {
+    let rows = DesignQuantity::ALL.iter().map(|quantity| {
+        let info = quantity.info();
+        let [unit, equation, limit] = unit_equation_limit(info);
+        vec![format!("`{}`", info.name), meaning(info), unit, equation, limit]
+    });
+    table(&["name", "meaning", "unit", "equation", "limit"], rows)
+}
+
+/// docs/json.md: the figures of a drop.
+fn drop_figures() -> String {
+    let rows = DropFigure::ALL.iter().map(|figure| {
+        let info = figure.info();
+        let of_type = if figure.is_always_known() { "number" } else { "number or null" };
+        vec![format!("`{}`", info.name), of_type.to_owned(), meaning(info), info.unit.to_owned()]
+    });
+    table(&["field", "type", "meaning", "unit"], rows)
+}
+
+/// docs/json.md: the series of a drop.
+fn drop_series() -> String {
+    let rows = DropColumn::ALL.iter().map(|column| {
+        let info = column.info();
+        vec![format!("`series.{}`", info.name), meaning(info), info.unit.to_owned()]
+    });
+    table(&["field", "meaning", "unit"], rows)
+}
+
+/// docs/drop-test.md: the rows of the table, in their order.
+fn drop_rows() -> String {
+    let rows = [DropRow::Here, DropRow::Last].into_iter().flat_map(|place| {
+        DropFigure::ALL.iter().filter(move |figure| figure.row() == place).map(|figure| {
+            let info = figure.info();
+            let [unit, _, limit] = unit_equation_limit(info);
+            vec![marked(info.heading_without_unit().trim()), meaning(info), unit, limit]
+        })
+    });
+    table(&["figure", "is", "unit", "limit"], rows)
 }
 
 fn errors(group: ErrorGroup) -> String {
@@ -151,6 +195,10 @@ fn parts() -> Vec<(&'static str, &'static str, String)> {
         ("check.md", "repairs", repairs()),
         ("check.md", "limits", limits()),
         ("json.md", "figures", figures()),
+        ("json.md", "design-figures", design_figures()),
+        ("json.md", "drop-figures", drop_figures()),
+        ("json.md", "drop-series", drop_series()),
+        ("drop-test.md", "drop-test-figures", drop_rows()),
         ("errors.md", "errors-file", errors(ErrorGroup::File)),
         ("errors.md", "errors-model", errors(ErrorGroup::Model)),
         ("errors.md", "errors-question", errors(ErrorGroup::Question)),

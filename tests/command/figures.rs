@@ -207,3 +207,14 @@ fn tables_fit_80_columns_and_have_no_colour_in_a_file() {
     }
     assert!(!text.contains('\u{1b}'));
 }
+
+#[test]
+fn a_drop_and_a_check_judge_restitution_alike() {
+    // (13): 1 - 0.53 s/m x 0.39 m/s = 0.79, below 0.8; the exact law gives back more, 0.82.
+    let bench = Bench::human();
+    bench.run("set human.osim dissipation=0.53 -o soft.osim").done();
+    let drop = bench.run("drop-test soft.osim").done().out();
+    assert!(drop.contains("restitution by (13) is outside the Hunt-Crossley law (at least 0.8)"), "{drop}");
+    let check = bench.run("check soft.osim").out();
+    assert!(check.contains("warn beyond-hunt-crossley"), "{check}");
+}

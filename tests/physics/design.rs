@@ -112,7 +112,7 @@ fn restitution_gives_the_dissipation() {
     has(&fallen, "restitution_exact_at_this_dissipation", 0.909_015_741_349_202_3, 1e-9);
     // The exact law, turned round.
     let turned = sheet("--restitution 0.549476064408366 --impact-speed 0.396");
-    has(&turned, "dissipation_for_exact_restitution", 2.0, 1e-9);
+    has(&turned, "dissipation_for_exact_restitution_s_m", 2.0, 1e-9);
 }
 
 #[test]

@@ -29,11 +29,12 @@ mod inspection;
 mod load_sharing;
 mod mass_mismatch;
 mod options;
+mod quantity;
 mod serialized;
 pub mod series;
 
 pub use drop_height::DropHeight;
-pub use figures::{Figure, FigureInfo, Figures, LimbFigures, LimitCheck, Shown, SphereFigures};
+pub use figures::{Figure, Figures, LimbFigures, LimitCheck, Shown, SphereFigures};
 pub use findings::{CheckResult, Counts, can_be_changed, check_known, check_model};
 pub use inspection::{
     ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,
@@ -42,4 +43,5 @@ pub use inspection::{
 pub use load_sharing::LoadSharing;
 pub use mass_mismatch::MassMismatch;
 pub use options::{InspectOptions, Stance};
-pub use serialized::{FindingRecord, SCHEMA_VERSION};
+pub use quantity::Quantity;
+pub use serialized::{FindingRecord, ObjectSchema, SCHEMA_VERSION};

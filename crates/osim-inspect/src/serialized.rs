@@ -2,8 +2,9 @@
 
 use osim_model::Finding;
 use osim_model::wording::Phrase;
-use schemars::JsonSchema;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Serialize, Serializer};
+use serde_json::{Map, Value};
 
 /// Raised when a field of any result changes its meaning or goes away.
 pub const SCHEMA_VERSION: u32 = 1;
@@ -66,4 +67,45 @@ pub(crate) fn optional_phrase<S: Serializer>(
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
     phrase.as_ref().map(ToString::to_string).serialize(serializer)
+}
+
+/// The schema of an object whose fields come from a register: closed, and each field described.
+#[derive(Debug)]
+pub struct ObjectSchema<'g> {
+    generator: &'g mut SchemaGenerator,
+    properties: Map<String, Value>,
+    required: Vec<String>,
+}
+
+impl<'g> ObjectSchema<'g> {
+    /// No field yet.
+    #[must_use]
+    pub fn new(generator: &'g mut SchemaGenerator) -> Self {
+        Self { generator, properties: Map::new(), required: Vec::new() }
+    }
+
+    /// A field that is always there.
+    pub fn field<T: JsonSchema>(&mut self, name: &str, description: &str) {
+        self.required.push(name.to_owned());
+        self.field_or_none::<T>(name, description);
+    }
+
+    /// A field that may be left out.
+    pub fn field_or_none<T: JsonSchema>(&mut self, name: &str, description: &str) {
+        let mut schema = self.generator.subschema_for::<T>();
+        schema.insert("description".to_owned(), description.into());
+        self.properties.insert(name.to_owned(), schema.to_value());
+    }
+
+    /// The schema.
+    #[must_use]
+    pub fn finish(self, description: &str) -> Schema {
+        json_schema!({
+            "description": description,
+            "type": "object",
+            "required": self.required,
+            "properties": self.properties,
+            "additionalProperties": false,
+        })
+    }
 }

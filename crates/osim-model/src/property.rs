@@ -9,7 +9,7 @@ use std::str::FromStr;
 /// use osim_model::Property;
 ///
 /// let property: Property = "constant_contact_force".parse().unwrap();
-/// assert_eq!((property, property.unit()), (Property::ConstantContactForce, "m^2"));
+/// assert_eq!((property, property.unit()), (Property::ConstantContactForce, "m2"));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
@@ -71,15 +71,15 @@ impl Property {
         }
     }
 
-    /// SI unit, for tables.
+    /// SI unit, for tables, spelled as in all of them: `N/m2`.
     #[must_use]
     pub const fn unit(self) -> &'static str {
         match self {
-            Self::Stiffness => "N/m^2",
+            Self::Stiffness => "N/m2",
             Self::Dissipation | Self::ViscousFriction | Self::HuntCrossleySmoothing => "s/m",
             Self::StaticFriction | Self::DynamicFriction => "",
             Self::TransitionVelocity => "m/s",
-            Self::ConstantContactForce => "m^2",
+            Self::ConstantContactForce => "m2",
             Self::HertzSmoothing => "1/m",
             Self::Radius => "m",
             Self::Mass => "kg",

@@ -52,8 +52,8 @@ mod unique;
 mod value;
 
 pub use before_after::BeforeAfter;
-pub use calculator::{DesignFigure, DesignLimit, DesignSheet};
-pub use drop_test::{ComparedDrop, DropResult};
+pub use calculator::{DesignFigure, DesignLimit, DesignQuantity, DesignSheet};
+pub use drop_test::{ComparedDrop, DropColumn, DropFigure, DropResult, DropRow};
 pub use fault::{RequestError, RequestFault};
 pub use fit::FitResult;
 pub use inspector::Inspector;

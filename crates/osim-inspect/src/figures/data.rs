@@ -3,13 +3,13 @@
 use std::borrow::Cow;
 
 use osim_model::wording::{Dialect, Phrase};
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
 use super::answer::Answer;
 use super::register::Figure;
-use crate::serialized::optional_phrase;
+use crate::serialized::{ObjectSchema, optional_phrase};
 
 /// Figures of one model.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -174,27 +174,15 @@ impl JsonSchema for SphereFigures {
     }
 
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        let mut properties = serde_json::Map::new();
-        let mut add = |name: &str, description: String, mut schema: Schema| {
-            schema.insert("description".to_owned(), description.into());
-            properties.insert(name.to_owned(), schema.to_value());
-        };
-        add("sphere", "Name of the sphere.".to_owned(), generator.subschema_for::<String>());
-        add("path", "Its component path.".to_owned(), generator.subschema_for::<String>());
-        let forces = "Names of the forces that press it on the floor.".to_owned();
-        add("forces", forces, generator.subschema_for::<Vec<String>>());
+        let mut object = ObjectSchema::new(generator);
+        object.field::<String>("sphere", "Name of the sphere.");
+        object.field::<String>("path", "Its component path.");
+        object.field::<Vec<String>>("forces", "Names of the forces that press it on the floor.");
         for info in Figure::ALL.iter().map(|figure| figure.info()) {
-            add(info.name, info.described(), generator.subschema_for::<Option<f64>>());
+            object.field::<Option<f64>>(info.name, &info.described());
         }
-        let limits = "Each figure that has a limit, compared with it, where it is known.".to_owned();
-        add("limits", limits, generator.subschema_for::<Vec<LimitCheck>>());
-        let required: Vec<&String> = properties.keys().collect();
-        json_schema!({
-            "description": "Figures of one sphere; null where one is not known.",
-            "type": "object",
-            "required": required,
-            "properties": properties,
-            "additionalProperties": false,
-        })
+        let limits = "Each figure that has a limit, compared with it, where it is known.";
+        object.field::<Vec<LimitCheck>>("limits", limits);
+        object.finish("Figures of one sphere; null where one is not known.")
     }
 }

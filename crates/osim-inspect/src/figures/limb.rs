@@ -78,7 +78,7 @@ impl LoadedLimb<'_> {
             impact_speed_m_s: self.speed,
             rests,
         };
-        let answers = Figure::ALL.iter().map(|figure| (figure.info().answer)(&on_floor)).collect();
+        let answers = Figure::ALL.iter().map(|figure| figure.answer(&on_floor)).collect();
         SphereFigures {
             sphere: name.map(|sphere| sphere.name.clone()).unwrap_or_default(),
             path: name.map(|sphere| sphere.path.clone()).unwrap_or_default(),

@@ -3,12 +3,12 @@
 mod answer;
 mod compute;
 mod data;
-mod figure;
 mod limb;
 mod on_floor;
 mod register;
+mod shown;
 mod sphere_loads;
 
 pub use data::{Figures, LimbFigures, LimitCheck, SphereFigures};
-pub use figure::{FigureInfo, Shown};
 pub use register::Figure;
+pub use shown::Shown;

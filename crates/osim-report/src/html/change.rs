@@ -138,7 +138,7 @@ fn changes(topics: &mut Topics, plan: &Plan) -> Markup {
 
 fn change(topics: &mut Topics, group: &[&Change], with_names: bool) -> Markup {
     let Some(first) = group.first() else { return html! {} };
-    let unit = first.property.unit().replace("^2", "²");
+    let unit = first.property.unit().replace("m2", "m²");
     html! {
         tr {
             th scope="row" { code { (first.property.name()) } @if !unit.is_empty() && unit != "1" { " " span.quiet { (unit) } } }

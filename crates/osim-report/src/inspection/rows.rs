@@ -20,7 +20,7 @@ impl Spheres {
 
     /// The figures that say something about them, in their order.
     pub(crate) fn figures(self) -> impl Iterator<Item = Figure> {
-        let shown = move |figure: &Figure| match figure.info().shown {
+        let shown = move |figure: &Figure| match figure.shown() {
             Shown::Always => true,
             Shown::Nowhere => false,
             Shown::Smooth => self.smooth,
@@ -57,7 +57,7 @@ pub(crate) fn value(figure: Figure, sphere: &SphereFigures) -> Option<(String, b
 
 /// What is shown of a sphere: spheres with the same figures share a column.
 pub(crate) fn key(sphere: &SphereFigures) -> Vec<String> {
-    let shown = |figure: &&Figure| figure.info().shown != Shown::Nowhere;
+    let shown = |figure: &&Figure| figure.shown() != Shown::Nowhere;
     Figure::ALL
         .iter()
         .filter(shown)

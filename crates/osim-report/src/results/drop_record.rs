@@ -1,67 +1,17 @@
 //! The JSON contract of a drop.
 
-use osim_inspect::SCHEMA_VERSION;
-use osim_requests::{ComparedDrop, DropResult};
-use schemars::JsonSchema;
-use serde::Serialize;
+use std::borrow::Cow;
 
-use super::drop_test::DropFigures;
+use contact_scaling::drop_test::DropReport;
+use osim_inspect::{ObjectSchema, SCHEMA_VERSION};
+use osim_requests::{ComparedDrop, DropColumn, DropFigure, DropResult};
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
 
-/// A drop, as the JSON has it.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-#[non_exhaustive]
-pub struct DropRecord {
-    /// Raised when a field changes its meaning or goes away.
-    pub schema_version: u32,
-    /// The model or preset.
-    pub model: String,
-    /// Its name in bytes, where that is not UTF-8.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub model_bytes: Option<Vec<u8>>,
-    /// M, kg.
-    pub mass_kg: f64,
-    /// n, spheres that share the weight.
-    pub sphere_count: f64,
-    /// g, m/s².
-    pub gravity_m_s2: f64,
-    /// Height of the sphere bottoms at the start, m.
-    pub height_m: f64,
-    /// How long it was followed, s.
-    pub duration_s: f64,
-    /// √(Σ R_i²/n), m.
-    pub reference_radius_m: f64,
-    /// √(R/g), s.
-    pub reference_time_s: f64,
-    /// x̂ at the end.
-    pub final_relative_indentation: f64,
-    /// x̂ at rest by the Hertz law (11).
-    pub relative_indentation_hertz: f64,
-    /// x̂ at rest by the law of the contacts.
-    pub relative_indentation_model_law: f64,
-    /// Largest force of all spheres, N.
-    pub peak_force_n: f64,
-    /// The same over body weight.
-    pub peak_force_bw: f64,
-    /// Stiffness of one sphere at rest by the law of the contacts, N/m.
-    pub equilibrium_stiffness_n_m: f64,
-    /// The same by the Hertz law (B.1), N/m.
-    pub hertz_stiffness_n_m: f64,
-    /// Speed at the first contact, m/s.
-    pub impact_speed_m_s: Option<f64>,
-    /// Restitution of a free impact at that speed, by the exact law.
-    pub restitution_exact: Option<f64>,
-    /// The same by (13).
-    pub restitution_approximate: Option<f64>,
-    /// How long the first contact lasts, s.
-    pub contact_time_s: Option<f64>,
-    /// Speed at its end, m/s.
-    pub rebound_speed_m_s: Option<f64>,
-    /// How far it is from another drop, where one was asked for.
-    pub compare: Option<DropDifferenceRecord>,
-    /// The motion.
-    pub series: DropSeriesRecord,
-}
+/// A drop, as the JSON has it: each [`DropFigure`] by its name, and the motion.
+#[derive(Debug, Clone, Copy)]
+pub struct DropRecord<'d>(&'d DropResult);
 
 /// How far two drops are apart without dimensions.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -81,67 +31,13 @@ pub struct DropDifferenceRecord {
     pub force_bw: f64,
 }
 
-/// The motion of a drop; entry `i` of each list is one moment.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-#[non_exhaustive]
-pub struct DropSeriesRecord {
-    /// Time, s.
-    pub time_s: Vec<f64>,
-    /// Height of the sphere bottoms, m.
-    pub height_m: Vec<f64>,
-    /// Speed, upwards, m/s.
-    pub speed_m_s: Vec<f64>,
-    /// Force of all spheres, N.
-    pub force_n: Vec<f64>,
-    /// The same over body weight.
-    pub force_bw: Vec<f64>,
-    /// t/√(R/g).
-    pub dimensionless_time: Vec<f64>,
-}
+/// The motion of a drop: each [`DropColumn`] by its name.
+#[derive(Debug, Clone, Copy)]
+pub struct DropSeriesRecord<'d>(&'d DropReport);
 
-impl From<&DropResult> for DropRecord {
-    fn from(drop: &DropResult) -> Self {
-        let (values, report) = (drop.values, &drop.report);
-        let figures = DropFigures::of(report);
-        let series = &report.series;
-        let (model, model_bytes) = drop.name.clone().into_parts();
-        Self {
-            schema_version: SCHEMA_VERSION,
-            model,
-            model_bytes,
-            mass_kg: values.mass_kg,
-            sphere_count: drop.sphere_count,
-            gravity_m_s2: values.gravity_m_s2,
-            height_m: values.height_m,
-            duration_s: values.duration_s,
-            reference_radius_m: report.reference_radius_m,
-            reference_time_s: report.reference_time_s,
-            final_relative_indentation: figures.final_relative_indentation,
-            relative_indentation_hertz: figures.relative_indentation_hertz,
-            relative_indentation_model_law: figures.relative_indentation_model_law,
-            peak_force_n: report.peak_force_n,
-            peak_force_bw: report.peak_force_bw(),
-            equilibrium_stiffness_n_m: report.equilibrium_stiffness_n_m,
-            hertz_stiffness_n_m: report.hertz_stiffness_n_m,
-            impact_speed_m_s: figures.impact_speed_m_s,
-            restitution_exact: figures.restitution_exact,
-            restitution_approximate: figures.restitution_approximate,
-            contact_time_s: figures.contact_time_s,
-            rebound_speed_m_s: figures.rebound_speed_m_s,
-            compare: drop.compared.as_ref().map(DropDifferenceRecord::from),
-            series: DropSeriesRecord {
-                time_s: series.iter().map(|sample| sample.time_s).collect(),
-                height_m: series.iter().map(|sample| sample.height_m).collect(),
-                speed_m_s: series.iter().map(|sample| sample.speed_m_s).collect(),
-                force_n: series.iter().map(|sample| sample.force_n).collect(),
-                force_bw: series.iter().map(|sample| sample.force_n / report.body_weight_n).collect(),
-                dimensionless_time: series
-                    .iter()
-                    .map(|sample| sample.time_s / report.reference_time_s)
-                    .collect(),
-            },
-        }
+impl<'d> From<&'d DropResult> for DropRecord<'d> {
+    fn from(drop: &'d DropResult) -> Self {
+        Self(drop)
     }
 }
 
@@ -155,5 +51,74 @@ impl From<&ComparedDrop> for DropDifferenceRecord {
             height_over_radius: compared.difference.height,
             force_bw: compared.difference.force,
         }
+    }
+}
+
+impl Serialize for DropRecord<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Self(drop) = self;
+        let (model, model_bytes) = drop.name.clone().into_parts();
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("schema_version", &SCHEMA_VERSION)?;
+        map.serialize_entry("model", &model)?;
+        if let Some(bytes) = model_bytes {
+            map.serialize_entry("model_bytes", &bytes)?;
+        }
+        for figure in DropFigure::ALL {
+            map.serialize_entry(figure.info().name, &figure.value(drop))?;
+        }
+        map.serialize_entry("compare", &drop.compared.as_ref().map(DropDifferenceRecord::from))?;
+        map.serialize_entry("series", &DropSeriesRecord(&drop.report))?;
+        map.end()
+    }
+}
+
+impl JsonSchema for DropRecord<'_> {
+    fn schema_name() -> Cow<'static, str> {
+        "DropRecord".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let mut object = ObjectSchema::new(generator);
+        object.field::<u32>("schema_version", "Raised when a field changes its meaning or goes away.");
+        object.field::<String>("model", "The model or preset.");
+        object.field_or_none::<Option<Vec<u8>>>("model_bytes", "Its name in bytes, where that is not UTF-8.");
+        for figure in DropFigure::ALL {
+            let info = figure.info();
+            match figure.is_always_known() {
+                true => object.field::<f64>(info.name, &info.described()),
+                false => object.field::<Option<f64>>(info.name, &info.described()),
+            }
+        }
+        let compare = "How far it is from another drop, where one was asked for.";
+        object.field::<Option<DropDifferenceRecord>>("compare", compare);
+        object.field::<DropSeriesRecord<'_>>("series", "The motion.");
+        object.finish("A drop, as the JSON has it.")
+    }
+}
+
+impl Serialize for DropSeriesRecord<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Self(report) = self;
+        let mut map = serializer.serialize_map(None)?;
+        for column in DropColumn::ALL {
+            let values = report.series.iter().map(|sample| column.value(report, sample));
+            map.serialize_entry(column.info().name, &values.collect::<Vec<f64>>())?;
+        }
+        map.end()
+    }
+}
+
+impl JsonSchema for DropSeriesRecord<'_> {
+    fn schema_name() -> Cow<'static, str> {
+        "DropSeriesRecord".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let mut object = ObjectSchema::new(generator);
+        for info in DropColumn::ALL.iter().map(|column| column.info()) {
+            object.field::<Vec<f64>>(info.name, &info.described());
+        }
+        object.finish("The motion of a drop; entry `i` of each list is one moment.")
     }
 }

@@ -56,8 +56,8 @@ fn parameters(fit: &Fit) -> String {
             [name, &readable(value.value), &readable(value.low), &readable(value.high), unit, equation];
         table.add_row(cells.map(str::to_owned).to_vec());
     };
-    row("E* (composite)", &fit.composite_modulus, "N/m^2", "(1)");
-    row("stiffness to write (E1*)", &fit.plane_strain_modulus, "N/m^2", "(A.4)");
+    row("E* (composite)", &fit.composite_modulus, "N/m2", "(1)");
+    row("stiffness to write (E1*)", &fit.plane_strain_modulus, "N/m2", "(A.4)");
     if let Some(dissipation) = &fit.dissipation {
         row("dissipation", dissipation, "s/m", "(12)");
     }

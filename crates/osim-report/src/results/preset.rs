@@ -103,12 +103,12 @@ pub fn preset_text(preset: &Preset) -> String {
     row("mass", scale.mass_kg(), "kg", None);
     row("spheres", scale.sphere_count(), "", None);
     row("radius", scale.radius_m(), "m", None);
-    row("gravity", scale.gravity_m_s2(), "m/s^2", None);
-    row("stiffness", contact.plane_strain_modulus(), "N/m^2", Some(dimensionless.modulus()));
+    row("gravity", scale.gravity_m_s2(), "m/s2", None);
+    row("stiffness", contact.plane_strain_modulus(), "N/m2", Some(dimensionless.modulus()));
     row("dissipation", contact.dissipation(), "s/m", Some(dimensionless.dissipation()));
     if let Some(smoothing) = contact.smoothing() {
         let cf = smoothing.constant_contact_force;
-        row("constant_contact_force", cf, "m^2", dimensionless.constant_indentation());
+        row("constant_contact_force", cf, "m2", dimensionless.constant_indentation());
         row("hertz_smoothing", smoothing.hertz_smoothing, "1/m", dimensionless.hertz_smoothing());
         let bv = smoothing.hunt_crossley_smoothing;
         row("hunt_crossley_smoothing", bv, "s/m", dimensionless.hunt_crossley_smoothing());

@@ -13,6 +13,7 @@ mod figures;
 mod needed;
 mod pages;
 mod records;
+mod registers;
 mod remedies;
 mod support;
 mod tables;

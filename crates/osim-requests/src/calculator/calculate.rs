@@ -2,13 +2,13 @@
 
 use contact_scaling::sizing::{Known, Sizing};
 use contact_scaling::{
-    Hertz, SharedLoad, SmoothSphere, SmoothingValues, limits, modulus, patch, restitution, smoothing,
-    stiffness,
+    Hertz, SharedLoad, SmoothSphere, SmoothingValues, modulus, patch, restitution, smoothing, stiffness,
 };
 use osim_model::wording::{Input, phrase};
 
 use super::at_rest::{self, AtRest};
 use super::given::{Given, ModulusFrom, refused};
+use super::register::DesignQuantity;
 use super::sheet::DesignSheet;
 use crate::fault::RequestFault;
 use crate::options::WantedOptions;
@@ -35,7 +35,7 @@ impl DesignRequest {
             None if given.needs_sizing() => return Err(given.missing()),
             None => {
                 if let Some(composite) = given.composite_modulus {
-                    moduli(&mut sheet, composite, given.modulus.equation(), given.modulus)?;
+                    moduli(&mut sheet, composite, given.modulus, false)?;
                 }
             }
         }
@@ -77,12 +77,15 @@ fn without_meaning(request: &DesignRequest) -> Option<Input> {
 fn moduli(
     sheet: &mut DesignSheet,
     composite: f64,
-    equation: &'static str,
     from: ModulusFrom,
+    smoothed: bool,
 ) -> Result<(), RequestFault> {
-    sheet.add("composite_modulus_n_m2", composite, "N/m^2", equation, false);
+    match from.equation() {
+        Some(equation) => sheet.add_by(equation, DesignQuantity::CompositeModulus, composite, false),
+        None => sheet.add_at_rest(smoothed, DesignQuantity::CompositeModulus, composite, false),
+    }
     let surface = modulus::of_equal_surfaces(composite, modulus::MixingRule::Sherman).map_err(refused)?;
-    sheet.add("stiffness", surface, "N/m^2", "A.4", from == ModulusFrom::Stiffness);
+    sheet.add(DesignQuantity::Stiffness, surface, from == ModulusFrom::Stiffness);
     Ok(())
 }
 
@@ -95,33 +98,28 @@ fn sized(
     at_rest: Option<AtRest>,
 ) -> Result<(), RequestFault> {
     let (radius, x) = (sizing.radius_m, sizing.relative_indentation);
-    let by = |hertz, smoothed| if at_rest.is_some_and(AtRest::matters) { smoothed } else { hertz };
-    let load_given = known.load_per_sphere_n.is_some();
-    sheet.add("load_per_sphere_n", sizing.load_per_sphere_n, "N", by("3", "3, C.9"), load_given);
-    sheet.add("radius_m", radius, "m", "11, B.2", known.radius_m.is_some());
-    sheet.add("relative_indentation", x, "", by("2, 11", "2, 11, C.9"), known.relative_indentation.is_some());
-    sheet.limited(&limits::INDENTATION);
-    sheet.add("indentation_m", x * radius, "m", "2", false);
-    let modulus_by = match given.modulus {
-        ModulusFrom::Sizing => by("11", "11, C.9"),
-        known => known.equation(),
-    };
-    moduli(sheet, sizing.composite_modulus_n_m2, modulus_by, given.modulus)?;
-    let stiffness_given = known.stiffness_n_m.is_some();
-    sheet.add("contact_stiffness_n_m", sizing.stiffness_n_m, "N/m", by("B.2", "B.2, C.9"), stiffness_given);
-    let one = SharedLoad::new(sizing.load_per_sphere_n, 1.0).map_err(refused)?;
-    let pure = stiffness::dimensionless(sizing.stiffness_n_m, radius, &one).map_err(refused)?;
-    sheet.add("dimensionless_stiffness", pure, "", "B.3", false);
-    let stress = patch::mean_stress(sizing.load_per_sphere_n, radius, x).map_err(refused)?;
-    sheet.add("mean_contact_stress_n_m2", stress, "N/m^2", "15", false);
+    let (load_n, k) = (sizing.load_per_sphere_n, sizing.stiffness_n_m);
+    let smoothed = at_rest.is_some_and(AtRest::matters);
+    sheet.add_at_rest(smoothed, DesignQuantity::LoadPerSphere, load_n, known.load_per_sphere_n.is_some());
+    sheet.add(DesignQuantity::Radius, radius, known.radius_m.is_some());
+    let x_given = known.relative_indentation.is_some();
+    sheet.add_at_rest(smoothed, DesignQuantity::RelativeIndentation, x, x_given);
+    sheet.add(DesignQuantity::Indentation, x * radius, false);
+    moduli(sheet, sizing.composite_modulus_n_m2, given.modulus, smoothed)?;
+    sheet.add_at_rest(smoothed, DesignQuantity::ContactStiffness, k, known.stiffness_n_m.is_some());
+    let one = SharedLoad::new(load_n, 1.0).map_err(refused)?;
+    let pure = stiffness::dimensionless(k, radius, &one).map_err(refused)?;
+    sheet.add(DesignQuantity::DimensionlessStiffness, pure, false);
+    let stress = patch::mean_stress(load_n, radius, x).map_err(refused)?;
+    sheet.add(DesignQuantity::MeanContactStress, stress, false);
     let diameter = patch::diameter(x * radius, radius).map_err(refused)?;
-    sheet.add("contact_patch_diameter_m", diameter, "m", "15", false);
+    sheet.add(DesignQuantity::ContactPatchDiameter, diameter, false);
     if let (Some(mass), Some(load), true) = (given.mass_kg, load, given.is_body_weight) {
         let on_sphere = mass / load.sphere_count();
-        let frequency = stiffness::natural_frequency(sizing.stiffness_n_m, on_sphere).map_err(refused)?;
-        sheet.add("natural_frequency_hz", frequency, "Hz", "B.4", false);
+        let frequency = stiffness::natural_frequency(k, on_sphere).map_err(refused)?;
+        sheet.add(DesignQuantity::NaturalFrequency, frequency, false);
         let frequency = stiffness::equilibrium_frequency(x, radius, given.gravity_m_s2).map_err(refused)?;
-        sheet.add("equilibrium_frequency_hz", frequency, "Hz", "B.5", false);
+        sheet.add(DesignQuantity::EquilibriumFrequency, frequency, false);
     }
     sheet.notes.extend(at_rest.and_then(AtRest::note));
     if x > 1.0 {
@@ -155,16 +153,15 @@ fn dissipation(
             return Err(RequestFault::refused(Input::Restitution, message));
         }
     };
-    sheet.add("impact_speed_m_s", speed, "m/s", "13", wanted.impact_speed.is_some());
+    sheet.add(DesignQuantity::ImpactSpeed, speed, wanted.impact_speed.is_some());
     let alpha = restitution::dissipation(target, speed).map_err(refused)?;
-    sheet.add("restitution", target, "", "13", true);
-    sheet.limited(&limits::RESTITUTION);
-    sheet.add("dissipation", alpha, "s/m", "13", false);
+    sheet.add(DesignQuantity::Restitution, target, true);
+    sheet.add(DesignQuantity::Dissipation, alpha, false);
     let exact = restitution::exact(alpha, speed).map_err(refused)?;
-    sheet.add("restitution_exact_at_this_dissipation", exact, "", "exact", false);
+    sheet.add(DesignQuantity::RestitutionExact, exact, false);
     if target > 0.0 {
         let exact = restitution::exact_dissipation(target, speed).map_err(refused)?;
-        sheet.add("dissipation_for_exact_restitution", exact, "s/m", "exact", false);
+        sheet.add(DesignQuantity::DissipationExact, exact, false);
     }
     Ok(())
 }
@@ -188,18 +185,18 @@ fn smoothed(
     if let Some(x) = wanted.constant_indentation.map(ConstantIndentation::get) {
         let radius = need(Input::ConstantIndentation)?;
         let value = smoothing::constant_contact_force(x, radius).map_err(refused)?;
-        sheet.add("constant_contact_force", value, "m^2", "C.2", false);
+        sheet.add(DesignQuantity::ConstantContactForce, value, false);
         cf = Some(value);
     }
     if let Some(width) = wanted.state_width.map(Positive::get) {
         let radius = need(Input::StateWidth)?;
         let value = smoothing::hertz_smoothing_for_width(t, width, radius).map_err(refused)?;
-        sheet.add("hertz_smoothing", value, "1/m", "C.8", false);
+        sheet.add(DesignQuantity::HertzSmoothing, value, false);
         bd = Some(value);
     }
     if let Some(width) = wanted.speed_width.map(Positive::get) {
         let value = smoothing::hunt_crossley_smoothing_for_speed_width(t, width).map_err(refused)?;
-        sheet.add("hunt_crossley_smoothing", value, "s/m", "C.10", false);
+        sheet.add(DesignQuantity::HuntCrossleySmoothing, value, false);
     }
     if let (Some(constant_contact_force), Some(hertz_smoothing), Some(radius), Some(composite)) =
         (cf, bd, radius, composite)
@@ -208,8 +205,10 @@ fn smoothed(
             SmoothingValues { constant_contact_force, hertz_smoothing, ..SmoothingValues::OPENSIM_DEFAULT };
         let hertz = Hertz::sphere(composite, radius).map_err(refused)?;
         let elastic = SmoothSphere::new(hertz, 0.0, values).map_err(refused)?.elastic_force(0.0);
-        let (share, equation) = at_rest.map_or((1.0, "C.3"), |known| (known.speed_state, "C.9"));
-        sheet.add("force_just_touching_n", elastic * share, "N", equation, false);
+        match at_rest {
+            Some(known) => sheet.add(DesignQuantity::ForceJustTouching, elastic * known.speed_state, false),
+            None => sheet.add_by("C.3", DesignQuantity::ForceJustTouching, elastic, false),
+        }
     }
     Ok(())
 }

@@ -35,11 +35,12 @@ pub(super) enum ModulusFrom {
 }
 
 impl ModulusFrom {
-    pub(super) fn equation(self) -> &'static str {
+    /// The equation it follows by, where that is another than the register has.
+    pub(super) fn equation(self) -> Option<&'static str> {
         match self {
-            Self::Young => "A.1, A.5",
-            Self::Stiffness => "A.4",
-            Self::Sizing => "11",
+            Self::Young => Some("A.1, A.5"),
+            Self::Stiffness => Some("A.4"),
+            Self::Sizing => None,
         }
     }
 }

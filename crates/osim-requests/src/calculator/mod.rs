@@ -3,6 +3,8 @@
 mod at_rest;
 mod calculate;
 mod given;
+mod register;
 mod sheet;
 
+pub use register::DesignQuantity;
 pub use sheet::{DesignFigure, DesignLimit, DesignSheet};

@@ -1,9 +1,12 @@
 //! The figures of a design, as data.
 
-use contact_scaling::limits::Limit;
+use std::borrow::Cow;
+
 use osim_inspect::SCHEMA_VERSION;
-use schemars::JsonSchema;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Serialize;
+
+use super::register::DesignQuantity;
 
 /// Every figure that follows from what is known. Serialised it is the JSON contract of `design` without a model;
 /// `docs/json.md` describes it.
@@ -24,7 +27,11 @@ pub struct DesignSheet {
 #[schemars(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct DesignFigure {
+    /// What it is.
+    #[serde(skip)]
+    pub quantity: DesignQuantity,
     /// Its name, with its unit.
+    #[schemars(schema_with = "names")]
     pub name: &'static str,
     /// Its value.
     #[schemars(with = "Option<f64>")]
@@ -32,7 +39,7 @@ pub struct DesignFigure {
     /// Its unit, for people.
     pub unit: &'static str,
     /// Number of the equation in the paper, or a word where there is none.
-    pub equation: &'static str,
+    pub equation: Cow<'static, str>,
     /// It was said, and does not follow.
     pub given: bool,
     /// Its limit, where it has one.
@@ -55,22 +62,36 @@ impl DesignSheet {
         Self { schema_version: SCHEMA_VERSION, figures: Vec::new(), notes: Vec::new() }
     }
 
-    pub(super) fn add(
-        &mut self,
-        name: &'static str,
-        value: f64,
-        unit: &'static str,
-        equation: &'static str,
-        given: bool,
-    ) {
-        self.figures.push(DesignFigure { name, value, unit, equation, given, limit: None });
+    /// A figure by the equation of its quantity.
+    pub(super) fn add(&mut self, quantity: DesignQuantity, value: f64, given: bool) {
+        self.add_by(quantity.info().equation, quantity, value, given);
     }
 
-    /// Gives the last figure a limit.
-    pub(super) fn limited(&mut self, limit: &Limit) {
-        if let Some(figure) = self.figures.last_mut() {
-            let within_limit = limit.admits(figure.value);
-            figure.limit = Some(DesignLimit { text: limit.in_words(), within_limit });
-        }
+    /// A figure that depends on the force at rest: by (C.9), too, where that is not the Hertz force.
+    pub(super) fn add_at_rest(&mut self, smoothed: bool, quantity: DesignQuantity, value: f64, given: bool) {
+        let equation = quantity.info().equation;
+        let equation = if smoothed { format!("{equation}, C.9").into() } else { Cow::from(equation) };
+        self.add_by(equation, quantity, value, given);
     }
+
+    /// A figure by another equation than its quantity has as a rule.
+    pub(super) fn add_by(
+        &mut self,
+        equation: impl Into<Cow<'static, str>>,
+        quantity: DesignQuantity,
+        value: f64,
+        given: bool,
+    ) {
+        let info = quantity.info();
+        let limit =
+            info.limit.map(|limit| DesignLimit { text: limit.in_words(), within_limit: limit.admits(value) });
+        let (name, unit, equation) = (info.name, info.unit, equation.into());
+        self.figures.push(DesignFigure { quantity, name, value, unit, equation, given, limit });
+    }
+}
+
+/// A name from the register.
+fn names(_: &mut SchemaGenerator) -> Schema {
+    let names: Vec<&str> = DesignQuantity::ALL.iter().map(|quantity| quantity.info().name).collect();
+    json_schema!({"type": "string", "enum": names})
 }

@@ -1,8 +1,8 @@
-//! A body that falls on its contacts.
+//! Lets a body fall on its contacts.
 
 use std::path::Path;
 
-use contact_scaling::drop_test::{Difference, DropError, DropReport, DropTest, DropValues, compare};
+use contact_scaling::drop_test::{DropError, DropTest, DropValues, compare};
 use contact_scaling::{Contact, ContactValues, Law, Preset, Spheres};
 use osim_inspect::series::standing_spheres;
 use osim_inspect::{LoadSharing, MassMismatch};
@@ -10,39 +10,12 @@ use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::wording::{Input, Phrase, phrase};
 use osim_model::{CountOf, Fault, GravityFor, MassRequest, Needed};
 
+use super::result::{ComparedDrop, DropResult};
 use crate::fault::{RequestError, RequestFault};
 use crate::gravity::STANDARD_GRAVITY_M_S2;
 use crate::request::DropTestRequest;
 use crate::subject::Subject;
 use crate::value::{Count, Kilograms, NotNegative, Positive};
-
-/// What a drop showed.
-#[derive(Debug, Clone)]
-#[non_exhaustive]
-pub struct DropResult {
-    /// The model, the preset, or that it was given by numbers.
-    pub name: FileName,
-    /// The conditions.
-    pub values: DropValues,
-    /// n, spheres that share the weight.
-    pub sphere_count: f64,
-    /// Motion and force.
-    pub report: DropReport,
-    /// How far it is from another drop, where one was asked for.
-    pub compared: Option<ComparedDrop>,
-    /// Bodies that weigh something else than their contacts were made for, by their names.
-    pub mismatches: Vec<(String, MassMismatch)>,
-}
-
-/// A drop compared with another.
-#[derive(Debug, Clone)]
-#[non_exhaustive]
-pub struct ComparedDrop {
-    /// The other body.
-    pub name: FileName,
-    /// How far apart they are without dimensions.
-    pub difference: Difference,
-}
 
 /// A body about to fall.
 struct Falling {

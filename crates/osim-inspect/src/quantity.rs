@@ -1,0 +1,207 @@
+//! What a number is, apart from its value; and registers of such.
+
+use contact_scaling::limits::{self, Limit};
+use osim_model::Property;
+use osim_model::wording::Phrase;
+
+/// A quantity: its name, label, unit, equation, meaning and limit.
+///
+/// Everything that shows one takes this from its register (see [`quantities!`](crate::quantities)): tables, pages, CSV, JSON,
+/// schemas and documents. What several registers have is a constant here, so that they agree in name, unit and equation.
+///
+/// ```
+/// use osim_inspect::Quantity;
+///
+/// let stiffness = Quantity::CONTACT_STIFFNESS.labelled("stiffness k");
+/// assert_eq!(stiffness.heading(), "stiffness k, N/m (B.2)");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Quantity {
+    /// Name in JSON and CSV; it ends in the unit, where there is one. What a model has is named as OpenSim names it.
+    pub name: &'static str,
+    /// In tables, without unit and equation.
+    pub label: &'static str,
+    /// Its unit, for people; empty for a pure number.
+    pub unit: &'static str,
+    /// Number of the equation in the paper; empty where there is none.
+    pub equation: &'static str,
+    /// Its limit, where it has one.
+    pub limit: Option<&'static Limit>,
+    /// What it is, in a sentence.
+    meaning: &'static str,
+}
+
+impl Quantity {
+    /// A quantity without equation and limit.
+    #[must_use]
+    pub const fn new(name: &'static str, label: &'static str, unit: &'static str) -> Self {
+        Self { name, label, unit, equation: "", limit: None, meaning: "" }
+    }
+
+    /// A number of a model, named as OpenSim names it.
+    #[must_use]
+    pub const fn property(property: Property) -> Self {
+        Self::new(property.name(), property.name(), property.unit())
+    }
+
+    /// The same, with another label.
+    #[must_use]
+    pub const fn labelled(self, label: &'static str) -> Self {
+        Self { label, ..self }
+    }
+
+    /// The same, by an equation; by none where that is empty.
+    #[must_use]
+    pub const fn by(self, equation: &'static str) -> Self {
+        Self { equation, ..self }
+    }
+
+    /// The same, with a limit.
+    #[must_use]
+    pub const fn within(self, limit: &'static Limit) -> Self {
+        Self { limit: Some(limit), ..self }
+    }
+
+    /// The same, with what it is, in a sentence.
+    #[must_use]
+    pub const fn meaning_that(self, meaning: &'static str) -> Self {
+        Self { meaning, ..self }
+    }
+
+    /// The label with unit and equation, as the first column of a table has it.
+    #[must_use]
+    pub fn heading(&self) -> String {
+        format!("{}{}{}", self.label, self.in_unit(), self.by_equation())
+    }
+
+    /// The label with the equation, for tables that have a column of units.
+    #[must_use]
+    pub fn heading_without_unit(&self) -> String {
+        format!("{}{}", self.label, self.by_equation())
+    }
+
+    /// What it is, for schemas; equation and unit stand after the first part of the sentence.
+    #[must_use]
+    pub fn described(&self) -> String {
+        let meaning = self.meaning.trim_ascii();
+        let end = [": ", "; ", ". "].iter().filter_map(|mark| meaning.find(mark)).min();
+        let (first, rest) = meaning.split_at(end.unwrap_or(meaning.trim_end_matches('.').len()));
+        format!("{first}{}{}{rest}", self.by_equation(), self.in_unit())
+    }
+
+    /// What it is, in a sentence.
+    #[must_use]
+    pub fn meaning(&self) -> Phrase {
+        Phrase::template(self.meaning.trim_ascii())
+    }
+
+    fn in_unit(&self) -> String {
+        if self.unit.is_empty() { String::new() } else { format!(", {}", self.unit) }
+    }
+
+    fn by_equation(&self) -> String {
+        if self.equation.is_empty() { String::new() } else { format!(" ({})", self.equation) }
+    }
+}
+
+/// What several registers have.
+impl Quantity {
+    /// Radius R.
+    pub const RADIUS: Self = Self::new("radius_m", "radius", "m");
+    /// Composite modulus E*.
+    pub const COMPOSITE_MODULUS: Self =
+        Self::new("composite_modulus_n_m2", "composite modulus", "N/m2").by("A.3");
+    /// x̂ under body weight by the Hertz law.
+    pub const INDENTATION_HERTZ: Self =
+        Self::new("relative_indentation_hertz", "x/R, Hertz", "").by("11").within(&limits::INDENTATION);
+    /// x̂ under body weight by the model's law.
+    pub const INDENTATION_MODEL_LAW: Self =
+        Self::new("relative_indentation_model_law", "x/R, the model's law", "")
+            .by("C.9")
+            .within(&limits::INDENTATION);
+    /// Stiffness k of a sphere under its load, by the Hertz law.
+    pub const CONTACT_STIFFNESS: Self =
+        Self::new("contact_stiffness_n_m", "contact stiffness", "N/m").by("B.2");
+    /// k̂ = k R n / F.
+    pub const DIMENSIONLESS_STIFFNESS: Self =
+        Self::new("dimensionless_stiffness", "dimensionless stiffness", "").by("B.3");
+    /// Natural frequency f_n.
+    pub const NATURAL_FREQUENCY: Self =
+        Self::new("natural_frequency_hz", "natural frequency", "Hz").by("B.4");
+    /// Mean contact stress σ.
+    pub const MEAN_CONTACT_STRESS: Self =
+        Self::new("mean_contact_stress_n_m2", "mean contact stress", "N/m2").by("15");
+    /// Force of a smoothed sphere that just touches.
+    pub const FORCE_JUST_TOUCHING: Self =
+        Self::new("force_just_touching_n", "force just touching", "N").by("C.9");
+    /// Speed before an impact.
+    pub const IMPACT_SPEED: Self = Self::new("impact_speed_m_s", "impact speed", "m/s");
+    /// Restitution of the law itself.
+    pub const RESTITUTION_EXACT: Self = Self::new("restitution_exact", "restitution, exact", "");
+    /// Restitution by (13).
+    pub const RESTITUTION_APPROXIMATE: Self =
+        Self::new("restitution_approximate", "restitution by (13)", "").within(&limits::RESTITUTION);
+}
+
+/// Makes a register of quantities: an enum of them with `ALL` and `info`, and, where each entry has more (after `=>`), a private
+/// `entry`. The doc comment of an entry is its meaning.
+///
+/// ```
+/// use osim_inspect::Quantity;
+///
+/// osim_inspect::quantities! {
+///     /// Loads.
+///     Load: f64 {
+///         /// The weight of the body.
+///         Weight = Quantity::new("weight_n", "weight", "N") => 1.0;
+///         /// Twice that.
+///         Double = Quantity::new("double_n", "double", "N") => 2.0;
+///     }
+/// }
+/// assert_eq!(Load::ALL, [Load::Weight, Load::Double]);
+/// assert_eq!((Load::Double.info().name, *Load::Double.entry()), ("double_n", 2.0));
+/// assert_eq!(Load::Double.info().described(), "Twice that, N.");
+/// ```
+#[macro_export]
+macro_rules! quantities {
+    ($(#[doc = $about:literal])+ $register:ident {
+        $($(#[doc = $doc:literal])+ $variant:ident = $quantity:expr;)+
+    }) => {
+        $(#[doc = $about])+
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        #[non_exhaustive]
+        pub enum $register {
+            $($(#[doc = $doc])+ $variant,)+
+        }
+
+        impl $register {
+            /// Every one, in the order in which it is shown.
+            pub const ALL: &'static [Self] = &[$(Self::$variant),+];
+
+            /// Everything about it but its value.
+            #[must_use]
+            pub const fn info(self) -> &'static $crate::Quantity {
+                match self {
+                    $(Self::$variant => &const { $quantity.meaning_that(concat!($($doc),+)) },)+
+                }
+            }
+        }
+    };
+    ($(#[doc = $about:literal])+ $register:ident: $entry:ty {
+        $($(#[doc = $doc:literal])+ $variant:ident = $quantity:expr => $beside:expr;)+
+    }) => {
+        $crate::quantities! {
+            $(#[doc = $about])+
+            $register { $($(#[doc = $doc])+ $variant = $quantity;)+ }
+        }
+
+        impl $register {
+            const fn entry(self) -> &'static $entry {
+                match self {
+                    $(Self::$variant => &const { $beside },)+
+                }
+            }
+        }
+    };
+}
