@@ -210,4 +210,37 @@ mod tests {
         }
         assert_eq!(constant_indentation_below(5.0), 0.1);
     }
+
+    #[test]
+    fn two_digits_are_left_and_never_more_than_there_was() {
+        for (value, expected) in [
+            (0.054_72, 0.054),
+            (0.034_47, 0.034),
+            (0.999, 0.99),
+            (12.7, 12.0),
+            (1999.0, 1900.0),
+            (0.1, 0.1),
+            (1.0, 1.0),
+            // 0.29 / 0.01 is 28.999999999999996.
+            (0.29, 0.29),
+            (0.000_57, 0.000_57),
+        ] {
+            assert_eq!(two_digits_below(value), expected, "{value}");
+        }
+    }
+
+    #[test]
+    fn a_constant_indentation_is_a_third_of_x_hat_as_the_tenth_wants_it() {
+        // 0.2^(2/3) is 0.341995.
+        assert_eq!(constant_indentation_below(0.16), 0.054);
+        assert_eq!(constant_indentation_below(0.03), 0.01);
+        // 0.3 · 0.341995 is 0.1026, above what the paper starts from.
+        assert_eq!(constant_indentation_below(0.3), 0.1);
+    }
+
+    #[test]
+    fn masses_are_rounded_to_what_people_read() {
+        assert_eq!(rounded(90.123_456_789), 90.123_457);
+        assert_eq!(rounded(0.0209), 0.0209);
+    }
 }
