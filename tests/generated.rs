@@ -1,5 +1,5 @@
-//! Parts of docs/ are made from the registers of the program: findings, errors, limits, figures of all verbs. Such a part stands between
-//! `<!-- begin NAME -->` and `<!-- end NAME -->`. To write them anew: `UPDATE_DOCS=1 cargo test --test generated`.
+//! Parts of docs/ are made from the registers of the program: findings, errors, limits, figures of all verbs. Such a part is between
+//! `<!-- begin NAME -->` and `<!-- end NAME -->`. To write them again: `UPDATE_DOCS=1 cargo test --test generated`.
 
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "a test fails by panicking")]
 

@@ -58,6 +58,9 @@ fn options(model: &Model) -> Vec<Value> {
         json!({"mass": 900.0, "stance_limbs": 4, "gravity": 20.0}),
         json!({"impact_speed": 1.5}),
     ];
+    if let Some(body) = model.bodies().last() {
+        all.push(json!({"exclude_body": [body.name]}));
+    }
     if let Some(first) = names.first() {
         all.push(json!({"select": [first]}));
         all.push(json!({"select": [first], "stance_limbs": 2, "mass": 100.0}));

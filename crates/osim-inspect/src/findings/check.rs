@@ -36,7 +36,8 @@ pub fn check_known(
     let is_joined = |finding: &Finding| {
         matches!(finding.code, FindingCode::MixedRadii | FindingCode::SeveralParameterSets)
     };
-    let joined = model.remarks_on(&model.force_ids()).iter().any(is_joined);
+    let chosen = options.selection.apply(model).map(|selected| selected.forces).unwrap_or_default();
+    let joined = model.remarks_on(&chosen).iter().any(is_joined);
     let mut remedies = Remedies::new(inspected, joined, can_be_changed, options);
     let mismatch = MassMismatch::find(model, &options.masses);
     let another_mass = limits::another_mass(inspected, &remedies);

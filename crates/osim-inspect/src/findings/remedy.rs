@@ -23,6 +23,8 @@ pub(super) struct Remedies<'m> {
     joined: bool,
     /// How many spheres share the weight is the same for all limbs.
     counted: bool,
+    /// What the model weighs is known.
+    weighed: bool,
 }
 
 impl<'m> Remedies<'m> {
@@ -46,7 +48,8 @@ impl<'m> Remedies<'m> {
         let model = (inspected.model != "-" && changes)
             .then(|| FileName::from_parts(inspected.model.clone(), inspected.model_bytes.clone()));
         let counted = inspected.spheres_per_limb.is_some() || stance.spheres.is_some();
-        Self { model, load, options, joined, counted }
+        let weighed = inspected.figures.mass_kg.is_some();
+        Self { model, load, options, joined, counted, weighed }
     }
 
     /// Without remedies: something else has to be done first, after which they would be wrong.
@@ -153,7 +156,9 @@ impl<'m> Remedies<'m> {
     pub(super) fn preset(&self) -> Option<Remedy> {
         // A transfer takes the model's own gravity.
         let own_gravity = self.load.gravity_m_s2.is_none();
-        own_gravity.then(|| self.remedy(RemedyChange::Transfer { from: PROPOSED_PRESET }, true)).flatten()
+        (own_gravity && self.weighed && self.counted)
+            .then(|| self.remedy(RemedyChange::Transfer { from: PROPOSED_PRESET }, true))
+            .flatten()
     }
 
     /// Writes values into one force.
