@@ -18,7 +18,7 @@
 //!
 //! # What it will not do
 //!
-//! It knows no files, no terminal and no HTML, nor how a remedy is spelled: a [`Remedy`] is data, which a front end prints or
+//! It knows no files, no terminal and no HTML, nor how a remedy is spelled: a [`Remedy`](osim_model::Remedy) is data, which a front end prints or
 //! applies.
 
 mod drop_height;

@@ -24,7 +24,7 @@
 //! - [`Model`] has [bodies](Body), [spheres](Sphere) and [forces](Force); each number is a [`Value`], which says where it comes
 //!   from and whether its text is what it looks like.
 //! - [`Selection`] chooses forces, [`MassRequest`] finds masses, [`Model::limbs`] finds limbs.
-//! - What is wrong is a [`Fault`], what is odd a [`Warning`], what only the caller can know is [`Needed`].
+//! - What is wrong is a [`Fault`], what is odd a [`Finding`], what only the caller can know is [`Needed`].
 //!
 //! # What it will not do
 //!
