@@ -74,35 +74,7 @@ impl Anatomy {
     }
 
     fn read_meshes(&mut self, components: &Components, body: ComponentId) {
-        let document = components.doc(body);
-        let tree = document.tree();
-        let element = components.element(body);
-        let name = components.name(body);
-        let mut found = Vec::new();
-        if let Some(attached) = tree.child(element, "attached_geometry") {
-            for mesh in tree.children(attached).filter(|&mesh| tree.name(mesh) == "Mesh") {
-                found.push((file_of(document, mesh, "mesh_file"), scale(document, mesh)));
-            }
-        }
-        // Documents of version 3: every display geometry has its own factors, and the whole has some too.
-        if let Some(visible) = tree.child(element, "VisibleObject") {
-            let whole = scale(document, visible);
-            let set = tree.child(visible, "GeometrySet").and_then(|set| tree.child(set, "objects"));
-            for geometry in set.into_iter().flat_map(|set| tree.children(set)) {
-                let own = scale(document, geometry);
-                found.push((file_of(document, geometry, "geometry_file"), times(whole, own)));
-            }
-        }
-        let meshes = self.meshes.entry(name).or_default();
-        for (file, factors) in found {
-            let mut key = file.clone();
-            let mut count = 2;
-            while meshes.contains_key(&key) {
-                key = format!("{file} #{count}");
-                count += 1;
-            }
-            meshes.insert(key, factors);
-        }
+        self.meshes.entry(components.name(body)).or_default().extend(meshes(components, body));
     }
 
     /// An offset frame that is fixed to a body directly: OpenSim scales its translation by that body's factors.
@@ -149,6 +121,39 @@ impl Anatomy {
     pub fn sphere(&self, name: &str) -> Option<&AnatomySphere> {
         self.spheres.iter().find(|sphere| sphere.name == name)
     }
+}
+
+/// The meshes of `body`: file (numbered where it repeats) and scale factors along x, y and z.
+pub(crate) fn meshes(components: &Components, body: ComponentId) -> BTreeMap<String, [f64; 3]> {
+    let document = components.doc(body);
+    let tree = document.tree();
+    let element = components.element(body);
+    let mut found = Vec::new();
+    if let Some(attached) = tree.child(element, "attached_geometry") {
+        for mesh in tree.children(attached).filter(|&mesh| tree.name(mesh) == "Mesh") {
+            found.push((file_of(document, mesh, "mesh_file"), scale(document, mesh)));
+        }
+    }
+    // Documents of version 3: every display geometry has its own factors, and the whole has some too.
+    if let Some(visible) = tree.child(element, "VisibleObject") {
+        let whole = scale(document, visible);
+        let set = tree.child(visible, "GeometrySet").and_then(|set| tree.child(set, "objects"));
+        for geometry in set.into_iter().flat_map(|set| tree.children(set)) {
+            let own = scale(document, geometry);
+            found.push((file_of(document, geometry, "geometry_file"), times(whole, own)));
+        }
+    }
+    let mut meshes = BTreeMap::new();
+    for (file, factors) in found {
+        let mut key = file.clone();
+        let mut count = 2;
+        while meshes.contains_key(&key) {
+            key = format!("{file} #{count}");
+            count += 1;
+        }
+        meshes.insert(key, factors);
+    }
+    meshes
 }
 
 fn file_of(document: &Document, element: ElementId, tag: &str) -> String {

@@ -1,8 +1,8 @@
-//! A digest of all contact values, by which a note knows its contacts again.
+//! Digests of all contact values and of the spheres' places, by which a note knows its contacts again.
 
 use sha2::{Digest, Sha256};
 
-use crate::contacts::Slot;
+use crate::contacts::{Slot, Sphere};
 use crate::fault::{FileId, NoteDoubt};
 use crate::model::Model;
 use crate::note::Scope;
@@ -54,7 +54,25 @@ impl Model {
                 feed(&sphere.path, 0, Property::Radius, changed(key).unwrap_or(sphere.radius.number));
             }
         }
-        hash.finalize().iter().take(8).map(|byte| format!("{byte:02x}")).collect()
+        first_digits(hash)
+    }
+
+    /// Digest of the locations of all spheres of contact forces, in their frames. `moved` gives the new location of those that
+    /// a plan moves, m.
+    #[must_use]
+    pub fn places_digest(&self, moved: impl Fn(&Sphere) -> Option<[f64; 3]>) -> String {
+        let mut hash = Sha256::new();
+        for force in self.forces() {
+            for sphere in force.spheres().into_iter().filter_map(|sphere| self.sphere(sphere)) {
+                hash.update(sphere.path.as_bytes());
+                hash.update([0]);
+                for coordinate in moved(sphere).unwrap_or(sphere.location_m) {
+                    // -0 and 0 are one place.
+                    hash.update((coordinate + 0.0).to_bits().to_le_bytes());
+                }
+            }
+        }
+        first_digits(hash)
     }
 
     /// Why the note's word on the contacts cannot be taken; `None` where it can, or where there is no note.
@@ -74,4 +92,8 @@ impl Model {
             None
         }
     }
+}
+
+fn first_digits(hash: Sha256) -> String {
+    hash.finalize().iter().take(8).map(|byte| format!("{byte:02x}")).collect()
 }

@@ -33,6 +33,7 @@
 
 mod anatomy;
 mod assignment;
+mod body_sizes;
 mod class;
 mod components;
 mod contact_digest;
@@ -79,7 +80,7 @@ pub use finding::{
 pub use limbs::{Limb, Limbs};
 pub use mass::{Mass, MassRequest, MassSource, SAME_MASS, positive_mass, same_mass};
 pub use model::Model;
-pub use note::{Note, Scope};
+pub use note::{BodySize, Credits, Note, Scope};
 pub use number::{four_significant, readable, shortest};
 pub use opensim_text::NumberFault;
 pub use pattern::{Pattern, PatternError};

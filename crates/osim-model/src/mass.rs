@@ -3,7 +3,7 @@
 use crate::fault::{Fault, FaultKind, Needed};
 use crate::finding::{Finding, FindingCode};
 use crate::model::Model;
-use crate::number::shortest;
+use crate::number::{readable, shortest};
 use crate::pattern::{Pattern, any_matches};
 use crate::wording::{Input, Phrase, phrase};
 
@@ -76,6 +76,12 @@ impl MassSource {
         }
     }
 
+    /// Whether the source is about the contacts, and not only about the body that carries them.
+    #[must_use]
+    pub const fn is_of_contacts(&self) -> bool {
+        !matches!(self, Self::Mass | Self::Bodies(_))
+    }
+
     /// In words: `sum of 21 bodies`.
     #[must_use]
     pub fn describe(&self) -> Phrase {
@@ -99,6 +105,16 @@ pub struct Mass {
     pub kg: f64,
     /// Who said so.
     pub source: MassSource,
+}
+
+impl Mass {
+    /// As the mass that contacts were made for, in words. Where nobody says it of the contacts, it is taken.
+    #[must_use]
+    pub fn made_for(&self) -> Phrase {
+        let taken =
+            if self.source.is_of_contacts() { "contacts made for" } else { "contacts taken as made for" };
+        phrase![format!("{taken} {} kg (", readable(self.kg)), &self.source.describe(), ")"]
+    }
 }
 
 impl MassRequest {

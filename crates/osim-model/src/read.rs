@@ -6,7 +6,7 @@ use crate::document::Document;
 use crate::fault::{Fault, FaultKind, Needed, NoteDoubt};
 use crate::finding::{Finding, FindingCode};
 use crate::model::Model;
-use crate::note::Note;
+use crate::note::{Note, NotesFound};
 use crate::skeleton::Skeleton;
 use crate::traps;
 
@@ -52,8 +52,7 @@ impl Model {
             .and_then(|document| document.triple(document.data_root(), "gravity"))
             .or(Some(DEFAULT_GRAVITY));
         let name = document.tree().attribute(document.data_root(), "name").unwrap_or_default().into_owned();
-        let note = Note::find(document);
-        let note_fault = (note.is_none() && Note::is_there(document)).then_some(NoteDoubt::Unreadable);
+        let notes = NotesFound::of(document)?;
         let named = |companion: &Companion| {
             let file = document.tree().attribute(companion.included_by?, "file")?;
             Some(file.trim().to_owned())
@@ -64,17 +63,32 @@ impl Model {
             skeleton,
             spheres,
             forces,
-            note_fault,
+            note_fault: None,
             included,
             name,
             gravity_m_s2,
-            note,
+            note: None,
             warnings,
         };
+        model.take_note(notes);
         let traps = traps::find(&model);
         model.warnings.extend(traps);
         model.compare_notes();
         Ok(model)
+    }
+
+    /// Of the note in the credits and that of an earlier version in a comment, the one that describes these contacts counts;
+    /// where neither does, or both do, the one in the credits.
+    fn take_note(&mut self, notes: NotesFound) {
+        let found: Vec<_> = [notes.credits, notes.comment].into_iter().flatten().collect();
+        let digest = if found.len() > 1 { self.contact_digest(|_| None) } else { String::new() };
+        let fits = |note: &Note| note.digest == digest;
+        let chosen = found.iter().position(|note| note.as_ref().is_ok_and(fits)).unwrap_or(0);
+        match found.into_iter().nth(chosen) {
+            Some(Ok(note)) => self.note = Some(note),
+            Some(Err(_)) => self.note_fault = Some(NoteDoubt::Unreadable),
+            None => {}
+        }
     }
 
     /// A force set and a geometry set that were written together carry the same digest.

@@ -185,6 +185,8 @@ verbs! {
     Design = "design";
     /// Plain values and factors.
     Set = "set";
+    /// The mass that contacts were made for, written down.
+    Note = "note";
     /// Many models, as a table says.
     Batch = "batch";
     /// Variants of one model.

@@ -1,0 +1,89 @@
+//! Notes in comments: those of standalone sets, and those that earlier versions left in models.
+
+use std::ops::Range;
+
+use super::data::{Note, Scope, Unreadable};
+use super::grammar::{BEGINS, gravity_m_s2, mass_kg};
+use crate::document::Document;
+use crate::xml::PieceKind;
+
+/// How the comments of earlier versions begin.
+const EARLIER: &str = "osim-contact-scale ";
+
+impl Note {
+    /// The comment that holds the note in a document without credits: one line, no `--` inside.
+    #[must_use]
+    pub fn comment(&self) -> String {
+        format!("<!-- {} -->", self.text())
+    }
+
+    /// Reads the comment of an earlier version: `<!-- osim-contact-scale 0.1.0: contacts stand for 500 kg; gravity 9.80665 m/s2;
+    /// scope all; by rescale; digest 0123456789abcdef -->`.
+    fn parse_earlier(text: &str) -> Option<Self> {
+        let (version, rest) = text.strip_prefix(EARLIER)?.trim_ascii_start().split_once(": ")?;
+        let mut fields = rest.split("; ");
+        let mass_kg = mass_kg(fields.next()?.strip_prefix("contacts stand for ")?).or_else(|| {
+            rest.split_once(';').and_then(|(mass, _)| mass.ends_with(" unknown kg").then_some(None))
+        })?;
+        let gravity_m_s2 = gravity_m_s2(fields.next()?.strip_prefix("gravity ")?)?;
+        let scope = match fields.next()?.strip_prefix("scope ")? {
+            "all" => Scope::All,
+            "partial" => Scope::Partial,
+            _ => return None,
+        };
+        let operation = Self::operation_text(fields.next()?.strip_prefix("by ")?);
+        let digest = fields.next()?.strip_prefix("digest ")?.to_owned();
+        let (version, made) = (version.to_owned(), Self::nothing_made());
+        let (sizes, places) = (Vec::new(), None);
+        let note = Self { version, mass_kg, gravity_m_s2, scope, operation, sizes, digest, places, made };
+        fields.next().is_none().then_some(note)
+    }
+}
+
+/// The comment before the first child of the data root that begins like a note.
+pub(super) fn span(document: &Document) -> Option<Range<usize>> {
+    let tree = document.tree();
+    let root = document.data_root();
+    // Other comments may stand around it, elements may not stand before it.
+    let end = tree.children(root).next().map_or(tree.close_span(root).start, |child| tree.span(child).start);
+    tree.content(root)
+        .take_while(|piece| piece.span.start < end)
+        .filter(|piece| piece.kind == PieceKind::Comment)
+        .find(|piece| [EARLIER, BEGINS].iter().any(|begins| inner(piece.text).starts_with(begins)))
+        .map(|piece| piece.span)
+}
+
+pub(super) fn find(document: &Document) -> Option<Result<Note, Unreadable>> {
+    let text = inner(document.tree().slice(span(document)?));
+    Some(Note::parse(text).or_else(|| Note::parse_earlier(text)).ok_or(Unreadable))
+}
+
+fn inner(comment: &str) -> &str {
+    let text = comment.strip_prefix("<!--").unwrap_or(comment);
+    text.strip_suffix("-->").unwrap_or(text).trim_ascii()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn comments_of_earlier_versions_are_read() {
+        let text = "osim-contact-scale 0.1.0: contacts stand for 500 kg; gravity 9.80665 m/s2; scope all; by rescale; \
+                    digest 0123456789abcdef";
+        let note = Note::parse_earlier(text).unwrap();
+        assert_eq!((note.mass_kg, note.gravity_m_s2, note.scope), (Some(500.0), Some(9.80665), Scope::All));
+        assert_eq!((note.operation.as_str(), note.digest.as_str()), ("rescale", "0123456789abcdef"));
+        assert_eq!((note.places, note.sizes), (None, vec![]));
+        let unknown = text.replace("500 kg", "unknown kg").replace("9.80665 m/s2", "unknown");
+        let note = Note::parse_earlier(&unknown).unwrap();
+        assert_eq!((note.mass_kg, note.gravity_m_s2), (None, None));
+    }
+
+    #[test]
+    fn other_comments_are_not_notes() {
+        for text in ["a", "osim-contact-scale", "osim-contact-scale 1: contacts stand for x kg"] {
+            assert_eq!(Note::parse_earlier(text), None);
+        }
+    }
+}

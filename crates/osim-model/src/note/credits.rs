@@ -1,0 +1,180 @@
+//! The `<credits>` of a model, where its note is.
+//!
+//! OpenSim takes one text or one CDATA section there, with comments before or after it, and refuses the model otherwise.
+
+use std::ops::Range;
+
+use super::data::{Note, Unreadable};
+use super::grammar::{BEGINS, ENDS, NAMES};
+use crate::document::Document;
+use crate::fault::{Fault, FaultKind};
+use crate::xml::ElementId;
+
+/// Between what was there and the note, and between authors.
+const AND: &str = "; ";
+const CDATA: (&str, &str) = ("<![CDATA[", "]]>");
+
+/// The element and its text: what comes in front of comments after it, without the white space around it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Credits<'d> {
+    /// The element.
+    pub element: ElementId,
+    /// Where the text is; empty where there is none. Of an element `<credits/>` the place after it.
+    pub span: Range<usize>,
+    /// Its bytes.
+    raw: &'d str,
+    /// As OpenSim reads it: entities resolved, white space condensed.
+    text: String,
+}
+
+impl<'d> Credits<'d> {
+    /// The first `<credits>` of a model; `None` where it has none, or the document is not a model. Those of `<defaults>` do not
+    /// count.
+    ///
+    /// # Errors
+    /// Text, CDATA and comments in a mixture that OpenSim refuses ([`FaultKind::BrokenText`]).
+    pub fn of(document: &'d Document) -> Result<Option<Self>, Fault> {
+        let (tree, root) = (document.tree(), document.data_root());
+        if tree.name(root) != "Model" {
+            return Ok(None);
+        }
+        let Some(element) = tree.child(root, "credits") else { return Ok(None) };
+        let read = tree.raw_text(element);
+        let mut span = read.span;
+        let mut raw = tree.slice(span.clone());
+        let is_cdata = raw.starts_with(CDATA.0);
+        let broken = !read.whole || (is_cdata && raw.matches(CDATA.1).count() > 1);
+        if broken {
+            let property = "credits".to_owned();
+            let fault = Fault::over(FaultKind::BrokenText { property }, tree.span(element));
+            return Err(fault.located(document.bytes()));
+        }
+        if let Some(inner) = raw.strip_prefix(CDATA.0).and_then(|rest| rest.strip_suffix(CDATA.1)) {
+            let start = span.start + CDATA.0.len() + (inner.len() - inner.trim_ascii_start().len());
+            raw = inner.trim_ascii();
+            span = start..start + raw.len();
+        }
+        let text = read.text.split_ascii_whitespace().collect::<Vec<_>>().join(" ");
+        Ok(Some(Self { element, span, raw, text }))
+    }
+
+    /// The note that ends the text, if something in it begins like one.
+    pub(super) fn note(&self) -> Option<Result<Note, Unreadable>> {
+        let at = self.text.rfind(BEGINS)?;
+        let note = self.text.get(at..)?;
+        note.contains(NAMES).then(|| Note::parse(note).ok_or(Unreadable))
+    }
+
+    /// The text with `note` at its end instead of the note that is there; without one where there is none to write.
+    #[must_use]
+    pub fn with(&self, note: Option<&Note>) -> String {
+        let mut parts = self.without_note();
+        let text = note.map(Note::text);
+        parts.extend(text.as_deref());
+        parts.join(AND)
+    }
+
+    /// What comes before and after the note that is there.
+    fn without_note(&self) -> Vec<&'d str> {
+        let around = self.raw.rfind(BEGINS).and_then(|at| {
+            let (before, rest) = self.raw.split_at(at);
+            // Something else in square brackets is kept.
+            let end = rest.find(ENDS).filter(|_| rest.contains(NAMES.trim_ascii()))? + ENDS.len();
+            let behind = rest.get(end..)?;
+            let before = before.strip_suffix(AND).unwrap_or(before).trim_ascii_end();
+            Some([before, behind.strip_prefix(AND).unwrap_or(behind).trim_ascii_start()])
+        });
+        around.unwrap_or([self.raw, ""]).into_iter().filter(|part| !part.is_empty()).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const NOTE: &str = "[contacts made for 62 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by rescale; sizes none; \
+                        digest 0123456789abcdef; places 0123456789abcdef; made -)]";
+
+    fn document(credits: &str) -> Document {
+        let text =
+            format!("<OpenSimDocument Version='40000'><Model name='m'>{credits}</Model></OpenSimDocument>");
+        Document::parse(text).unwrap()
+    }
+
+    /// What the element becomes with the same note for 70 kg.
+    fn with_70_kg(credits: &str) -> String {
+        let document = document(credits);
+        let found = Credits::of(&document).unwrap().unwrap();
+        let note = Note::parse(&NOTE.replace("62 kg", "70 kg")).unwrap();
+        let bytes = document.tree().slice(0..document.bytes().len());
+        let text =
+            format!("{}{}{}", &bytes[..found.span.start], found.with(Some(&note)), &bytes[found.span.end..]);
+        let inner = text.split_once("<Model name='m'>").unwrap().1.split_once("</Model>").unwrap().0;
+        inner.replace(&note.text(), "NOTE")
+    }
+
+    #[test]
+    fn a_note_ends_the_text() {
+        for (before, after) in [
+            ("<credits>A. Author; B. Other</credits>", "<credits>A. Author; B. Other; NOTE</credits>"),
+            ("<credits> A;\n\tB; \n</credits>", "<credits> A;\n\tB;; NOTE \n</credits>"),
+            ("<credits></credits>", "<credits>NOTE</credits>"),
+            ("<credits>  </credits>", "<credits>NOTE  </credits>"),
+            ("<credits>A<!-- c --></credits>", "<credits>A; NOTE<!-- c --></credits>"),
+            ("<credits><!-- c -->A</credits>", "<credits><!-- c -->A; NOTE</credits>"),
+            ("<credits><!-- c --></credits>", "<credits>NOTE<!-- c --></credits>"),
+            ("<credits><![CDATA[ A & B ]]></credits>", "<credits><![CDATA[ A & B; NOTE ]]></credits>"),
+            ("<credits>A</credits><credits>B</credits>", "<credits>A; NOTE</credits><credits>B</credits>"),
+            (
+                "<credits>A [contacts made for fun]</credits>",
+                "<credits>A [contacts made for fun]; NOTE</credits>",
+            ),
+        ] {
+            assert_eq!(with_70_kg(before), after, "{before}");
+        }
+    }
+
+    #[test]
+    fn a_note_takes_the_place_of_the_last() {
+        for (before, after) in [
+            (format!("<credits>{NOTE}</credits>"), "<credits>NOTE</credits>"),
+            (format!("<credits>A &amp; B; {NOTE} </credits>"), "<credits>A &amp; B; NOTE </credits>"),
+            (format!("<credits>A; {NOTE}; C. Later</credits>"), "<credits>A; C. Later; NOTE</credits>"),
+            (format!("<credits><![CDATA[A; {NOTE}]]></credits>"), "<credits><![CDATA[A; NOTE]]></credits>"),
+        ] {
+            assert_eq!(with_70_kg(&before), after, "{before}");
+        }
+    }
+
+    #[test]
+    fn a_note_that_does_not_end_the_text_cannot_be_relied_on() {
+        let of = |credits: &str| Credits::of(&document(credits)).unwrap().unwrap().note();
+        assert_eq!(of(&format!("<credits>A; {NOTE}</credits>")).map(|note| note.is_ok()), Some(true));
+        // OpenSim condenses white space when it saves; people break lines.
+        let broken = NOTE.replace("; digest", ";\n\t\tdigest");
+        assert_eq!(of(&format!("<credits>{broken}\n</credits>")).map(|note| note.is_ok()), Some(true));
+        assert_eq!(of(&format!("<credits>{NOTE} and me</credits>")), Some(Err(Unreadable)));
+        assert_eq!(of(&format!("<credits>{NOTE} {}</credits>", &NOTE[..90])), Some(Err(Unreadable)));
+        assert_eq!(of("<credits>A [contacts made for fun]</credits>"), None);
+        assert_eq!(of("<credits/>"), None);
+    }
+
+    #[test]
+    fn what_open_sim_refuses_is_refused() {
+        for credits in [
+            "<credits>A<![CDATA[B]]></credits>",
+            "<credits><![CDATA[A]]>B</credits>",
+            "<credits><![CDATA[A]]><![CDATA[B]]></credits>",
+            "<credits>A<!-- c -->B</credits>",
+            "<credits>A <b>B</b></credits>",
+        ] {
+            assert_eq!(Credits::of(&document(credits)).unwrap_err().code(), "broken-text", "{credits}");
+        }
+    }
+
+    #[test]
+    fn credits_of_defaults_do_not_count() {
+        let document = document("<defaults><credits>A</credits></defaults>");
+        assert_eq!(Credits::of(&document).unwrap(), None);
+    }
+}

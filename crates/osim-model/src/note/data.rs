@@ -1,0 +1,60 @@
+//! What a note says.
+
+/// How much of the contacts a change covered: all or not all.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scope {
+    /// Every default force and every default property.
+    All,
+    /// Something was left behind.
+    Partial,
+}
+
+/// The contents of a note: what its contacts were made for, written into the file when they were changed.
+///
+/// ```
+/// use osim_model::{Document, Note, Scope};
+///
+/// let text = r#"<OpenSimDocument Version="40000"><Model name="walker">
+/// <credits>A. Author; [contacts made for 500 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by rescale; sizes calcn_r=0.9,1,1; digest 0123456789abcdef; places fedcba9876543210; made -)]</credits>
+/// </Model></OpenSimDocument>"#;
+/// let note = Note::find(&Document::parse(text)?).expect("there is a note");
+/// assert_eq!((note.mass_kg, note.gravity_m_s2, note.scope), (Some(500.0), Some(9.81), Scope::All));
+/// assert_eq!((note.sizes[0].body.as_str(), note.sizes[0].factors), ("calcn_r", [0.9, 1.0, 1.0]));
+/// // It is written as it was read.
+/// assert!(text.contains(&note.text()));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Note {
+    /// Version of the tool that wrote it.
+    pub version: String,
+    /// Mass the contacts were made for, kg; `None` where nobody knew.
+    pub mass_kg: Option<f64>,
+    /// Gravity the contacts were made for, m/s²; `None` where the model has none.
+    pub gravity_m_s2: Option<f64>,
+    /// All contacts or only some.
+    pub scope: Scope,
+    /// What was done, for example `rescale` or `set stiffness=x2`: from [`Note::operation_text`].
+    pub operation: String,
+    /// Mesh scale factors of the bodies that carried spheres when it was written.
+    pub sizes: Vec<BodySize>,
+    /// Digest of all contact values as written: the first 16 digits of their SHA-256.
+    pub digest: String,
+    /// The same of the spheres' locations; `None` in notes of earlier versions.
+    pub places: Option<String>,
+    /// What was added to the file for the note, one letter each; `-` for nothing.
+    pub made: String,
+}
+
+/// The mesh scale factors of one body along x, y and z.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BodySize {
+    /// Name of the body.
+    pub body: String,
+    /// Factors along x, y and z of the body, above 0.
+    pub factors: [f64; 3],
+}
+
+/// Something begins like a note and is none.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Unreadable;

@@ -1,0 +1,244 @@
+//! How a note is spelled: printable ASCII with single blanks, because OpenSim condenses white space and re-encodes the rest.
+//!
+//! `[contacts made for 62 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by rescale; sizes calcn_r=1,1,1; digest 0123456789abcdef;
+//! places 0123456789abcdef; made -)]`
+
+use super::data::{BodySize, Note, Scope};
+use crate::number::shortest;
+
+/// How every note begins.
+pub(super) const BEGINS: &str = "[contacts made for ";
+/// How every note ends.
+pub(super) const ENDS: &str = ")]";
+/// What follows mass and gravity in every note; text in square brackets without it is not a note.
+pub(super) const NAMES: &str = " (osim-contact-scale ";
+/// What nobody knew.
+const UNKNOWN: &str = "unknown";
+const NOTHING: &str = "-";
+const NO_SIZES: &str = "none";
+const DIGEST_DIGITS: usize = 16;
+
+impl Note {
+    /// The note as it is in the file.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let known = |value: Option<f64>, unit: &str| {
+            value.map_or(UNKNOWN.to_owned(), |value| format!("{} {unit}", shortest(value)))
+        };
+        let scope = match self.scope {
+            Scope::All => "all",
+            Scope::Partial => "partial",
+        };
+        let sizes: Vec<String> = self.sizes.iter().map(BodySize::text).collect();
+        format!(
+            "{BEGINS}{} at {}{NAMES}{}; {scope}; by {}; sizes {}; digest {}; places {}; made {}{ENDS}",
+            known(self.mass_kg, "kg"),
+            known(self.gravity_m_s2, "m/s2"),
+            self.version,
+            plain(&self.operation),
+            if sizes.is_empty() { NO_SIZES.to_owned() } else { sizes.join(" ") },
+            self.digest,
+            self.places.as_deref().unwrap_or(UNKNOWN),
+            self.made,
+        )
+    }
+
+    /// Reads a note that is all of `text`, with single blanks.
+    pub(super) fn parse(text: &str) -> Option<Self> {
+        let text = text.strip_prefix(BEGINS)?.strip_suffix(ENDS)?;
+        let (made_for, fields) = text.split_once(NAMES)?;
+        let (mass, gravity) = made_for.split_once(" at ")?;
+        let mut fields = fields.split("; ");
+        let version = fields.next()?.to_owned();
+        let scope = match fields.next()? {
+            "all" => Scope::All,
+            "partial" => Scope::Partial,
+            _ => return None,
+        };
+        let operation = fields.next()?.strip_prefix("by ")?.to_owned();
+        let sizes = sizes(fields.next()?.strip_prefix("sizes ")?)?;
+        let digest = fields.next()?.strip_prefix("digest ").filter(|text| is_digest(text))?.to_owned();
+        let places = match fields.next()?.strip_prefix("places ")? {
+            UNKNOWN => None,
+            text if is_digest(text) => Some(text.to_owned()),
+            _ => return None,
+        };
+        let made = fields.next()?.strip_prefix("made ")?.to_owned();
+        if made != NOTHING && !made.chars().all(|letter| letter.is_ascii_alphabetic()) {
+            return None;
+        }
+        let note = Self {
+            version,
+            mass_kg: mass_kg(mass)?,
+            gravity_m_s2: gravity_m_s2(gravity)?,
+            scope,
+            operation,
+            sizes,
+            digest,
+            places,
+            made,
+        };
+        fields.next().is_none().then_some(note)
+    }
+
+    /// `operation` in the letters that a note can hold: what would end a field, or is written otherwise when OpenSim saves the
+    /// file, becomes `_`.
+    #[must_use]
+    pub fn operation_text(operation: &str) -> String {
+        plain(operation)
+    }
+
+    /// `made` of a note of a file to which nothing was added.
+    #[must_use]
+    pub fn nothing_made() -> String {
+        NOTHING.to_owned()
+    }
+}
+
+impl BodySize {
+    /// `calcn_r=0.9,1,1`.
+    fn text(&self) -> String {
+        format!("{}={}", self.body, self.factors.map(shortest).join(","))
+    }
+
+    fn parse(text: &str) -> Option<Self> {
+        let (body, factors) = text.split_once('=').filter(|(body, _)| !body.is_empty())?;
+        let mut numbers = factors.split(',').map(|number| {
+            let factor: f64 = number.parse().ok()?;
+            (factor.is_finite() && factor > 0.0).then_some(factor)
+        });
+        let factors = [numbers.next()??, numbers.next()??, numbers.next()??];
+        numbers.next().is_none().then(|| Self { body: body.to_owned(), factors })
+    }
+
+    /// Whether a note can hold the name of the body.
+    pub(crate) fn can_name(body: &str) -> bool {
+        body.chars().all(|letter| is_plain(letter) && !"=,".contains(letter))
+    }
+}
+
+/// `unknown`, or a mass above 0 with its unit; the outer `None` for anything else.
+#[expect(clippy::option_option, reason = "what is unknown is not what cannot be read")]
+pub(super) fn mass_kg(text: &str) -> Option<Option<f64>> {
+    if text == UNKNOWN {
+        return Some(None);
+    }
+    let kg: f64 = text.strip_suffix(" kg")?.parse().ok()?;
+    (kg.is_finite() && kg > 0.0).then_some(Some(kg))
+}
+
+/// `unknown`, or a gravity of at least 0 with its unit; the outer `None` for anything else.
+#[expect(clippy::option_option, reason = "what is unknown is not what cannot be read")]
+pub(super) fn gravity_m_s2(text: &str) -> Option<Option<f64>> {
+    if text == UNKNOWN {
+        return Some(None);
+    }
+    let gravity: f64 = text.strip_suffix(" m/s2")?.parse().ok()?;
+    (gravity.is_finite() && gravity >= 0.0).then_some(Some(gravity))
+}
+
+fn sizes(text: &str) -> Option<Vec<BodySize>> {
+    if text == NO_SIZES {
+        return Some(Vec::new());
+    }
+    text.split(' ').map(BodySize::parse).collect()
+}
+
+fn is_digest(text: &str) -> bool {
+    text.len() == DIGEST_DIGITS && text.bytes().all(|byte| byte.is_ascii_hexdigit())
+}
+
+/// Whether a note, inside a field, can hold `letter`. `-` is among the letters, but two of them would end a comment: see
+/// [`plain`].
+fn is_plain(letter: char) -> bool {
+    letter.is_ascii_graphic() && !";[]()<>&'\"".contains(letter)
+}
+
+/// `text` with `_` for every letter that a note cannot hold, and single blanks.
+fn plain(text: &str) -> String {
+    let words = text.split_ascii_whitespace().map(|word| {
+        let letters = word.chars().map(|letter| if is_plain(letter) { letter } else { '_' });
+        letters.collect::<String>()
+    });
+    words.collect::<Vec<_>>().join(" ").replace("--", "__")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn note() -> Note {
+        Note {
+            version: "0.1.0".into(),
+            mass_kg: Some(0.0209),
+            gravity_m_s2: Some(9.80665),
+            scope: Scope::Partial,
+            operation: "set stiffness=x2".into(),
+            sizes: vec![BodySize { body: "calcn_r".into(), factors: [0.913_924, 1.0, 1e-3] }],
+            digest: "0123456789abcdef".into(),
+            places: Some("fedcba9876543210".into()),
+            made: "c".into(),
+        }
+    }
+
+    #[test]
+    fn a_note_is_spelled_as_agreed() {
+        assert_eq!(
+            note().text(),
+            "[contacts made for 0.0209 kg at 9.80665 m/s2 (osim-contact-scale 0.1.0; partial; by set stiffness=x2; \
+             sizes calcn_r=0.913924,1,0.001; digest 0123456789abcdef; places fedcba9876543210; made c)]"
+        );
+    }
+
+    #[test]
+    fn a_note_reads_back_as_written() {
+        let nothing_known = Note {
+            mass_kg: None,
+            gravity_m_s2: None,
+            sizes: vec![],
+            places: None,
+            made: Note::nothing_made(),
+            ..note()
+        };
+        for note in [note(), nothing_known] {
+            assert_eq!(Note::parse(&note.text()), Some(note));
+        }
+    }
+
+    #[test]
+    fn what_a_note_cannot_hold_is_replaced() {
+        for (operation, expected) in [
+            ("rescale radius=x2", "rescale radius=x2"),
+            (
+                "transfer  from 'T. rex [2]; (é).osim'\t--level",
+                "transfer from _T. rex _2__ ___.osim_ __level",
+            ),
+        ] {
+            assert_eq!(Note::operation_text(operation), expected);
+            let note = Note { operation: Note::operation_text(operation), ..note() };
+            assert_eq!(Note::parse(&note.text()), Some(note));
+        }
+    }
+
+    #[test]
+    fn anything_else_is_no_note() {
+        let text = note().text();
+        for (from, to) in [
+            ("0.0209 kg", "-1 kg"),
+            ("0.0209 kg", "0.0209"),
+            ("9.80665 m/s2", "NaN m/s2"),
+            ("partial", "half"),
+            ("; made c", ""),
+            ("made c", "made c; more"),
+            ("0123456789abcdef", "0123"),
+            ("fedcba9876543210", "fedcba987654321z"),
+            ("=0.913924,1,0.001", "=0.913924,1"),
+            ("=0.913924,1,0.001", "=0.913924,1,0"),
+            ("calcn_r=", "="),
+        ] {
+            let changed = text.replacen(from, to, 1);
+            assert_ne!(changed, text);
+            assert_eq!(Note::parse(&changed), None, "{changed}");
+        }
+    }
+}

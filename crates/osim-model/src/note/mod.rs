@@ -1,0 +1,14 @@
+//! The note that the tool leaves in a model: which mass its contacts were made for, and at which size of its bones.
+//!
+//! A model keeps it in `<credits>`, which every OpenSim from 1.9 to 4.6 copies when it saves or scales a model; comments are
+//! lost then. Standalone sets have no credits and keep a comment.
+
+mod comment;
+mod credits;
+mod data;
+mod found;
+mod grammar;
+
+pub use credits::Credits;
+pub use data::{BodySize, Note, Scope};
+pub(crate) use found::NotesFound;
