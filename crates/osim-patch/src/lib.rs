@@ -28,6 +28,7 @@
 //!   has scaled can follow their bodies ([`Follow`]).
 //! - [`design()`]: parameters from what is wanted of a contact, such as its indentation or restitution.
 //! - [`set()`]: plain values and factors.
+//! - [`note()`]: no number changes; the mass that the contacts were made for is written down.
 //!
 //! [`loaded_spheres`] reads what the contact laws need to know of each sphere under load.
 //!
@@ -43,6 +44,8 @@ mod follow;
 mod gravity;
 mod insert;
 mod loaded_sphere;
+mod note;
+mod note_edits;
 mod plan;
 mod property_set;
 mod radii;
@@ -60,6 +63,7 @@ pub use follow::{
     RadiusAxis, ScaleFile,
 };
 pub use loaded_sphere::{LoadedSphere, loaded_spheres};
+pub use note::note;
 pub use plan::{Change, Masses, Move, Plan};
 pub use property_set::PropertySet;
 pub use radii::{RadiusRule, moving_spheres};

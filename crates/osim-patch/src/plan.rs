@@ -10,7 +10,8 @@ use osim_model::{
 };
 
 use crate::edit::{Edit, Patch};
-use crate::insert::{insert, insert_first, with_white_space_before};
+use crate::insert::insert;
+use crate::note_edits;
 
 /// One number that is to change, in the unit of its [`Property`].
 ///
@@ -173,6 +174,9 @@ pub struct Masses {
     pub target_mass_kg: f64,
 }
 
+/// Why a sphere moves that follows its body.
+pub(crate) const FOLLOW: &str = "follow";
+
 /// Elements that an object lacks and gets.
 struct Absent<'p> {
     class: Class,
@@ -204,6 +208,11 @@ impl Plan {
         self.note_anyway = true;
     }
 
+    /// Leaves the note in the file as it is where no number changes.
+    pub(crate) fn keep_note(&mut self) {
+        self.note_anyway = false;
+    }
+
     /// Leaves no note in the file; an earlier note goes where a number changes, because it would no longer be right.
     pub fn without_note(&mut self) {
         self.note = None;
@@ -212,7 +221,7 @@ impl Plan {
     /// Records in the note what was done, where that is more than the verb: `rescale radius=x2`.
     pub fn name_operation(&mut self, operation: &str) {
         if let Some(note) = &mut self.note {
-            note.operation = operation.to_owned();
+            note.operation = Note::operation_text(operation);
         }
     }
 
@@ -235,13 +244,18 @@ impl Plan {
             .iter()
             .map(|change| (ValueKey::from((&change.slot, change.property)), change.to))
             .collect();
+        let moved: HashMap<&str, [f64; 3]> =
+            moves.iter().map(|place| (place.path.as_str(), place.to)).collect();
         let note = Some(Note {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             mass_kg: facts.mass_kg,
             gravity_m_s2: facts.gravity_m_s2,
             scope: facts.scope,
-            operation: facts.operation.to_owned(),
+            operation: Note::operation_text(facts.operation),
+            sizes: note_edits::sizes(model, moves.iter().any(|place| place.equation == FOLLOW)),
             digest: model.contact_digest(|key| changed.get(&key).copied()),
+            places: Some(model.places_digest(|sphere| moved.get(sphere.path.as_str()).copied())),
+            made: note_edits::made(model.document(), model.note.as_ref()),
         });
         Self { changes, moves, masses, taken, warnings, remarks, note, note_anyway: false }
     }
@@ -251,6 +265,12 @@ impl Plan {
         self.taken.spell(dialect);
         self.remarks.iter_mut().for_each(|remark| remark.spell(dialect));
         self.warnings.iter_mut().for_each(|warning| warning.spell(dialect));
+    }
+
+    /// Whether the note needs an element `<credits>` that the model does not have.
+    #[must_use]
+    pub fn adds_credits(&self, model: &Model) -> bool {
+        self.note().is_some() && note_edits::adds_credits(model.document())
     }
 
     /// The files that result: the model's own, and the geometry set of a standalone force set where that changes, too.
@@ -287,13 +307,10 @@ impl Plan {
             || !edits.is_empty()
             || tree.name(document.data_root()) == "ContactGeometrySet";
         if let (Some(note), true) = (&self.note, noted && !self.is_empty()) {
-            edits.push(match Note::span(document) {
-                Some(span) => Edit { span, text: note.comment() },
-                None => insert_first(tree, document.data_root(), &note.comment()),
-            });
-        } else if let (Some(span), true, false) = (Note::span(document), noted, self.is_empty()) {
-            // Without a new note the old one would lie: it goes, with its line.
-            edits.push(Edit { span: with_white_space_before(tree, span), text: String::new() });
+            edits.extend(note_edits::leave(document, note));
+        } else if noted && !self.is_empty() {
+            // Without a new note the old one would lie: it goes.
+            edits.extend(note_edits::remove(document));
         }
         edits
     }

@@ -183,8 +183,7 @@ fn finish(
     }
     let target_mass_kg = if changes.is_empty() { wanted.contacts_mass.kg } else { wanted.target_mass_kg };
     let from = wanted.contacts_mass.clone();
-    let mut taken =
-        phrase![format!("contacts made for {} kg (", readable(from.kg)), &from.source.describe(), ")",];
+    let mut taken = from.made_for();
     if !changes.is_empty() {
         let ratio = readable(target_mass_kg / from.kg);
         taken.push(format!("; scaled to {} kg (mass x{ratio})", readable(target_mass_kg)));

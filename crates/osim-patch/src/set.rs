@@ -3,7 +3,6 @@
 use osim_model::wording::phrase;
 use osim_model::{
     Assignment, Fault, Finding, FindingCode, Mass, Model, Needed, Property, RadiusFrom, Scope, Selected,
-    readable,
 };
 
 use crate::builder::{New, PlanBuilder};
@@ -118,9 +117,8 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
     }
     let mut taken = phrase![];
     if let Some(mass) = &wanted.contacts_mass {
-        taken.push(format!("contacts made for {} kg (", readable(mass.kg)));
-        taken.push(&mass.source.describe());
-        taken.push("); ");
+        taken.push(&mass.made_for());
+        taken.push("; ");
     }
     taken.push(format!("{operation}; nothing else follows"));
     let masses = wanted.contacts_mass.clone().map(|from| Masses { target_mass_kg: from.kg, from });
@@ -128,7 +126,12 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
         model,
         Contents { changes, moves, masses, taken, warnings, remarks: vec![] },
         &NoteFacts {
-            mass_kg: wanted.contacts_mass.as_ref().map(|mass| mass.kg),
+            // What the bodies weigh is not yet what the contacts were made for.
+            mass_kg: wanted
+                .contacts_mass
+                .as_ref()
+                .filter(|mass| mass.source.is_of_contacts())
+                .map(|mass| mass.kg),
             gravity_m_s2: model.contacts_gravity(),
             scope: Scope::Partial,
             // Every change since the last whole rescaling counts: none may be applied twice without a word.

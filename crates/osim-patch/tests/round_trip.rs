@@ -200,7 +200,7 @@ fn there_and_back_is_the_same_to_the_last_bits() {
         let there = planned(&model, 19.3, RadiusRule::Isometric).unwrap();
         let patched = there.patched(&model, FileId::MAIN).unwrap();
         let model = Model::parse(patched).unwrap();
-        // The note says what the contacts stand for, so 1/19.3 leads back.
+        // The note says what the contacts are made for, so 1/19.3 leads back.
         let back = planned(&model, 1.0 / 19.3, RadiusRule::Isometric).unwrap();
         assert_eq!(back.changes.len(), there.changes.len(), "{name}");
         for (change, original) in back.changes.iter().zip(&there.changes) {

@@ -1,4 +1,4 @@
-//! What contacts stand for: notes in the file, masses of other files, and presets.
+//! What contacts are made for: notes in the file, masses of other files, and presets.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
@@ -32,19 +32,16 @@ fn a_standalone_pair_changes_together() {
 }
 
 #[test]
-fn the_note_is_the_first_child_and_is_replaced_on_later_runs() {
+fn the_note_is_in_the_credits_and_is_replaced_on_later_runs() {
     let first = given(foot(&smooth("<stiffness>1000000</stiffness>"), "0.01")).with_note().rescaled_to(8.0);
     let text = String::from_utf8(first.bytes().to_vec()).unwrap();
-    assert!(text.contains("<Model name=\"foot\">\n\t\t<!-- osim-contact-scale "), "{text}");
-    assert!(
-        text.contains(": contacts stand for 8 kg; gravity 9.80665 m/s2; scope all; by rescale; digest "),
-        "{text}"
-    );
-    // The bodies weigh 1 kg still; the contacts stand for 8 kg.
+    assert!(text.contains("<credits>[contacts made for 8 kg at 9.80665 m/s2 (osim-contact-scale "), "{text}");
+    assert!(text.contains("; all; by rescale; sizes none; digest "), "{text}");
+    // The bodies weigh 1 kg still; the contacts are made for 8 kg.
     let second = given(text).with_note().rescaled_to(64.0);
     let text = String::from_utf8(second.bytes().to_vec()).unwrap();
     assert_eq!(text.matches("osim-contact-scale").count(), 1, "{text}");
-    assert!(text.contains(": contacts stand for 64 kg;"), "{text}");
+    assert!(text.contains("[contacts made for 64 kg at "), "{text}");
     second.warns("mass-sources-disagree");
     let direct = given(foot(&smooth("<stiffness>1000000</stiffness>"), "0.01")).rescaled_to(64.0);
     for (two, one) in second.plan().changes.iter().zip(&direct.plan().changes) {
@@ -59,7 +56,7 @@ fn a_partial_or_stale_note_is_not_believed() {
         || given(foot(&smooth("<stiffness>1000000</stiffness>\n<dissipation>2</dissipation>"), "0.01"));
     let after = |outcome: &given::Outcome| String::from_utf8(outcome.bytes().to_vec()).unwrap();
     let partial = after(&foot().with_note().only(&[Property::Stiffness]).rescaled_to(64.0));
-    assert!(partial.contains("; scope partial;"), "{partial}");
+    assert!(partial.contains("; partial; "), "{partial}");
     given(partial.clone()).rescaled_to(100.0).is_refused("stale-note", &["64 kg", "`contacts_mass`"]);
     given(partial).standing_for(1.0).rescaled_to(64.0).sets(Property::Radius, 1, 0.04);
     let edited = after(&foot().with_note().rescaled_to(64.0)).replace("<dissipation>1<", "<dissipation>1.1<");

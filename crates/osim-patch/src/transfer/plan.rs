@@ -14,7 +14,7 @@ use super::several_sets;
 use super::similarity::{check_spread, similarity};
 use crate::builder::{New, PlanBuilder};
 use crate::gravity::GravityChange;
-use crate::plan::{Contents, Masses, NoteFacts, Plan};
+use crate::plan::{Contents, FOLLOW, Masses, NoteFacts, Plan};
 use crate::radii::{Radii, RadiusRule, SphereRule};
 use crate::remarks::{GRAVITY_STAYS, bottoms_remark, warn_forces};
 use crate::scaling::{DissipationBy, factor};
@@ -56,7 +56,7 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
     }
     let radii = Radii::plan(&mut plan, &selected.forces, rule_of, isometric, &wanted.properties)?;
     for (&sphere, place) in wanted.follow.iter().flat_map(|follow| &follow.spheres) {
-        plan.location(sphere, place.location_m, "follow")?;
+        plan.location(sphere, place.location_m, FOLLOW)?;
     }
     if wanted.follow.is_some() {
         check_spread(&mut plan, selected, wanted, &chosen, &radii)?;

@@ -1,0 +1,59 @@
+//! Writing down what the user knows: the mass that contacts were made for. No number changes.
+
+use osim_model::wording::{Input, phrase};
+use osim_model::{
+    Fault, Finding, FindingCode, Mass, MassSource, Model, Note, Scope, positive_mass, readable,
+};
+
+use crate::plan::{Contents, Masses, NoteFacts, Plan};
+
+/// Plans a note that the contacts of `model` were made for `mass_kg` at `gravity_m_s2`, as they are. Later changes need not be
+/// given that mass again, also after OpenSim has saved or scaled the model.
+///
+/// ```
+/// use osim_model::{FileId, MassRequest, Model, MassSource};
+/// use osim_patch::note;
+///
+/// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
+/// let model = Model::parse(bytes)?;
+/// let plan = note(&model, 62.0, model.gravity())?;
+/// assert!(plan.changes.is_empty() && plan.moves.is_empty());
+///
+/// let noted = Model::parse(plan.patched(&model, FileId::MAIN)?)?;
+/// let (mass, _) = MassRequest::default().of_contacts(&noted)?;
+/// assert_eq!((mass.kg, mass.source), (62.0, MassSource::Note));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+///
+/// # Errors
+/// A mass that is not above 0.
+pub fn note(model: &Model, mass_kg: f64, gravity_m_s2: Option<f64>) -> Result<Plan, Fault> {
+    let kg = positive_mass(Input::ContactsMass, mass_kg)?;
+    let from = Mass { kg, source: MassSource::ContactsMass };
+    let taken = phrase![&from.made_for(), ": the note in the file says so; no number changes"];
+    let facts = NoteFacts { mass_kg: Some(kg), gravity_m_s2, scope: Scope::All, operation: "note" };
+    let masses = Some(Masses { target_mass_kg: kg, from });
+    let mut plan = Plan::new(model, Contents { masses, taken, ..Contents::default() }, &facts);
+    plan.note_anyway();
+    if plan.note().zip(model.note.as_ref()).is_some_and(|(new, old)| says_the_same(new, old)) {
+        let text = format!("the note in the file says {} kg already", readable(kg));
+        plan.warnings.push(Finding::new(FindingCode::NothingToChange, text));
+        plan.keep_note();
+    }
+    Ok(plan)
+}
+
+/// Whether two notes say the same of the contacts, apart from the program and operation that wrote them.
+fn says_the_same(new: &Note, old: &Note) -> bool {
+    let facts = |note: &Note| {
+        (
+            note.mass_kg,
+            note.gravity_m_s2,
+            note.scope,
+            note.digest.clone(),
+            note.places.clone(),
+            note.sizes.clone(),
+        )
+    };
+    facts(new) == facts(old)
+}
