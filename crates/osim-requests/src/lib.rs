@@ -62,9 +62,9 @@ pub use planner::{Change, Planner};
 pub use presets::presets;
 pub use request::{
     AxesChoice, BatchRequest, BranchChoice, CheckRequest, Deny, DesignRequest, DropTestRequest,
-    ExplainRequest, FitRequest, HeatOptions, InspectRequest, PlotKind, PlotRequest, PresetsRequest,
-    QuantityChoice, Request, RescaleRequest, SeriesFormat, SetRequest, SweepRequest, TransferRequest,
-    schema_of,
+    ExplainRequest, FitRequest, HeatOptions, InspectRequest, NoteRequest, PlotKind, PlotRequest,
+    PresetsRequest, QuantityChoice, Request, RescaleRequest, SeriesFormat, SetRequest, SweepRequest,
+    TransferRequest, schema_of,
 };
 pub use subject::may_be_file;
 pub use sweep::{SweepPlan, VariantMade};

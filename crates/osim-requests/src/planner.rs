@@ -32,6 +32,10 @@ pub trait Planner: Send + Sync {
                 plan.remarks.push(text.into());
             }
         }
+        if plan.adds_credits(model) {
+            let text = "the model has no <credits>: they are added for the note, because OpenSim drops comments when it saves";
+            plan.remarks.push(text.into());
+        }
         plan.warnings.splice(0..0, model.warnings.iter().cloned());
         Ok(plan)
     }

@@ -10,7 +10,7 @@ use osim_model::wording::Verb;
 use osim_requests::command_line::{check, with_relations};
 use osim_requests::{
     BatchRequest, CheckRequest, DesignRequest, DropTestRequest, ExplainRequest, FitRequest, InspectRequest,
-    PlotRequest, PresetsRequest, RequestFault, RescaleRequest, SweepRequest, TransferRequest,
+    NoteRequest, PlotRequest, PresetsRequest, RequestFault, RescaleRequest, SweepRequest, TransferRequest,
 };
 
 use help::in_words_of_the_command;
@@ -47,6 +47,8 @@ pub(crate) enum VerbArgs {
     Design(Later<DesignRequest>),
     /// Set properties to a value, or multiply them by a factor
     Set(Later<SetArgs>),
+    /// Write down the mass that a model's contacts were made for
+    Note(Later<NoteRequest>),
     /// Change many models, as a table says: one row per model
     Batch(Later<BatchRequest>),
     /// Make a grid of variants of a model, or a ladder of them from soft to stiff

@@ -4,7 +4,7 @@ use anyhow::Result;
 use osim_library::Disk;
 use osim_library::run::RunRequest;
 use osim_requests::options::RunOptions;
-use osim_requests::{Change, DesignRequest, SetRequest, TransferRequest};
+use osim_requests::{Change, DesignRequest, NoteRequest, SetRequest, TransferRequest};
 
 use super::run;
 use crate::session::Session;
@@ -46,6 +46,16 @@ pub(super) fn design(request: DesignRequest, session: &mut Session) -> Result<Ex
 /// # Errors
 /// Wrong usage.
 pub(super) fn set(request: SetRequest, session: &mut Session) -> Result<Exit> {
+    let options = request.run.clone();
+    let prepared = request.prepare().map_err(|fault| session.usage(&fault))?;
+    change(prepared, &options, session)
+}
+
+/// `note`.
+///
+/// # Errors
+/// Wrong usage.
+pub(super) fn note(request: NoteRequest, session: &mut Session) -> Result<Exit> {
     let options = request.run.clone();
     let prepared = request.prepare().map_err(|fault| session.usage(&fault))?;
     change(prepared, &options, session)

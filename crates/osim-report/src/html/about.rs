@@ -30,6 +30,7 @@ impl About {
             Verb::Rescale => "Rescaled contacts",
             Verb::Transfer => "Transferred contacts",
             Verb::Design => "Designed contacts",
+            Verb::Note => "Noted contacts",
             Verb::Check => "Check of contacts",
             Verb::Inspect => "Contacts",
             _ => "Changed contacts",

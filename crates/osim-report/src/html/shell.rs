@@ -81,6 +81,9 @@ fn purpose(verb: Verb) -> &'static str {
         }
         Verb::Design => "Parameters found from what the contacts should do.",
         Verb::Set => "Properties written, or multiplied, as given.",
+        Verb::Note => {
+            "The mass that the contacts were made for, written into the file. No number was changed."
+        }
         Verb::Batch => "Many models changed, each as its row of a table says.",
         Verb::Check => {
             "Models compared with the limits of the paper and the traps of the format. Nothing was changed."

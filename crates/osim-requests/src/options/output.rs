@@ -38,7 +38,7 @@ pub struct OutputOptions {
     /// Replace existing files
     #[cfg_attr(feature = "clap", arg(long))]
     pub force: bool,
-    /// Leave no note (a comment line) in the model
+    /// Leave no note (in the credits) in the model
     #[cfg_attr(feature = "clap", arg(long, hide_short_help = true))]
     pub no_note: bool,
 }

@@ -1,10 +1,23 @@
 //! Any request that changes models.
 
 use osim_model::files::Files;
+use osim_model::wording::Verb;
 
 use crate::fault::{RequestError, RequestFault};
 use crate::planner::Change;
 use crate::request::Request;
+
+/// Verbs that change models.
+pub(crate) const CHANGING: [Verb; 5] = [Verb::Rescale, Verb::Transfer, Verb::Design, Verb::Set, Verb::Note];
+
+/// The same in words: `rescale, transfer, design, set or note`.
+pub(crate) fn changing_verbs() -> String {
+    let names = CHANGING.map(Verb::name);
+    match names.split_last() {
+        Some((last, others)) => format!("{} or {last}", others.join(", ")),
+        None => String::new(),
+    }
+}
 
 impl Request {
     /// Checks a request that changes models, for all of them, and reads what it needs beside them. A design without models
@@ -18,9 +31,10 @@ impl Request {
             Self::Rescale(request) => Ok(request.prepare()?),
             Self::Design(request) => Ok(request.prepare()?),
             Self::Set(request) => Ok(request.prepare()?),
+            Self::Note(request) => Ok(request.prepare()?),
             Self::Transfer(request) => request.prepare(files),
             _ => {
-                let message = format!("'{verb}', expected rescale, transfer, design or set");
+                let message = format!("'{verb}', expected {}", changing_verbs());
                 Err(RequestFault::general(message).into())
             }
         }

@@ -1,7 +1,8 @@
 //! What each changing verb plans for a model.
 
-mod any;
+pub(crate) mod any;
 mod design;
+mod note;
 mod operation;
 mod reference;
 mod rescale;

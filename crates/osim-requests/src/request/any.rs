@@ -10,6 +10,7 @@ use super::fit::FitRequest;
 use super::inspect::{CheckRequest, InspectRequest};
 use super::knowledge::{ExplainRequest, PresetsRequest};
 use super::library::{BatchRequest, SweepRequest};
+use super::note::NoteRequest;
 use super::plot::PlotRequest;
 use super::rescale::RescaleRequest;
 use super::set::SetRequest;
@@ -98,6 +99,7 @@ requests! {
     Transfer(TransferRequest) = TransferRequest::RELATIONS;
     Design(DesignRequest) = DesignRequest::RELATIONS;
     Set(SetRequest) = SetRequest::RELATIONS;
+    Note(NoteRequest) = NoteRequest::RELATIONS;
     Batch(BatchRequest) = BatchRequest::RELATIONS;
     Sweep(SweepRequest) = SweepRequest::RELATIONS;
     Inspect(InspectRequest) = InspectRequest::RELATIONS;

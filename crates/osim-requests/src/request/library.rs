@@ -73,7 +73,7 @@ pub struct SweepRequest {
     /// Make more than 10,000 models
     #[cfg_attr(feature = "clap", arg(long, help_heading = "Output"))]
     pub yes: bool,
-    /// Leave no note (a comment line) in the models
+    /// Leave no note (in the credits) in the models
     #[cfg_attr(feature = "clap", arg(long, help_heading = "Output", hide_short_help = true))]
     pub no_note: bool,
     /// Write nothing, only say what would be made

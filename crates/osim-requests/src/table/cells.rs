@@ -6,8 +6,9 @@ use osim_model::files::Files;
 use osim_model::wording::{Phrase, Verb};
 use serde_json::{Map, Value};
 
-use super::columns::{Column, Columns, Kind, VERBS};
+use super::columns::{Column, Columns, Kind};
 use super::fault::RowFault;
+use crate::planning::any::{CHANGING, changing_verbs};
 use crate::presets::find_preset;
 use crate::spreadsheet::{Row, Sheet};
 use crate::subject::looks_like_file;
@@ -106,10 +107,9 @@ fn verb(row: &Row, columns: &Columns) -> Result<Verb, RowFault> {
             .find(|(column, _)| column.kind == kind && (field.is_empty() || column.field == field))
     };
     if let Some((column, cell)) = has(Kind::Verb, "") {
-        let known = VERBS.into_iter().find(|verb| verb.name().eq_ignore_ascii_case(cell));
-        return known.ok_or_else(|| {
-            RowFault::of(&column.header, format!("'{cell}', expected rescale, transfer, design or set"))
-        });
+        let known = CHANGING.into_iter().find(|verb| verb.name().eq_ignore_ascii_case(cell));
+        return known
+            .ok_or_else(|| RowFault::of(&column.header, format!("'{cell}', expected {}", changing_verbs())));
     }
     if has(Kind::From, "").is_some() {
         return Ok(Verb::Transfer);

@@ -2,13 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use osim_model::wording::{Input, Phrase, Verb, phrase};
+use osim_model::wording::{Input, Phrase, phrase};
 use serde_json::Value;
 
+use crate::planning::any::{CHANGING, changing_verbs};
 use crate::request::silent_fields;
-
-/// Verbs that a row may be about.
-pub(super) const VERBS: [Verb; 4] = [Verb::Rescale, Verb::Transfer, Verb::Design, Verb::Set];
 
 /// Fields of the whole run: a row cannot have its own.
 const OF_THE_RUN: [&str; 9] =
@@ -113,7 +111,8 @@ fn column(cell: &str, known: &BTreeMap<String, Kind>) -> Result<Column, Phrase> 
             Some(kind) => *kind,
             None => {
                 return Err(format!(
-                    "the column '{cell}' is not an option of rescale, transfer, design or set (remarks begin with #){}",
+                    "the column '{cell}' is not an option of {} (remarks begin with #){}",
+                    changing_verbs(),
                     nearest(name, known)
                 )
                 .into());
@@ -147,7 +146,7 @@ fn nearest(name: &str, known: &BTreeMap<String, Kind>) -> String {
 
 /// Fields of all changing verbs, and how their cells are read.
 fn fields() -> BTreeMap<String, Kind> {
-    let all = VERBS.into_iter().flat_map(silent_fields);
+    let all = CHANGING.into_iter().flat_map(silent_fields);
     let named = all.filter(|(name, _)| name != "models" && name != "set");
     named.map(|(name, silent)| (name.clone(), kind(&name, &silent))).collect()
 }
@@ -170,7 +169,7 @@ mod tests {
 
     #[test]
     fn every_path_of_a_changing_verb_is_known_for_one() {
-        for verb in VERBS {
+        for verb in CHANGING {
             let schema = schema_of(verb).unwrap();
             for (name, property) in schema.get("properties").unwrap().as_object().unwrap() {
                 let is_path = property.to_string().contains("\"bytes\"");

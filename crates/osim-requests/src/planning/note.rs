@@ -1,0 +1,75 @@
+//! Notes of what the user knows.
+
+use osim_model::wording::{Input, phrase};
+use osim_model::{Fault, Model};
+use osim_patch::{Plan, note};
+use serde_json::json;
+
+use crate::fault::RequestFault;
+use crate::options::{ForceOptions, InspectionOptions, MassOptions, StanceOptions};
+use crate::planner::{Change, Planner};
+use crate::request::NoteRequest;
+use crate::value::Acceleration;
+
+struct Noting {
+    mass_kg: f64,
+    gravity_m_s2: Option<f64>,
+    inspection: InspectionOptions,
+    settings: String,
+}
+
+impl NoteRequest {
+    /// Checks the request, for all of its models.
+    ///
+    /// # Errors
+    /// No model, no mass, or no note.
+    pub fn prepare(self) -> Result<Change, RequestFault> {
+        let Self { models, contacts_mass, contacts_gravity, output, run: _, set_files } = self;
+        if models.is_empty() {
+            return Err(RequestFault::Missing { field: "models" });
+        }
+        let Some(mass) = contacts_mass else {
+            return Err(RequestFault::general(phrase![
+                "the mass is missing: say which mass the contacts in the file were made for with ",
+                Input::ContactsMass.like("KG"),
+            ]));
+        };
+        if output.no_note {
+            return Err(RequestFault::general(phrase![
+                "a note is written or not: leave out ",
+                Input::NoNote
+            ]));
+        }
+        let masses = MassOptions { contacts_mass: Some(mass), ..MassOptions::default() };
+        let planner = Noting {
+            mass_kg: mass.get(),
+            gravity_m_s2: contacts_gravity.map(Acceleration::get),
+            inspection: InspectionOptions::new(
+                StanceOptions::default(),
+                masses,
+                ForceOptions::default(),
+                set_files.clone(),
+            ),
+            settings: json!(["note", mass, contacts_gravity]).to_string(),
+        };
+        Ok(Change::new(models, output, set_files, planner))
+    }
+}
+
+impl Planner for Noting {
+    fn name(&self) -> &'static str {
+        "note"
+    }
+
+    fn inspection(&self) -> InspectionOptions {
+        self.inspection.clone()
+    }
+
+    fn settings(&self) -> String {
+        self.settings.clone()
+    }
+
+    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
+        note(model, self.mass_kg, self.gravity_m_s2.or(model.gravity()))
+    }
+}

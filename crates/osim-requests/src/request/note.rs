@@ -1,0 +1,49 @@
+//! Writing down the mass that contacts were made for.
+
+use std::path::PathBuf;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::options::{OutputOptions, RunOptions, SetFiles};
+use crate::relation::Relation;
+use crate::value::{Acceleration, Kilograms, path};
+
+/// Writes into models which mass their contacts were made for; no number changes.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "clap", derive(clap::Args))]
+#[serde(default)]
+#[non_exhaustive]
+pub struct NoteRequest {
+    /// Models (.osim), a ForceSet (.xml) with `geometry`, folders, or - for standard input
+    #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]
+    #[serde(with = "path::list")]
+    #[schemars(with = "Vec<path::PathSchema>")]
+    pub models: Vec<PathBuf>,
+    /// Mass the contacts in the file were made for, kg
+    #[cfg_attr(feature = "clap", arg(long, value_name = "KG", allow_hyphen_values = true))]
+    pub contacts_mass: Option<Kilograms>,
+    /// Gravity the contacts in the file were made for, m/s2 [default: the model's]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "G", allow_hyphen_values = true))]
+    pub contacts_gravity: Option<Acceleration>,
+    /// Where results go.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub output: OutputOptions,
+    /// How to go about the work.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub run: RunOptions,
+    /// Files of a standalone set.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub set_files: SetFiles,
+}
+
+impl NoteRequest {
+    pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[
+        &[Relation::Expected("models"), Relation::Expected("contacts_mass")],
+        OutputOptions::RELATIONS,
+        RunOptions::RELATIONS,
+    ];
+}
