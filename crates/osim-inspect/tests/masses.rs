@@ -91,15 +91,19 @@ fn who_says_what_the_contacts_are_made_for_knows_it() {
 
 /// `text` with a note that its contacts are made for `kg`.
 fn noted(text: &str, kg: f64) -> String {
+    let model = Model::parse(text).unwrap();
     let note = Note {
         version: "0.1.0".to_owned(),
         mass_kg: Some(kg),
         gravity_m_s2: Some(10.0),
         scope: Scope::All,
         operation: "rescale".to_owned(),
-        digest: Model::parse(text).unwrap().contact_digest(|_| None),
+        sizes: model.body_sizes(),
+        digest: model.contact_digest(|_| None),
+        places: Some(model.places_digest(|_| None)),
+        made: Note::nothing_made(),
     };
-    text.replacen("<gravity>", &format!("{}\n<gravity>", note.comment()), 1)
+    text.replacen("<gravity>", &format!("<credits>{}</credits>\n<gravity>", note.text()), 1)
 }
 
 fn mismatch(text: &str, masses: &MassRequest) -> Option<MassMismatch> {

@@ -129,11 +129,7 @@ impl Inspection {
             mass_kg: found.mass.map(|mass| mass.kg),
             mass_source: found.mass.map(|mass| mass.source.describe()).unwrap_or_default(),
             gravity_m_s2: model.gravity(),
-            contacts_mass_kg: found.contacts_mass.map(|mass| ContactsMass {
-                value: mass.kg,
-                source: mass.source.as_str(),
-                description: mass.source.describe(),
-            }),
+            contacts_mass_kg: found.contacts_mass.map(ContactsMass::new),
             limbs: found.limbs.known().map(|limbs| {
                 let limb = |limb: &Limb| InspectedLimb {
                     name: limb.name.clone(),

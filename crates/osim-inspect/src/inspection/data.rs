@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 use contact_scaling::DimensionlessContact;
 use osim_model::wording::{Dialect, Phrase};
-use osim_model::{Finding, Origin, Property};
+use osim_model::{Finding, Mass, Origin, Property, readable};
 use schemars::JsonSchema;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
@@ -76,6 +76,32 @@ pub struct ContactsMass {
     /// Who said so, for people.
     #[serde(skip)]
     pub description: Phrase,
+    /// Whether somebody said it of the contacts. Otherwise it is what the model weighs, which is taken because nothing else is
+    /// known.
+    #[serde(skip)]
+    pub recorded: bool,
+}
+
+impl ContactsMass {
+    pub(super) fn new(mass: &Mass) -> Self {
+        Self {
+            value: mass.kg,
+            source: mass.source.as_str(),
+            description: mass.source.describe(),
+            recorded: mass.source.is_of_contacts(),
+        }
+    }
+
+    /// What is known of it, in words: `62 kg (note in the file)`, or `not recorded (the body weighs 20 kg)`.
+    #[must_use]
+    pub fn in_words(&self) -> String {
+        let kg = readable(self.value);
+        if self.recorded {
+            format!("{kg} kg ({})", self.description)
+        } else {
+            format!("not recorded (the body weighs {kg} kg)")
+        }
+    }
 }
 
 /// A limb that stands on the ground.

@@ -129,7 +129,7 @@ fn the_model(inspected: &Inspection, files: &[NamedDigest]) -> Markup {
                 None => { "not known" }
             } }
             dt { "Contacts made for" } dd { @match &inspected.contacts_mass_kg {
-                Some(mass) => { (readable(mass.value)) " kg (" (mass.description) ")" }
+                Some(mass) => { (mass.in_words()) }
                 None => { "not known" }
             } }
             dt { "Gravity" } dd { @match inspected.gravity_m_s2 {

@@ -45,7 +45,7 @@ fn head(inspected: &Inspection) -> String {
         None => "what the model weighs is not known".to_owned(),
     };
     let contacts = match &inspected.contacts_mass_kg {
-        Some(mass) => format!("contacts made for {} kg ({})", readable(mass.value), mass.description),
+        Some(mass) => format!("contacts made for: {}", mass.in_words()),
         None => "which mass its contacts are made for is not known".to_owned(),
     };
     text.push_str(&wrapped(&format!("{weighs}; {contacts}"), ""));
