@@ -86,7 +86,7 @@ fn standard_input_goes_to_standard_output() {
     let piped = bench.run_with("- --target-mass 1190", &fixture(HUMAN.0)).done().wrote_nothing();
     assert_eq!(piped.stdout, bench.read("file.osim"));
     assert!(
-        piped.err().contains("contacts made for 62 kg"),
+        piped.err().contains("contacts taken as made for 62 kg"),
         "the table goes to standard error: {}",
         piped.err()
     );
@@ -210,7 +210,7 @@ fn a_standalone_pair_is_written_together() {
         .run("forces.xml --geometry geometry.xml --model model.osim --target-mass 492")
         .done()
         .wrote(&["forces.scaled.xml", "geometry.scaled.xml"])
-        .says(&["contacts made for 61.5 kg"]);
+        .says(&["contacts taken as made for 61.5 kg"]);
     assert!(bench.text("forces.scaled.xml").contains("<stiffness>2469135.6</stiffness>"));
     assert!(bench.text("geometry.scaled.xml").contains("<radius>0.065</radius>"));
     bench.run("forces.xml --geometry geometry.xml --contacts-mass 61.5 --target-mass 492 -o f.xml --geometry-output g.xml").done().wrote(&["f.xml", "g.xml"]);

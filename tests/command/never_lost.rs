@@ -88,7 +88,7 @@ fn permissions_are_kept_to_the_bit() {
 fn a_note_that_cannot_be_read_is_asked_about() {
     let bench = Bench::human();
     bench.run("human.osim --target-mass 500 -o noted.osim").done();
-    bench.write("noted.osim", bench.text("noted.osim").replace("stand for 500 kg", "stand for 500,0 kg"));
+    bench.write("noted.osim", bench.text("noted.osim").replace("made for 500 kg", "made for 500,0 kg"));
     bench
         .run("noted.osim --target-mass 600")
         .failed()
@@ -111,7 +111,7 @@ fn a_factor_is_not_applied_twice_in_place_unasked() {
         .wrote_nothing()
         .says(&["was done already"]);
     // The mass the contacts stood for is still known.
-    assert!(bench.text("human.osim").contains("contacts stand for 500 kg"));
+    assert!(bench.text("human.osim").contains("contacts made for 500 kg"));
 }
 
 #[test]

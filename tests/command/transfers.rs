@@ -64,10 +64,10 @@ fn the_table_and_the_note_say_which_gravities_were_taken() {
         .done()
         .says(&["gravity 2.4525 -> 9.81 m/s2 (x4)"]);
     assert!(
-        bench.text("earth.osim").contains("contacts stand for 62 kg; gravity 9.8100000000000005 m/s2;")
-            || bench.text("earth.osim").contains("contacts stand for 62 kg; gravity 9.81 m/s2;")
+        bench.text("earth.osim").contains("contacts made for 62 kg at 9.8100000000000005 m/s2 (")
+            || bench.text("earth.osim").contains("contacts made for 62 kg at 9.81 m/s2 (")
     );
-    // They stand for 9.81 m/s² now: scaled back, they are what they were.
+    // They are made for 9.81 m/s² now: scaled back, they are what they were.
     bench.run("earth.osim --target-mass 62 --target-gravity 2.4525 -o back.osim").done();
     let seen = bench.run("inspect back.osim --format json").done().out();
     let seen: Value = serde_json::from_str(&seen).unwrap();

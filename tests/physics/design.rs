@@ -253,7 +253,7 @@ fn with_a_model_an_indentation_writes_the_stiffness_and_nothing_else() {
         assert_close(text.parse().unwrap(), 3_281_223.193_765_884, 1e-14, &new);
     }
     // Partial: dissipation and smoothing still are what they were, for whatever mass.
-    assert!(bench.text("out.osim").contains("scope partial; by design;"));
+    assert!(bench.text("out.osim").contains("; partial; by design;"));
     // The tool reads its own result back as what was asked for.
     let ran = bench.run("drop-test out.osim --format json").done();
     assert_close(object(&ran)["relative_indentation_hertz"].as_f64().unwrap(), 0.16, 1e-12, "x̂");
@@ -334,7 +334,9 @@ fn a_design_of_everything_stands_for_the_model_and_can_be_scaled_on() {
     let all = "--indentation 0.16 --restitution 0.9 --constant-indentation 0.05 --state-width 0.3 --speed-width 0.3";
     bench.run(&format!("design human.osim {all} -o out.osim")).done();
     assert!(
-        bench.text("out.osim").contains("contacts stand for 62 kg; gravity 9.81 m/s2; scope all; by design;")
+        bench
+            .text("out.osim")
+            .contains("contacts made for 62 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by design;")
     );
     bench.run("out.osim --target-mass 500 --dry-run").done().says(&["contacts made for 62 kg (note"]);
 }

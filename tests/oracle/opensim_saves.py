@@ -1,0 +1,89 @@
+"""Save or scale a model with the real OpenSim: `opensim_saves.py < job.json`
+
+A job is `{"model", "output", "how"}`, in a process of its own. `how` is `save`, `init` (save after initSystem), `scale`
+(Model.scale of each body by 0.7), `tool` (the Scale Tool, from a setup file of its own) or `processor` (a ModelProcessor).
+"""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+FACTOR = 0.7
+
+SETUP = """<?xml version="1.0" encoding="UTF-8" ?>
+<OpenSimDocument Version="40000">
+	<ScaleTool name="scaled">
+		<mass>{mass!r}</mass>
+		<GenericModelMaker><model_file>{model}</model_file></GenericModelMaker>
+		<ModelScaler>
+			<apply>true</apply>
+			<scaling_order>manualScale</scaling_order>
+			<ScaleSet><objects>{scales}</objects></ScaleSet>
+			<preserve_mass_distribution>true</preserve_mass_distribution>
+			<output_model_file>{output}</output_model_file>
+		</ModelScaler>
+		<MarkerPlacer><apply>false</apply></MarkerPlacer>
+	</ScaleTool>
+</OpenSimDocument>
+"""
+
+
+def save(model, output, how):
+    """The model as OpenSim has written it; the caller's process stays free of OpenSim."""
+    job = json.dumps({"model": str(model), "output": str(output), "how": how})
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([sys.executable, __file__], input=job, capture_output=True, text=True, check=True, cwd=folder)
+    return output
+
+
+def save_here(opensim, model, output, how):
+    if how == "processor":
+        opensim.ModelProcessor(model).process().printToXML(output)
+        return
+    loaded = opensim.Model(model)
+    if how == "save":
+        loaded.finalizeConnections()
+        loaded.printToXML(output)
+        return
+    state = loaded.initSystem()
+    bodies = loaded.getBodySet()
+    names = [bodies.get(index).getName() for index in range(bodies.getSize())]
+    mass = loaded.getTotalMass(state) * FACTOR**3
+    if how == "scale":
+        scales = opensim.ScaleSet()
+        for name in names:
+            one = opensim.Scale()
+            one.setSegmentName(name)
+            one.setScaleFactors(opensim.Vec3(FACTOR, FACTOR, FACTOR))
+            one.setApply(True)
+            scales.cloneAndAppend(one)
+        if not loaded.scale(state, scales, True, mass):
+            raise SystemExit("Model.scale failed")
+    elif how == "tool":
+        with_tool(opensim, model, output, names, mass)
+        return
+    loaded.printToXML(output)
+
+
+def with_tool(opensim, model, output, names, mass):
+    """The Scale Tool reads the model from the file and writes the scaled one."""
+    scales = "".join(
+        f'<Scale><scales>{FACTOR} {FACTOR} {FACTOR}</scales><segment>{name}</segment><apply>true</apply></Scale>'
+        for name in names
+    )
+    setup = Path("setup.xml")
+    setup.write_text(SETUP.format(mass=mass, model=model, output=output, scales=scales), encoding="utf-8")
+    opensim.ScaleTool(str(setup.resolve())).run()  # its answer is about markers
+
+
+if __name__ == "__main__":
+    import opensim
+
+    opensim.Logger.removeFileSink()
+    opensim.Logger.setLevelString("Off")
+    job = json.load(sys.stdin)
+    os.environ.setdefault("LC_ALL", "C")
+    save_here(opensim, job["model"], job["output"], job["how"])
