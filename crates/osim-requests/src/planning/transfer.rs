@@ -6,7 +6,7 @@ use osim_inspect::LoadSharing;
 use osim_model::files::Files;
 use osim_model::wording::{Input, phrase};
 use osim_model::{
-    Anatomy, CountOf, Fault, Finding, GravityFor, MassRequest, Model, Needed, Property, Selected, Selection,
+    Anatomy, CountOf, Fault, GravityFor, MassRequest, Model, Needed, Property, Selected, Selection,
 };
 use osim_patch::{
     Factors, Follow, FollowRequest, Plan, RadiusRule, Reference, ScalingRule, Transfer, moving_spheres,
@@ -210,12 +210,12 @@ impl Planner for Transferring {
 
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         let selected = self.selection.apply(model)?;
-        let (follow, mut warnings) = match &self.generic {
+        let (follow, mut warnings, mut remarks) = match &self.generic {
             Some(generic) => {
-                let (follow, warnings) = self.follow(model, &selected, generic)?;
-                (Some(follow), warnings)
+                let (follow, factors) = self.follow(model, &selected, generic)?;
+                (Some(follow), factors.warnings, factors.remarks)
             }
-            None => (None, Vec::new()),
+            None => (None, Vec::new(), Vec::new()),
         };
         let counts = self.sphere_counts(model, &selected)?;
         let radius = self.scaling.radius.map(Radius::rule);
@@ -239,6 +239,7 @@ impl Planner for Transferring {
         let mut plan = transfer(model, &selected, &wanted)?;
         plan.name_operation(&operation);
         plan.warnings.append(&mut warnings);
+        plan.remarks.append(&mut remarks);
         Ok(plan)
     }
 }
@@ -249,7 +250,7 @@ impl Transferring {
         model: &Model,
         selected: &Selected,
         generic: &Generic,
-    ) -> Result<(Follow, Vec<Finding>), Fault> {
+    ) -> Result<(Follow, Factors), Fault> {
         let scaled = Anatomy::of(model)?;
         let factors = Factors::find(&scaled, &generic.anatomy, generic.file.as_ref(), &self.follow.given())?;
         let mut wanted = FollowRequest::default();
@@ -260,7 +261,7 @@ impl Transferring {
         Follow::refuse_missing(&scaled, self.reference.contacts.iter().flat_map(|contact| &contact.spheres))?;
         let spheres = moving_spheres(model, &selected.forces);
         let follow = Follow::find(model, &spheres, &scaled, &generic.anatomy, &factors, &wanted)?;
-        Ok((follow, factors.warnings))
+        Ok((follow, factors))
     }
 
     /// Spheres that share the weight, here and in the reference. Where each sphere has its own there, one of the two counts says
