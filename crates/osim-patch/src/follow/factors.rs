@@ -17,7 +17,7 @@ const NO_COPY: &str = "no factors per body and axis lead from the reference to t
 /// Factors of all bodies of a model against those of a reference: new lengths over old ones.
 ///
 /// Where the model is a scaled copy of the reference ([`Factors::is_scaled_copy`]), each axis comes from the first source that has
-/// it, exactly: what the caller gives, the Scale Tool's file, meshes, joint offsets. Between different models, offsets are no
+/// it, exactly: what the caller gives, the Scale Tool's file, meshes, joint offsets. Between different models, offsets are not
 /// factors: then a body's factors are the ratio of the mesh factors of the same bone, else one ratio of distances to a joint below
 /// it; a body at the end of a limb takes those of the body that it hangs on. Left and right take the same source.
 ///
