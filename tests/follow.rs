@@ -266,7 +266,8 @@ fn bottoms_stay_on_the_scaled_sole() {
             close_place(&planned(&report, name, "location"), place);
         }
     }
-    says(&bench.run("transfer scaled.osim --from generic.osim --level").usage(), &["--follow-bodies"]);
+    let alone = bench.run("transfer scaled.osim --from generic.osim --level").usage();
+    says(&alone, &["--level says nothing here: radii stay", "--radius isometric", "--follow-bodies"]);
 }
 
 #[test]

@@ -57,7 +57,7 @@ pub use design::{Design, DesignModulus, design};
 pub use edit::{Edit, Patch, splice};
 pub use follow::{
     AxisFactor, BodyFactors, Difference, FactorSource, Factors, Follow, FollowRequest, Followed,
-    MovedSpheres, RadiusAxis, ScaleFile, SphereBodies,
+    MovedSpheres, OwnRadii, RadiusAxis, ScaleFile, SphereBodies,
 };
 pub use loaded_sphere::{LoadedSphere, loaded_spheres};
 pub use plan::{Change, Masses, Move, Plan};

@@ -21,4 +21,4 @@ pub use copy::Difference;
 pub use factors::Factors;
 pub use scale_file::ScaleFile;
 pub use sphere_bodies::SphereBodies;
-pub use spheres::{Follow, FollowRequest, Followed, MovedSpheres, RadiusAxis};
+pub use spheres::{Follow, FollowRequest, Followed, MovedSpheres, OwnRadii, RadiusAxis};

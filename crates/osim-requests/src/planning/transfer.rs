@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use contact_scaling::Ratios;
 use osim_inspect::LoadSharing;
 use osim_model::files::Files;
 use osim_model::wording::{Input, phrase};
@@ -9,8 +10,8 @@ use osim_model::{
     Anatomy, CountOf, Fault, GravityFor, MassRequest, Model, Needed, Property, Selected, Selection,
 };
 use osim_patch::{
-    Factors, Follow, FollowRequest, Plan, RadiusRule, Reference, ScalingRule, Transfer, moving_spheres,
-    transfer,
+    Factors, Follow, FollowRequest, OwnRadii, Plan, RadiusAxis, RadiusRule, Reference, ScalingRule, Transfer,
+    moving_spheres, transfer,
 };
 use serde_json::json;
 
@@ -163,26 +164,52 @@ fn check(request: &TransferRequest) -> Result<(), RequestFault> {
             return Err(RequestFault::refused(input, message));
         }
     }
-    if request.scaling.level && !request.follow.follow_bodies {
+    check_radii(request)
+}
+
+/// Combinations of radii and places that say nothing.
+fn check_radii(request: &TransferRequest) -> Result<(), RequestFault> {
+    let (scaling, follow) = (&request.scaling, &request.follow);
+    let rule = scaling.radius.map(Radius::rule);
+    let stays =
+        !scaling.properties().contains(Property::Radius) || matches!(rule, None | Some(RadiusRule::Keep));
+    if scaling.level && !follow.follow_bodies && stays {
         let message = phrase![
             Input::Level,
-            " in a transfer needs ",
+            " says nothing here: radii stay, and bottoms with them; say what becomes of radii with ",
+            Input::Radius.being("isometric"),
+            " (or metres, or a factor), or move spheres with their bodies by ",
             Input::FollowBodies,
-            ": without it neither radii nor soles change",
         ];
         return Err(RequestFault::refused(Input::Level, message));
     }
-    if request.scaling.radius.is_some() && request.follow.follow_bodies {
+    if !follow.follow_bodies || rule.is_none() {
+        return Ok(());
+    }
+    if matches!(rule, Some(RadiusRule::Factor(_))) {
         let message = phrase![
+            "a factor of ",
             Input::Radius,
             " says nothing with ",
             Input::FollowBodies,
             ": radii follow the bodies (",
             Input::RadiusAxis,
-            "), or stay with ",
-            Input::Keep.being("radius"),
+            "), are as large against the body as the reference's (",
+            Input::Radius.being("isometric"),
+            "), are metres, or stay (",
+            Input::Radius.being("keep"),
+            ")",
         ];
         return Err(RequestFault::refused(Input::Radius, message));
+    }
+    if follow.radius_axis() != RadiusAxis::default() {
+        let message = phrase![
+            Input::RadiusAxis,
+            " says nothing with ",
+            Input::Radius,
+            ": radii follow either from the factors of bodies or from that rule",
+        ];
+        return Err(RequestFault::refused(Input::RadiusAxis, message));
     }
     Ok(())
 }
@@ -234,6 +261,7 @@ impl Planner for Transferring {
         wanted.dissipation_by = self.scaling.dissipation();
         wanted.target_gravity_m_s2 = self.target_gravity(model)?;
         wanted.rule = self.rule(follow.as_ref())?;
+        wanted.level = self.scaling.level_axis(model.gravity_m_s2);
         wanted.follow = follow;
         wanted.strict = self.follow.strict;
         let mut plan = transfer(model, &selected, &wanted)?;
@@ -257,7 +285,17 @@ impl Transferring {
         wanted.radius_axis = self.follow.radius_axis();
         wanted.level = self.scaling.level_axis(model.gravity_m_s2);
         wanted.moved = self.follow.moved();
-        wanted.keep_radii = !self.scaling.properties().contains(Property::Radius);
+        let rule = self.scaling.radius.map(Radius::rule);
+        wanted.keep_radii =
+            !self.scaling.properties().contains(Property::Radius) || rule == Some(RadiusRule::Keep);
+        wanted.own_radii = match rule {
+            Some(RadiusRule::Metres(metres)) => Some(OwnRadii::Metres(metres)),
+            Some(RadiusRule::Isometric) => {
+                let ratio = self.masses.of_model(model)?.kg / self.reference.mass.kg;
+                Some(OwnRadii::Isometric(Ratios::isometric(ratio).map_err(Fault::new)?.radius()))
+            }
+            _ => None,
+        };
         Follow::refuse_missing(&scaled, self.reference.contacts.iter().flat_map(|contact| &contact.spheres))?;
         let spheres = moving_spheres(model, &selected.forces);
         let follow = Follow::find(model, &spheres, &scaled, &generic.anatomy, &factors, &wanted)?;
