@@ -22,6 +22,7 @@ use crate::options::{
     CountOptions, FollowOptions, InspectionOptions, RuleChoice, ScalingOptions, StanceOptions,
 };
 use crate::planner::{Change, Planner};
+use crate::reference_state::ReferenceState;
 use crate::request::TransferRequest;
 use crate::value::{Acceleration, Positive, Radius};
 
@@ -47,6 +48,8 @@ struct Transferring {
     selection: Selection,
     masses: MassRequest,
     reference: Reference,
+    /// The same as reports show it.
+    state: ReferenceState,
     reference_said: ReferenceSaid,
     /// The generic model's bones and the Scale Tool's factors, where spheres follow their bodies.
     generic: Option<Generic>,
@@ -68,7 +71,7 @@ impl TransferRequest {
         };
         let named = preset(&self, &from, files)?;
         let is_file = named.is_none();
-        let (mut reference, generic) = match named {
+        let (mut reference, state, generic) = match named {
             Some(_) if self.follow.follow_bodies => {
                 let message = phrase![
                     Input::FollowBodies,
@@ -78,7 +81,7 @@ impl TransferRequest {
                 ];
                 return Err(RequestFault::refused(Input::FollowBodies, message).into());
             }
-            Some(reference) => (reference, None),
+            Some((reference, state)) => (reference, state, None),
             None => reference_from_file(&self, &from, files)?,
         };
         let gravity = self.reference.reference_gravity.map(Acceleration::get);
@@ -100,6 +103,7 @@ impl TransferRequest {
             selection: self.choice.selection(),
             masses: self.masses.request(),
             reference,
+            state,
             reference_said: ReferenceSaid {
                 spheres: self.reference.reference_spheres.is_some(),
                 gravity: gravity.is_some(),
@@ -225,6 +229,10 @@ impl Planner for Transferring {
 
     fn target_gravity_m_s2(&self) -> Option<f64> {
         self.scaling.target_gravity.map(Acceleration::get)
+    }
+
+    fn reference(&self) -> Option<&ReferenceState> {
+        Some(&self.state)
     }
 
     fn settings(&self) -> String {
