@@ -46,6 +46,33 @@ fn a_rescaled_model() {
     }
 }
 
+/// A transfer shows the reference beside both states: what looks like damage (x/R 0.17 before, 0.35 after) is as it is there.
+#[test]
+fn a_transferred_model_beside_its_reference() {
+    let bench =
+        Bench::with(&[("table1/emu_10_spheres_smooth_sphere.osim", "emu.osim"), (HUMAN.0, "human.osim")]);
+    // The paper's Table 1: on 10 spheres of 15 mm the emu has the human's contact already; a stiffer one is put right.
+    bench.run("set emu.osim stiffness=x3 -o stiff.osim").done();
+    bench.run("transfer stiff.osim --from human.osim -o new.osim --report page.html").done();
+    let whole = page(&bench, "page.html");
+    snapshot("page_transfer", &whole.text);
+    assert_eq!(whole.plots, 3);
+    let now = "The contact is now as that of human.osim: without dimensions all numbers are equal.";
+    assert!(whole.text.contains(now), "{}", whole.text);
+    // x/R 0.3533 by (11) in the reference and after; a third of it to the power 2/3 before, 0.3533 / 3^(2/3) = 0.1698.
+    assert!(whole.text.contains("0.3533") && whole.text.contains("0.1698"), "{}", whole.text);
+    assert!(whole.text.contains("lie on each other where the contact without dimensions is the same"));
+    // A preset has no figures of spheres, but a contact; and another rule gives another contact.
+    bench.run("transfer stiff.osim --from falisse2022 -o b.osim --report preset.html").done();
+    assert!(page(&bench, "preset.html").text.contains("The contact is now as that of falisse2022"));
+    let call =
+        "transfer stiff.osim --from falisse2022 --rule predsim --height-ratio 0.9 -o c.osim --report c.html";
+    bench.run(call).done();
+    assert!(
+        page(&bench, "c.html").text.contains("The contact is now not that of falisse2022 in all numbers")
+    );
+}
+
 #[test]
 fn a_library_that_is_checked() {
     let bench = library();

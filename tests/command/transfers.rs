@@ -229,3 +229,42 @@ fn standard_input_is_one_file() {
     assert_eq!(ran.status, Some(2), "{}", ran.err());
     ran.says(&["standard input cannot be both"]);
 }
+
+/// An animal with feet of its own, and a human's contact: spheres as large against the body as the human's by (8), 0.032 m times
+/// the cube root of 37.8/62 (Python's decimal), on the soles where they are.
+#[test]
+fn spheres_of_ones_own_get_the_size_of_a_preset_and_stay_on_their_soles() {
+    const RADIUS: f64 = 0.027_134_178_757_483_97;
+    let bench = Bench::with(&[("table1/emu_10_spheres_smooth_sphere.osim", "emu.osim")]);
+    let call = "transfer emu.osim --from falisse2022 --radius isometric --level --dry-run";
+    let report: Value =
+        serde_json::from_str(&bench.run(&format!("{call} --format json")).done().out()).unwrap();
+    let changes = report["changes"].as_array().unwrap();
+    let of = |property: &'static str| changes.iter().filter(move |change| change["property"] == property);
+    assert_eq!((of("radius").count(), of("location").count()), (20, 20));
+    for change in of("radius") {
+        assert!((change["to"].as_f64().unwrap() / RADIUS - 1.0).abs() < 1e-15, "{change}");
+        assert_eq!((&change["from"], &change["equation"]), (&json!(0.015), &json!("8")));
+    }
+    for change in of("location") {
+        let (from, to) = (change["from"].as_array().unwrap(), change["to"].as_array().unwrap());
+        assert_eq!((&from[0], &from[2]), (&to[0], &to[2]));
+        let (from, to) = (from[1].as_f64().unwrap(), to[1].as_f64().unwrap());
+        assert!((from - 0.015 - (to - RADIUS)).abs() < 1e-15, "the bottom stays: {change}");
+    }
+    bench.run(call).done().looks_like("transfer_level_preset");
+    // Written, and done again: nothing is left to move.
+    bench.run(&call.replace("--dry-run", "-o done.osim")).done();
+    bench
+        .run(&call.replace("emu.osim", "done.osim"))
+        .done()
+        .says(&["every value is already as the reference wants it"]);
+    // Metres and factors move bottoms as well; a radius that stays does not.
+    for radius in ["0.02", "x1.5"] {
+        bench.run(&call.replace("isometric", radius)).done().says(&["so that bottoms stay"]);
+    }
+    for radius in ["--radius keep", "--radius isometric --keep radius", "--only stiffness", ""] {
+        let call = call.replace("--radius isometric", radius);
+        bench.run(&call).usage().says(&["--level says nothing here: radii stay, and bottoms with them"]);
+    }
+}

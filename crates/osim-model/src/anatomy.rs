@@ -9,6 +9,11 @@ use crate::model::Model;
 use crate::rotation::{Rotation, times};
 use crate::xml::ElementId;
 
+mod joints;
+mod pose;
+
+pub use joints::AnatomyJoint;
+
 /// The part of a model that scaling changes (or should have changed), by body name.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -21,6 +26,8 @@ pub struct Anatomy {
     pub offsets: BTreeMap<String, BTreeMap<String, [f64; 3]>>,
     /// Contact spheres.
     pub spheres: Vec<AnatomySphere>,
+    /// Joints between bodies of the files, in file order; those to ground are not among them.
+    pub joints: Vec<AnatomyJoint>,
 }
 
 /// A contact sphere and where it is.
@@ -47,8 +54,13 @@ impl Anatomy {
     pub fn of(model: &Model) -> Result<Self, Fault> {
         let components = model.components();
         let bodies = model.bodies().iter().map(|body| body.name.clone()).collect();
-        let mut anatomy =
-            Self { bodies, meshes: BTreeMap::new(), offsets: BTreeMap::new(), spheres: Vec::new() };
+        let mut anatomy = Self {
+            bodies,
+            meshes: BTreeMap::new(),
+            offsets: BTreeMap::new(),
+            spheres: Vec::new(),
+            joints: joints::read(components),
+        };
         for (id, _) in components.tree.iter() {
             let tag = components.tag(id);
             if tag == "Body" {
@@ -114,6 +126,27 @@ impl Anatomy {
         if let (Some(parent), Some(there)) = (parent, document.triple(element, "location_in_parent")) {
             self.offsets.entry(components.name(parent)).or_default().insert(format!("{name} parent"), there);
         }
+    }
+
+    /// The joint by which `body` hangs on another one.
+    #[must_use]
+    pub fn joint_above(&self, body: &str) -> Option<&AnatomyJoint> {
+        self.joints.iter().find(|joint| joint.child == body)
+    }
+
+    /// Where `joint` is, seen from the origin of `body` at the default pose, m; `None` unless it lies below that body.
+    #[must_use]
+    pub fn place_below(&self, body: &str, joint: &AnatomyJoint) -> Option<[f64; 3]> {
+        let (mut at, mut point) = (joint.parent.as_str(), joint.in_parent_m);
+        for _ in 0..=self.joints.len() {
+            if at == body {
+                return Some(point);
+            }
+            let above = self.joint_above(at)?;
+            point = above.in_parent(point)?;
+            at = &above.parent;
+        }
+        None
     }
 
     /// The first sphere of that name.

@@ -63,7 +63,7 @@ mod value;
 pub mod wording;
 mod xml;
 
-pub use anatomy::{Anatomy, AnatomySphere};
+pub use anatomy::{Anatomy, AnatomyJoint, AnatomySphere};
 pub use assignment::Assignment;
 pub use class::Class;
 pub use components::Companion;
@@ -71,7 +71,8 @@ pub use contact_digest::ValueKey;
 pub use contacts::{Force, ForceId, ForceKind, ParameterSet, SetId, Slot, Sphere, SphereId};
 pub use document::{Document, may_include};
 pub use fault::{
-    CountOf, Excerpt, Fault, FaultKind, FileId, GravityFor, Needed, NoteDoubt, RadiusFrom, TreeOfForces,
+    CountOf, Excerpt, FactorQuestion, Fault, FaultKind, FileId, GravityFor, Needed, NoteDoubt, RadiusFrom,
+    TreeOfForces,
 };
 pub use finding::{
     Finding, FindingCode, Remedy, RemedyChange, RemedyDesign, RemedyDialect, RemedyLoad, Repair, Seen,
@@ -88,7 +89,7 @@ pub use property::Property;
 pub use rotation::{Axis, LevelAxis, Rotation};
 pub use selected::Selected;
 pub use selection::Selection;
-pub use side::Side;
+pub use side::{Side, without_side};
 pub use skeleton::Body;
 pub use value::{Origin, Value};
 pub use xml::{Children, ElementId, LineIndex, Piece, PieceKind, Position, RawText, SyntaxFault, Tree};

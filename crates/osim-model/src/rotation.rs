@@ -34,6 +34,30 @@ impl Rotation {
         std::array::from_fn(|i| (0..3).map(|k| self.0[i][k] * vector[k]).sum())
     }
 
+    /// Rotation by `angle` (rad) about `axis`, which need not have length 1: Rodrigues' formula, R v = v cos a + (u × v) sin a +
+    /// u (u · v)(1 − cos a) with u = axis/|axis|. An axis without length or an angle of 0 turns nothing.
+    #[must_use]
+    pub fn about([x, y, z]: [f64; 3], angle: f64) -> Self {
+        let length = libm::sqrt(x * x + y * y + z * z);
+        if angle == 0.0 || length == 0.0 {
+            return Self::IDENTITY;
+        }
+        let [x, y, z] = [x / length, y / length, z / length];
+        let (s, c) = (libm::sin(angle), libm::cos(angle));
+        let t = 1.0 - c;
+        Self([
+            [t * x * x + c, t * x * y - s * z, t * x * z + s * y],
+            [t * x * y + s * z, t * y * y + c, t * y * z - s * x],
+            [t * x * z - s * y, t * y * z + s * x, t * z * z + c],
+        ])
+    }
+
+    /// Rᵀ: back from the body to the frame.
+    #[must_use]
+    pub fn inverse(&self) -> Self {
+        Self(std::array::from_fn(|i| std::array::from_fn(|j| self.0[j][i])))
+    }
+
     /// RᵀSR v: `vector` of a frame that is turned by R, after a scaling by `factors` (S) along the axes of the body.
     #[must_use]
     pub fn scaled_in_frame(&self, factors: [f64; 3], vector: [f64; 3]) -> [f64; 3] {
@@ -172,6 +196,26 @@ mod tests {
         for (i, expected) in [b.sin(), -a.sin() * b.cos(), a.cos() * b.cos()].into_iter().enumerate() {
             assert!((turned.0[i][2] - expected).abs() < 1e-15);
         }
+    }
+
+    #[test]
+    fn turning_about_an_axis_is_turning_by_body_fixed_angles() {
+        let quarter = std::f64::consts::FRAC_PI_2;
+        // Right-handed: about z, x becomes y; about twice y, z becomes x.
+        let [x, y, z] = Rotation::about([0.0, 0.0, 1.0], quarter).to_body([1.0, 0.0, 0.0]);
+        assert!(x.abs() < 1e-15 && (y - 1.0).abs() < 1e-15 && z == 0.0);
+        let [x, y, z] = Rotation::about([0.0, 2.0, 0.0], quarter).to_body([0.0, 0.0, 1.0]);
+        assert!((x - 1.0).abs() < 1e-15 && y == 0.0 && z.abs() < 1e-15);
+        // A third of a turn about (1, 1, 1) carries x to y, y to z, z to x; its inverse carries back.
+        let third = Rotation::about([1.0, 1.0, 1.0], std::f64::consts::TAU / 3.0);
+        let turned = third.to_body([1.0, 2.0, 3.0]);
+        for (value, expected) in turned.into_iter().zip([3.0, 1.0, 2.0]) {
+            assert!((value - expected).abs() < 1e-14);
+        }
+        for (value, expected) in third.inverse().to_body(turned).into_iter().zip([1.0, 2.0, 3.0]) {
+            assert!((value - expected).abs() < 1e-14);
+        }
+        assert_eq!(Rotation::about([0.0; 3], 1.0), Rotation::IDENTITY);
     }
 
     #[test]

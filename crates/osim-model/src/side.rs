@@ -41,7 +41,15 @@ impl Side {
 }
 
 /// The name with everything that says left or right made equal.
-pub(crate) fn without_side(name: &str) -> String {
+///
+/// ```
+/// use osim_model::without_side;
+///
+/// assert_eq!(without_side("calcn_r"), without_side("calcn_l"));
+/// assert_ne!(without_side("calcn_r"), without_side("toes_r"));
+/// ```
+#[must_use]
+pub fn without_side(name: &str) -> String {
     let lower = name.to_lowercase().replace("right", "#").replace("left", "#");
     let tokens: Vec<&str> = lower
         .split(|c: char| !c.is_alphanumeric() && c != '#')

@@ -59,8 +59,8 @@ mod transfer;
 pub use design::{Design, DesignModulus, design};
 pub use edit::{Edit, Patch, splice};
 pub use follow::{
-    AxisFactor, BodyFactors, FactorSource, Factors, Follow, FollowRequest, Followed, MovedSpheres,
-    RadiusAxis, ScaleFile,
+    AxisFactor, BodyFactors, Difference, FactorSource, Factors, Follow, FollowRequest, Followed,
+    MovedSpheres, OwnRadii, RadiusAxis, ScaleFile, SphereBodies,
 };
 pub use loaded_sphere::{LoadedSphere, loaded_spheres};
 pub use note::note;

@@ -8,6 +8,7 @@ use osim_model::{Property, same_mass};
 use osim_patch::Plan;
 
 use crate::planner::Planner;
+use crate::reference_state::ReferenceState;
 
 /// What is known of both states of a model, spelled.
 #[derive(Debug)]
@@ -21,6 +22,8 @@ pub struct BeforeAfter {
     pub after: Option<(Inspection, CheckResult)>,
     /// Both states, where they are to be drawn.
     pub bodies: Vec<Body>,
+    /// What the contacts are taken from, where they are another body's.
+    pub reference: Option<ReferenceState>,
     /// The contacts are scaled to this gravity, m/s², and the model's is another.
     pub target_gravity_m_s2: Option<f64>,
 }
@@ -52,6 +55,7 @@ impl BeforeAfter {
             before_under_new_weight: None,
             after: None,
             bodies: Vec::new(),
+            reference: planner.reference().cloned(),
             target_gravity_m_s2,
         };
         if after.masses.model_kg != before.masses.model_kg || target_gravity_m_s2.is_some() {
@@ -60,6 +64,8 @@ impl BeforeAfter {
             heavier.stance.gravity_m_s2 = after.stance.gravity_m_s2;
             both.before_under_new_weight = Some(heavier.inspect(opened.name(), &opened.model, None).figures);
         }
+        // A reference is compared with, whether or not it is drawn.
+        let bodies = bodies || both.reference.is_some();
         both.bodies.extend(body("before", &before, opened).filter(|_| bodies));
         if !plan.is_empty() {
             let written = changed().open()?;
@@ -76,6 +82,8 @@ impl BeforeAfter {
             check.spell(dialect);
         }
         self.before_under_new_weight.iter_mut().for_each(|figures| figures.spell(dialect));
+        let reference = self.reference.iter_mut().flat_map(|reference| &mut reference.figures);
+        reference.for_each(|figures| figures.spell(dialect));
     }
 }
 

@@ -8,6 +8,7 @@ use osim_patch::Plan;
 
 use crate::opening::open_with;
 use crate::options::{InspectionOptions, OutputOptions, SetFiles};
+use crate::reference_state::ReferenceState;
 
 /// Plans the change of one model after the other, on any thread.
 pub trait Planner: Send + Sync {
@@ -53,6 +54,11 @@ pub trait Planner: Send + Sync {
 
     /// Gravity that the contacts are scaled to, m/s², where that is asked for.
     fn target_gravity_m_s2(&self) -> Option<f64> {
+        None
+    }
+
+    /// What the contacts are taken from, where they are another body's.
+    fn reference(&self) -> Option<&ReferenceState> {
         None
     }
 

@@ -74,7 +74,7 @@ fn task(table: &Table, row: &RowRequest, known: &mut Known) -> Result<Task, RowF
         return Err(RowFault::of(column, message));
     }
     let settings = settings(table, row, known)?;
-    let task = Task::new(Source::file(&row.model), &row.output, settings);
+    let task = Task::new(Source::file(&row.model), &row.output, settings).with_remarks(row.remarks.clone());
     Ok(match usize::try_from(row.line) {
         Ok(line) => task.of_row(line),
         Err(_) => task,

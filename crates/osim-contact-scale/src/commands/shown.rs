@@ -123,6 +123,7 @@ impl Shower<'_> {
         change.before_under_new_weight = both.before_under_new_weight.as_ref();
         change.after = both.after.as_ref().map(|(after, found)| (after, found));
         change.bodies = both.bodies;
+        change.reference = both.reference.as_ref();
         change.in_file = !changed.written.paths().is_empty();
         change.target_gravity_m_s2 = both.target_gravity_m_s2;
         let detail = DetailLevel::of(changed.index, self.alone);

@@ -2,7 +2,9 @@
 
 use std::fmt::Display;
 
-use contact_scaling::{Contact, DomainError, Law, Preset, Ratios, Spheres};
+use contact_scaling::{
+    Contact, DimensionlessContact, DomainError, Law, Preset, Ratios, Scale, ScaleValues, Spheres,
+};
 use osim_model::files::Failure;
 use osim_model::{CountOf, Fault, ForceId, GravityFor, MassRequest, Model, Needed, readable};
 use osim_patch::loaded_spheres;
@@ -58,7 +60,7 @@ impl SphereKind {
 }
 
 /// One body to draw.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Body {
     /// The name that figures show.
@@ -161,6 +163,26 @@ impl Body {
         };
         let name = format!("{}, scaled to {} kg", self.name, readable(target_mass_kg));
         Ok(Self { name, kinds, weight, contacts_mass_kg: Ok(target_mass_kg), mismatch: None })
+    }
+
+    /// The contact of each of its kinds of spheres, without dimensions.
+    ///
+    /// # Errors
+    /// What it weighs is not known, or a quantity is outside its domain.
+    pub fn dimensionless(&self) -> Result<Vec<(&SphereKind, DimensionlessContact)>, Failure> {
+        let weight = self.weight()?;
+        let of = |kind| {
+            let &SphereKind { radius_m, ref contact, .. } = kind;
+            let scale = Scale::new(ScaleValues {
+                mass_kg: weight.mass_kg,
+                radius_m,
+                sphere_count: weight.sphere_count,
+                gravity_m_s2: weight.gravity_m_s2,
+            });
+            let scale = scale.map_err(|error| self.failure(&error))?;
+            Ok((kind, DimensionlessContact::of(contact, &scale)))
+        };
+        self.kinds.iter().map(of).collect()
     }
 
     /// What it weighs, where it must be known.

@@ -63,8 +63,26 @@ impl Form {
         }
         let mut csv = csv::WriterBuilder::new().has_headers(first).from_writer(Vec::new());
         csv.serialize(record).map_err(said)?;
-        csv.into_inner().map_err(said)
+        with_remarks(csv.into_inner().map_err(said)?, record)
     }
+}
+
+/// Columns of the user's own table come after those of a summary.
+fn with_remarks(lines: Vec<u8>, record: &Record) -> Result<Vec<u8>, LibraryFault> {
+    if record.remarks.is_empty() {
+        return Ok(lines);
+    }
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(lines.as_slice());
+    let mut rows: Vec<csv::StringRecord> = reader.records().collect::<Result<_, _>>().map_err(said)?;
+    // The line of the record is the last one; the names of the columns may be before it.
+    let last = rows.len().saturating_sub(1);
+    let mut csv = csv::WriterBuilder::new().from_writer(Vec::new());
+    for (index, row) in rows.iter_mut().enumerate() {
+        let remarks = record.remarks.iter();
+        row.extend(remarks.map(|(name, text)| if index == last { text } else { name }));
+        csv.write_record(&*row).map_err(said)?;
+    }
+    csv.into_inner().map_err(said)
 }
 
 /// What another library says.

@@ -3,6 +3,7 @@
 //! A [`Task`] is one model with its [`JobSettings`]; tasks are independent of each other, so threads share them. What a task
 //! did is an [`Outcome`], reported in the order in which the models were named.
 
+mod changed;
 mod conflicts;
 mod context;
 mod destination;

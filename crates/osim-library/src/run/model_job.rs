@@ -59,6 +59,7 @@ impl<F: FrontEnd> ModelJob<'_, F> {
                 match self.context.previous.of(task, input, record) {
                     Previous::Holds(mut record) => {
                         record.row = task.row;
+                        record.remarks.clone_from(&task.remarks);
                         let shown = self.show_again(loaded, &record, (detail, &inputs));
                         return Ok(Outcome { record: *record, earlier: true, shown, failure: None });
                     }

@@ -1,11 +1,14 @@
 //! One line of a summary: the outcome for one model. `docs/libraries.md` describes every column.
 
+use std::collections::BTreeMap;
+
 use osim_model::Property;
 use osim_model::files::{Failure, FileName};
 use osim_patch::Plan;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::changed::Changed;
 use super::task::Task;
 
 /// The outcome for a model.
@@ -57,6 +60,9 @@ pub struct Record {
     /// Its name in bytes, where that is not UTF-8; in NDJSON only.
     #[serde(skip)]
     pub model_bytes: Option<Vec<u8>>,
+    /// Columns of the user's own table, as they are there; in a table they come last.
+    #[serde(skip)]
+    pub remarks: Vec<(String, String)>,
     /// The file that is written.
     pub output: Option<String>,
     /// Its name in bytes, where that is not UTF-8; in NDJSON only.
@@ -72,16 +78,64 @@ pub struct Record {
     pub contacts_mass_to_kg: Option<f64>,
     /// How many numbers and places change.
     pub changes: usize,
+    /// What the radii were, m, where they changed and were the same everywhere.
+    pub radius_from_m: Option<f64>,
+    /// What the radii became, m, where they changed and became the same everywhere.
+    pub radius_to_m: Option<f64>,
     /// Factor of the radii.
     pub radius_factor: Option<f64>,
+    /// What `stiffness` was, where it changed and was the same everywhere.
+    pub stiffness_from: Option<f64>,
+    /// What `stiffness` became, where it changed and became the same everywhere.
+    pub stiffness_to: Option<f64>,
     /// Factor of `stiffness`.
     pub stiffness_factor: Option<f64>,
+    /// What `dissipation` was, where it changed and was the same everywhere.
+    pub dissipation_from: Option<f64>,
+    /// What `dissipation` became, where it changed and became the same everywhere.
+    pub dissipation_to: Option<f64>,
     /// Factor of `dissipation`.
     pub dissipation_factor: Option<f64>,
+    /// What `static_friction` was, where it changed and was the same everywhere.
+    pub static_friction_from: Option<f64>,
+    /// What `static_friction` became, where it changed and became the same everywhere.
+    pub static_friction_to: Option<f64>,
+    /// Factor of `static_friction`.
+    pub static_friction_factor: Option<f64>,
+    /// What `dynamic_friction` was, where it changed and was the same everywhere.
+    pub dynamic_friction_from: Option<f64>,
+    /// What `dynamic_friction` became, where it changed and became the same everywhere.
+    pub dynamic_friction_to: Option<f64>,
+    /// Factor of `dynamic_friction`.
+    pub dynamic_friction_factor: Option<f64>,
+    /// What `viscous_friction` was, where it changed and was the same everywhere.
+    pub viscous_friction_from: Option<f64>,
+    /// What `viscous_friction` became, where it changed and became the same everywhere.
+    pub viscous_friction_to: Option<f64>,
+    /// Factor of `viscous_friction`.
+    pub viscous_friction_factor: Option<f64>,
+    /// What `transition_velocity` was, where it changed and was the same everywhere.
+    pub transition_velocity_from: Option<f64>,
+    /// What `transition_velocity` became, where it changed and became the same everywhere.
+    pub transition_velocity_to: Option<f64>,
+    /// Factor of `transition_velocity`.
+    pub transition_velocity_factor: Option<f64>,
+    /// What `constant_contact_force` was, where it changed and was the same everywhere.
+    pub constant_contact_force_from: Option<f64>,
+    /// What `constant_contact_force` became, where it changed and became the same everywhere.
+    pub constant_contact_force_to: Option<f64>,
     /// Factor of `constant_contact_force`.
     pub constant_contact_force_factor: Option<f64>,
+    /// What `hertz_smoothing` was, where it changed and was the same everywhere.
+    pub hertz_smoothing_from: Option<f64>,
+    /// What `hertz_smoothing` became, where it changed and became the same everywhere.
+    pub hertz_smoothing_to: Option<f64>,
     /// Factor of `hertz_smoothing`.
     pub hertz_smoothing_factor: Option<f64>,
+    /// What `hunt_crossley_smoothing` was, where it changed and was the same everywhere.
+    pub hunt_crossley_smoothing_from: Option<f64>,
+    /// What `hunt_crossley_smoothing` became, where it changed and became the same everywhere.
+    pub hunt_crossley_smoothing_to: Option<f64>,
     /// Factor of `hunt_crossley_smoothing`.
     pub hunt_crossley_smoothing_factor: Option<f64>,
     /// Properties whose factor is not the same everywhere.
@@ -123,18 +177,27 @@ pub struct JsonRecord {
     /// `output` in bytes, where that is not UTF-8.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub output_bytes: Option<Vec<u8>>,
+    /// Columns of the user's own table whose names begin with #.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub remarks: BTreeMap<String, String>,
 }
 
 impl From<Record> for JsonRecord {
     fn from(mut record: Record) -> Self {
         let (model_bytes, output_bytes) = (record.model_bytes.take(), record.output_bytes.take());
-        Self { record, model_bytes, output_bytes }
+        let remarks = std::mem::take(&mut record.remarks).into_iter().collect();
+        Self { record, model_bytes, output_bytes, remarks }
     }
 }
 
 impl From<JsonRecord> for Record {
     fn from(line: JsonRecord) -> Self {
-        Self { model_bytes: line.model_bytes, output_bytes: line.output_bytes, ..line.record }
+        Self {
+            model_bytes: line.model_bytes,
+            output_bytes: line.output_bytes,
+            remarks: line.remarks.into_iter().collect(),
+            ..line.record
+        }
     }
 }
 
@@ -150,6 +213,7 @@ impl Record {
             model_bytes,
             output,
             output_bytes: output_bytes.flatten(),
+            remarks: task.remarks.clone(),
             tool_version: env!("CARGO_PKG_VERSION").to_owned(),
             ..Self::default()
         }
@@ -178,24 +242,43 @@ impl Record {
         }
         self.changes = plan.changes.len() + plan.moves.len();
         let mut unequal_factors = Vec::new();
-        let mut factor = |property: Property| match common_factor(plan, property) {
-            Common::Factor(factor) => Some(factor),
-            Common::Unequal => {
+        for property in Property::ALL {
+            let changed = Changed::of(plan, property);
+            if changed.unequal {
                 unequal_factors.push(property.name());
-                None
             }
-            Common::None => None,
-        };
-        self.radius_factor = factor(Property::Radius);
-        self.stiffness_factor = factor(Property::Stiffness);
-        self.dissipation_factor = factor(Property::Dissipation);
-        self.constant_contact_force_factor = factor(Property::ConstantContactForce);
-        self.hertz_smoothing_factor = factor(Property::HertzSmoothing);
-        self.hunt_crossley_smoothing_factor = factor(Property::HuntCrossleySmoothing);
+            if let Some([from, to, factor]) = self.cells(property) {
+                (*from, *to, *factor) = (changed.from, changed.to, changed.factor);
+            }
+        }
         self.unequal_factors = unequal_factors.join(" ");
         let mut codes: Vec<&str> = plan.warnings.iter().map(|warning| warning.code.as_str()).collect();
         codes.dedup();
         self.warnings = codes.join(" ");
+    }
+
+    /// The columns of a property: old value, new value and factor.
+    fn cells(&mut self, property: Property) -> Option<[&mut Option<f64>; 3]> {
+        macro_rules! columns {
+            ($($from:ident $to:ident $factor:ident: $property:ident),+ $(,)?) => {
+                match property {
+                    $(Property::$property => Some([&mut self.$from, &mut self.$to, &mut self.$factor]),)+
+                    _ => None,
+                }
+            };
+        }
+        columns! {
+            radius_from_m radius_to_m radius_factor: Radius,
+            stiffness_from stiffness_to stiffness_factor: Stiffness,
+            dissipation_from dissipation_to dissipation_factor: Dissipation,
+            static_friction_from static_friction_to static_friction_factor: StaticFriction,
+            dynamic_friction_from dynamic_friction_to dynamic_friction_factor: DynamicFriction,
+            viscous_friction_from viscous_friction_to viscous_friction_factor: ViscousFriction,
+            transition_velocity_from transition_velocity_to transition_velocity_factor: TransitionVelocity,
+            constant_contact_force_from constant_contact_force_to constant_contact_force_factor: ConstantContactForce,
+            hertz_smoothing_from hertz_smoothing_to hertz_smoothing_factor: HertzSmoothing,
+            hunt_crossley_smoothing_from hunt_crossley_smoothing_to hunt_crossley_smoothing_factor: HuntCrossleySmoothing,
+        }
     }
 
     pub(super) fn failed(&mut self, failure: &Failure) {
@@ -206,20 +289,5 @@ impl Record {
         self.column = failure.column;
         self.sha256_output = None;
         self.sha256_geometry_output = None;
-    }
-}
-
-enum Common {
-    None,
-    Factor(f64),
-    Unequal,
-}
-
-fn common_factor(plan: &Plan, property: Property) -> Common {
-    let mut of_property = plan.changes.iter().filter(|change| change.property == property);
-    let Some(first) = of_property.next() else { return Common::None };
-    match first.factor {
-        Some(factor) if of_property.all(|change| change.factor == Some(factor)) => Common::Factor(factor),
-        _ => Common::Unequal,
     }
 }

@@ -24,6 +24,8 @@ pub struct Task {
     pub(super) settings: Arc<JobSettings>,
     /// Row of the manifest, from 1.
     pub row: Option<usize>,
+    /// Columns of the manifest that are the user's own: name and text.
+    pub remarks: Vec<(String, String)>,
 }
 
 impl Task {
@@ -38,6 +40,7 @@ impl Task {
             source,
             settings,
             row: None,
+            remarks: Vec::new(),
         }
     }
 
@@ -45,6 +48,12 @@ impl Task {
     #[must_use]
     pub fn of_row(self, row: usize) -> Self {
         Self { row: Some(row), ..self }
+    }
+
+    /// The same with columns of the user's own, which a summary copies.
+    #[must_use]
+    pub fn with_remarks(self, remarks: Vec<(String, String)>) -> Self {
+        Self { remarks, ..self }
     }
 
     /// The file that is written.

@@ -5,6 +5,7 @@
 //! them as an [`Input`](crate::wording::Input), which each front end spells.
 
 mod excerpt;
+mod factor_question;
 mod kind;
 mod needed;
 mod way_out;
@@ -16,6 +17,7 @@ use crate::wording::Phrase;
 use crate::xml::{LineIndex, Position};
 
 pub use excerpt::Excerpt;
+pub use factor_question::FactorQuestion;
 pub use kind::FaultKind;
 pub use needed::{CountOf, Needed, NoteDoubt, TreeOfForces};
 pub use way_out::{GravityFor, RadiusFrom};

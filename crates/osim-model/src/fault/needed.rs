@@ -1,5 +1,6 @@
 //! What only the caller can know.
 
+use super::factor_question::FactorQuestion;
 use super::way_out::{GravityFor, RadiusFrom};
 use crate::number::shortest;
 use crate::wording::{Input, Phrase, phrase};
@@ -102,6 +103,8 @@ pub enum Needed {
         /// Axes of which nothing says it.
         axes: Vec<&'static str>,
     },
+    /// How large a body is against that of another model.
+    Factors(FactorQuestion),
     /// What to do with spheres that were moved already.
     MovedSpheres {
         /// Name of the model.
@@ -205,7 +208,7 @@ impl Needed {
             Self::ReferenceContact { .. }
             | Self::ReferenceContactOfForce { .. }
             | Self::ReferenceRadius { .. } => "which-reference",
-            Self::BodyFactors { .. } => "body-scale",
+            Self::BodyFactors { .. } | Self::Factors(_) => "body-scale",
             Self::MovedSpheres { .. } => "moved-spheres",
             Self::Repetition { .. } => "same-operation",
             Self::Geometry | Self::ForceSet => "incomplete-set",
@@ -330,6 +333,7 @@ impl Needed {
                 ", or give the Scale Tool's ",
                 Input::BodyScaleFile.like("FILE"),
             ],
+            Self::Factors(question) => question.phrase(),
             Self::MovedSpheres { model, spheres } => phrase![
                 format!(
                     "spheres of {model} were moved or resized already, by another tool or by hand: {}",

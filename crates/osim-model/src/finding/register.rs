@@ -244,6 +244,11 @@ codes! {
         "A sphere's place and size follow from its body's factors; the first source in the order given, scale file, mesh, joint offset was taken.";
         "Look at `inspect from`, and say `body_scale=BODY=x,y,z` where another source is right";
         NotPossible "only you know which source is right".
+    /// A model is not a scaled copy of the reference whose contacts follow its bodies.
+    NotAScaledCopy = "not-a-scaled-copy", Warn, Change:
+        "In a scaled copy, joint offsets and meshes give each factor exactly. Between different models offsets are not factors: a body then gets the ratio of the mesh factors of the same bone, else one ratio of distances to a joint below it, and the last body of a limb the factors of the body it hangs on.";
+        "Nothing, if another model is meant; else name the generic model that this one was scaled from, or say `body_scale=BODY=x,y,z`";
+        NotPossible "only you know which model this one was scaled from".
     /// Spheres of one ContactParameters follow bodies with different factors.
     FactorSpread = "factor-spread", Warn, Change:
         "One ContactParameters has one modulus for all its spheres; the mean of R squared is used before and after, so single spheres sink in more or less than they did.";

@@ -2,64 +2,24 @@
 
 use std::collections::BTreeMap;
 
-use osim_model::{Anatomy, Document, Fault, FaultKind, Finding, FindingCode, Needed};
+use osim_model::wording::Phrase;
+use osim_model::{Anatomy, Fault, FaultKind, Finding, FindingCode, Needed};
 
-/// Offsets shorter than this say nothing about a factor, m.
-const SHORTEST_OFFSET: f64 = 1e-6;
-/// Sources that differ by more than this (relative) disagree.
-const AGREEMENT: f64 = 0.01;
-const AXES: [&str; 3] = ["x", "y", "z"];
+use super::body_factors::{AXES, AxisFactor, BodyFactors, axes_of};
+use super::copy::{self, Difference};
+use super::different;
+use super::scale_file::ScaleFile;
+use super::sources::{self, Sources};
 
-/// Where a factor comes from, in the order in which sources are taken.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-#[non_exhaustive]
-pub enum FactorSource {
-    /// The caller.
-    Given,
-    /// The Scale Tool's applied ScaleSet.
-    ScaleFile,
-    /// `scale_factors` of the body's meshes.
-    Mesh,
-    /// Translations of frames fixed to the body: joint offsets.
-    Joint,
-}
-
-impl FactorSource {
-    /// As in reports and JSON.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::Given => "given",
-            Self::ScaleFile => "scale file",
-            Self::Mesh => "mesh",
-            Self::Joint => "joint offset",
-        }
-    }
-}
-
-/// The factor of one axis of one body.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct AxisFactor {
-    /// New length over old length.
-    pub factor: f64,
-    /// Where it comes from.
-    pub source: FactorSource,
-}
-
-/// The factors of one body.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct BodyFactors {
-    /// Name of the body.
-    pub body: String,
-    /// Along x, y and z of the body; `None` where no source says it.
-    pub axes: [Option<AxisFactor>; 3],
-    /// What each source says along x, y and z, in their order.
-    pub sources: Vec<(FactorSource, [Option<f64>; 3])>,
-}
-
-/// Scale factors of all bodies of a scaled model.
+/// What follows from a difference.
+const NO_COPY: &str = "no factors per body and axis lead from the reference to this model; factors are those of the same bone's \
+                       mesh, or ratios of distances between joints";
+/// Factors of all bodies of a model against those of a reference: new lengths over old ones.
+///
+/// Where the model is a scaled copy of the reference ([`Factors::is_scaled_copy`]), each axis comes from the first source that has
+/// it, exactly: what the caller gives, the Scale Tool's file, meshes, joint offsets. Between different models, offsets are not
+/// factors: then a body's factors are the ratio of the mesh factors of the same bone, else one ratio of distances to a joint below
+/// it; a body at the end of a limb takes those of the body that it hangs on. Left and right take the same source.
 ///
 /// ```
 /// use std::collections::BTreeMap;
@@ -85,121 +45,102 @@ pub struct BodyFactors {
 pub struct Factors {
     /// In file order of the scaled model.
     pub bodies: Vec<BodyFactors>,
-    /// Where sources disagree by more than 1 %.
+    /// Where sources disagree on bodies that carry spheres: by more than 1 % in a scaled copy, 5 % between different models; and
+    /// that the models are different.
     pub warnings: Vec<Finding>,
-}
-
-/// Factors from the Scale Tool's applied ScaleSet file, by body name: see [`Factors`] for an example.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct ScaleFile(BTreeMap<String, [f64; 3]>);
-
-impl ScaleFile {
-    /// Reads `<ScaleSet>`: `<Scale><scales>sx sy sz</scales><segment>body</segment><apply>true</apply></Scale>`.
-    ///
-    /// # Errors
-    /// Another document, factors that are not three numbers above 0, or two that contradict each other.
-    pub fn read(document: &Document) -> Result<Self, Fault> {
-        Self::read_unlocated(document).map_err(|fault| fault.located(document.bytes()))
-    }
-
-    fn read_unlocated(document: &Document) -> Result<Self, Fault> {
-        let tree = document.tree();
-        let root = document.data_root();
-        if tree.name(root) != "ScaleSet" {
-            let text = format!(
-                "the document holds a <{}>, expected the <ScaleSet> that the Scale Tool writes (its output_scale_file)",
-                tree.name(root)
-            );
-            return Err(Fault::over(FaultKind::Refused(text), tree.open_span(root)));
-        }
-        let mut factors: BTreeMap<String, [f64; 3]> = BTreeMap::new();
-        let scales = tree.child(root, "objects").into_iter().flat_map(|objects| tree.children(objects));
-        for scale in scales.filter(|&scale| tree.name(scale) == "Scale") {
-            let Some(segment) = tree.child(scale, "segment").map(|segment| tree.text_of(segment)) else {
-                continue;
-            };
-            let applied = document.flag(scale, "apply").unwrap_or(true);
-            let values = if applied { document.triple(scale, "scales") } else { Some([1.0; 3]) };
-            let Some(values) = values.filter(|values| values.iter().all(|value| *value > 0.0)) else {
-                let text = format!("the scales of segment {segment} are not three numbers above 0");
-                return Err(Fault::over(FaultKind::Refused(text), tree.span(scale)));
-            };
-            if factors.insert(segment.clone(), values).is_some_and(|other| other != values) {
-                let text = format!("segment {segment} appears twice with different scales");
-                return Err(Fault::over(FaultKind::Refused(text), tree.span(scale)));
-            }
-        }
-        Ok(Self(factors))
-    }
+    /// What else was decided, such as factors that a body takes from the one it hangs on.
+    pub remarks: Vec<Phrase>,
+    /// What shows that the model is not a scaled copy of the reference; `None` where it is one.
+    pub difference: Option<Difference>,
 }
 
 impl Factors {
-    /// Compares `scaled` with the `generic` model it came from. `given` has factors along x, y and z by body name, which count
-    /// more than any other source; then `file`, meshes and joint offsets.
+    /// Compares `scaled` with the `reference` it came from, or with any other model. `given` has factors along x, y and z by body
+    /// name, which count more than any other source.
     ///
     /// # Errors
-    /// A factor that is zero, negative or not finite, or one given for a body that is not there.
+    /// Factors given for a body that is not there, or a file that was applied to another model than the reference.
     pub fn find(
         scaled: &Anatomy,
-        generic: &Anatomy,
+        reference: &Anatomy,
         file: Option<&ScaleFile>,
         given: &BTreeMap<String, [f64; 3]>,
     ) -> Result<Self, Fault> {
         if let Some(name) = given.keys().find(|name| !scaled.bodies.contains(name)) {
             return Err(Fault::new(FaultKind::UnknownBody { body: name.clone() }));
         }
-        let mut factors = Self { bodies: Vec::new(), warnings: Vec::new() };
-        for body in &scaled.bodies {
-            let some = |values: [f64; 3]| values.map(Some);
-            let mut said = Vec::new();
-            if let Some(values) = given.get(body) {
-                said.push((FactorSource::Given, some(*values)));
-            }
-            if let Some(values) = file.and_then(|file| file.0.get(body)) {
-                said.push((FactorSource::ScaleFile, some(*values)));
-            }
-            said.push((FactorSource::Mesh, mesh_factors(scaled, generic, body)));
-            said.push((FactorSource::Joint, joint_factors(scaled, generic, body)));
-            said.retain(|(_, values)| values.iter().any(Option::is_some));
-            factors.add(body, said)?;
+        let carriers = carriers(scaled, reference);
+        if let Some(file) = file {
+            file.refuse_other_reference(scaled, reference, &carriers)?;
+        }
+        let difference = copy::difference(scaled, reference);
+        let said: Vec<Sources> = scaled
+            .bodies
+            .iter()
+            .map(|body| Sources::of(scaled, reference, body, (file, given.get(body)), difference.is_none()))
+            .collect();
+        let mut factors = Self { bodies: Vec::new(), warnings: Vec::new(), remarks: Vec::new(), difference };
+        let taken = sources::taken(&said);
+        for (sources, axes) in said.iter().zip(taken) {
+            factors.bodies.push(BodyFactors {
+                body: sources.body.to_owned(),
+                axes,
+                sources: sources.said.clone(),
+                question: None,
+            });
+        }
+        if let Some(difference) = &factors.difference {
+            let mut message = difference.phrase();
+            message.push(NO_COPY);
+            factors.warnings.push(Finding::new(FindingCode::NotAScaledCopy, message));
+            factors.remarks = different::hang_on(&mut factors.bodies, scaled, &carriers);
+            different::ask(&mut factors.bodies, &said);
+        }
+        factors.refuse_no_sizes();
+        for sources in said.iter().filter(|sources| carriers.contains(&sources.body)) {
+            let messages = sources.disagreements(&axes_of(&factors.bodies, sources.body));
+            let findings =
+                messages.into_iter().map(|message| Finding::new(FindingCode::FactorsDisagree, message));
+            factors.warnings.extend(findings);
         }
         Ok(factors)
     }
 
-    fn add(&mut self, body: &str, said: Vec<(FactorSource, [Option<f64>; 3])>) -> Result<(), Fault> {
-        let mut axes = [None; 3];
-        for (axis, name) in AXES.iter().enumerate() {
-            let mut values = said.iter().filter_map(|(source, values)| Some((*source, values[axis]?)));
-            let Some((source, factor)) = values.next() else { continue };
-            if !(factor.is_finite() && factor > 0.0) {
-                return Err(Fault::refused(format!(
-                    "the {name} factor of body {body} is {factor} ({}), expected a finite number above 0",
-                    source.as_str()
-                )));
-            }
-            for (other, value) in values.filter(|(_, value)| (value - factor).abs() > AGREEMENT * factor) {
-                self.warnings.push(Finding::new(
-                    FindingCode::FactorsDisagree,
-                    format!(
-                        "body {body}, {name}: {} says {factor:.6}, {} says {value:.6}; took the first",
-                        source.as_str(),
-                        other.as_str()
-                    ),
-                ));
-            }
-            axes[axis] = Some(AxisFactor { factor, source });
+    /// Whether the model is the reference, scaled: factors of its bodies explain its joint offsets and its meshes.
+    #[must_use]
+    pub const fn is_scaled_copy(&self) -> bool {
+        self.difference.is_none()
+    }
+
+    /// A factor that no length can have is asked about where it is needed.
+    fn refuse_no_sizes(&mut self) {
+        for body in &mut self.bodies {
+            let bad = AXES.iter().zip(body.axes).find_map(|(name, axis)| {
+                let AxisFactor { factor, source } = axis?;
+                (!(factor.is_finite() && factor > 0.0)).then_some((name, factor, source))
+            });
+            let Some((name, factor, source)) = bad else { continue };
+            body.question = Some(Fault::refused(format!(
+                "the {name} factor of body {} is {factor} ({}), expected a finite number above 0",
+                body.body,
+                source.as_str()
+            )));
+            body.axes = [None; 3];
         }
-        self.bodies.push(BodyFactors { body: body.to_owned(), axes, sources: said });
-        Ok(())
     }
 
     /// The factors of `body` along x, y and z.
     ///
     /// # Errors
-    /// An axis that no source determines ([`Needed::BodyFactors`]): the body and axis are named.
+    /// - An axis that no source determines ([`Needed::BodyFactors`]): the body and axis are named.
+    /// - Between different models, a question about the body ([`Needed::Factors`]).
+    /// - A factor that is zero, negative or not finite.
     pub fn of(&self, body: &str) -> Result<[f64; 3], Fault> {
         let found = self.bodies.iter().find(|factors| factors.body == body);
-        let axes = found.map(|factors| factors.axes).unwrap_or([None; 3]);
+        if let Some(question) = found.and_then(|found| found.question.clone()) {
+            return Err(question);
+        }
+        let axes = axes_of(&self.bodies, body);
         let missing: Vec<&str> =
             AXES.iter().zip(&axes).filter(|(_, axis)| axis.is_none()).map(|(name, _)| *name).collect();
         match axes {
@@ -209,26 +150,11 @@ impl Factors {
     }
 }
 
-/// New over old factors of the body's meshes; where several meshes differ, the first in name order counts.
-fn mesh_factors(scaled: &Anatomy, generic: &Anatomy, body: &str) -> [Option<f64>; 3] {
-    let (Some(new), Some(old)) = (scaled.meshes.get(body), generic.meshes.get(body)) else {
-        return [None; 3];
+/// Bodies of `scaled` that carry spheres, there or in the reference: only their factors matter.
+fn carriers<'a>(scaled: &'a Anatomy, reference: &'a Anatomy) -> Vec<&'a str> {
+    let carries = |body: &str| {
+        let mut spheres = scaled.spheres.iter().chain(&reference.spheres);
+        spheres.any(|sphere| sphere.body.as_deref() == Some(body))
     };
-    let pair = new.iter().find_map(|(file, new)| Some((new, old.get(file)?)));
-    let Some((new, old)) = pair else { return [None; 3] };
-    std::array::from_fn(|axis| (old[axis] != 0.0).then(|| new[axis] / old[axis]))
-}
-
-/// New over old translation of the same frame; the longest offset of each axis is the most exact.
-fn joint_factors(scaled: &Anatomy, generic: &Anatomy, body: &str) -> [Option<f64>; 3] {
-    let (Some(new), Some(old)) = (scaled.offsets.get(body), generic.offsets.get(body)) else {
-        return [None; 3];
-    };
-    std::array::from_fn(|axis| {
-        let pairs = old.iter().filter_map(|(name, old)| Some((old[axis], new.get(name)?[axis])));
-        let longest = pairs
-            .filter(|(old, _)| old.abs() > SHORTEST_OFFSET)
-            .max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
-        longest.map(|(old, new)| new / old)
-    })
+    scaled.bodies.iter().map(String::as_str).filter(|body| carries(body)).collect()
 }

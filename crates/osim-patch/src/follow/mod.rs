@@ -5,8 +5,20 @@
 //! one it came from gives each body's factors ([`Factors`]); spheres of the same name then move and grow with their body
 //! ([`Follow`]).
 
+mod body_factors;
+mod bones;
+mod copy;
+mod different;
+mod distance;
 mod factors;
+mod scale_file;
+mod sources;
+mod sphere_bodies;
 mod spheres;
 
-pub use factors::{AxisFactor, BodyFactors, FactorSource, Factors, ScaleFile};
-pub use spheres::{Follow, FollowRequest, Followed, MovedSpheres, RadiusAxis};
+pub use body_factors::{AxisFactor, BodyFactors, FactorSource};
+pub use copy::Difference;
+pub use factors::Factors;
+pub use scale_file::ScaleFile;
+pub use sphere_bodies::SphereBodies;
+pub use spheres::{Follow, FollowRequest, Followed, MovedSpheres, OwnRadii, RadiusAxis};

@@ -43,6 +43,16 @@ impl RadiusAxis {
     }
 }
 
+/// Radii that do not follow from the factors of bodies.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum OwnRadii {
+    /// As large against the body as in the reference (8): its radii times this.
+    Isometric(f64),
+    /// All are this, m.
+    Metres(f64),
+}
+
 /// What to do with spheres of the scaled model that somebody moved or resized already.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
@@ -68,6 +78,8 @@ pub struct FollowRequest {
     pub moved: MovedSpheres,
     /// Radii stay as they are in the scaled model.
     pub keep_radii: bool,
+    /// Radii that do not follow from factors; where there are none, `radius_axis` counts.
+    pub own_radii: Option<OwnRadii>,
 }
 
 /// The new place and radius of one sphere: from [`Follow::of`].
@@ -202,11 +214,12 @@ fn follow_one(
     factors: [f64; 3],
     request: &FollowRequest,
 ) -> Followed {
-    let ratio = request.radius_axis.of(factors);
-    let radius_m = match ratio {
+    let times = |ratio: f64| if ratio == 1.0 { old.radius_m } else { old.radius_m * ratio };
+    let radius_m = match request.own_radii {
         _ if request.keep_radii => now.radius_m,
-        1.0 => old.radius_m,
-        ratio => old.radius_m * ratio,
+        Some(OwnRadii::Metres(metres)) => metres,
+        Some(OwnRadii::Isometric(ratio)) => times(ratio),
+        None => times(request.radius_axis.of(factors)),
     };
     // The frame of the scaled model: OpenSim moves it but does not turn it.
     let scaled = |vector: [f64; 3]| now.rotation.scaled_in_frame(factors, vector);

@@ -43,6 +43,8 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
     let gravity = change.ratio;
     let followed = |sphere: SphereId| wanted.follow.as_ref().and_then(|follow| follow.spheres.get(&sphere));
     let rule_of = |sphere: SphereId| match (followed(sphere), wanted.radius) {
+        (Some(followed), RadiusRule::Isometric) => SphereRule::Like(followed.radius_m),
+        (Some(followed), RadiusRule::Metres(_)) => SphereRule::Rule(RadiusRule::Metres(followed.radius_m)),
         (Some(followed), _) => SphereRule::Followed(followed.radius_m),
         // As large against the body as the reference's.
         (None, RadiusRule::Isometric) => {
@@ -57,6 +59,9 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
     let radii = Radii::plan(&mut plan, &selected.forces, rule_of, isometric, &wanted.properties)?;
     for (&sphere, place) in wanted.follow.iter().flat_map(|follow| &follow.spheres) {
         plan.location(sphere, place.location_m, FOLLOW)?;
+    }
+    if let Some(axis) = wanted.level.filter(|_| wanted.follow.is_none()) {
+        radii.level(&mut plan, axis)?;
     }
     if wanted.follow.is_some() {
         check_spread(&mut plan, selected, wanted, &chosen, &radii)?;
@@ -165,6 +170,8 @@ fn finish(
         warnings.push(Finding::new(FindingCode::NothingToChange, text));
     } else if wanted.follow.is_some() {
         remarks.push("body masses stay as they are; spheres follow their bodies".into());
+    } else if !moves.is_empty() {
+        remarks.push("body masses stay as they are; sphere centres move so that bottoms stay".into());
     } else {
         remarks.push("body masses and sphere locations stay as they are".into());
         remarks.extend(bottoms_remark(radii));

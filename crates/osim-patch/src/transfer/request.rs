@@ -1,7 +1,7 @@
 //! What is wanted of a transfer, and where its contacts come from.
 
 use contact_scaling::{Contact, Preset};
-use osim_model::{Mass, MassSource};
+use osim_model::{LevelAxis, Mass, MassSource};
 
 use crate::follow::Follow;
 use crate::property_set::PropertySet;
@@ -129,9 +129,11 @@ pub struct Transfer {
     pub dissipation_by: DissipationBy,
     /// Gravity of this model, m/s², where the contacts are scaled to it; `None`: they are as under the reference's gravity.
     pub target_gravity_m_s2: Option<f64>,
-    /// New places and radii of the spheres, where they follow their bodies; `radius` does not count for
-    /// these.
+    /// New places and radii of the spheres, where they follow their bodies; of `radius` only the equation that is named counts
+    /// for these.
     pub follow: Option<Follow>,
+    /// Move sphere centres so that their bottoms stay where they are, where spheres do not follow their bodies.
+    pub level: Option<LevelAxis>,
     /// By which rule E₁* and α follow.
     pub rule: ScalingRule,
     /// Refuse instead of warning where spheres of one force follow bodies with different factors.
@@ -153,6 +155,7 @@ impl Transfer {
             dissipation_by: DissipationBy::default(),
             target_gravity_m_s2: None,
             follow: None,
+            level: None,
             rule: ScalingRule::Paper,
             strict: false,
         }

@@ -161,8 +161,8 @@ const QUESTION: &[ErrorCode] = &[
     ),
     code(
         "body-scale",
-        "how a body was scaled is not in the files (`transfer follow_bodies`)",
-        "`body_scale=BODY=x,y,z`, or `body_scale_file=FILE`",
+        "how a body was scaled is not in the files, or meshes, or left and right, say different things (`transfer follow_bodies`); or `body_scale_file` belongs to another generic model than `from`",
+        "`body_scale=BODY=x,y,z` (or one factor, `body_scale=BODY=f`), or `body_scale_file=FILE`",
     ),
     code(
         "moved-spheres",

@@ -6,6 +6,7 @@ use osim_inspect::{CheckResult, Figures, Inspection};
 use osim_model::readable;
 use osim_model::wording::Dialect;
 use osim_patch::{Change, Move, Plan};
+use osim_requests::ReferenceState;
 
 use super::detail_level::DetailLevel;
 use super::entry::Entry;
@@ -15,7 +16,7 @@ use super::fragment::{Fragment, table};
 use super::run_row::RunRow;
 use super::sphere_figures::{self, State};
 use super::values::{listed, sentence, severity};
-use super::{findings, plots};
+use super::{findings, plots, reference};
 use crate::plan::groups::{groups, whose};
 
 /// A change and what it does. What the plan, the inspections and the checks say is taken as it is spelled.
@@ -32,6 +33,8 @@ pub struct Changed<'c> {
     pub after: Option<(&'c Inspection, &'c CheckResult)>,
     /// States of the model to be drawn.
     pub bodies: Vec<Body>,
+    /// What the contacts are taken from, where they are another body's.
+    pub reference: Option<&'c ReferenceState>,
     /// The new model is in a file.
     pub in_file: bool,
     /// The gravity the contacts are scaled to, where the model's is another, m/s².
@@ -50,6 +53,7 @@ impl<'c> Changed<'c> {
             before_under_new_weight: None,
             after: None,
             bodies: Vec::new(),
+            reference: None,
             in_file: false,
             target_gravity_m_s2: None,
             files,
@@ -71,11 +75,18 @@ pub fn changed(row: &RunRow, changed: &Changed<'_>, detail: DetailLevel, dialect
         }
         None => findings::of_model(&mut fragment, found_before),
     }
+    if let Some(reference) = changed.reference {
+        reference::section(&mut fragment, reference, &changed.bodies);
+    }
     if detail.has_plots() && !changed.bodies.is_empty() {
-        plots::section(&mut fragment, &changed.bodies, dialect);
+        let own = changed.bodies.iter();
+        let bodies: Vec<Body> = own.chain(changed.reference.and_then(|r| r.body.as_ref())).cloned().collect();
+        plots::section(&mut fragment, &bodies, changed.reference.is_some(), dialect);
     }
     let after = changed.after.map(|(after, _)| after);
-    let states = states(before, changed.before_under_new_weight, after);
+    let mut states = states(before, changed.before_under_new_weight, after);
+    let there = changed.reference.and_then(|reference| reference.figures.as_ref());
+    states.extend(there.map(|figures| State { name: "reference".to_owned(), figures, is_reference: true }));
     sphere_figures::section(&mut fragment, &states);
     fragment.section("files", "The files", &files::of_change(&changed.files));
     let counts = changed.after.map_or(found_before.counts, |(_, found)| found.counts);
@@ -96,9 +107,18 @@ fn states<'s>(
         (Some(mass), _) => format!("{word}, under {} kg", readable(mass)),
         (None, _) => word.to_owned(),
     };
-    let mut states = vec![State { name: under("before", &before.figures), figures: &before.figures }];
-    states.extend(under_new_weight.map(|figures| State { name: under("before", figures), figures }));
-    states.extend(after.map(|after| State { name: under("after", &after.figures), figures: &after.figures }));
+    let mut states =
+        vec![State { name: under("before", &before.figures), figures: &before.figures, is_reference: false }];
+    states.extend(under_new_weight.map(|figures| State {
+        name: under("before", figures),
+        figures,
+        is_reference: false,
+    }));
+    states.extend(after.map(|after| State {
+        name: under("after", &after.figures),
+        figures: &after.figures,
+        is_reference: false,
+    }));
     states
 }
 

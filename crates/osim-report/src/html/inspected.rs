@@ -34,9 +34,12 @@ pub fn inspected(
     let failed = |fault| model.failure(fault);
     let body = || Body::inspected(file_name(model.name()).to_owned(), &model.model, options, &failed).ok();
     if let Some(body) = detail.has_plots().then(body).flatten() {
-        plots::section(&mut fragment, &[body], dialect);
+        plots::section(&mut fragment, &[body], false, dialect);
     }
-    sphere_figures::section(&mut fragment, &[State { name: String::new(), figures: &inspected.figures }]);
+    sphere_figures::section(
+        &mut fragment,
+        &[State { name: String::new(), figures: &inspected.figures, is_reference: false }],
+    );
     let body = html! { (forces(inspected)) (spheres(inspected)) (factors(inspected)) };
     fragment.section("contacts", "The contacts", &body);
     fragment.section("model", "The model", &the_model(inspected, files));

@@ -17,6 +17,7 @@ mod inspected;
 mod models_table;
 mod page;
 mod plots;
+mod reference;
 mod run_row;
 mod shell;
 mod sphere_figures;

@@ -17,8 +17,14 @@ const UNITS: Units = Units { indentation: IndentationUnit::Relative, force: Forc
 const HEIGHT: DropHeight = DropHeight::Radii(0.25);
 
 /// The section: what `bodies`, states of one model, do.
-pub(super) fn section(fragment: &mut Fragment, bodies: &[Body], dialect: &dyn Dialect) {
-    let pressed = if bodies.len() > 1 {
+///
+/// `has_reference`: the last one is another body.
+pub(super) fn section(fragment: &mut Fragment, bodies: &[Body], has_reference: bool, dialect: &dyn Dialect) {
+    let pressed = if has_reference {
+        "Force of a sphere that is pressed into the ground, before and after the change, and of the reference. The curve \
+         after the change and that of the reference lie on each other where the contact without dimensions is the same; the \
+         curve before it is that of other contacts."
+    } else if bodies.len() > 1 {
         "Force of a sphere that is pressed into the ground. Where curves lie on each other, the \
          contact without dimensions is the same."
     } else {

@@ -16,6 +16,24 @@ const ABREAST: usize = 6;
 pub(super) struct State<'s> {
     pub(super) name: String,
     pub(super) figures: &'s Figures,
+    /// It is another body, whose spheres may have other names.
+    pub(super) is_reference: bool,
+}
+
+impl<'s> State<'s> {
+    /// Its sphere that `sphere` of the model is compared with: itself; in a reference that of its name, else any where all are
+    /// alike.
+    fn sphere_like(&self, sphere: &SphereFigures) -> Option<&'s SphereFigures> {
+        let own = self.figures.spheres().find(|other| other.path == sphere.path);
+        if !self.is_reference {
+            return own;
+        }
+        let first = || {
+            let first = self.figures.spheres().next()?;
+            self.figures.spheres().all(|other| key(other) == key(first)).then_some(first)
+        };
+        own.or_else(|| self.figures.spheres().find(|other| other.sphere == sphere.sphere)).or_else(first)
+    }
 }
 
 /// Spheres that do the same in every state.
@@ -62,7 +80,7 @@ fn groups<'s>(states: &'s [State<'s>]) -> Vec<Group<'s>> {
         let mixed = limb.is_mixed();
         for sphere in &limb.spheres {
             let spheres: Vec<Option<&SphereFigures>> =
-                states.iter().map(|state| state.figures.spheres().find(|s| s.path == sphere.path)).collect();
+                states.iter().map(|state| state.sphere_like(sphere)).collect();
             let key = spheres.iter().flat_map(|sphere| sphere.map(key).unwrap_or_default()).collect();
             let limb = limb.limb.as_deref().unwrap_or_default();
             match groups.iter_mut().find(|group| group.key == key) {
@@ -109,7 +127,13 @@ fn sheet(
         .filter(|&figure| spheres().any(|sphere| value(figure, sphere).is_some()))
         .map(|figure| line(fragment, figure, speed.filter(|_| !several), groups, outside))
         .collect();
-    let caption = if several { "Figures of the spheres, before and after" } else { "Figures of the spheres" };
+    let caption = match states.last() {
+        Some(last) if last.is_reference => {
+            "Figures of the spheres, before and after, and those of the reference"
+        }
+        _ if several => "Figures of the spheres, before and after",
+        _ => "Figures of the spheres",
+    };
     let table = html! {
         table {
             caption { span { (caption) } }

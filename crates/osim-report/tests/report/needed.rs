@@ -1,7 +1,7 @@
 //! Every question, as each front end asks it.
 
 use osim_model::wording::Input;
-use osim_model::{CountOf, Fault, GravityFor, Needed, NoteDoubt, RadiusFrom, TreeOfForces};
+use osim_model::{CountOf, FactorQuestion, Fault, GravityFor, Needed, NoteDoubt, RadiusFrom, TreeOfForces};
 use osim_report::dialect::{CommandLine, JsonRequest, Page, Python};
 
 /// One example of every question.
@@ -31,6 +31,7 @@ fn examples() -> Vec<Needed> {
         Needed::ReferenceContactOfForce { force: name("/forceset/foot_r") },
         Needed::ReferenceRadius { reference: name("human.osim"), unmatched: vec![name("toe_r")] },
         Needed::BodyFactors { body: name("calcn_r"), axes: vec!["x", "z"] },
+        Needed::Factors(FactorQuestion::Nothing { body: name("toes_r") }),
         Needed::MovedSpheres { model: name("scaled.osim"), spheres: vec![name("heel_r")] },
         Needed::Repetition { operation: name("set stiffness=x2") },
         Needed::Geometry,
@@ -55,6 +56,19 @@ fn by_purpose() -> Vec<Needed> {
         .map(|purpose| Needed::Gravity { purpose })
         .chain([
             shared(RadiusFrom::Rule, false),
+            Needed::Factors(FactorQuestion::Meshes {
+                body: "calcn_r".to_owned(),
+                meshes: [("foot.vtp".to_owned(), [1.1; 3]), ("talus.vtp".to_owned(), [1.2, 1.1, 1.1])],
+            }),
+            Needed::Factors(FactorQuestion::Sides {
+                bodies: ["calcn_r".to_owned(), "calcn_l".to_owned()],
+                factors: [[1.09; 3], [1.26, 1.22, 1.43]],
+            }),
+            Needed::Factors(FactorQuestion::OtherReference {
+                body: "calcn_r".to_owned(),
+                joint: "mtp_r".to_owned(),
+                apart_m: 0.0123,
+            }),
             shared(RadiusFrom::Bodies, true),
             shared(RadiusFrom::ContactStiffness, true),
             shared(RadiusFrom::Assignment, true),

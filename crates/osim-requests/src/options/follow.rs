@@ -68,7 +68,7 @@ pub struct FollowOptions {
     #[serde(with = "path::optional")]
     #[schemars(with = "Option<path::PathSchema>")]
     pub body_scale_file: Option<PathBuf>,
-    /// Factors of a body that the files do not give; may be repeated
+    /// Factors of a body (or one, BODY=f); may be repeated
     #[cfg_attr(feature = "clap", arg(long, value_name = "BODY=x,y,z"))]
     #[serde(with = "body_scale")]
     #[schemars(with = "BodyScaleSchema")]

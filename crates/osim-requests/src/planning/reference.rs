@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use osim_inspect::LoadSharing;
-use osim_model::files::{Failure, Files};
+use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::wording::{Input, phrase};
 use osim_model::{
     Anatomy, CountOf, Fault, FaultKind, Mass, MassRequest, MassSource, Model, Needed, Selection,
@@ -14,9 +14,10 @@ use osim_patch::{Reference, ScaleFile, reference_of_model};
 use crate::fault::RequestFault;
 use crate::opening::{open, scale_file};
 use crate::planner::file_name;
+use crate::reference_state::ReferenceState;
 use crate::request::TransferRequest;
 use crate::subject::Named;
-use crate::value::{Count, Kilograms};
+use crate::value::{Acceleration, Count, Kilograms};
 
 /// What spheres follow from.
 pub(super) struct Generic {
@@ -48,7 +49,7 @@ pub(super) fn preset(
     request: &TransferRequest,
     from: &Path,
     files: &dyn Files,
-) -> Result<Option<Reference>, RequestFault> {
+) -> Result<Option<(Reference, ReferenceState)>, RequestFault> {
     let own = request.presets.as_deref();
     let Named::Preset(preset) = Named::find(from, Some(Input::From), own, files)? else { return Ok(None) };
     let mut reference = Reference::from(&preset);
@@ -57,7 +58,9 @@ pub(super) fn preset(
     }
     let count = request.reference.reference_spheres.map(Count::get);
     reference.sphere_count = count.unwrap_or(reference.sphere_count);
-    Ok(Some(reference))
+    let gravity = request.reference.reference_gravity.map(Acceleration::get);
+    let state = ReferenceState::of_preset(&preset, reference.mass.kg, reference.sphere_count, gravity);
+    Ok(Some((reference, state)))
 }
 
 fn reference_mass(kg: Kilograms) -> Mass {
@@ -72,19 +75,20 @@ pub(super) fn reference_from_file(
     request: &TransferRequest,
     from: &Path,
     files: &dyn Files,
-) -> Result<(Reference, Option<Generic>), Failure> {
+) -> Result<(Reference, ReferenceState, Option<Generic>), Failure> {
     let read = || {
         let open = open(from, files)?;
         let (reference, sphere_count) =
             reference_from_model(&open.model, request, from).map_err(|fault| open.failure(fault))?;
+        let state = state(request, from, &open, &reference);
         if !request.follow.follow_bodies {
-            return Ok((reference, None));
+            return Ok((reference, state, None));
         }
         let anatomy = Anatomy::of(&open.model).map_err(|fault| open.failure(fault))?;
         let file =
             request.follow.body_scale_file.as_deref().map(|path| scale_file(path, files)).transpose()?;
         let standing = standing(&open.model);
-        Ok((reference, Some(Generic { anatomy, file, sphere_count, standing })))
+        Ok((reference, state, Some(Generic { anatomy, file, sphere_count, standing })))
     };
     read().map_err(|failure: Failure| match failure.code {
         // The usual way out is about the model that gets the contacts.
@@ -96,6 +100,14 @@ pub(super) fn reference_from_file(
         }
         _ => failure,
     })
+}
+
+fn state(request: &TransferRequest, from: &Path, open: &OpenModel, reference: &Reference) -> ReferenceState {
+    let options = &request.reference;
+    let selection = Selection { select: options.reference_select.clone(), ..Selection::default() };
+    let gravity = options.reference_gravity.map(Acceleration::get).or(reference.gravity_m_s2);
+    let spheres = options.reference_spheres.map(Count::get);
+    ReferenceState::of_model(file_name(from), open, selection, (reference.mass.kg, spheres, gravity))
 }
 
 fn reference_from_model(

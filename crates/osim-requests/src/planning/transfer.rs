@@ -2,15 +2,16 @@
 
 use std::path::{Path, PathBuf};
 
+use contact_scaling::Ratios;
 use osim_inspect::LoadSharing;
 use osim_model::files::Files;
 use osim_model::wording::{Input, phrase};
 use osim_model::{
-    Anatomy, CountOf, Fault, Finding, GravityFor, MassRequest, Model, Needed, Property, Selected, Selection,
+    Anatomy, CountOf, Fault, GravityFor, MassRequest, Model, Needed, Property, Selected, Selection,
 };
 use osim_patch::{
-    Factors, Follow, FollowRequest, Plan, RadiusRule, Reference, ScalingRule, Transfer, moving_spheres,
-    transfer,
+    Factors, Follow, FollowRequest, OwnRadii, Plan, RadiusAxis, RadiusRule, Reference, ScalingRule, Transfer,
+    moving_spheres, transfer,
 };
 use serde_json::json;
 
@@ -21,6 +22,7 @@ use crate::options::{
     CountOptions, FollowOptions, InspectionOptions, RuleChoice, ScalingOptions, StanceOptions,
 };
 use crate::planner::{Change, Planner};
+use crate::reference_state::ReferenceState;
 use crate::request::TransferRequest;
 use crate::value::{Acceleration, Positive, Radius};
 
@@ -46,6 +48,8 @@ struct Transferring {
     selection: Selection,
     masses: MassRequest,
     reference: Reference,
+    /// The same as reports show it.
+    state: ReferenceState,
     reference_said: ReferenceSaid,
     /// The generic model's bones and the Scale Tool's factors, where spheres follow their bodies.
     generic: Option<Generic>,
@@ -67,7 +71,7 @@ impl TransferRequest {
         };
         let named = preset(&self, &from, files)?;
         let is_file = named.is_none();
-        let (mut reference, generic) = match named {
+        let (mut reference, state, generic) = match named {
             Some(_) if self.follow.follow_bodies => {
                 let message = phrase![
                     Input::FollowBodies,
@@ -77,7 +81,7 @@ impl TransferRequest {
                 ];
                 return Err(RequestFault::refused(Input::FollowBodies, message).into());
             }
-            Some(reference) => (reference, None),
+            Some((reference, state)) => (reference, state, None),
             None => reference_from_file(&self, &from, files)?,
         };
         let gravity = self.reference.reference_gravity.map(Acceleration::get);
@@ -99,6 +103,7 @@ impl TransferRequest {
             selection: self.choice.selection(),
             masses: self.masses.request(),
             reference,
+            state,
             reference_said: ReferenceSaid {
                 spheres: self.reference.reference_spheres.is_some(),
                 gravity: gravity.is_some(),
@@ -163,26 +168,52 @@ fn check(request: &TransferRequest) -> Result<(), RequestFault> {
             return Err(RequestFault::refused(input, message));
         }
     }
-    if request.scaling.level && !request.follow.follow_bodies {
+    check_radii(request)
+}
+
+/// Combinations of radii and places that say nothing.
+fn check_radii(request: &TransferRequest) -> Result<(), RequestFault> {
+    let (scaling, follow) = (&request.scaling, &request.follow);
+    let rule = scaling.radius.map(Radius::rule);
+    let stays =
+        !scaling.properties().contains(Property::Radius) || matches!(rule, None | Some(RadiusRule::Keep));
+    if scaling.level && !follow.follow_bodies && stays {
         let message = phrase![
             Input::Level,
-            " in a transfer needs ",
+            " says nothing here: radii stay, and bottoms with them; say what becomes of radii with ",
+            Input::Radius.being("isometric"),
+            " (or metres, or a factor), or move spheres with their bodies by ",
             Input::FollowBodies,
-            ": without it neither radii nor soles change",
         ];
         return Err(RequestFault::refused(Input::Level, message));
     }
-    if request.scaling.radius.is_some() && request.follow.follow_bodies {
+    if !follow.follow_bodies || rule.is_none() {
+        return Ok(());
+    }
+    if matches!(rule, Some(RadiusRule::Factor(_))) {
         let message = phrase![
+            "a factor of ",
             Input::Radius,
             " says nothing with ",
             Input::FollowBodies,
             ": radii follow the bodies (",
             Input::RadiusAxis,
-            "), or stay with ",
-            Input::Keep.being("radius"),
+            "), are as large against the body as the reference's (",
+            Input::Radius.being("isometric"),
+            "), are metres, or stay (",
+            Input::Radius.being("keep"),
+            ")",
         ];
         return Err(RequestFault::refused(Input::Radius, message));
+    }
+    if follow.radius_axis() != RadiusAxis::default() {
+        let message = phrase![
+            Input::RadiusAxis,
+            " says nothing with ",
+            Input::Radius,
+            ": radii follow either from the factors of bodies or from that rule",
+        ];
+        return Err(RequestFault::refused(Input::RadiusAxis, message));
     }
     Ok(())
 }
@@ -200,6 +231,10 @@ impl Planner for Transferring {
         self.scaling.target_gravity.map(Acceleration::get)
     }
 
+    fn reference(&self) -> Option<&ReferenceState> {
+        Some(&self.state)
+    }
+
     fn settings(&self) -> String {
         self.settings.clone()
     }
@@ -210,12 +245,12 @@ impl Planner for Transferring {
 
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         let selected = self.selection.apply(model)?;
-        let (follow, mut warnings) = match &self.generic {
+        let (follow, mut warnings, mut remarks) = match &self.generic {
             Some(generic) => {
-                let (follow, warnings) = self.follow(model, &selected, generic)?;
-                (Some(follow), warnings)
+                let (follow, factors) = self.follow(model, &selected, generic)?;
+                (Some(follow), factors.warnings, factors.remarks)
             }
-            None => (None, Vec::new()),
+            None => (None, Vec::new(), Vec::new()),
         };
         let counts = self.sphere_counts(model, &selected)?;
         let radius = self.scaling.radius.map(Radius::rule);
@@ -234,11 +269,13 @@ impl Planner for Transferring {
         wanted.dissipation_by = self.scaling.dissipation();
         wanted.target_gravity_m_s2 = self.target_gravity(model)?;
         wanted.rule = self.rule(follow.as_ref())?;
+        wanted.level = self.scaling.level_axis(model.gravity_m_s2);
         wanted.follow = follow;
         wanted.strict = self.follow.strict;
         let mut plan = transfer(model, &selected, &wanted)?;
         plan.name_operation(&operation);
         plan.warnings.append(&mut warnings);
+        plan.remarks.append(&mut remarks);
         Ok(plan)
     }
 }
@@ -249,18 +286,28 @@ impl Transferring {
         model: &Model,
         selected: &Selected,
         generic: &Generic,
-    ) -> Result<(Follow, Vec<Finding>), Fault> {
+    ) -> Result<(Follow, Factors), Fault> {
         let scaled = Anatomy::of(model)?;
         let factors = Factors::find(&scaled, &generic.anatomy, generic.file.as_ref(), &self.follow.given())?;
         let mut wanted = FollowRequest::default();
         wanted.radius_axis = self.follow.radius_axis();
         wanted.level = self.scaling.level_axis(model.gravity_m_s2);
         wanted.moved = self.follow.moved();
-        wanted.keep_radii = !self.scaling.properties().contains(Property::Radius);
+        let rule = self.scaling.radius.map(Radius::rule);
+        wanted.keep_radii =
+            !self.scaling.properties().contains(Property::Radius) || rule == Some(RadiusRule::Keep);
+        wanted.own_radii = match rule {
+            Some(RadiusRule::Metres(metres)) => Some(OwnRadii::Metres(metres)),
+            Some(RadiusRule::Isometric) => {
+                let ratio = self.masses.of_model(model)?.kg / self.reference.mass.kg;
+                Some(OwnRadii::Isometric(Ratios::isometric(ratio).map_err(Fault::new)?.radius()))
+            }
+            _ => None,
+        };
         Follow::refuse_missing(&scaled, self.reference.contacts.iter().flat_map(|contact| &contact.spheres))?;
         let spheres = moving_spheres(model, &selected.forces);
         let follow = Follow::find(model, &spheres, &scaled, &generic.anatomy, &factors, &wanted)?;
-        Ok((follow, factors.warnings))
+        Ok((follow, factors))
     }
 
     /// Spheres that share the weight, here and in the reference. Where each sphere has its own there, one of the two counts says

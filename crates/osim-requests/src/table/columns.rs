@@ -66,13 +66,22 @@ impl Columns {
     pub(super) fn of(header: &[String]) -> Result<Self, Phrase> {
         let known = fields();
         let mut columns: Vec<Column> = Vec::new();
+        let mut wrong: Vec<Phrase> = Vec::new();
         for cell in header {
-            let column = column(cell, &known)?;
-            let twice = |other: &Column| (&other.field, other.kind) == (&column.field, column.kind);
-            if column.kind != Kind::Remark && columns.iter().any(twice) {
-                return Err(format!("the column '{cell}' appears twice, expected one").into());
+            match column(cell, &known) {
+                Err(message) => wrong.push(message),
+                Ok(column) => {
+                    let twice = |other: &Column| (&other.field, other.kind) == (&column.field, column.kind);
+                    if column.kind != Kind::Remark && columns.iter().any(twice) {
+                        wrong.push(format!("the column '{cell}' appears twice, expected one").into());
+                    } else {
+                        columns.push(column);
+                    }
+                }
             }
-            columns.push(column);
+        }
+        if let Some(message) = all_of(wrong) {
+            return Err(message);
         }
         let Some(model) = columns.iter().find(|column| column.kind == Kind::Model) else {
             return Err(format!("no column 'model' in the first row, which has {}", listed(header)).into());
@@ -81,12 +90,28 @@ impl Columns {
         Ok(Self { columns, model })
     }
 
+    /// The user's own columns of a row: name and text. Columns without a name are nobody's.
+    pub(super) fn remarks(&self, cells: &[String]) -> Vec<(String, String)> {
+        let own = self.columns.iter().enumerate();
+        let own = own.filter(|(_, column)| column.kind == Kind::Remark && !column.header.is_empty());
+        own.map(|(at, column)| (column.header.clone(), cells.get(at).cloned().unwrap_or_default())).collect()
+    }
+
     /// The column of a field.
     pub(super) fn header_of(&self, field: &str) -> Option<&str> {
         let column =
             self.columns.iter().find(|column| column.field == field && column.kind != Kind::Model)?;
         Some(&column.header)
     }
+}
+
+/// Everything that is wrong with the first row, in one message.
+fn all_of(wrong: Vec<Phrase>) -> Option<Phrase> {
+    wrong.into_iter().reduce(|mut all, next| {
+        all.push("; ");
+        all.push(&next);
+        all
+    })
 }
 
 fn listed(header: &[String]) -> String {
@@ -184,5 +209,20 @@ mod tests {
     fn a_column_that_is_misspelled_is_pointed_out() {
         let columns = Columns::of(&["model".to_owned(), "target-mas".to_owned()]);
         assert!(columns.unwrap_err().to_string().contains("did you mean 'target-mass'?"));
+    }
+
+    #[test]
+    fn all_columns_that_are_wrong_are_named_at_once() {
+        let header =
+            ["subject", "model", "target-mas", "age", "mass", "mass", "jobs", "#sex"].map(str::to_owned);
+        let message = Columns::of(&header).unwrap_err().to_string();
+        for column in ["subject", "target-mas", "age"] {
+            let wrong = format!("the column '{column}' is not an option of");
+            assert!(message.contains(&wrong), "{message}");
+        }
+        for wrong in ["'mass' appears twice", "'jobs' is about the whole run"] {
+            assert!(message.contains(wrong), "{message}");
+        }
+        assert!(!message.contains("#sex"), "{message}");
     }
 }

@@ -36,6 +36,8 @@ pub struct RowRequest {
     pub model: PathBuf,
     /// Where its result goes: as the row says, else as the call says.
     pub output: OutputOptions,
+    /// Columns of the user's own, whose names begin with #: name and text, empty where the cell is.
+    pub remarks: Vec<(String, String)>,
     /// Everything else.
     fields: Map<String, Value>,
 }
@@ -75,7 +77,8 @@ impl Table {
         let cells = Cells::read(row, &self.columns, &self.sheet, &self.folder, files)?;
         let output = output(&cells, call)?;
         let Cells { verb, model, fields, .. } = cells;
-        Ok(RowRequest { line: row.line, verb, model, output, fields })
+        let remarks = self.columns.remarks(&row.cells);
+        Ok(RowRequest { line: row.line, verb, model, output, remarks, fields })
     }
 
     /// Checks what a row asks for and prepares it.

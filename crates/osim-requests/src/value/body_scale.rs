@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 use super::decimal::positive_number;
 use super::serial::from_texts;
 
-/// `BODY=x,y,z`: three factors above 0.
+/// `BODY=x,y,z`: three factors above 0; `BODY=f` is the same one along all axes.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct BodyScale {
@@ -24,7 +24,8 @@ pub struct BodyScale {
 }
 
 /// What is expected of a text.
-const EXPECTED: &str = "expected BODY=x,y,z with three factors above 0, like calcn_r=1.1,1.05,1.1";
+const EXPECTED: &str =
+    "expected BODY=x,y,z with three factors above 0, or BODY=f with one, like calcn_r=1.1,1.05,1.1";
 
 impl FromStr for BodyScale {
     type Err = String;
@@ -36,7 +37,11 @@ impl FromStr for BodyScale {
             .map(positive_number)
             .collect::<Result<_, _>>()
             .map_err(|_| EXPECTED.to_owned())?;
-        let factors: [f64; 3] = factors.try_into().map_err(|_| EXPECTED.to_owned())?;
+        let factors = match *factors {
+            [x, y, z] => [x, y, z],
+            [factor] => [factor; 3],
+            _ => return Err(EXPECTED.to_owned()),
+        };
         Ok(Self { body: body.trim().to_owned(), factors })
     }
 }
@@ -47,7 +52,7 @@ impl fmt::Display for BodyScale {
     }
 }
 
-/// Reads factors from a map of bodies to three numbers, or from texts such as `calcn_r=1.1,1.05,1.1`.
+/// Reads factors from a map of bodies to three numbers or one, or from texts such as `calcn_r=1.1,1.05,1.1`.
 ///
 /// # Errors
 /// A text or numbers that are not factors.
@@ -55,8 +60,12 @@ pub(crate) fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Ve
     match Value::deserialize(deserializer)? {
         Value::Object(bodies) => {
             let scale = |(body, factors): (String, Value)| {
-                let expected = || D::Error::custom(format!("{body}: expected three factors above 0"));
-                let factors: [f64; 3] = serde_json::from_value(factors).map_err(|_| expected())?;
+                let expected = || D::Error::custom(format!("{body}: expected three factors above 0, or one"));
+                let one = factors.as_f64().map(|factor| [factor; 3]);
+                let factors: [f64; 3] = match one {
+                    Some(factors) => factors,
+                    None => serde_json::from_value(factors).map_err(|_| expected())?,
+                };
                 let above_0 = |factor: &f64| factor.is_finite() && *factor > 0.0;
                 if factors.iter().all(above_0) { Ok(BodyScale { body, factors }) } else { Err(expected()) }
             };
@@ -88,7 +97,10 @@ impl JsonSchema for BodyScaleSchema {
         json_schema!({"anyOf": [
             {
                 "type": "object",
-                "additionalProperties": {"type": "array", "items": factor, "minItems": 3, "maxItems": 3},
+                "additionalProperties": {"anyOf": [
+                    {"type": "array", "items": factor, "minItems": 3, "maxItems": 3},
+                    factor,
+                ]},
             },
             text,
             {"type": "array", "items": text},

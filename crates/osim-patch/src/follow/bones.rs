@@ -1,0 +1,89 @@
+//! Which mesh of one model shows the same bone as which of the other.
+
+use osim_model::Anatomy;
+
+/// Folders, extensions and side marks that say nothing about the bone.
+const SIDE_BEFORE: [&str; 2] = ["r_", "l_"];
+const SIDE_AFTER: [&str; 4] = ["_rv", "_lv", "_r", "_l"];
+
+/// Two meshes of one bone.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct BonePair {
+    /// The mesh of the scaled model.
+    pub(super) mesh: String,
+    /// New over old factors along x, y and z.
+    pub(super) factors: [Option<f64>; 3],
+}
+
+/// The meshes of `body` that show the same bone in both models, in the order of their names.
+pub(super) fn pairs(scaled: &Anatomy, reference: &Anatomy, body: &str) -> Vec<BonePair> {
+    let (Some(new), Some(old)) = (scaled.meshes.get(body), reference.meshes.get(body)) else {
+        return Vec::new();
+    };
+    let pair = |(mesh, new): (&String, &[f64; 3])| {
+        // The same file says more than the same bone, and a mesh of the same side more than its mirror.
+        let alike = || {
+            let mut same = old.iter().filter(|(other, _)| stem(other) == stem(mesh));
+            let first = same.next()?;
+            let sided = std::iter::once(first).chain(same).find(|(other, _)| side(other) == side(mesh));
+            Some(sided.unwrap_or(first).1)
+        };
+        let same_file = old.get(mesh);
+        let old = same_file.or_else(alike)?;
+        let factors = std::array::from_fn(|axis| {
+            let ratio = (old[axis] != 0.0).then(|| new[axis] / old[axis])?;
+            // A mirrored mesh of the other side may have a negative factor.
+            Some(if same_file.is_some() { ratio } else { ratio.abs() })
+        });
+        Some(BonePair { mesh: mesh.clone(), factors })
+    };
+    new.iter().filter_map(pair).collect()
+}
+
+/// The name of a mesh without folder, extension, case and side mark.
+fn stem(file: &str) -> String {
+    let name = bare(file);
+    let name = SIDE_BEFORE.iter().find_map(|mark| name.strip_prefix(mark)).unwrap_or(&name);
+    let name = SIDE_AFTER.iter().find_map(|mark| name.strip_suffix(mark)).unwrap_or(name);
+    name.to_owned()
+}
+
+/// Its side mark, as one letter.
+fn side(file: &str) -> Option<char> {
+    let name = bare(file);
+    let before = SIDE_BEFORE.iter().find(|mark| name.starts_with(**mark));
+    let after = SIDE_AFTER.iter().find(|mark| name.ends_with(**mark));
+    before.or(after).and_then(|mark| mark.chars().find(|c| *c != '_'))
+}
+
+fn bare(file: &str) -> String {
+    let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
+    let name = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+    name.to_lowercase()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_bone_has_many_names() {
+        for name in [
+            "foot.vtp",
+            "r_foot.vtp",
+            "l_foot.vtp",
+            "foot_r.stl",
+            "Geometry/R_Foot.VTP",
+            "bones\\foot_lv.obj",
+        ] {
+            assert_eq!(stem(name), "foot", "{name}");
+        }
+        for name in ["bofoot.vtp", "footprint.vtp", "l_bofoot.vtp", "talus_rv.vtp"] {
+            assert_ne!(stem(name), "foot", "{name}");
+        }
+        assert_eq!(
+            (side("r_foot.vtp"), side("talus_lv.vtp"), side("foot.vtp")),
+            (Some('r'), Some('l'), None)
+        );
+    }
+}

@@ -1,0 +1,154 @@
+//! What each source says about the factors of a body, and which is taken.
+
+use osim_model::{Anatomy, Side, without_side};
+
+use super::body_factors::{AXES, AxisFactor, FactorSource, length};
+use super::bones::{self, BonePair};
+use super::copy::SHORTEST_OFFSET_M;
+use super::distance::Distance;
+use super::scale_file::ScaleFile;
+
+/// Sources of a scaled copy that differ by more than this (relative) disagree.
+const AGREEMENT_IN_A_COPY: f64 = 0.01;
+/// Sources that differ by more than this between different models disagree.
+pub(super) const AGREEMENT: f64 = 0.05;
+
+/// What is said of one body.
+#[derive(Debug)]
+pub(super) struct Sources<'a> {
+    pub(super) body: &'a str,
+    /// In the order in which they are taken.
+    pub(super) said: Vec<(FactorSource, [Option<f64>; 3])>,
+    /// Meshes that show the same bone.
+    pub(super) meshes: Vec<BonePair>,
+    /// Between different models: the joint that the distance goes to.
+    distance: Option<Distance<'a>>,
+    in_a_copy: bool,
+}
+
+impl<'a> Sources<'a> {
+    pub(super) fn of(
+        scaled: &'a Anatomy,
+        reference: &Anatomy,
+        body: &'a str,
+        (file, given): (Option<&ScaleFile>, Option<&[f64; 3]>),
+        in_a_copy: bool,
+    ) -> Self {
+        let meshes = bones::pairs(scaled, reference, body);
+        let distance = if in_a_copy { None } else { Distance::of(scaled, reference, body) };
+        let mut said = Vec::new();
+        if let Some(given) = given {
+            said.push((FactorSource::Given, given.map(Some)));
+        }
+        if let Some(values) = file.and_then(|file| file.of(body)) {
+            said.push((FactorSource::ScaleFile, values.map(Some)));
+        }
+        said.push((FactorSource::Mesh, meshes.first().map_or([None; 3], |pair| pair.factors)));
+        if in_a_copy {
+            said.push((FactorSource::Joint, joint_factors(scaled, reference, body)));
+        } else {
+            let ratio = distance.as_ref().map(Distance::ratio);
+            said.push((FactorSource::Distance, [ratio; 3]));
+        }
+        said.retain(|(_, values)| values.iter().any(Option::is_some));
+        Self { body, said, meshes, distance, in_a_copy }
+    }
+
+    fn value(&self, source: FactorSource, axis: usize) -> Option<f64> {
+        self.said.iter().find(|(known, _)| *known == source).and_then(|(_, values)| values[axis])
+    }
+
+    fn first(&self, axis: usize) -> Option<AxisFactor> {
+        let mut known = self.said.iter();
+        known.find_map(|(source, values)| Some(AxisFactor { factor: values[axis]?, source: *source }))
+    }
+
+    /// Sources that do not say what was taken.
+    pub(super) fn disagreements(&self, taken: &[Option<AxisFactor>; 3]) -> Vec<String> {
+        let limit = if self.in_a_copy { AGREEMENT_IN_A_COPY } else { AGREEMENT };
+        let mut messages = Vec::new();
+        for (axis, name) in AXES.iter().enumerate() {
+            let Some(AxisFactor { factor, source }) = taken[axis] else { continue };
+            let others =
+                self.said.iter().filter(|(other, _)| *other > source && *other != FactorSource::Distance);
+            for (other, value) in others.filter_map(|(other, values)| Some((other, values[axis]?))) {
+                if (value - factor).abs() > limit * factor {
+                    messages.push(format!(
+                        "body {}, {name}: {} says {factor:.6}, {} says {value:.6}; took the first",
+                        self.body,
+                        source.as_str(),
+                        other.as_str()
+                    ));
+                }
+            }
+        }
+        messages.extend(self.distance_disagrees(taken));
+        messages
+    }
+
+    /// A distance is one number: it is compared with what the factors make of the same distance.
+    fn distance_disagrees(&self, taken: &[Option<AxisFactor>; 3]) -> Option<String> {
+        let distance = self.distance.as_ref()?;
+        let [Some(x), Some(y), Some(z)] = *taken else { return None };
+        if x.source >= FactorSource::Distance {
+            return None;
+        }
+        let [old_x, old_y, old_z] = distance.old_m;
+        let along = length([x.factor * old_x, y.factor * old_y, z.factor * old_z]) / length(distance.old_m);
+        let ratio = distance.ratio();
+        ((ratio - along).abs() > AGREEMENT * along).then(|| {
+            format!(
+                "body {}: {} says {along:.6} for the distance to joint {}, where that is {ratio:.6} of the reference's; took the \
+                 first",
+                self.body,
+                x.source.as_str(),
+                distance.joint
+            )
+        })
+    }
+}
+
+/// What is taken of each body: on each axis the first source that both sides of a pair have, else the first of its own.
+pub(super) fn taken(all: &[Sources<'_>]) -> Vec<[Option<AxisFactor>; 3]> {
+    let of = |one: &Sources<'_>| {
+        let other = other_side(all, one.body);
+        std::array::from_fn(|axis| {
+            let first = one.first(axis).filter(|first| first.source > FactorSource::Given);
+            let shared = || {
+                let other = other.filter(|other| other.value(FactorSource::Given, axis).is_none())?;
+                one.said.iter().find_map(|(source, values)| {
+                    other.value(*source, axis)?;
+                    Some(AxisFactor { factor: values[axis]?, source: *source })
+                })
+            };
+            match first {
+                Some(first) => Some(shared().unwrap_or(first)),
+                None => one.first(axis),
+            }
+        })
+    };
+    all.iter().map(of).collect()
+}
+
+/// The body on the other side, where names say that there is exactly one.
+pub(super) fn other_side<'s, 'a>(all: &'s [Sources<'a>], body: &str) -> Option<&'s Sources<'a>> {
+    let side = Side::of_name(body)?;
+    let mut others =
+        all.iter().filter(|other| other.body != body && without_side(other.body) == without_side(body));
+    let only = others.next().filter(|other| Side::of_name(other.body).is_some_and(|other| other != side))?;
+    others.next().is_none().then_some(only)
+}
+
+/// New over old translation of the same frame; the longest offset of each axis is the most exact.
+fn joint_factors(scaled: &Anatomy, reference: &Anatomy, body: &str) -> [Option<f64>; 3] {
+    let (Some(new), Some(old)) = (scaled.offsets.get(body), reference.offsets.get(body)) else {
+        return [None; 3];
+    };
+    std::array::from_fn(|axis| {
+        let pairs = old.iter().filter_map(|(name, old)| Some((old[axis], new.get(name)?[axis])));
+        let longest = pairs
+            .filter(|(old, _)| old.abs() > SHORTEST_OFFSET_M)
+            .max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
+        longest.map(|(old, new)| new / old)
+    })
+}

@@ -1,0 +1,108 @@
+//! The contact beside that of the reference it was taken from, both without dimensions.
+
+use contact_scaling::DimensionlessContact;
+use maud::{Markup, html};
+use osim_inspect::series::{Body, SphereKind};
+use osim_model::{four_significant, readable};
+use osim_requests::ReferenceState;
+
+use super::fragment::{Fragment, table};
+
+const SECTION: (&str, &str) = ("reference", "Beside the reference");
+/// Contacts whose numbers differ by less (relative) are one.
+const SAME: f64 = 1e-9;
+
+type Contacts<'b> = Vec<(&'b SphereKind, DimensionlessContact)>;
+
+/// The section: `bodies` are the states of the model, before and after.
+pub(super) fn section(fragment: &mut Fragment, reference: &ReferenceState, bodies: &[Body]) {
+    let Some(own) = &reference.body else { return };
+    let states: Vec<(&str, Contacts<'_>)> =
+        bodies.iter().filter_map(|body| Some((body.name.as_str(), body.dimensionless().ok()?))).collect();
+    // A transfer that scales no gravity takes the contacts as they are under the gravity of the model.
+    let gravity = bodies.last().and_then(|body| body.weight().ok()).map(|weight| weight.gravity_m_s2);
+    let here = gravity.map(|gravity| under(own, gravity));
+    let (Ok(there), Some(Ok(there_here))) = (own.dimensionless(), here.as_ref().map(Body::dimensionless))
+    else {
+        return;
+    };
+    let last = states.last().map(|(_, last)| last);
+    let equal = |there: &Contacts<'_>| last.is_some_and(|last| all_agree(last, there));
+    let own_gravity = equal(&there) || !equal(&there_here);
+    let shown = if own_gravity { &there } else { &there_here };
+    let mut rows: Vec<Markup> = shown.iter().map(|contact| row("reference", contact)).collect();
+    for (state, contacts) in &states {
+        rows.extend(contacts.iter().map(|contact| row(state, contact)));
+    }
+    let name = match gravity.filter(|_| !own_gravity) {
+        Some(gravity) => format!("{} under {} m/s²", reference.name, readable(gravity)),
+        None => reference.name.clone(),
+    };
+    let caption = "Contacts without dimensions, each under its own weight: x/R by (11), damping, constant indentation, and \
+                   smoothing.";
+    let headers = ["contact", " spheres", "R in m", "x/R", "α √(gR)", "√cf/R", "bd R", "bv √(gR)"];
+    let body = html! {
+        p { (verdict(&name, equal(shown), states.len() > 1)) }
+        (table("Contacts beside the reference's", caption, &headers, &rows))
+    };
+    fragment.section(SECTION.0, SECTION.1, &body);
+}
+
+/// The same body under another gravity.
+fn under(body: &Body, gravity_m_s2: f64) -> Body {
+    let mut body = body.clone();
+    if let Ok(weight) = &mut body.weight {
+        weight.gravity_m_s2 = gravity_m_s2;
+    }
+    body
+}
+
+fn all_agree(here: &Contacts<'_>, there: &Contacts<'_>) -> bool {
+    here.iter().all(|(_, contact)| there.iter().any(|(_, other)| agree(contact, other)))
+}
+
+/// Whether the contact is that of the reference.
+fn verdict(name: &str, equal: bool, changed: bool) -> String {
+    let is = if changed { "The contact is now" } else { "The contact is" };
+    if equal {
+        return format!(
+            "{is} as that of {name}: without dimensions all numbers are equal. What is outside a limit here is outside it in \
+             the reference, too."
+        );
+    }
+    format!("{is} not that of {name} in all numbers: the rows of this table show which differ.")
+}
+
+/// Whether both have the same numbers, as far as both have them: a HuntCrossleyForce has no smoothing.
+fn agree(one: &DimensionlessContact, other: &DimensionlessContact) -> bool {
+    let numbers = |contact: &DimensionlessContact| {
+        [
+            Some(contact.modulus()),
+            Some(contact.dissipation()),
+            contact.constant_indentation(),
+            contact.hertz_smoothing(),
+            contact.hunt_crossley_smoothing(),
+        ]
+    };
+    numbers(one).into_iter().zip(numbers(other)).all(|pair| match pair {
+        (Some(a), Some(b)) => (a - b).abs() <= SAME * f64::max(a.abs(), b.abs()),
+        _ => true,
+    })
+}
+
+fn row(state: &str, (kind, contact): &(&SphereKind, DimensionlessContact)) -> Markup {
+    let spheres = if kind.spheres.is_empty() { "all" } else { kind.spheres.as_str() };
+    let four = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), four_significant);
+    html! {
+        tr {
+            th scope="row" { (state) }
+            td.words { (spheres) }
+            td { (readable(kind.radius_m)) }
+            td { (four(Some(contact.relative_indentation()))) }
+            td { (four(Some(contact.dissipation()))) }
+            td { (four(contact.constant_indentation())) }
+            td { (four(contact.hertz_smoothing())) }
+            td { (four(contact.hunt_crossley_smoothing())) }
+        }
+    }
+}
