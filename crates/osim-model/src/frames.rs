@@ -32,13 +32,20 @@ impl Model {
     /// `None` where the frame is in a file that was not given, a number is not finite or the radius not above 0.
     #[must_use]
     pub fn lowest_point_m(&self, sphere: SphereId) -> Option<[f64; 3]> {
-        let sphere = self.sphere(sphere)?;
-        if matches!(sphere.base, Base::Unknown) || !sphere.radius.property.allows(sphere.radius.number) {
-            return None;
-        }
-        let mut point = self.components().in_body(sphere.frame_component, sphere.location_m)?;
+        let radius = &self.sphere(sphere)?.radius;
+        let mut point = self.centre_m(sphere).filter(|_| radius.property.allows(radius.number))?;
         let up = LevelAxis::of_gravity(self.gravity_m_s2);
-        point[up.axis.index()] += if up.down { sphere.radius.number } else { -sphere.radius.number };
+        point[up.axis.index()] += if up.down { radius.number } else { -radius.number };
+        Some(point)
+    }
+
+    /// The centre of a sphere in the frame of the body that carries it (or of ground), m.
+    ///
+    /// `None` where the frame is in a file that was not given, or a number is not finite.
+    #[must_use]
+    pub fn centre_m(&self, sphere: SphereId) -> Option<[f64; 3]> {
+        let sphere = self.sphere(sphere).filter(|sphere| !matches!(sphere.base, Base::Unknown))?;
+        let point = self.components().in_body(sphere.frame_component, sphere.location_m)?;
         point.iter().all(|value| value.is_finite()).then_some(point)
     }
 }
@@ -51,7 +58,7 @@ impl Components {
     }
 
     /// A point of a frame, seen from the body at the end of its chain of offset frames.
-    fn in_body(&self, frame: Option<ComponentId>, point: [f64; 3]) -> Option<[f64; 3]> {
+    pub(crate) fn in_body(&self, frame: Option<ComponentId>, point: [f64; 3]) -> Option<[f64; 3]> {
         let (mut point, mut at) = (point, frame);
         // Chains that close on themselves were refused when the model was read.
         for _ in 0..=MAX_FRAME_CHAIN {

@@ -44,6 +44,7 @@ mod fault;
 pub mod files;
 mod finding;
 mod frames;
+mod joints;
 mod limbs;
 mod mass;
 mod model;
@@ -78,6 +79,7 @@ pub use finding::{
     Finding, FindingCode, Remedy, RemedyChange, RemedyDesign, RemedyDialect, RemedyLoad, Repair, Seen,
     Severity,
 };
+pub use joints::JointOffset;
 pub use limbs::{Limb, Limbs};
 pub use mass::{Mass, MassRequest, MassSource, SAME_MASS, positive_mass, same_mass};
 pub use model::Model;

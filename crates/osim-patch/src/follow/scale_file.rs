@@ -26,6 +26,18 @@ impl ScaleFile {
         Self::read_unlocated(document).map_err(|fault| fault.located(document.bytes()))
     }
 
+    /// The factors of `body` along x, y and z.
+    ///
+    /// # Errors
+    /// The file does not have it.
+    pub fn of(&self, body: &str) -> Result<[f64; 3], Fault> {
+        self.factors(body).ok_or_else(|| {
+            Fault::refused(format!(
+                "the ScaleSet has no factors of {body}, expected some for each body with spheres"
+            ))
+        })
+    }
+
     fn read_unlocated(document: &Document) -> Result<Self, Fault> {
         let tree = document.tree();
         let root = document.data_root();
@@ -56,7 +68,7 @@ impl ScaleFile {
         Ok(Self(factors))
     }
 
-    pub(super) fn of(&self, body: &str) -> Option<[f64; 3]> {
+    pub(super) fn factors(&self, body: &str) -> Option<[f64; 3]> {
         self.0.get(body).copied()
     }
 
@@ -71,7 +83,7 @@ impl ScaleFile {
         bodies: &[&str],
     ) -> Result<(), Fault> {
         for &body in bodies {
-            let Some(factors) = self.of(body) else { continue };
+            let Some(factors) = self.factors(body) else { continue };
             for (joint, old, new) in shared_joints(scaled, reference, body) {
                 let expected: [f64; 3] = std::array::from_fn(|axis| old[axis] * factors[axis]);
                 let apart: [f64; 3] = std::array::from_fn(|axis| new[axis] - expected[axis]);

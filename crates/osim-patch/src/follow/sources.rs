@@ -40,7 +40,7 @@ impl<'a> Sources<'a> {
         if let Some(given) = given {
             said.push((FactorSource::Given, given.map(Some)));
         }
-        if let Some(values) = file.and_then(|file| file.of(body)) {
+        if let Some(values) = file.and_then(|file| file.factors(body)) {
             said.push((FactorSource::ScaleFile, values.map(Some)));
         }
         said.push((FactorSource::Mesh, meshes.first().map_or([None; 3], |pair| pair.factors)));
