@@ -9,7 +9,8 @@
 )]
 
 use osim_inspect::{CheckResult, InspectOptions, Placement, check_model};
-use osim_model::{Anatomy, FindingCode, Model, RemedyChange};
+use osim_model::{Anatomy, FileId, FindingCode, Model, RemedyChange};
+use osim_patch::note;
 
 /// Places of Falisse et al. (2022) on bones of their size, and on bones of a child.
 const RIGHT: &str = include_str!("../../../fixtures/check/known_contacts.osim");
@@ -95,6 +96,16 @@ fn spheres_beyond_any_published_reach_are_reported_and_others_are_not() {
 }
 
 #[test]
+fn a_joint_nearer_than_a_radius_says_nothing() {
+    // The toe joint 20 mm from the origin, on spheres of 32 mm; the mesh is no standard one, so that there is no L.
+    assert!(NOBODYS.contains(">0.14304034 "));
+    let near = NOBODYS.replace(">0.14304034 ", ">0.02 ").replace("foot.vtp", "hoof.stl");
+    assert_eq!(alone(&near), [FindingCode::SpheresNotCompared]);
+    // At 40 mm it is the next joint, and spheres are beyond it.
+    assert_eq!(alone(&near.replace(">0.02 ", ">0.04 ")), [FindingCode::SpheresMisplaced]);
+}
+
+#[test]
 fn a_foot_is_filled_as_in_published_models() {
     // Heel and tip of this foot are at -9.8 · 0.8 and 143.04 + 76.918 · 0.8 mm, 212.41 mm apart. The toes' spheres are foremost
     // at 143.04 + x; where they are far back, s2_r on the calcn is, at 129.89 mm: L is 0.648.
@@ -165,4 +176,48 @@ fn a_model_that_cannot_be_compared_says_why() {
     let found = check(SCALED, Some(RIGHT));
     let why = found.findings.iter().find(|one| one.code == FindingCode::SpheresNotCompared).unwrap();
     assert!(why.message.to_string().contains("no sphere of the same name"), "{}", why.message);
+}
+
+/// The text with a note that its contacts were made for 62 kg, of this operation.
+fn noted(text: &str, operation: &str) -> String {
+    let model = Model::parse(text).unwrap();
+    let mut plan = note(&model, 62.0, model.gravity()).unwrap();
+    plan.name_operation(operation);
+    String::from_utf8(plan.patched(&model, FileId::MAIN).unwrap()).unwrap()
+}
+
+/// What OpenSim's scaling does to the meshes; spheres and note stay.
+fn bones_of(text: &str, size: &str) -> String {
+    text.replace("0.913924 0.913924 0.913924", size)
+}
+
+#[test]
+fn the_note_comes_before_everything_else() {
+    let scaled = bones_of(&noted(RIGHT, "note"), "0.6306 0.6397 0.6306");
+    let found = check(&scaled, None);
+    let left = found.findings.iter().find(|finding| finding.code == FindingCode::SpheresLeftBehind).unwrap();
+    // 0.6306 / 0.913924 and 0.6397 / 0.913924.
+    assert!(left.message.to_string().contains("calcn_r x0.68999"), "{}", left.message);
+    let remedy = left.remedy.as_ref().map(|remedy| remedy.change.clone());
+    assert_eq!(remedy, Some(RemedyChange::FollowNote { target_mass_kg: 62.0, level: true }));
+    // Stretched by more than 20 %: bottoms are not kept.
+    let stretched = check(&bones_of(&noted(RIGHT, "note"), "0.6 0.9 0.6"), None);
+    let changes =
+        stretched.findings.iter().filter_map(|finding| Some(finding.remedy.as_ref()?.change.clone()));
+    let expected = RemedyChange::FollowNote { target_mass_kg: 62.0, level: false };
+    assert!(changes.into_iter().any(|change| change == expected));
+}
+
+#[test]
+fn a_note_of_spheres_that_were_placed_with_their_bodies_is_believed() {
+    assert_eq!(alone(&noted(CHILD, "transfer follow-bodies")), []);
+    assert_eq!(alone(&noted(CHILD, "rescale follow-bodies")), []);
+    // Another note was written where the spheres were, right or wrong.
+    assert_eq!(alone(&noted(CHILD, "rescale")), [FindingCode::SpheresMisplaced]);
+}
+
+#[test]
+fn a_sphere_that_was_moved_since_makes_the_note_say_nothing_of_places() {
+    let moved = with_x(&bones_of(&noted(RIGHT, "note"), "0.6 0.6 0.6"), "s1_r", 12.0);
+    assert!(!alone(&moved).contains(&FindingCode::SpheresLeftBehind));
 }

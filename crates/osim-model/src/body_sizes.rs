@@ -1,6 +1,6 @@
 //! How large the bones are: mesh scale factors of the bodies that carry contact spheres.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::anatomy::meshes;
 use crate::model::Model;
@@ -18,7 +18,42 @@ impl BodySize {
     }
 }
 
+/// How the bodies changed since the note was written, where the spheres are still where they were then: from
+/// [`Model::scaled_since_note`].
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct ScaledSinceNote {
+    /// Mesh factors now over those in the note, along x, y and z, by body. Exactly 1 where they are equal.
+    pub factors: BTreeMap<String, [f64; 3]>,
+}
+
+impl ScaledSinceNote {
+    /// Whether some body has another size now, so that its spheres did not follow it.
+    #[must_use]
+    pub fn is_scaled(&self) -> bool {
+        self.factors.values().any(|factors| *factors != [1.0; 3])
+    }
+}
+
 impl Model {
+    /// What OpenSim's scaling did to the bodies that carry spheres, from the note alone. `None` where there is no note with
+    /// sizes, or spheres were moved since it was written.
+    #[must_use]
+    pub fn scaled_since_note(&self) -> Option<ScaledSinceNote> {
+        let note = self.note.as_ref().filter(|note| !note.sizes.is_empty())?;
+        if note.places.as_ref() != Some(&self.places_digest(|_| None)) {
+            return None;
+        }
+        let now = self.body_sizes();
+        let ratios = note.sizes.iter().filter_map(|then| {
+            let now = now.iter().find(|now| now.body == then.body)?;
+            let ratio = std::array::from_fn(|axis| now.factors[axis] / then.factors[axis]);
+            let factors = if now.is_as_large_as(then) { [1.0; 3] } else { ratio };
+            Some((now.body.clone(), factors))
+        });
+        Some(ScaledSinceNote { factors: ratios.collect() })
+    }
+
     /// Mesh scale factors of the bodies that carry the spheres of contact forces, by name; bodies without meshes, or with a
     /// name that a note cannot hold, are left out. Of several meshes the first counts, in the order of their names.
     #[must_use]

@@ -66,6 +66,7 @@ mod xml;
 
 pub use anatomy::{Anatomy, AnatomyJoint, AnatomySphere};
 pub use assignment::Assignment;
+pub use body_sizes::ScaledSinceNote;
 pub use class::Class;
 pub use components::Companion;
 pub use contact_digest::ValueKey;

@@ -67,7 +67,7 @@ pub use note::note;
 pub use plan::{Change, Masses, Move, Plan};
 pub use property_set::PropertySet;
 pub use radii::{RadiusRule, moving_spheres};
-pub use rescale::{FOLLOWING, Rescale, rescale};
+pub use rescale::{FOLLOWING, FOLLOWING_NOTE, Rescale, TRANSFER_FOLLOWING, places_spheres, rescale};
 pub use scaling::DissipationBy;
 pub use set::{Set, set};
 pub use transfer::{Reference, ReferenceContact, ScalingRule, Transfer, reference_of_model, transfer};

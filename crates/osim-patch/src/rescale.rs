@@ -16,8 +16,18 @@ use crate::radii::{Radii, RadiusRule, SphereRule};
 use crate::remarks::{GRAVITY_STAYS, bottoms_remark, warn_forces};
 use crate::scaling::{DissipationBy, factor};
 
-/// The operation, as the note has it, of a rescaling that moved spheres with their bodies.
+/// The operation, as the note has it, of a rescaling that moved spheres with their bodies by a ScaleSet.
 pub const FOLLOWING: &str = "rescale body-scale-file";
+/// The same by the sizes in the note.
+pub const FOLLOWING_NOTE: &str = "rescale follow-bodies";
+/// The operation, as the note has it, of a transfer whose spheres follow their bodies.
+pub const TRANSFER_FOLLOWING: &str = "transfer follow-bodies";
+
+/// Whether spheres were placed with their bodies when a note of this operation was written.
+#[must_use]
+pub fn places_spheres(operation: &str) -> bool {
+    [FOLLOWING, FOLLOWING_NOTE, TRANSFER_FOLLOWING].iter().any(|following| operation.starts_with(following))
+}
 
 /// What is wanted of a rescaling: the model's own contacts at another mass.
 ///
@@ -185,7 +195,7 @@ fn finish(
             remarks.push("body masses and sphere locations stay as they are".into());
             remarks.extend(radii.and_then(bottoms_remark));
         } else if wanted.bodies.is_some() {
-            remarks.push("body masses stay as they are; spheres follow their bodies by the ScaleSet".into());
+            remarks.push("body masses stay as they are; spheres follow their bodies".into());
         } else {
             remarks.push("body masses stay as they are; sphere centres move so that bottoms stay".into());
         }

@@ -51,6 +51,16 @@ impl TryFrom<&Remedy> for Request {
                 ..TransferRequest::default()
             }
             .into(),
+            RemedyChange::FollowNote { target_mass_kg, level } => RescaleRequest {
+                models,
+                target_mass: checked(Input::TargetMass, Some(*target_mass_kg), Kilograms::new)?,
+                follow_bodies: true,
+                scaling: ScalingOptions { level: *level, ..ScalingOptions::default() },
+                choice,
+                set_files,
+                ..RescaleRequest::default()
+            }
+            .into(),
             RemedyChange::Follow { from, body_scale_file, level } => TransferRequest {
                 models,
                 from: Some(from.clone()),

@@ -1,10 +1,11 @@
 //! Findings about the places of spheres: from the model that was scaled where it is at hand, else from this file alone.
 
-use osim_model::{Finding, Model};
+use osim_model::{Finding, Model, ScaledSinceNote};
+use osim_patch::places_spheres;
 
 use super::remedy::Remedies;
 use crate::inspection::Inspection;
-use crate::placement::{Evidence, NotedSizes, Placement};
+use crate::placement::{Evidence, Placement};
 
 /// What is known of the places of spheres.
 pub(super) enum Places<'i> {
@@ -12,9 +13,12 @@ pub(super) enum Places<'i> {
     Alone(Evidence),
 }
 
-/// What the note in the file says about sizes: the note has none yet.
-fn noted_sizes(_model: &Model) -> Option<NotedSizes> {
-    None
+/// What the note in the file says about sizes, where that settles it: bodies were scaled since, or the spheres were placed with
+/// their bodies when it was written.
+fn noted_sizes(model: &Model) -> Option<ScaledSinceNote> {
+    let since = model.scaled_since_note()?;
+    let placed = model.note.as_ref().is_some_and(|note| places_spheres(&note.operation));
+    (since.is_scaled() || placed).then_some(since)
 }
 
 impl<'i> Places<'i> {
@@ -51,7 +55,11 @@ impl<'i> Places<'i> {
 
     pub(super) fn findings(&self, model: &Model, remedies: &Remedies<'_>) -> Vec<Finding> {
         match self {
-            Self::Alone(evidence) => evidence.finding(model).into_iter().collect(),
+            Self::Alone(evidence) => {
+                let remedy = matches!(evidence, Evidence::Note(_)).then(|| remedies.follow_by_note(model));
+                let found = evidence.finding(model).into_iter();
+                found.map(|finding| finding.with_remedy(remedy.clone().flatten())).collect()
+            }
             Self::Compared(placement) => {
                 let found = placement.findings().into_iter();
                 found.map(|finding| finding.with_remedy(remedies.follow(placement))).collect()

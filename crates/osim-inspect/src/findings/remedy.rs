@@ -2,12 +2,14 @@
 
 use contact_scaling::limits;
 use osim_model::files::FileName;
-use osim_model::{Assignment, Property, Remedy, RemedyChange, RemedyDesign, RemedyLoad, Selection, readable};
+use osim_model::{
+    Assignment, Model, Property, Remedy, RemedyChange, RemedyDesign, RemedyLoad, Selection, readable,
+};
 
 use crate::figures::{Figure, SphereFigures};
 use crate::inspection::Inspection;
 use crate::options::InspectOptions;
-use crate::placement::Placement;
+use crate::placement::{Placement, is_stretched};
 
 /// The preset whose contacts are proposed where a model's own make no sense.
 const PROPOSED_PRESET: &str = "falisse2022";
@@ -26,6 +28,8 @@ pub(super) struct Remedies<'m> {
     counted: bool,
     /// What the model weighs is known.
     weighed: bool,
+    /// What the bodies weigh, kg.
+    body_kg: Option<f64>,
 }
 
 impl<'m> Remedies<'m> {
@@ -50,7 +54,8 @@ impl<'m> Remedies<'m> {
             .then(|| FileName::from_parts(inspected.model.clone(), inspected.model_bytes.clone()));
         let counted = inspected.spheres_per_limb.is_some() || stance.spheres.is_some();
         let weighed = inspected.figures.mass_kg.is_some();
-        Self { model, load, options, joined, counted, weighed }
+        let body_kg = inspected.mass_kg;
+        Self { model, load, options, joined, counted, weighed, body_kg }
     }
 
     /// Without remedies: something else has to be done first, after which they would be wrong.
@@ -151,6 +156,15 @@ impl<'m> Remedies<'m> {
             target_mass_kg: rounded(target_mass_kg),
         };
         self.remedy(change, false)
+    }
+
+    /// The model's own contacts at the mass of its body, on spheres that follow it by the sizes in the note.
+    pub(super) fn follow_by_note(&self, model: &Model) -> Option<Remedy> {
+        let since = model.scaled_since_note()?;
+        // What the model weighs otherwise is for the user to say.
+        let target_mass_kg = rounded(self.body_kg.filter(|_| self.load.mass_kg.is_none())?);
+        let level = !since.factors.values().any(|factors| is_stretched(*factors));
+        self.remedy(RemedyChange::FollowNote { target_mass_kg, level }, false)
     }
 
     /// Contacts of the model that OpenSim scaled, on spheres that follow their bodies.

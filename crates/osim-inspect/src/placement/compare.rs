@@ -11,6 +11,8 @@ use osim_patch::{Factors, ScaleFile};
 const SAME_PLACE_M: f64 = 1e-6;
 /// A place or radius that differs by no more than this, relative to the radius, is as it was.
 const UNTOUCHED: f64 = 1e-6;
+/// Factors that differ by no more than this (relative) are equal.
+const SAME_FACTOR: f64 = 1e-9;
 /// A y factor that differs from √(x z) by more than this (relative) makes `level` a bad choice.
 const LARGEST_STRETCH: f64 = 0.2;
 
@@ -160,10 +162,8 @@ fn placed_spheres(
         let Some(old) = original.sphere(&sphere.name).filter(|old| old.body == now.body) else { continue };
         let Some(body) = &now.body else { continue };
         let of_body = factors.of(body)?;
-        let [x, y, z] = of_body;
-        let level = y / (x * z).sqrt();
-        stretched |= (level - 1.0).abs() > LARGEST_STRETCH;
-        uneven |= (level - 1.0).abs() > 1e-9;
+        stretched |= is_stretched(of_body);
+        uneven |= stretch(of_body) > SAME_FACTOR;
         let belongs_m = now.rotation.scaled_in_frame(of_body, old.location_m);
         let here_m = now.location_m;
         let follows = near(here_m, belongs_m) || near(here_m, on_sole(now, old, of_body, up));
@@ -179,6 +179,16 @@ fn placed_spheres(
         });
     }
     Ok((spheres, uneven && !stretched))
+}
+
+/// By how much the y factor differs from √(x z), relatively.
+fn stretch([x, y, z]: [f64; 3]) -> f64 {
+    (y / (x * z).sqrt() - 1.0).abs()
+}
+
+/// Whether a foot was stretched or flattened so much that spheres should not keep their bottoms on the scaled sole.
+pub(crate) fn is_stretched(factors: [f64; 3]) -> bool {
+    stretch(factors) > LARGEST_STRETCH
 }
 
 /// Where the centre is if the bottom is on the scaled sole, with the radius that the sphere has now.

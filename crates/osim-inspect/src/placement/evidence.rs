@@ -1,28 +1,17 @@
 //! What one file alone says about its spheres, in the order in which it counts.
 
-use std::collections::BTreeMap;
-
 use osim_model::wording::{Input, Phrase, Verb, phrase};
-use osim_model::{Finding, FindingCode, Model, readable};
+use osim_model::{Finding, FindingCode, Model, ScaledSinceNote, readable};
 
 use super::bones::{Bones, same_size};
 use super::layouts::{self, LayoutAnswer};
 use super::reach::{Reach, reaches};
 
-/// What a note with sizes says: by which factors each body that carries spheres was scaled since the spheres were placed.
-///
-/// The first evidence. It is made where the note is read, and where the places in the note are those of the file.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct NotedSizes {
-    /// Mesh factors now over those in the note, by body.
-    pub factors: BTreeMap<String, [f64; 3]>,
-}
-
 /// What is known of the places of spheres.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Evidence {
     /// By the note: bodies were scaled and the spheres stayed.
-    Note(NotedSizes),
+    Note(ScaledSinceNote),
     /// A published layout stands on bones of another size.
     OtherSize(LayoutAnswer),
     /// Spheres reach further than published ones.
@@ -37,10 +26,9 @@ pub(crate) enum Evidence {
 
 impl Evidence {
     /// What is known of `model`. `noted` is what its note says about sizes, where it has such a note.
-    pub(crate) fn of(model: &Model, noted: Option<NotedSizes>) -> Self {
+    pub(crate) fn of(model: &Model, noted: Option<ScaledSinceNote>) -> Self {
         if let Some(noted) = noted {
-            let scaled = noted.factors.values().any(|factors| !same_size(*factors, [1.0; 3]));
-            return if scaled { Self::Note(noted) } else { Self::Right };
+            return if noted.is_scaled() { Self::Note(noted) } else { Self::Right };
         }
         let Some(bones) = Bones::of(model) else { return Self::Unscaled };
         match layouts::answer(model, &bones) {
@@ -97,7 +85,7 @@ impl Evidence {
     }
 }
 
-fn of_note(noted: &NotedSizes) -> Phrase {
+fn of_note(noted: &ScaledSinceNote) -> Phrase {
     let bodies: Vec<String> =
         noted.factors.iter().map(|(body, factors)| format!("{body} x{}", size(*factors))).collect();
     format!("bodies were scaled after the note was written, and the spheres stayed: {}", bodies.join(", "))

@@ -9,5 +9,6 @@ mod evidence;
 mod layouts;
 mod reach;
 
+pub(crate) use compare::is_stretched;
 pub use compare::{PlacedSphere, Placement};
-pub(crate) use evidence::{Evidence, NotedSizes};
+pub(crate) use evidence::Evidence;

@@ -1,7 +1,7 @@
 //! Spheres that reach further than in any published model: J and L.
 //!
-//! J: a sphere's centre is projected on the line from its body's origin to a joint of that body to the next one, and divided
-//! by their distance. Published models reach 1.206 (Moco's running). L: how far along the standard foot, from the heel (0)
+//! J: a sphere's centre is projected on the line from its body's origin to the farthest joint of that body to a next one, and
+//! divided by their distance. Published models reach 1.206 (Moco's running). L: how far along the standard foot, from the heel (0)
 //! to the tip of the toes (1) by the extents of the bones' meshes, the foremost centre is. Published: 0.691 to 1.007.
 
 use std::collections::BTreeMap;
@@ -55,21 +55,14 @@ impl Reach {
     }
 }
 
-/// J of each sphere of a foot, for each next joint, and L of each foot.
+/// J of each sphere of a foot, and L of each foot.
 pub(super) fn reaches(model: &Model, bones: &Bones) -> Vec<Reach> {
     let mut found = Vec::new();
     let mut foremost: BTreeMap<String, (SphereId, f64)> = BTreeMap::new();
     for id in model.loaded_spheres(&model.force_ids()) {
         let (Some(sphere), Some(centre)) = (model.sphere(id), model.centre_m(id)) else { continue };
         let Some(body) = sphere.body.as_deref().filter(|body| bones.is_foot(body)) else { continue };
-        for joint in bones.next_joints(body) {
-            let dot = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-            let squared = dot(joint.in_parent_m, joint.in_parent_m);
-            if squared > SHORTEST_M * SHORTEST_M {
-                let value = dot(centre, joint.in_parent_m) / squared;
-                found.push(Reach { sphere: id, value, of: joint.name.clone(), measure: Measure::J });
-            }
-        }
+        found.extend(reach_to_joint(bones, body, (id, centre, sphere.radius.number)));
         let hind = |body: &str| bones.standard_foot(body).map(|ends| (body.to_owned(), ends));
         let above = || {
             let joint = bones.joint_above(body)?;
@@ -91,8 +84,22 @@ pub(super) fn reaches(model: &Model, bones: &Bones) -> Vec<Reach> {
     found
 }
 
-/// A joint nearer to the body's origin says nothing.
-const SHORTEST_M: f64 = 1e-6;
+/// J of a sphere with its centre and radius, for the next joint that is farthest from the body's origin.
+///
+/// `None` without a next joint, or where it is nearer than a radius: such a joint says nothing about the length of the bone.
+fn reach_to_joint(bones: &Bones, body: &str, sphere: (SphereId, [f64; 3], f64)) -> Option<Reach> {
+    let (id, centre, radius_m) = sphere;
+    let dot = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let joints = bones.next_joints(body).map(|joint| (dot(joint.in_parent_m, joint.in_parent_m), joint));
+    let (squared, joint) = joints.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let value = dot(centre, joint.in_parent_m) / squared;
+    (squared > radius_m * radius_m).then(|| Reach {
+        sphere: id,
+        value,
+        of: joint.name.clone(),
+        measure: Measure::J,
+    })
+}
 
 #[cfg(test)]
 mod tests {

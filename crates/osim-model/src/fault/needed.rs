@@ -3,7 +3,7 @@
 use super::factor_question::FactorQuestion;
 use super::way_out::{GravityFor, RadiusFrom};
 use crate::number::shortest;
-use crate::wording::{Input, Phrase, phrase};
+use crate::wording::{Input, Phrase, Verb, phrase};
 
 /// Something that has to be said, because the files do not say it.
 ///
@@ -128,6 +128,8 @@ pub enum Needed {
         /// What it is needed for.
         purpose: GravityFor,
     },
+    /// How bodies were scaled, which the note was to say: it has no sizes, or spheres were moved since.
+    NotedSizes,
     /// The ratio of heights that PredSim's rule is about.
     HeightRatio,
 }
@@ -169,6 +171,8 @@ impl CountOf {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum NoteDoubt {
+    /// There is none, and the sum of the bodies is not the mass: they were scaled.
+    Absent,
     /// It cannot be read.
     Unreadable,
     /// Force set and geometry set carry notes of different runs.
@@ -186,6 +190,7 @@ impl NoteDoubt {
     #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
+            Self::Absent => "there is no note in the file, and the bodies were scaled",
             Self::Unreadable => "the note in the file cannot be read",
             Self::MixedPair => "the force set and its geometry set were not written by the same run",
             Self::ValuesChanged => "the values are no longer those the note was written for",
@@ -201,6 +206,7 @@ impl Needed {
     pub const fn code(&self) -> &'static str {
         match self {
             Self::BodyMass { .. } | Self::ModelMass { .. } => "no-mass",
+            Self::ContactsMass { doubt: NoteDoubt::Absent, .. } => "no-mass",
             Self::ContactsMass { .. } | Self::ContactsGravity { .. } => "stale-note",
             Self::Selection { .. } => "several-trees",
             Self::SphereCount { .. } => "sphere-count",
@@ -208,6 +214,7 @@ impl Needed {
             Self::ReferenceContact { .. }
             | Self::ReferenceContactOfForce { .. }
             | Self::ReferenceRadius { .. } => "which-reference",
+            Self::NotedSizes => "body-scale",
             Self::BodyFactors { .. } | Self::Factors(_) => "body-scale",
             Self::MovedSpheres { .. } => "moved-spheres",
             Self::Repetition { .. } => "same-operation",
@@ -369,6 +376,13 @@ impl Needed {
                 Input::Load.like("N"),
                 " or ",
                 Input::BodyWeights.like("B"),
+            ],
+            Self::NotedSizes => phrase![
+                "the note in the file does not say how bodies were scaled since (there is none, or spheres were moved): name \
+                 the model that was scaled with ",
+                Verb::Transfer.of_model().with(Input::From, "GENERIC").and(Input::FollowBodies),
+                ", or the Scale Tool's file with ",
+                Input::BodyScaleFile.like("FILE"),
             ],
             Self::Gravity { purpose } => purpose.phrase(),
             // HeightRatio; the others were answered before.

@@ -42,6 +42,13 @@ pub enum RemedyChange {
         /// Its name.
         from: &'static str,
     },
+    /// The model's own contacts at its body's mass, on spheres that follow their bodies by the sizes in the note.
+    FollowNote {
+        /// The mass to scale to, kg.
+        target_mass_kg: f64,
+        /// Bottoms stay on the scaled sole.
+        level: bool,
+    },
     /// Contacts of the model that OpenSim scaled, and spheres that follow their bodies.
     Follow {
         /// That model, as it was named.

@@ -18,6 +18,12 @@ const SPELLING_M: f64 = 1e-6;
 pub struct ScaleFile(BTreeMap<String, [f64; 3]>);
 
 impl ScaleFile {
+    /// Factors along x, y and z by body, where they are known without a file.
+    #[must_use]
+    pub fn of_factors(factors: BTreeMap<String, [f64; 3]>) -> Self {
+        Self(factors)
+    }
+
     /// Reads `<ScaleSet>`: `<Scale><scales>sx sy sz</scales><segment>body</segment><apply>true</apply></Scale>`.
     ///
     /// # Errors
@@ -33,7 +39,7 @@ impl ScaleFile {
     pub fn of(&self, body: &str) -> Result<[f64; 3], Fault> {
         self.factors(body).ok_or_else(|| {
             Fault::refused(format!(
-                "the ScaleSet has no factors of {body}, expected some for each body with spheres"
+                "no factors of {body} are known, expected some for each body with spheres"
             ))
         })
     }

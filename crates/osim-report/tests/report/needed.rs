@@ -39,6 +39,7 @@ fn examples() -> Vec<Needed> {
         Needed::Load,
         Needed::Gravity { purpose: GravityFor::Weight },
         Needed::HeightRatio,
+        Needed::NotedSizes,
     ]
 }
 

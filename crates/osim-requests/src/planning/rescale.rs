@@ -2,10 +2,14 @@
 
 use std::path::PathBuf;
 
+use osim_inspect::KnownContacts;
 use osim_model::files::Files;
 use osim_model::wording::{Input, phrase};
-use osim_model::{Fault, MassRequest, Model, Selection};
-use osim_patch::{FOLLOWING, Plan, RadiusRule, Rescale, ScaleFile, rescale};
+use osim_model::{
+    Fault, Finding, FindingCode, Mass, MassRequest, Model, Needed, NoteDoubt, Selected, Selection, readable,
+    same_mass,
+};
+use osim_patch::{FOLLOWING, FOLLOWING_NOTE, Plan, RadiusRule, Rescale, ScaleFile, rescale};
 use serde_json::json;
 
 use super::operation::{operation, refuse_again};
@@ -23,6 +27,8 @@ struct Rescaling {
     scaling: ScalingOptions,
     /// By how much bodies were scaled, where spheres follow them.
     bodies: Option<ScaleFile>,
+    /// By what the note says of their sizes.
+    follow_note: bool,
     reads: Vec<PathBuf>,
     may_repeat: bool,
     inspection: InspectionOptions,
@@ -44,8 +50,18 @@ impl RescaleRequest {
     /// # Errors
     /// The target is missing, or the options leave nothing to do.
     pub(crate) fn with_bodies(self, bodies: Option<ScaleFile>) -> Result<Change, RequestFault> {
-        let Self { models, target_mass, masses, scaling, body_scale_file, choice, output, run: _, set_files } =
-            self;
+        let Self {
+            models,
+            target_mass,
+            masses,
+            scaling,
+            body_scale_file,
+            follow_bodies,
+            choice,
+            output,
+            run: _,
+            set_files,
+        } = self;
         let Some(target) = target_mass else {
             return Err(RequestFault::refused(
                 Input::TargetMass,
@@ -57,22 +73,14 @@ impl RescaleRequest {
         };
         scaling.check()?;
         let named = body_scale_file.as_ref().map(|path| path.to_string_lossy());
-        let settings = json!(["rescale", target, masses, scaling, choice, named]).to_string();
-        if bodies.is_some() && masses.contacts_mass.is_none() {
-            // What the bodies weigh now, the contacts were not made for.
-            let message = phrase![
-                Input::BodyScaleFile,
-                " is for a model that OpenSim has scaled: say what its contacts were made for with ",
-                Input::ContactsMass.like("KG"),
-            ];
-            return Err(RequestFault::refused(Input::ContactsMass, message));
-        }
+        let settings = json!(["rescale", target, masses, scaling, choice, named, follow_bodies]).to_string();
         let planner = Rescaling {
             target_mass_kg: target.get(),
             masses: MassRequest { target_mass_kg: Some(target.get()), ..masses.request() },
             selection: choice.selection(),
             scaling,
             bodies,
+            follow_note: follow_bodies,
             reads: body_scale_file.into_iter().collect(),
             may_repeat: output.may_repeat(),
             inspection: InspectionOptions::new(StanceOptions::default(), masses, choice, set_files.clone()),
@@ -107,12 +115,22 @@ impl Planner for Rescaling {
         let selected = self.selection.apply(model)?;
         let scaling = &self.scaling;
         let radius = scaling.radius.map(Radius::rule);
-        let verb = if self.bodies.is_some() { FOLLOWING } else { "rescale" };
+        let verb = match (&self.bodies, self.follow_note) {
+            (Some(_), _) => FOLLOWING,
+            (None, true) => FOLLOWING_NOTE,
+            (None, false) => "rescale",
+        };
         let operation = operation(verb, radius);
         if matches!(radius, Some(RadiusRule::Factor(_))) || self.bodies.is_some() {
             refuse_again(model, &operation, self.may_repeat)?;
         }
         let (contacts_mass, mut warnings) = self.masses.of_contacts(model)?;
+        let bodies = if self.follow_note { Some(bodies_of_note(model)?) } else { self.bodies.clone() };
+        if bodies.is_some() && !contacts_mass.source.is_of_contacts() {
+            // What the bodies weigh now, the contacts were not made for.
+            return Err(Fault::new(Needed::ContactsMass { noted_kg: None, doubt: NoteDoubt::Absent }));
+        }
+        warnings.extend(known_for_another_mass(model, &selected, &contacts_mass));
         let mut wanted = Rescale::new(self.target_mass_kg, contacts_mass);
         wanted.radius = radius.unwrap_or(RadiusRule::Isometric);
         wanted.properties = scaling.properties();
@@ -120,10 +138,39 @@ impl Planner for Rescaling {
         wanted.target_gravity_m_s2 = scaling.target_gravity.map(Acceleration::get);
         wanted.contacts_gravity_m_s2 = scaling.contacts_gravity.map(Acceleration::get);
         wanted.level = scaling.level_axis(model.gravity_m_s2);
-        wanted.bodies.clone_from(&self.bodies);
+        wanted.bodies = bodies;
         let mut plan = rescale(model, &selected, &wanted)?;
         plan.name_operation(&operation);
         plan.warnings.append(&mut warnings);
         Ok(plan)
     }
+}
+
+/// By how much OpenSim scaled the bodies since the note was written.
+fn bodies_of_note(model: &Model) -> Result<ScaleFile, Fault> {
+    let since = model.scaled_since_note().ok_or_else(|| Fault::new(Needed::NotedSizes))?;
+    Ok(ScaleFile::of_factors(since.factors))
+}
+
+/// A warning where the contacts are known ones that were made for another mass than the bodies', which is taken because nothing
+/// else is said.
+fn known_for_another_mass(model: &Model, selected: &Selected, mass: &Mass) -> Option<Finding> {
+    if mass.source.is_of_contacts() {
+        return None;
+    }
+    let known = KnownContacts::find(model, &selected.forces, None, Some(mass.kg))?;
+    if same_mass(known.made_for_kg, mass.kg) {
+        return None;
+    }
+    let text = phrase![
+        format!("contacts are taken as made for {} kg (", readable(mass.kg)),
+        &mass.source.describe(),
+        format!(
+            "), but they are those of {}, made for {} kg: say ",
+            known.title,
+            readable(known.made_for_kg)
+        ),
+        Input::ContactsMass.being(readable(known.made_for_kg)),
+    ];
+    Some(Finding::new(FindingCode::MassSourcesDisagree, text))
 }

@@ -10,8 +10,8 @@ use osim_model::{
     Anatomy, CountOf, Fault, GravityFor, MassRequest, Model, Needed, Property, Selected, Selection,
 };
 use osim_patch::{
-    Factors, Follow, FollowRequest, OwnRadii, Plan, RadiusAxis, RadiusRule, Reference, ScalingRule, Transfer,
-    moving_spheres, transfer,
+    Factors, Follow, FollowRequest, OwnRadii, Plan, RadiusAxis, RadiusRule, Reference, ScalingRule,
+    TRANSFER_FOLLOWING, Transfer, moving_spheres, transfer,
 };
 use serde_json::json;
 
@@ -254,7 +254,8 @@ impl Planner for Transferring {
         };
         let counts = self.sphere_counts(model, &selected)?;
         let radius = self.scaling.radius.map(Radius::rule);
-        let operation = operation("transfer", radius);
+        let verb = if follow.is_some() { TRANSFER_FOLLOWING } else { "transfer" };
+        let operation = operation(verb, radius);
         if matches!(radius, Some(RadiusRule::Factor(_))) {
             refuse_again(model, &operation, self.may_repeat)?;
         }

@@ -45,6 +45,9 @@ pub struct RescaleRequest {
     #[serde(with = "path::optional")]
     #[schemars(with = "Option<path::PathSchema>")]
     pub body_scale_file: Option<PathBuf>,
+    /// Spheres move with bodies that OpenSim has scaled since the note in the file was written, by the sizes in the note
+    #[cfg_attr(feature = "clap", arg(long, hide_short_help = true))]
+    pub follow_bodies: bool,
     /// Which forces.
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
@@ -65,7 +68,7 @@ pub struct RescaleRequest {
 
 impl RescaleRequest {
     pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[
-        &[Relation::Expected("models")],
+        &[Relation::Expected("models"), Relation::Excludes("body_scale_file", "follow_bodies")],
         ScalingOptions::RELATIONS,
         OutputOptions::RELATIONS,
         RunOptions::RELATIONS,
@@ -82,6 +85,7 @@ impl RescaleRequest {
             || scaling.target_gravity.is_some()
             || scaling.level
             || self.body_scale_file.is_some()
+            || self.follow_bodies
             || output.output.is_some()
             || output.output_dir.is_some()
             || output.in_place
