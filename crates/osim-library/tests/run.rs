@@ -89,7 +89,10 @@ fn rescale(models: &Path, field: &str, output: &Path, options: &RunOptions) -> R
     let request = serde_json::json!({"verb": "rescale", "models": models, "target_mass": 80, field: output})
         .to_string();
     let Request::Rescale(request) = Request::from_json(request.as_bytes()).unwrap() else { panic!() };
-    let mut run = Run::new(RunRequest::of_change(request.prepare().unwrap(), options)?, options)?;
+    let mut run = Run::new(
+        RunRequest::of_change(request.prepare(&osim_model::files::InMemory::default()).unwrap(), options)?,
+        options,
+    )?;
     run.begin()?;
     let failures = run.failures().len();
     let (watch, mut records, mut written) = (Watch::default(), Vec::new(), Vec::new());

@@ -63,7 +63,7 @@ pub use loaded_sphere::{LoadedSphere, loaded_spheres};
 pub use plan::{Change, Masses, Move, Plan};
 pub use property_set::PropertySet;
 pub use radii::{RadiusRule, moving_spheres};
-pub use rescale::{Rescale, rescale};
+pub use rescale::{FOLLOWING, Rescale, rescale};
 pub use scaling::DissipationBy;
 pub use set::{Set, set};
 pub use transfer::{Reference, ReferenceContact, ScalingRule, Transfer, reference_of_model, transfer};

@@ -8,12 +8,16 @@ use osim_model::{
 };
 
 use crate::builder::{New, PlanBuilder};
+use crate::follow::ScaleFile;
 use crate::gravity::GravityChange;
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
 use crate::property_set::PropertySet;
 use crate::radii::{Radii, RadiusRule, SphereRule};
 use crate::remarks::{GRAVITY_STAYS, bottoms_remark, warn_forces};
 use crate::scaling::{DissipationBy, factor};
+
+/// The operation, as the note has it, of a rescaling that moved spheres with their bodies.
+pub const FOLLOWING: &str = "rescale body-scale-file";
 
 /// What is wanted of a rescaling: the model's own contacts at another mass.
 ///
@@ -54,6 +58,8 @@ pub struct Rescale {
     pub contacts_gravity_m_s2: Option<f64>,
     /// Move sphere centres so that their bottoms stay where they are.
     pub level: Option<LevelAxis>,
+    /// By how much OpenSim scaled the bodies, where their spheres are to follow.
+    pub bodies: Option<ScaleFile>,
 }
 
 impl Rescale {
@@ -69,6 +75,7 @@ impl Rescale {
             target_gravity_m_s2: None,
             contacts_gravity_m_s2: None,
             level: None,
+            bodies: None,
         }
     }
 }
@@ -90,7 +97,7 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
     let change = GravityChange::new(gravity, wanted.target_gravity_m_s2, GravityFor::Contacts)?;
     let gravity = change.ratio;
     let other_radius = matches!(wanted.radius, RadiusRule::Metres(_) | RadiusRule::Factor(_));
-    if same_mass(target, origin) && gravity == 1.0 && !other_radius {
+    if same_mass(target, origin) && gravity == 1.0 && !other_radius && wanted.bodies.is_none() {
         plan.warnings.push(already_there(origin, &wanted.contacts_mass));
         return Ok(finish(plan, wanted, selected, None, change));
     }
@@ -103,8 +110,10 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
         isometric,
         &wanted.properties,
     )?;
-    if let Some(axis) = wanted.level {
-        radii.level(&mut plan, axis)?;
+    match (&wanted.bodies, wanted.level) {
+        (Some(bodies), level) => radii.follow(&mut plan, bodies, level)?,
+        (None, Some(axis)) => radii.level(&mut plan, axis)?,
+        (None, None) => {}
     }
     warn_forces(&mut plan, &selected.forces, &wanted.properties);
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
@@ -114,7 +123,7 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
             scale_set(&mut plan, (force.id, set.id), &ratios, wanted)?;
         }
     }
-    if plan.changes.is_empty() {
+    if plan.changes.is_empty() && plan.moves.is_empty() {
         let text = "every factor is exactly 1: the radius stays, so what follows the radius stays too";
         plan.warnings.push(Finding::new(FindingCode::NothingToChange, text));
     }
@@ -170,10 +179,13 @@ fn finish(
 ) -> Plan {
     let PlanBuilder { model, changes, moves, warnings, .. } = plan;
     let mut remarks: Vec<Phrase> = Vec::new();
-    if !changes.is_empty() {
+    let nothing = changes.is_empty() && moves.is_empty();
+    if !nothing {
         if moves.is_empty() {
             remarks.push("body masses and sphere locations stay as they are".into());
             remarks.extend(radii.and_then(bottoms_remark));
+        } else if wanted.bodies.is_some() {
+            remarks.push("body masses stay as they are; spheres follow their bodies by the ScaleSet".into());
         } else {
             remarks.push("body masses stay as they are; sphere centres move so that bottoms stay".into());
         }
@@ -181,11 +193,11 @@ fn finish(
             remarks.push(GRAVITY_STAYS.into());
         }
     }
-    let target_mass_kg = if changes.is_empty() { wanted.contacts_mass.kg } else { wanted.target_mass_kg };
+    let target_mass_kg = if nothing { wanted.contacts_mass.kg } else { wanted.target_mass_kg };
     let from = wanted.contacts_mass.clone();
     let mut taken =
         phrase![format!("contacts made for {} kg (", readable(from.kg)), &from.source.describe(), ")",];
-    if !changes.is_empty() {
+    if !nothing {
         let ratio = readable(target_mass_kg / from.kg);
         taken.push(format!("; scaled to {} kg (mass x{ratio})", readable(target_mass_kg)));
         taken.push(gravity.described());
@@ -198,7 +210,7 @@ fn finish(
             mass_kg: Some(wanted.target_mass_kg),
             gravity_m_s2: wanted.target_gravity_m_s2.or(model.contacts_gravity()),
             scope: if all { Scope::All } else { Scope::Partial },
-            operation: "rescale",
+            operation: if wanted.bodies.is_some() { FOLLOWING } else { "rescale" },
         },
     )
 }

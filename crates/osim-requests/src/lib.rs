@@ -12,7 +12,7 @@
 //! let model = Model::parse(include_bytes!("../../osim-model/tests/data/one_foot.osim").as_slice())?;
 //! let request = Request::from_json(br#"{"verb": "rescale", "models": "one_foot.osim", "target_mass": 80}"#)?;
 //! let Request::Rescale(rescale) = request else { return Ok(()) };
-//! let plan = rescale.prepare()?.planner.plan(&model)?;
+//! let plan = rescale.prepare(&InMemory::default()).map_err(|error| format!("{error:?}"))?.planner.plan(&model)?;
 //! assert_eq!(plan.changes[0].to, 2.0 * plan.changes[0].from);
 //! # Ok(())
 //! # }

@@ -3,7 +3,7 @@
 use anyhow::{Result, bail};
 use osim_library::Disk;
 use osim_requests::options::{InspectionOptions, SheetFormat, StanceOptions};
-use osim_requests::{InspectRequest, RescaleRequest, may_be_file};
+use osim_requests::{InspectRequest, RequestError, RescaleRequest, may_be_file};
 
 use super::change::change;
 use super::inspect;
@@ -24,10 +24,12 @@ pub(super) fn run(request: RescaleRequest, may_inspect: bool, session: &mut Sess
     if request.target_mass.is_some() || !may_inspect || request.asks_for_change() {
         let missing = request.target_mass.is_none();
         let run = request.run.clone();
-        return match request.prepare() {
+        return match request.prepare(&Disk) {
             Ok(prepared) => change(prepared, &run, session),
-            Err(fault) if missing => bail!("{}{}", fault.spelled(session.words), session.words.see_also()),
-            Err(fault) => Err(session.usage(&fault)),
+            Err(RequestError::Fault(fault)) if missing => {
+                bail!("{}{}", fault.spelled(session.words), session.words.see_also())
+            }
+            Err(error) => session.refuse(error, run.is_json()),
         };
     }
     // A model alone, perhaps dropped on the program: show something useful.

@@ -102,6 +102,18 @@ impl ScaleFile {
         Self::read_unlocated(document).map_err(|fault| fault.located(document.bytes()))
     }
 
+    /// The factors of `body` along x, y and z.
+    ///
+    /// # Errors
+    /// The file does not have it.
+    pub fn of(&self, body: &str) -> Result<[f64; 3], Fault> {
+        self.0.get(body).copied().ok_or_else(|| {
+            Fault::refused(format!(
+                "the ScaleSet has no factors of {body}, expected some for each body with spheres"
+            ))
+        })
+    }
+
     fn read_unlocated(document: &Document) -> Result<Self, Fault> {
         let tree = document.tree();
         let root = document.data_root();

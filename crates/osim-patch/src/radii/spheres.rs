@@ -7,6 +7,7 @@ use osim_model::{Fault, Force, ForceId, LevelAxis, Model, Property, SphereId};
 use super::rule::{Pair, RadiusRule, SphereRule};
 use super::users::Users;
 use crate::builder::{New, PlanBuilder};
+use crate::follow::ScaleFile;
 use crate::property_set::PropertySet;
 
 /// Old and new radius of each moving sphere of the chosen forces.
@@ -81,6 +82,28 @@ impl Radii {
             let location = found.location_m;
             let axis = axis.in_frame(&plan.model.rotation_of(found)?);
             plan.location(sphere, axis.centre(location, pair.old, pair.new, |vector| vector), "level")?;
+        }
+        Ok(())
+    }
+
+    /// Moves centres with their bodies; with `level` bottoms stay on the scaled soles.
+    pub(crate) fn follow(
+        &self,
+        plan: &mut PlanBuilder<'_>,
+        bodies: &ScaleFile,
+        level: Option<LevelAxis>,
+    ) -> Result<(), Fault> {
+        for (&sphere, pair) in &self.0 {
+            let Some(found) = plan.model.sphere(sphere) else { continue };
+            let Some(body) = found.body.as_deref() else { continue };
+            let factors = bodies.of(body).map_err(|fault| fault.of(found.path.clone()))?;
+            let (location, rotation) = (found.location_m, plan.model.rotation_of(found)?);
+            let scaled = |vector| rotation.scaled_in_frame(factors, vector);
+            let place = match level {
+                Some(axis) => axis.in_frame(&rotation).centre(location, pair.old, pair.new, scaled),
+                None => scaled(location),
+            };
+            plan.location(sphere, place, "follow")?;
         }
         Ok(())
     }

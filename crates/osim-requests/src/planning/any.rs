@@ -15,7 +15,7 @@ impl Request {
     pub fn prepare(self, files: &dyn Files) -> Result<Change, RequestError> {
         let verb = self.verb().name();
         match self {
-            Self::Rescale(request) => Ok(request.prepare()?),
+            Self::Rescale(request) => request.prepare(files),
             Self::Design(request) => Ok(request.prepare()?),
             Self::Set(request) => Ok(request.prepare()?),
             Self::Transfer(request) => request.prepare(files),

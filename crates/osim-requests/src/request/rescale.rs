@@ -40,6 +40,11 @@ pub struct RescaleRequest {
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub scaling: ScalingOptions,
+    /// The ScaleSet that the Scale Tool applied: spheres move with their bodies (where the model that was scaled is lost)
+    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", hide_short_help = true))]
+    #[serde(with = "path::optional")]
+    #[schemars(with = "Option<path::PathSchema>")]
+    pub body_scale_file: Option<PathBuf>,
     /// Which forces.
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
@@ -76,6 +81,7 @@ impl RescaleRequest {
             || scaling.friction
             || scaling.target_gravity.is_some()
             || scaling.level
+            || self.body_scale_file.is_some()
             || output.output.is_some()
             || output.output_dir.is_some()
             || output.in_place

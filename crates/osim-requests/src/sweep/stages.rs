@@ -146,5 +146,5 @@ fn rescale(request: &SweepRequest, target_mass: f64) -> Result<Box<dyn Planner>,
         choice: request.choice.clone(),
         ..RescaleRequest::default()
     };
-    rescale.prepare().map(|change| change.planner)
+    rescale.with_bodies(None).map(|change| change.planner)
 }
