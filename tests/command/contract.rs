@@ -67,6 +67,8 @@ pub(crate) struct Inspection {
     pub(crate) mass_kg: Option<f64>,
     pub(crate) gravity_m_s2: Option<f64>,
     pub(crate) contacts_mass_kg: Option<Mass>,
+    #[serde(default)]
+    pub(crate) known_contacts: Option<Known>,
     pub(crate) limbs: Option<Vec<Limb>>,
     pub(crate) limbs_unknown: Option<String>,
     pub(crate) spheres_per_limb: Option<usize>,
@@ -206,4 +208,14 @@ pub(crate) struct Fault {
     pub(crate) message: String,
     pub(crate) line: Option<usize>,
     pub(crate) column: Option<usize>,
+}
+
+/// Contacts that somebody published.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Known {
+    pub(crate) name: String,
+    pub(crate) title: String,
+    pub(crate) source: String,
+    pub(crate) made_for_kg: f64,
 }

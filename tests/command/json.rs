@@ -35,6 +35,9 @@ fn inspect_says_what_the_model_holds() {
     let [seen]: [Inspection; 1] = lines(&ran).try_into().unwrap();
     assert_eq!((seen.schema_version, seen.model.as_str(), seen.document_version), (1, "human.osim", 40000));
     assert_eq!((seen.name.as_str(), seen.mass_kg, seen.gravity_m_s2), ("human_62kg", Some(62.0), Some(9.81)));
+    let known = seen.known_contacts.unwrap();
+    assert_eq!((known.name.as_str(), known.made_for_kg), ("falisse2022", 62.0));
+    assert!(known.title == "Falisse et al. (2022)" && known.source.contains("PLoS ONE"));
     let mass = seen.contacts_mass_kg.unwrap();
     assert_eq!((mass.value, mass.source.as_str()), (62.0, "bodies"));
     let limbs = seen.limbs.unwrap();

@@ -28,6 +28,7 @@ mod never_lost;
 mod pages;
 mod recipes;
 mod requested;
+mod scaled_bodies;
 mod schemas;
 mod shells;
 mod shown;

@@ -17,7 +17,7 @@ use crate::support::{Bench, HUMAN};
 
 /// What is found in a model, spelled.
 fn checked(request: &CheckRequest, path: &Path, files: &InMemory) -> CheckResult {
-    let inspector = request.inspector();
+    let inspector = request.inspector(files);
     let opened = open_with(path, inspector.set_files().beside(), files).unwrap();
     let inspected = inspector.inspect(&opened).unwrap();
     inspector.refuse_without_contacts(&opened, &inspected).unwrap();
@@ -100,7 +100,7 @@ fn remedies() {
 #[test]
 fn a_remedy_in_the_words_of_requests_is_a_request() {
     let bench = Bench::human();
-    let inspector = check_of("human.osim").inspector();
+    let inspector = check_of("human.osim").inspector(&files_of(&bench));
     let opened =
         open_with(Path::new("human.osim"), inspector.set_files().beside(), &files_of(&bench)).unwrap();
     let inspected = inspector.inspect(&opened).unwrap();

@@ -26,9 +26,11 @@ mod figures;
 mod findings;
 mod gravity_mismatch;
 mod inspection;
+mod known;
 mod load_sharing;
 mod mass_mismatch;
 mod options;
+mod placement;
 mod quantity;
 mod serialized;
 pub mod series;
@@ -40,8 +42,10 @@ pub use inspection::{
     ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,
     InspectedLimb, InspectedSphere, Inspection, Origins, Parameters,
 };
+pub use known::KnownContacts;
 pub use load_sharing::LoadSharing;
 pub use mass_mismatch::MassMismatch;
 pub use options::{InspectOptions, Stance};
+pub use placement::{PlacedSphere, Placement};
 pub use quantity::Quantity;
 pub use serialized::{FindingRecord, ObjectSchema, SCHEMA_VERSION};

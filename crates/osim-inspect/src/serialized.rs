@@ -38,7 +38,7 @@ impl From<&Finding> for FindingRecord {
     fn from(finding: &Finding) -> Self {
         Self {
             code: finding.code.as_str(),
-            severity: finding.code.severity().as_str(),
+            severity: finding.severity.as_str(),
             message: finding.message.to_string(),
             why: finding.why.to_string(),
             advice: finding.advice.to_string(),

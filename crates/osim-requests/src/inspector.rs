@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use osim_inspect::{CheckResult, InspectOptions, Inspection, check_model};
+use osim_inspect::{CheckResult, InspectOptions, Inspection, Placement, check_model};
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::{Anatomy, Finding, Model, Severity};
 use osim_patch::{Factors, ScaleFile};
@@ -20,19 +20,28 @@ pub struct Inspector {
     /// The generic model's bones and the Scale Tool's factors, where a generic model is named; why not, where it cannot be
     /// read: that is a failure of each model.
     generic: Option<Result<(Anatomy, Option<ScaleFile>), Failure>>,
+    /// The names of both files, where they are for the places of spheres and not for factors.
+    places: Option<(PathBuf, Option<PathBuf>)>,
     reads: Vec<PathBuf>,
+}
+
+/// The generic model's bones and the Scale Tool's factors.
+fn generic_model(
+    from: &Path,
+    body_scale_file: Option<&Path>,
+    files: &dyn Files,
+) -> Result<(Anatomy, Option<ScaleFile>), Failure> {
+    let generic = open(from, files)?;
+    let anatomy = Anatomy::of(&generic.model).map_err(|fault| generic.failure(fault))?;
+    let file = body_scale_file.map(|path| scale_file(path, files)).transpose()?;
+    Ok((anatomy, file))
 }
 
 impl InspectRequest {
     /// Reads what is needed for all models.
     #[must_use]
     pub fn inspector(&self, files: &dyn Files) -> Inspector {
-        let read = |from: &Path| {
-            let generic = open(from, files)?;
-            let anatomy = Anatomy::of(&generic.model).map_err(|fault| generic.failure(fault))?;
-            let file = self.body_scale_file.as_deref().map(|path| scale_file(path, files)).transpose()?;
-            Ok((anatomy, file))
-        };
+        let read = |from: &Path| generic_model(from, self.body_scale_file.as_deref(), files);
         let named = self.from.iter().chain(&self.body_scale_file).cloned();
         let reads = self.options.set_files.paths().cloned().chain(named).collect();
         Inspector { generic: self.from.as_deref().map(read), reads, ..Inspector::new(&self.options) }
@@ -40,10 +49,15 @@ impl InspectRequest {
 }
 
 impl CheckRequest {
-    /// How its models are inspected.
+    /// How its models are inspected; reads what is needed for all of them.
     #[must_use]
-    pub fn inspector(&self) -> Inspector {
-        Inspector::new(&self.options)
+    pub fn inspector(&self, files: &dyn Files) -> Inspector {
+        let plain = Inspector::new(&self.options);
+        let Some(from) = self.from.clone() else { return plain };
+        let file = self.body_scale_file.clone();
+        let generic = Some(generic_model(&from, file.as_deref(), files));
+        let reads = plain.reads.iter().chain([&from]).chain(&file).cloned().collect();
+        Inspector { generic, places: Some((from, file)), reads, ..plain }
     }
 }
 
@@ -55,6 +69,7 @@ impl Inspector {
             options: options.inspect_options(),
             set_files: options.set_files.clone(),
             generic: None,
+            places: None,
             reads: options.set_files.paths().cloned().collect(),
         }
     }
@@ -82,16 +97,21 @@ impl Inspector {
     /// # Errors
     /// The generic model cannot be read, or factors cannot be determined.
     pub fn inspect(&self, opened: &OpenModel) -> Result<Inspection, Failure> {
-        let factors = match &self.generic {
-            None => None,
-            Some(generic) => {
-                let (generic, file) = generic.as_ref().map_err(Failure::clone)?;
+        let generic = self.generic.as_ref().map(Result::as_ref).transpose().map_err(Failure::clone)?;
+        let (factors, placement) = match (generic, &self.places) {
+            (None, _) => (None, None),
+            (Some((generic, file)), None) => {
                 let scaled = Anatomy::of(&opened.model).map_err(|fault| opened.failure(fault))?;
                 let found = Factors::find(&scaled, generic, file.as_ref(), &BTreeMap::new());
-                Some(found.map_err(|fault| opened.failure(fault))?)
+                (Some(found.map_err(|fault| opened.failure(fault))?), None)
+            }
+            (Some((generic, file)), Some(named)) => {
+                (None, Some(Placement::compare(&opened.model, named.clone(), generic, file.as_ref())))
             }
         };
-        Ok(self.options.inspect(opened.name(), &opened.model, factors.as_ref()))
+        let mut inspection = self.options.inspect(opened.name(), &opened.model, factors.as_ref());
+        inspection.placement = placement;
+        Ok(inspection)
     }
 
     /// What is wrong with a model that was inspected; `compiled` names files that other programs would read instead of it.
@@ -108,10 +128,7 @@ impl Inspector {
         match self.options.selection.apply(&opened.model) {
             Err(fault)
                 if fault.code() == "no-contacts"
-                    && !inspected
-                        .warnings
-                        .iter()
-                        .any(|warning| warning.code.severity() == Severity::Error) =>
+                    && !inspected.warnings.iter().any(|warning| warning.severity == Severity::Error) =>
             {
                 Err(opened.failure(fault))
             }

@@ -4,7 +4,10 @@ use osim_model::wording::Input;
 use osim_model::{Remedy, RemedyChange, RemedyDesign, RemedyLoad};
 
 use crate::fault::RequestFault;
-use crate::options::{CountOptions, ForceOptions, LoadOptions, MassOptions, SetFiles, WantedOptions};
+use crate::options::{
+    CountOptions, FollowOptions, ForceOptions, LoadOptions, MassOptions, ScalingOptions, SetFiles,
+    WantedOptions,
+};
 use crate::request::{DesignRequest, Request, RescaleRequest, SetRequest, TransferRequest};
 use crate::value::{
     Acceleration, Assignments, ConstantIndentation, Count, Kilograms, Positive, RelativeIndentation,
@@ -41,6 +44,22 @@ impl TryFrom<&Remedy> for Request {
             RemedyChange::Transfer { from } => TransferRequest {
                 models,
                 from: Some((*from).into()),
+                masses: masses(&load)?,
+                counts: counts(&load)?,
+                choice,
+                set_files,
+                ..TransferRequest::default()
+            }
+            .into(),
+            RemedyChange::Follow { from, body_scale_file, level } => TransferRequest {
+                models,
+                from: Some(from.clone()),
+                follow: FollowOptions {
+                    follow_bodies: true,
+                    body_scale_file: body_scale_file.clone(),
+                    ..FollowOptions::default()
+                },
+                scaling: ScalingOptions { level: *level, ..ScalingOptions::default() },
                 masses: masses(&load)?,
                 counts: counts(&load)?,
                 choice,

@@ -4,7 +4,7 @@ use std::io::IsTerminal;
 
 use anyhow::Result;
 use osim_inspect::CheckResult;
-use osim_library::{Folders, Source, Sources, in_order, threads};
+use osim_library::{Disk, Folders, Source, Sources, in_order, threads};
 use osim_model::files::Failure;
 use osim_model::wording::Verb;
 use osim_report::check;
@@ -26,7 +26,7 @@ use crate::terminal::Exit;
 /// Wrong usage.
 pub(super) fn run(request: &CheckRequest, session: &mut Session) -> Result<Exit> {
     let sources = Sources::find(&request.models, None);
-    let inspector = request.inspector();
+    let inspector = request.inspector(&Disk);
     let (words, report) = (session.words, &request.report);
     let survey = Survey { verb: Verb::Check, sources: &sources, inspector: &inspector, report, words };
     let mut page = survey.begin_page(session)?;

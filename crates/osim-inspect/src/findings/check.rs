@@ -5,9 +5,10 @@
 use osim_model::{Assignment, FileId, Finding, FindingCode, Model, Property};
 use osim_patch::{Set, set};
 
+use super::places::Places;
 use super::remedy::Remedies;
 use super::result::CheckResult;
-use super::{limits, traps};
+use super::{known, limits, traps};
 use crate::gravity_mismatch::gravity_mismatch;
 use crate::inspection::Inspection;
 use crate::mass_mismatch::MassMismatch;
@@ -39,11 +40,16 @@ pub fn check_known(
     let chosen = options.selection.apply(model).map(|selected| selected.forces).unwrap_or_default();
     let joined = model.remarks_on(&chosen).iter().any(is_joined);
     let mut remedies = Remedies::new(inspected, joined, can_be_changed, options);
+    let places = Places::of(model, inspected);
+    let placed = places.findings(model, &remedies);
     let mismatch = MassMismatch::find(model, &options.masses);
-    let another_mass = limits::another_mass(inspected, &remedies);
+    // Spheres that are moved take the contacts of the right mass with them.
+    let another_mass = (!places.are_wrong())
+        .then(|| limits::another_mass(inspected, &remedies, places.are_right()))
+        .flatten();
     // Contacts that are made right for the body first need other commands afterwards.
     let another_gravity = gravity_mismatch(model, options);
-    if mismatch.is_some() || another_mass.is_some() || another_gravity.is_some() {
+    if mismatch.is_some() || another_mass.is_some() || another_gravity.is_some() || places.are_wrong() {
         remedies = remedies.unsettled();
     }
     let mut findings = traps::findings(model, inspected, &remedies);
@@ -51,11 +57,15 @@ pub fn check_known(
         let disagree = findings.iter_mut().filter(|finding| finding.code == FindingCode::MassSourcesDisagree);
         disagree.for_each(|finding| finding.message.push(&mismatch.aside()));
     }
-    findings.extend(limits::findings(inspected, &remedies));
+    // What spheres do that stand where they should not is nobody's question.
+    if !places.were_left_behind() {
+        findings.extend(limits::findings(inspected, &remedies));
+    }
     findings.extend(another_mass);
     findings.extend(another_gravity);
+    findings.extend(placed);
     findings.extend(compiled.cloned());
-    CheckResult::new(inspected, findings)
+    CheckResult::new(inspected, known::as_published(inspected, findings))
 }
 
 /// `true` where the numbers of `model` can be changed, which is tried: a remedy that would be refused is no help.

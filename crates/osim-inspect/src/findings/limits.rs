@@ -1,7 +1,7 @@
 //! Findings from figures: what the contacts do, against the limits of the paper.
 
 use contact_scaling::limits;
-use osim_model::{Finding, FindingCode, four_significant, same_mass};
+use osim_model::{Finding, FindingCode, four_significant, readable, same_mass};
 
 use super::remedy::Remedies;
 use crate::figures::{Figure, SphereFigures};
@@ -10,9 +10,14 @@ use crate::inspection::{InspectedForce, Inspection};
 /// x̂ at which a sphere is in the floor up to its centre.
 const CENTRE: f64 = 1.0;
 
-/// A preset's contacts under a body of another mass, where no note says that this is known.
-pub(super) fn another_mass(inspected: &Inspection, remedies: &Remedies<'_>) -> Option<Finding> {
-    Limits::new(inspected, remedies).another_mass()
+/// Known contacts under a body of another mass, where no note says that this is known. They can be scaled where the places of
+/// the spheres are right.
+pub(super) fn another_mass(
+    inspected: &Inspection,
+    remedies: &Remedies<'_>,
+    places_are_right: bool,
+) -> Option<Finding> {
+    Limits::new(inspected, remedies).another_mass(places_are_right)
 }
 
 /// Everything else that the figures show.
@@ -171,39 +176,22 @@ impl<'l> Limits<'l> {
         Some(finding.with_remedy(self.remedies.floating(&self.spheres)))
     }
 
-    fn another_mass(&self) -> Option<Finding> {
+    fn another_mass(&self, places_are_right: bool) -> Option<Finding> {
         let mass = self.inspected.mass_kg?;
-        let made_for = self.inspected.contacts_mass_kg.as_ref().filter(|mass| mass.source == "bodies")?;
-        let presets = contact_scaling::preset_names().filter_map(contact_scaling::preset);
-        for preset in presets {
-            let scale = preset.scale;
-            let alike = |a: f64, b: f64| (a - b).abs() <= 1e-6 * b;
-            let own = [
-                (Figure::Radius, scale.radius_m()),
-                (Figure::CompositeModulus, preset.contact.composite_modulus()),
-                (Figure::Dissipation, preset.contact.dissipation()),
-            ];
-            let same = |sphere: &SphereFigures| {
-                own.iter().all(|&(figure, value)| sphere.value(figure).is_some_and(|ours| alike(ours, value)))
-            };
-            #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
-            let count =
-                self.inspected.spheres_per_limb.is_some_and(|count| count as f64 == scale.sphere_count());
-            if count
-                && !self.spheres.is_empty()
-                && self.spheres.iter().all(|sphere| same(sphere))
-                && !same_mass(made_for.value, scale.mass_kg())
-            {
-                let text = format!(
-                    "the contacts are those of the preset {}, made for {} kg, and the body weighs {} kg",
-                    preset.name,
-                    scale.mass_kg(),
-                    four_significant(mass)
-                );
-                let remedy = self.remedies.rescale(scale.mass_kg(), mass);
-                return Some(Finding::new(FindingCode::ContactsOfAnotherMass, text).with_remedy(remedy));
-            }
+        let known = self.inspected.known_contacts?;
+        let unsaid =
+            self.inspected.contacts_mass_kg.as_ref().is_some_and(|made_for| made_for.source == "bodies");
+        if !unsaid || same_mass(mass, known.made_for_kg) {
+            return None;
         }
-        None
+        let made_for = known.made_for_kg;
+        let text = format!(
+            "the contacts are those of {}, made for {} kg, and the body weighs {} kg",
+            known.title,
+            readable(made_for),
+            four_significant(mass)
+        );
+        let remedy = places_are_right.then(|| self.remedies.rescale(made_for, mass)).flatten();
+        Some(Finding::new(FindingCode::ContactsOfAnotherMass, text).with_remedy(remedy))
     }
 }

@@ -1,7 +1,9 @@
 //! Whether the contacts are right: findings, and what puts them right.
 
 mod check;
+mod known;
 mod limits;
+mod places;
 mod remedy;
 mod result;
 mod traps;

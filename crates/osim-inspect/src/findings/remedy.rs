@@ -7,6 +7,7 @@ use osim_model::{Assignment, Property, Remedy, RemedyChange, RemedyDesign, Remed
 use crate::figures::{Figure, SphereFigures};
 use crate::inspection::Inspection;
 use crate::options::InspectOptions;
+use crate::placement::Placement;
 
 /// The preset whose contacts are proposed where a model's own make no sense.
 const PROPOSED_PRESET: &str = "falisse2022";
@@ -150,6 +151,16 @@ impl<'m> Remedies<'m> {
             target_mass_kg: rounded(target_mass_kg),
         };
         self.remedy(change, false)
+    }
+
+    /// Contacts of the model that OpenSim scaled, on spheres that follow their bodies.
+    pub(super) fn follow(&self, placement: &Placement) -> Option<Remedy> {
+        let change = RemedyChange::Follow {
+            from: placement.from.clone(),
+            body_scale_file: placement.body_scale_file.clone(),
+            level: placement.suits_level,
+        };
+        placement.can_follow().then(|| self.remedy(change, true)).flatten()
     }
 
     /// Contacts of a published model.

@@ -60,8 +60,8 @@ impl CheckResult {
     /// Everything found in a model, in any order.
     #[must_use]
     pub fn new(inspected: &Inspection, mut findings: Vec<Finding>) -> Self {
-        findings.sort_by_key(|finding| (Reverse(finding.code.severity()), finding.code, finding.line));
-        let count = |severity| findings.iter().filter(|finding| finding.code.severity() == severity).count();
+        findings.sort_by_key(|finding| (Reverse(finding.severity), finding.code, finding.line));
+        let count = |severity| findings.iter().filter(|finding| finding.severity == severity).count();
         let counts = Counts {
             error: count(Severity::Error),
             warn: count(Severity::Warn),
@@ -79,7 +79,7 @@ impl CheckResult {
     /// `true` where something is as bad as `severity`, or worse.
     #[must_use]
     pub fn reaches(&self, severity: Severity) -> bool {
-        self.findings.iter().any(|finding| finding.code.severity() >= severity)
+        self.findings.iter().any(|finding| finding.severity >= severity)
     }
 
     /// Spells everything it says in the words of a front end.

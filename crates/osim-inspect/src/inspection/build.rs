@@ -13,6 +13,7 @@ use super::data::{
     InspectedSphere, Inspection, Origins, Parameters,
 };
 use crate::figures::Figures;
+use crate::known::KnownContacts;
 use crate::load_sharing::LoadSharing;
 use crate::options::InspectOptions;
 use crate::serialized::SCHEMA_VERSION;
@@ -49,6 +50,7 @@ impl InspectOptions {
         let figures = Figures::of(model, &selected, &sharing, weight, &self.stance);
         let count = sharing.count(self.stance.spheres, self.stance.limbs, CountOf::Model).ok();
         let contacts = contacts(model, &selected, contacts_mass.as_ref(), count);
+        let known = KnownContacts::find(model, &selected.forces, count, mass.as_ref().map(|mass| mass.kg));
         let found = Found {
             mass: mass.as_ref(),
             contacts_mass: contacts_mass.as_ref(),
@@ -57,6 +59,7 @@ impl InspectOptions {
             warnings: &warnings,
             contacts: &contacts,
             factors,
+            known,
             figures: figures.unwrap_or_else(|fault| Figures::absent(fault.phrase())),
         };
         Inspection::new(name.into(), model, found)
@@ -105,6 +108,7 @@ pub(super) struct Found<'f> {
     /// For each force (and parameter set) its contact without dimensions, and E*.
     pub contacts: &'f [SetContact],
     pub factors: Option<&'f Factors>,
+    pub known: Option<KnownContacts>,
     pub figures: Figures,
 }
 
@@ -157,6 +161,8 @@ impl Inspection {
                 })
                 .collect(),
             body_factors: found.factors.map(|factors| factors.bodies.iter().map(inspected_factors).collect()),
+            known_contacts: found.known,
+            placement: None,
             figures: found.figures,
         }
     }

@@ -12,6 +12,8 @@ use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
 use crate::figures::Figures;
+use crate::known::KnownContacts;
+use crate::placement::Placement;
 use crate::serialized::{FindingRecord, optional_phrase, records};
 
 /// A model as it was found.
@@ -60,6 +62,12 @@ pub struct Inspection {
     /// Factors against the generic model, where one was named.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub body_factors: Option<Vec<InspectedFactors>>,
+    /// Whose contacts they are, where that is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub known_contacts: Option<KnownContacts>,
+    /// Its spheres compared with those of the model that was scaled, where `check` was given one.
+    #[serde(skip)]
+    pub placement: Option<Placement>,
     /// What the contacts do under the weight.
     pub figures: Figures,
 }

@@ -32,6 +32,8 @@ pub use severity::{Seen, Severity};
 pub struct Finding {
     /// Which kind.
     pub code: FindingCode,
+    /// How bad it is: what the register says of its code, but for the published state of known contacts.
+    pub severity: Severity,
     /// This case, in words.
     pub message: Phrase,
     /// Why it matters, from the register.
@@ -55,6 +57,7 @@ impl Finding {
     pub fn new(code: FindingCode, message: impl Into<Phrase>) -> Self {
         Self {
             code,
+            severity: code.severity(),
             message: message.into(),
             why: code.why(),
             advice: code.advice(),
@@ -87,6 +90,18 @@ impl Finding {
     #[must_use]
     pub fn of_spheres(self, spheres: Vec<String>) -> Self {
         Self { spheres, ..self }
+    }
+
+    /// The same, as bad as `severity`.
+    #[must_use]
+    pub fn with_severity(self, severity: Severity) -> Self {
+        Self { severity, ..self }
+    }
+
+    /// `true` where it is less bad than the register says: the published state of known contacts.
+    #[must_use]
+    pub fn is_as_published(&self) -> bool {
+        self.severity < self.code.severity()
     }
 
     /// The same with a change that puts it right, where there is one.

@@ -104,6 +104,16 @@ macro_rules! codes {
 }
 
 codes! {
+    /// Spheres stand where they were before OpenSim scaled their bodies.
+    SpheresLeftBehind = "spheres-left-behind", Error, Model:
+        "OpenSim's Scale Tool scales bones, joints and masses. It leaves contact spheres where they were, as large and as stiff as before, so that they hang beyond the foot of a smaller animal and end short of a larger one's.";
+        "`transfer MODEL from=ORIGINAL follow_bodies`, where ORIGINAL is the model that was scaled; it makes the contacts right for this mass, too. Add `level` only where the foot became about as much lower as it became shorter and narrower";
+        Command "lets the spheres follow their bodies, where the original is named".
+    /// Spheres do not fit their bones, as in no published model or as in one of another size.
+    SpheresMisplaced = "spheres-misplaced", Warn, Model:
+        "Either OpenSim scaled the bones and left the spheres behind, or the spheres were taken from a model of another size. Then they push where the foot is not.";
+        "See where each belongs with `check MODEL from=ORIGINAL`, where ORIGINAL is the model that was scaled; then `transfer MODEL from=ORIGINAL follow_bodies`. With the Scale Tool's ScaleSet alone: `rescale MODEL body_scale_file=SCALESET.xml contacts_mass=KG target_mass=KG`";
+        NotPossible "it needs the model that was scaled, or the ScaleSet, and only you know where they are".
     /// The contacts are already made for the target mass, so nothing was written.
     AlreadyAtTarget = "already-at-target", Warn, Change:
         "The mass the contacts are made for is taken from the note in the file, else `mass`, else the sum of the bodies. A model that was scaled in OpenSim weighs its new mass already while its contacts are still those of the old one; the file does not show which.";
@@ -309,11 +319,21 @@ codes! {
         "With constant_contact_force and hertz_smoothing far too large for the spheres, the force before contact holds the body in the air.";
         "Make constant_contact_force smaller with `design MODEL constant_indentation=X`";
         Command "designs constant_contact_force so that the spheres touch the floor".
-    /// The contacts are those of a preset, made for a body of another mass.
+    /// The contacts are published ones, made for a body of another mass.
     ContactsOfAnotherMass = "contacts-of-another-mass", Warn, Model:
         "Radius, stiffness, dissipation and number of spheres are those of a published model, but the body weighs something else: contacts that are not scaled sink in more or less than they did there.";
-        "`rescale MODEL contacts_mass=KG target_mass=KG`, with the mass the preset was made for and the mass of this body";
-        Command "scales the contacts from the mass they were made for to that of this body".
+        "If OpenSim scaled this model, `check MODEL from=GENERIC`, then `transfer MODEL from=GENERIC follow_bodies`. If its spheres are where they belong, `rescale MODEL contacts_mass=KG target_mass=KG`, with the mass the contacts were made for and the mass of this body";
+        Command "scales the contacts from the mass they were made for to that of this body, where the places of the spheres are known to be right".
+    /// Whether spheres followed a scaling of their bodies cannot be seen in this file.
+    SpheresNotCompared = "spheres-not-compared", Info, Model:
+        "The bones were scaled; OpenSim leaves contact spheres where they were, and this file alone does not show whether somebody moved them afterwards.";
+        "Compare with the model that was scaled: `check MODEL from=GENERIC`";
+        NotPossible "only you know which model was scaled".
+    /// The contacts are known: somebody published them.
+    KnownContacts = "known-contacts", Info, Model:
+        "What was published so with these contacts is a remark; a warning is what is wrong for this model.";
+        "Nothing, if that is meant";
+        NotPossible "nothing is wrong".
     /// How many spheres share the weight is not known.
     CountUnknown = "sphere-count-unknown", Info, Model:
         "Limbs are found by left and right sides below the joint tree. Where that does not work, figures under body weight are absent and nothing is said about indentations.";

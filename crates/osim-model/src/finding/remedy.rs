@@ -42,6 +42,15 @@ pub enum RemedyChange {
         /// Its name.
         from: &'static str,
     },
+    /// Contacts of the model that OpenSim scaled, and spheres that follow their bodies.
+    Follow {
+        /// That model, as it was named.
+        from: PathBuf,
+        /// The Scale Tool's ScaleSet, where one was named.
+        body_scale_file: Option<PathBuf>,
+        /// Bottoms stay on the scaled sole.
+        level: bool,
+    },
     /// Parameters from what is wanted.
     Design(RemedyDesign),
     /// Values, or factors.

@@ -15,7 +15,7 @@ pub fn csv_rows(found: &CheckResult, header: bool) -> Result<String, csv::Error>
     let rows = found.findings.iter().map(|finding| {
         vec![
             found.model.clone(),
-            finding.code.severity().as_str().to_owned(),
+            finding.severity.as_str().to_owned(),
             finding.code.as_str().to_owned(),
             finding.place.clone().unwrap_or_default(),
             finding.line.map(|line| line.to_string()).unwrap_or_default(),

@@ -13,23 +13,23 @@ use crate::layout::{Colour, clipped, right_aligned, severity, table};
 pub struct LibraryTable {
     /// Counts; `None` for a model that could not be read.
     models: Vec<(String, Option<Counts>)>,
-    /// For each code, how many models, and the first of them.
-    codes: Vec<(FindingCode, usize, String)>,
+    /// For each code and severity, how many models, and the first of them.
+    codes: Vec<(Severity, FindingCode, usize, String)>,
 }
 
 impl LibraryTable {
     /// Adds what was found in the next model.
     pub fn add(&mut self, found: &CheckResult) {
-        let mut seen: Option<FindingCode> = None;
+        let mut seen: Option<(Severity, FindingCode)> = None;
         for finding in &found.findings {
             // Findings come sorted, so that one code stands together.
-            if seen == Some(finding.code) {
+            let kind = (finding.severity, finding.code);
+            if seen.replace(kind) == Some(kind) {
                 continue;
             }
-            seen = Some(finding.code);
-            match self.codes.iter_mut().find(|(code, ..)| *code == finding.code) {
-                Some((_, models, _)) => *models += 1,
-                None => self.codes.push((finding.code, 1, found.model.clone())),
+            match self.codes.iter_mut().find(|(severity, code, ..)| (*severity, *code) == kind) {
+                Some((_, _, models, _)) => *models += 1,
+                None => self.codes.push((kind.0, kind.1, 1, found.model.clone())),
             }
         }
         self.models.push((found.model.clone(), Some(found.counts)));
@@ -60,10 +60,10 @@ impl LibraryTable {
         if self.codes.is_empty() {
             return text;
         }
-        self.codes.sort_by_key(|(code, ..)| (Reverse(code.severity()), *code));
+        self.codes.sort_by_key(|(severity, code, ..)| (Reverse(*severity), *code));
         let mut codes = table(&["", "finding", "models", "for example"]);
-        for (code, count, model) in &self.codes {
-            let severity = code.severity().as_str().to_owned();
+        for (severity, code, count, model) in &self.codes {
+            let severity = severity.as_str().to_owned();
             codes.add_row(vec![severity, code.to_string(), count.to_string(), shown(model, 36)]);
         }
         right_aligned(&mut codes, &[2]);

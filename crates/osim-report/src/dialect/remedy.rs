@@ -1,15 +1,20 @@
 //! The inputs of a remedy, in the order in which they are written.
 
+use std::path::{Path, PathBuf};
+
 use osim_model::wording::{Call, Input, Verb};
-use osim_model::{Assignment, Property, Remedy};
+use osim_model::{Assignment, Property, Remedy, RemedyChange};
 use osim_requests::Request;
 use serde_json::Value;
 
 /// What comes first where a remedy has it; the rest follows in the order of its request.
-const ORDER: [Input; 15] = [
+const ORDER: [Input; 18] = [
     Input::ContactsMass,
     Input::TargetMass,
     Input::From,
+    Input::FollowBodies,
+    Input::BodyScaleFile,
+    Input::Level,
     Input::Indentation,
     Input::BodyWeights,
     Input::ConstantIndentation,
@@ -75,9 +80,21 @@ fn value_of(remedy: &Remedy, name: &str, value: Value) -> Option<InputValue> {
             InputValue::Patterns(patterns.iter().filter_map(Value::as_str).map(str::to_owned).collect())
         }
         // The name of a file that is no text.
-        _ => {
-            let file = if name == Input::Geometry.name() { &remedy.geometry } else { &remedy.set_model };
-            InputValue::Text(file.as_ref()?.display().to_string())
-        }
+        _ => InputValue::Text(file_of(remedy, name)?.display().to_string()),
     })
+}
+
+/// A file of a remedy, by the name of its input.
+fn file_of<'r>(remedy: &'r Remedy, name: &str) -> Option<&'r Path> {
+    let (from, factors) = match &remedy.change {
+        RemedyChange::Follow { from, body_scale_file, .. } => (Some(from), body_scale_file.as_ref()),
+        _ => (None, None),
+    };
+    let files = [
+        (Input::Geometry, remedy.geometry.as_ref()),
+        (Input::Model, remedy.set_model.as_ref()),
+        (Input::From, from),
+        (Input::BodyScaleFile, factors),
+    ];
+    files.into_iter().find(|(input, _)| input.name() == name)?.1.map(PathBuf::as_path)
 }

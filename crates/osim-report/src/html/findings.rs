@@ -95,7 +95,7 @@ fn was(fragment: &mut Fragment, one: &Finding, before: &Finding) -> Markup {
         @if other || message_before != message {
             p.quiet {
                 "Before: "
-                @if other { (severity(before.code.severity())) " " (fragment.topics.code(before.code)) " " }
+                @if other { (severity(before.severity)) " " (fragment.topics.code(before.code)) " " }
                 (message_before) "."
             }
         }
@@ -135,7 +135,7 @@ fn item(fragment: &mut Fragment, finding: &Finding, lines: Lines, commands: Comm
     };
     html! {
         p {
-            (severity(finding.code.severity())) " " (fragment.topics.code(finding.code)) " "
+            (severity(finding.severity)) " " (fragment.topics.code(finding.code)) " "
             (message) "."
             @if place.is_some() || finding.line.is_some() {
                 " " span.quiet {

@@ -49,6 +49,13 @@ fn head(inspected: &Inspection) -> String {
         None => "which mass its contacts are made for is not known".to_owned(),
     };
     text.push_str(&wrapped(&format!("{weighs}; {contacts}"), ""));
+    if let Some(known) = &inspected.known_contacts {
+        let made_for = readable(known.made_for_kg);
+        text.push_str(&wrapped(
+            &format!("these are the contacts of {}, made for {made_for} kg", known.title),
+            "",
+        ));
+    }
     match inspected.gravity_m_s2 {
         Some(gravity) => text.push_str(&format!("gravity {} m/s2\n", readable(gravity))),
         None => text.push_str("gravity cannot be read\n"),

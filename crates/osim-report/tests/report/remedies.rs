@@ -1,7 +1,7 @@
 //! Remedies, as each front end gives them.
 
-use osim_inspect::{InspectOptions, check_model};
-use osim_model::Pattern;
+use osim_inspect::{InspectOptions, Placement, check_model};
+use osim_model::{Anatomy, Pattern};
 use osim_report::dialect::{CommandLine, FrontEnd, JsonRequest, Page, Python};
 use osim_requests::Request;
 
@@ -71,4 +71,24 @@ fn remedies_say_again_what_was_said_of_the_model() {
             &["check/sunk_in.osim", "check/beyond_hunt_crossley.osim", "format/mixed_radii.osim"]
         )
     );
+}
+
+#[test]
+fn spheres_follow_by_the_words_of_each_front_end() {
+    let model = open("scale_tool/scaled_smooth.osim");
+    let original = Anatomy::of(&open("scale_tool/generic_smooth.osim").model).unwrap();
+    let options = InspectOptions::default();
+    let mut review = String::new();
+    for file in [None, Some("scale set.xml".into())] {
+        let mut inspected = options.inspect("scaled.osim", &model.model, None);
+        let named = ("generic.osim".into(), file);
+        inspected.placement = Some(Placement::compare(&model.model, named, &original, None));
+        for words in [&CommandLine as &dyn FrontEnd, &Python, &Page, &JsonRequest] {
+            let mut found = check_model(&options, &model.model, &inspected, None);
+            found.spell(words);
+            review.push_str(found.findings[0].command.as_deref().unwrap());
+            review.push('\n');
+        }
+    }
+    insta::assert_snapshot!("remedies_that_follow", review);
 }

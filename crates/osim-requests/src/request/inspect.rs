@@ -84,6 +84,16 @@ pub struct CheckRequest {
     #[serde(with = "path::list")]
     #[schemars(with = "Vec<path::PathSchema>")]
     pub models: Vec<PathBuf>,
+    /// The generic model this one was scaled from: see whether its spheres followed their bodies
+    #[cfg_attr(feature = "clap", arg(long, value_name = "MODEL"))]
+    #[serde(with = "path::optional")]
+    #[schemars(with = "Option<path::PathSchema>")]
+    pub from: Option<PathBuf>,
+    /// With `from`: the ScaleSet that the Scale Tool applied
+    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
+    #[serde(with = "path::optional")]
+    #[schemars(with = "Option<path::PathSchema>")]
+    pub body_scale_file: Option<PathBuf>,
     /// Exit with 1 where a finding is as bad as this, or worse
     #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]
     pub deny: Deny,
@@ -101,6 +111,8 @@ pub struct CheckRequest {
 }
 
 impl CheckRequest {
-    pub(crate) const RELATIONS: &'static [&'static [Relation]] =
-        &[&[Relation::Required("models")], ReportOptions::RELATIONS];
+    pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[
+        &[Relation::Required("models"), Relation::Needs("body_scale_file", "from")],
+        ReportOptions::RELATIONS,
+    ];
 }

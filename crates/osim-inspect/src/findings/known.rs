@@ -1,0 +1,19 @@
+//! What was published so with known contacts is a remark: their table says which findings those are.
+
+use osim_model::{Finding, FindingCode, readable};
+
+use crate::inspection::Inspection;
+
+/// The findings as bad as they are with these contacts, and a remark that these are known.
+pub(super) fn as_published(inspected: &Inspection, findings: Vec<Finding>) -> Vec<Finding> {
+    let Some(known) = inspected.known_contacts else { return findings };
+    let judged = |finding: Finding| match known.severity(finding.code) {
+        Some(severity) => finding.with_severity(severity),
+        None => finding,
+    };
+    let mut judged: Vec<Finding> = findings.into_iter().map(judged).collect();
+    let text =
+        format!("these are the contacts of {}, made for {} kg", known.title, readable(known.made_for_kg));
+    judged.push(Finding::new(FindingCode::KnownContacts, text));
+    judged
+}

@@ -1,0 +1,6 @@
+//! Contacts that somebody published, known again by their dimensionless values; and which findings are their published state.
+
+mod recognise;
+mod table;
+
+pub use recognise::KnownContacts;

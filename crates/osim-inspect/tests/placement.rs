@@ -1,0 +1,178 @@
+//! Whether spheres fit their bones: from one file, and compared with the model that was scaled.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    missing_docs,
+    reason = "a test fails by panicking"
+)]
+
+use osim_inspect::{CheckResult, InspectOptions, Placement, check_model};
+use osim_model::{Anatomy, FindingCode, Model, RemedyChange};
+
+/// Places of Falisse et al. (2022) on bones of their size, and on bones of a child.
+const RIGHT: &str = include_str!("../../../fixtures/check/known_contacts.osim");
+const CHILD: &str = include_str!("../../../fixtures/check/spheres_misplaced.osim");
+/// Nobody's places on scaled bones. The toe joint is 163.41 · 0.8 / 0.913924 = 143.04 mm from the calcn's origin.
+const NOBODYS: &str = include_str!("../../../fixtures/check/spheres_not_compared.osim");
+/// What the real Scale Tool made of the generic model.
+const GENERIC: &str = include_str!("../../../fixtures/scale_tool/generic_smooth.osim");
+const SCALED: &str = include_str!("../../../fixtures/scale_tool/scaled_smooth.osim");
+
+const PLACES: [FindingCode; 3] =
+    [FindingCode::SpheresLeftBehind, FindingCode::SpheresMisplaced, FindingCode::SpheresNotCompared];
+
+/// What is said of places in one file.
+fn alone(text: &str) -> Vec<FindingCode> {
+    codes(&check(text, None))
+}
+
+fn codes(found: &CheckResult) -> Vec<FindingCode> {
+    found.findings.iter().map(|finding| finding.code).filter(|code| PLACES.contains(code)).collect()
+}
+
+fn check(text: &str, generic: Option<&str>) -> CheckResult {
+    let (options, model) = (InspectOptions::default(), Model::parse(text).unwrap());
+    let mut inspected = options.inspect("scaled.osim", &model, None);
+    inspected.placement = generic.map(|generic| {
+        let original = Anatomy::of(&Model::parse(generic).unwrap()).unwrap();
+        Placement::compare(&model, ("generic.osim".into(), None), &original, None)
+    });
+    check_model(&options, &model, &inspected, None)
+}
+
+/// The text with this sphere at this x, mm.
+fn with_x(text: &str, sphere: &str, millimetres: f64) -> String {
+    let at = text.find(&format!("<ContactSphere name=\"{sphere}\">")).unwrap();
+    let start = at + text[at..].find("<location>").unwrap() + "<location>".len();
+    let end = start + text[start..].find(' ').unwrap();
+    format!("{}{}{}", &text[..start], millimetres / 1e3, &text[end..])
+}
+
+#[test]
+fn a_published_layout_is_right_on_bones_of_its_size_and_of_no_other() {
+    assert_eq!(alone(RIGHT), []);
+    assert_eq!(alone(CHILD), [FindingCode::SpheresMisplaced]);
+    // Published at 1.0, too; half a millimetre on a foot is no other size.
+    for (size, expected) in [("1", vec![]), ("0.914", vec![]), ("0.95", vec![FindingCode::SpheresMisplaced])]
+    {
+        let text = RIGHT.replace("0.913924 0.913924 0.913924", &[size; 3].join(" "));
+        assert_eq!(alone(&text), expected, "{size}");
+    }
+}
+
+#[test]
+fn a_layout_that_grew_with_its_bones_is_right() {
+    // Every place of the fixture on a larger foot, and the mesh with it.
+    let grown = RIGHT.replace("0.913924 0.913924 0.913924", "1.827848 0.913924 0.913924");
+    let grown = [
+        ("0.00190115", "0.0038023"),
+        ("0.14838637", "0.29677274"),
+        ("0.13300117", "0.26600234"),
+        ("0.06623469", "0.13246938"),
+        (">0.06 ", ">0.12 "),
+        (">0.045 ", ">0.09 "),
+    ]
+    .iter()
+    .fold(grown, |text, (old, new)| {
+        assert_eq!(text.matches(old).count(), 2, "{old}");
+        text.replace(old, new)
+    });
+    assert_eq!(alone(&grown), []);
+}
+
+#[test]
+fn spheres_beyond_any_published_reach_are_reported_and_others_are_not() {
+    // The projection of (x, ...) on the joint's direction: |J - x/143.04 mm| < 0.002, as y and z are small.
+    for (millimetres, expected) in [
+        (1.24 * 143.04, FindingCode::SpheresNotCompared),
+        (1.26 * 143.04, FindingCode::SpheresMisplaced),
+        (100.0, FindingCode::SpheresNotCompared),
+    ] {
+        assert_eq!(alone(&with_x(NOBODYS, "s2_r", millimetres)), [expected], "{millimetres}");
+    }
+}
+
+#[test]
+fn a_joint_nearer_than_a_radius_says_nothing() {
+    // The toe joint 20 mm from the origin, on spheres of 32 mm; the mesh is no standard one, so that there is no L.
+    assert!(NOBODYS.contains(">0.14304034 "));
+    let near = NOBODYS.replace(">0.14304034 ", ">0.02 ").replace("foot.vtp", "hoof.stl");
+    assert_eq!(alone(&near), [FindingCode::SpheresNotCompared]);
+    // At 40 mm it is the next joint, and spheres are beyond it.
+    assert_eq!(alone(&near.replace(">0.02 ", ">0.04 ")), [FindingCode::SpheresMisplaced]);
+}
+
+#[test]
+fn a_foot_is_filled_as_in_published_models() {
+    // Heel and tip of this foot are at -9.8 · 0.8 and 143.04 + 76.918 · 0.8 mm, 212.41 mm apart. The toes' spheres are foremost
+    // at 143.04 + x; where they are far back, s2_r on the calcn is, at 129.89 mm: L is 0.648.
+    for (x, expected) in [
+        (80.0, FindingCode::SpheresMisplaced),
+        (70.0, FindingCode::SpheresNotCompared),
+        (0.0, FindingCode::SpheresNotCompared),
+        (-50.0, FindingCode::SpheresMisplaced),
+    ] {
+        let text = ["s5_r", "s6_r"].iter().fold(NOBODYS.to_owned(), |text, name| with_x(&text, name, x));
+        assert_eq!(alone(&text), [expected], "{x}");
+        let found = check(&text, None);
+        let odd = found.findings.iter().find(|one| one.code == FindingCode::SpheresMisplaced);
+        let odd = odd.map(|odd| odd.message.to_string());
+        assert!(odd.as_ref().is_none_or(|odd| odd.contains("of the foot's length")), "{odd:?}");
+    }
+}
+
+#[test]
+fn nothing_is_asked_where_nothing_shows_a_scaling() {
+    // Unscaled bones, and meshes in millimetres.
+    for (size, mesh) in [("1", "foot.vtp"), ("0.001", "hoof.stl")] {
+        let text = NOBODYS.replace("0.8 0.8 0.8", &[size; 3].join(" ")).replace("foot.vtp", mesh);
+        assert_eq!(alone(&text), [], "{size}");
+    }
+}
+
+#[test]
+fn compared_with_the_model_that_was_scaled_each_sphere_has_its_place() {
+    let found = check(SCALED, Some(GENERIC));
+    let behind: Vec<String> = found
+        .findings
+        .iter()
+        .filter(|finding| finding.code == FindingCode::SpheresLeftBehind)
+        .map(|finding| finding.message.to_string())
+        .collect();
+    assert_eq!(behind.len(), 6);
+    // The Scale Tool's factors of calcn and toes are 1.02, 0.9 and 0.95.
+    assert_eq!(behind[0], "heel_r stayed at -10.00 -40.00 5.00 mm and belongs at -10.20 -36.00 4.75 mm");
+    let remedy = found.findings[0].remedy.as_ref().unwrap();
+    // 0.9 / √(1.02 · 0.95) is 0.914: near enough for level soles.
+    let expected = RemedyChange::Follow { from: "generic.osim".into(), body_scale_file: None, level: true };
+    assert_eq!(remedy.change, expected);
+    // What the spheres do where they should not be is not judged, and nothing else has a command.
+    assert!(
+        found.findings.iter().all(|one| one.remedy.is_none() || one.code == FindingCode::SpheresLeftBehind)
+    );
+    assert!(!found.findings.iter().any(|one| one.code == FindingCode::BeyondHertz));
+}
+
+#[test]
+fn the_model_itself_is_right() {
+    assert_eq!(codes(&check(GENERIC, Some(GENERIC))), []);
+}
+
+#[test]
+fn a_sphere_that_somebody_moved_is_a_warning_without_a_command() {
+    let moved = SCALED.replacen("<location>-0.01 -0.04", "<location>-0.011 -0.04", 1);
+    let moved = if moved == SCALED { SCALED.replacen("-0.040000000000000001", "-0.041", 1) } else { moved };
+    assert_ne!(moved, SCALED);
+    let found = check(&moved, Some(GENERIC));
+    assert!(found.findings.iter().any(|one| one.code == FindingCode::SpheresMisplaced));
+    assert!(found.findings.iter().all(|one| one.remedy.is_none()), "a transfer would ask");
+}
+
+#[test]
+fn a_model_that_cannot_be_compared_says_why() {
+    let found = check(SCALED, Some(RIGHT));
+    let why = found.findings.iter().find(|one| one.code == FindingCode::SpheresNotCompared).unwrap();
+    assert!(why.message.to_string().contains("no sphere of the same name"), "{}", why.message);
+}
