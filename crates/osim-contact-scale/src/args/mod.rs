@@ -40,8 +40,14 @@ pub(crate) struct Cli {
 #[derive(Debug, Subcommand)]
 pub(crate) enum VerbArgs {
     /// Rescale a model's own contacts to another mass (the verb may be left out)
+    ///
+    /// No sphere moves, unless a ScaleSet or --level is given. For a model that OpenSim's Scale Tool has scaled, see check SCALED --from
+    /// GENERIC first.
     Rescale(Later<RescaleRequest>),
     /// Give a model the contacts of another model or of a preset, at its own size
+    ///
+    /// After OpenSim's Scale Tool: check SCALED --from GENERIC says where each sphere belongs, and transfer SCALED --from GENERIC
+    /// --follow-bodies -o OUT puts it there and makes the contacts right for the new mass.
     Transfer(Later<TransferRequest>),
     /// Find parameters from what is wanted: indentation, stiffness, restitution
     Design(Later<DesignRequest>),
@@ -54,6 +60,9 @@ pub(crate) enum VerbArgs {
     /// Show what contacts a model has
     Inspect(Later<InspectRequest>),
     /// Compare models with the limits of the paper and the traps of the format
+    ///
+    /// After OpenSim's Scale Tool: check SCALED --from GENERIC says where each sphere belongs, and prints the transfer SCALED
+    /// --from GENERIC --follow-bodies that puts it there.
     Check(Later<CheckRequest>),
     /// Let a model fall on its contacts and see what they do
     DropTest(Later<DropTestRequest>),
