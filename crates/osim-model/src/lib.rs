@@ -58,6 +58,7 @@ mod selection;
 mod side;
 mod skeleton;
 mod traps;
+pub mod typed;
 mod value;
 pub mod wording;
 mod xml;
