@@ -31,6 +31,7 @@ mod requested;
 mod schemas;
 mod shells;
 mod shown;
+mod slips;
 mod support;
 mod sweep;
 mod transfers;

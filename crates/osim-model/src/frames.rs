@@ -51,7 +51,7 @@ impl Components {
     }
 
     /// A point of a frame, seen from the body at the end of its chain of offset frames.
-    fn in_body(&self, frame: Option<ComponentId>, point: [f64; 3]) -> Option<[f64; 3]> {
+    pub(crate) fn in_body(&self, frame: Option<ComponentId>, point: [f64; 3]) -> Option<[f64; 3]> {
         let (mut point, mut at) = (point, frame);
         // Chains that close on themselves were refused when the model was read.
         for _ in 0..=MAX_FRAME_CHAIN {

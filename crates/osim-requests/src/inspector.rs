@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 
 use osim_inspect::{CheckResult, InspectOptions, Inspection, check_model};
 use osim_model::files::{Failure, Files, OpenModel};
-use osim_model::{Anatomy, Finding, Model, Severity};
+use osim_model::{Anatomy, Fault, Finding, Model, Severity};
 use osim_patch::{Factors, ScaleFile};
 
 use crate::opening::{open, scale_file};
-use crate::options::{InspectionOptions, SetFiles};
+use crate::options::{AnswerOptions, InspectionOptions, SetFiles};
 use crate::request::{CheckRequest, InspectRequest};
 
 /// Inspects models, on any thread.
@@ -21,6 +21,8 @@ pub struct Inspector {
     /// read: that is a failure of each model.
     generic: Option<Result<(Anatomy, Option<ScaleFile>), Failure>>,
     reads: Vec<PathBuf>,
+    /// Answers to questions about masses that were said; `None` where the masses were asked about already.
+    answers: Option<AnswerOptions>,
 }
 
 impl InspectRequest {
@@ -35,7 +37,7 @@ impl InspectRequest {
         };
         let named = self.from.iter().chain(&self.body_scale_file).cloned();
         let reads = self.options.set_files.paths().cloned().chain(named).collect();
-        Inspector { generic: self.from.as_deref().map(read), reads, ..Inspector::new(&self.options) }
+        Inspector { generic: self.from.as_deref().map(read), reads, ..Inspector::asking(&self.options) }
     }
 }
 
@@ -43,7 +45,7 @@ impl CheckRequest {
     /// How its models are inspected.
     #[must_use]
     pub fn inspector(&self) -> Inspector {
-        Inspector::new(&self.options)
+        Inspector::asking(&self.options)
     }
 }
 
@@ -56,7 +58,13 @@ impl Inspector {
             set_files: options.set_files.clone(),
             generic: None,
             reads: options.set_files.paths().cloned().collect(),
+            answers: None,
         }
+    }
+
+    /// The same, which asks where a mass that was said looks like a slip.
+    fn asking(options: &InspectionOptions) -> Self {
+        Self { answers: Some(options.answers.clone()), ..Self::new(options) }
     }
 
     /// How models are inspected.
@@ -80,8 +88,12 @@ impl Inspector {
     /// Everything about a model.
     ///
     /// # Errors
-    /// The generic model cannot be read, or factors cannot be determined.
+    /// The generic model cannot be read, factors cannot be determined, or a mass that was said looks like a slip.
     pub fn inspect(&self, opened: &OpenModel) -> Result<Inspection, Failure> {
+        if let Some(answers) = &self.answers {
+            let asked = answers.ask(self.options.masses.slip(&opened.model));
+            asked.map_err(|kind| opened.failure(Fault::new(kind)))?;
+        }
         let factors = match &self.generic {
             None => None,
             Some(generic) => {

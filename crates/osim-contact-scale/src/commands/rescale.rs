@@ -39,5 +39,6 @@ pub(super) fn run(request: RescaleRequest, may_inspect: bool, session: &mut Sess
     inspect.models = request.models;
     inspect.options =
         InspectionOptions::new(StanceOptions::default(), request.masses, request.choice, request.set_files);
+    inspect.options.answers = request.answers;
     inspect::run(&inspect, true, session)
 }

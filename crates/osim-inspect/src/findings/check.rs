@@ -5,6 +5,7 @@
 use osim_model::{Assignment, FileId, Finding, FindingCode, Model, Property};
 use osim_patch::{Set, set};
 
+use super::answers::answer;
 use super::remedy::Remedies;
 use super::result::CheckResult;
 use super::{limits, traps};
@@ -55,6 +56,9 @@ pub fn check_known(
     findings.extend(another_mass);
     findings.extend(another_gravity);
     findings.extend(compiled.cloned());
+    for remedy in findings.iter_mut().filter_map(|finding| finding.remedy.as_mut()) {
+        answer(remedy, model, &options.masses);
+    }
     CheckResult::new(inspected, findings)
 }
 

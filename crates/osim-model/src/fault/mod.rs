@@ -7,6 +7,7 @@
 mod excerpt;
 mod kind;
 mod needed;
+mod needs_answer;
 mod way_out;
 
 use std::fmt;
@@ -18,6 +19,7 @@ use crate::xml::{LineIndex, Position};
 pub use excerpt::Excerpt;
 pub use kind::FaultKind;
 pub use needed::{CountOf, Needed, NoteDoubt, TreeOfForces};
+pub use needs_answer::{MassSlip, NeedsAnswer, Question};
 pub use way_out::{GravityFor, RadiusFrom};
 
 /// One thing that is wrong, and where.

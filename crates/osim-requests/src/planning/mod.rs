@@ -1,6 +1,7 @@
 //! What each changing verb plans for a model.
 
 mod any;
+mod asking;
 mod design;
 mod operation;
 mod reference;

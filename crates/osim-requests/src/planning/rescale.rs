@@ -5,6 +5,7 @@ use osim_model::{Fault, MassRequest, Model, Selection};
 use osim_patch::{Plan, RadiusRule, Rescale, rescale};
 use serde_json::json;
 
+use super::asking::Asking;
 use super::operation::{operation, refuse_again};
 use crate::fault::RequestFault;
 use crate::options::{InspectionOptions, ScalingOptions, StanceOptions};
@@ -28,7 +29,7 @@ impl RescaleRequest {
     /// # Errors
     /// The target is missing, or the options leave nothing to do.
     pub fn prepare(self) -> Result<Change, RequestFault> {
-        let Self { models, target_mass, masses, scaling, choice, output, run: _, set_files } = self;
+        let Self { models, target_mass, masses, scaling, choice, output, run: _, answers, set_files } = self;
         let Some(target) = target_mass else {
             return Err(RequestFault::refused(
                 Input::TargetMass,
@@ -49,7 +50,8 @@ impl RescaleRequest {
             inspection: InspectionOptions::new(StanceOptions::default(), masses, choice, set_files.clone()),
             settings,
         };
-        Ok(Change::new(models, output, set_files, planner))
+        let asking = Asking { masses: planner.masses.clone(), answers, planner };
+        Ok(Change::new(models, output, set_files, asking))
     }
 }
 
