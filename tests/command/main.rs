@@ -24,6 +24,7 @@ mod files;
 mod html;
 mod json;
 mod masses;
+mod meant;
 mod never_lost;
 mod pages;
 mod recipes;

@@ -67,6 +67,12 @@ impl Inspector {
         Self { answers: Some(options.answers.clone()), ..Self::new(options) }
     }
 
+    /// Why the generic model cannot be used, where one is named and cannot.
+    #[must_use]
+    pub fn generic_failure(&self) -> Option<&Failure> {
+        self.generic.as_ref()?.as_ref().err()
+    }
+
     /// How models are inspected.
     #[must_use]
     pub fn options(&self) -> &InspectOptions {

@@ -63,7 +63,7 @@ pub(crate) enum VerbArgs {
     Fit(Later<FitRequest>),
     /// List presets, or show one
     Presets(Later<PresetsRequest>),
-    /// Explain an equation, or the code of a warning or an error (alone: list them all)
+    /// Explain an equation, a quantity, a warning or an error (alone: list them all)
     Explain(Later<ExplainRequest>),
     /// Do what a request says: a verb with its options, as JSON
     Request(Later<RequestArgs>),

@@ -149,7 +149,7 @@ impl FaultKind {
     #[must_use]
     pub fn code(&self) -> &'static str {
         match self {
-            Self::Syntax(SyntaxFault::NotXml) => "not-xml",
+            Self::Syntax(SyntaxFault::NotXml | SyntaxFault::Empty) => "not-xml",
             Self::Syntax(SyntaxFault::Utf16 | SyntaxFault::SecondByteOrderMark) => "encoding",
             Self::Syntax(SyntaxFault::DoctypeSubset) => "doctype",
             Self::Syntax(_) => "malformed-xml",

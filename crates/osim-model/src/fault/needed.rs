@@ -1,7 +1,7 @@
 //! What only the caller can know.
 
 use super::way_out::{GravityFor, RadiusFrom};
-use crate::number::shortest;
+use crate::number::readable;
 use crate::wording::{Input, Phrase, phrase};
 
 /// Something that has to be said, because the files do not say it.
@@ -236,7 +236,7 @@ impl Needed {
             Self::ModelMass { bodies, kg } => phrase![
                 match bodies {
                     0 => "the mass is not in the file: no body is left to sum".to_owned(),
-                    count => format!("the {count} bodies weigh {} kg in all", shortest(*kg)),
+                    count => format!("the {count} bodies weigh {} kg in all", readable(*kg)),
                 },
                 ": say what the model weighs with ",
                 Input::Mass.like("KG"),
@@ -244,7 +244,7 @@ impl Needed {
                 Input::ContactsMass.like("KG"),
             ],
             Self::ContactsMass { noted_kg, doubt } => {
-                let noted = noted_kg.map(|kg| format!(" (the note says {} kg)", shortest(kg)));
+                let noted = noted_kg.map(|kg| format!(" (the note says {} kg)", readable(kg)));
                 let what = format!(
                     "which mass the contacts are made for is not certain{}",
                     noted.unwrap_or_default()
