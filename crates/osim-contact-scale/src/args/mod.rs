@@ -4,6 +4,7 @@ mod help;
 mod later;
 mod own;
 mod usage;
+mod usual;
 
 use clap::{ArgMatches, Command, CommandFactory, Parser, Subcommand};
 use osim_model::wording::Verb;
@@ -17,6 +18,7 @@ use help::in_words_of_the_command;
 use later::Later;
 pub(crate) use own::{CompletionsArgs, ManArgs, RequestArgs, SetArgs};
 pub(crate) use usage::usage_line;
+use usual::with_usual_first;
 
 /// Makes the contact parameters of OpenSim models right at every body size.
 ///
@@ -75,7 +77,7 @@ pub(crate) enum VerbArgs {
 
 /// The parser, with what options need and exclude, and help in the words of the command line.
 pub(crate) fn command() -> Command {
-    in_words_of_the_command(with_relations(Cli::command(), Verb::Rescale))
+    in_words_of_the_command(with_usual_first(with_relations(Cli::command(), Verb::Rescale), Verb::Rescale))
 }
 
 /// Checks that the options which were typed go together.
