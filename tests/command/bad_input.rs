@@ -216,7 +216,7 @@ fn failures_as_json() {
         ("format/v40000.osim", "good.osim"),
     ]);
     bench
-        .run("comma.osim truncated.osim nowhere.osim good.osim --target-mass 123 --format json")
+        .run("comma.osim truncated.osim nowhere.osim good.osim --target-mass 123 --yes implausible-mass --format json")
         .failed()
         .wrote(&["good.scaled.osim"])
         .looks_like("failures_json");
@@ -229,7 +229,8 @@ fn a_batch_goes_on_after_a_failure() {
         ("format/v40000.osim", "lib/b.osim"),
         ("bad/not_xml.osim", "lib/c.osim"),
     ]);
-    let ran = bench.run("lib --target-mass 123").failed().wrote(&["lib/b.scaled.osim"]);
+    let ran =
+        bench.run("lib --target-mass 123 --yes implausible-mass").failed().wrote(&["lib/b.scaled.osim"]);
     assert_eq!(ran.err().lines().filter(|line| line.starts_with("error: ")).count(), 2, "{}", ran.err());
     bench.run("nowhere.osim --target-mass 123").failed();
 }

@@ -5,6 +5,8 @@ use serde_json::Value;
 use crate::support::Bench;
 
 const MANIFEST: &str = include_str!("../../fixtures/libraries/table1.csv");
+/// Where it is in the project.
+const TABLE_1: &str = "fixtures/libraries/table1.csv";
 /// What the paper prints, row by row as in the manifest.
 const PRINTED: &str = include_str!("../../crates/contact-scaling/tests/data/table1.csv");
 
@@ -12,10 +14,12 @@ const PRINTED: &str = include_str!("../../crates/contact-scaling/tests/data/tabl
 fn unscaled_animals() -> Bench {
     let names: Vec<&str> = MANIFEST.lines().skip(1).map(|row| row.split(',').nth(1).unwrap()).collect();
     let bench = Bench::new();
-    for name in &names {
-        bench.write(name, crate::support::fixture(&format!("table1/{name}")));
+    // As in the project: the manifest in one folder of fixtures, its models in another.
+    let models: Vec<String> = names.iter().map(|name| name.replacen("..", "fixtures", 1)).collect();
+    for model in &models {
+        bench.write(model, std::fs::read(crate::support::root().join(model)).unwrap());
     }
-    let models = names.join(" ");
+    let models = models.join(" ");
     bench
         .run(&format!("set {models} stiffness=1e6 dissipation=2 --in-place --no-backup --no-note --quiet"))
         .done();
@@ -33,13 +37,26 @@ fn common(bench: &Bench, model: &str, property: &str) -> f64 {
     values[0]
 }
 
+/// The documented command as it is documented, from the top of the project, with the files that are there.
+#[test]
+fn the_documented_command_works_where_it_stands() {
+    let output = std::process::Command::new(env!("CARGO_BIN_EXE_osim-contact-scale"))
+        .args(["batch", TABLE_1, "--dry-run", "--format", "lines"])
+        .current_dir(crate::support::root())
+        .output()
+        .unwrap();
+    let (out, err) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    assert!(output.status.success(), "{out}{err}");
+    assert_eq!(out.lines().count(), MANIFEST.lines().count() - 1, "{out}{err}");
+}
+
 #[test]
 fn table_1_of_the_paper_is_a_manifest() {
     let bench = unscaled_animals();
-    bench.write("table1.csv", MANIFEST);
-    bench.run("batch table1.csv --quiet").done();
+    bench.write(TABLE_1, MANIFEST);
+    bench.run("batch fixtures/libraries/table1.csv --quiet").done();
     for (row, printed) in MANIFEST.lines().skip(1).zip(PRINTED.lines().skip(2)) {
-        let output = row.rsplit(',').next().unwrap();
+        let output = &format!("fixtures/libraries/{}", row.rsplit(',').next().unwrap());
         let printed: Vec<&str> = printed.split(',').collect();
         for (property, unit, printed) in [("stiffness", 1e6, printed[5]), ("dissipation", 1.0, printed[7])] {
             let value = common(&bench, output, property) / unit;
@@ -52,16 +69,16 @@ fn table_1_of_the_paper_is_a_manifest() {
 #[test]
 fn spreadsheets_of_other_countries_mean_the_same() {
     let plain = unscaled_animals();
-    plain.write("table1.csv", MANIFEST);
-    plain.run("batch table1.csv --quiet").done();
+    plain.write(TABLE_1, MANIFEST);
+    plain.run("batch fixtures/libraries/table1.csv --quiet").done();
     let european =
         format!("\u{feff}{}", MANIFEST.replace(',', ";").replace("0.0", "0,0").replace('\n', "\r\n"));
     let tabs = MANIFEST.replace(',', "\t").replace("37.80", "37,80");
     for manifest in [european, tabs] {
         let bench = unscaled_animals();
-        bench.write("table1.csv", manifest);
-        bench.run("batch table1.csv --quiet").done();
-        for name in plain.files().keys().filter(|name| name.starts_with("table1/")) {
+        bench.write(TABLE_1, manifest);
+        bench.run("batch fixtures/libraries/table1.csv --quiet").done();
+        for name in plain.files().keys().filter(|name| name.starts_with("fixtures/libraries/table1/")) {
             assert_eq!(bench.read(name), plain.read(name), "{name}");
         }
     }

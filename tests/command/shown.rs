@@ -3,12 +3,14 @@
 use crate::support::{Bench, HUMAN};
 
 const MOUSE: (&str, &str) = ("table1/mouse_hunt_crossley.osim", "mouse.osim");
-const VERBS: [&str; 14] = [
+const VERBS: [&str; 17] = [
     "",
     "rescale",
     "transfer",
     "design",
     "set",
+    "batch",
+    "sweep",
     "inspect",
     "check",
     "drop-test",
@@ -16,6 +18,7 @@ const VERBS: [&str; 14] = [
     "fit",
     "presets",
     "explain",
+    "request",
     "completions",
     "man",
 ];
@@ -162,7 +165,7 @@ fn a_folder_and_what_is_passed_over() {
         ("format/v40000.osim", "lib/old.scaled.osim"),
     ]);
     bench
-        .run("lib --target-mass 123 -d lib/out")
+        .run("lib --target-mass 123 --yes implausible-mass -d lib/out")
         .done()
         .wrote(&["lib/out/a/foot.osim", "lib/out/b/foot.osim"])
         .looks_like("folder");
@@ -187,8 +190,47 @@ fn help() {
             if verb.is_empty() { "help".to_owned() } else { format!("help_{}", verb.replace('-', "_")) };
         let ran = bench.run(format!("{verb} -h").trim()).done().looks_like(&name);
         assert!(ran.stderr.is_empty());
+        bench.run(format!("{verb} --help").trim()).done().looks_like(&format!("{name}_long"));
     }
     bench.run("--version").done().looks_like("version");
+}
+
+/// Options that the help of a verb offers.
+fn offered(verb: &str, help: &str) -> Vec<String> {
+    let text = Bench::new().run(&format!("{verb} {help}")).done().out();
+    let words = text.lines().map(str::trim_start).filter(|line| line.starts_with('-'));
+    let options = words.filter_map(|line| line.split([' ', ',']).find(|word| word.starts_with("--")));
+    options.map(str::to_owned).collect()
+}
+
+#[test]
+fn help_offers_what_a_verb_takes_and_rare_options_only_at_length() {
+    for (verb, refused) in [
+        ("transfer", &["--contacts-mass", "--contacts-gravity"][..]),
+        ("design", &["--contacts-mass"]),
+        ("drop-test", &["--contacts-mass"]),
+        ("sweep", &["--stiffness"]),
+        ("batch", &["--output", "--geometry-output"]),
+    ] {
+        for help in ["-h", "--help"] {
+            let offered = offered(verb, help);
+            assert!(!offered.iter().any(|option| refused.contains(&option.as_str())), "{verb}: {offered:?}");
+        }
+    }
+    // Who types one is told why it is refused.
+    let bench = Bench::human();
+    bench
+        .run("transfer human.osim --from falisse2022 --contacts-mass 62")
+        .usage()
+        .says(&["says nothing here"]);
+    for verb in VERBS {
+        let (short, long) = (offered(verb, "-h"), offered(verb, "--help"));
+        assert!(short.iter().all(|option| long.contains(option)), "{verb}: {short:?} {long:?}");
+    }
+    for rare in ["--yes", "--exclude", "--jobs"] {
+        assert!(!offered("rescale", "-h").contains(&rare.to_owned()));
+        assert!(offered("rescale", "--help").contains(&rare.to_owned()));
+    }
 }
 
 #[test]

@@ -140,7 +140,7 @@ fn count_and_size_come_first_and_many_models_ask_for_yes() {
         .done()
         .wrote_nothing()
         .says(&["9 models of"]);
-    let huge = "sweep emu.osim --grid stiffness=1..9/1000 --grid dissipation=1..9/1000 --grid radius=1..9/1000 --dry-run";
+    let huge = "sweep emu.osim --grid stiffness=1..9/1000 --grid dissipation=1..9/1000 --grid radius=0.01..0.09/1000 --dry-run";
     bench.run(huge).done().wrote_nothing().says(&["1000000000 models of"]);
     bench.run("sweep emu.osim --grid stiffness=x1,x2 -d out").done().looks_like("sweep");
     bench

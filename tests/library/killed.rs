@@ -76,7 +76,7 @@ impl Run {
 
     fn bench(&self) -> Bench {
         let bench = library(self.models);
-        let row = |number| format!("lib/{0},{1},out/{0}\n", name(number), 100 + number);
+        let row = |number| format!("lib/{0},{1},out/{0}\n", name(number), 200 + number);
         let rows: String = (0..self.models).map(row).collect();
         bench.write("masses.csv", format!("model,target-mass,output\n{rows}"));
         bench

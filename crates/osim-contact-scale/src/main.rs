@@ -6,6 +6,7 @@ mod args;
 mod commands;
 mod failure;
 mod interrupt;
+mod meant;
 mod progress;
 mod report_page;
 mod session;
@@ -13,12 +14,14 @@ mod terminal;
 mod window;
 mod words;
 
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::FromArgMatches;
 use clap::error::ErrorKind;
 
 use args::{Cli, check_typed, command, usage_line};
+use meant::meant;
 use session::Session;
 use terminal::{Exit, Terminal};
 use words::WORDS;
@@ -45,6 +48,18 @@ fn main() -> ExitCode {
     ExitCode::from(exit.code())
 }
 
+/// What was probably meant by the words of this call, where those are what an unknown argument comes from.
+fn instead() -> Option<String> {
+    let words: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
+    let is_option = |word: &PathBuf| word.as_os_str().as_encoded_bytes().starts_with(b"-");
+    let is_verb =
+        |word: &PathBuf| word.to_str().is_some_and(|word| command().find_subcommand(word).is_some());
+    let after_verb = usize::from(words.first().is_some_and(is_verb));
+    let words = words.get(after_verb..)?;
+    let plain = words.iter().position(is_option).unwrap_or(words.len());
+    meant(words.get(..plain)?, false, WORDS).filter(|_| plain > 0 && (after_verb == 0 || plain > 1))
+}
+
 /// Help and version go to standard output; anything else is one line.
 fn usage(error: &clap::Error, terminal: &mut Terminal) -> Exit {
     match error.kind() {
@@ -55,8 +70,10 @@ fn usage(error: &clap::Error, terminal: &mut Terminal) -> Exit {
             let _ = error.print();
             if error.use_stderr() { Exit::Usage } else { Exit::Done }
         }
-        _ => {
-            terminal.error(&format!("error: {} (see --help)\n", usage_line(error)));
+        kind => {
+            let meant = Some(kind).filter(|kind| *kind == ErrorKind::UnknownArgument).and_then(|_| instead());
+            let text = meant.unwrap_or_else(|| usage_line(error));
+            terminal.error(&format!("error: {text} (see --help)\n"));
             Exit::Usage
         }
     }

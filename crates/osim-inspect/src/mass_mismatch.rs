@@ -1,7 +1,7 @@
 //! Models that weigh something else than their contacts are made for: scaled contacts under a body that is not scaled yet.
 
 use osim_model::wording::{Input, Phrase, phrase};
-use osim_model::{MassRequest, MassSource, Model, readable, same_mass};
+use osim_model::{MassRequest, MassSource, Model, mass_slip, readable, same_mass};
 
 /// The two masses, where the note in the file says one and the bodies another, and no option says which is meant.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,6 +32,7 @@ impl MassMismatch {
                 "its contacts are made for {contacts} kg (note in the file) and carry its body of {body} kg here: say "
             ),
             Input::Mass.being(contacts),
+            &self.answer(),
             ", or scale the body first",
         ]
     }
@@ -42,6 +43,15 @@ impl MassMismatch {
         phrase![
             format!("; figures are those under {body} kg: for the others say "),
             Input::Mass.being(contacts),
+            &self.answer(),
         ]
+    }
+
+    /// What is said with the mass of the contacts, where that would be asked about.
+    fn answer(&self) -> Phrase {
+        match mass_slip(Input::Mass, self.contacts_kg, Some(self.body_kg)) {
+            Some(asks) => phrase![" with ", &asks.question().answer()],
+            None => Phrase::default(),
+        }
     }
 }

@@ -93,7 +93,13 @@ impl Quantity {
     /// What it is, in a sentence.
     #[must_use]
     pub fn meaning(&self) -> Phrase {
-        Phrase::template(self.meaning.trim_ascii())
+        Phrase::template(self.meaning_text())
+    }
+
+    /// The same, with inputs in backticks.
+    #[must_use]
+    pub fn meaning_text(&self) -> &'static str {
+        self.meaning.trim_ascii()
     }
 
     fn in_unit(&self) -> String {

@@ -18,7 +18,7 @@ pub use digest::{sha256, sha256_of_parts};
 pub use fault::LibraryFault;
 pub use folders::{Folders, make_folder_of};
 pub use paths::{folder_of, resolved};
-pub use source::{Disk, FOLDER_MARK, Loaded, Origin, Source, Sources, Stamp};
+pub use source::{Disk, FOLDER_MARK, Loaded, Origin, Source, Sources, SplitName, Stamp};
 pub use sweep::{SweepEnd, SweepFrontEnd, SweepRun};
 pub use workers::{in_order, threads};
 pub use write::{Mode, Prepared};

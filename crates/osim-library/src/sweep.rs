@@ -105,7 +105,7 @@ impl<'s> SweepRun<'s> {
     ///
     /// # Errors
     /// What is wrong, with the point.
-    pub fn check_ends(&self) -> Result<(), RequestFault> {
+    pub fn check_ends(&self) -> Result<(), RequestError> {
         self.plan.check_ends()
     }
 

@@ -59,7 +59,9 @@ mod selected;
 mod selection;
 mod side;
 mod skeleton;
+mod slip;
 mod traps;
+pub mod typed;
 mod value;
 pub mod wording;
 mod xml;
@@ -73,8 +75,8 @@ pub use contact_digest::ValueKey;
 pub use contacts::{Force, ForceId, ForceKind, ParameterSet, SetId, Slot, Sphere, SphereId};
 pub use document::{Document, may_include};
 pub use fault::{
-    CountOf, Excerpt, FactorQuestion, Fault, FaultKind, FileId, GravityFor, Needed, NoteDoubt, RadiusFrom,
-    TreeOfForces,
+    CountOf, Excerpt, FactorQuestion, Fault, FaultKind, FileId, GravityFor, MassSlip, Needed, NeedsAnswer,
+    NoteDoubt, Question, RadiusFrom, TreeOfForces,
 };
 pub use finding::{
     Finding, FindingCode, Remedy, RemedyChange, RemedyDesign, RemedyDialect, RemedyLoad, Repair, Seen,
@@ -94,6 +96,7 @@ pub use selected::Selected;
 pub use selection::Selection;
 pub use side::{Side, without_side};
 pub use skeleton::Body;
+pub use slip::mass_slip;
 pub use value::{Origin, Value};
 pub use xml::{Children, ElementId, LineIndex, Piece, PieceKind, Position, RawText, SyntaxFault, Tree};
 

@@ -3,7 +3,7 @@
 use crate::fault::{Fault, FaultKind, Needed};
 use crate::finding::{Finding, FindingCode};
 use crate::model::Model;
-use crate::number::{readable, shortest};
+use crate::number::readable;
 use crate::pattern::{Pattern, any_matches};
 use crate::wording::{Input, Phrase, phrase};
 
@@ -182,11 +182,11 @@ impl MassRequest {
         let differs = |kg: f64| !same_mass(kg, taken.kg) && !expected(kg);
         let warning = |(kg, source): (f64, Phrase)| {
             let message = phrase![
-                format!("contacts are taken as made for {} kg (", shortest(taken.kg)),
+                format!("contacts are taken as made for {} kg (", readable(taken.kg)),
                 &taken.source.describe(),
                 "), but ",
                 &source,
-                format!(" says {} kg", shortest(kg)),
+                format!(" says {} kg", readable(kg)),
             ];
             Finding::new(FindingCode::MassSourcesDisagree, message)
         };

@@ -260,6 +260,17 @@ impl Plan {
         Self { changes, moves, masses, taken, warnings, remarks, note, note_anyway: false }
     }
 
+    /// The first new radius that looks like a slip: a sphere larger than the bones around it. Radii that stay are not asked about.
+    #[must_use]
+    pub fn radius_slip(&self, model: &Model) -> Option<Fault> {
+        self.changes.iter().filter(|change| change.property == Property::Radius).find_map(|change| {
+            let sphere = model.spheres().iter().find(|sphere| sphere.path == change.path)?;
+            let said = change.equation == "given" && change.factor.is_none();
+            let asks = model.radius_slip(sphere, change.to, said)?;
+            Some(Fault::at(asks, sphere.radius.offset).of(change.path.clone()).in_file(change.file()))
+        })
+    }
+
     /// Spells everything it says in the words of a front end.
     pub fn spell(&mut self, dialect: &dyn Dialect) {
         self.taken.spell(dialect);

@@ -4,7 +4,7 @@ use contact_scaling::{RatioValues, Ratios};
 use osim_model::wording::{Input, Phrase, Verb, phrase};
 use osim_model::{
     Fault, Finding, FindingCode, ForceId, GravityFor, LevelAxis, Mass, Model, Needed, Property, Scope,
-    Selected, SetId, positive_mass, readable, same_mass, shortest,
+    Selected, SetId, positive_mass, readable, same_mass,
 };
 
 use crate::builder::{New, PlanBuilder};
@@ -170,7 +170,7 @@ fn gravity_now(model: &Model, wanted: &Rescale) -> Result<Option<f64>, Fault> {
 
 fn already_there(origin: f64, mass: &Mass) -> Finding {
     let message = phrase![
-        format!("contacts are taken as made for {} kg already (", shortest(origin)),
+        format!("contacts are taken as made for {} kg already (", readable(origin)),
         &mass.source.describe(),
         "); if they were made for another mass, say ",
         Input::ContactsMass.like("KG"),

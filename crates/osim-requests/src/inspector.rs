@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 
 use osim_inspect::{CheckResult, InspectOptions, Inspection, Placement, check_model};
 use osim_model::files::{Failure, Files, OpenModel};
-use osim_model::{Anatomy, Finding, Model, Severity};
+use osim_model::{Anatomy, Fault, Finding, Model, Severity};
 use osim_patch::{Factors, ScaleFile};
 
 use crate::opening::{open, scale_file};
-use crate::options::{InspectionOptions, SetFiles};
+use crate::options::{AnswerOptions, InspectionOptions, SetFiles};
 use crate::request::{CheckRequest, InspectRequest};
 
 /// Inspects models, on any thread.
@@ -23,6 +23,8 @@ pub struct Inspector {
     /// The names of both files, where they are for the places of spheres and not for factors.
     places: Option<(PathBuf, Option<PathBuf>)>,
     reads: Vec<PathBuf>,
+    /// Answers to questions about masses that were said; `None` where the masses were asked about already.
+    answers: Option<AnswerOptions>,
 }
 
 /// The generic model's bones and the Scale Tool's factors.
@@ -44,7 +46,7 @@ impl InspectRequest {
         let read = |from: &Path| generic_model(from, self.body_scale_file.as_deref(), files);
         let named = self.from.iter().chain(&self.body_scale_file).cloned();
         let reads = self.options.set_files.paths().cloned().chain(named).collect();
-        Inspector { generic: self.from.as_deref().map(read), reads, ..Inspector::new(&self.options) }
+        Inspector { generic: self.from.as_deref().map(read), reads, ..Inspector::asking(&self.options) }
     }
 }
 
@@ -52,7 +54,7 @@ impl CheckRequest {
     /// How its models are inspected; reads what is needed for all of them.
     #[must_use]
     pub fn inspector(&self, files: &dyn Files) -> Inspector {
-        let plain = Inspector::new(&self.options);
+        let plain = Inspector::asking(&self.options);
         let Some(from) = self.from.clone() else { return plain };
         let file = self.body_scale_file.clone();
         let generic = Some(generic_model(&from, file.as_deref(), files));
@@ -71,7 +73,19 @@ impl Inspector {
             generic: None,
             places: None,
             reads: options.set_files.paths().cloned().collect(),
+            answers: None,
         }
+    }
+
+    /// The same, which asks where a mass that was said looks like a slip.
+    fn asking(options: &InspectionOptions) -> Self {
+        Self { answers: Some(options.answers.clone()), ..Self::new(options) }
+    }
+
+    /// Why the generic model cannot be used, where one is named and cannot.
+    #[must_use]
+    pub fn generic_failure(&self) -> Option<&Failure> {
+        self.generic.as_ref()?.as_ref().err()
     }
 
     /// How models are inspected.
@@ -95,8 +109,12 @@ impl Inspector {
     /// Everything about a model.
     ///
     /// # Errors
-    /// The generic model cannot be read, or factors cannot be determined.
+    /// The generic model cannot be read, factors cannot be determined, or a mass that was said looks like a slip.
     pub fn inspect(&self, opened: &OpenModel) -> Result<Inspection, Failure> {
+        if let Some(answers) = &self.answers {
+            let asked = answers.ask(self.options.masses.slip(&opened.model));
+            asked.map_err(|kind| opened.failure(Fault::new(kind)))?;
+        }
         let generic = self.generic.as_ref().map(Result::as_ref).transpose().map_err(Failure::clone)?;
         let (factors, placement) = match (generic, &self.places) {
             (None, _) => (None, None),

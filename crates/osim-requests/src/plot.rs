@@ -5,6 +5,7 @@ use std::path::Path;
 use osim_inspect::series::{Body, HeatRequest};
 use osim_model::files::Files;
 use osim_model::wording::{Input, phrase};
+use osim_model::{Fault, MassRequest};
 
 use crate::fault::{RequestError, RequestFault};
 use crate::request::{PlotKind, PlotRequest};
@@ -61,6 +62,9 @@ impl PlotRequest {
                 Ok(body.map_err(|error| RequestFault::general(error.to_string()))?)
             }
             Subject::Model(open) => {
+                let said = MassRequest { target_mass_kg: self.target_mass_kg(), ..masses.clone() };
+                let asked = self.answers.ask(said.slip(&open.model));
+                asked.map_err(|kind| open.failure(Fault::new(kind)))?;
                 let selection = self.choice.selection();
                 let selected = selection.apply(&open.model).map_err(|fault| open.failure(fault))?;
                 let failed = |fault| open.failure(fault);

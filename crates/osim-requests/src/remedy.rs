@@ -5,8 +5,8 @@ use osim_model::{Remedy, RemedyChange, RemedyDesign, RemedyLoad};
 
 use crate::fault::RequestFault;
 use crate::options::{
-    CountOptions, FollowOptions, ForceOptions, LoadOptions, MassOptions, ScalingOptions, SetFiles,
-    WantedOptions,
+    AnswerOptions, CountOptions, FollowOptions, ForceOptions, LoadOptions, MassOptions, ScalingOptions,
+    SetFiles, WantedOptions,
 };
 use crate::request::{DesignRequest, Request, RescaleRequest, SetRequest, TransferRequest};
 use crate::value::{
@@ -33,13 +33,21 @@ impl TryFrom<&Remedy> for Request {
         let choice = choice(remedy);
         let set_files = SetFiles { geometry: remedy.geometry.clone(), model: remedy.set_model.clone() };
         let load = remedy.load.clone().unwrap_or_default();
+        let answers = AnswerOptions::new(remedy.yes.clone());
         Ok(match &remedy.change {
             RemedyChange::Rescale { contacts_mass_kg, target_mass_kg } => {
                 let contacts_mass = checked(Input::ContactsMass, Some(*contacts_mass_kg), Kilograms::new)?;
                 let target_mass = checked(Input::TargetMass, Some(*target_mass_kg), Kilograms::new)?;
                 let masses = MassOptions { contacts_mass, ..masses(&load)? };
-                RescaleRequest { models, target_mass, masses, choice, set_files, ..RescaleRequest::default() }
-                    .into()
+                let rescale = RescaleRequest {
+                    models,
+                    target_mass,
+                    masses,
+                    choice,
+                    set_files,
+                    ..RescaleRequest::default()
+                };
+                RescaleRequest { answers, ..rescale }.into()
             }
             RemedyChange::Transfer { from } => TransferRequest {
                 models,
@@ -47,6 +55,7 @@ impl TryFrom<&Remedy> for Request {
                 masses: masses(&load)?,
                 counts: counts(&load)?,
                 choice,
+                answers,
                 set_files,
                 ..TransferRequest::default()
             }
@@ -88,13 +97,14 @@ impl TryFrom<&Remedy> for Request {
                 masses: masses(&load)?,
                 counts: counts(&load)?,
                 choice,
+                answers,
                 set_files,
                 ..DesignRequest::default()
             }
             .into(),
             RemedyChange::Set { assignments } => {
                 let set: Assignments = assignments.iter().copied().collect();
-                SetRequest { models, set, choice, set_files, ..SetRequest::default() }.into()
+                SetRequest { models, set, choice, answers, set_files, ..SetRequest::default() }.into()
             }
             _ => return Err(RequestFault::general("this remedy is not a request")),
         })

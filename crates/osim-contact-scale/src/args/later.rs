@@ -6,6 +6,7 @@ use osim_model::wording::Verb;
 use osim_requests::command_line::with_relations;
 
 use super::help::in_words_of_the_command;
+use super::usual::with_usual_first;
 
 /// The options of a verb.
 #[derive(Debug)]
@@ -43,7 +44,7 @@ fn with_options<T: Args>(command: Command) -> Command {
     let command = T::augment_args(command).about(about).long_about(long_about);
     let verb = Verb::ALL.iter().copied().find(|verb| verb.name() == command.get_name());
     in_words_of_the_command(match verb {
-        Some(verb) => with_relations(command, verb),
+        Some(verb) => with_usual_first(with_relations(command, verb), verb),
         None => command,
     })
 }

@@ -4,6 +4,7 @@ mod help;
 mod later;
 mod own;
 mod usage;
+mod usual;
 
 use clap::{ArgMatches, Command, CommandFactory, Parser, Subcommand};
 use osim_model::wording::Verb;
@@ -17,6 +18,7 @@ use help::in_words_of_the_command;
 use later::Later;
 pub(crate) use own::{CompletionsArgs, ManArgs, RequestArgs, SetArgs};
 pub(crate) use usage::usage_line;
+use usual::with_usual_first;
 
 /// Makes the contact parameters of OpenSim models right at every body size.
 ///
@@ -74,7 +76,7 @@ pub(crate) enum VerbArgs {
     Fit(Later<FitRequest>),
     /// List presets, or show one
     Presets(Later<PresetsRequest>),
-    /// Explain an equation, or the code of a warning or an error (alone: list them all)
+    /// Explain an equation, a quantity, a warning or an error (alone: list them all)
     Explain(Later<ExplainRequest>),
     /// Do what a request says: a verb with its options, as JSON
     Request(Later<RequestArgs>),
@@ -86,7 +88,7 @@ pub(crate) enum VerbArgs {
 
 /// The parser, with what options need and exclude, and help in the words of the command line.
 pub(crate) fn command() -> Command {
-    in_words_of_the_command(with_relations(Cli::command(), Verb::Rescale))
+    in_words_of_the_command(with_usual_first(with_relations(Cli::command(), Verb::Rescale), Verb::Rescale))
 }
 
 /// Checks that the options which were typed go together.

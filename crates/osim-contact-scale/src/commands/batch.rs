@@ -46,7 +46,8 @@ pub(super) fn run(request: &BatchRequest, session: &mut Session) -> Result<Exit>
     let folder = if folder == Path::new(".") { Path::new("") } else { folder };
     let table = Table::read(&bytes, folder)
         .map_err(|message| anyhow::anyhow!(message.spelled(words)))
-        .with_context(|| shown.clone())?;
+        .with_context(|| shown.clone())?
+        .answering(request.answers.yes.clone());
     let (mut tasks, mut wrong, mut known) = (Vec::new(), Vec::new(), Known::new());
     for (row, read) in table.requests(&request.output, &Disk) {
         match read.and_then(|read| task(&table, &read, &mut known)) {

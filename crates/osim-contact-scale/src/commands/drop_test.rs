@@ -2,8 +2,9 @@
 
 use std::io::IsTerminal;
 
-use anyhow::Result;
+use anyhow::{Result, bail};
 use osim_library::Disk;
+use osim_model::wording::Verb;
 use osim_report::json::line;
 use osim_report::messages::mass_mismatch;
 use osim_report::results::{DropRecord, drop_chart, drop_csv, drop_text};
@@ -17,6 +18,9 @@ use crate::terminal::Exit;
 /// # Errors
 /// Wrong usage: numbers that are missing or contradict a model.
 pub(super) fn run(request: &DropTestRequest, session: &mut Session) -> Result<Exit> {
+    if let Some(folder) = request.subject.iter().chain(&request.compare).find(|path| path.is_dir()) {
+        bail!("{}", of_folder(&folder.display().to_string(), session));
+    }
     let drop = match request.run(&Disk) {
         Ok(drop) => drop,
         Err(error) => return session.refuse(error, request.format == SeriesFormat::Json),
@@ -33,4 +37,13 @@ pub(super) fn run(request: &DropTestRequest, session: &mut Session) -> Result<Ex
         session.terminal.note(&mass_mismatch(name, mismatch, session.words))?;
     }
     Ok(Exit::Done)
+}
+
+/// A folder has many models, and each falls for itself.
+fn of_folder(folder: &str, session: &Session) -> String {
+    format!(
+        "'{folder}' is a folder, and one body falls at a time: name a model in it. `{} {folder}` has \
+         indentation, stiffness and restitution of all its models",
+        session.words.command(&Verb::Inspect.call())
+    )
 }

@@ -24,11 +24,15 @@ use crate::terminal::Exit;
 pub(super) fn run(request: &InspectRequest, hint: bool, session: &mut Session) -> Result<Exit> {
     let sources = Sources::find(&request.models, None);
     let inspector = request.inspector(&Disk);
+    let json = request.format == SheetFormat::Json;
+    if let Some(failure) = inspector.generic_failure() {
+        // Once, not for every model.
+        return session.fail(failure, json);
+    }
     let (words, report) = (session.words, &request.report);
+    let mut exit = Exit::Done;
     let survey = Survey { verb: Verb::Inspect, sources: &sources, inspector: &inspector, report, words };
     let mut page = survey.begin_page(session)?;
-    let json = request.format == SheetFormat::Json;
-    let mut exit = Exit::Done;
     for failure in &sources.failures {
         exit = exit.and(session.fail(failure, json)?);
     }

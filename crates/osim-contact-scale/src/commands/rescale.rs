@@ -2,11 +2,13 @@
 
 use anyhow::{Result, bail};
 use osim_library::Disk;
+use osim_model::files::Files;
 use osim_requests::options::{InspectionOptions, SheetFormat, StanceOptions};
 use osim_requests::{InspectRequest, RequestError, RescaleRequest, may_be_file};
 
 use super::change::change;
 use super::inspect;
+use crate::meant::meant;
 use crate::session::Session;
 use crate::terminal::Exit;
 
@@ -17,6 +19,11 @@ use crate::terminal::Exit;
 pub(super) fn run(request: RescaleRequest, may_inspect: bool, session: &mut Session) -> Result<Exit> {
     if request.models.is_empty() {
         bail!("no model given, expected one or more .osim files or folders (see --help)");
+    }
+    // A file of that name would be meant; a name that was split is a failure of its own.
+    let is_odd = request.models.iter().any(|path| !Disk.exists(path) && path.as_os_str() != "-");
+    if is_odd && let Some(text) = meant(&request.models, request.target_mass.is_none(), session.words) {
+        bail!("{text} (see --help)");
     }
     if let Some(word) = request.models.iter().find(|path| !may_be_file(path, &Disk)).filter(|_| may_inspect) {
         bail!("'{}' is neither a verb nor a file (see --help)", word.display());
@@ -41,5 +48,6 @@ pub(super) fn run(request: RescaleRequest, may_inspect: bool, session: &mut Sess
     inspect.models = request.models;
     inspect.options =
         InspectionOptions::new(StanceOptions::default(), request.masses, request.choice, request.set_files);
+    inspect.options.answers = request.answers;
     inspect::run(&inspect, true, session)
 }

@@ -4,8 +4,8 @@
 
 use anyhow::Result;
 use osim_library::{LibraryFault, SweepEnd, SweepFrontEnd, SweepRun};
+use osim_model::Question;
 use osim_model::files::Failure;
-use osim_model::wording::Input;
 use osim_report::json::line;
 use osim_report::results::SweepRecord;
 use osim_requests::SweepRequest;
@@ -51,14 +51,16 @@ pub(super) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
         Ok(sweep) => sweep,
         Err(error) => return session.refuse(error, json),
     };
-    sweep.check_ends().map_err(|fault| session.usage(&fault))?;
+    if let Err(error) = sweep.check_ends() {
+        return session.refuse(error, json);
+    }
     announce(&sweep, request, session)?;
     if request.dry_run {
         let record = SweepRecord::new(sweep.model(), sweep.folder(), None).counted(sweep.count(), 0);
         let text = match sweep.is_large() {
             true => format!(
                 "dry run: nothing written; more than 10,000 models need {}\n",
-                session.words.input(Input::Yes, None)
+                Question::ManyModels.answer().spelled(session.words)
             ),
             false => "dry run: nothing written\n".to_owned(),
         };

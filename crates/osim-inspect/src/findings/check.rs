@@ -5,6 +5,7 @@
 use osim_model::{Assignment, FileId, Finding, FindingCode, Model, Property};
 use osim_patch::{Set, set};
 
+use super::answers::answer;
 use super::places::Places;
 use super::remedy::Remedies;
 use super::result::CheckResult;
@@ -65,6 +66,9 @@ pub fn check_known(
     findings.extend(another_gravity);
     findings.extend(placed);
     findings.extend(compiled.cloned());
+    for remedy in findings.iter_mut().filter_map(|finding| finding.remedy.as_mut()) {
+        answer(remedy, model, &options.masses);
+    }
     CheckResult::new(inspected, known::as_published(inspected, findings))
 }
 

@@ -1,5 +1,6 @@
 //! Whether the contacts are right: findings, and what puts them right.
 
+mod answers;
 mod check;
 mod known;
 mod limits;

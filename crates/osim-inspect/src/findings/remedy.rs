@@ -71,6 +71,7 @@ impl<'m> Remedies<'m> {
             selection: self.options.selection.clone(),
             geometry: self.options.geometry.clone(),
             set_model: self.options.model.clone(),
+            yes: Vec::new(),
         })
     }
 

@@ -1,9 +1,11 @@
 //! Which models a call is about, and reading them from the disk.
 
+mod blanks;
 mod disk;
 mod loaded;
 mod sources;
 
+pub use blanks::SplitName;
 pub use disk::{Disk, Stamp};
 pub use loaded::{Loaded, Origin};
 pub use sources::{FOLDER_MARK, Source, Sources};

@@ -8,6 +8,7 @@ use osim_model::files::Failure;
 use osim_requests::options::OutputOptions;
 use walkdir::{DirEntry, WalkDir};
 
+use super::blanks::SplitName;
 use crate::digest::{self, NameDigest};
 use crate::paths::{Resolver, resolved};
 
@@ -68,8 +69,16 @@ impl Sources {
     pub fn find(named: &[PathBuf], skip: Option<&Path>) -> Self {
         let mut sources = Self::default();
         let mut known = Known::default();
-        for path in named {
-            if path.is_dir() {
+        let mut next = 0;
+        for (index, path) in named.iter().enumerate() {
+            if index < next {
+                continue;
+            }
+            if let Some(split) = SplitName::at(named, index) {
+                // One name that was split is one failure.
+                next = split.words.end;
+                sources.failures.push(Failure::outside(path.as_path(), "unreadable", split.message(path)));
+            } else if path.is_dir() {
                 sources.walk(path, skip, &mut known);
             } else if known.is_new(path) {
                 sources.models.push(Source::file(path));

@@ -3,6 +3,7 @@
 use contact_scaling::{DomainError, limits};
 
 use super::needed::Needed;
+use super::needs_answer::NeedsAnswer;
 use crate::opensim_text::NumberFault;
 use crate::wording::{Input, Phrase, Verb, phrase};
 use crate::xml::SyntaxFault;
@@ -85,6 +86,8 @@ pub enum FaultKind {
     },
     /// Something that only the caller can know.
     Needed(Needed),
+    /// Something that looks like a slip, and is done only when the caller says that it is meant.
+    NeedsAnswer(NeedsAnswer),
     /// What should change is in another file, which the model names.
     IncludedFile {
         /// Component path.
@@ -146,7 +149,7 @@ impl FaultKind {
     #[must_use]
     pub fn code(&self) -> &'static str {
         match self {
-            Self::Syntax(SyntaxFault::NotXml) => "not-xml",
+            Self::Syntax(SyntaxFault::NotXml | SyntaxFault::Empty) => "not-xml",
             Self::Syntax(SyntaxFault::Utf16 | SyntaxFault::SecondByteOrderMark) => "encoding",
             Self::Syntax(SyntaxFault::DoctypeSubset) => "doctype",
             Self::Syntax(_) => "malformed-xml",
@@ -157,6 +160,7 @@ impl FaultKind {
             Self::NoContacts { .. } => "no-contacts",
             Self::Unresolved { .. } => "unresolved",
             Self::Needed(needed) => needed.code(),
+            Self::NeedsAnswer(asks) => asks.question().code(),
             Self::IncludedFile { .. } => "included-file",
             Self::ParametersInDefaults { .. } => "parameters-in-defaults",
             Self::BadInput { .. }
@@ -175,6 +179,7 @@ impl FaultKind {
     pub fn phrase(&self) -> Phrase {
         match self {
             Self::Needed(needed) => needed.phrase(),
+            Self::NeedsAnswer(asks) => asks.phrase(),
             Self::BadInput { input, value, expected } => {
                 phrase![*input, format!(" is {value}, expected {expected}")]
             }
@@ -265,6 +270,12 @@ impl From<SyntaxFault> for FaultKind {
 impl From<Needed> for FaultKind {
     fn from(needed: Needed) -> Self {
         Self::Needed(needed)
+    }
+}
+
+impl From<NeedsAnswer> for FaultKind {
+    fn from(asks: NeedsAnswer) -> Self {
+        Self::NeedsAnswer(asks)
     }
 }
 

@@ -8,6 +8,7 @@ mod excerpt;
 mod factor_question;
 mod kind;
 mod needed;
+mod needs_answer;
 mod way_out;
 
 use std::fmt;
@@ -20,6 +21,7 @@ pub use excerpt::Excerpt;
 pub use factor_question::FactorQuestion;
 pub use kind::FaultKind;
 pub use needed::{CountOf, Needed, NoteDoubt, TreeOfForces};
+pub use needs_answer::{MassSlip, NeedsAnswer, Question};
 pub use way_out::{GravityFor, RadiusFrom};
 
 /// One thing that is wrong, and where.

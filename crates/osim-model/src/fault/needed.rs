@@ -2,7 +2,7 @@
 
 use super::factor_question::FactorQuestion;
 use super::way_out::{GravityFor, RadiusFrom};
-use crate::number::shortest;
+use crate::number::readable;
 use crate::wording::{Input, Phrase, Verb, phrase};
 
 /// Something that has to be said, because the files do not say it.
@@ -246,7 +246,7 @@ impl Needed {
             Self::ModelMass { bodies, kg } => phrase![
                 match bodies {
                     0 => "the mass is not in the file: no body is left to sum".to_owned(),
-                    count => format!("the {count} bodies weigh {} kg in all", shortest(*kg)),
+                    count => format!("the {count} bodies weigh {} kg in all", readable(*kg)),
                 },
                 ": say what the model weighs with ",
                 Input::Mass.like("KG"),
@@ -254,7 +254,7 @@ impl Needed {
                 Input::ContactsMass.like("KG"),
             ],
             Self::ContactsMass { noted_kg, doubt } => {
-                let noted = noted_kg.map(|kg| format!(" (the note says {} kg)", shortest(kg)));
+                let noted = noted_kg.map(|kg| format!(" (the note says {} kg)", readable(kg)));
                 let what = format!(
                     "which mass the contacts are made for is not certain{}",
                     noted.unwrap_or_default()

@@ -75,7 +75,7 @@ impl ModelFiles {
         let name = FileName::from(path);
         let mut companions = Vec::new();
         for path in [beside.geometry, beside.model].into_iter().flatten() {
-            companions.push(companion(path.to_owned(), None, files)?);
+            companions.push(companion(path.to_owned(), None, files, "a file that belongs to the model: ")?);
         }
         if !may_include(&bytes) {
             return Ok(Self { name, main: Main::Bytes(bytes), companions });
@@ -83,18 +83,14 @@ impl ModelFiles {
         let document = Document::parse(bytes).map_err(|fault| Failure::of_fault(&name, fault))?;
         let folder = path.parent().unwrap_or(Path::new(""));
         for (element, file) in document.included_files() {
-            let included = companion(folder.join(&file), Some(element), files).map_err(|failure| {
+            let included = companion(folder.join(&file), Some(element), files, "").map_err(|failure| {
                 let place = document.position(document.tree().span(element).start);
                 Failure {
                     // What the user can change is the place in the model.
                     model: name.clone(),
                     line: Some(place.line),
                     column: Some(place.column),
-                    message: format!(
-                        "it includes file=\"{file}\", and {}: {}",
-                        failure.model, failure.message
-                    )
-                    .into(),
+                    message: format!("it includes file=\"{file}\": {}", failure.message).into(),
                     ..failure
                 }
             })?;
@@ -180,9 +176,10 @@ fn companion(
     path: PathBuf,
     included_by: Option<ElementId>,
     files: &dyn Files,
+    what: &str,
 ) -> Result<CompanionFile, Failure> {
     let failed = |error: FileError| {
-        let message = format!("a file that belongs to the model: {error}");
+        let message = format!("{what}{error}");
         Failure::outside(path.as_path(), "unreadable", message)
     };
     let bytes = files.read(&path).map_err(failed)?;

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use crate::assignment::Assignment;
+use crate::fault::Question;
 use crate::files::FileName;
 use crate::pattern::Pattern;
 use crate::property::Property;
@@ -24,6 +25,8 @@ pub struct Remedy {
     pub geometry: Option<PathBuf>,
     /// The model of a force set that stands alone.
     pub set_model: Option<PathBuf>,
+    /// Questions that it would be asked, and that are answered by what was found.
+    pub yes: Vec<Question>,
 }
 
 /// What a remedy does.

@@ -124,7 +124,7 @@ inputs! {
     TimeUnit = "time_unit", "unit of the time";
     Title = "title", "title of the figure";
     Topics = "topics", "what to explain";
-    Yes = "yes", "make more than 10,000 models";
+    Yes = "yes", "questions answered with yes";
     Young = "young", "Young's modulus";
 }
 
@@ -149,7 +149,6 @@ impl Input {
                 | Self::Resume
                 | Self::SkipDisabled
                 | Self::Strict
-                | Self::Yes
         )
     }
 }

@@ -174,7 +174,8 @@ impl<'t> Scanner<'t> {
             return Err((SyntaxFault::Unclosed { tag }, start));
         }
         if self.elements.is_empty() {
-            return Err((SyntaxFault::NotXml, 0));
+            let is_empty = self.text.trim_start_matches('\u{feff}').trim_ascii().is_empty();
+            return Err((if is_empty { SyntaxFault::Empty } else { SyntaxFault::NotXml }, 0));
         }
         Ok((self.pieces, self.elements))
     }
@@ -280,7 +281,8 @@ mod tests {
 
     #[test]
     fn what_is_not_one_document_is_refused_where_it_goes_wrong() {
-        assert_eq!(refused(b""), (SyntaxFault::NotXml, 0));
+        assert_eq!(refused(b""), (SyntaxFault::Empty, 0));
+        assert_eq!(refused(b" \r\n"), (SyntaxFault::Empty, 0));
         assert_eq!(refused(b"mass 62"), (SyntaxFault::NotXml, 0));
         assert_eq!(refused(b"<a/><b/>"), (SyntaxFault::SecondRoot, 4));
         assert_eq!(refused(b"<a/>x"), (SyntaxFault::TextOutsideRoot, 4));

@@ -11,6 +11,9 @@ pub enum SyntaxFault {
         "this is not XML, expected an OpenSim model that starts with <?xml ...> or <OpenSimDocument ...>"
     )]
     NotXml,
+    /// Nothing is in it, or white space alone.
+    #[error("the file is empty, expected an OpenSim model: get it again from where it came")]
+    Empty,
     /// UTF-16 (or something else with two bytes a character).
     #[error("the file is UTF-16, which OpenSim cannot read: save it as UTF-8")]
     Utf16,
@@ -61,7 +64,7 @@ pub enum SyntaxFault {
         what: String,
     },
     /// The file ends inside a tag, comment or instruction.
-    #[error("{what}: the file looks truncated, copy it again from where it came")]
+    #[error("the file ends inside a tag or a comment: it looks truncated, copy it again from where it came")]
     Truncated {
         /// What the parser says.
         what: String,

@@ -13,7 +13,7 @@ use crate::json::line;
 /// Explains what is named; where nothing is, lists everything.
 ///
 /// # Errors
-/// Something that is neither an equation nor a code.
+/// Something that is neither an equation, a quantity nor a code.
 pub fn answer(
     request: &ExplainRequest,
     letters: Letters,

@@ -155,6 +155,21 @@ const QUESTION: &[ErrorCode] = &[
         "write a contact_parameters set into the force",
     ),
     code(
+        "implausible-mass",
+        "a mass is about 1000 or 2.2 times what the bodies of the model weigh together, or the 1000th or 2.2nd part of it (within 15 %), or outside 1 mg to 200 t: it may be in g, tonnes or lb",
+        "write it in kg; if it is meant as it is, `yes=implausible-mass`",
+    ),
+    code(
+        "implausible-radius",
+        "a sphere would get a radius above the longest distance between two joints of its body, or of a body next to it: it may be in mm or cm",
+        "write it in m; if it is meant as it is, `yes=implausible-radius`",
+    ),
+    code(
+        "many-models",
+        "a sweep would make more than 10,000 models",
+        "give fewer values, or `yes=many-models`",
+    ),
+    code(
         "same-operation",
         "the note says that this very factor was applied already (set … `in_place`, `radius=xFACTOR` `in_place`)",
         "`force`, if once more is meant",

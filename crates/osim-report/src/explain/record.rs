@@ -10,6 +10,7 @@ use serde::Serialize;
 
 use super::ascii::ascii;
 use super::errors::ErrorCode;
+use super::quantities::QuantityTopic;
 use super::topic::Topic;
 use super::uses::uses;
 
@@ -36,6 +37,26 @@ pub enum TopicRecord {
         source: String,
         /// Which part of the project uses it.
         used: String,
+    },
+    /// A property of a contact, or a figure.
+    #[non_exhaustive]
+    Quantity {
+        /// Raised when a field changes its meaning or goes away.
+        schema_version: u32,
+        /// OpenSim's name of a property, or the name of the field in JSON and CSV.
+        name: &'static str,
+        /// Symbols and words for the same.
+        symbols: &'static [&'static str],
+        /// Its unit; empty for a pure number.
+        unit: &'static str,
+        /// Number of the equation in the paper; empty where there is none.
+        equation: &'static str,
+        /// Its limit in words; null where it has none.
+        limit: Option<String>,
+        /// What it is, in a sentence.
+        what: String,
+        /// What is easily misunderstood about it.
+        trap: String,
     },
     /// A finding, of a model or of a change.
     #[non_exhaustive]
@@ -109,6 +130,7 @@ impl TopicRecord {
     pub fn new(topic: Topic, dialect: &dyn Dialect) -> Self {
         match topic {
             Topic::Equation(equation) => Self::of_equation(equation, dialect),
+            Topic::Quantity(quantity) => Self::of_quantity(quantity, dialect),
             Topic::Finding(code) => Self::of_finding(code, dialect),
             Topic::Error(error) => Self::of_error(error, dialect),
         }
@@ -123,6 +145,19 @@ impl TopicRecord {
             symbols: equation.symbols.iter().map(|symbol| SymbolRecord::new(symbol, dialect)).collect(),
             source: Phrase::template(equation.source).spelled(dialect),
             used: uses(equation.label).spelled(dialect),
+        }
+    }
+
+    fn of_quantity(quantity: &QuantityTopic, dialect: &dyn Dialect) -> Self {
+        Self::Quantity {
+            schema_version: SCHEMA_VERSION,
+            name: quantity.name,
+            symbols: quantity.symbols,
+            unit: quantity.unit,
+            equation: quantity.equation,
+            limit: quantity.limit.clone(),
+            what: quantity.what().spelled(dialect),
+            trap: quantity.trap().spelled(dialect),
         }
     }
 

@@ -1,12 +1,13 @@
 //! Explanations for people, 80 columns wide.
 
-use comfy_table::{ContentArrangement, Table};
+use comfy_table::{ColumnConstraint, ContentArrangement, Table};
 use contact_scaling::Equation;
 use osim_model::FindingCode;
 use osim_model::wording::{Dialect, Phrase};
 
 use super::errors::ErrorCode;
 use super::letters::Letters;
+use super::quantities::QuantityTopic;
 use super::topic::Topic;
 use super::uses::uses;
 use crate::layout::{WIDTH, options, table};
@@ -16,6 +17,7 @@ use crate::layout::{WIDTH, options, table};
 pub fn text(topic: Topic, dialect: &dyn Dialect, letters: Letters) -> String {
     match topic {
         Topic::Equation(equation) => of_equation(equation, dialect, letters),
+        Topic::Quantity(quantity) => of_quantity(quantity, dialect, letters),
         Topic::Finding(code) => of_finding(code, dialect),
         Topic::Error(error) => of_error(error, dialect),
     }
@@ -41,6 +43,22 @@ fn of_equation(equation: &Equation, dialect: &dyn Dialect, letters: Letters) -> 
     text
 }
 
+fn of_quantity(quantity: &QuantityTopic, dialect: &dyn Dialect, letters: Letters) -> String {
+    let mut parts =
+        vec![("What:  ", quantity.what().spelled(dialect)), ("Unit:  ", quantity.unit_in_words().to_owned())];
+    if !quantity.symbols.is_empty() {
+        parts.push(("Also:  ", quantity.symbols.join(", ")));
+    }
+    if !quantity.equation.is_empty() {
+        parts.push(("By:    ", shown(quantity.equation)));
+    }
+    parts.extend(quantity.limit.clone().map(|limit| ("Limit: ", limit)));
+    parts.push(("Trap:  ", quantity.trap().spelled(dialect)));
+    let body: String =
+        parts.into_iter().map(|(label, body)| paragraph(label, &letters.spelled(&body))).collect();
+    format!("{} (quantity)\n\n{body}", quantity.name)
+}
+
 fn of_finding(code: FindingCode, dialect: &dyn Dialect) -> String {
     let repair = code.repair().sentence().into();
     let parts =
@@ -60,8 +78,9 @@ fn of_error(error: &ErrorCode, dialect: &dyn Dialect) -> String {
 /// Topics by kind, one line each.
 #[must_use]
 pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: Letters) -> String {
-    let (mut equations, mut findings, mut errors) = (
+    let (mut equations, mut quantities, mut findings, mut errors) = (
         table(&["equation", "what it says"]),
+        table(&["quantity", "what it is"]),
         table(&["finding", "what it is"]),
         table(&["error", "what it means"]),
     );
@@ -69,6 +88,10 @@ pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: Letters) -> String
         match topic {
             Topic::Equation(equation) => {
                 equations.add_row(vec![shown(equation.label), letters.spelled(equation.title)])
+            }
+            Topic::Quantity(quantity) => {
+                let what = letters.spelled(&quantity.what().spelled(dialect));
+                quantities.add_row(vec![quantity.name.to_owned(), what])
             }
             Topic::Finding(code) => {
                 findings.add_row(vec![code.as_str().to_owned(), code.what().spelled(dialect)])
@@ -79,7 +102,11 @@ pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: Letters) -> String
             }
         };
     }
-    [equations, findings, errors].map(|table| format!("{}\n", fitted(table))).join("\n")
+    // A name that is broken cannot be copied.
+    if let Some(names) = quantities.column_mut(0) {
+        names.set_constraint(ColumnConstraint::ContentWidth);
+    }
+    [equations, quantities, findings, errors].map(|table| format!("{}\n", fitted(table))).join("\n")
 }
 
 /// Numbers of the paper are in brackets, as there.

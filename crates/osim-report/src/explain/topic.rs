@@ -6,6 +6,7 @@ use osim_model::wording::Verb;
 
 use super::equations::{equation, equations};
 use super::errors::{ErrorCode, errors};
+use super::quantities::{QuantityTopic, quantities, quantity};
 use crate::dialect::FrontEnd;
 
 /// Something that can be explained.
@@ -14,6 +15,8 @@ use crate::dialect::FrontEnd;
 pub enum Topic {
     /// An equation, or a rule of this project.
     Equation(&'static Equation),
+    /// A property of a contact, or a figure.
+    Quantity(&'static QuantityTopic),
     /// A warning or finding.
     Finding(FindingCode),
     /// An error.
@@ -35,13 +38,14 @@ impl Topic {
     #[must_use]
     pub fn all() -> Vec<Self> {
         let findings = FindingCode::ALL.iter().copied().map(Self::Finding);
-        equations().map(Self::Equation).chain(findings).chain(errors().map(Self::Error)).collect()
+        let numbers = equations().map(Self::Equation).chain(quantities().map(Self::Quantity));
+        numbers.chain(findings).chain(errors().map(Self::Error)).collect()
     }
 
     /// All topics of `named`: one name, or several as the column "equation" has them (`11, B.2`).
     ///
     /// # Errors
-    /// Something that is neither an equation nor a code.
+    /// Something that is neither an equation, a quantity nor a code.
     pub fn find(named: &str) -> Result<Vec<Self>, UnknownTopic> {
         let by_comma: Vec<&str> = named.split(',').map(str::trim).filter(|name| !name.is_empty()).collect();
         let by_blank: Vec<&str> = named.split([',', ' ']).filter(|name| !name.is_empty()).collect();
@@ -60,6 +64,7 @@ impl Topic {
     pub fn name(self) -> &'static str {
         match self {
             Self::Equation(equation) => equation.label,
+            Self::Quantity(quantity) => quantity.name,
             Self::Finding(code) => code.as_str(),
             Self::Error(error) => error.code,
         }
@@ -70,9 +75,10 @@ impl Topic {
 fn called(name: &str) -> Vec<Topic> {
     let is_code = |code: &str| code == name.trim_matches(['[', ']', ' ']);
     let equation = equation(name).map(Topic::Equation);
+    let quantity = quantity(name).map(Topic::Quantity);
     let warning = FindingCode::ALL.iter().copied().find(|code| is_code(code.as_str())).map(Topic::Finding);
     let error = errors().find(|known| is_code(known.code)).map(Topic::Error);
-    [equation, warning, error].into_iter().flatten().collect()
+    [equation, quantity, warning, error].into_iter().flatten().collect()
 }
 
 impl UnknownTopic {
@@ -87,7 +93,7 @@ impl UnknownTopic {
     pub fn message(&self, front_end: &dyn FrontEnd) -> String {
         let near = self.near.map(|near| format!(", expected one like '{near}'")).unwrap_or_default();
         let list = front_end.command(&Verb::Explain.call());
-        format!("'{}' is neither an equation nor a code{near}: `{list}` lists them", self.name)
+        format!("'{}' is neither an equation, a quantity nor a code{near}: `{list}` lists them", self.name)
     }
 }
 
@@ -108,8 +114,8 @@ mod tests {
         let unknown = Topic::find("11, sunk-inn").unwrap_err();
         assert_eq!(
             unknown.message(&CommandLine),
-            "'sunk-inn' is neither an equation nor a code, expected one like 'sunk-in': `osim-contact-scale explain` lists \
-             them"
+            "'sunk-inn' is neither an equation, a quantity nor a code, expected one like 'sunk-in': `osim-contact-scale \
+             explain` lists them"
         );
     }
 }

@@ -4,13 +4,18 @@ use osim_report::dialect::{CommandLine, FrontEnd, Page, Python};
 use osim_report::explain::{self, Letters, Topic, TopicRecord};
 use osim_report::json::line;
 
+/// Columns of a line: the hat of x̂ takes none.
+fn columns(line: &str) -> usize {
+    line.chars().filter(|letter| *letter != '\u{302}').count()
+}
+
 #[test]
 fn every_topic_is_explained_in_the_words_of_each_front_end() {
     for topic in Topic::all() {
         for front_end in [&CommandLine as &dyn FrontEnd, &Python, &Page] {
             let text = explain::text(topic, front_end, Letters::Unicode);
             assert!(!text.contains('`'), "{text}");
-            assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+            assert!(text.lines().all(|line| columns(line) <= 80), "{text}");
         }
         for text in
             [explain::text(topic, &Python, Letters::Unicode), explain::text(topic, &Page, Letters::Unicode)]

@@ -103,6 +103,7 @@ impl DropTestRequest {
     fn of_model(&self, open: &OpenModel, own: &Own) -> Result<Falling, Fault> {
         let model = &open.model;
         let masses = MassRequest { model_kg: own.mass_kg, ..self.masses.request() };
+        self.answers.ask(masses.slip(model)).map_err(Fault::new)?;
         let selected = self.choice.selection().apply(model)?;
         let mass = masses.of_model(model)?;
         let sharing = LoadSharing::of(model, &selected.forces);

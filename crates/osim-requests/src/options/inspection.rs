@@ -4,6 +4,7 @@ use osim_inspect::InspectOptions;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::answers::AnswerOptions;
 use super::forces::ForceOptions;
 use super::load::StanceOptions;
 use super::masses::MassOptions;
@@ -31,6 +32,10 @@ pub struct InspectionOptions {
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub set_files: SetFiles,
+    /// Answers to questions.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub answers: AnswerOptions,
 }
 
 impl InspectionOptions {
@@ -42,7 +47,7 @@ impl InspectionOptions {
         choice: ForceOptions,
         set_files: SetFiles,
     ) -> Self {
-        Self { stance, masses, choice, set_files }
+        Self { stance, masses, choice, set_files, answers: AnswerOptions::default() }
     }
 
     /// The same, as models are inspected with it.

@@ -1,5 +1,6 @@
 //! Groups of options that several verbs share, as the help shows them.
 
+mod answers;
 mod columns;
 mod drop;
 mod follow;
@@ -14,6 +15,7 @@ mod scaling;
 mod set_files;
 mod wanted;
 
+pub use answers::AnswerOptions;
 pub use columns::{ColumnOptions, ForceUnit, LengthUnit, SpeedUnit, TimeUnit};
 pub use drop::{ContactNumbers, FallOptions};
 pub use follow::{FollowOptions, MovedChoice, RadiusAxisChoice, RuleChoice};

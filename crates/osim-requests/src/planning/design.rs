@@ -7,6 +7,7 @@ use osim_model::{CountOf, Fault, GravityFor, Mass, MassRequest, Model, Needed, S
 use osim_patch::{Design, DesignModulus, Plan, RadiusRule, design};
 use serde_json::json;
 
+use super::asking::Asking;
 use crate::fault::RequestFault;
 use crate::options::{CountOptions, InspectionOptions, LoadOptions, StanceOptions, WantedOptions};
 use crate::planner::{Change, Planner};
@@ -32,7 +33,7 @@ impl DesignRequest {
     /// Options that say nothing, or contradict each other.
     pub fn prepare(self) -> Result<Change, RequestFault> {
         check(&self)?;
-        let Self { models, wanted, load, masses, counts, choice, output, run: _, set_files } = self;
+        let Self { models, wanted, load, masses, counts, choice, output, run: _, answers, set_files } = self;
         let stance = StanceOptions {
             spheres: counts.spheres,
             stance_limbs: counts.stance_limbs,
@@ -48,7 +49,8 @@ impl DesignRequest {
             masses: masses.request(),
             inspection: InspectionOptions::new(stance, masses, choice, set_files.clone()),
         };
-        Ok(Change::new(models, output, set_files, planner))
+        let asking = Asking { masses: planner.masses.clone(), answers, planner };
+        Ok(Change::new(models, output, set_files, asking))
     }
 }
 

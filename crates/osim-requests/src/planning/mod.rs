@@ -1,6 +1,7 @@
 //! What each changing verb plans for a model.
 
 pub(crate) mod any;
+mod asking;
 mod design;
 mod note;
 mod operation;

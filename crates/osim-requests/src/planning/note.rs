@@ -5,6 +5,7 @@ use osim_model::{Fault, Model};
 use osim_patch::{Plan, note};
 use serde_json::json;
 
+use super::asking::Asking;
 use crate::fault::RequestFault;
 use crate::options::{ForceOptions, InspectionOptions, MassOptions, StanceOptions};
 use crate::planner::{Change, Planner};
@@ -24,7 +25,7 @@ impl NoteRequest {
     /// # Errors
     /// No model, no mass, or no note.
     pub fn prepare(self) -> Result<Change, RequestFault> {
-        let Self { models, contacts_mass, contacts_gravity, output, run: _, set_files } = self;
+        let Self { models, contacts_mass, contacts_gravity, output, run: _, answers, set_files } = self;
         if models.is_empty() {
             return Err(RequestFault::Missing { field: "models" });
         }
@@ -52,7 +53,8 @@ impl NoteRequest {
             ),
             settings: json!(["note", mass, contacts_gravity]).to_string(),
         };
-        Ok(Change::new(models, output, set_files, planner))
+        let asking = Asking { masses: planner.inspection.masses.request(), answers, planner };
+        Ok(Change::new(models, output, set_files, asking))
     }
 }
 

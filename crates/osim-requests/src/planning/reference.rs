@@ -7,7 +7,7 @@ use osim_inspect::LoadSharing;
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::wording::{Input, phrase};
 use osim_model::{
-    Anatomy, CountOf, Fault, FaultKind, Mass, MassRequest, MassSource, Model, Needed, Selection,
+    Anatomy, CountOf, Fault, FaultKind, Mass, MassRequest, MassSource, Model, Needed, Selection, mass_slip,
 };
 use osim_patch::{Reference, ScaleFile, reference_of_model};
 
@@ -119,7 +119,11 @@ fn reference_from_model(
     let selection = Selection { select: options.reference_select.clone(), ..Selection::default() };
     let selected = selection.apply(model).map_err(about_reference)?;
     let mass = match options.reference_mass {
-        Some(kg) => reference_mass(kg),
+        Some(kg) => {
+            let asks = mass_slip(Input::ReferenceMass, kg.get(), MassRequest::default().bodies_kg(model));
+            request.answers.ask(asks).map_err(Fault::new)?;
+            reference_mass(kg)
+        }
         None => MassRequest::default().of_contacts(model)?.0,
     };
     // How many limbs stand is about the model that gets the contacts; a reference on several limbs says its own count.

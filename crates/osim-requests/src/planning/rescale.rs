@@ -12,6 +12,7 @@ use osim_model::{
 use osim_patch::{FOLLOWING, FOLLOWING_NOTE, Plan, RadiusRule, Rescale, ScaleFile, rescale};
 use serde_json::json;
 
+use super::asking::Asking;
 use super::operation::{operation, refuse_again};
 use crate::fault::{RequestError, RequestFault};
 use crate::opening::scale_file;
@@ -60,6 +61,7 @@ impl RescaleRequest {
             choice,
             output,
             run: _,
+            answers,
             set_files,
         } = self;
         let Some(target) = target_mass else {
@@ -86,7 +88,8 @@ impl RescaleRequest {
             inspection: InspectionOptions::new(StanceOptions::default(), masses, choice, set_files.clone()),
             settings,
         };
-        Ok(Change::new(models, output, set_files, planner))
+        let asking = Asking { masses: planner.masses.clone(), answers, planner };
+        Ok(Change::new(models, output, set_files, asking))
     }
 }
 

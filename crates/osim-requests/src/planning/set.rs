@@ -4,6 +4,7 @@ use osim_model::{Fault, Mass, MassRequest, MassSource, Model, Selection};
 use osim_patch::{Plan, Set, set};
 use serde_json::json;
 
+use super::asking::Asking;
 use crate::fault::RequestFault;
 use crate::options::{InspectionOptions, StanceOptions};
 use crate::planner::{Change, Planner};
@@ -25,7 +26,7 @@ impl SetRequest {
     /// # Errors
     /// No model, or nothing to set.
     pub fn prepare(self) -> Result<Change, RequestFault> {
-        let Self { models, set, masses, choice, output, run: _, set_files } = self;
+        let Self { models, set, masses, choice, output, run: _, answers, set_files } = self;
         if models.is_empty() {
             return Err(RequestFault::Missing { field: "models" });
         }
@@ -42,7 +43,8 @@ impl SetRequest {
             may_repeat: output.may_repeat(),
             inspection: InspectionOptions::new(StanceOptions::default(), masses, choice, set_files.clone()),
         };
-        Ok(Change::new(models, output, set_files, planner))
+        let asking = Asking { masses: planner.masses.clone(), answers, planner };
+        Ok(Change::new(models, output, set_files, asking))
     }
 }
 

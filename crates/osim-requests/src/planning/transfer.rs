@@ -4,10 +4,10 @@ use std::path::{Path, PathBuf};
 
 use contact_scaling::Ratios;
 use osim_inspect::LoadSharing;
-use osim_model::files::Files;
+use osim_model::files::{Failure, Files};
 use osim_model::wording::{Input, phrase};
 use osim_model::{
-    Anatomy, CountOf, Fault, GravityFor, MassRequest, Model, Needed, Property, Selected, Selection,
+    Anatomy, CountOf, Fault, GravityFor, MassRequest, Model, Needed, Property, Selected, Selection, mass_slip,
 };
 use osim_patch::{
     Factors, Follow, FollowRequest, OwnRadii, Plan, RadiusAxis, RadiusRule, Reference, ScalingRule,
@@ -15,6 +15,7 @@ use osim_patch::{
 };
 use serde_json::json;
 
+use super::asking::Asking;
 use super::operation::{operation, refuse_again};
 use super::reference::{Generic, preset, reference_from_file};
 use crate::fault::{RequestError, RequestFault};
@@ -24,7 +25,7 @@ use crate::options::{
 use crate::planner::{Change, Planner};
 use crate::reference_state::ReferenceState;
 use crate::request::TransferRequest;
-use crate::value::{Acceleration, Positive, Radius};
+use crate::value::{Acceleration, Kilograms, Positive, Radius};
 
 /// What was said of the reference, so that it counts for more than what its file says.
 struct ReferenceSaid {
@@ -81,7 +82,14 @@ impl TransferRequest {
                 ];
                 return Err(RequestFault::refused(Input::FollowBodies, message).into());
             }
-            Some((reference, state)) => (reference, state, None),
+            Some((reference, state)) => {
+                // A preset has no bodies to compare its mass with.
+                let said = self.reference.reference_mass.map(Kilograms::get);
+                let asks = said.and_then(|kg| mass_slip(Input::ReferenceMass, kg, None));
+                let asked = self.answers.ask(asks);
+                asked.map_err(|kind| Failure::outside(from.as_path(), kind.code(), kind.phrase()))?;
+                (reference, state, None)
+            }
             None => reference_from_file(&self, &from, files)?,
         };
         let gravity = self.reference.reference_gravity.map(Acceleration::get);
@@ -114,7 +122,8 @@ impl TransferRequest {
             inspection: InspectionOptions::new(stance, self.masses, self.choice, self.set_files.clone()),
             settings,
         };
-        Ok(Change::new(self.models, self.output, self.set_files, planner))
+        let asking = Asking { masses: planner.masses.clone(), answers: self.answers, planner };
+        Ok(Change::new(self.models, self.output, self.set_files, asking))
     }
 
     /// The reference is identified by its contents; a preset by its name, which means the same numbers in one version.

@@ -6,7 +6,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::options::{
-    CountOptions, ForceOptions, LoadOptions, MassOptions, OutputOptions, RunOptions, SetFiles, WantedOptions,
+    AnswerOptions, CountOptions, ForceOptions, LoadOptions, MassOptions, OutputOptions, RunOptions, SetFiles,
+    WantedOptions,
 };
 use crate::relation::Relation;
 use crate::value::path;
@@ -50,6 +51,10 @@ pub struct DesignRequest {
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub run: RunOptions,
+    /// Answers to questions.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub answers: AnswerOptions,
     /// Files of a standalone set.
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::options::{ContactNumbers, CountOptions, ForceOptions, MassOptions, SetFiles};
+use crate::options::{AnswerOptions, ContactNumbers, CountOptions, ForceOptions, MassOptions, SetFiles};
 use crate::relation::Relation;
 use crate::value::choice::choices;
 use crate::value::{Count, Height, Positive, Samples, path};
@@ -78,6 +78,10 @@ pub struct DropTestRequest {
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub set_files: SetFiles,
+    /// Answers to questions.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub answers: AnswerOptions,
 }
 
 impl Default for DropTestRequest {
@@ -96,6 +100,7 @@ impl Default for DropTestRequest {
             masses: MassOptions::default(),
             choice: ForceOptions::default(),
             set_files: SetFiles::default(),
+            answers: AnswerOptions::default(),
         }
     }
 }

@@ -7,7 +7,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::options::{
-    CountOptions, ForceOptions, Format, LoadOptions, MassOptions, OutputOptions, RunOptions, WantedOptions,
+    AnswerOptions, CountOptions, ForceOptions, Format, LoadOptions, MassOptions, OutputOptions, RunOptions,
+    WantedOptions,
 };
 use crate::relation::Relation;
 use crate::value::{Axis, Positive, axis, path, serial};
@@ -31,6 +32,10 @@ pub struct BatchRequest {
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub run: RunOptions,
+    /// Answers to questions, for all rows.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub answers: AnswerOptions,
 }
 
 impl BatchRequest {
@@ -70,9 +75,6 @@ pub struct SweepRequest {
     /// Replace existing files
     #[cfg_attr(feature = "clap", arg(long, help_heading = "Output"))]
     pub force: bool,
-    /// Make more than 10,000 models
-    #[cfg_attr(feature = "clap", arg(long, help_heading = "Output"))]
-    pub yes: bool,
     /// Leave no note (in the credits) in the models
     #[cfg_attr(feature = "clap", arg(long, help_heading = "Output", hide_short_help = true))]
     pub no_note: bool,
@@ -112,6 +114,10 @@ pub struct SweepRequest {
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub choice: ForceOptions,
+    /// Answers to questions.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub answers: AnswerOptions,
 }
 
 impl Default for SweepRequest {
@@ -123,7 +129,6 @@ impl Default for SweepRequest {
             soft: Positive::SOFT_STIFFNESS,
             output_dir: None,
             force: false,
-            yes: false,
             no_note: false,
             dry_run: false,
             format: Format::Table,
@@ -134,6 +139,7 @@ impl Default for SweepRequest {
             masses: MassOptions::default(),
             counts: CountOptions::default(),
             choice: ForceOptions::default(),
+            answers: AnswerOptions::default(),
         }
     }
 }

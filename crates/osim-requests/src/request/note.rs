@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::options::{OutputOptions, RunOptions, SetFiles};
+use crate::options::{AnswerOptions, OutputOptions, RunOptions, SetFiles};
 use crate::relation::Relation;
 use crate::value::{Acceleration, Kilograms, path};
 
@@ -34,6 +34,10 @@ pub struct NoteRequest {
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub run: RunOptions,
+    /// Answers to questions.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub answers: AnswerOptions,
     /// Files of a standalone set.
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]

@@ -6,7 +6,7 @@ use osim_inspect::series::HeatQuantity;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::options::{CountOptions, FallOptions, ForceOptions, MassOptions, SetFiles};
+use crate::options::{AnswerOptions, CountOptions, FallOptions, ForceOptions, MassOptions, SetFiles};
 use crate::relation::Relation;
 use crate::value::choice::choices;
 use crate::value::{Acceleration, Dpi, Grid, Kilograms, path};
@@ -157,6 +157,10 @@ pub struct PlotRequest {
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub set_files: SetFiles,
+    /// Answers to questions.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub answers: AnswerOptions,
 }
 
 impl PlotRequest {

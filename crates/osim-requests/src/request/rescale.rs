@@ -5,7 +5,9 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::options::{ForceOptions, MassOptions, OutputOptions, RunOptions, ScalingOptions, SetFiles};
+use crate::options::{
+    AnswerOptions, ForceOptions, MassOptions, OutputOptions, RunOptions, ScalingOptions, SetFiles,
+};
 use crate::relation::Relation;
 use crate::value::{Kilograms, path};
 
@@ -60,6 +62,10 @@ pub struct RescaleRequest {
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub run: RunOptions,
+    /// Answers to questions.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub answers: AnswerOptions,
     /// Files of a standalone set.
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]

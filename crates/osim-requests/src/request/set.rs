@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::options::{ForceOptions, MassOptions, OutputOptions, RunOptions, SetFiles};
+use crate::options::{AnswerOptions, ForceOptions, MassOptions, OutputOptions, RunOptions, SetFiles};
 use crate::relation::Relation;
 use crate::value::{Assignments, path};
 
@@ -40,6 +40,10 @@ pub struct SetRequest {
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub run: RunOptions,
+    /// Answers to questions.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub answers: AnswerOptions,
     /// Files of a standalone set.
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]

@@ -6,8 +6,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::options::{
-    CountOptions, FollowOptions, ForceOptions, MassOptions, OutputOptions, ReferenceOptions, RunOptions,
-    ScalingOptions, SetFiles,
+    AnswerOptions, CountOptions, FollowOptions, ForceOptions, MassOptions, OutputOptions, ReferenceOptions,
+    RunOptions, ScalingOptions, SetFiles,
 };
 use crate::relation::Relation;
 use crate::value::path;
@@ -65,6 +65,10 @@ pub struct TransferRequest {
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub run: RunOptions,
+    /// Answers to questions.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub answers: AnswerOptions,
     /// Files of a standalone set.
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]

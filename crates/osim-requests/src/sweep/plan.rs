@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use osim_model::files::{Failure, ModelFiles};
-use osim_model::shortest;
-use osim_model::wording::{Input, Phrase, phrase};
+use osim_model::wording::{Phrase, phrase};
+use osim_model::{Question, shortest};
 
 use super::grid::{Point, count, ends, point};
 use super::ladder::Ladder;
@@ -26,10 +26,10 @@ impl SweepRequest {
     pub fn check(&self) -> Result<(), RequestFault> {
         self.check_axes()?;
         let count = self.count()?;
-        if self.is_large() && !self.yes && !self.dry_run {
+        if self.is_large() && !self.answers.has(Question::ManyModels) && !self.dry_run {
             let message = phrase![
                 format!("{count} models would be made, more than 10,000: say "),
-                Input::Yes,
+                &Question::ManyModels.answer(),
                 ", or give fewer values",
             ];
             return Err(RequestFault::general(message));
@@ -161,14 +161,21 @@ impl<'s> SweepPlan<'s> {
     ///
     /// # Errors
     /// What is wrong, with the point.
-    pub fn check_ends(&self) -> Result<(), RequestFault> {
+    pub fn check_ends(&self) -> Result<(), RequestError> {
         let points = match self.ladder {
             Some(_) => vec![0, self.count.saturating_sub(1)],
             None => ends(&self.request.grid),
         };
         for index in points {
             let job = self.job(index)?;
-            self.variant(&job).map_err(|failure| RequestFault::general(at(&failure, &job)))?;
+            self.variant(&job).map_err(|mut failure| {
+                failure.message = at(&failure, &job);
+                // What is asked has a code, which answers it.
+                match failure.code.parse::<Question>() {
+                    Ok(_) => RequestError::Failure(failure),
+                    Err(_) => RequestFault::general(failure.message).into(),
+                }
+            })?;
         }
         Ok(())
     }

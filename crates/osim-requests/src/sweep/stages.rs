@@ -117,6 +117,7 @@ pub(super) fn design(
         masses: request.masses.clone(),
         counts: request.counts.clone(),
         choice: request.choice.clone(),
+        answers: request.answers.clone(),
         ..DesignRequest::default()
     };
     design.prepare().map(|change| change.planner)
@@ -132,6 +133,7 @@ pub(super) fn set(
         set: assignments.into_iter().collect(),
         masses: request.masses.clone(),
         choice: request.choice.clone(),
+        answers: request.answers.clone(),
         ..SetRequest::default()
     };
     set.prepare().map(|change| change.planner)
@@ -144,6 +146,7 @@ fn rescale(request: &SweepRequest, target_mass: f64) -> Result<Box<dyn Planner>,
         target_mass: Some(target_mass),
         masses: request.masses.clone(),
         choice: request.choice.clone(),
+        answers: request.answers.clone(),
         ..RescaleRequest::default()
     };
     rescale.with_bodies(None).map(|change| change.planner)

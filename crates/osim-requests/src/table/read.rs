@@ -2,8 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use osim_model::Question;
 use osim_model::files::{Failure, Files};
-use osim_model::wording::{Phrase, Verb};
+use osim_model::wording::{Input, Phrase, Verb};
 use serde_json::{Map, Value, json};
 
 use super::cells::Cells;
@@ -22,6 +23,8 @@ pub struct Table {
     columns: Columns,
     /// Paths of the table begin here.
     folder: PathBuf,
+    /// Answers to questions of all rows.
+    yes: Vec<Question>,
 }
 
 /// What one row asks for.
@@ -60,7 +63,13 @@ impl Table {
     pub fn read(bytes: &[u8], folder: &Path) -> Result<Self, Phrase> {
         let sheet = Sheet::read(bytes)?;
         let columns = Columns::of(&sheet.header)?;
-        Ok(Self { sheet, columns, folder: folder.to_owned() })
+        Ok(Self { sheet, columns, folder: folder.to_owned(), yes: Vec::new() })
+    }
+
+    /// The same with answers to questions of all rows, beside those that rows give themselves.
+    #[must_use]
+    pub fn answering(self, yes: Vec<Question>) -> Self {
+        Self { yes, ..self }
     }
 
     /// Every row that is not empty, as a request; `call` says where results go for rows that do not.
@@ -88,6 +97,11 @@ impl Table {
     pub fn prepare(&self, row: &RowRequest, files: &dyn Files) -> Result<Change, RowFault> {
         let mut fields = row.fields.clone();
         fields.insert("models".to_owned(), path::to_value(&row.model));
+        if !self.yes.is_empty() {
+            let own = fields.get(Input::Yes.name()).and_then(Value::as_array).cloned().unwrap_or_default();
+            let yes = self.yes.iter().map(|question| Value::from(question.code())).chain(own);
+            fields.insert(Input::Yes.name().to_owned(), yes.collect());
+        }
         let request = Request::read(row.verb, fields).map_err(|fault| self.placed(&fault, row.verb))?;
         let change = request.prepare(files).map_err(|error| match error {
             RequestError::Fault(fault) => self.placed(&fault, row.verb),

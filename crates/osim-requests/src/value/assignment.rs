@@ -3,14 +3,13 @@
 use std::borrow::Cow;
 
 use osim_model::Assignment;
+use osim_model::typed::{LENGTHS, factor, number, number_in};
 use osim_model::{Property, shortest};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::Error;
 use serde::ser::SerializeMap;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::Value;
-
-use super::decimal::{factor, number};
 
 /// Properties and what happens to them, in the order in which they were said.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -49,6 +48,9 @@ pub fn assignment(name: &str, text: &str) -> Result<(Property, Assignment), Stri
     let text = text.trim();
     let value = match factor(text) {
         Some(factor) => number(factor).map(Assignment::Factor),
+        None if property == Property::Radius => {
+            number_in(text, "a radius in m", LENGTHS).map(Assignment::Value)
+        }
         None => number(text).map(Assignment::Value),
     };
     value.map(|value| (property, value)).map_err(|why| format!("{name}={text}: {why}"))

@@ -6,6 +6,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use osim_model::Assignment;
+use osim_model::typed::{Range, positive_number, spaced, with_colons};
 use osim_model::{Property, shortest};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::Error;
@@ -13,8 +14,6 @@ use serde::{Deserialize, Deserializer};
 use serde_json::Value;
 
 use super::assignment::assignment;
-use super::decimal::positive_number;
-use super::range::{Range, spaced};
 use super::serial::from_texts;
 
 /// Nobody runs a grid with more values than this.
@@ -104,6 +103,9 @@ impl FromStr for Axis {
         let name: AxisName = name.trim().parse()?;
         let mut values = Vec::new();
         for item in list.split(',') {
+            if let Some(answer) = with_colons(item) {
+                return Err(answer);
+            }
             if Range::is_meant(item) {
                 values.extend(range(name, item)?);
             } else {

@@ -5,12 +5,12 @@ use std::fmt;
 use std::str::FromStr;
 
 use osim_model::shortest;
+use osim_model::typed::positive_number;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serializer};
 use serde_json::{Value, json};
 
-use super::decimal::positive_number;
 use super::serial::from_texts;
 
 /// `BODY=x,y,z`: three factors above 0; `BODY=f` is the same one along all axes.

@@ -4,11 +4,10 @@ use std::fmt;
 use std::str::FromStr;
 
 use osim_model::shortest;
+use osim_model::typed::{Range, factor, positive_number, spaced, with_colons};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::decimal::{factor, positive_number};
-use super::range::{Range, spaced};
 use super::serial::from_text;
 
 /// Values equally spaced on a logarithmic axis, as numbers or as factors of what is there: `FROM..TO/COUNT`, both ends with
@@ -44,7 +43,8 @@ impl FromStr for Grid {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let expected = "expected FROM..TO/COUNT like 1e5..1e7/25, or factors like x0.1..x10/25";
-        let range = Range::read(text, u32::MAX).ok_or(expected)?;
+        let range = Range::read(text, u32::MAX)
+            .ok_or_else(|| with_colons(text).unwrap_or_else(|| expected.to_owned()))?;
         let Some(factors) = range.are_factors() else {
             return Err("both ends are numbers, or both are factors like x0.1..x10/25".to_owned());
         };

@@ -5,10 +5,10 @@ use std::str::FromStr;
 
 use osim_inspect::DropHeight;
 use osim_model::shortest;
+use osim_model::typed::{LENGTHS, factor, plain, positive};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::decimal::{factor, plain, positive};
 use super::serial::from_text;
 
 /// Metres, or a multiple of the radius such as `x0.25`.
@@ -44,11 +44,7 @@ impl FromStr for Height {
     fn from_str(text: &str) -> Result<Self, String> {
         let expected = "a length in metres, or a multiple of the radius like x0.25";
         let parse = |text: &str| {
-            if plain(text.trim()) == Some(0.0) {
-                Ok(0.0)
-            } else {
-                positive(text, expected, &[("mm", 1e-3), ("m", 1.0)])
-            }
+            if plain(text.trim()) == Some(0.0) { Ok(0.0) } else { positive(text, expected, LENGTHS) }
         };
         let height = match factor(text) {
             Some(number) => parse(number).map(DropHeight::Radii),

@@ -5,10 +5,10 @@ use std::fmt;
 use std::str::FromStr;
 
 use osim_model::shortest;
+use osim_model::typed::{MASSES, number, plain, positive, positive_number};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::decimal::{number, plain, positive, positive_number};
 use super::serial::from_text;
 
 macro_rules! quantities {
@@ -80,7 +80,7 @@ macro_rules! quantities {
 
 quantities! {
     /// A mass in kg, above 0.
-    Kilograms = |text| positive(text, "a mass in kg", &[("kg", 1.0), ("g", 1e-3), ("mg", 1e-6), ("t", 1e3)]),
+    Kilograms = |text| positive(text, "a mass in kg", MASSES),
         {"type": "number", "exclusiveMinimum": 0};
 
     /// An acceleration in m/s², above 0.
@@ -171,6 +171,17 @@ mod tests {
             ("1190kg", "type 1190"),
             ("20.9g", "type 0.0209"),
             ("20.9 g", "type 0.0209"),
+            ("20.9G", "type 0.0209"),
+            ("1500mg", "type 0.0015"),
+            ("2.5t", "type 2500"),
+            // 44 times 0.45359237 is 19.95806428, 100 times 45.359237, both exact.
+            ("44lb", "type 19.95806428"),
+            ("44 lbs", "type 19.95806428"),
+            ("100LB", "type 45.359237"),
+            // 16 oz are 1 lb.
+            ("16oz", "type 0.45359237"),
+            ("7 stone", "here, expected a mass in kg"),
+            ("3Mg", "here, expected a mass in kg"),
             ("0,0209", "type 0.0209"),
             ("1,190", "1190"),
             ("-3", "above 0"),

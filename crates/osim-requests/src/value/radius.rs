@@ -4,11 +4,11 @@ use std::fmt;
 use std::str::FromStr;
 
 use osim_model::shortest;
+use osim_model::typed::{LENGTHS, factor, positive};
 use osim_patch::RadiusRule;
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::decimal::{factor, positive};
 use super::serial::from_text;
 
 /// `isometric`, `keep`, metres, or a factor such as `x1.5`.
@@ -45,12 +45,8 @@ impl FromStr for Radius {
             ("isometric", _) => Ok(RadiusRule::Isometric),
             ("keep", _) => Ok(RadiusRule::Keep),
             (_, Some(number)) => positive(number, "a factor like x1.5", &[]).map(RadiusRule::Factor),
-            (_, None) => positive(
-                text,
-                "isometric, keep, a radius in metres or a factor like x1.5",
-                &[("mm", 1e-3), ("cm", 1e-2), ("m", 1.0)],
-            )
-            .map(RadiusRule::Metres),
+            (_, None) => positive(text, "isometric, keep, a radius in metres or a factor like x1.5", LENGTHS)
+                .map(RadiusRule::Metres),
         };
         rule.map(Self)
     }
@@ -99,6 +95,18 @@ mod tests {
             let json = serde_json::to_string(&radius).unwrap();
             assert_eq!(serde_json::from_str::<Radius>(&json).unwrap(), radius);
         }
-        assert!("32mm".parse::<Radius>().unwrap_err().contains("type 0.032"));
+        for (text, hint) in [
+            ("32mm", "type 0.032"),
+            ("3.2cm", "type 0.032"),
+            ("3.2 CM", "type 0.032"),
+            ("0.032m", "type 0.032"),
+            ("1500um", "type 0.0015"),
+            // An inch is 0.0254 m.
+            ("1.5in", "type 0.0381"),
+            ("2ft", "units are not written here"),
+        ] {
+            let refused = text.parse::<Radius>().unwrap_err();
+            assert!(refused.contains(hint), "{text}: {refused}");
+        }
     }
 }

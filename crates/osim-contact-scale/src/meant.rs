@@ -1,0 +1,82 @@
+//! What was probably meant by words that are neither verbs nor files.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Command, CommandFactory};
+use osim_library::SplitName;
+use osim_model::wording::{Input, Phrase, Verb, phrase};
+use osim_requests::Kilograms;
+
+use crate::args::Cli;
+use crate::words::Words;
+
+/// What to write instead of `words`, the words of a call beside its options; `None` where that is not known. `may_be_mass` where
+/// a bare number can only be the target mass.
+pub(crate) fn meant(words: &[PathBuf], may_be_mass: bool, terms: Words) -> Option<String> {
+    let first = words.first()?;
+    let is_known = |word: &Path| word.exists() || word.as_os_str() == "-";
+    if first.as_os_str() == "help" && !is_known(first) {
+        return Some(help(words.get(1)));
+    }
+    if let Some(split) = SplitName::find(words) {
+        return Some(split.message(words.get(split.words.start)?));
+    }
+    let mass = words.iter().find(|word| may_be_mass && !is_known(word) && kilograms(word).is_some());
+    if let Some((word, kg)) = mass.and_then(|word| Some((word, kilograms(word)?))) {
+        let text: Phrase = phrase![
+            format!("'{}' is neither a verb nor a file: did you mean ", word.display()),
+            Input::TargetMass.being(kg),
+            "?"
+        ];
+        return Some(text.spelled(terms));
+    }
+    let verb = Some(first).filter(|word| !is_known(word)).and_then(|word| near(word))?;
+    Some(format!("'{}' is neither a verb nor a file: did you mean '{verb}'?", first.display()))
+}
+
+fn help(verb: Option<&PathBuf>) -> String {
+    let verbs = verbs();
+    let verb = verb.and_then(|word| {
+        let word = word.to_str()?;
+        verbs.iter().find(|verb| *verb == word).cloned().or_else(|| near(Path::new(word)))
+    });
+    match verb {
+        Some(verb) => format!("'help' is neither a verb nor a file: did you mean '{verb} --help'?"),
+        None => "'help' is neither a verb nor a file: did you mean '--help'?".to_owned(),
+    }
+}
+
+/// The number of a word such as `20` or `20kg`.
+fn kilograms(word: &Path) -> Option<String> {
+    let number = word.to_str()?.trim_end_matches("kg");
+    number.parse::<Kilograms>().ok().map(|_| number.to_owned())
+}
+
+/// A verb that is spelled almost like `word`.
+fn near(word: &Path) -> Option<String> {
+    let word = word.to_str()?;
+    let verbs = verbs();
+    nearest(word, verbs.iter().map(String::as_str)).map(str::to_owned)
+}
+
+fn verbs() -> Vec<String> {
+    let command: Command = Cli::command();
+    let mut names: Vec<String> = command.get_subcommands().map(|verb| verb.get_name().to_owned()).collect();
+    // What a model alone means comes first where two are as near.
+    names.sort_by_key(|name| *name != Verb::Rescale.name());
+    names
+}
+
+/// The one of `names` that was probably meant by `word`: a part of it, or spelled almost like it.
+fn nearest<'n>(word: &str, names: impl Iterator<Item = &'n str>) -> Option<&'n str> {
+    let flat = |text: &str| text.to_lowercase().replace(['-', '_'], "");
+    let word = flat(word);
+    let is_part = |name: &str| word.len() >= 4 && (name.starts_with(&word) || word.starts_with(name));
+    // Short names are near to everything.
+    let is_near = |name: &str, apart: usize| apart <= usize::from(name.len() > 4) + 1 && apart < word.len();
+    let near = names.filter_map(|name| {
+        let apart = strsim::osa_distance(&flat(name), &word);
+        (is_near(name, apart) || is_part(&flat(name))).then_some((apart, name))
+    });
+    near.min_by_key(|(apart, _)| *apart).map(|(_, name)| name)
+}

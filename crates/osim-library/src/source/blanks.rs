@@ -1,0 +1,67 @@
+//! Names with blanks that came without quotes, so that each part became a word of its own.
+
+use std::ffi::OsString;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+/// More words than this are not one name.
+const MOST: usize = 12;
+
+/// Words that are one name.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SplitName {
+    /// Which of the words.
+    pub words: Range<usize>,
+    /// The name that they make with blanks between them.
+    pub name: PathBuf,
+    /// Whether it is there.
+    pub exists: bool,
+}
+
+impl SplitName {
+    /// The first run of words of which none is a file and which are one together, or which look like one: the last is the first
+    /// with the ending of a model.
+    #[must_use]
+    pub fn find(words: &[PathBuf]) -> Option<Self> {
+        (0..words.len()).find_map(|start| Self::at(words, start))
+    }
+
+    /// The same where it begins with word `start`.
+    pub(super) fn at(words: &[PathBuf], start: usize) -> Option<Self> {
+        let is_part = |word: &&PathBuf| word.as_os_str() != "-" && !word.exists();
+        let rest = words.get(start..)?;
+        // The first part may be the name of a folder or of another file.
+        let parts = rest.iter().skip(1).take_while(is_part).take(MOST).count() + 1;
+        let mut name = rest.first().filter(|word| !word.exists() && !is_model(word))?.as_os_str().to_owned();
+        let mut likely = None;
+        for end in 1..parts {
+            name = joined(name, rest.get(end)?);
+            let path = PathBuf::from(&name);
+            let exists = path.exists();
+            let found = Self { words: start..start + end + 1, name: path, exists };
+            if exists {
+                return Some(found);
+            }
+            likely = likely.or_else(|| is_model(&found.name).then_some(found));
+        }
+        likely
+    }
+
+    /// What is wrong, and what to write.
+    #[must_use]
+    pub fn message(&self, first: &Path) -> String {
+        let (first, name) = (first.display(), self.name.display());
+        let there = if self.exists { format!(", but '{name}' is") } else { String::new() };
+        format!("'{first}' is not a file{there}: a name with a blank needs quotes, \"{name}\"")
+    }
+}
+
+fn joined(mut name: OsString, word: &Path) -> OsString {
+    name.push(" ");
+    name.push(word);
+    name
+}
+
+fn is_model(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("osim"))
+}

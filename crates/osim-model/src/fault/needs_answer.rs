@@ -1,0 +1,168 @@
+//! What looks like a slip: a number that is read as it is, and is done only when the caller says that it is meant.
+
+use std::fmt;
+use std::str::FromStr;
+
+use crate::number::{four_significant, readable};
+use crate::wording::{Input, Phrase, phrase};
+
+/// A question that is answered with yes, by its code.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum Question {
+    /// A mass that may be in another unit.
+    ImplausibleMass,
+    /// A sphere that is larger than the bones around it.
+    ImplausibleRadius,
+    /// A very large number of files.
+    ManyModels,
+}
+
+impl Question {
+    /// Every question.
+    pub const ALL: [Self; 3] = [Self::ImplausibleMass, Self::ImplausibleRadius, Self::ManyModels];
+
+    /// Stable short name, which answers it.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::ImplausibleMass => "implausible-mass",
+            Self::ImplausibleRadius => "implausible-radius",
+            Self::ManyModels => "many-models",
+        }
+    }
+
+    /// The answer: `yes=CODE`.
+    #[must_use]
+    pub fn answer(self) -> Phrase {
+        phrase![Input::Yes.being(self.code())]
+    }
+}
+
+impl fmt::Display for Question {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.code())
+    }
+}
+
+impl FromStr for Question {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        Self::ALL.into_iter().find(|question| question.code() == text).ok_or_else(|| {
+            let codes = Self::ALL.map(|question| question.code());
+            format!("expected the code of a question: {}", codes.join(", "))
+        })
+    }
+}
+
+/// What makes a mass look like a slip.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum MassSlip {
+    /// As many grams as the bodies have kilograms.
+    Grams,
+    /// As many tonnes.
+    Tonnes,
+    /// As many pounds.
+    Pounds,
+    /// The bodies have as many pounds as this has kilograms.
+    BodiesInPounds,
+    /// No animal weighs that.
+    NoAnimal,
+}
+
+/// A number that looks like a slip.
+///
+/// ```
+/// use osim_model::{FaultKind, Fault, MassSlip, NeedsAnswer};
+/// use osim_model::wording::Input;
+///
+/// let grams = NeedsAnswer::Mass { input: Input::TargetMass, kg: 20_000.0, bodies_kg: Some(20.0), slip: MassSlip::Grams };
+/// let fault = Fault::new(FaultKind::NeedsAnswer(grams));
+/// assert_eq!(fault.code(), "implausible-mass");
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum NeedsAnswer {
+    /// A mass.
+    Mass {
+        /// Which.
+        input: Input,
+        /// What was said, kg.
+        kg: f64,
+        /// What the bodies of its model weigh together, where that is known, kg.
+        bodies_kg: Option<f64>,
+        /// Why it looks like a slip.
+        slip: MassSlip,
+    },
+    /// The new radius of a sphere.
+    Radius {
+        /// Name of the sphere.
+        sphere: String,
+        /// What it would be, m.
+        radius_m: f64,
+        /// The longest distance between the joints of its body and of those next to it, m.
+        longest_m: f64,
+        /// What it is in the file, m, where the caller said the new one as a length, which may be in another unit.
+        said_for: Option<f64>,
+    },
+}
+
+impl NeedsAnswer {
+    /// Which question it is.
+    #[must_use]
+    pub const fn question(&self) -> Question {
+        match self {
+            Self::Mass { .. } => Question::ImplausibleMass,
+            Self::Radius { .. } => Question::ImplausibleRadius,
+        }
+    }
+
+    /// What looks wrong, what was probably meant, and how to say that it is right.
+    #[must_use]
+    pub fn phrase(&self) -> Phrase {
+        let mut text = match self {
+            Self::Mass { input, kg, bodies_kg, slip } => mass(*input, *kg, *bodies_kg, *slip),
+            Self::Radius { sphere, radius_m, longest_m, said_for } => {
+                radius(sphere, *radius_m, *longest_m, *said_for).into()
+            }
+        };
+        text.push("; if it is meant, say ");
+        text.push(&self.question().answer());
+        text
+    }
+}
+
+fn mass(input: Input, kg: f64, bodies_kg: Option<f64>, slip: MassSlip) -> Phrase {
+    let bodies = bodies_kg.map(four_significant).unwrap_or_default();
+    let than = |times: &str| format!("{times} the {bodies} kg that the bodies weigh together");
+    let unit = |unit: &str, factor: f64| format!("if it is in {unit}, write {}", readable(kg * factor));
+    let why = match slip {
+        MassSlip::Grams => format!("about {}: {}", than("1000 times"), unit("g", 1.0 / 1000.0)),
+        MassSlip::Tonnes => format!("about {}: {}", than("1/1000 of"), unit("tonnes", 1000.0)),
+        MassSlip::Pounds => format!("about {}: {}", than("2.2 times"), unit("lb", POUND_KG)),
+        MassSlip::BodiesInPounds => {
+            format!("about {}: masses are in kg, in the model too", than("1/2.2 of"))
+        }
+        MassSlip::NoAnimal => "outside 1 mg to 200 t: masses are in kg".to_owned(),
+    };
+    phrase![input.being(readable(kg)), format!(" is {why}")]
+}
+
+fn radius(sphere: &str, radius_m: f64, longest_m: f64, said_for: Option<f64>) -> String {
+    let (radius, longest) = (readable(radius_m), four_significant(longest_m));
+    let meant = said_for.map(|old| {
+        // The unit in which it is most like the one in the file.
+        let (unit, per_metre) = if radius_m / 300.0 > old { ("mm", 1000.0) } else { ("cm", 100.0) };
+        format!(": radii are in m, write {} if it is in {unit}", readable(radius_m / per_metre))
+    });
+    format!(
+        "the radius of {sphere} would be {radius} m, and the joints of its body and of those next to it are at most \
+         {longest} m apart{}",
+        meant.unwrap_or_default()
+    )
+}
+
+/// One pound, by its definition of 1959.
+pub(crate) const POUND_KG: f64 = 0.453_592_37;

@@ -1,0 +1,9 @@
+//! Numbers and ranges as people type them.
+
+mod decimal;
+mod range;
+
+pub use decimal::{
+    LENGTHS, MASSES, UnitSpelling, factor, number, number_in, plain, positive, positive_number,
+};
+pub use range::{Range, spaced, with_colons};

@@ -1,0 +1,53 @@
+//! Plans that ask before they do what looks like a slip.
+
+use std::path::PathBuf;
+
+use osim_model::{Fault, MassRequest, Model, Question};
+use osim_patch::Plan;
+
+use crate::options::{AnswerOptions, InspectionOptions};
+use crate::planner::Planner;
+use crate::reference_state::ReferenceState;
+
+/// A planner that asks where a mass that was said, or a radius that it would write, looks like a slip.
+pub(crate) struct Asking<P> {
+    pub(crate) planner: P,
+    /// The masses that were said of the model.
+    pub(crate) masses: MassRequest,
+    pub(crate) answers: AnswerOptions,
+}
+
+impl<P: Planner> Planner for Asking<P> {
+    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
+        self.answers.ask(self.masses.slip(model)).map_err(Fault::new)?;
+        let plan = self.planner.plan(model)?;
+        match plan.radius_slip(model) {
+            Some(fault) if !self.answers.has(Question::ImplausibleRadius) => Err(fault),
+            _ => Ok(plan),
+        }
+    }
+
+    fn reads(&self) -> Vec<PathBuf> {
+        self.planner.reads()
+    }
+
+    fn name(&self) -> &'static str {
+        self.planner.name()
+    }
+
+    fn inspection(&self) -> InspectionOptions {
+        self.planner.inspection()
+    }
+
+    fn target_gravity_m_s2(&self) -> Option<f64> {
+        self.planner.target_gravity_m_s2()
+    }
+
+    fn reference(&self) -> Option<&ReferenceState> {
+        self.planner.reference()
+    }
+
+    fn settings(&self) -> String {
+        self.planner.settings()
+    }
+}

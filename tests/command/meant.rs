@@ -1,0 +1,138 @@
+//! Words that help: what is said to a call that is nearly right.
+
+use crate::support::{Bench, HUMAN, Ran};
+
+/// A call that is wrong, in one line with what to write.
+#[track_caller]
+fn answered(ran: Ran, name: &str) {
+    let ran = ran.usage().wrote_nothing();
+    assert_eq!(ran.err().lines().count(), 1, "{}", ran.err());
+    ran.looks_like(&format!("meant_{name}"));
+}
+
+#[test]
+fn verbs_that_are_misspelled() {
+    let bench = Bench::human();
+    answered(bench.run("help"), "help");
+    answered(bench.run("help rescale"), "help_rescale");
+    answered(bench.run("help drop_test"), "help_drop_test");
+    answered(bench.run("rescal human.osim --target-mass 80"), "rescal");
+    answered(bench.run("inspct human.osim --stance-limbs 2"), "verb_with_options");
+    answered(bench.run("Check human.osim"), "capital");
+    answered(bench.run("droptest human.osim"), "droptest");
+    answered(bench.run("--hlep"), "hlep");
+    // Nothing is like it.
+    answered(bench.run("xyzzy"), "xyzzy");
+    // A file of that name is a model.
+    bench.write("help", crate::support::fixture(HUMAN.0));
+    bench.run("help").done();
+}
+
+#[test]
+fn names_with_blanks_need_quotes() {
+    let bench = Bench::with(&[(HUMAN.0, "Trex digits.osim"), (HUMAN.0, "human.osim")]);
+    answered(bench.run("Trex digits.osim"), "blank");
+    answered(bench.run("Trex digits.osim --target-mass 80"), "blank_rescaled");
+    answered(bench.run("drop-test Trex digits.osim"), "blank_drop_test");
+    for call in
+        ["inspect Trex digits.osim", "check human.osim Trex digits.osim", "set Trex digits.osim stiffness=x2"]
+    {
+        let ran = bench.run(call).failed().wrote_nothing();
+        let errors: Vec<String> =
+            ran.err().lines().filter(|line| line.starts_with("error: ")).map(str::to_owned).collect();
+        assert_eq!(errors.len(), 1, "{errors:?}");
+        assert!(errors[0].contains("needs quotes, \"Trex digits.osim\""), "{errors:?}");
+    }
+    // No file of the whole name is there either.
+    answered(bench.run("Tyranno saurus.osim"), "blank_unknown");
+}
+
+#[test]
+fn a_number_beside_a_model_is_its_target_mass() {
+    let bench = Bench::human();
+    answered(bench.run("human.osim 20"), "number");
+    answered(bench.run("human.osim 20.5kg"), "number_kg");
+    answered(bench.run("rescale human.osim 20"), "number_rescale");
+}
+
+#[test]
+fn a_folder_does_not_fall() {
+    let bench = Bench::with(&[(HUMAN.0, "lib/human.osim")]);
+    answered(bench.run("drop-test lib"), "drop_test_folder");
+}
+
+#[test]
+fn ranges_of_matlab() {
+    let bench = Bench::human();
+    answered(bench.run("plot sweep human.osim -o f.svg --stiffness 1e5:1e6:10"), "range_plot");
+    answered(bench.run("sweep human.osim --grid stiffness=1e5:1e6:10"), "range_count");
+    answered(bench.run("sweep human.osim --grid stiffness=1e5:1e5:1e6"), "range_steps");
+}
+
+#[test]
+fn numbers_with_units_are_converted() {
+    let bench = Bench::human();
+    for (unit, number) in [("g", "44g"), ("lb", "44lb"), ("kg", "44kg"), ("unknown", "44stone")] {
+        answered(bench.run(&format!("human.osim --target-mass {number}")), &format!("mass_{unit}"));
+    }
+    for (unit, number) in [("mm", "32mm"), ("cm", "3.2cm"), ("m", "0.032m")] {
+        answered(
+            bench.run(&format!("human.osim --target-mass 62 --radius {number}")),
+            &format!("radius_{unit}"),
+        );
+    }
+    answered(bench.run("set human.osim radius=32mm"), "radius_set");
+}
+
+#[test]
+fn every_quantity_is_explained_with_its_trap() {
+    let bench = Bench::new();
+    for name in ["stiffness", "radius", "alpha", "hertz_smoothing", "x/R"] {
+        bench
+            .run(&format!("explain {name}"))
+            .done()
+            .looks_like(&format!("explain_quantity_{}", name.replace('/', "_")));
+    }
+    bench.run("explain alpha --format json").done().looks_like("explain_quantity_json");
+    // Whatever a table of figures has as a name.
+    let columns = bench.run("drop-test falisse2022 --format csv").done().out();
+    for column in columns.lines().next().unwrap().split(',') {
+        bench.run(&format!("explain {column}")).done().says(&["Trap:"]);
+    }
+}
+
+#[test]
+fn an_empty_file_is_called_empty() {
+    let bench = Bench::human();
+    bench.write("empty.osim", "");
+    bench.write("blank.osim", "\u{feff} \r\n");
+    for name in ["empty.osim", "blank.osim"] {
+        bench.run(name).failed().says(&["the file is empty"]);
+    }
+}
+
+#[test]
+fn a_broken_generic_model_is_reported_once() {
+    let bench = Bench::with(&[HUMAN, (HUMAN.0, "other.osim"), ("bad/truncated.osim", "generic.osim")]);
+    let ran = bench.run("inspect human.osim other.osim --from generic.osim").failed();
+    assert_eq!(ran.err().matches("error: ").count(), 1, "{}", ran.err());
+    // What is wrong is said in one way.
+    assert_eq!(ran.err().matches("truncated").count(), 1, "{}", ran.err());
+}
+
+#[test]
+fn masses_are_short_for_people_and_exact_for_programs() {
+    // Sums of masses end like this one; it has one body.
+    let bench = Bench::with(&[("format/parameters_named.osim", "one.osim")]);
+    let text = bench.text("one.osim");
+    let (before, rest) = text.split_once("<mass>").unwrap();
+    let (_, after) = rest.split_once("</mass>").unwrap();
+    bench.write("one.osim", format!("{before}<mass>20.000000000000018</mass>{after}"));
+    for call in ["inspect", "check"] {
+        let out = bench.run(&format!("{call} one.osim --contacts-mass 30")).out();
+        assert!(!out.contains("20.0000"), "{out}");
+    }
+    bench.run("one.osim --target-mass 30 --contacts-mass 25 --dry-run").done().says(&[" says 20 kg"]);
+    let json = bench.run("inspect one.osim --format json").done().out();
+    assert!(json.contains("20.000000000000018"), "{json}");
+}

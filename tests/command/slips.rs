@@ -1,0 +1,161 @@
+//! Numbers that look like slips: a run asks, and goes on where its code is the answer.
+
+use crate::support::{Bench, Ran};
+
+/// A run that asks: one line on standard error, nothing written, exit status 1.
+#[track_caller]
+fn asks(ran: Ran, name: &str) {
+    let ran = ran.failed().wrote_nothing();
+    assert_eq!(ran.err().lines().filter(|line| line.starts_with("error: ")).count(), 1, "{}", ran.err());
+    ran.looks_like(&format!("slip_{name}"));
+}
+
+#[test]
+fn a_radius_that_was_meant_in_mm_is_asked_about() {
+    // The longest of calcn_r and tibia_r is the tibia, 0.4278 m from knee to ankle; toes_r has calcn_r, 0.1488 m.
+    let bench = Bench::human();
+    asks(bench.run("human.osim --target-mass 62 --radius 32"), "radius_mm");
+    asks(bench.run("human.osim --target-mass 62 --radius 3.2"), "radius_cm");
+    asks(bench.run("set human.osim radius=32"), "radius_set");
+    bench.run("human.osim --target-mass 62 --radius 0.1487 --dry-run").done();
+    bench
+        .run("human.osim --target-mass 62 --radius 0.1489 --dry-run")
+        .failed()
+        .says(&["at most 0.1488 m apart"]);
+    bench
+        .run("human.osim --target-mass 62 --radius 32 --yes implausible-radius")
+        .done()
+        .wrote(&["human.scaled.osim"]);
+    // What is that large in the file already and stays so is no question.
+    bench.run("set human.scaled.osim stiffness=x2 --dry-run").done();
+}
+
+#[test]
+fn a_radius_that_follows_from_a_mass_is_asked_about_too() {
+    // 62 kg to 62 kg x 125 is 5 times the length: 0.032 m to 0.16 m, above the 0.1488 m of the foot.
+    let bench = Bench::human();
+    asks(bench.run("human.osim --target-mass 7750"), "radius_isometric");
+    // 62 kg x 64 is 4 times the length: 0.128 m.
+    bench.run("human.osim --target-mass 3968 --dry-run").done();
+}
+
+#[test]
+fn masses_in_other_units_are_asked_about() {
+    let bench = Bench::human();
+    asks(bench.run("human.osim --target-mass 62000"), "mass_g");
+    asks(bench.run("human.osim --target-mass 0.062"), "mass_t");
+    // 62 kg are 136.69 lb.
+    asks(bench.run("human.osim --target-mass 137"), "mass_lb");
+    // 62 lb are 28.12 kg.
+    asks(bench.run("human.osim --target-mass 28"), "mass_bodies_lb");
+    asks(bench.run("human.osim --target-mass 200001"), "mass_whale");
+    asks(bench.run("human.osim --target-mass 9e-7"), "mass_mite");
+    asks(bench.run("human.osim --target-mass 50 --contacts-mass 62000"), "mass_contacts");
+    asks(bench.run("transfer human.osim --from falisse2022 --mass 62000"), "mass_of_model");
+    asks(bench.run("transfer human.osim --from falisse2022 --reference-mass 300000"), "mass_of_preset");
+    asks(bench.run("transfer human.osim --from human.osim --reference-mass 62000"), "mass_of_reference");
+    bench.run("human.osim --target-mass 137 --yes implausible-mass").done().wrote(&["human.scaled.osim"]);
+}
+
+#[test]
+fn fifteen_per_cent_are_near() {
+    let bench = Bench::human();
+    let asked = |kg: f64| {
+        bench.run(&format!("human.osim --target-mass {kg} --radius keep --dry-run")).status == Some(1)
+    };
+    // 62 kg times 1000, 1/1000, 2.2046 and 1/2.2046, each with 14 % and 16 % to both sides.
+    for factor in [1000.0, 1e-3, 2.2046, 1.0 / 2.2046] {
+        for (share, expected) in [(0.84, false), (0.86, true), (1.14, true), (1.16, false)] {
+            let kg = 62.0 * factor * share;
+            assert_eq!(asked(kg), expected, "{kg}");
+        }
+    }
+}
+
+#[test]
+fn verbs_that_only_read_ask_too() {
+    let bench = Bench::human();
+    for call in
+        ["inspect human.osim", "check human.osim", "drop-test human.osim", "plot force human.osim -o f.svg"]
+    {
+        bench
+            .run(&format!("{call} --mass 62000"))
+            .failed()
+            .wrote_nothing()
+            .says(&["say --yes implausible-mass"]);
+    }
+    bench.run("inspect human.osim --mass 62000 --yes implausible-mass").done();
+}
+
+#[test]
+fn the_answer_is_a_code_and_never_read_from_standard_input() {
+    let bench = Bench::human();
+    bench.run_with("human.osim --target-mass 62000", b"yes\ny\n").failed().wrote_nothing();
+    bench.run("human.osim --target-mass 62000 --yes implausible-radius").failed().wrote_nothing();
+    let unknown = bench.run("human.osim --target-mass 62000 --yes really");
+    unknown.usage().wrote_nothing().looks_like("slip_unknown_code");
+    let both = "--yes implausible-mass --yes implausible-radius";
+    bench.run(&format!("human.osim --target-mass 62000 {both}")).done().wrote(&["human.scaled.osim"]);
+    bench.run("explain implausible-mass").done().looks_like("explain_implausible_mass");
+}
+
+#[test]
+fn json_has_code_and_key() {
+    let bench = Bench::human();
+    bench.run("human.osim --target-mass 62000 --format json").failed().looks_like("slip_json");
+    let request = |yes: &str| {
+        format!(r#"{{"verb":"rescale","models":"human.osim","target_mass":62000{yes},"radius":"keep"}}"#)
+    };
+    bench.run_with("request -", request("").as_bytes()).failed().wrote_nothing();
+    let answered = request(r#","yes":"implausible-mass""#);
+    bench.run_with("request -", answered.as_bytes()).done().wrote(&["human.scaled.osim"]);
+}
+
+#[test]
+fn tables_have_a_column_for_answers() {
+    let bench = Bench::human();
+    bench.write(
+        "m.csv",
+        "model,target-mass,radius,yes,output\n\
+         human.osim,137,keep,,a.osim\n\
+         human.osim,137,keep,implausible-mass,b.osim\n\
+         human.osim,137,32,implausible-mass;implausible-radius,c.osim\n",
+    );
+    bench.run("batch m.csv").failed().wrote(&["b.osim", "c.osim"]).says(&["say --yes implausible-mass"]);
+    bench.run("batch m.csv --force --yes implausible-mass").done().says(&["3 written"]);
+}
+
+#[test]
+fn sweeps_ask_before_they_write() {
+    let bench = Bench::human();
+    let call = "sweep human.osim --grid target-mass=50,137";
+    asks(bench.run(call), "sweep");
+    bench.run(&format!("{call} --yes implausible-mass")).done();
+}
+
+#[test]
+fn a_mass_that_is_proposed_comes_with_its_answer() {
+    // Contacts scaled to 137 kg under a body that still weighs 62 kg.
+    let bench = Bench::human();
+    bench.run("human.osim --target-mass 137 --yes implausible-mass").done();
+    let noted = bench.run("drop-test human.scaled.osim").done();
+    assert!(noted.err().contains("say --mass 137 with --yes implausible-mass"), "{}", noted.err());
+    bench.run("drop-test human.scaled.osim --mass 137 --yes implausible-mass").done();
+}
+
+#[test]
+fn what_check_proposes_runs_as_it_is_printed() {
+    // Contacts of the published 62 kg human under a body of 28 kg: the masses are 2.2 apart.
+    let bench = Bench::with(&[("table1/human_62kg_hunt_crossley.osim", "human.osim")]);
+    let text = bench.text("human.osim");
+    let lighter = [("42.0390625", "8.0390625")];
+    let text = lighter.iter().fold(text, |text, (from, to)| text.replace(from, to));
+    bench.write("child.osim", text);
+    let checked = bench.run("check child.osim").out();
+    let proposed =
+        checked.lines().filter_map(|line| Some(line.split_once("osim-contact-scale ")?.1.to_owned()));
+    let rescale: Vec<String> = proposed.filter(|call| call.contains("--contacts-mass")).collect();
+    assert_eq!(rescale.len(), 1, "{checked}");
+    assert!(rescale[0].contains("--yes implausible-mass"), "{}", rescale[0]);
+    bench.run(&rescale[0]).done().wrote(&["child.scaled.osim"]);
+}
