@@ -30,6 +30,7 @@ mod load_sharing;
 mod mass_mismatch;
 mod options;
 mod quantity;
+mod reference_state;
 mod serialized;
 pub mod series;
 
@@ -44,4 +45,5 @@ pub use load_sharing::LoadSharing;
 pub use mass_mismatch::MassMismatch;
 pub use options::{InspectOptions, Stance};
 pub use quantity::Quantity;
+pub use reference_state::ReferenceState;
 pub use serialized::{FindingRecord, ObjectSchema, SCHEMA_VERSION};
