@@ -32,6 +32,7 @@ mod mass_mismatch;
 mod options;
 mod placement;
 mod quantity;
+mod reference_state;
 mod serialized;
 pub mod series;
 
@@ -48,4 +49,5 @@ pub use mass_mismatch::MassMismatch;
 pub use options::{InspectOptions, Stance};
 pub use placement::{PlacedSphere, Placement};
 pub use quantity::Quantity;
+pub use reference_state::ReferenceState;
 pub use serialized::{FindingRecord, ObjectSchema, SCHEMA_VERSION};

@@ -1,14 +1,15 @@
 //! A model before and after: seen before anything is written.
 
 use osim_inspect::series::Body;
-use osim_inspect::{CheckResult, Figures, InspectOptions, Inspection, can_be_changed, check_known};
+use osim_inspect::{
+    CheckResult, Figures, InspectOptions, Inspection, ReferenceState, can_be_changed, check_known,
+};
 use osim_model::RemedyDialect;
 use osim_model::files::{Failure, ModelFiles, OpenModel};
 use osim_model::{Property, same_mass};
 use osim_patch::Plan;
 
 use crate::planner::Planner;
-use crate::reference_state::ReferenceState;
 
 /// What is known of both states of a model, spelled.
 #[derive(Debug)]

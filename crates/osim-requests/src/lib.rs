@@ -40,7 +40,6 @@ mod planner;
 mod planning;
 mod plot;
 mod presets;
-mod reference_state;
 mod relation;
 mod remedy;
 mod request;
@@ -61,7 +60,6 @@ pub use inspector::Inspector;
 pub use opening::{open_with, scale_file};
 pub use planner::{Change, Planner};
 pub use presets::presets;
-pub use reference_state::ReferenceState;
 pub use request::{
     AxesChoice, BatchRequest, BranchChoice, CheckRequest, Deny, DesignRequest, DropTestRequest,
     ExplainRequest, FitRequest, HeatOptions, InspectRequest, NoteRequest, PlotKind, PlotRequest,

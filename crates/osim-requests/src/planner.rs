@@ -2,13 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
+use osim_inspect::ReferenceState;
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::{Fault, Model};
 use osim_patch::Plan;
 
 use crate::opening::open_with;
 use crate::options::{InspectionOptions, OutputOptions, SetFiles};
-use crate::reference_state::ReferenceState;
 
 /// Plans the change of one model after the other, on any thread.
 pub trait Planner: Send + Sync {

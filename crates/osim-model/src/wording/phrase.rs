@@ -38,6 +38,16 @@ impl Phrase {
         phrase
     }
 
+    /// Several phrases as one, with `mark` between them; `None` where there are none.
+    #[must_use]
+    pub fn joined(phrases: impl IntoIterator<Item = Self>, mark: &'static str) -> Option<Self> {
+        phrases.into_iter().reduce(|mut all, next| {
+            all.push(mark);
+            all.push(&next);
+            all
+        })
+    }
+
     /// Adds a part, or all of another phrase.
     pub fn push(&mut self, part: impl IntoParts) {
         self.0.extend(part.into_parts());

@@ -2,11 +2,10 @@
 
 use maud::{Markup, html};
 use osim_inspect::series::Body;
-use osim_inspect::{CheckResult, Figures, Inspection};
+use osim_inspect::{CheckResult, Figures, Inspection, ReferenceState};
 use osim_model::readable;
 use osim_model::wording::Dialect;
 use osim_patch::{Change, Move, Plan};
-use osim_requests::ReferenceState;
 
 use super::detail_level::DetailLevel;
 use super::entry::Entry;

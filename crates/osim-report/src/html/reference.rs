@@ -2,9 +2,9 @@
 
 use contact_scaling::DimensionlessContact;
 use maud::{Markup, html};
+use osim_inspect::ReferenceState;
 use osim_inspect::series::{Body, SphereKind};
 use osim_model::{four_significant, readable};
-use osim_requests::ReferenceState;
 
 use super::fragment::{Fragment, table};
 

@@ -2,12 +2,12 @@
 
 use std::path::PathBuf;
 
+use osim_inspect::ReferenceState;
 use osim_model::{Fault, MassRequest, Model, Question};
 use osim_patch::Plan;
 
 use crate::options::{AnswerOptions, InspectionOptions};
 use crate::planner::Planner;
-use crate::reference_state::ReferenceState;
 
 /// A planner that asks where a mass that was said, or a radius that it would write, looks like a slip.
 pub(crate) struct Asking<P> {

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use osim_inspect::LoadSharing;
+use osim_inspect::{LoadSharing, ReferenceState};
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::wording::{Input, phrase};
 use osim_model::{
@@ -14,7 +14,6 @@ use osim_patch::{Reference, ScaleFile, reference_of_model};
 use crate::fault::RequestFault;
 use crate::opening::{open, scale_file};
 use crate::planner::file_name;
-use crate::reference_state::ReferenceState;
 use crate::request::TransferRequest;
 use crate::subject::Named;
 use crate::value::{Acceleration, Count, Kilograms};

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use contact_scaling::Ratios;
-use osim_inspect::LoadSharing;
+use osim_inspect::{LoadSharing, ReferenceState};
 use osim_model::files::{Failure, Files};
 use osim_model::wording::{Input, phrase};
 use osim_model::{
@@ -23,7 +23,6 @@ use crate::options::{
     CountOptions, FollowOptions, InspectionOptions, RuleChoice, ScalingOptions, StanceOptions,
 };
 use crate::planner::{Change, Planner};
-use crate::reference_state::ReferenceState;
 use crate::request::TransferRequest;
 use crate::value::{Acceleration, Kilograms, Positive, Radius};
 
@@ -189,7 +188,7 @@ fn check_radii(request: &TransferRequest) -> Result<(), RequestFault> {
     if scaling.level && !follow.follow_bodies && stays {
         let message = phrase![
             Input::Level,
-            " says nothing here: radii stay, and bottoms with them; say what becomes of radii with ",
+            " says nothing here: radii stay, and bottoms with them; say other radii with ",
             Input::Radius.being("isometric"),
             " (or metres, or a factor), or move spheres with their bodies by ",
             Input::FollowBodies,
@@ -205,13 +204,9 @@ fn check_radii(request: &TransferRequest) -> Result<(), RequestFault> {
             Input::Radius,
             " says nothing with ",
             Input::FollowBodies,
-            ": radii follow the bodies (",
+            ": radii follow the bodies, by ",
             Input::RadiusAxis,
-            "), are as large against the body as the reference's (",
-            Input::Radius.being("isometric"),
-            "), are metres, or stay (",
-            Input::Radius.being("keep"),
-            ")",
+            ", or are isometric, metres or kept",
         ];
         return Err(RequestFault::refused(Input::Radius, message));
     }

@@ -68,19 +68,16 @@ impl Columns {
         let mut columns: Vec<Column> = Vec::new();
         let mut wrong: Vec<Phrase> = Vec::new();
         for cell in header {
+            let twice = |one: &Column, other: &Column| (&one.field, one.kind) == (&other.field, other.kind);
             match column(cell, &known) {
                 Err(message) => wrong.push(message),
-                Ok(column) => {
-                    let twice = |other: &Column| (&other.field, other.kind) == (&column.field, column.kind);
-                    if column.kind != Kind::Remark && columns.iter().any(twice) {
-                        wrong.push(format!("the column '{cell}' appears twice, expected one").into());
-                    } else {
-                        columns.push(column);
-                    }
+                Ok(one) if one.kind != Kind::Remark && columns.iter().any(|other| twice(&one, other)) => {
+                    wrong.push(format!("the column '{cell}' appears twice, expected one").into());
                 }
+                Ok(column) => columns.push(column),
             }
         }
-        if let Some(message) = all_of(wrong) {
+        if let Some(message) = Phrase::joined(wrong, "; ") {
             return Err(message);
         }
         let Some(model) = columns.iter().find(|column| column.kind == Kind::Model) else {
@@ -103,15 +100,6 @@ impl Columns {
             self.columns.iter().find(|column| column.field == field && column.kind != Kind::Model)?;
         Some(&column.header)
     }
-}
-
-/// Everything that is wrong with the first row, in one message.
-fn all_of(wrong: Vec<Phrase>) -> Option<Phrase> {
-    wrong.into_iter().reduce(|mut all, next| {
-        all.push("; ");
-        all.push(&next);
-        all
-    })
 }
 
 fn listed(header: &[String]) -> String {

@@ -1,10 +1,12 @@
 //! What a transfer takes its contacts from, as reports show it beside the model.
 
 use contact_scaling::Preset;
-use osim_inspect::series::Body;
-use osim_inspect::{Figures, InspectOptions, Stance};
 use osim_model::files::OpenModel;
 use osim_model::{MassRequest, Selection};
+
+use crate::figures::Figures;
+use crate::options::{InspectOptions, Stance};
+use crate::series::Body;
 
 /// A reference: what its spheres do, under its own weight.
 #[derive(Debug, Clone)]
@@ -20,7 +22,8 @@ pub struct ReferenceState {
 
 impl ReferenceState {
     /// A preset, with what the caller says of it.
-    pub(crate) fn of_preset(preset: &Preset, mass_kg: f64, spheres: f64, gravity_m_s2: Option<f64>) -> Self {
+    #[must_use]
+    pub fn of_preset(preset: &Preset, mass_kg: f64, spheres: f64, gravity_m_s2: Option<f64>) -> Self {
         let masses = MassRequest { model_kg: Some(mass_kg), ..MassRequest::default() };
         let stance = Stance { spheres: Some(spheres), gravity_m_s2, ..Stance::default() };
         let name = preset.name.to_string();
@@ -28,7 +31,8 @@ impl ReferenceState {
     }
 
     /// A model, under the weight that its contacts were made for.
-    pub(crate) fn of_model(
+    #[must_use]
+    pub fn of_model(
         name: String,
         open: &OpenModel,
         selection: Selection,
