@@ -7,7 +7,7 @@ use crate::document::Document;
 use crate::fault::Fault;
 use crate::model::Model;
 use crate::rotation::{Rotation, times};
-use crate::xml::ElementId;
+use osim_xml::ElementId;
 
 mod joints;
 mod pose;
@@ -187,6 +187,11 @@ pub(crate) fn meshes(components: &Components, body: ComponentId) -> BTreeMap<Str
         meshes.insert(key, factors);
     }
     meshes
+}
+
+/// The joints between the bodies of `model`, in file order.
+pub(crate) fn joints_between_bodies(model: &Model) -> Vec<AnatomyJoint> {
+    joints::read(model.components())
 }
 
 fn file_of(document: &Document, element: ElementId, tag: &str) -> String {

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::anatomy::meshes;
+use crate::contacts::Force;
 use crate::model::Model;
 use crate::note::BodySize;
 
@@ -58,7 +59,7 @@ impl Model {
     /// name that a note cannot hold, are left out. Of several meshes the first counts, in the order of their names.
     #[must_use]
     pub fn body_sizes(&self) -> Vec<BodySize> {
-        let spheres = self.forces().iter().flat_map(|force| force.spheres());
+        let spheres = self.forces().iter().flat_map(Force::spheres);
         let carrying: BTreeSet<&str> = spheres
             .filter_map(|sphere| self.sphere(sphere)?.body.as_deref())
             .filter(|name| BodySize::can_name(name))

@@ -7,7 +7,7 @@ use crate::fault::{FileId, NoteDoubt};
 use crate::model::Model;
 use crate::note::Scope;
 use crate::property::Property;
-use crate::xml::ElementId;
+use osim_xml::ElementId;
 
 /// Which number of a model: of which object in which file, and which property.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -2,12 +2,13 @@
 
 use std::sync::OnceLock;
 
+use osim_xml::{ElementId, LineIndex, Position, SyntaxError, Tree};
+
 use crate::class::Class;
 use crate::fault::{Fault, FaultKind};
 use crate::opensim_text::{NumberFault, number, prefix};
 use crate::property::Property;
 use crate::value::{Origin, Value};
-use crate::xml::{ElementId, LineIndex, Position, SyntaxError, Tree, scan};
 
 /// A scanned OpenSim document, with its bytes.
 ///
@@ -225,15 +226,10 @@ impl Document {
     }
 }
 
-impl Tree {
-    /// Scans the bytes of a file, whatever they mean.
-    ///
-    /// # Errors
-    /// What is not one well-formed XML document, with its place.
-    pub fn scan(bytes: impl Into<Vec<u8>>) -> Result<Self, Fault> {
-        scan(bytes.into()).map_err(|SyntaxError { fault, offset, file }| {
-            Fault::at(FaultKind::Syntax(fault), offset).located(file.bytes())
-        })
+impl From<SyntaxError> for Fault {
+    fn from(error: SyntaxError) -> Self {
+        let bytes = error.bytes();
+        Self::at(FaultKind::Syntax(error.fault.clone()), error.offset).located(bytes)
     }
 }
 

@@ -44,7 +44,6 @@ mod fault;
 pub mod files;
 mod finding;
 mod frames;
-mod joints;
 mod limbs;
 mod mass;
 mod model;
@@ -61,10 +60,8 @@ mod side;
 mod skeleton;
 mod slip;
 mod traps;
-pub mod typed;
 mod value;
 pub mod wording;
-mod xml;
 
 pub use anatomy::{Anatomy, AnatomyJoint, AnatomySphere};
 pub use assignment::Assignment;
@@ -82,13 +79,13 @@ pub use finding::{
     Finding, FindingCode, Remedy, RemedyChange, RemedyDesign, RemedyDialect, RemedyLoad, Repair, Seen,
     Severity,
 };
-pub use joints::JointOffset;
 pub use limbs::{Limb, Limbs};
 pub use mass::{Mass, MassRequest, MassSource, SAME_MASS, positive_mass, same_mass};
 pub use model::Model;
 pub use note::{BodySize, Credits, Note, Scope};
 pub use number::{four_significant, readable, shortest};
 pub use opensim_text::NumberFault;
+pub use osim_xml::{Children, ElementId, LineIndex, Piece, PieceKind, Position, RawText, SyntaxFault, Tree};
 pub use pattern::{Pattern, PatternError};
 pub use property::Property;
 pub use rotation::{Axis, LevelAxis, Rotation};
@@ -96,9 +93,8 @@ pub use selected::Selected;
 pub use selection::Selection;
 pub use side::{Side, without_side};
 pub use skeleton::Body;
-pub use slip::mass_slip;
+pub use slip::{JointDistances, mass_slip};
 pub use value::{Origin, Value};
-pub use xml::{Children, ElementId, LineIndex, Piece, PieceKind, Position, RawText, SyntaxFault, Tree};
 
 /// The example of the README compiles.
 #[cfg(doctest)]

@@ -1,6 +1,6 @@
 //! Values as OpenSim reads their text, and as a strict reader reads them.
 
-use crate::xml::RawText;
+use osim_xml::RawText;
 
 /// Why a text is not one plain number.
 #[derive(Debug, Clone, PartialEq)]
@@ -80,10 +80,10 @@ pub(crate) fn prefix(token: &str) -> Option<(f64, usize)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::xml::{ElementId, scan};
+    use osim_xml::{ElementId, Tree};
 
     fn raw(xml: &str) -> RawText {
-        scan(xml.as_bytes().to_vec()).unwrap().raw_text(ElementId::ROOT)
+        Tree::scan(xml).unwrap().raw_text(ElementId::ROOT)
     }
 
     #[track_caller]

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::components::{Base, ComponentId, Components};
+use crate::anatomy::joints_between_bodies;
 use crate::contacts::Sphere;
 use crate::fault::{MassSlip, NeedsAnswer};
 use crate::mass::MassRequest;
@@ -57,81 +57,55 @@ impl MassRequest {
     }
 }
 
-/// Joints on each body, in its frame, m; and the bodies that each is joined to.
-#[derive(Default)]
-struct Joints {
-    places: BTreeMap<ComponentId, Vec<[f64; 3]>>,
-    neighbours: BTreeMap<ComponentId, BTreeSet<ComponentId>>,
+/// How far apart the joints of each body are: a measure of how large the bones around a sphere are.
+#[derive(Debug, Clone, Default)]
+pub struct JointDistances {
+    /// The longest distance between two joints of a body, m, by its name.
+    longest_m: BTreeMap<String, f64>,
+    neighbours: BTreeMap<String, BTreeSet<String>>,
+    longest_of_all_m: Option<f64>,
 }
 
-impl Joints {
-    fn of(components: &Components) -> Self {
-        let mut joints = Self::default();
-        for (joint, _) in components.tree.iter().filter(|(id, _)| components.tag(*id).ends_with("Joint")) {
-            let ends = components.joint_ends(joint);
-            for (body, place) in ends.iter().flatten() {
-                joints.places.entry(*body).or_default().push(*place);
-            }
-            if let [Some((parent, _)), Some((child, _))] = ends {
-                joints.neighbours.entry(parent).or_default().insert(child);
-                joints.neighbours.entry(child).or_default().insert(parent);
-            }
+impl JointDistances {
+    /// Reads the joints between the bodies of `model`.
+    #[must_use]
+    pub fn of(model: &Model) -> Self {
+        let mut found = Self::default();
+        let mut places: BTreeMap<String, Vec<[f64; 3]>> = BTreeMap::new();
+        for joint in joints_between_bodies(model) {
+            places.entry(joint.parent.clone()).or_default().push(joint.in_parent_m);
+            places.entry(joint.child.clone()).or_default().push(joint.in_child_m);
+            found.neighbours.entry(joint.parent.clone()).or_default().insert(joint.child.clone());
+            found.neighbours.entry(joint.child).or_default().insert(joint.parent);
         }
-        joints
+        let longest = |(body, places): (String, Vec<[f64; 3]>)| Some((body, longest_m(&places)?));
+        found.longest_m = places.into_iter().filter_map(longest).collect();
+        found.longest_of_all_m = found.longest_m.values().copied().reduce(f64::max);
+        found
     }
 
-    /// The longest distance between two joints of one body, of all of `bodies`; `None` where no body has two that are apart.
-    fn longest_m<'b>(&self, bodies: impl Iterator<Item = &'b ComponentId>) -> Option<f64> {
-        let places = bodies.filter_map(|body| self.places.get(body));
-        let pairs =
-            places.flat_map(|places| places.iter().flat_map(move |a| places.iter().map(move |b| (a, b))));
-        let apart = pairs.map(|(a, b)| a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt());
-        apart.filter(|metres| metres.is_finite() && *metres > 0.0).reduce(f64::max)
-    }
-}
-
-impl Components {
-    /// Parent and child body of a joint, each with the joint's place in its frame; `None` for ground and for what leads nowhere.
-    fn joint_ends(&self, joint: ComponentId) -> [Option<(ComponentId, [f64; 3])>; 2] {
-        let owner = self.tree.get(joint).and_then(|object| object.parent);
-        let inside = owner.filter(|&id| self.tag(id) == "Body");
-        let frame = |end: &str| {
-            let (socket, legacy) = (format!("{end}_frame"), format!("{end}_body"));
-            let named =
-                self.connectee(joint, &socket, &[&legacy]).or_else(|| self.connectee(joint, &legacy, &[]));
-            named.and_then(|named| self.frame(joint, &named)?.component)
-        };
-        // Documents of version 3 have the places in the joint, later ones in frames.
-        let own = |tag| self.doc(joint).triple(self.element(joint), tag).unwrap_or([0.0; 3]);
-        let end = |frame: Option<ComponentId>, tag| {
-            let place = self.in_body(frame, own(tag))?;
-            match self.base(frame).ok()? {
-                Base::Body(body) => Some((body, place)),
-                Base::Ground | Base::Unknown => None,
-            }
-        };
-        [end(frame("parent"), "location_in_parent"), end(frame("child").or(inside), "location")]
-    }
-}
-
-impl Model {
     /// The longest distance between two joints of one body: of the body that carries `sphere` and of those that it is joined
     /// to; where none of them has two joints that are apart, of all bodies. `None` where no body has.
     #[must_use]
-    pub fn longest_joint_distance_m(&self, sphere: &Sphere) -> Option<f64> {
-        let Base::Body(body) = sphere.base else { return None };
-        let joints = Joints::of(self.components());
-        let near = joints.neighbours.get(&body).into_iter().flatten().chain([&body]);
-        joints.longest_m(near).or_else(|| joints.longest_m(joints.places.keys()))
+    pub fn around(&self, sphere: &Sphere) -> Option<f64> {
+        let body = sphere.body.as_ref()?;
+        let near = self.neighbours.get(body).into_iter().flatten().chain([body]);
+        near.filter_map(|body| self.longest_m.get(body)).copied().reduce(f64::max).or(self.longest_of_all_m)
     }
 
     /// Whether `sphere` would be larger than the bones around it with this radius. `said` where the caller said it as a length,
     /// which may be in another unit.
     #[must_use]
     pub fn radius_slip(&self, sphere: &Sphere, radius_m: f64, said: bool) -> Option<NeedsAnswer> {
-        let longest_m = self.longest_joint_distance_m(sphere)?;
+        let longest_m = self.around(sphere)?;
         let said_for = said.then_some(sphere.radius.number);
         let sphere = sphere.name.clone();
         (radius_m > longest_m).then_some(NeedsAnswer::Radius { sphere, radius_m, longest_m, said_for })
     }
+}
+
+fn longest_m(places: &[[f64; 3]]) -> Option<f64> {
+    let pairs = places.iter().enumerate().flat_map(|(at, a)| places.iter().skip(at + 1).map(move |b| (a, b)));
+    let apart = pairs.map(|(a, b)| a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt());
+    apart.filter(|metres| metres.is_finite() && *metres > 0.0).reduce(f64::max)
 }

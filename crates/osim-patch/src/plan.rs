@@ -6,7 +6,8 @@ use std::collections::{BTreeMap, HashMap};
 
 use osim_model::wording::{Dialect, Phrase};
 use osim_model::{
-    Class, ElementId, Fault, FileId, Finding, Mass, Model, Note, Property, Scope, Slot, ValueKey, shortest,
+    Class, ElementId, Fault, FileId, Finding, JointDistances, Mass, Model, Note, Property, Scope, Slot,
+    Sphere, ValueKey, shortest,
 };
 
 use crate::edit::{Edit, Patch};
@@ -263,10 +264,15 @@ impl Plan {
     /// The first new radius that looks like a slip: a sphere larger than the bones around it. Radii that stay are not asked about.
     #[must_use]
     pub fn radius_slip(&self, model: &Model) -> Option<Fault> {
-        self.changes.iter().filter(|change| change.property == Property::Radius).find_map(|change| {
-            let sphere = model.spheres().iter().find(|sphere| sphere.path == change.path)?;
+        let mut radii = self.changes.iter().filter(|change| change.property == Property::Radius).peekable();
+        radii.peek()?;
+        let distances = JointDistances::of(model);
+        let spheres: HashMap<&str, &Sphere> =
+            model.spheres().iter().map(|sphere| (sphere.path.as_str(), sphere)).collect();
+        radii.find_map(|change| {
+            let sphere = spheres.get(change.path.as_str())?;
             let said = change.equation == "given" && change.factor.is_none();
-            let asks = model.radius_slip(sphere, change.to, said)?;
+            let asks = distances.radius_slip(sphere, change.to, said)?;
             Some(Fault::at(asks, sphere.radius.offset).of(change.path.clone()).in_file(change.file()))
         })
     }

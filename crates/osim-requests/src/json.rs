@@ -9,7 +9,7 @@ use serde_json::{Map, Value};
 use crate::fault::RequestFault;
 use crate::request::Request;
 use crate::unique;
-use crate::value::path;
+use osim_values::path;
 
 /// What some editors write before a text in UTF-8.
 const UTF8_MARK: &[u8] = b"\xEF\xBB\xBF";

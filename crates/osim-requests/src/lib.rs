@@ -25,6 +25,7 @@
 
 mod before_after;
 mod calculator;
+mod choice;
 #[cfg(feature = "clap")]
 pub mod command_line;
 mod dictionary;
@@ -49,7 +50,6 @@ mod subject;
 mod sweep;
 mod table;
 mod unique;
-mod value;
 
 pub use before_after::BeforeAfter;
 pub use calculator::{DesignFigure, DesignLimit, DesignQuantity, DesignSheet};
@@ -58,6 +58,11 @@ pub use fault::{RequestError, RequestFault};
 pub use fit::FitResult;
 pub use inspector::Inspector;
 pub use opening::{open_with, scale_file};
+pub use osim_values::{
+    Acceleration, Assignments, Axis, AxisName, BodyScale, ConstantIndentation, ContactOnset, Count, Dpi,
+    Grid, GridValue, Height, Kilograms, NotNegative, PoissonRatio, Positive, Radius, RelativeIndentation,
+    RestitutionCoefficient, Samples, Shard, Threshold, assignment,
+};
 pub use planner::{Change, Planner};
 pub use presets::presets;
 pub use request::{
@@ -69,8 +74,3 @@ pub use request::{
 pub use subject::may_be_file;
 pub use sweep::{SweepPlan, VariantMade};
 pub use table::{RowFault, RowRequest, Table};
-pub use value::{
-    Acceleration, Assignments, Axis, AxisName, BodyScale, ConstantIndentation, ContactOnset, Count, Dpi,
-    Grid, GridValue, Height, Kilograms, NotNegative, PoissonRatio, Positive, Radius, RelativeIndentation,
-    RestitutionCoefficient, Samples, Shard, Threshold, assignment,
-};

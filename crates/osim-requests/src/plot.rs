@@ -10,7 +10,7 @@ use osim_model::{Fault, MassRequest};
 use crate::fault::{RequestError, RequestFault};
 use crate::request::{PlotKind, PlotRequest};
 use crate::subject::Subject;
-use crate::value::{Kilograms, Positive};
+use osim_values::{Kilograms, Positive};
 
 impl PlotRequest {
     /// `true` for a figure of the paper, which shows its own animals.

@@ -9,7 +9,7 @@ use crate::options::{
     SetFiles, WantedOptions,
 };
 use crate::request::{DesignRequest, Request, RescaleRequest, SetRequest, TransferRequest};
-use crate::value::{
+use osim_values::{
     Acceleration, Assignments, ConstantIndentation, Count, Kilograms, Positive, RelativeIndentation,
     RestitutionCoefficient,
 };

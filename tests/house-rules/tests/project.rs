@@ -16,10 +16,11 @@ use house_rules::{Ban, Limits, Workspace};
 
 /// From the lowest to the highest. Crates of one layer do not know each other.
 const LAYERS: &[&[&str]] = &[
-    &["contact-plots", "contact-scaling", "house-rules"],
+    &["contact-plots", "contact-scaling", "house-rules", "osim-xml"],
     &["osim-model"],
     &["osim-patch"],
     &["osim-inspect"],
+    &["osim-values"],
     &["osim-requests"],
     &["osim-library", "osim-report"],
     &["osim-contact-scale"],
@@ -35,6 +36,8 @@ const LIBRARIES: &[&str] = &[
     "osim-patch",
     "osim-report",
     "osim-requests",
+    "osim-values",
+    "osim-xml",
 ];
 
 /// The one file below the command that spells options: the dialect of the command line.
@@ -71,9 +74,15 @@ const BANS: &[Ban<'_>] = &[
         dependencies: &["clap", "contact-scaling", "osim-model", "quick-xml", "serde", "toml"],
         paths: OUTSIDE,
     },
-    Ban { in_crate: "osim-model", dependencies: &["clap", "serde", "toml", "walkdir"], paths: OUTSIDE },
+    Ban { in_crate: "osim-xml", dependencies: &["clap", "serde", "toml", "walkdir"], paths: OUTSIDE },
+    Ban {
+        in_crate: "osim-model",
+        dependencies: &["clap", "quick-xml", "serde", "toml", "walkdir"],
+        paths: OUTSIDE,
+    },
     Ban { in_crate: "osim-patch", dependencies: &["clap", "quick-xml", "serde", "toml"], paths: OUTSIDE },
     Ban { in_crate: "osim-inspect", dependencies: &["clap", "maud", "quick-xml", "toml"], paths: OUTSIDE },
+    Ban { in_crate: "osim-values", dependencies: &["clap", "maud", "quick-xml", "walkdir"], paths: OUTSIDE },
     Ban { in_crate: "osim-requests", dependencies: &["maud", "quick-xml", "walkdir"], paths: OUTSIDE },
     Ban { in_crate: "osim-report", dependencies: &["clap", "quick-xml", "toml", "walkdir"], paths: OUTSIDE },
     Ban { in_crate: "osim-library", dependencies: &["clap", "maud", "quick-xml"], paths: TERMINAL },

@@ -1,7 +1,9 @@
 //! Questions that a remedy would be asked: what was found answers them, so that its command runs as it is printed.
 
 use osim_model::wording::Input;
-use osim_model::{MassRequest, Model, NeedsAnswer, Question, Remedy, RemedyChange, mass_slip};
+use osim_model::{
+    JointDistances, MassRequest, Model, NeedsAnswer, Question, Remedy, RemedyChange, mass_slip,
+};
 
 /// Answers what `remedy` would be asked for `model`.
 pub(super) fn answer(remedy: &mut Remedy, model: &Model, masses: &MassRequest) {
@@ -11,12 +13,13 @@ pub(super) fn answer(remedy: &mut Remedy, model: &Model, masses: &MassRequest) {
     let own = mass(Input::Mass, load.and_then(|load| load.mass_kg));
     let asked: Vec<NeedsAnswer> = match &remedy.change {
         RemedyChange::Rescale { contacts_mass_kg, target_mass_kg } => {
+            let distances = JointDistances::of(model);
             let ratio = (target_mass_kg / contacts_mass_kg).cbrt();
             let said = [(Input::ContactsMass, *contacts_mass_kg), (Input::TargetMass, *target_mass_kg)];
             let of_masses = said.into_iter().filter_map(|(input, kg)| mass(input, Some(kg)));
             let of_radii = model.spheres().iter().filter_map(|sphere| {
                 let radius_m = sphere.radius_m().ok()?;
-                model.radius_slip(sphere, radius_m * ratio, false)
+                distances.radius_slip(sphere, radius_m * ratio, false)
             });
             of_masses.chain(of_radii).chain(own).collect()
         }

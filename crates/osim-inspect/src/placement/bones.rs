@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use osim_model::{Anatomy, JointOffset, Model};
+use osim_model::{Anatomy, AnatomyJoint, Model};
 
 /// How far a standard bone reaches along x of its body, m, at factor 1: `r_foot.vtp` and `r_bofoot.vtp` of OpenSim's Geometry,
 /// their least and largest x.
@@ -16,14 +16,14 @@ const FOOT_WORDS: [&str; 9] = ["foot", "calc", "toe", "talus", "tars", "pes", "p
 /// What the bones of a model say.
 pub(super) struct Bones {
     meshes: BTreeMap<String, BTreeMap<String, [f64; 3]>>,
-    joints: Vec<JointOffset>,
+    joints: Vec<AnatomyJoint>,
 }
 
 impl Bones {
     /// `None` where the anatomy cannot be read.
     pub(super) fn of(model: &Model) -> Option<Self> {
-        let meshes = Anatomy::of(model).ok()?.meshes;
-        Some(Self { meshes, joints: model.joint_offsets() })
+        let Anatomy { meshes, joints, .. } = Anatomy::of(model).ok()?;
+        Some(Self { meshes, joints })
     }
 
     /// The factors of the meshes of `body`; `None` without meshes, or where these differ.
@@ -34,12 +34,12 @@ impl Bones {
     }
 
     /// The next joints of `body`.
-    pub(super) fn next_joints<'b>(&'b self, body: &'b str) -> impl Iterator<Item = &'b JointOffset> {
+    pub(super) fn next_joints<'b>(&'b self, body: &'b str) -> impl Iterator<Item = &'b AnatomyJoint> {
         self.joints.iter().filter(move |joint| joint.parent == body)
     }
 
     /// The joint by which `body` hangs on another one.
-    pub(super) fn joint_above(&self, body: &str) -> Option<&JointOffset> {
+    pub(super) fn joint_above(&self, body: &str) -> Option<&AnatomyJoint> {
         self.joints.iter().find(|joint| joint.child == body)
     }
 

@@ -6,7 +6,7 @@ use crate::components::{ComponentId, Components};
 use crate::document::Document;
 use crate::opensim_text::prefix;
 use crate::rotation::Rotation;
-use crate::xml::ElementId;
+use osim_xml::ElementId;
 
 /// Three axes of rotation and three of translation, in the order in which OpenSim applies them.
 const ROTATIONS: [&str; 3] = ["rotation1", "rotation2", "rotation3"];

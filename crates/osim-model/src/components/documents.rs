@@ -6,7 +6,7 @@
 use super::tree::{ComponentId, ComponentTree};
 use crate::document::Document;
 use crate::fault::{Fault, FaultKind, FileId};
-use crate::xml::ElementId;
+use osim_xml::ElementId;
 
 /// A file that belongs to the model beside its main one, for [`Model::read_with`](crate::Model::read_with).
 ///

@@ -8,7 +8,7 @@ use std::collections::{HashMap, HashSet};
 use super::classes;
 use crate::document::Document;
 use crate::fault::FileId;
-use crate::xml::ElementId;
+use osim_xml::ElementId;
 
 /// Sets of a model that may hold contacts or what they are attached to; markers, muscles' path points and the like are
 /// skipped, which keeps large models fast.

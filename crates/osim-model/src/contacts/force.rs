@@ -9,7 +9,7 @@ use crate::components::Base;
 use crate::fault::{Fault, FileId};
 use crate::property::Property;
 use crate::value::Value;
-use crate::xml::ElementId;
+use osim_xml::ElementId;
 
 /// Which contact force class.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

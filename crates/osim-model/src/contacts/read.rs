@@ -11,7 +11,7 @@ use crate::finding::{Finding, FindingCode};
 use crate::property::Property;
 use crate::skeleton::Skeleton;
 use crate::value::Value;
-use crate::xml::ElementId;
+use osim_xml::ElementId;
 
 /// The frame a geometry is attached to.
 struct Attachment {

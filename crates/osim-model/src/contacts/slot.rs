@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::class::Class;
 use crate::fault::FileId;
-use crate::xml::ElementId;
+use osim_xml::ElementId;
 
 /// Where the text of a property stands, or the object that would get it.
 #[derive(Debug, Clone, PartialEq, Eq)]

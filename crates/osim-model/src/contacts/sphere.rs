@@ -8,7 +8,7 @@ use crate::class::Class;
 use crate::components::{Base, ComponentId};
 use crate::fault::{Fault, FileId};
 use crate::value::Value;
-use crate::xml::ElementId;
+use osim_xml::ElementId;
 
 /// A `ContactSphere` (or, in Moco 0.1 to 0.3 models, the sphere a force keeps inside itself).
 #[derive(Debug, Clone)]

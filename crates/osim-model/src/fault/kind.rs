@@ -6,7 +6,7 @@ use super::needed::Needed;
 use super::needs_answer::NeedsAnswer;
 use crate::opensim_text::NumberFault;
 use crate::wording::{Input, Phrase, Verb, phrase};
-use crate::xml::SyntaxFault;
+use osim_xml::SyntaxFault;
 
 /// Kinds of fault, each with what a program needs to know of it.
 ///

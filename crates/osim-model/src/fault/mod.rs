@@ -15,7 +15,7 @@ use std::fmt;
 use std::ops::Range;
 
 use crate::wording::Phrase;
-use crate::xml::{LineIndex, Position};
+use osim_xml::{LineIndex, Position};
 
 pub use excerpt::Excerpt;
 pub use factor_question::FactorQuestion;

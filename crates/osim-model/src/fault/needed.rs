@@ -3,7 +3,7 @@
 use super::factor_question::FactorQuestion;
 use super::way_out::{GravityFor, RadiusFrom};
 use crate::number::readable;
-use crate::wording::{Input, Phrase, Verb, phrase};
+use crate::wording::{Input, Phrase, phrase};
 
 /// Something that has to be said, because the files do not say it.
 ///
@@ -205,8 +205,9 @@ impl Needed {
     #[must_use]
     pub const fn code(&self) -> &'static str {
         match self {
-            Self::BodyMass { .. } | Self::ModelMass { .. } => "no-mass",
-            Self::ContactsMass { doubt: NoteDoubt::Absent, .. } => "no-mass",
+            Self::BodyMass { .. }
+            | Self::ModelMass { .. }
+            | Self::ContactsMass { doubt: NoteDoubt::Absent, .. } => "no-mass",
             Self::ContactsMass { .. } | Self::ContactsGravity { .. } => "stale-note",
             Self::Selection { .. } => "several-trees",
             Self::SphereCount { .. } => "sphere-count",
@@ -214,8 +215,7 @@ impl Needed {
             Self::ReferenceContact { .. }
             | Self::ReferenceContactOfForce { .. }
             | Self::ReferenceRadius { .. } => "which-reference",
-            Self::NotedSizes => "body-scale",
-            Self::BodyFactors { .. } | Self::Factors(_) => "body-scale",
+            Self::NotedSizes | Self::BodyFactors { .. } | Self::Factors(_) => "body-scale",
             Self::MovedSpheres { .. } => "moved-spheres",
             Self::Repetition { .. } => "same-operation",
             Self::Geometry | Self::ForceSet => "incomplete-set",
@@ -378,10 +378,8 @@ impl Needed {
                 Input::BodyWeights.like("B"),
             ],
             Self::NotedSizes => phrase![
-                "the note in the file does not say how bodies were scaled since (there is none, or spheres were moved): name \
-                 the model that was scaled with ",
-                Verb::Transfer.of_model().with(Input::From, "GENERIC").and(Input::FollowBodies),
-                ", or the Scale Tool's file with ",
+                "the note in the file does not say how bodies were scaled since (there is none, or spheres were moved): take \
+                 the contacts of the model that was scaled (transfer), or name the Scale Tool's file with ",
                 Input::BodyScaleFile.like("FILE"),
             ],
             Self::Gravity { purpose } => purpose.phrase(),

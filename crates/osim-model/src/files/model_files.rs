@@ -9,7 +9,7 @@ use crate::components::Companion;
 use crate::document::{Document, may_include};
 use crate::fault::{Fault, FileId};
 use crate::model::Model;
-use crate::xml::ElementId;
+use osim_xml::ElementId;
 
 /// Files that belong to a standalone set and are given beside it.
 #[derive(Debug, Clone, Copy, Default)]

@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::data::{Note, Scope, Unreadable};
 use super::grammar::{BEGINS, gravity_m_s2, mass_kg};
 use crate::document::Document;
-use crate::xml::PieceKind;
+use osim_xml::PieceKind;
 
 /// How the comments of earlier versions begin.
 const EARLIER: &str = "osim-contact-scale ";

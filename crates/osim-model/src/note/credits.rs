@@ -8,7 +8,7 @@ use super::data::{Note, Unreadable};
 use super::grammar::{BEGINS, ENDS, NAMES};
 use crate::document::Document;
 use crate::fault::{Fault, FaultKind};
-use crate::xml::ElementId;
+use osim_xml::ElementId;
 
 /// Between what was there and the note, and between authors.
 const AND: &str = "; ";

@@ -7,7 +7,7 @@ use osim_model::readable;
 use super::given::{Given, refused};
 use crate::fault::RequestFault;
 use crate::options::WantedOptions;
-use crate::value::{Positive, RestitutionCoefficient};
+use osim_values::{Positive, RestitutionCoefficient};
 
 /// A radius that dissipation and sizing both depend on is found by turns; each brings it at least three times closer.
 const TURNS: u32 = 60;

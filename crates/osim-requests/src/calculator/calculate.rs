@@ -13,7 +13,7 @@ use super::sheet::DesignSheet;
 use crate::fault::RequestFault;
 use crate::options::WantedOptions;
 use crate::request::DesignRequest;
-use crate::value::{ConstantIndentation, Positive, RestitutionCoefficient};
+use osim_values::{ConstantIndentation, Positive, RestitutionCoefficient};
 
 impl DesignRequest {
     /// Calculates a design that names no model.

@@ -9,7 +9,7 @@ use osim_patch::RadiusRule;
 use crate::fault::RequestFault;
 use crate::gravity::STANDARD_GRAVITY_M_S2;
 use crate::request::DesignRequest;
-use crate::value::{Count, Kilograms, PoissonRatio, Positive, RelativeIndentation};
+use osim_values::{Count, Kilograms, PoissonRatio, Positive, RelativeIndentation};
 
 /// What is known.
 pub(super) struct Given {

@@ -15,7 +15,7 @@ use crate::fault::{RequestError, RequestFault};
 use crate::gravity::STANDARD_GRAVITY_M_S2;
 use crate::request::DropTestRequest;
 use crate::subject::Subject;
-use crate::value::{Count, Kilograms, NotNegative, Positive};
+use osim_values::{Count, Kilograms, NotNegative, Positive};
 
 /// A body about to fall.
 struct Falling {

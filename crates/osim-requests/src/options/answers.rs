@@ -4,7 +4,7 @@ use osim_model::{FaultKind, NeedsAnswer, Question};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::value::serial;
+use osim_values::serial;
 
 /// Answers to questions.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]

@@ -3,8 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::choice::choices;
 use crate::relation::Relation;
-use crate::value::choice::choices;
 
 choices! {
     /// Unit of a length.

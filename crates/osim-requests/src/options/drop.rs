@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::fault::RequestFault;
-use crate::value::{Acceleration, Height, NotNegative, Positive};
+use osim_values::{Acceleration, Height, NotNegative, Positive};
 
 /// A contact given by its numbers.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

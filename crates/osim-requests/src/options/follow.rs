@@ -7,10 +7,10 @@ use osim_patch::{MovedSpheres, RadiusAxis};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::choice::choices;
 use crate::relation::Relation;
-use crate::value::body_scale::{self, BodyScaleSchema};
-use crate::value::choice::choices;
-use crate::value::{BodyScale, Positive, path};
+use osim_values::body_scale::{self, BodyScaleSchema};
+use osim_values::{BodyScale, Positive, path};
 
 choices! {
     /// How a radius follows from three factors.

@@ -4,7 +4,7 @@ use osim_model::{Pattern, Selection};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::value::serial;
+use osim_values::serial;
 
 /// Which forces.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

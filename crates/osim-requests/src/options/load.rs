@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::relation::Relation;
-use crate::value::{Acceleration, Count, Positive};
+use osim_values::{Acceleration, Count, Positive};
 
 /// How many spheres share the body weight.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]

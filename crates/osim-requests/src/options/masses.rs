@@ -4,7 +4,7 @@ use osim_model::{MassRequest, Pattern};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::value::{Kilograms, serial};
+use osim_values::{Kilograms, serial};
 
 /// Masses: which one is meant.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

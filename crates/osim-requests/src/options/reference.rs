@@ -4,7 +4,7 @@ use osim_model::Pattern;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::value::{Acceleration, Count, Kilograms, serial};
+use osim_values::{Acceleration, Count, Kilograms, serial};
 
 /// What the reference is, where its file does not say.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

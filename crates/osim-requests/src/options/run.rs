@@ -6,9 +6,9 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::choice::choices;
 use crate::relation::Relation;
-use crate::value::choice::choices;
-use crate::value::{Shard, path, serial};
+use osim_values::{Shard, path, serial};
 
 choices! {
     /// How a change is shown.

@@ -6,10 +6,10 @@ use osim_patch::{DissipationBy, PropertySet};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::choice::choices;
 use crate::fault::RequestFault;
 use crate::relation::Relation;
-use crate::value::choice::choices;
-use crate::value::{Acceleration, Radius, property_list};
+use osim_values::{Acceleration, Radius, property_list};
 
 choices! {
     /// Which size dissipation follows (14).

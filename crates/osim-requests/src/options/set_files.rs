@@ -6,7 +6,7 @@ use osim_model::files::Beside;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::value::path;
+use osim_values::path;
 
 /// Files that belong to a standalone set.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]

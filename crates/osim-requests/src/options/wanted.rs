@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::relation::Relation;
-use crate::value::{
+use osim_values::{
     ConstantIndentation, PoissonRatio, Positive, Radius, RelativeIndentation, RestitutionCoefficient,
     Threshold,
 };

@@ -12,9 +12,7 @@ use crate::fault::RequestFault;
 use crate::options::{CountOptions, InspectionOptions, LoadOptions, StanceOptions, WantedOptions};
 use crate::planner::{Change, Planner};
 use crate::request::DesignRequest;
-use crate::value::{
-    ConstantIndentation, PoissonRatio, Positive, RelativeIndentation, RestitutionCoefficient,
-};
+use osim_values::{ConstantIndentation, PoissonRatio, Positive, RelativeIndentation, RestitutionCoefficient};
 
 struct Designing {
     wanted: WantedOptions,

@@ -10,7 +10,7 @@ use crate::fault::RequestFault;
 use crate::options::{ForceOptions, InspectionOptions, MassOptions, StanceOptions};
 use crate::planner::{Change, Planner};
 use crate::request::NoteRequest;
-use crate::value::Acceleration;
+use osim_values::Acceleration;
 
 struct Noting {
     mass_kg: f64,

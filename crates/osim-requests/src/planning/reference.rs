@@ -16,7 +16,7 @@ use crate::opening::{open, scale_file};
 use crate::planner::file_name;
 use crate::request::TransferRequest;
 use crate::subject::Named;
-use crate::value::{Acceleration, Count, Kilograms};
+use osim_values::{Acceleration, Count, Kilograms};
 
 /// What spheres follow from.
 pub(super) struct Generic {

@@ -19,7 +19,7 @@ use crate::opening::scale_file;
 use crate::options::{InspectionOptions, ScalingOptions, StanceOptions};
 use crate::planner::{Change, Planner};
 use crate::request::RescaleRequest;
-use crate::value::{Acceleration, Radius};
+use osim_values::{Acceleration, Radius};
 
 struct Rescaling {
     target_mass_kg: f64,

@@ -9,7 +9,7 @@ use crate::fault::RequestFault;
 use crate::options::{InspectionOptions, StanceOptions};
 use crate::planner::{Change, Planner};
 use crate::request::SetRequest;
-use crate::value::Assignments;
+use osim_values::Assignments;
 
 struct Setting {
     assignments: Assignments,

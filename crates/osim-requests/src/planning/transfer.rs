@@ -24,7 +24,7 @@ use crate::options::{
 };
 use crate::planner::{Change, Planner};
 use crate::request::TransferRequest;
-use crate::value::{Acceleration, Kilograms, Positive, Radius};
+use osim_values::{Acceleration, Kilograms, Positive, Radius};
 
 /// What was said of the reference, so that it counts for more than what its file says.
 struct ReferenceSaid {

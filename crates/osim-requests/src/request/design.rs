@@ -10,7 +10,7 @@ use crate::options::{
     WantedOptions,
 };
 use crate::relation::Relation;
-use crate::value::path;
+use osim_values::path;
 
 /// Finds parameters from what is wanted: indentation, stiffness, restitution.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::choice::choices;
 use crate::options::{AnswerOptions, ContactNumbers, CountOptions, ForceOptions, MassOptions, SetFiles};
 use crate::relation::Relation;
-use crate::value::choice::choices;
-use crate::value::{Count, Height, Positive, Samples, path};
+use osim_values::{Count, Height, Positive, Samples, path};
 
 choices! {
     /// How a drop is shown.

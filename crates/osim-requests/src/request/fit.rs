@@ -6,10 +6,10 @@ use contact_scaling::fit::Branch;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::choice::choices;
 use crate::options::{ColumnOptions, Format};
 use crate::relation::Relation;
-use crate::value::choice::choices;
-use crate::value::{ContactOnset, Count, Positive, path};
+use osim_values::{ContactOnset, Count, Positive, path};
 
 choices! {
     /// Which part of a measurement.

@@ -6,10 +6,10 @@ use osim_model::Severity;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::choice::choices;
 use crate::options::{InspectionOptions, ReportOptions, SheetFormat};
 use crate::relation::Relation;
-use crate::value::choice::choices;
-use crate::value::path;
+use osim_values::path;
 
 /// Shows what contacts models have.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

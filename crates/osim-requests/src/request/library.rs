@@ -11,7 +11,7 @@ use crate::options::{
     WantedOptions,
 };
 use crate::relation::Relation;
-use crate::value::{Axis, Positive, axis, path, serial};
+use osim_values::{Axis, Positive, axis, path, serial};
 
 /// One row per model; columns are named like the long options of rescale, transfer, design and set.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::options::{AnswerOptions, OutputOptions, RunOptions, SetFiles};
 use crate::relation::Relation;
-use crate::value::{Acceleration, Kilograms, path};
+use osim_values::{Acceleration, Kilograms, path};
 
 /// Writes into models which mass their contacts were made for; no number changes.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -6,10 +6,10 @@ use osim_inspect::series::HeatQuantity;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::choice::choices;
 use crate::options::{AnswerOptions, CountOptions, FallOptions, ForceOptions, MassOptions, SetFiles};
 use crate::relation::Relation;
-use crate::value::choice::choices;
-use crate::value::{Acceleration, Dpi, Grid, Kilograms, path};
+use osim_values::{Acceleration, Dpi, Grid, Kilograms, path};
 
 choices! {
     /// What is drawn.

@@ -9,7 +9,7 @@ use crate::options::{
     AnswerOptions, ForceOptions, MassOptions, OutputOptions, RunOptions, ScalingOptions, SetFiles,
 };
 use crate::relation::Relation;
-use crate::value::{Kilograms, path};
+use osim_values::{Kilograms, path};
 
 /// Rescales a model's own contacts to another mass.
 ///

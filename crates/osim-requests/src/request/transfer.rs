@@ -10,7 +10,7 @@ use crate::options::{
     RunOptions, ScalingOptions, SetFiles,
 };
 use crate::relation::Relation;
-use crate::value::path;
+use osim_values::path;
 
 /// Gives a model the contacts of another model or of a preset, at its own size.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::value::{Axis, AxisName, GridValue};
+use osim_values::{Axis, AxisName, GridValue};
 
 /// One combination of values.
 #[derive(Debug, Clone, PartialEq)]

@@ -13,7 +13,7 @@ use super::stages::{self, Stages};
 use super::variant::Variant;
 use crate::fault::{RequestError, RequestFault};
 use crate::request::SweepRequest;
-use crate::value::AxisName;
+use osim_values::AxisName;
 
 /// More models than this are made only where that was said.
 const MANY: usize = 10_000;

@@ -8,7 +8,7 @@ use super::grid::Point;
 use crate::fault::RequestFault;
 use crate::planner::Planner;
 use crate::request::{DesignRequest, RescaleRequest, SetRequest, SweepRequest};
-use crate::value::{AxisName, Kilograms, RelativeIndentation, RestitutionCoefficient};
+use osim_values::{AxisName, Kilograms, RelativeIndentation, RestitutionCoefficient};
 
 /// The plans that lead to a point, one after the other.
 pub(super) type Stages = Vec<Box<dyn Planner>>;

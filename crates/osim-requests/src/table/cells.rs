@@ -12,7 +12,7 @@ use crate::planning::any::{CHANGING, changing_verbs};
 use crate::presets::find_preset;
 use crate::spreadsheet::{Row, Sheet};
 use crate::subject::looks_like_file;
-use crate::value::path;
+use osim_values::path;
 
 /// What a row says.
 #[derive(Debug)]

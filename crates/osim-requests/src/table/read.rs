@@ -15,7 +15,7 @@ use crate::options::OutputOptions;
 use crate::planner::Change;
 use crate::request::Request;
 use crate::spreadsheet::{Row, Sheet};
-use crate::value::path;
+use osim_values::path;
 
 /// A table of models and what is done with each.
 pub struct Table {

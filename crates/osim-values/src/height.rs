@@ -3,9 +3,9 @@
 use std::fmt;
 use std::str::FromStr;
 
+use crate::typed::{LENGTHS, factor, plain, positive};
 use osim_inspect::DropHeight;
 use osim_model::shortest;
-use osim_model::typed::{LENGTHS, factor, plain, positive};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 

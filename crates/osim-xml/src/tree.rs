@@ -83,16 +83,15 @@ pub(super) struct StoredElement {
 /// A scanned file: its elements, and the pieces they are made of. All spans are bytes of the file, from 0.
 ///
 /// ```
-/// use osim_model::{ElementId, Tree};
+/// use osim_xml::{ElementId, Tree};
 ///
 /// let text = "<ContactSphere name='heel'><radius> 0.03 </radius></ContactSphere>";
-/// let tree = Tree::scan(text)?;
+/// let tree = Tree::scan(text).expect("it is well formed");
 /// assert_eq!(tree.attribute(ElementId::ROOT, "name").as_deref(), Some("heel"));
 /// let radius = tree.child(ElementId::ROOT, "radius").expect("it has a radius");
 /// // What an edit would replace: the number without the blanks around it.
 /// assert_eq!(&text[tree.raw_text(radius).span], "0.03");
 /// assert_eq!(&text[tree.span(radius)], "<radius> 0.03 </radius>");
-/// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct Tree {
@@ -112,7 +111,9 @@ impl Tree {
         self.text.bytes()
     }
 
-    pub(crate) fn into_bytes(self) -> Vec<u8> {
+    /// The file, untouched, without a copy.
+    #[must_use]
+    pub fn into_bytes(self) -> Vec<u8> {
         self.text.into_bytes()
     }
 

@@ -3,8 +3,8 @@
 use std::fmt;
 use std::str::FromStr;
 
+use crate::typed::{LENGTHS, factor, positive};
 use osim_model::shortest;
-use osim_model::typed::{LENGTHS, factor, positive};
 use osim_patch::RadiusRule;
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};

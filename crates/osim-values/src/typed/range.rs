@@ -1,7 +1,7 @@
 //! Numbers along an axis, in words: `FROM..TO/COUNT`.
 
 use super::decimal::{factor, plain};
-use crate::number::shortest;
+use osim_model::shortest;
 
 /// A range as it is written; what its ends mean is for the reader to say.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,8 +2,8 @@
 
 use std::borrow::Cow;
 
+use crate::typed::{LENGTHS, factor, number, number_in};
 use osim_model::Assignment;
-use osim_model::typed::{LENGTHS, factor, number, number_in};
 use osim_model::{Property, shortest};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::Error;

@@ -54,7 +54,7 @@ macro_rules! choices {
 
         impl<'d> serde::Deserialize<'d> for $name {
             fn deserialize<D: serde::Deserializer<'d>>(deserializer: D) -> Result<Self, D::Error> {
-                $crate::value::serial::from_text(deserializer)
+                osim_values::serial::from_text(deserializer)
             }
         }
 

@@ -9,7 +9,7 @@ use serde_json::Value;
 ///
 /// # Errors
 /// There is no such property.
-pub(crate) fn one(text: &str) -> Result<Property, String> {
+pub fn one(text: &str) -> Result<Property, String> {
     text.trim().parse()
 }
 
@@ -17,7 +17,7 @@ pub(crate) fn one(text: &str) -> Result<Property, String> {
 ///
 /// # Errors
 /// Those of the serialiser.
-pub(crate) fn serialize<S: Serializer>(properties: &[Property], serializer: S) -> Result<S::Ok, S::Error> {
+pub fn serialize<S: Serializer>(properties: &[Property], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_seq(properties.iter().map(|property| property.name()))
 }
 
@@ -25,7 +25,7 @@ pub(crate) fn serialize<S: Serializer>(properties: &[Property], serializer: S) -
 ///
 /// # Errors
 /// A name that is not a property's.
-pub(crate) fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<Property>, D::Error> {
+pub fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<Property>, D::Error> {
     let names = match Value::deserialize(deserializer)? {
         Value::String(text) => text.split(',').map(str::to_owned).collect(),
         list => Vec::<String>::deserialize(list).map_err(D::Error::custom)?,

@@ -5,8 +5,8 @@ use std::collections::HashSet;
 use std::fmt;
 use std::str::FromStr;
 
+use crate::typed::{Range, positive_number, spaced, with_colons};
 use osim_model::Assignment;
-use osim_model::typed::{Range, positive_number, spaced, with_colons};
 use osim_model::{Property, shortest};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::Error;
@@ -173,7 +173,7 @@ fn six_digits(number: f64) -> String {
 ///
 /// # Errors
 /// What is not an axis.
-pub(crate) fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<Axis>, D::Error> {
+pub fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<Axis>, D::Error> {
     let item = |value: &Value| match value {
         Value::String(text) => text.clone(),
         Value::Number(number) => number.as_f64().map(shortest).unwrap_or_default(),
@@ -193,7 +193,7 @@ pub(crate) fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Ve
 }
 
 /// The schema of axes.
-pub(crate) struct AxesSchema;
+pub struct AxesSchema;
 
 impl JsonSchema for AxesSchema {
     fn schema_name() -> Cow<'static, str> {

@@ -1,18 +1,22 @@
-//! Values of options: read strictly, from words and from JSON alike.
+//! Values that people give: read strictly, from words and from JSON alike.
+//!
+//! # What it will not do
+//!
+//! It knows no options, no files and no terminal: who asked for a value says so in its own words.
 
 mod assignment;
-pub(crate) mod axis;
-pub(crate) mod body_scale;
-pub(crate) mod choice;
-pub(crate) mod grid;
+pub mod axis;
+pub mod body_scale;
+pub mod grid;
 mod height;
 mod onset;
-pub(crate) mod path;
-pub(crate) mod property_list;
+pub mod path;
+pub mod property_list;
 mod quantity;
 mod radius;
-pub(crate) mod serial;
+pub mod serial;
 mod shard;
+pub mod typed;
 mod whole;
 
 pub use assignment::{Assignments, assignment};
@@ -28,3 +32,8 @@ pub use quantity::{
 pub use radius::Radius;
 pub use shard::Shard;
 pub use whole::{Dpi, Samples};
+
+/// The example of the README compiles.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -13,7 +13,7 @@ use serde_json::Value;
 ///
 /// # Errors
 /// What [`FromStr`] says of it.
-pub(crate) fn from_text<'d, T, D>(deserializer: D) -> Result<T, D::Error>
+pub fn from_text<'d, T, D>(deserializer: D) -> Result<T, D::Error>
 where
     T: FromStr<Err: Display>,
     D: Deserializer<'d>,
@@ -51,7 +51,7 @@ where
 ///
 /// # Errors
 /// What [`FromStr`] says of it.
-pub(crate) fn optional_from_text<'d, T, D>(deserializer: D) -> Result<Option<T>, D::Error>
+pub fn optional_from_text<'d, T, D>(deserializer: D) -> Result<Option<T>, D::Error>
 where
     T: FromStr<Err: Display>,
     D: Deserializer<'d>,
@@ -66,7 +66,7 @@ where
 ///
 /// # Errors
 /// Those of the values.
-pub(crate) fn from_texts<'d, T, D>(deserializer: D) -> Result<Vec<T>, D::Error>
+pub fn from_texts<'d, T, D>(deserializer: D) -> Result<Vec<T>, D::Error>
 where
     T: FromStr<Err: Display>,
     D: Deserializer<'d>,
@@ -83,6 +83,6 @@ where
 ///
 /// # Errors
 /// Those of the serialiser.
-pub(crate) fn as_texts<T: Display, S: Serializer>(values: &[T], serializer: S) -> Result<S::Ok, S::Error> {
+pub fn as_texts<T: Display, S: Serializer>(values: &[T], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_seq(values.iter().map(ToString::to_string))
 }

@@ -79,10 +79,19 @@ pub enum SyntaxFault {
 
 /// A file that is not one document, and where that shows.
 #[derive(Debug)]
-pub(crate) struct SyntaxError {
-    pub(crate) fault: SyntaxFault,
+pub struct SyntaxError {
+    /// What is wrong.
+    pub fault: SyntaxFault,
     /// Byte of the file.
-    pub(crate) offset: usize,
+    pub offset: usize,
     /// The file, for code that shows the place.
     pub(crate) file: FileText,
+}
+
+impl SyntaxError {
+    /// The file.
+    #[must_use]
+    pub fn bytes(&self) -> &[u8] {
+        self.file.bytes()
+    }
 }

@@ -20,11 +20,17 @@ const FEW_ATTRIBUTES: usize = 8;
 /// A fault and the byte at which it was noticed.
 type Fault = (SyntaxFault, usize);
 
-/// Scans a whole file.
-///
-/// # Errors
-/// A [`SyntaxFault`] with the byte offset at which it was noticed.
-pub(crate) fn scan(bytes: Vec<u8>) -> Result<Tree, SyntaxError> {
+impl Tree {
+    /// Scans the bytes of a file, whatever they mean.
+    ///
+    /// # Errors
+    /// What is not one well-formed document, with the byte at which it was noticed.
+    pub fn scan(bytes: impl Into<Vec<u8>>) -> Result<Self, SyntaxError> {
+        scan(bytes.into())
+    }
+}
+
+fn scan(bytes: Vec<u8>) -> Result<Tree, SyntaxError> {
     let file = FileText::new(bytes);
     match pieces_and_elements(&file) {
         Ok((pieces, elements)) => Ok(Tree::new(file, pieces, elements)),

@@ -4,8 +4,8 @@ use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
+use crate::typed::{MASSES, number, plain, positive, positive_number};
 use osim_model::shortest;
-use osim_model::typed::{MASSES, number, plain, positive, positive_number};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -144,14 +144,14 @@ impl Count {
 
 impl Positive {
     /// How long a drop is followed where none is given, s.
-    pub(crate) const DROP_DURATION_S: Self = Self(2.0);
+    pub const DROP_DURATION_S: Self = Self(2.0);
     /// k̂ of the first step of a ladder where none is given: that of the softest contacts of the paper's Fig. 1(C).
-    pub(crate) const SOFT_STIFFNESS: Self = Self(1.2);
+    pub const SOFT_STIFFNESS: Self = Self(1.2);
 }
 
 impl Threshold {
     /// The threshold of section C.2.
-    pub(crate) const OF_THE_PAPER: Self = Self(contact_scaling::limits::TRANSITION_THRESHOLD);
+    pub const OF_THE_PAPER: Self = Self(contact_scaling::limits::TRANSITION_THRESHOLD);
 }
 
 #[cfg(test)]

@@ -4,8 +4,8 @@ use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
+use crate::typed::positive_number;
 use osim_model::shortest;
-use osim_model::typed::positive_number;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serializer};
@@ -56,7 +56,7 @@ impl fmt::Display for BodyScale {
 ///
 /// # Errors
 /// A text or numbers that are not factors.
-pub(crate) fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<BodyScale>, D::Error> {
+pub fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<BodyScale>, D::Error> {
     match Value::deserialize(deserializer)? {
         Value::Object(bodies) => {
             let scale = |(body, factors): (String, Value)| {
@@ -79,12 +79,12 @@ pub(crate) fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Ve
 ///
 /// # Errors
 /// Those of the serialiser.
-pub(crate) fn serialize<S: Serializer>(scales: &[BodyScale], serializer: S) -> Result<S::Ok, S::Error> {
+pub fn serialize<S: Serializer>(scales: &[BodyScale], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_map(scales.iter().map(|scale| (&scale.body, scale.factors)))
 }
 
 /// The schema of both.
-pub(crate) struct BodyScaleSchema;
+pub struct BodyScaleSchema;
 
 impl JsonSchema for BodyScaleSchema {
     fn schema_name() -> Cow<'static, str> {

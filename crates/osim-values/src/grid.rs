@@ -3,8 +3,8 @@
 use std::fmt;
 use std::str::FromStr;
 
+use crate::typed::{Range, factor, positive_number, spaced, with_colons};
 use osim_model::shortest;
-use osim_model::typed::{Range, factor, positive_number, spaced, with_colons};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -26,7 +26,7 @@ const MOST: u32 = 200;
 
 impl Grid {
     /// Factors from `from` to `to`.
-    pub(crate) const fn factors(from: f64, to: f64, count: u32) -> Self {
+    pub const fn factors(from: f64, to: f64, count: u32) -> Self {
         Self { from, to, count, factors: true }
     }
 

@@ -1,6 +1,6 @@
 //! Numbers as people type them, read strictly: a wrong one is refused with what to type instead.
 
-use crate::number::shortest;
+use osim_model::shortest;
 
 /// A spelling of a unit, and its size in the unit that is expected.
 pub type UnitSpelling = (&'static str, f64);

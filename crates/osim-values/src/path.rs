@@ -19,7 +19,7 @@ enum Written {
 }
 
 /// The schema of a path.
-pub(crate) struct PathSchema;
+pub struct PathSchema;
 
 impl JsonSchema for PathSchema {
     fn schema_name() -> Cow<'static, str> {
@@ -78,33 +78,49 @@ fn of_bytes(bytes: Vec<u8>) -> Result<OsString, &'static str> {
 const EXPECTED: &str = "expected the name of a file, as text or as {\"bytes\": [...]}";
 
 /// A path as a value.
-pub(crate) fn to_value(path: &Path) -> serde_json::Value {
+pub fn to_value(path: &Path) -> serde_json::Value {
     serde_json::to_value(Written::of(path)).unwrap_or_default()
 }
 
 /// One path, or none.
-pub(crate) mod optional {
+pub mod optional {
     use super::{Deserialize, Deserializer, EXPECTED, Error, PathBuf, Serialize, Serializer, Written};
 
-    pub(crate) fn serialize<S: Serializer>(path: &Option<PathBuf>, serializer: S) -> Result<S::Ok, S::Error> {
+    /// Writes one path, or null.
+    ///
+    /// # Errors
+    /// Those of the serializer.
+    pub fn serialize<S: Serializer>(path: &Option<PathBuf>, serializer: S) -> Result<S::Ok, S::Error> {
         path.as_deref().map(Written::of).serialize(serializer)
     }
 
-    pub(crate) fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Option<PathBuf>, D::Error> {
+    /// Reads one path, or null.
+    ///
+    /// # Errors
+    /// Anything else.
+    pub fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Option<PathBuf>, D::Error> {
         let written = Option::<Written>::deserialize(deserializer).map_err(|_| D::Error::custom(EXPECTED))?;
         written.map(Written::path).transpose().map_err(D::Error::custom)
     }
 }
 
 /// A list of paths, or one alone in its place.
-pub(crate) mod list {
+pub mod list {
     use super::{Deserialize, Deserializer, EXPECTED, Error, PathBuf, Serializer, Written};
 
-    pub(crate) fn serialize<S: Serializer>(paths: &[PathBuf], serializer: S) -> Result<S::Ok, S::Error> {
+    /// Writes a list of paths.
+    ///
+    /// # Errors
+    /// Those of the serializer.
+    pub fn serialize<S: Serializer>(paths: &[PathBuf], serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_seq(paths.iter().map(|path| Written::of(path)))
     }
 
-    pub(crate) fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<PathBuf>, D::Error> {
+    /// Reads a list of paths, or one.
+    ///
+    /// # Errors
+    /// Anything else.
+    pub fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<PathBuf>, D::Error> {
         #[derive(Deserialize)]
         #[serde(untagged)]
         enum OneOrMany {

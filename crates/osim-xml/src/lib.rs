@@ -1,0 +1,27 @@
+//! XML as a flat tree of exact byte spans over the untouched bytes.
+//!
+//! Nothing here knows what OpenSim is. [`Tree::scan`] cuts the bytes into gap-free [`Piece`]s, links them into elements, and
+//! refuses what is not one well-formed document; [`RawText`] is the text of a leaf.
+//!
+//! # What it will not do
+//!
+//! It decodes and encodes nothing as a whole, knows no namespaces and no DTD, and reads no other file.
+
+mod decode;
+mod file_text;
+mod plain;
+mod position;
+mod raw_text;
+mod scan;
+mod syntax;
+mod tree;
+
+pub use position::{LineIndex, Position};
+pub use raw_text::RawText;
+pub use syntax::{SyntaxError, SyntaxFault};
+pub use tree::{Children, ElementId, Piece, PieceKind, Tree};
+
+/// The example of the README compiles.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
