@@ -90,6 +90,62 @@ fn the_scale_set_alone_moves_spheres_and_scales_contacts() {
 }
 
 #[test]
+fn spheres_are_not_moved_twice_by_one_scale_set() {
+    let bench = Bench::with(FILES);
+    let call = "--body-scale-file set.xml --target-mass 52";
+    bench.run(&format!("scaled.osim {call} --contacts-mass 62 -o once.osim")).done();
+    let refused = |model: &str| {
+        bench
+            .run(&format!("{model} {call} -o twice.osim"))
+            .failed()
+            .wrote_nothing()
+            .says(&["was done already"]);
+    };
+    refused("once.osim");
+    // Also after something else was done.
+    bench.run("once.osim --target-mass 60 -o later.osim").done();
+    refused("later.osim");
+    bench.run(&format!("once.osim {call} -o twice.osim --force")).done().wrote(&["twice.osim"]);
+}
+
+#[test]
+fn by_the_note_alone_spheres_follow_their_bodies_exactly() {
+    let bench = Bench::with(FILES);
+    bench.run("note generic.osim --contacts-mass 62 -o noted.osim").done().wrote(&["noted.osim"]);
+    // What the Scale Tool does: it copies the credits, and leaves the spheres.
+    let credits = |text: &str| {
+        let start = text.find("<credits>").unwrap();
+        text[start..start + text[start..].find("</credits>").unwrap()].to_owned()
+    };
+    let (noted, scaled) = (bench.text("noted.osim"), bench.text("scaled.osim"));
+    bench.write("scaled_noted.osim", scaled.replacen(&credits(&scaled), &credits(&noted), 1));
+    let checked = bench.run("check scaled_noted.osim").out();
+    assert!(checked.contains("spheres-left-behind"), "{checked}");
+    let call = checked.lines().find_map(|line| line.split_once("osim-contact-scale ")).unwrap().1.to_owned();
+    assert!(call.contains("--follow-bodies") && call.contains("--target-mass 52"), "{call}");
+    bench.run("scaled_noted.osim --target-mass 52 --follow-bodies -o by_note.osim").done();
+    bench
+        .run("scaled.osim --body-scale-file set.xml --contacts-mass 62 --target-mass 52 -o by_file.osim")
+        .done();
+    let spheres = |name: &str| -> Vec<Vec<f64>> {
+        let seen = bench.run(&format!("inspect {name} --format json")).done().out();
+        let seen: Value = serde_json::from_str(&seen).unwrap();
+        let spheres = seen["spheres"].as_array().unwrap().clone();
+        let place = |sphere: &Value| {
+            sphere["location_m"].as_array().unwrap().iter().map(|value| value.as_f64().unwrap()).collect()
+        };
+        spheres.iter().map(place).collect()
+    };
+    for (one, other) in spheres("by_note.osim").iter().zip(spheres("by_file.osim")) {
+        for (a, b) in one.iter().zip(other) {
+            assert!((a - b).abs() < 1e-12, "{a} {b}");
+        }
+    }
+    let after = bench.run("check by_note.osim").out();
+    assert!(!after.contains("spheres-"), "{after}");
+}
+
+#[test]
 fn the_scale_set_alone_asks_what_the_contacts_were_made_for() {
     let bench = Bench::with(FILES);
     bench

@@ -38,7 +38,7 @@ pub mod series;
 
 pub use drop_height::DropHeight;
 pub use figures::{Figure, Figures, LimbFigures, LimitCheck, Shown, SphereFigures};
-pub use findings::{CheckResult, Counts, can_be_changed, check_known, check_model};
+pub use findings::{CheckResult, Counts, can_be_changed, check_known, check_model, misplaced_spheres};
 pub use inspection::{
     ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,
     InspectedLimb, InspectedSphere, Inspection, Origins, Parameters,

@@ -186,6 +186,11 @@ fn noted(text: &str, operation: &str) -> String {
     String::from_utf8(plan.patched(&model, FileId::MAIN).unwrap()).unwrap()
 }
 
+/// The text with a note that its spheres were placed with their bodies.
+fn placed(text: &str) -> String {
+    noted(text, "rescale follow-bodies").replace("; made c)]", "; made cp)]")
+}
+
 /// What OpenSim's scaling does to the meshes; spheres and note stay.
 fn bones_of(text: &str, size: &str) -> String {
     text.replace("0.913924 0.913924 0.913924", size)
@@ -210,8 +215,7 @@ fn the_note_comes_before_everything_else() {
 
 #[test]
 fn a_note_of_spheres_that_were_placed_with_their_bodies_is_believed() {
-    assert_eq!(alone(&noted(CHILD, "transfer follow-bodies")), []);
-    assert_eq!(alone(&noted(CHILD, "rescale follow-bodies")), []);
+    assert_eq!(alone(&placed(CHILD)), []);
     // Another note was written where the spheres were, right or wrong.
     assert_eq!(alone(&noted(CHILD, "rescale")), [FindingCode::SpheresMisplaced]);
 }
@@ -220,4 +224,28 @@ fn a_note_of_spheres_that_were_placed_with_their_bodies_is_believed() {
 fn a_sphere_that_was_moved_since_makes_the_note_say_nothing_of_places() {
     let moved = with_x(&bones_of(&noted(RIGHT, "note"), "0.6 0.6 0.6"), "s1_r", 12.0);
     assert!(!alone(&moved).contains(&FindingCode::SpheresLeftBehind));
+}
+
+#[test]
+fn after_a_rescaling_the_printed_command_does_not_keep_bottoms() {
+    let found = check(&bones_of(&noted(RIGHT, "rescale"), "0.6306 0.6397 0.6306"), None);
+    let changes: Vec<RemedyChange> =
+        found.findings.iter().filter_map(|finding| Some(finding.remedy.as_ref()?.change.clone())).collect();
+    assert_eq!(changes, [RemedyChange::FollowNote { target_mass_kg: 62.0, level: false }]);
+}
+
+#[test]
+fn a_note_that_is_not_believed_leads_to_no_command() {
+    let scaled =
+        bones_of(&noted(RIGHT, "note"), "0.6 0.6 0.6").replacen("<dissipation>2<", "<dissipation>2.1<", 1);
+    let found = check(&scaled, None);
+    assert!(codes(&found).contains(&FindingCode::SpheresLeftBehind));
+    assert!(found.findings.iter().all(|finding| finding.remedy.is_none()), "{:?}", found.findings);
+}
+
+#[test]
+fn bones_of_other_software_are_not_measured_as_those_of_open_sim() {
+    for text in [NOBODYS.replace("foot.vtp", "foot.stl"), bones_of(NOBODYS, "0.001 0.001 0.001")] {
+        assert!(!alone(&text).contains(&FindingCode::SpheresMisplaced));
+    }
 }

@@ -3,10 +3,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::anatomy::meshes;
-use crate::contacts::Force;
+use crate::contacts::{Force, Sphere};
 use crate::model::Model;
 use crate::note::BodySize;
 
+/// Places closer than this are one, m.
+const SAME_PLACE_M: f64 = 1e-9;
 /// Sizes closer than this (relative) are one size.
 const SAME_SIZE: f64 = 1e-6;
 
@@ -26,13 +28,14 @@ impl BodySize {
 pub struct ScaledSinceNote {
     /// Mesh factors now over those in the note, along x, y and z, by body. Exactly 1 where they are equal.
     pub factors: BTreeMap<String, [f64; 3]>,
+    left_behind: bool,
 }
 
 impl ScaledSinceNote {
-    /// Whether some body has another size now, so that its spheres did not follow it.
+    /// Whether some body has another size now, and a sphere of it belongs elsewhere.
     #[must_use]
-    pub fn is_scaled(&self) -> bool {
-        self.factors.values().any(|factors| *factors != [1.0; 3])
+    pub const fn is_scaled(&self) -> bool {
+        self.left_behind
     }
 }
 
@@ -52,7 +55,20 @@ impl Model {
             let factors = if now.is_as_large_as(then) { [1.0; 3] } else { ratio };
             Some((now.body.clone(), factors))
         });
-        Some(ScaledSinceNote { factors: ratios.collect() })
+        let factors: BTreeMap<String, [f64; 3]> = ratios.collect();
+        let left_behind = self.forces().iter().flat_map(Force::spheres).any(|id| {
+            let Some(sphere) = self.sphere(id) else { return false };
+            let factors = sphere.body.as_ref().and_then(|body| factors.get(body));
+            factors.is_some_and(|factors| self.belongs_elsewhere(sphere, *factors))
+        });
+        Some(ScaledSinceNote { factors, left_behind })
+    }
+
+    /// Whether a sphere is somewhere else once its place is multiplied by the factors of its body.
+    fn belongs_elsewhere(&self, sphere: &Sphere, factors: [f64; 3]) -> bool {
+        let Ok(rotation) = self.rotation_of(sphere) else { return false };
+        let there = rotation.scaled_in_frame(factors, sphere.location_m);
+        there.into_iter().zip(sphere.location_m).any(|(there, here)| (there - here).abs() > SAME_PLACE_M)
     }
 
     /// Mesh scale factors of the bodies that carry the spheres of contact forces, by name; bodies without meshes, or with a

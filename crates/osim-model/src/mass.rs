@@ -161,12 +161,19 @@ impl MassRequest {
     /// A warning for each other source that disagrees with the mass that was `taken`.
     #[must_use]
     pub fn disagreements(&self, model: &Model, taken: &Mass) -> Vec<Finding> {
-        let mut others: Vec<(f64, Phrase)> = Vec::new();
-        if taken.source != MassSource::Note
-            && let Some(kg) = model.note.as_ref().and_then(|note| note.mass_kg)
-        {
-            others.push((kg, "the note in the file".into()));
-        }
+        let noted = model.note.as_ref().and_then(|note| note.mass_kg);
+        let noted = noted.filter(|_| taken.source != MassSource::Note);
+        self.disagreements_with(model, taken, noted.map(|kg| (kg, "the note in the file".into())))
+    }
+
+    /// The same for what a model weighs that gets other contacts: what its own were made for does not matter.
+    #[must_use]
+    pub fn disagreements_of_weight(&self, model: &Model, taken: &Mass) -> Vec<Finding> {
+        self.disagreements_with(model, taken, None)
+    }
+
+    fn disagreements_with(&self, model: &Model, taken: &Mass, noted: Option<(f64, Phrase)>) -> Vec<Finding> {
+        let mut others: Vec<(f64, Phrase)> = noted.into_iter().collect();
         if let (Some(kg), true) = (self.model_kg, taken.source != MassSource::Mass) {
             others.push((kg, Input::Mass.into()));
         }
@@ -176,7 +183,7 @@ impl MassRequest {
         }
         // The usual case: the body was scaled to the target already, and the user says what the contacts were made for.
         let expected = |kg: f64| {
-            taken.source == MassSource::ContactsMass
+            matches!(taken.source, MassSource::ContactsMass | MassSource::Note)
                 && self.target_mass_kg.is_some_and(|target| same_mass(kg, target))
         };
         let differs = |kg: f64| !same_mass(kg, taken.kg) && !expected(kg);

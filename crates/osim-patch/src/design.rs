@@ -149,6 +149,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
         model,
         Contents { changes, moves, masses, taken: wanted.taken(), warnings, remarks },
         &NoteFacts {
+            followed: None,
             mass_kg: wanted.mass.as_ref().map(|mass| mass.kg),
             gravity_m_s2: wanted.gravity_m_s2.or(model.gravity()),
             scope: if wanted.is_complete(smooth) && selected.complete { Scope::All } else { Scope::Partial },

@@ -60,14 +60,14 @@ pub use design::{Design, DesignModulus, design};
 pub use edit::{Edit, Patch, splice};
 pub use follow::{
     AxisFactor, BodyFactors, Difference, FactorSource, Factors, Follow, FollowRequest, Followed,
-    MovedSpheres, OwnRadii, RadiusAxis, ScaleFile, SphereBodies,
+    MovedSpheres, OwnRadii, RadiusAxis, ScaleFile, SphereBodies, bone_of_mesh,
 };
 pub use loaded_sphere::{LoadedSphere, loaded_spheres};
 pub use note::note;
 pub use plan::{Change, Masses, Move, Plan};
 pub use property_set::PropertySet;
 pub use radii::{RadiusRule, moving_spheres};
-pub use rescale::{FOLLOWING, FOLLOWING_NOTE, Rescale, TRANSFER_FOLLOWING, places_spheres, rescale};
+pub use rescale::{FOLLOWING, FOLLOWING_NOTE, Rescale, TRANSFER_FOLLOWING, rescale};
 pub use scaling::DissipationBy;
 pub use set::{Set, set};
 pub use transfer::{Reference, ReferenceContact, ScalingRule, Transfer, reference_of_model, transfer};

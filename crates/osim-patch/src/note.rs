@@ -31,7 +31,8 @@ pub fn note(model: &Model, mass_kg: f64, gravity_m_s2: Option<f64>) -> Result<Pl
     let kg = positive_mass(Input::ContactsMass, mass_kg)?;
     let from = Mass { kg, source: MassSource::ContactsMass };
     let taken = phrase![&from.made_for(), ": the note in the file says so; no number changes"];
-    let facts = NoteFacts { mass_kg: Some(kg), gravity_m_s2, scope: Scope::All, operation: "note" };
+    let facts =
+        NoteFacts { mass_kg: Some(kg), gravity_m_s2, scope: Scope::All, operation: "note", followed: None };
     let masses = Some(Masses { target_mass_kg: kg, from });
     let mut plan = Plan::new(model, Contents { masses, taken, ..Contents::default() }, &facts);
     plan.note_anyway();

@@ -1,8 +1,9 @@
 //! The edits that leave a note in a file, or take it out.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 
-use osim_model::{BodySize, Credits, Document, ElementId, Model, Note, PieceKind, Tree};
+use osim_model::{BodySize, Credits, Document, ElementId, Force, Model, Note, PieceKind, SphereId, Tree};
 
 use crate::edit::Edit;
 use crate::insert::{insert, insert_first, with_white_space_before};
@@ -20,12 +21,25 @@ pub(crate) fn adds_credits(document: &Document) -> bool {
     is_model(document) && matches!(Credits::of(document), Ok(None))
 }
 
-/// `made` of an earlier note and what a note in `document` adds.
-pub(crate) fn made(document: &Document, earlier: Option<&Note>) -> String {
-    let before = earlier.map_or_else(Note::nothing_made, |note| note.made.clone());
-    let added = if adds_credits(document) { Some(MADE_CREDITS) } else { opened(document) };
-    let Some(added) = added.filter(|letter| !before.contains(*letter)) else { return before };
-    before.chars().filter(char::is_ascii_alphabetic).chain([added]).collect()
+/// `made` of an earlier note and what a note in the model adds; `followed` as of [`sizes`].
+pub(crate) fn made(model: &Model, followed: Option<&BTreeSet<SphereId>>) -> String {
+    let document = model.document();
+    let earlier = model.note.as_ref();
+    let mut letters: BTreeSet<char> = earlier.map(|note| note.made.chars()).into_iter().flatten().collect();
+    letters.retain(char::is_ascii_alphabetic);
+    let was_placed = letters.remove(&Note::PLACED) && earlier.is_some_and(|note| is_unmoved(note, model));
+    let follow = |followed: &BTreeSet<SphereId>| {
+        model.loaded_spheres(&model.force_ids()).iter().all(|sphere| followed.contains(sphere))
+    };
+    if followed.map_or(was_placed, follow) {
+        letters.insert(Note::PLACED);
+    }
+    letters.extend(if adds_credits(document) { Some(MADE_CREDITS) } else { opened(document) });
+    if letters.is_empty() { Note::nothing_made() } else { letters.into_iter().collect() }
+}
+
+fn is_unmoved(note: &Note, model: &Model) -> bool {
+    note.places.as_ref().is_some_and(|places| *places == model.places_digest(|_| None))
 }
 
 fn opened(document: &Document) -> Option<char> {
@@ -34,16 +48,32 @@ fn opened(document: &Document) -> Option<char> {
     OPENED.into_iter().find(|(_, closed)| *closed == tag).map(|(letter, _)| letter)
 }
 
-/// Sizes of the bodies for which the spheres are placed: those that the earlier note gives while its places stay, else those of
-/// today. A model that OpenSim scaled after the note was written goes on saying which size its spheres belong to, until they
-/// `follow` their bodies.
-pub(crate) fn sizes(model: &Model, follow: bool) -> Vec<BodySize> {
-    let unmoved =
-        |note: &&Note| note.places.as_ref().is_some_and(|places| *places == model.places_digest(|_| None));
-    match model.note.as_ref().filter(|note| !follow && !note.sizes.is_empty()).filter(unmoved) {
-        Some(note) => note.sizes.clone(),
-        None => model.body_sizes(),
-    }
+/// Sizes of the bodies for which the spheres are placed: today's where all spheres of a body `followed` it, else those that the
+/// earlier note gives while the places stay, else today's. A model that OpenSim scaled after the note was written goes on saying
+/// which size its spheres belong to, until they follow their bodies. A body of which only some followed has no one size.
+pub(crate) fn sizes(model: &Model, followed: Option<&BTreeSet<SphereId>>) -> Vec<BodySize> {
+    let noted = model.note.as_ref().filter(|note| !note.sizes.is_empty() && is_unmoved(note, model));
+    let mut sizes = model.body_sizes();
+    let followed_of = |body: &str| {
+        let spheres: BTreeSet<SphereId> = model.forces().iter().flat_map(Force::spheres).collect();
+        let of_body =
+            spheres.into_iter().filter(|&id| model.sphere(id).and_then(|s| s.body.as_deref()) == Some(body));
+        let (there, all): (Vec<bool>, Vec<bool>) =
+            of_body.map(|id| (followed.is_some_and(|followed| followed.contains(&id)), true)).unzip();
+        (there.into_iter().filter(|&one| one).count(), all.len())
+    };
+    sizes.retain_mut(|size| match followed_of(&size.body) {
+        (some, all) if some == all => true,
+        (0, _) => {
+            let before = noted.and_then(|note| note.sizes.iter().find(|old| old.body == size.body));
+            if let Some(before) = before {
+                size.factors = before.factors;
+            }
+            true
+        }
+        _ => false,
+    });
+    sizes
 }
 
 /// Leaves `note` in `document`, in the place of an earlier one.

@@ -2,12 +2,12 @@
 //!
 //! Tables, diffs, JSON, dry runs and writing are all views of a [`Plan`]; there is no other way to change a model.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use osim_model::wording::{Dialect, Phrase};
 use osim_model::{
     Class, ElementId, Fault, FileId, Finding, JointDistances, Mass, Model, Note, Property, Scope, Slot,
-    Sphere, ValueKey, shortest,
+    Sphere, SphereId, ValueKey, shortest,
 };
 
 use crate::edit::{Edit, Patch};
@@ -190,6 +190,8 @@ pub(crate) struct NoteFacts<'o> {
     pub(crate) gravity_m_s2: Option<f64>,
     pub(crate) scope: Scope,
     pub(crate) operation: &'o str,
+    /// Spheres that are placed with their bodies, moved or not; `None` where spheres do not follow.
+    pub(crate) followed: Option<&'o BTreeSet<SphereId>>,
 }
 
 /// What a plan does and says.
@@ -201,6 +203,11 @@ pub(crate) struct Contents {
     pub(crate) taken: Phrase,
     pub(crate) warnings: Vec<Finding>,
     pub(crate) remarks: Vec<Phrase>,
+}
+
+/// A mass as people write it: a sum of bodies leaves 20.000000000000018 kg, of which only 15 digits mean something.
+fn without_last_bits(kg: f64) -> f64 {
+    format!("{kg:.14e}").parse().unwrap_or(kg)
 }
 
 impl Plan {
@@ -249,14 +256,14 @@ impl Plan {
             moves.iter().map(|place| (place.path.as_str(), place.to)).collect();
         let note = Some(Note {
             version: env!("CARGO_PKG_VERSION").to_owned(),
-            mass_kg: facts.mass_kg,
+            mass_kg: facts.mass_kg.map(without_last_bits),
             gravity_m_s2: facts.gravity_m_s2,
             scope: facts.scope,
             operation: Note::operation_text(facts.operation),
-            sizes: note_edits::sizes(model, moves.iter().any(|place| place.equation == FOLLOW)),
+            sizes: note_edits::sizes(model, facts.followed),
             digest: model.contact_digest(|key| changed.get(&key).copied()),
             places: Some(model.places_digest(|sphere| moved.get(sphere.path.as_str()).copied())),
-            made: note_edits::made(model.document(), model.note.as_ref()),
+            made: note_edits::made(model, facts.followed),
         });
         Self { changes, moves, masses, taken, warnings, remarks, note, note_anyway: false }
     }

@@ -23,12 +23,6 @@ pub const FOLLOWING_NOTE: &str = "rescale follow-bodies";
 /// The operation, as the note has it, of a transfer whose spheres follow their bodies.
 pub const TRANSFER_FOLLOWING: &str = "transfer follow-bodies";
 
-/// Whether spheres were placed with their bodies when a note of this operation was written.
-#[must_use]
-pub fn places_spheres(operation: &str) -> bool {
-    [FOLLOWING, FOLLOWING_NOTE, TRANSFER_FOLLOWING].iter().any(|following| operation.starts_with(following))
-}
-
 /// What is wanted of a rescaling: the model's own contacts at another mass.
 ///
 /// ```
@@ -111,7 +105,8 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
         plan.warnings.push(already_there(origin, &wanted.contacts_mass));
         return Ok(finish(plan, wanted, selected, None, change));
     }
-    let mass = target / origin;
+    // A mass within a thousandth is the same: numbers stay, and only spheres move.
+    let mass = if same_mass(target, origin) && wanted.bodies.is_some() { 1.0 } else { target / origin };
     let isometric = Ratios::isometric(mass).map_err(Fault::new)?.radius();
     let radii = Radii::plan(
         &mut plan,
@@ -121,7 +116,7 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
         &wanted.properties,
     )?;
     match (&wanted.bodies, wanted.level) {
-        (Some(bodies), level) => radii.follow(&mut plan, bodies, level)?,
+        (Some(bodies), level) => radii.follow(&mut plan, &selected.forces, bodies, level)?,
         (None, Some(axis)) => radii.level(&mut plan, axis)?,
         (None, None) => {}
     }
@@ -216,6 +211,7 @@ fn finish(
         model,
         Contents { changes, moves, masses: Some(Masses { from, target_mass_kg }), taken, warnings, remarks },
         &NoteFacts {
+            followed: radii.filter(|_| wanted.bodies.is_some()).map(Radii::spheres).as_ref(),
             mass_kg: Some(wanted.target_mass_kg),
             gravity_m_s2: wanted.target_gravity_m_s2.or(model.contacts_gravity()),
             scope: if all { Scope::All } else { Scope::Partial },

@@ -126,6 +126,7 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
         model,
         Contents { changes, moves, masses, taken, warnings, remarks: vec![] },
         &NoteFacts {
+            followed: None,
             // What the bodies weigh is not yet what the contacts were made for.
             mass_kg: wanted
                 .contacts_mass

@@ -5,8 +5,8 @@
 mod given;
 
 use given::{fixture, fixtures, given, given_fixture};
-use osim_model::{FileId, MassRequest, MassSource, Model, Note};
-use osim_patch::{Plan, note};
+use osim_model::{FileId, MassRequest, MassSource, Model, Note, Selection};
+use osim_patch::{Plan, Rescale, ScaleFile, note, rescale};
 
 fn patched(plan: &Plan, model: &Model) -> String {
     String::from_utf8_lossy(&plan.patched(model, FileId::MAIN).unwrap()).into_owned()
@@ -151,4 +151,41 @@ fn what_open_sim_refuses_is_refused_with_its_place() {
         assert!(fault.to_string().contains("credits"), "{fault}");
         assert!(fault.position.is_some(), "{name}");
     }
+}
+
+#[test]
+fn a_note_says_a_new_size_only_of_bodies_whose_spheres_all_followed() {
+    let scaled = noted("scale_tool/generic_smooth.osim").replace(
+        "<scale_factors>1.01 1 1.02</scale_factors>",
+        "<scale_factors>0.505 0.5 0.51</scale_factors>",
+    );
+    let model = Model::parse(scaled.as_str()).unwrap();
+    let factors = model.scaled_since_note().unwrap().factors;
+    assert!(
+        factors.values().all(|factors| factors.iter().all(|factor| (factor - 0.5).abs() < 1e-15)),
+        "{factors:?}"
+    );
+    let follow = |glob: &str| {
+        let selection = Selection { select: vec![glob.parse().unwrap()], ..Selection::default() };
+        let selected = selection.apply(&model).unwrap();
+        let (mass, _) = MassRequest::default().of_contacts(&model).unwrap();
+        let mut wanted = Rescale::new(20.0, mass);
+        wanted.bodies = Some(ScaleFile::of_factors(factors.clone()));
+        rescale(&model, &selected, &wanted).unwrap()
+    };
+    let size = |plan: &Plan, body: &str| {
+        let note = plan.note().unwrap().clone();
+        note.sizes.into_iter().find(|size| size.body == body).map(|size| size.factors)
+    };
+    let right = follow("*_r");
+    assert_eq!(size(&right, "calcn_r"), Some([0.505, 0.5, 0.51]));
+    assert_eq!(size(&right, "calcn_l"), Some([1.01, 1.0, 1.02]), "its spheres are where they were");
+    assert!(!right.note().unwrap().placed());
+    // A body of which only some spheres followed has no one size.
+    assert_eq!(size(&follow("*heel_r"), "calcn_r"), None);
+    assert!(follow("*").note().unwrap().placed());
+    // What was placed stays so while spheres stay, whatever is done to parameters.
+    let all = patched(&follow("*"), &model);
+    let again = given(all).with_note().rescaled_to(25.0);
+    assert!(again.plan().note().unwrap().placed());
 }

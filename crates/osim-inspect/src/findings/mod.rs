@@ -10,4 +10,5 @@ mod result;
 mod traps;
 
 pub use check::{can_be_changed, check_known, check_model};
+pub use places::misplaced_spheres;
 pub use result::{CheckResult, Counts};

@@ -1,7 +1,6 @@
 //! Findings about the places of spheres: from the model that was scaled where it is at hand, else from this file alone.
 
-use osim_model::{Finding, Model, ScaledSinceNote};
-use osim_patch::places_spheres;
+use osim_model::{Finding, Model, Note, ScaledSinceNote};
 
 use super::remedy::Remedies;
 use crate::inspection::Inspection;
@@ -17,8 +16,15 @@ pub(super) enum Places<'i> {
 /// their bodies when it was written.
 fn noted_sizes(model: &Model) -> Option<ScaledSinceNote> {
     let since = model.scaled_since_note()?;
-    let placed = model.note.as_ref().is_some_and(|note| places_spheres(&note.operation));
+    let placed = model.note.as_ref().is_some_and(Note::placed);
     (since.is_scaled() || placed).then_some(since)
+}
+
+/// What one file alone shows of spheres that are where they should not be: for changes that leave them there.
+#[must_use]
+pub fn misplaced_spheres(model: &Model) -> Option<Finding> {
+    let evidence = Evidence::of(model, noted_sizes(model));
+    evidence.is_wrong().then(|| evidence.finding(model)).flatten()
 }
 
 impl<'i> Places<'i> {

@@ -2,6 +2,7 @@
 
 use contact_scaling::limits;
 use osim_model::files::FileName;
+use osim_model::wording::Verb;
 use osim_model::{
     Assignment, Model, Property, Remedy, RemedyChange, RemedyDesign, RemedyLoad, Selection, readable,
 };
@@ -161,10 +162,17 @@ impl<'m> Remedies<'m> {
 
     /// The model's own contacts at the mass of its body, on spheres that follow it by the sizes in the note.
     pub(super) fn follow_by_note(&self, model: &Model) -> Option<Remedy> {
-        let since = model.scaled_since_note()?;
+        let since = model.scaled_since_note().filter(|_| model.doubt_about_note().is_none())?;
+        let carriers = model.loaded_spheres(&model.force_ids());
+        let mut bodies = carriers.iter().filter_map(|&id| model.sphere(id)?.body.as_ref());
+        if bodies.any(|body| !since.factors.contains_key(body)) {
+            return None;
+        }
         // What the model weighs otherwise is for the user to say.
         let target_mass_kg = rounded(self.body_kg.filter(|_| self.load.mass_kg.is_none())?);
-        let level = !since.factors.values().any(|factors| is_stretched(*factors));
+        // A rescaling since then may have changed radii, and bottoms with them.
+        let untouched = model.note.as_ref().is_some_and(|note| note.operation == Verb::Note.name());
+        let level = untouched && !since.factors.values().any(|factors| is_stretched(*factors));
         self.remedy(RemedyChange::FollowNote { target_mass_kg, level }, false)
     }
 

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use osim_model::{Anatomy, AnatomyJoint, Model};
+use osim_patch::bone_of_mesh;
 
 /// How far a standard bone reaches along x of its body, m, at factor 1: `r_foot.vtp` and `r_bofoot.vtp` of OpenSim's Geometry,
 /// their least and largest x.
@@ -10,6 +11,8 @@ const HEEL_M: f64 = -0.0098;
 const FOOT_TIP_M: f64 = 0.183817;
 const TOES_TIP_M: f64 = 0.076918;
 
+/// Factors of OpenSim's own bones, from a mouse's to a giant's: 0.01 to 10. Millimetres are not among them.
+const PLAUSIBLE: std::ops::RangeInclusive<f64> = 0.01..=10.0;
 /// Words in names of bodies and meshes of a foot.
 const FOOT_WORDS: [&str; 9] = ["foot", "calc", "toe", "talus", "tars", "pes", "phal", "hoof", "paw"];
 
@@ -54,7 +57,11 @@ impl Bones {
 
     fn shows(&self, body: &str, bone: &str) -> Option<[f64; 3]> {
         let meshes = self.meshes.get(body)?;
-        meshes.iter().find(|(file, _)| stem(file) == bone).map(|(_, factors)| *factors)
+        // A file of another kind, or in another unit, is not that of OpenSim.
+        let is_standard = |(file, [x, ..]): &(&String, &[f64; 3])| {
+            file.to_lowercase().contains(".vtp") && bone_of_mesh(file) == bone && PLAUSIBLE.contains(x)
+        };
+        meshes.iter().find(is_standard).map(|(_, factors)| *factors)
     }
 
     /// From the heel to the tip of the standard foot of which `body` is the hind part, along its x, m.
@@ -70,36 +77,10 @@ impl Bones {
     }
 }
 
-/// The name of a mesh without folder, case, number and side: `foot` of `foot.vtp`, `r_foot.vtp` and `Geometry/l_foot.vtp`.
-fn stem(file: &str) -> String {
-    let name = file.rsplit(['/', '\\']).next().unwrap_or(file).to_lowercase();
-    let name = name.split('.').next().unwrap_or_default().trim();
-    let name = ["r_", "l_"].iter().find_map(|side| name.strip_prefix(side)).unwrap_or(name);
-    ["_rv", "_lv", "_r", "_l"].iter().find_map(|side| name.strip_suffix(side)).unwrap_or(name).to_owned()
-}
-
 /// Sizes that differ by no more than this, relatively, are one: a millimetre on a human foot.
 const SAME_SIZE: f64 = 0.005;
 
 /// Whether a bone is as large as another one.
 pub(super) fn same_size(a: [f64; 3], b: [f64; 3]) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME_SIZE * b.abs())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn one_bone_has_many_file_names() {
-        for file in
-            ["foot.vtp", "r_foot.vtp", "l_foot.vtp", "foot_r.vtp", "Geometry/R_Foot.VTP", "foot.vtp #2"]
-        {
-            assert_eq!(stem(file), "foot", "{file}");
-        }
-        assert_eq!(
-            (stem("l_bofoot.vtp").as_str(), stem("calcaneous_rv.vtp").as_str()),
-            ("bofoot", "calcaneous")
-        );
-    }
 }

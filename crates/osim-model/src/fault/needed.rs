@@ -128,6 +128,15 @@ pub enum Needed {
         /// What it is needed for.
         purpose: GravityFor,
     },
+    /// What the contacts were made for: they are known ones, made for another mass than the bodies weigh.
+    KnownContactsMass {
+        /// As people cite them.
+        title: String,
+        /// The mass that they were made for, kg.
+        made_for_kg: f64,
+        /// What the bodies weigh, kg.
+        bodies_kg: f64,
+    },
     /// How bodies were scaled, which the note was to say: it has no sizes, or spheres were moved since.
     NotedSizes,
     /// The ratio of heights that PredSim's rule is about.
@@ -207,6 +216,7 @@ impl Needed {
         match self {
             Self::BodyMass { .. }
             | Self::ModelMass { .. }
+            | Self::KnownContactsMass { .. }
             | Self::ContactsMass { doubt: NoteDoubt::Absent, .. } => "no-mass",
             Self::ContactsMass { .. } | Self::ContactsGravity { .. } => "stale-note",
             Self::Selection { .. } => "several-trees",
@@ -260,6 +270,16 @@ impl Needed {
                     noted.unwrap_or_default()
                 );
                 phrase![what, ": ", doubt.as_str(), ": say it with ", Input::ContactsMass.like("KG")]
+            }
+            Self::KnownContactsMass { title, made_for_kg, bodies_kg } => {
+                let (made_for, bodies) = (readable(*made_for_kg), readable(*bodies_kg));
+                phrase![
+                    format!(
+                        "the contacts are those of {title}, made for {made_for} kg, and the bodies weigh {bodies} kg: say \
+                         what the contacts are made for with "
+                    ),
+                    Input::ContactsMass.being(made_for.clone()),
+                ]
             }
             Self::ContactsGravity { doubt } => phrase![
                 "which gravity the contacts are made for is not certain: ",

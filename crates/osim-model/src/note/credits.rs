@@ -54,7 +54,7 @@ impl<'d> Credits<'d> {
             raw = inner.trim_ascii();
             span = start..start + raw.len();
         }
-        let text = read.text.split_ascii_whitespace().collect::<Vec<_>>().join(" ");
+        let text = condensed(&read.text);
         Ok(Some(Self { element, span, raw, text }))
     }
 
@@ -76,16 +76,24 @@ impl<'d> Credits<'d> {
 
     /// What comes before and after the note that is there.
     fn without_note(&self) -> Vec<&'d str> {
-        let around = self.raw.rfind(BEGINS).and_then(|at| {
+        // People and their programs break lines where the note has a blank.
+        let begins = |at: usize| self.raw.get(at..).is_some_and(|rest| condensed(rest).starts_with(BEGINS));
+        let found = self.raw.rmatch_indices('[').map(|(at, _)| at).find(|&at| begins(at));
+        let around = found.and_then(|at| {
             let (before, rest) = self.raw.split_at(at);
             // Something else in square brackets is kept.
-            let end = rest.find(ENDS).filter(|_| rest.contains(NAMES.trim_ascii()))? + ENDS.len();
+            let end = rest.find(ENDS).filter(|_| condensed(rest).contains(NAMES))? + ENDS.len();
             let behind = rest.get(end..)?;
             let before = before.strip_suffix(AND).unwrap_or(before).trim_ascii_end();
             Some([before, behind.strip_prefix(AND).unwrap_or(behind).trim_ascii_start()])
         });
         around.unwrap_or([self.raw, ""]).into_iter().filter(|part| !part.is_empty()).collect()
     }
+}
+
+/// With single blanks, as OpenSim reads and writes it.
+fn condensed(text: &str) -> String {
+    text.split_ascii_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 #[cfg(test)]
@@ -140,6 +148,10 @@ mod tests {
             (format!("<credits>{NOTE}</credits>"), "<credits>NOTE</credits>"),
             (format!("<credits>A &amp; B; {NOTE} </credits>"), "<credits>A &amp; B; NOTE </credits>"),
             (format!("<credits>A; {NOTE}; C. Later</credits>"), "<credits>A; C. Later; NOTE</credits>"),
+            (
+                format!("<credits>A;\n {}</credits>", NOTE.replace(' ', "\n\t")),
+                "<credits>A;\n NOTE</credits>",
+            ),
             (format!("<credits><![CDATA[A; {NOTE}]]></credits>"), "<credits><![CDATA[A; NOTE]]></credits>"),
         ] {
             assert_eq!(with_70_kg(&before), after, "{before}");

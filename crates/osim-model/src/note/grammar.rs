@@ -88,6 +88,15 @@ impl Note {
         plain(operation)
     }
 
+    /// The letter among those of `made` that says that all spheres were placed with their bodies.
+    pub const PLACED: char = 'p';
+
+    /// Whether all spheres were placed with their bodies when it was written, or before and not moved since.
+    #[must_use]
+    pub fn placed(&self) -> bool {
+        self.made.contains(Self::PLACED)
+    }
+
     /// `made` of a note of a file to which nothing was added.
     #[must_use]
     pub fn nothing_made() -> String {

@@ -23,7 +23,7 @@ pub(super) fn pairs(scaled: &Anatomy, reference: &Anatomy, body: &str) -> Vec<Bo
     let pair = |(mesh, new): (&String, &[f64; 3])| {
         // The same file says more than the same bone, and a mesh of the same side more than its mirror.
         let alike = || {
-            let mut same = old.iter().filter(|(other, _)| stem(other) == stem(mesh));
+            let mut same = old.iter().filter(|(other, _)| bone_of_mesh(other) == bone_of_mesh(mesh));
             let first = same.next()?;
             let sided = std::iter::once(first).chain(same).find(|(other, _)| side(other) == side(mesh));
             Some(sided.unwrap_or(first).1)
@@ -40,8 +40,13 @@ pub(super) fn pairs(scaled: &Anatomy, reference: &Anatomy, body: &str) -> Vec<Bo
     new.iter().filter_map(pair).collect()
 }
 
-/// The name of a mesh without folder, extension, case and side mark.
-fn stem(file: &str) -> String {
+/// The bone that a mesh shows: its file's name without folder, extension, case and side mark.
+///
+/// ```
+/// assert_eq!(osim_patch::bone_of_mesh("Geometry/R_Foot.VTP"), osim_patch::bone_of_mesh("foot_lv.obj"));
+/// ```
+#[must_use]
+pub fn bone_of_mesh(file: &str) -> String {
     let name = bare(file);
     let name = SIDE_BEFORE.iter().find_map(|mark| name.strip_prefix(mark)).unwrap_or(&name);
     let name = SIDE_AFTER.iter().find_map(|mark| name.strip_suffix(mark)).unwrap_or(name);
@@ -75,11 +80,12 @@ mod tests {
             "foot_r.stl",
             "Geometry/R_Foot.VTP",
             "bones\\foot_lv.obj",
+            "foot.vtp #2",
         ] {
-            assert_eq!(stem(name), "foot", "{name}");
+            assert_eq!(bone_of_mesh(name), "foot", "{name}");
         }
         for name in ["bofoot.vtp", "footprint.vtp", "l_bofoot.vtp", "talus_rv.vtp"] {
-            assert_ne!(stem(name), "foot", "{name}");
+            assert_ne!(bone_of_mesh(name), "foot", "{name}");
         }
         assert_eq!(
             (side("r_foot.vtp"), side("talus_lv.vtp"), side("foot.vtp")),

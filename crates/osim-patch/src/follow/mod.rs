@@ -17,6 +17,7 @@ mod sphere_bodies;
 mod spheres;
 
 pub use body_factors::{AxisFactor, BodyFactors, FactorSource};
+pub use bones::bone_of_mesh;
 pub use copy::Difference;
 pub use factors::Factors;
 pub use scale_file::ScaleFile;

@@ -1,13 +1,14 @@
 //! New radii, and the one radius ratio by which a force's parameters follow.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use osim_model::{Fault, Force, ForceId, LevelAxis, Model, Property, SphereId};
+use osim_model::{Fault, Force, ForceId, LevelAxis, Model, Property, RadiusFrom, SphereId};
 
 use super::rule::{Pair, RadiusRule, SphereRule};
 use super::users::Users;
 use crate::builder::{New, PlanBuilder};
 use crate::follow::ScaleFile;
+use crate::plan::FOLLOW;
 use crate::property_set::PropertySet;
 
 /// Old and new radius of each moving sphere of the chosen forces.
@@ -53,6 +54,11 @@ impl Radii {
         }
     }
 
+    /// The moving spheres.
+    pub(crate) fn spheres(&self) -> BTreeSet<SphereId> {
+        self.0.keys().copied().collect()
+    }
+
     /// Root of the mean R² before.
     pub(crate) fn mean_old(&self, force: &Force) -> f64 {
         root_mean_square(self.of(force).iter().map(|pair| pair.old))
@@ -90,9 +96,11 @@ impl Radii {
     pub(crate) fn follow(
         &self,
         plan: &mut PlanBuilder<'_>,
+        forces: &[ForceId],
         bodies: &ScaleFile,
         level: Option<LevelAxis>,
     ) -> Result<(), Fault> {
+        let users = Users::outside(plan.model, forces);
         for (&sphere, pair) in &self.0 {
             let Some(found) = plan.model.sphere(sphere) else { continue };
             let Some(body) = found.body.as_deref() else { continue };
@@ -103,7 +111,10 @@ impl Radii {
                 Some(axis) => axis.in_frame(&rotation).centre(location, pair.old, pair.new, scaled),
                 None => scaled(location),
             };
-            plan.location(sphere, place, "follow")?;
+            if place != location {
+                users.refuse(plan.model, forces, sphere, RadiusFrom::Bodies)?;
+            }
+            plan.location(sphere, place, FOLLOW)?;
         }
         Ok(())
     }

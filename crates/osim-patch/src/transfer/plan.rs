@@ -203,6 +203,7 @@ fn finish(
         model,
         Contents { changes, moves, masses, taken, warnings, remarks },
         &NoteFacts {
+            followed: wanted.follow.as_ref().map(|_| radii.spheres()).as_ref(),
             mass_kg: Some(wanted.mass.kg),
             // Without a target, the gravity that the reference's contacts were made for.
             gravity_m_s2: wanted.target_gravity_m_s2.or(wanted.reference.gravity_m_s2).or(model.gravity()),

@@ -40,6 +40,11 @@ fn examples() -> Vec<Needed> {
         Needed::Gravity { purpose: GravityFor::Weight },
         Needed::HeightRatio,
         Needed::NotedSizes,
+        Needed::KnownContactsMass {
+            title: "Falisse et al. (2022)".to_owned(),
+            made_for_kg: 62.0,
+            bodies_kg: 20.0,
+        },
     ]
 }
 

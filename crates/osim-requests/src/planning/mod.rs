@@ -3,6 +3,7 @@
 pub(crate) mod any;
 mod asking;
 mod design;
+mod following;
 mod note;
 mod operation;
 mod reference;

@@ -2,17 +2,15 @@
 
 use std::path::PathBuf;
 
-use osim_inspect::KnownContacts;
+use osim_inspect::{KnownContacts, misplaced_spheres};
 use osim_model::files::Files;
 use osim_model::wording::{Input, phrase};
-use osim_model::{
-    Fault, Finding, FindingCode, Mass, MassRequest, Model, Needed, NoteDoubt, Selected, Selection, readable,
-    same_mass,
-};
-use osim_patch::{FOLLOWING, FOLLOWING_NOTE, Plan, RadiusRule, Rescale, ScaleFile, rescale};
+use osim_model::{Fault, Mass, MassRequest, Model, Needed, NoteDoubt, Selected, Selection, same_mass};
+use osim_patch::{Plan, RadiusRule, Rescale, ScaleFile, rescale};
 use serde_json::json;
 
 use super::asking::Asking;
+use super::following::Following;
 use super::operation::{operation, refuse_again};
 use crate::fault::{RequestError, RequestFault};
 use crate::opening::scale_file;
@@ -26,10 +24,8 @@ struct Rescaling {
     masses: MassRequest,
     selection: Selection,
     scaling: ScalingOptions,
-    /// By how much bodies were scaled, where spheres follow them.
-    bodies: Option<ScaleFile>,
-    /// By what the note says of their sizes.
-    follow_note: bool,
+    following: Following,
+    force: bool,
     reads: Vec<PathBuf>,
     may_repeat: bool,
     inspection: InspectionOptions,
@@ -81,8 +77,12 @@ impl RescaleRequest {
             masses: MassRequest { target_mass_kg: Some(target.get()), ..masses.request() },
             selection: choice.selection(),
             scaling,
-            bodies,
-            follow_note: follow_bodies,
+            following: match bodies {
+                Some(file) => Following::File(file),
+                None if follow_bodies => Following::Note,
+                None => Following::Nothing,
+            },
+            force: output.force,
             reads: body_scale_file.into_iter().collect(),
             may_repeat: output.may_repeat(),
             inspection: InspectionOptions::new(StanceOptions::default(), masses, choice, set_files.clone()),
@@ -118,22 +118,20 @@ impl Planner for Rescaling {
         let selected = self.selection.apply(model)?;
         let scaling = &self.scaling;
         let radius = scaling.radius.map(Radius::rule);
-        let verb = match (&self.bodies, self.follow_note) {
-            (Some(_), _) => FOLLOWING,
-            (None, true) => FOLLOWING_NOTE,
-            (None, false) => "rescale",
-        };
-        let operation = operation(verb, radius);
-        if matches!(radius, Some(RadiusRule::Factor(_))) || self.bodies.is_some() {
+        let operation = operation(self.following.operation(), radius);
+        if matches!(radius, Some(RadiusRule::Factor(_))) {
             refuse_again(model, &operation, self.may_repeat)?;
         }
         let (contacts_mass, mut warnings) = self.masses.of_contacts(model)?;
-        let bodies = if self.follow_note { Some(bodies_of_note(model)?) } else { self.bodies.clone() };
+        refuse_known(model, &selected, &contacts_mass)?;
+        let bodies = self.following.factors(model, self.force)?;
         if bodies.is_some() && !contacts_mass.source.is_of_contacts() {
             // What the bodies weigh now, the contacts were not made for.
             return Err(Fault::new(Needed::ContactsMass { noted_kg: None, doubt: NoteDoubt::Absent }));
         }
-        warnings.extend(known_for_another_mass(model, &selected, &contacts_mass));
+        if bodies.is_none() {
+            warnings.extend(misplaced_spheres(model));
+        }
         let mut wanted = Rescale::new(self.target_mass_kg, contacts_mass);
         wanted.radius = radius.unwrap_or(RadiusRule::Isometric);
         wanted.properties = scaling.properties();
@@ -149,31 +147,18 @@ impl Planner for Rescaling {
     }
 }
 
-/// By how much OpenSim scaled the bodies since the note was written.
-fn bodies_of_note(model: &Model) -> Result<ScaleFile, Fault> {
-    let since = model.scaled_since_note().ok_or_else(|| Fault::new(Needed::NotedSizes))?;
-    Ok(ScaleFile::of_factors(since.factors))
-}
-
-/// A warning where the contacts are known ones that were made for another mass than the bodies', which is taken because nothing
-/// else is said.
-fn known_for_another_mass(model: &Model, selected: &Selected, mass: &Mass) -> Option<Finding> {
+/// Refuses to take what the bodies weigh where the contacts are known ones that were made for another mass.
+fn refuse_known(model: &Model, selected: &Selected, mass: &Mass) -> Result<(), Fault> {
     if mass.source.is_of_contacts() {
-        return None;
+        return Ok(());
     }
-    let known = KnownContacts::find(model, &selected.forces, None, Some(mass.kg))?;
-    if same_mass(known.made_for_kg, mass.kg) {
-        return None;
+    let known = KnownContacts::find(model, &selected.forces, None, Some(mass.kg));
+    match known.filter(|known| !same_mass(known.made_for_kg, mass.kg)) {
+        Some(known) => Err(Fault::new(Needed::KnownContactsMass {
+            title: known.title.to_owned(),
+            made_for_kg: known.made_for_kg,
+            bodies_kg: mass.kg,
+        })),
+        None => Ok(()),
     }
-    let text = phrase![
-        format!("contacts are taken as made for {} kg (", readable(mass.kg)),
-        &mass.source.describe(),
-        format!(
-            "), but they are those of {}, made for {} kg: say ",
-            known.title,
-            readable(known.made_for_kg)
-        ),
-        Input::ContactsMass.being(readable(known.made_for_kg)),
-    ];
-    Some(Finding::new(FindingCode::MassSourcesDisagree, text))
 }

@@ -264,7 +264,7 @@ impl Planner for Transferring {
             refuse_again(model, &operation, self.may_repeat)?;
         }
         let mass = self.masses.of_model(model)?;
-        warnings.extend(self.masses.disagreements(model, &mass));
+        warnings.extend(self.masses.disagreements_of_weight(model, &mass));
         let mut wanted = Transfer::new(self.reference.clone(), mass, counts.here);
         wanted.reference.sphere_count = counts.there;
         wanted.counts_cancel = counts.cancel;
