@@ -9,6 +9,7 @@ mod factor_question;
 mod kind;
 mod needed;
 mod needs_answer;
+mod note_doubt;
 mod way_out;
 
 use std::fmt;
@@ -20,8 +21,9 @@ use osim_xml::{LineIndex, Position};
 pub use excerpt::Excerpt;
 pub use factor_question::FactorQuestion;
 pub use kind::FaultKind;
-pub use needed::{CountOf, Needed, NoteDoubt, TreeOfForces};
+pub use needed::{CountOf, Needed, TreeOfForces};
 pub use needs_answer::{MassSlip, NeedsAnswer, Question};
+pub use note_doubt::NoteDoubt;
 pub use way_out::{GravityFor, RadiusFrom};
 
 /// One thing that is wrong, and where.

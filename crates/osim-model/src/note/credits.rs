@@ -84,8 +84,10 @@ impl<'d> Credits<'d> {
             // Something else in square brackets is kept.
             let end = rest.find(ENDS).filter(|_| condensed(rest).contains(NAMES))? + ENDS.len();
             let behind = rest.get(end..)?;
-            let before = before.strip_suffix(AND).unwrap_or(before).trim_ascii_end();
-            Some([before, behind.strip_prefix(AND).unwrap_or(behind).trim_ascii_start()])
+            let before = before.trim_ascii_end();
+            let behind = behind.trim_ascii_start();
+            let behind = behind.strip_prefix(';').unwrap_or(behind).trim_ascii_start();
+            Some([before.strip_suffix(';').unwrap_or(before), behind])
         });
         around.unwrap_or([self.raw, ""]).into_iter().filter(|part| !part.is_empty()).collect()
     }
@@ -148,10 +150,7 @@ mod tests {
             (format!("<credits>{NOTE}</credits>"), "<credits>NOTE</credits>"),
             (format!("<credits>A &amp; B; {NOTE} </credits>"), "<credits>A &amp; B; NOTE </credits>"),
             (format!("<credits>A; {NOTE}; C. Later</credits>"), "<credits>A; C. Later; NOTE</credits>"),
-            (
-                format!("<credits>A;\n {}</credits>", NOTE.replace(' ', "\n\t")),
-                "<credits>A;\n NOTE</credits>",
-            ),
+            (format!("<credits>A;\n {}</credits>", NOTE.replace(' ', "\n\t")), "<credits>A; NOTE</credits>"),
             (format!("<credits><![CDATA[A; {NOTE}]]></credits>"), "<credits><![CDATA[A; NOTE]]></credits>"),
         ] {
             assert_eq!(with_70_kg(&before), after, "{before}");
