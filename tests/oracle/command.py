@@ -51,5 +51,12 @@ def inspect(model, *more):
     return run("inspect", model, *more)
 
 
+# Known contacts that were published under a body of another mass than they were made for: which is meant has to be said.
+ASKED = ("v40000_opencap_lai_arnold_crlf",)
+
+
 def rescale(model, target_mass, output, *more):
+    """A rescaling from the mass of the bodies, which is said where it would be asked."""
+    if Path(model).stem in ASKED and "--contacts-mass" not in more:
+        more = (*more, "--contacts-mass", repr(inspect(model).report["mass_kg"]))
     return run(model, "--target-mass", repr(target_mass), *YES, "-o", output, *more)

@@ -13,7 +13,7 @@ const OTHER_REFERENCE: f64 = 0.01;
 /// Below this, a difference is one of spelling, m.
 const SPELLING_M: f64 = 1e-6;
 
-/// Factors from the Scale Tool's applied ScaleSet file, by body name: see [`Factors`] for an example.
+/// Factors from the Scale Tool's applied ScaleSet file, by body name: see [`Factors`](crate::Factors) for an example.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ScaleFile(BTreeMap<String, [f64; 3]>);
 
