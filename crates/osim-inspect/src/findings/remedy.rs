@@ -174,6 +174,7 @@ impl<'m> Remedies<'m> {
             from: placement.from.clone(),
             body_scale_file: placement.body_scale_file.clone(),
             level: placement.suits_level,
+            replace_moved: placement.has_resized(),
         };
         placement.can_follow().then(|| self.remedy(change, true)).flatten()
     }
