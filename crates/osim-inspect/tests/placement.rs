@@ -9,7 +9,7 @@
 )]
 
 use osim_inspect::{CheckResult, InspectOptions, Placement, check_model};
-use osim_model::{Anatomy, FileId, FindingCode, Mass, MassSource, Model, RemedyChange, Selection};
+use osim_model::{Anatomy, FileId, FindingCode, Mass, MassSource, Model, RemedyChange, Selection, Severity};
 use osim_patch::{Rescale, note, rescale};
 
 /// Places of Falisse et al. (2022) on bones of their size, and on bones of a child.
@@ -288,4 +288,33 @@ fn spheres_that_this_program_resized_are_placed_again() {
     let start = resized.find("<radius>").unwrap() + "<radius>".len();
     let by_hand = format!("{}1{}", &resized[..start], &resized[start..]);
     assert_eq!(change(&by_hand), None);
+}
+
+#[test]
+fn symptoms_of_misplaced_spheres_come_after_them_and_have_no_command() {
+    // Beyond the toe joint, and a hundredth as stiff.
+    let text = with_x(NOBODYS, "s2_r", 1.3 * 143.04).replace("<stiffness>1000000<", "<stiffness>10000<");
+    let found = check(&text, None);
+    assert!(found.findings.iter().all(|one| one.remedy.is_none()));
+    let warned: Vec<_> = found.findings.iter().filter(|one| one.severity == Severity::Warn).collect();
+    assert!(warned.len() > 1, "{warned:?}");
+    assert_eq!(warned[0].code, FindingCode::SpheresMisplaced);
+}
+
+#[test]
+fn a_command_that_would_be_refused_for_a_shared_sphere_is_not_proposed() {
+    // The sphere is in a force of another class, which a transfer does not change with it.
+    let obstacle = "<ElasticFoundationForce name=\"obstacle\"><HuntCrossleyForce::ContactParametersSet><objects>\
+                    <ElasticFoundationForce::ContactParameters><geometry>heel_r</geometry>\
+                    </ElasticFoundationForce::ContactParameters></objects></HuntCrossleyForce::ContactParametersSet>\
+                    </ElasticFoundationForce>";
+    let at = SCALED
+        .find("<ForceSet")
+        .map(|at| at + SCALED[at..].find("<objects>").unwrap() + "<objects>".len())
+        .unwrap();
+    let shared = format!("{}{obstacle}{}", &SCALED[..at], &SCALED[at..]);
+    assert!(Model::parse(shared.as_str()).unwrap().users_of_other_classes().contains_key("heel_r"));
+    let found = check(&shared, Some(GENERIC));
+    assert_eq!(codes(&found).len(), 6);
+    assert!(found.findings.iter().all(|one| one.remedy.is_none()));
 }
