@@ -43,7 +43,7 @@ pub use inspection::{
     ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,
     InspectedLimb, InspectedSphere, Inspection, Origins, Parameters,
 };
-pub use known::KnownContacts;
+pub use known::{KnownContacts, unexplained_slip};
 pub use load_sharing::LoadSharing;
 pub use mass_mismatch::MassMismatch;
 pub use options::{InspectOptions, Stance};

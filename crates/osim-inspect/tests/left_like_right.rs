@@ -103,3 +103,78 @@ fn the_side_that_differs_gets_the_value_of_the_other() {
     let select: Vec<&str> = remedy.selection.select.iter().map(Pattern::as_str).collect();
     assert_eq!(select, ["contact_s1_l"]);
 }
+
+/// Two feet of six spheres, of which the left foot was scaled by 0.99, 0.96 and 0.97: its radii by their geometric mean, the
+/// parameters of its forces as (10), (14), (C.2), (C.5) and (C.10) have it for one mass.
+fn smaller_left_foot() -> String {
+    let text = include_str!("../../../fixtures/check/known_contacts.osim");
+    let ratio = (0.99_f64 * 0.96 * 0.97).cbrt();
+    let times = |text: String, tag: &str, power: f64| {
+        let open = format!("<{tag}>");
+        let mut parts = text.split(&open);
+        let mut out = parts.next().unwrap().to_owned();
+        let mut owner_is_left = out.rfind("_l\">") > out.rfind("_r\">");
+        for part in parts {
+            let (value, rest) = part.split_once('<').unwrap();
+            let value: f64 = value.parse().unwrap();
+            let factor = if owner_is_left { ratio.powf(power) } else { 1.0 };
+            out.push_str(&format!("{open}{}<{rest}", value * factor));
+            owner_is_left = out.rfind("_l\">") > out.rfind("_r\">");
+        }
+        out
+    };
+    let mut text = text.to_owned();
+    for (tag, power) in [
+        ("radius", 1.0),
+        ("stiffness", -2.0),
+        ("dissipation", -0.5),
+        ("constant_contact_force", 2.0),
+        ("hertz_smoothing", -1.0),
+        ("hunt_crossley_smoothing", -0.5),
+    ] {
+        text = times(text, tag, power);
+    }
+    let (right, left) = text.split_at(text.find("<Body name=\"calcn_l\">").unwrap());
+    let small = [0.99, 0.96, 0.97].map(|factor| (factor * 0.913924).to_string()).join(" ");
+    format!("{right}{}", left.replace("0.913924 0.913924 0.913924", &small))
+}
+
+fn differing(text: &str) -> Vec<String> {
+    let found = check_text(text).findings;
+    let differ = found.iter().filter(|found| found.code == FindingCode::LeftRightDiffer);
+    differ.inspect(|found| assert_eq!(found.remedy, None)).map(|found| found.message.to_string()).collect()
+}
+
+#[test]
+fn contacts_that_follow_bones_of_unlike_size_do_not_differ() {
+    let text = smaller_left_foot();
+    assert!(text.contains("<radius>0.032<") && text.contains("<radius>0.0311"));
+    assert_eq!(differing(&text), Vec::<String>::new());
+    // On equal bones the same numbers are a slip, and one radius that its bone does not explain is.
+    let equal = include_str!("../../../fixtures/check/known_contacts.osim");
+    let (_, feet) = equal.split_at(equal.find("<Body name=\"calcn_l\">").unwrap());
+    let of_equal = format!(
+        "{}{}{}",
+        &text[..text.find("<Body name=\"calcn_l\">").unwrap()],
+        &feet[..feet.find("<ForceSet").unwrap()],
+        &text[text.find("<ForceSet").unwrap()..]
+    );
+    let found = check_text(&of_equal);
+    let differ = found.findings.iter().filter(|found| found.code == FindingCode::LeftRightDiffer);
+    assert_eq!(differ.count(), 6);
+}
+
+#[test]
+fn a_remedy_leaves_radii_on_bones_of_unlike_size() {
+    let text = smaller_left_foot();
+    let start = text.rfind("<radius>0.0311").unwrap();
+    let end = start + text[start..].find("</radius>").unwrap();
+    let wrong = format!("{}<radius>0.03{}", &text[..start], &text[end..]);
+    assert_eq!(differing(&wrong).len(), 1, "one radius");
+    // A modulus that does not follow its radius.
+    let start = text.rfind("<stiffness>").unwrap();
+    let end = start + text[start..].find("</stiffness>").unwrap();
+    let wrong = format!("{}<stiffness>1000000{}", &text[..start], &text[end..]);
+    let found = differing(&wrong);
+    assert!(found.len() == 1 && found[0].contains("does not follow the radii"), "{found:?}");
+}

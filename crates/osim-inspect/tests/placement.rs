@@ -9,8 +9,8 @@
 )]
 
 use osim_inspect::{CheckResult, InspectOptions, Placement, check_model};
-use osim_model::{Anatomy, FileId, FindingCode, Model, RemedyChange};
-use osim_patch::note;
+use osim_model::{Anatomy, FileId, FindingCode, Mass, MassSource, Model, RemedyChange, Selection, Severity};
+use osim_patch::{Rescale, note, rescale};
 
 /// Places of Falisse et al. (2022) on bones of their size, and on bones of a child.
 const RIGHT: &str = include_str!("../../../fixtures/check/known_contacts.osim");
@@ -147,7 +147,12 @@ fn compared_with_the_model_that_was_scaled_each_sphere_has_its_place() {
     assert_eq!(behind[0], "heel_r stayed at -10.00 -40.00 5.00 mm and belongs at -10.20 -36.00 4.75 mm");
     let remedy = found.findings[0].remedy.as_ref().unwrap();
     // 0.9 / √(1.02 · 0.95) is 0.914: near enough for level soles.
-    let expected = RemedyChange::Follow { from: "generic.osim".into(), body_scale_file: None, level: true };
+    let expected = RemedyChange::Follow {
+        from: "generic.osim".into(),
+        body_scale_file: None,
+        level: true,
+        replace_moved: false,
+    };
     assert_eq!(remedy.change, expected);
     // What the spheres do where they should not be is not judged, and nothing else has a command.
     assert!(
@@ -248,4 +253,96 @@ fn bones_of_other_software_are_not_measured_as_those_of_open_sim() {
     for text in [NOBODYS.replace("foot.vtp", "foot.stl"), bones_of(NOBODYS, "0.001 0.001 0.001")] {
         assert!(!alone(&text).contains(&FindingCode::SpheresMisplaced));
     }
+}
+
+#[test]
+fn another_original_is_said_and_what_the_file_shows_is_not_hidden() {
+    let found = check(CHILD, Some(RIGHT));
+    // The same bodies: compared, and no layout is looked at.
+    assert!(!codes(&found).contains(&FindingCode::SpheresNotCompared), "{:?}", codes(&found));
+    // Meshes of one body that no factors per axis explain: not a scaled copy.
+    let unlike = RIGHT.replacen("0.913924 0.913924 0.913924", "0.913924 -0.913924 0.913924", 1);
+    let found = check(CHILD, Some(&unlike));
+    let said: Vec<_> = found.findings.iter().filter(|one| PLACES.contains(&one.code)).collect();
+    assert_eq!(codes(&found).len(), 2, "{said:?}");
+    assert!(codes(&found).contains(&FindingCode::SpheresMisplaced), "by the layout in the file");
+    let why = said.iter().find(|one| one.code == FindingCode::SpheresNotCompared).unwrap();
+    assert!(why.message.to_string().contains("no scaled copy of that one"), "{}", why.message);
+    assert!(said.iter().all(|one| one.remedy.is_none()));
+}
+
+#[test]
+fn a_sphere_without_a_counterpart_is_reported_and_nothing_is_said_to_be_right() {
+    for (scaled, generic) in [
+        // In one of the two models alone: renamed there.
+        (SCALED.replace("heel_r", "hind_r"), GENERIC.to_owned()),
+        (SCALED.to_owned(), GENERIC.replace("heel_r", "hind_r")),
+    ] {
+        let found = check(&scaled, Some(&generic));
+        let missing: Vec<String> = found
+            .findings
+            .iter()
+            .filter(|one| one.code == FindingCode::SpheresNotCompared)
+            .map(|one| one.message.to_string())
+            .collect();
+        assert_eq!(missing.len(), 2, "{missing:?}");
+        assert!(missing[0].contains("is not in the model that was scaled"), "{missing:?}");
+        assert!(missing[1].contains("of the model that was scaled is missing here"), "{missing:?}");
+        assert!(found.findings.iter().all(|one| one.remedy.is_none()), "a transfer would refuse");
+    }
+}
+
+#[test]
+fn spheres_that_this_program_resized_are_placed_again() {
+    let model = Model::parse(SCALED).unwrap();
+    let selected = Selection::default().apply(&model).unwrap();
+    let mass = Mass { kg: 62.0, source: MassSource::ContactsMass };
+    let mut plan = rescale(&model, &selected, &Rescale::new(40.0, mass)).unwrap();
+    plan.name_operation("rescale");
+    let resized = String::from_utf8(plan.patched(&model, FileId::MAIN).unwrap()).unwrap();
+    let change = |text: &str| {
+        let found = check(text, Some(GENERIC));
+        let behind = found.findings.iter().find(|one| one.code == FindingCode::SpheresLeftBehind).unwrap();
+        behind.remedy.as_ref().map(|remedy| remedy.change.clone())
+    };
+    let expected = RemedyChange::Follow {
+        from: "generic.osim".into(),
+        body_scale_file: None,
+        level: true,
+        replace_moved: true,
+    };
+    assert_eq!(change(&resized), Some(expected));
+    // Whoever else changed a radius knows why.
+    let start = resized.find("<radius>").unwrap() + "<radius>".len();
+    let by_hand = format!("{}1{}", &resized[..start], &resized[start..]);
+    assert_eq!(change(&by_hand), None);
+}
+
+#[test]
+fn symptoms_of_misplaced_spheres_come_after_them_and_have_no_command() {
+    // Beyond the toe joint, and a hundredth as stiff.
+    let text = with_x(NOBODYS, "s2_r", 1.3 * 143.04).replace("<stiffness>1000000<", "<stiffness>10000<");
+    let found = check(&text, None);
+    assert!(found.findings.iter().all(|one| one.remedy.is_none()));
+    let warned: Vec<_> = found.findings.iter().filter(|one| one.severity == Severity::Warn).collect();
+    assert!(warned.len() > 1, "{warned:?}");
+    assert_eq!(warned[0].code, FindingCode::SpheresMisplaced);
+}
+
+#[test]
+fn a_command_that_would_be_refused_for_a_shared_sphere_is_not_proposed() {
+    // The sphere is in a force of another class, which a transfer does not change with it.
+    let obstacle = "<ElasticFoundationForce name=\"obstacle\"><HuntCrossleyForce::ContactParametersSet><objects>\
+                    <ElasticFoundationForce::ContactParameters><geometry>heel_r</geometry>\
+                    </ElasticFoundationForce::ContactParameters></objects></HuntCrossleyForce::ContactParametersSet>\
+                    </ElasticFoundationForce>";
+    let at = SCALED
+        .find("<ForceSet")
+        .map(|at| at + SCALED[at..].find("<objects>").unwrap() + "<objects>".len())
+        .unwrap();
+    let shared = format!("{}{obstacle}{}", &SCALED[..at], &SCALED[at..]);
+    assert!(Model::parse(shared.as_str()).unwrap().users_of_other_classes().contains_key("heel_r"));
+    let found = check(&shared, Some(GENERIC));
+    assert_eq!(codes(&found).len(), 6);
+    assert!(found.findings.iter().all(|one| one.remedy.is_none()));
 }

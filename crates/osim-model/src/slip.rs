@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::anatomy::joints_between_bodies;
 use crate::contacts::Sphere;
 use crate::fault::{MassSlip, NeedsAnswer};
-use crate::mass::MassRequest;
+use crate::mass::{MassRequest, same_mass};
 use crate::model::Model;
 use crate::wording::Input;
 
@@ -17,13 +17,21 @@ const POUNDS: f64 = 2.2046;
 const LIGHTEST_KG: f64 = 1e-6;
 /// Heavier than any: 200 t, kg.
 const HEAVIEST_KG: f64 = 200e3;
+/// So many times the bodies' mass a target looks like grams: 1000 times, for a body within a factor of 5.
+const GRAMS_OF_A_TARGET: std::ops::RangeInclusive<f64> = 200.0..=5000.0;
 
 /// Whether `kg`, which the caller said as `input`, looks like a slip for a model whose bodies weigh `bodies_kg` together.
 #[must_use]
 pub fn mass_slip(input: Input, kg: f64, bodies_kg: Option<f64>) -> Option<NeedsAnswer> {
+    // What the bodies weigh is the right unit.
+    if input == Input::TargetMass && bodies_kg.is_some_and(|bodies| same_mass(kg, bodies)) {
+        return None;
+    }
+    let grams_of_target = input == Input::TargetMass
+        && bodies_kg.is_some_and(|bodies| GRAMS_OF_A_TARGET.contains(&(kg / bodies)));
     let near = |factor: f64| bodies_kg.is_some_and(|bodies| (kg / bodies / factor - 1.0).abs() <= NEAR);
     let slip = match () {
-        () if near(1000.0) => MassSlip::Grams,
+        () if near(1000.0) || grams_of_target => MassSlip::Grams,
         () if near(1.0 / 1000.0) => MassSlip::Tonnes,
         () if near(POUNDS) => MassSlip::Pounds,
         () if near(1.0 / POUNDS) => MassSlip::BodiesInPounds,
@@ -41,19 +49,29 @@ impl MassRequest {
         bodies.of_model(model).ok().map(|mass| mass.kg)
     }
 
-    /// The first of the masses said that looks like a slip for this model.
+    /// The masses said that look like slips for this model. What its note says is none; and who says the target in the unit of the
+    /// bodies says the other masses in it, too.
     #[must_use]
-    pub fn slip(&self, model: &Model) -> Option<NeedsAnswer> {
+    pub fn slips(&self, model: &Model) -> Vec<NeedsAnswer> {
         let said = [
             (Input::TargetMass, self.target_mass_kg),
             (Input::ContactsMass, self.contacts_kg),
             (Input::Mass, self.model_kg),
         ];
         if said.iter().all(|(_, kg)| kg.is_none()) {
-            return None;
+            return Vec::new();
         }
+        let noted_kg = model.note.as_ref().and_then(|note| note.mass_kg);
         let bodies_kg = self.bodies_kg(model);
-        said.into_iter().find_map(|(input, kg)| mass_slip(input, kg?, bodies_kg))
+        let unit_is_known =
+            self.target_mass_kg.zip(bodies_kg).is_some_and(|(target, bodies)| same_mass(target, bodies));
+        let asks = |(input, kg): (Input, Option<f64>)| {
+            let kg = kg.filter(|&kg| !noted_kg.is_some_and(|noted| same_mass(kg, noted)))?;
+            let asks = mass_slip(input, kg, bodies_kg)?;
+            let explained = unit_is_known && input == Input::ContactsMass && asks.is_about_pounds();
+            (!explained).then_some(asks)
+        };
+        said.into_iter().filter_map(asks).collect()
     }
 }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use osim_inspect::{CheckResult, InspectOptions, Inspection, Placement, check_model};
+use osim_inspect::{CheckResult, InspectOptions, Inspection, Placement, check_model, unexplained_slip};
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::{Anatomy, Fault, Finding, Model, Severity};
 use osim_patch::{Factors, ScaleFile};
@@ -112,7 +112,8 @@ impl Inspector {
     /// The generic model cannot be read, factors cannot be determined, or a mass that was said looks like a slip.
     pub fn inspect(&self, opened: &OpenModel) -> Result<Inspection, Failure> {
         if let Some(answers) = &self.answers {
-            let asked = answers.ask(self.options.masses.slip(&opened.model));
+            let options = &self.options;
+            let asked = answers.ask(unexplained_slip(&options.masses, &opened.model, &options.selection));
             asked.map_err(|kind| opened.failure(Fault::new(kind)))?;
         }
         let generic = self.generic.as_ref().map(Result::as_ref).transpose().map_err(Failure::clone)?;

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use osim_inspect::series::{Body, HeatRequest};
+use osim_inspect::unexplained_slip;
 use osim_model::files::Files;
 use osim_model::wording::{Input, phrase};
 use osim_model::{Fault, MassRequest};
@@ -63,9 +64,9 @@ impl PlotRequest {
             }
             Subject::Model(open) => {
                 let said = MassRequest { target_mass_kg: self.target_mass_kg(), ..masses.clone() };
-                let asked = self.answers.ask(said.slip(&open.model));
-                asked.map_err(|kind| open.failure(Fault::new(kind)))?;
                 let selection = self.choice.selection();
+                let asked = self.answers.ask(unexplained_slip(&said, &open.model, &selection));
+                asked.map_err(|kind| open.failure(Fault::new(kind)))?;
                 let selected = selection.apply(&open.model).map_err(|fault| open.failure(fault))?;
                 let failed = |fault| open.failure(fault);
                 let name = short_name(path);

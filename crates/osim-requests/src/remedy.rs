@@ -5,8 +5,8 @@ use osim_model::{Remedy, RemedyChange, RemedyDesign, RemedyLoad};
 
 use crate::fault::RequestFault;
 use crate::options::{
-    AnswerOptions, CountOptions, FollowOptions, ForceOptions, LoadOptions, MassOptions, ScalingOptions,
-    SetFiles, WantedOptions,
+    AnswerOptions, CountOptions, FollowOptions, ForceOptions, LoadOptions, MassOptions, MovedChoice,
+    ScalingOptions, SetFiles, WantedOptions,
 };
 use crate::request::{DesignRequest, Request, RescaleRequest, SetRequest, TransferRequest};
 use osim_values::{
@@ -65,23 +65,27 @@ impl TryFrom<&Remedy> for Request {
                 target_mass: checked(Input::TargetMass, Some(*target_mass_kg), Kilograms::new)?,
                 follow_bodies: true,
                 scaling: ScalingOptions { level: *level, ..ScalingOptions::default() },
+                masses: masses(&load)?,
                 choice,
+                answers,
                 set_files,
                 ..RescaleRequest::default()
             }
             .into(),
-            RemedyChange::Follow { from, body_scale_file, level } => TransferRequest {
+            RemedyChange::Follow { from, body_scale_file, level, replace_moved } => TransferRequest {
                 models,
                 from: Some(from.clone()),
                 follow: FollowOptions {
                     follow_bodies: true,
                     body_scale_file: body_scale_file.clone(),
+                    moved_spheres: replace_moved.then_some(MovedChoice::Replace),
                     ..FollowOptions::default()
                 },
                 scaling: ScalingOptions { level: *level, ..ScalingOptions::default() },
                 masses: masses(&load)?,
                 counts: counts(&load)?,
                 choice,
+                answers,
                 set_files,
                 ..TransferRequest::default()
             }

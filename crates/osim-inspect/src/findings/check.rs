@@ -2,7 +2,7 @@
 //!
 //! Codes, severities and their explanations are those of the one register, [`FindingCode`].
 
-use osim_model::{Assignment, FileId, Finding, FindingCode, Model, Property};
+use osim_model::{Assignment, FaultKind, FileId, Finding, FindingCode, Model, Needed, Property};
 use osim_patch::{Set, set};
 
 use super::answers::answer;
@@ -40,7 +40,8 @@ pub fn check_known(
     };
     let chosen = options.selection.apply(model).map(|selected| selected.forces).unwrap_or_default();
     let joined = model.remarks_on(&chosen).iter().any(is_joined);
-    let mut remedies = Remedies::new(inspected, joined, can_be_changed, options);
+    let mut remedies = Remedies::new(inspected, joined, can_be_changed, options)
+        .changing_radii(!can_be_changed || radii_may_change(options, model));
     let places = Places::of(model, inspected);
     let placed = places.findings(model, &remedies);
     let mismatch = MassMismatch::find(model, &options.masses);
@@ -70,6 +71,14 @@ pub fn check_known(
         answer(remedy, model, &options.masses);
     }
     CheckResult::new(inspected, known::as_published(inspected, findings))
+}
+
+/// `false` where a sphere is used by a force that would not change with it, which is tried, too.
+fn radii_may_change(options: &InspectOptions, model: &Model) -> bool {
+    let mut trial = Set::new(vec![(Property::Radius, Assignment::Factor(2.0))]);
+    trial.again = true;
+    let plan = options.selection.apply(model).and_then(|selected| set(model, &selected, &trial));
+    !plan.is_err_and(|fault| matches!(fault.kind, FaultKind::Needed(Needed::SharedSphere { .. })))
 }
 
 /// `true` where the numbers of `model` can be changed, which is tried: a remedy that would be refused is no help.

@@ -1,6 +1,6 @@
 //! Findings about the places of spheres: from the model that was scaled where it is at hand, else from this file alone.
 
-use osim_model::{Finding, Model, Note, ScaledSinceNote};
+use osim_model::{Finding, FindingCode, Model, Note, ScaledSinceNote};
 
 use super::remedy::Remedies;
 use crate::inspection::Inspection;
@@ -10,6 +10,8 @@ use crate::placement::{Evidence, Placement};
 pub(super) enum Places<'i> {
     Compared(&'i Placement),
     Alone(Evidence),
+    /// They cannot be compared: what this file alone shows.
+    NotCompared(&'i Placement, Evidence),
 }
 
 /// What the note in the file says about sizes, where that settles it: bodies were scaled since, or the spheres were placed with
@@ -30,7 +32,8 @@ pub fn misplaced_spheres(model: &Model) -> Option<Finding> {
 impl<'i> Places<'i> {
     pub(super) fn of(model: &Model, inspected: &'i Inspection) -> Self {
         match &inspected.placement {
-            Some(placement) => Self::Compared(placement),
+            Some(placement) if placement.unknown.is_none() => Self::Compared(placement),
+            Some(placement) => Self::NotCompared(placement, Evidence::of(model, noted_sizes(model))),
             None => Self::Alone(Evidence::of(model, noted_sizes(model))),
         }
     }
@@ -39,7 +42,7 @@ impl<'i> Places<'i> {
     pub(super) fn are_wrong(&self) -> bool {
         match self {
             Self::Compared(placement) => placement.is_wrong(),
-            Self::Alone(evidence) => evidence.is_wrong(),
+            Self::Alone(evidence) | Self::NotCompared(_, evidence) => evidence.is_wrong(),
         }
     }
 
@@ -47,7 +50,9 @@ impl<'i> Places<'i> {
     pub(super) fn were_left_behind(&self) -> bool {
         match self {
             Self::Compared(placement) => placement.was_left_behind(),
-            Self::Alone(evidence) => matches!(evidence, Evidence::Note(_) | Evidence::OtherSize(_)),
+            Self::Alone(evidence) | Self::NotCompared(_, evidence) => {
+                matches!(evidence, Evidence::Note(_) | Evidence::OtherSize(_))
+            }
         }
     }
 
@@ -55,7 +60,7 @@ impl<'i> Places<'i> {
     pub(super) fn are_right(&self) -> bool {
         match self {
             Self::Compared(placement) => placement.is_right(),
-            Self::Alone(evidence) => evidence.is_right(),
+            Self::Alone(evidence) | Self::NotCompared(_, evidence) => evidence.is_right(),
         }
     }
 
@@ -65,6 +70,12 @@ impl<'i> Places<'i> {
                 let remedy = matches!(evidence, Evidence::Note(_)).then(|| remedies.follow_by_note(model));
                 let found = evidence.finding(model).into_iter();
                 found.map(|finding| finding.with_remedy(remedy.clone().flatten())).collect()
+            }
+            Self::NotCompared(placement, evidence) => {
+                let alone = Self::Alone(evidence.clone()).findings(model, remedies);
+                // Where the file shows nothing, that it cannot be compared is said once.
+                let shown = alone.into_iter().filter(|one| one.code != FindingCode::SpheresNotCompared);
+                placement.findings().into_iter().chain(shown).collect()
             }
             Self::Compared(placement) => {
                 let found = placement.findings().into_iter();

@@ -31,6 +31,8 @@ pub(super) struct Remedies<'m> {
     weighed: bool,
     /// What the bodies weigh, kg.
     body_kg: Option<f64>,
+    /// No other force needs a sphere as it is.
+    radii_may_change: bool,
 }
 
 impl<'m> Remedies<'m> {
@@ -56,7 +58,12 @@ impl<'m> Remedies<'m> {
         let counted = inspected.spheres_per_limb.is_some() || stance.spheres.is_some();
         let weighed = inspected.figures.mass_kg.is_some();
         let body_kg = inspected.mass_kg;
-        Self { model, load, options, joined, counted, weighed, body_kg }
+        Self { model, load, options, joined, counted, weighed, body_kg, radii_may_change: true }
+    }
+
+    /// Without such as change radii, unless these `may_change`.
+    pub(super) fn changing_radii(self, may_change: bool) -> Self {
+        Self { radii_may_change: may_change, ..self }
     }
 
     /// Without remedies: something else has to be done first, after which they would be wrong.
@@ -65,6 +72,9 @@ impl<'m> Remedies<'m> {
     }
 
     fn remedy(&self, change: RemedyChange, with_load: bool) -> Option<Remedy> {
+        if !self.radii_may_change && changes_radii(&change) {
+            return None;
+        }
         Some(Remedy {
             model: self.model.clone()?,
             change,
@@ -182,6 +192,7 @@ impl<'m> Remedies<'m> {
             from: placement.from.clone(),
             body_scale_file: placement.body_scale_file.clone(),
             level: placement.suits_level,
+            replace_moved: placement.has_resized(),
         };
         placement.can_follow().then(|| self.remedy(change, true)).flatten()
     }
@@ -205,6 +216,17 @@ impl<'m> Remedies<'m> {
         let remedy = self.remedy(RemedyChange::Set { assignments: assignments.collect() }, false)?;
         let select = vec![force.parse().ok()?];
         Some(Remedy { selection: Selection { select, ..selection.clone() }, ..remedy })
+    }
+}
+
+/// Whether radii are among what `change` writes.
+fn changes_radii(change: &RemedyChange) -> bool {
+    match change {
+        RemedyChange::Set { assignments } => {
+            assignments.iter().any(|(property, _)| *property == Property::Radius)
+        }
+        RemedyChange::Design(_) => false,
+        _ => true,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::cmp::Reverse;
 
-use osim_model::{Finding, RemedyDialect, Severity};
+use osim_model::{Finding, FindingCode, RemedyDialect, Severity};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -60,7 +60,13 @@ impl CheckResult {
     /// Everything found in a model, in any order.
     #[must_use]
     pub fn new(inspected: &Inspection, mut findings: Vec<Finding>) -> Self {
-        findings.sort_by_key(|finding| (Reverse(finding.severity), finding.code, finding.line));
+        // What spheres do where they should not be is a symptom.
+        let is_symptom = |finding: &Finding| {
+            !matches!(finding.code, FindingCode::SpheresLeftBehind | FindingCode::SpheresMisplaced)
+        };
+        findings.sort_by_key(|finding| {
+            (Reverse(finding.severity), is_symptom(finding), finding.code, finding.line)
+        });
         let count = |severity| findings.iter().filter(|finding| finding.severity == severity).count();
         let counts = Counts {
             error: count(Severity::Error),

@@ -52,6 +52,10 @@ fn differing(model: &Model, left: &Force, right: &Force) -> Option<Vec<(Property
     };
     let (ours, theirs) = (radii(left), radii(right));
     if ours != theirs {
+        // On bones of another size the radius of the other side is wrong, and numbers that follow it are.
+        if model.bones_differ(left, right) {
+            return None;
+        }
         let first = *theirs.first()?;
         if theirs.iter().any(|&radius| radius != first) {
             return None;

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use osim_model::wording::{Input, Phrase, phrase};
-use osim_model::{Anatomy, AnatomySphere, Fault, Finding, FindingCode, LevelAxis, Model};
+use osim_model::wording::{Input, Phrase, Verb, phrase};
+use osim_model::{Anatomy, AnatomySphere, Fault, Finding, FindingCode, LevelAxis, Model, Note};
 use osim_patch::{Factors, ScaleFile};
 
 /// Places that differ by no more than this are one, m.
@@ -26,10 +26,14 @@ pub struct Placement {
     pub body_scale_file: Option<PathBuf>,
     /// Each sphere that both models have.
     pub spheres: Vec<PlacedSphere>,
+    /// Spheres that one of the models does not have, or has on another body: what is said of each.
+    pub unmatched: Vec<Phrase>,
     /// Why they cannot be compared, in words.
     pub unknown: Option<Phrase>,
     /// Whether no foot was stretched so much that level soles would be wrong, and some is not scaled alike along all axes.
     pub suits_level: bool,
+    /// Radii are as this program wrote them: its note says so.
+    noted_radii: bool,
 }
 
 /// A sphere, where it is and where it belongs, in its frame, m.
@@ -72,25 +76,37 @@ impl Placement {
             from: from.clone(),
             body_scale_file: body_scale_file.clone(),
             spheres: Vec::new(),
+            unmatched: Vec::new(),
             unknown: Some(why),
             suits_level: false,
+            noted_radii: noted_radii(model),
         };
         let placed = || {
-            let scaled = Anatomy::of(model)?;
-            let factors = factors_between(&scaled, original, file)?;
-            placed_spheres(model, &scaled, original, &factors)
+            let in_words = |fault: Fault| fault.phrase();
+            let scaled = Anatomy::of(model).map_err(in_words)?;
+            let factors = factors_between(&scaled, original, file).map_err(in_words)?;
+            if let Some(difference) = &factors.difference {
+                let mut why = difference.phrase();
+                why.push("this model is no scaled copy of that one");
+                return Err(why);
+            }
+            placed_spheres(model, &scaled, original, &factors).map_err(in_words)
         };
         match placed() {
-            Ok((spheres, _)) if spheres.is_empty() => unknown("it has no sphere of the same name".into()),
-            Ok((spheres, suits_level)) => Self { spheres, suits_level, unknown: None, ..unknown("".into()) },
-            Err(fault) => unknown(fault.phrase()),
+            Ok((spheres, _, _)) if spheres.is_empty() => unknown("it has no sphere of the same name".into()),
+            Ok((spheres, unmatched, suits_level)) => {
+                Self { spheres, suits_level, unmatched, unknown: None, ..unknown("".into()) }
+            }
+            Err(why) => unknown(why),
         }
     }
 
     /// Whether each sphere is where it belongs.
     #[must_use]
     pub fn is_right(&self) -> bool {
-        self.unknown.is_none() && self.spheres.iter().all(|sphere| sphere.follows)
+        self.unknown.is_none()
+            && self.unmatched.is_empty()
+            && self.spheres.iter().all(|sphere| sphere.follows)
     }
 
     /// Whether some sphere is not where it belongs.
@@ -103,9 +119,15 @@ impl Placement {
         self.spheres.iter().any(|sphere| !sphere.follows && sphere.stayed())
     }
 
-    /// Whether a transfer can place all spheres: each is as it was.
+    /// Whether a transfer can place all spheres: each is where it was, with its radius or one that this program gave it.
     pub(crate) fn can_follow(&self) -> bool {
-        self.is_wrong() && self.spheres.iter().all(|sphere| sphere.untouched)
+        let may = |sphere: &PlacedSphere| sphere.untouched || (self.noted_radii && sphere.stayed());
+        self.is_wrong() && self.unmatched.is_empty() && self.spheres.iter().all(may)
+    }
+
+    /// Whether some sphere is not as it was: a transfer asks what to do with it.
+    pub(crate) fn has_resized(&self) -> bool {
+        self.spheres.iter().any(|sphere| !sphere.untouched)
     }
 
     /// One finding for each sphere that is not where it belongs.
@@ -115,7 +137,10 @@ impl Placement {
                 phrase!["the spheres cannot be compared with those of the model that was scaled: ", why];
             return vec![Finding::new(FindingCode::SpheresNotCompared, text)];
         }
-        self.spheres.iter().filter(|sphere| !sphere.follows).map(PlacedSphere::finding).collect()
+        let unmatched =
+            self.unmatched.iter().map(|text| Finding::new(FindingCode::SpheresNotCompared, text.clone()));
+        let placed = self.spheres.iter().filter(|sphere| !sphere.follows).map(PlacedSphere::finding);
+        placed.chain(unmatched).collect()
     }
 }
 
@@ -148,13 +173,40 @@ impl PlacedSphere {
     }
 }
 
-/// Spheres that stand and that both models have; and whether `level` suits the factors of their bodies.
+/// Whether the note says that this program scaled the radii, and they are as it wrote them.
+fn noted_radii(model: &Model) -> bool {
+    let rescaled = |note: &Note| note.operation.starts_with(Verb::Rescale.name());
+    model.note.as_ref().is_some_and(rescaled) && model.doubt_about_note().is_none()
+}
+
+/// Spheres of the model that the original does not have on the same body, and spheres of the original that the model does not
+/// have: nothing is known of their places.
+fn unmatched(model: &Model, scaled: &Anatomy, original: &Anatomy) -> Vec<Phrase> {
+    let loaded = model.loaded_spheres(&model.force_ids());
+    let here = loaded.into_iter().filter_map(|id| scaled.spheres.get(id.index()));
+    let other = here.filter_map(|now| {
+        let (name, body) = (&now.name, now.body.as_ref()?);
+        let Some(old) = original.sphere(name) else {
+            return Some(format!("{name} is not in the model that was scaled: where it belongs is not known"));
+        };
+        let was = old.body.as_deref().unwrap_or("ground");
+        (was != body).then(|| {
+            format!("{name} is on {body}, and on {was} in the model that was scaled: where it belongs is not known")
+        })
+    });
+    let there =
+        original.spheres.iter().filter(|old| old.body.is_some() && scaled.sphere(&old.name).is_none());
+    let missing = there.map(|old| format!("{} of the model that was scaled is missing here", old.name));
+    other.chain(missing).map(Phrase::from).collect()
+}
+
+/// Spheres that stand and that both models have; those that only one has; and whether `level` suits the factors of their bodies.
 fn placed_spheres(
     model: &Model,
     scaled: &Anatomy,
     original: &Anatomy,
     factors: &Factors,
-) -> Result<(Vec<PlacedSphere>, bool), Fault> {
+) -> Result<(Vec<PlacedSphere>, Vec<Phrase>, bool), Fault> {
     let up = LevelAxis::of_gravity(model.gravity_m_s2);
     let (mut spheres, mut stretched, mut uneven) = (Vec::new(), false, false);
     for id in model.loaded_spheres(&model.force_ids()) {
@@ -178,7 +230,7 @@ fn placed_spheres(
             untouched: is_untouched(now, old),
         });
     }
-    Ok((spheres, uneven && !stretched))
+    Ok((spheres, unmatched(model, scaled, original), uneven && !stretched))
 }
 
 /// By how much the y factor differs from √(x z), relatively.

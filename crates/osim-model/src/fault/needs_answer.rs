@@ -119,6 +119,12 @@ impl NeedsAnswer {
         }
     }
 
+    /// Whether it is about pounds.
+    #[must_use]
+    pub(crate) const fn is_about_pounds(&self) -> bool {
+        matches!(self, Self::Mass { slip: MassSlip::Pounds | MassSlip::BodiesInPounds, .. })
+    }
+
     /// What looks wrong, what was probably meant, and how to say that it is right.
     #[must_use]
     pub fn phrase(&self) -> Phrase {
@@ -139,7 +145,12 @@ fn mass(input: Input, kg: f64, bodies_kg: Option<f64>, slip: MassSlip) -> Phrase
     let than = |times: &str| format!("{times} the {bodies} kg that the bodies weigh together");
     let unit = |unit: &str, factor: f64| format!("if it is in {unit}, write {}", readable(kg * factor));
     let why = match slip {
-        MassSlip::Grams => format!("about {}: {}", than("1000 times"), unit("g", 1.0 / 1000.0)),
+        MassSlip::Grams => {
+            let ratio = bodies_kg.map_or(1000.0, |bodies| kg / bodies);
+            // As it is written where it is another one.
+            let times = if (ratio / 1000.0 - 1.0).abs() <= 0.15 { 1000.0 } else { ratio.round() };
+            format!("about {}: {}", than(&format!("{times} times")), unit("g", 1.0 / 1000.0))
+        }
         MassSlip::Tonnes => format!("about {}: {}", than("1/1000 of"), unit("tonnes", 1000.0)),
         MassSlip::Pounds => format!("about {}: {}", than("2.2 times"), unit("lb", POUND_KG)),
         MassSlip::BodiesInPounds => {

@@ -60,6 +60,8 @@ pub enum RemedyChange {
         body_scale_file: Option<PathBuf>,
         /// Bottoms stay on the scaled sole.
         level: bool,
+        /// Spheres whose radii were changed since are placed again, too.
+        replace_moved: bool,
     },
     /// Parameters from what is wanted.
     Design(RemedyDesign),

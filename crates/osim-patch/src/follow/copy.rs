@@ -1,10 +1,12 @@
 //! Whether one model is a scaled copy of another one.
 
-use osim_model::Anatomy;
+use std::collections::HashMap;
+
 use osim_model::wording::Phrase;
+use osim_model::{Anatomy, AnatomyJoint};
 
 use super::body_factors::AXES;
-use super::bones;
+use super::bones::{self, BonePair};
 
 /// Offsets that differ by more than this from what a factor gives are not explained by it, m.
 const EXPLAINED_M: f64 = 1e-6;
@@ -70,11 +72,12 @@ impl Difference {
 /// The first thing in file order that no factors per body and axis explain; `None` where `scaled` is a scaled copy.
 pub(super) fn difference(scaled: &Anatomy, reference: &Anatomy) -> Option<Difference> {
     other_joint(scaled, reference).or_else(|| {
+        let joints = SharedJoints::of(scaled, reference);
         let shared = scaled.bodies.iter().filter(|body| reference.bodies.contains(body));
         shared.into_iter().find_map(|body| {
-            AXES.iter()
-                .enumerate()
-                .find_map(|(axis, name)| unexplained(scaled, reference, body, (axis, name)))
+            let meshes = bones::pairs(scaled, reference, body);
+            let said = (meshes.as_slice(), joints.on(body));
+            AXES.iter().enumerate().find_map(|(axis, name)| unexplained(body, said, (axis, name)))
         })
     })
 }
@@ -93,37 +96,43 @@ fn other_joint(scaled: &Anatomy, reference: &Anatomy) -> Option<Difference> {
     })
 }
 
-/// Offsets on `body` of the joints that both models have between the same bodies: name, old and new, m.
-pub(super) fn shared_joints<'a>(
-    scaled: &'a Anatomy,
-    reference: &'a Anatomy,
-    body: &'a str,
-) -> impl Iterator<Item = (&'a str, [f64; 3], [f64; 3])> {
-    scaled.joints.iter().flat_map(move |joint| {
-        let there = reference.joints.iter().find(|other| {
-            other.name == joint.name && other.parent == joint.parent && other.child == joint.child
-        });
-        let on_parent = there
-            .filter(|_| joint.parent == body)
-            .map(|there| (joint.name.as_str(), there.in_parent_m, joint.in_parent_m));
-        let on_child = there
-            .filter(|_| joint.child == body)
-            .map(|there| (joint.name.as_str(), there.in_child_m, joint.in_child_m));
-        on_parent.into_iter().chain(on_child)
-    })
+/// The joints that both models have between the same bodies, by the bodies on which they are.
+pub(super) struct SharedJoints<'a>(HashMap<&'a str, Vec<(&'a str, [f64; 3], [f64; 3])>>);
+
+impl<'a> SharedJoints<'a> {
+    pub(super) fn of(scaled: &'a Anatomy, reference: &'a Anatomy) -> Self {
+        let ends = |joint: &'a AnatomyJoint| [&joint.name, &joint.parent, &joint.child].map(String::as_str);
+        let mut there: HashMap<[&str; 3], &AnatomyJoint> = HashMap::new();
+        for joint in &reference.joints {
+            there.entry(ends(joint)).or_insert(joint);
+        }
+        let mut found = Self(HashMap::new());
+        for joint in &scaled.joints {
+            let Some(old) = there.get(&ends(joint)) else { continue };
+            found.push(&joint.parent, (&joint.name, old.in_parent_m, joint.in_parent_m));
+            found.push(&joint.child, (&joint.name, old.in_child_m, joint.in_child_m));
+        }
+        found
+    }
+
+    fn push(&mut self, body: &'a str, joint: (&'a str, [f64; 3], [f64; 3])) {
+        self.0.entry(body).or_default().push(joint);
+    }
+
+    /// Offsets on `body`: name of the joint, old and new, m, in file order.
+    pub(super) fn on(&self, body: &str) -> &[(&'a str, [f64; 3], [f64; 3])] {
+        self.0.get(body).map(Vec::as_slice).unwrap_or_default()
+    }
 }
 
 fn unexplained(
-    scaled: &Anatomy,
-    reference: &Anatomy,
     body: &str,
+    (meshes, joints): (&[BonePair], &[(&str, [f64; 3], [f64; 3])]),
     (axis, name): (usize, &'static str),
 ) -> Option<Difference> {
-    let meshes: Vec<f64> =
-        bones::pairs(scaled, reference, body).iter().filter_map(|pair| pair.factors[axis]).collect();
-    let offsets: Vec<(&str, f64, f64)> = shared_joints(scaled, reference, body)
-        .map(|(joint, old, new)| (joint, old[axis], new[axis]))
-        .collect();
+    let meshes: Vec<f64> = meshes.iter().filter_map(|pair| pair.factors[axis]).collect();
+    let offsets: Vec<(&str, f64, f64)> =
+        joints.iter().map(|(joint, old, new)| (*joint, old[axis], new[axis])).collect();
     let longest = offsets
         .iter()
         .filter(|(_, old, _)| old.abs() > SHORTEST_OFFSET_M)

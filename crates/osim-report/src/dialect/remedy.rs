@@ -8,12 +8,13 @@ use osim_requests::Request;
 use serde_json::Value;
 
 /// What comes first where a remedy has it; the rest follows in the order of its request.
-const ORDER: [Input; 18] = [
+const ORDER: [Input; 19] = [
     Input::ContactsMass,
     Input::TargetMass,
     Input::From,
     Input::FollowBodies,
     Input::BodyScaleFile,
+    Input::MovedSpheres,
     Input::Level,
     Input::Indentation,
     Input::BodyWeights,

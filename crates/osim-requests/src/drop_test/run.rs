@@ -5,7 +5,7 @@ use std::path::Path;
 use contact_scaling::drop_test::{DropError, DropTest, DropValues, compare};
 use contact_scaling::{Contact, ContactValues, Law, Preset, Spheres};
 use osim_inspect::series::standing_spheres;
-use osim_inspect::{LoadSharing, MassMismatch};
+use osim_inspect::{LoadSharing, MassMismatch, unexplained_slip};
 use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::wording::{Input, Phrase, phrase};
 use osim_model::{CountOf, Fault, GravityFor, MassRequest, Needed};
@@ -103,7 +103,8 @@ impl DropTestRequest {
     fn of_model(&self, open: &OpenModel, own: &Own) -> Result<Falling, Fault> {
         let model = &open.model;
         let masses = MassRequest { model_kg: own.mass_kg, ..self.masses.request() };
-        self.answers.ask(masses.slip(model)).map_err(Fault::new)?;
+        let slip = unexplained_slip(&masses, model, &self.choice.selection());
+        self.answers.ask(slip).map_err(Fault::new)?;
         let selected = self.choice.selection().apply(model)?;
         let mass = masses.of_model(model)?;
         let sharing = LoadSharing::of(model, &selected.forces);

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use osim_inspect::ReferenceState;
+use osim_inspect::{ReferenceState, unexplained_slip};
 use osim_model::{Fault, MassRequest, Model, Question};
 use osim_patch::Plan;
 
@@ -19,7 +19,9 @@ pub(crate) struct Asking<P> {
 
 impl<P: Planner> Planner for Asking<P> {
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
-        self.answers.ask(self.masses.slip(model)).map_err(Fault::new)?;
+        let selection = self.planner.inspection().choice.selection();
+        let slip = unexplained_slip(&self.masses, model, &selection);
+        self.answers.ask(slip).map_err(Fault::new)?;
         let plan = self.planner.plan(model)?;
         match plan.radius_slip(model) {
             Some(fault) if !self.answers.has(Question::ImplausibleRadius) => Err(fault),

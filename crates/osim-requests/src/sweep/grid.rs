@@ -51,6 +51,19 @@ pub(super) fn point(axes: &[Axis], index: usize) -> Point<'_> {
     Point { values }
 }
 
+/// Points along one axis, the others at their first value: each with the number of this axis.
+pub(super) fn along(axes: &[Axis], name: AxisName) -> Vec<(usize, f64)> {
+    let mut stride = 1_usize;
+    for axis in axes.iter().rev() {
+        if axis.name == name {
+            let numbers = axis.values.iter().enumerate();
+            return numbers.map(|(place, value)| (place.saturating_mul(stride), value.number)).collect();
+        }
+        stride = stride.saturating_mul(axis.values.len().max(1));
+    }
+    Vec::new()
+}
+
 /// Points at the ends of every axis, the others at their first value: where one value makes no sense, one of these does
 /// not, because what a value may be is an interval.
 pub(super) fn ends(axes: &[Axis]) -> Vec<usize> {
@@ -85,6 +98,22 @@ mod tests {
         for wanted in ["stiffness=1", "stiffness=3", "dissipation=0.5", "dissipation=4"] {
             assert!(ends.iter().any(|point| point.contains(wanted)), "{wanted}: {ends:?}");
         }
+    }
+
+    #[test]
+    fn points_along_an_axis_have_each_of_its_numbers() {
+        let axes = [axis("target-mass=3,1,2"), axis("dissipation=0.5,4")];
+        let name = axes[0].name;
+        let points: Vec<String> =
+            along(&axes, name).into_iter().map(|(index, _)| point(&axes, index).to_string()).collect();
+        assert_eq!(
+            points,
+            [
+                "target-mass=3 dissipation=0.5",
+                "target-mass=1 dissipation=0.5",
+                "target-mass=2 dissipation=0.5"
+            ]
+        );
     }
 
     #[test]

@@ -2,11 +2,12 @@
 
 use std::path::Path;
 
+use osim_inspect::unexplained_slip;
 use osim_model::files::{Failure, ModelFiles};
 use osim_model::wording::{Phrase, phrase};
-use osim_model::{Question, shortest};
+use osim_model::{MassRequest, Question, shortest};
 
-use super::grid::{Point, count, ends, point};
+use super::grid::{Point, along, count, ends, point};
 use super::ladder::Ladder;
 use super::manifest;
 use super::stages::{self, Stages};
@@ -164,7 +165,7 @@ impl<'s> SweepPlan<'s> {
     pub fn check_ends(&self) -> Result<(), RequestError> {
         let points = match self.ladder {
             Some(_) => vec![0, self.count.saturating_sub(1)],
-            None => ends(&self.request.grid),
+            None => self.asked_masses()?.into_iter().chain(ends(&self.request.grid)).collect(),
         };
         for index in points {
             let job = self.job(index)?;
@@ -178,6 +179,21 @@ impl<'s> SweepPlan<'s> {
             })?;
         }
         Ok(())
+    }
+
+    /// Points whose mass looks like a slip, which need not be at an end.
+    fn asked_masses(&self) -> Result<Vec<usize>, RequestError> {
+        let masses = along(&self.request.grid, AxisName::TargetMass);
+        if masses.is_empty() {
+            return Ok(Vec::new());
+        }
+        let open = self.model.clone().open().map_err(RequestError::Failure)?;
+        let selection = self.request.choice.selection();
+        let is_asked = |kg: f64| {
+            let said = MassRequest { target_mass_kg: Some(kg), ..self.request.masses.request() };
+            unexplained_slip(&said, &open.model, &selection).is_some()
+        };
+        Ok(masses.into_iter().filter(|(_, kg)| is_asked(*kg)).map(|(index, _)| index).collect())
     }
 
     /// Makes variant `index`.

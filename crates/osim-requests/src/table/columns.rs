@@ -68,10 +68,14 @@ impl Columns {
         let mut columns: Vec<Column> = Vec::new();
         let mut wrong: Vec<Phrase> = Vec::new();
         for cell in header {
-            let twice = |one: &Column, other: &Column| (&one.field, one.kind) == (&other.field, other.kind);
+            let twice = |one: &Column, other: &Column| match one.kind {
+                // Columns without a name are nobody's.
+                Kind::Remark => !one.header.is_empty() && one.header == other.header,
+                _ => (&one.field, one.kind) == (&other.field, other.kind),
+            };
             match column(cell, &known) {
                 Err(message) => wrong.push(message),
-                Ok(one) if one.kind != Kind::Remark && columns.iter().any(|other| twice(&one, other)) => {
+                Ok(one) if columns.iter().any(|other| twice(&one, other)) => {
                     wrong.push(format!("the column '{cell}' appears twice, expected one").into());
                 }
                 Ok(column) => columns.push(column),
@@ -197,6 +201,15 @@ mod tests {
     fn a_column_that_is_misspelled_is_pointed_out() {
         let columns = Columns::of(&["model".to_owned(), "target-mas".to_owned()]);
         assert!(columns.unwrap_err().to_string().contains("did you mean 'target-mass'?"));
+    }
+
+    #[test]
+    fn remarks_of_one_name_are_refused_and_nameless_columns_are_not() {
+        let columns =
+            |header: &[&str]| Columns::of(&header.iter().map(|&cell| cell.to_owned()).collect::<Vec<_>>());
+        let message = columns(&["model", "#sex", "mass", "#sex"]).unwrap_err().to_string();
+        assert!(message.contains("the column '#sex' appears twice"), "{message}");
+        assert!(columns(&["model", "", "#sex", "", "#age"]).is_ok());
     }
 
     #[test]
