@@ -9,6 +9,7 @@ const VERBS: [&str; 17] = [
     "transfer",
     "design",
     "set",
+    "note",
     "batch",
     "sweep",
     "inspect",
