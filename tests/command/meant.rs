@@ -192,6 +192,20 @@ fn masses_are_short_for_people_and_exact_for_programs() {
         assert!(!out.contains("20.0000"), "{out}");
     }
     bench.run("one.osim --target-mass 30 --contacts-mass 25 --dry-run").done().says(&[" says 20 kg"]);
+    for call in [
+        "one.osim --target-mass 30 --dry-run",
+        "one.osim --target-mass 30 --dry-run --format lines",
+        "one.osim --target-mass 20000 --dry-run",
+        "one.osim --target-mass 20 --dry-run",
+        "transfer one.osim --from one.osim --reference-mass 62 --dry-run",
+        "note one.osim --contacts-mass 20.000000000000018 --dry-run",
+        "design one.osim --indentation 0.1 --dry-run",
+        "drop-test one.osim",
+    ] {
+        let ran = bench.run(call);
+        let said = format!("{}{}", ran.out(), ran.err());
+        assert!(!said.contains("20.0000"), "{call}: {said}");
+    }
     let json = bench.run("inspect one.osim --format json").done().out();
     assert!(json.contains("20.000000000000018"), "{json}");
 }
