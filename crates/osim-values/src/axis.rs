@@ -34,7 +34,7 @@ pub enum AxisName {
 }
 
 impl AxisName {
-    /// The axis that was probably meant where an option or a word has its name: `NAME=FROM..TO/COUNT`. `None` for what is no range
+    /// The axis that was probably meant where an option or a word has its name: `NAME=FROM..TO/COUNT`. `None` for what is not a range
     /// of an axis.
     #[must_use]
     pub fn meant(name: &str, values: &str) -> Option<String> {

@@ -55,7 +55,7 @@ impl SplitName {
         format!("'{}' is {}", first.display(), self.reason())
     }
 
-    /// The same behind the name of the first word.
+    /// The same after the name of the first word.
     #[must_use]
     pub fn reason(&self) -> String {
         let name = self.name.display();
