@@ -48,17 +48,76 @@ fn names_with_blanks_need_quotes() {
 }
 
 #[test]
+fn names_with_two_blanks_and_folders_need_quotes() {
+    let bench = Bench::with(&[(HUMAN.0, "sp ace/my lib/human.osim"), (HUMAN.0, "lib/human.osim")]);
+    // `lib` is there by itself, too.
+    answered(bench.run("sp ace/my lib --target-mass 3"), "blanks");
+    for verb in ["check", "inspect"] {
+        let ran = bench.run(&format!("{verb} sp ace")).failed().wrote_nothing();
+        ran.looks_like(&format!("meant_blank_folder_{verb}"));
+    }
+    // What is there by itself is part of no name that is not there.
+    bench.run("inspect no lib").failed().says(&["no: there is no such file"]);
+}
+
+#[test]
+fn a_misspelled_verb_before_a_model_that_is_not_there() {
+    let bench = Bench::new();
+    answered(bench.run("resclae x.osim"), "verb_without_model");
+    answered(bench.run("scale x.osim"), "scale_without_model");
+}
+
+#[test]
 fn a_number_beside_a_model_is_its_target_mass() {
     let bench = Bench::human();
     answered(bench.run("human.osim 20"), "number");
     answered(bench.run("human.osim 20.5kg"), "number_kg");
     answered(bench.run("rescale human.osim 20"), "number_rescale");
+    // 20 g are 0.02 kg; a pound is 0.45359237 kg.
+    answered(bench.run("human.osim 20g"), "number_g");
+    answered(bench.run("human.osim 1lb"), "number_lb");
 }
 
 #[test]
 fn a_folder_does_not_fall() {
-    let bench = Bench::with(&[(HUMAN.0, "lib/human.osim")]);
+    let bench = Bench::with(&[(HUMAN.0, "lib/human.osim"), (HUMAN.0, "sp ace/human.osim")]);
     answered(bench.run("drop-test lib"), "drop_test_folder");
+    let blank = bench.run_words(&["drop-test", "sp ace"]);
+    let said = String::from_utf8(blank.stderr).unwrap();
+    // To be copied into a shell.
+    let quoted = if cfg!(windows) { "\"sp ace\"" } else { "'sp ace'" };
+    assert!(said.contains(&format!("`osim-contact-scale inspect {quoted}`")), "{said}");
+    answered(bench.run("plot force lib -o x.svg"), "plot_folder");
+}
+
+#[test]
+fn axes_stand_behind_grid() {
+    let bench = Bench::human();
+    answered(bench.run("sweep human.osim stiffness=1e5:1e6:10"), "axis_assigned");
+    answered(bench.run("sweep human.osim --stiffness 1e5:1e6:3"), "axis_option");
+    answered(bench.run("sweep human.osim --stiffness=x0.1..x10/5"), "axis_option_joined");
+    answered(bench.run("sweep human.osim --target-mass 10:20:90 --dry-run"), "axis_mass");
+}
+
+#[test]
+fn a_note_alone_shows_no_empty_table() {
+    let bench = Bench::human();
+    bench.run("note human.osim --contacts-mass 62 -o noted.osim").done().looks_like("meant_note");
+}
+
+#[test]
+fn kinds_of_errors_and_bare_names_are_explained() {
+    let bench = Bench::new();
+    for name in ["NeedsAnswer", "needs-answer"] {
+        bench.run(&format!("explain {name}")).done().says(&[
+            "implausible-mass",
+            "implausible-radius",
+            "many-models",
+        ]);
+    }
+    bench.run("explain E1").done().says(&["stiffness (quantity)"]);
+    bench.run("explain indentation").done().says(&["indentation_m (quantity)"]);
+    bench.run("explain gravity").done().says(&["gravity_m_s2 (quantity)"]);
 }
 
 #[test]
@@ -133,6 +192,20 @@ fn masses_are_short_for_people_and_exact_for_programs() {
         assert!(!out.contains("20.0000"), "{out}");
     }
     bench.run("one.osim --target-mass 30 --contacts-mass 25 --dry-run").done().says(&[" says 20 kg"]);
+    for call in [
+        "one.osim --target-mass 30 --dry-run",
+        "one.osim --target-mass 30 --dry-run --format lines",
+        "one.osim --target-mass 20000 --dry-run",
+        "one.osim --target-mass 20 --dry-run",
+        "transfer one.osim --from one.osim --reference-mass 62 --dry-run",
+        "note one.osim --contacts-mass 20.000000000000018 --dry-run",
+        "design one.osim --indentation 0.1 --dry-run",
+        "drop-test one.osim",
+    ] {
+        let ran = bench.run(call);
+        let said = format!("{}{}", ran.out(), ran.err());
+        assert!(!said.contains("20.0000"), "{call}: {said}");
+    }
     let json = bench.run("inspect one.osim --format json").done().out();
     assert!(json.contains("20.000000000000018"), "{json}");
 }

@@ -3,12 +3,13 @@
 use crate::support::{Bench, HUMAN};
 
 const MOUSE: (&str, &str) = ("table1/mouse_hunt_crossley.osim", "mouse.osim");
-const VERBS: [&str; 17] = [
+const VERBS: [&str; 18] = [
     "",
     "rescale",
     "transfer",
     "design",
     "set",
+    "note",
     "batch",
     "sweep",
     "inspect",

@@ -21,7 +21,7 @@ use clap::FromArgMatches;
 use clap::error::ErrorKind;
 
 use args::{Cli, check_typed, command, usage_line};
-use meant::meant;
+use meant::{axis_meant, meant};
 use session::Session;
 use terminal::{Exit, Terminal};
 use words::WORDS;
@@ -71,7 +71,11 @@ fn usage(error: &clap::Error, terminal: &mut Terminal) -> Exit {
             if error.use_stderr() { Exit::Usage } else { Exit::Done }
         }
         kind => {
-            let meant = Some(kind).filter(|kind| *kind == ErrorKind::UnknownArgument).and_then(|_| instead());
+            let words: Vec<String> =
+                std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
+            let of_words =
+                || Some(kind).filter(|kind| *kind == ErrorKind::UnknownArgument).and_then(|_| instead());
+            let meant = axis_meant(&words, WORDS).or_else(of_words);
             let text = meant.unwrap_or_else(|| usage_line(error));
             terminal.error(&format!("error: {text} (see --help)\n"));
             Exit::Usage

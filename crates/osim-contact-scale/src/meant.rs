@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::{Command, CommandFactory};
 use osim_library::SplitName;
 use osim_model::wording::{Input, Phrase, Verb, phrase};
-use osim_requests::Kilograms;
+use osim_requests::{AxisName, Kilograms};
 
 use crate::args::Cli;
 use crate::words::Words;
@@ -18,7 +18,10 @@ pub(crate) fn meant(words: &[PathBuf], may_be_mass: bool, terms: Words) -> Optio
     if first.as_os_str() == "help" && !is_known(first) {
         return Some(help(words.get(1)));
     }
-    if let Some(split) = SplitName::find(words) {
+    let verb = Some(first).filter(|word| !is_known(word)).and_then(|word| near(word));
+    let split = SplitName::find(words);
+    // What looks like a verb is hardly the begin of a name that is not there.
+    if let Some(split) = split.filter(|split| split.exists || split.words.start > 0 || verb.is_none()) {
         return Some(split.message(words.get(split.words.start)?));
     }
     let mass = words.iter().find(|word| may_be_mass && !is_known(word) && kilograms(word).is_some());
@@ -30,8 +33,7 @@ pub(crate) fn meant(words: &[PathBuf], may_be_mass: bool, terms: Words) -> Optio
         ];
         return Some(text.spelled(terms));
     }
-    let verb = Some(first).filter(|word| !is_known(word)).and_then(|word| near(word))?;
-    Some(format!("'{}' is neither a verb nor a file: did you mean '{verb}'?", first.display()))
+    Some(format!("'{}' is neither a verb nor a file: did you mean '{}'?", first.display(), verb?))
 }
 
 fn help(verb: Option<&PathBuf>) -> String {
@@ -46,10 +48,37 @@ fn help(verb: Option<&PathBuf>) -> String {
     }
 }
 
-/// The number of a word such as `20` or `20kg`.
+/// The number of a word such as `20`, `20kg` or `20000g`.
 fn kilograms(word: &Path) -> Option<String> {
-    let number = word.to_str()?.trim_end_matches("kg");
-    number.parse::<Kilograms>().ok().map(|_| number.to_owned())
+    Kilograms::with_unit(word.to_str()?).map(|kg| kg.to_string())
+}
+
+/// The axis of a sweep that stands beside `--grid`: as an assignment, or as an option of its own.
+pub(crate) fn axis_meant(words: &[String], terms: Words) -> Option<String> {
+    let (verb, rest) = words.split_first()?;
+    if verb != Verb::Sweep.name() {
+        return None;
+    }
+    let grid = terms.input(Input::Grid, None);
+    let mut before = "";
+    let found = rest.iter().find_map(|word| {
+        let is_of_grid = std::mem::replace(&mut before, word) == grid;
+        Some(word).filter(|_| !is_of_grid)?;
+        let assigned = || word.trim_start_matches("--").split_once('=');
+        assigned().and_then(|(name, values)| Some((word.clone(), AxisName::meant(name, values)?)))
+    });
+    let of_option = || {
+        let options = rest.iter().zip(rest.iter().skip(1)).filter(|(option, _)| **option != grid);
+        let mut options = options.filter_map(|(option, values)| {
+            let axis = AxisName::meant(option.strip_prefix("--")?, values)?;
+            Some((format!("{option} {values}"), axis))
+        });
+        options.next()
+    };
+    let (word, axis) = found.or_else(of_option)?;
+    let text: Phrase =
+        phrase![format!("'{word}' is not how an axis is written: write "), Input::Grid.being(axis)];
+    Some(text.spelled(terms))
 }
 
 /// A verb that is spelled almost like `word`.

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use std::fmt;
 use std::str::FromStr;
 
-use crate::typed::{Range, positive_number, spaced, with_colons};
+use crate::typed::{Range, positive_number, respelled, spaced, with_colons};
 use osim_model::Assignment;
 use osim_model::{Property, shortest};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -34,6 +34,17 @@ pub enum AxisName {
 }
 
 impl AxisName {
+    /// The axis that was probably meant where an option or a word has its name: `NAME=FROM..TO/COUNT`. `None` for what is not a range
+    /// of an axis.
+    #[must_use]
+    pub fn meant(name: &str, values: &str) -> Option<String> {
+        let name: Self = name.replace('-', "_").parse().ok()?;
+        let is_axis = Range::is_meant(values) || values.contains(',');
+        let values = respelled(values).or_else(|| is_axis.then(|| values.to_owned()))?;
+        let axis = format!("{}={values}", name.as_str());
+        axis.parse::<Axis>().is_ok().then_some(axis)
+    }
+
     /// The name.
     #[must_use]
     pub fn as_str(self) -> &'static str {

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
-use crate::typed::{MASSES, number, plain, positive, positive_number};
+use crate::typed::{MASSES, converted, number, plain, positive, positive_number};
 use osim_model::shortest;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -135,6 +135,14 @@ quantities! {
         Ok(count) if count >= 1 => Ok(f64::from(count)),
         _ => Err("expected a whole number, 1 or more".to_owned()),
     }, {"type": "integer", "minimum": 1};
+}
+
+impl Kilograms {
+    /// A number, with its unit or without, such as `20`, `20kg` or `20g`.
+    #[must_use]
+    pub fn with_unit(text: &str) -> Option<Self> {
+        converted(text, MASSES).map(Self).or_else(|| text.parse().ok())
+    }
 }
 
 impl Count {

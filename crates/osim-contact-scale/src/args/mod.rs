@@ -43,8 +43,9 @@ pub(crate) struct Cli {
 pub(crate) enum VerbArgs {
     /// Rescale a model's own contacts to another mass (the verb may be left out)
     ///
-    /// No sphere moves, unless a ScaleSet or --level is given. For a model that OpenSim's Scale Tool has scaled, see check SCALED --from
-    /// GENERIC first.
+    /// Spheres move only with --follow-bodies, --body-scale-file or --level. After OpenSim's Scale Tool, check SCALED --from GENERIC first.
+    /// With a note in the model (see note), SCALED --target-mass KG --follow-bodies needs no other file; without one,
+    /// --body-scale-file takes the ScaleSet that was applied.
     Rescale(Later<RescaleRequest>),
     /// Give a model the contacts of another model or of a preset, at its own size
     ///
@@ -56,6 +57,9 @@ pub(crate) enum VerbArgs {
     /// Set properties to a value, or multiply them by a factor
     Set(Later<SetArgs>),
     /// Write down the mass that a model's contacts were made for
+    ///
+    /// No number changes. OpenSim keeps the note when it scales the model: check SCALED knows then what the contacts were made for
+    /// and whether spheres followed their bodies, and SCALED --target-mass KG --follow-bodies moves them without the generic model.
     Note(Later<NoteRequest>),
     /// Change many models, as a table says: one row per model
     Batch(Later<BatchRequest>),
@@ -66,7 +70,7 @@ pub(crate) enum VerbArgs {
     /// Compare models with the limits of the paper and the traps of the format
     ///
     /// After OpenSim's Scale Tool: check SCALED --from GENERIC says where each sphere belongs, and prints the transfer SCALED
-    /// --from GENERIC --follow-bodies that puts it there.
+    /// --from GENERIC --follow-bodies that puts it there. Where the generic model had a note, check SCALED alone is enough.
     Check(Later<CheckRequest>),
     /// Let a model fall on its contacts and see what they do
     DropTest(Later<DropTestRequest>),

@@ -42,8 +42,9 @@ pub(super) fn run(request: &DropTestRequest, session: &mut Session) -> Result<Ex
 /// A folder has many models, and each falls for itself.
 fn of_folder(folder: &str, session: &Session) -> String {
     format!(
-        "'{folder}' is a folder, and one body falls at a time: name a model in it. `{} {folder}` has \
+        "'{folder}' is a folder, and one body falls at a time: name a model in it. `{} {}` has \
          indentation, stiffness and restitution of all its models",
-        session.words.command(&Verb::Inspect.call())
+        session.words.command(&Verb::Inspect.call()),
+        session.words.word(folder)
     )
 }

@@ -28,21 +28,23 @@ impl SplitName {
 
     /// The same where it begins with word `start`.
     pub(super) fn at(words: &[PathBuf], start: usize) -> Option<Self> {
-        let is_part = |word: &&PathBuf| word.as_os_str() != "-" && !word.exists();
         let rest = words.get(start..)?;
-        // The first part may be the name of a folder or of another file.
-        let parts = rest.iter().skip(1).take_while(is_part).take(MOST).count() + 1;
+        let parts = rest.iter().skip(1).take_while(|word| word.as_os_str() != "-").take(MOST).count() + 1;
         let mut name = rest.first().filter(|word| !word.exists() && !is_model(word))?.as_os_str().to_owned();
         let mut likely = None;
+        let mut are_parts = true;
         for end in 1..parts {
-            name = joined(name, rest.get(end)?);
+            let word = rest.get(end)?;
+            name = joined(name, word);
             let path = PathBuf::from(&name);
             let exists = path.exists();
+            // What is there by itself is a part only of what is there as a whole.
+            are_parts = are_parts && !word.exists();
             let found = Self { words: start..start + end + 1, name: path, exists };
             if exists {
                 return Some(found);
             }
-            likely = likely.or_else(|| is_model(&found.name).then_some(found));
+            likely = likely.or_else(|| (are_parts && is_model(&found.name)).then_some(found));
         }
         likely
     }
@@ -50,9 +52,15 @@ impl SplitName {
     /// What is wrong, and what to write.
     #[must_use]
     pub fn message(&self, first: &Path) -> String {
-        let (first, name) = (first.display(), self.name.display());
+        format!("'{}' is {}", first.display(), self.reason())
+    }
+
+    /// The same after the name of the first word.
+    #[must_use]
+    pub fn reason(&self) -> String {
+        let name = self.name.display();
         let there = if self.exists { format!(", but '{name}' is") } else { String::new() };
-        format!("'{first}' is not a file{there}: a name with a blank needs quotes, \"{name}\"")
+        format!("not there{there}: a name with a blank needs quotes, \"{name}\"")
     }
 }
 

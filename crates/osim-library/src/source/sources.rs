@@ -77,7 +77,7 @@ impl Sources {
             if let Some(split) = SplitName::at(named, index) {
                 // One name that was split is one failure.
                 next = split.words.end;
-                sources.failures.push(Failure::outside(path.as_path(), "unreadable", split.message(path)));
+                sources.failures.push(Failure::outside(path.as_path(), "unreadable", split.reason()));
             } else if path.is_dir() {
                 sources.walk(path, skip, &mut known);
             } else if known.is_new(path) {

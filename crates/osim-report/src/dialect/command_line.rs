@@ -96,6 +96,10 @@ impl FrontEnd for CommandLine {
         format!("{PROGRAM} {}", self.call(call))
     }
 
+    fn word(&self, name: &str) -> String {
+        shell_quoted(name)
+    }
+
     fn prompt(&self) -> &'static str {
         "$ "
     }

@@ -10,6 +10,11 @@ pub trait FrontEnd: RemedyDialect {
         self.call(call)
     }
 
+    /// A name as one word of a call.
+    fn word(&self, name: &str) -> String {
+        name.to_owned()
+    }
+
     /// What is before a remedy that is there to be copied.
     fn prompt(&self) -> &'static str {
         ""

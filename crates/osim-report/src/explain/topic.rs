@@ -1,8 +1,8 @@
 //! Something that can be explained, by its name.
 
 use contact_scaling::Equation;
-use osim_model::FindingCode;
 use osim_model::wording::Verb;
+use osim_model::{FindingCode, Question};
 
 use super::equations::{equation, equations};
 use super::errors::{ErrorCode, errors};
@@ -78,7 +78,19 @@ fn called(name: &str) -> Vec<Topic> {
     let quantity = quantity(name).map(Topic::Quantity);
     let warning = FindingCode::ALL.iter().copied().find(|code| is_code(code.as_str())).map(Topic::Finding);
     let error = errors().find(|known| is_code(known.code)).map(Topic::Error);
-    [equation, quantity, warning, error].into_iter().flatten().collect()
+    let found: Vec<Topic> = [equation, quantity, warning, error].into_iter().flatten().collect();
+    if found.is_empty() && is_question(name) { questions() } else { found }
+}
+
+/// Whether `name` is the kind of all errors that ask, by the name that they have in the library.
+fn is_question(name: &str) -> bool {
+    name.trim().to_lowercase().replace(['-', '_', ' '], "") == "needsanswer"
+}
+
+/// The errors that ask.
+fn questions() -> Vec<Topic> {
+    let asks = |error: &&ErrorCode| Question::ALL.iter().any(|question| question.code() == error.code);
+    errors().filter(asks).map(Topic::Error).collect()
 }
 
 impl UnknownTopic {

@@ -16,7 +16,7 @@ const fn trap(name: &'static str, symbols: &'static [&'static str], trap: &'stat
 pub(super) const ALL: &[Trap] = &[
     trap(
         "stiffness",
-        &["E1*", "E₁*", "plane_strain_modulus"],
+        &["E1*", "E₁*", "E1", "plane_strain_modulus"],
         "it is a modulus in N/m2: neither a stiffness in N/m nor Young's modulus. E₁* is E/(1 − ν²) (A.1), and the contact of two equal surfaces has the modulus E₁*/2^(3/2) (A.4). Equal numbers are equal contacts only at equal mass, radius and number of spheres",
     ),
     trap(
@@ -173,7 +173,7 @@ pub(super) const ALL: &[Trap] = &[
         &[],
         "it is an input and a result: asked for as 0.16 it is at the end of the Hertz law, not in its middle",
     ),
-    trap("indentation_m", &["x"], "it cannot be compared between sizes: divide by the radius"),
+    trap("indentation_m", &["x", "indentation"], "it cannot be compared between sizes: divide by the radius"),
     trap(
         "contact_patch_diameter_m",
         &[],
@@ -212,7 +212,7 @@ pub(super) const ALL: &[Trap] = &[
     ),
     trap(
         "gravity_m_s2",
-        &["g"],
+        &["g", "gravity"],
         "it is the size of the model's gravity; the paper's table is for 9.81, OpenSim's default is 9.80665",
     ),
     trap("height_m", &["h"], "it is that of the bottoms of the spheres above the ground, not of the body"),

@@ -15,12 +15,11 @@ pub fn text(plan: &Plan, model: &str, output: &str) -> String {
         text.push_str("nothing to change\n");
     } else {
         text.push('\n');
-        text.push_str(&changes(&plan.changes));
-        if !plan.moves.is_empty() {
-            text.push('\n');
-            text.push_str(&moves(&plan.moves));
+        for table in [changes(&plan.changes), moves(&plan.moves)] {
+            if !table.is_empty() {
+                text.push_str(&format!("{table}\n"));
+            }
         }
-        text.push('\n');
     }
     for remark in &plan.remarks {
         text.push_str(&format!("note: {remark}\n"));
@@ -82,6 +81,9 @@ fn changes(changes: &[Change]) -> String {
 
 /// Sphere centres, one row each: they are rarely alike.
 fn moves(moves: &[Move]) -> String {
+    if moves.is_empty() {
+        return String::new();
+    }
     let mut table = table(&["centre of", "x", "y", "z", "new x", "new y", "new z", "by"]);
     for moved in moves {
         let mut cells = vec![moved.sphere.clone()];

@@ -42,13 +42,13 @@ pub struct RescaleRequest {
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub scaling: ScalingOptions,
-    /// The ScaleSet that the Scale Tool applied: spheres move with their bodies (where the model that was scaled is lost)
-    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", hide_short_help = true))]
+    /// ScaleSet that the Scale Tool applied: spheres follow their bodies
+    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
     #[serde(with = "path::optional")]
     #[schemars(with = "Option<path::PathSchema>")]
     pub body_scale_file: Option<PathBuf>,
-    /// Spheres move with bodies that OpenSim has scaled since the note in the file was written, by the sizes in the note
-    #[cfg_attr(feature = "clap", arg(long, hide_short_help = true))]
+    /// Spheres follow bodies scaled since the model's note was written
+    #[cfg_attr(feature = "clap", arg(long))]
     pub follow_bodies: bool,
     /// Which forces.
     #[cfg_attr(feature = "clap", command(flatten))]

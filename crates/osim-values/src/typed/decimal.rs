@@ -60,7 +60,8 @@ pub fn positive(text: &str, expected: &str, units: &[UnitSpelling]) -> Result<f6
 }
 
 /// What a number with a unit is in the unit that is expected, to the digits that a conversion leaves right.
-fn converted(text: &str, units: &[UnitSpelling]) -> Option<f64> {
+#[must_use]
+pub fn converted(text: &str, units: &[UnitSpelling]) -> Option<f64> {
     let small = text.to_ascii_lowercase();
     // In capitals, M is no small matter.
     let small = if text.ends_with("Mg") || text.contains("Mm") { text } else { small.as_str() };

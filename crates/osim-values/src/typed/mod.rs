@@ -4,6 +4,6 @@ mod decimal;
 mod range;
 
 pub use decimal::{
-    LENGTHS, MASSES, UnitSpelling, factor, number, number_in, plain, positive, positive_number,
+    LENGTHS, MASSES, UnitSpelling, converted, factor, number, number_in, plain, positive, positive_number,
 };
-pub use range::{Range, spaced, with_colons};
+pub use range::{Range, respelled, spaced, with_colons};

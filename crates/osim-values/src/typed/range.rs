@@ -38,36 +38,55 @@ impl<'t> Range<'t> {
     }
 }
 
+/// The range that one with colons is, as it is written here; `None` where there are no colons between numbers, or it is empty.
+#[must_use]
+pub fn respelled(text: &str) -> Option<String> {
+    Colons::read(text)?.range
+}
+
 /// What to write for a range with colons, as MATLAB has it: FROM:STEP:TO, or FROM:TO with steps of 1. `None` where there are no
 /// colons between numbers.
 #[must_use]
 pub fn with_colons(text: &str) -> Option<String> {
-    let parts: Option<Vec<(&str, f64)>> = text
-        .split(':')
-        .map(|part| Some((part.trim(), plain(factor(part.trim()).unwrap_or(part.trim()))?)))
-        .collect();
-    let (from, middle, to) = match parts?.as_slice() {
-        [from, to] => (*from, ("1", 1.0), *to),
-        [from, middle, to] => (*from, *middle, *to),
-        _ => return None,
-    };
     let here = "ranges are FROM..TO/COUNT here, equally spaced in their logarithm";
-    let count = ((to.1 - from.1) / middle.1).floor() + 1.0;
-    if count >= 2.0 && middle.1 > 0.0 {
-        let colons = "FROM:STEP:TO, as in MATLAB, has steps of equal size";
-        return Some(format!(
-            "{here}: {colons}; write {}..{}/{}, or the values with commas",
-            from.0,
-            to.0,
-            shortest(count)
-        ));
-    }
-    // From 1e5 in steps of 1e6 to 10 is nothing: a number of values is meant.
-    let is_count = to.1 >= 2.0 && to.1.fract() == 0.0 && from.1 < middle.1;
-    Some(match is_count {
-        true => format!("{here}: write {}..{}/{}", from.0, middle.0, to.0),
-        false => here.to_owned(),
+    Some(match Colons::read(text)? {
+        Colons { range: Some(range), has_steps: true } => {
+            let colons = "FROM:STEP:TO, as in MATLAB, has steps of equal size";
+            format!("{here}: {colons}; write {range}, or the values with commas")
+        }
+        Colons { range: Some(range), .. } => format!("{here}: write {range}"),
+        Colons { range: None, .. } => here.to_owned(),
     })
+}
+
+/// Numbers with colons between them.
+struct Colons {
+    /// What is meant; `None` where it has no values.
+    range: Option<String>,
+    /// FROM:STEP:TO; otherwise FROM:TO:COUNT.
+    has_steps: bool,
+}
+
+impl Colons {
+    fn read(text: &str) -> Option<Self> {
+        let number = |part: &str| plain(factor(part).unwrap_or(part));
+        let parts: Option<Vec<(&str, f64)>> =
+            text.split(':').map(str::trim).map(|part| Some((part, number(part)?))).collect();
+        let (from, middle, to) = match parts?.as_slice() {
+            [from, to] => (*from, ("1", 1.0), *to),
+            [from, middle, to] => (*from, *middle, *to),
+            _ => return None,
+        };
+        let count = ((to.1 - from.1) / middle.1).floor() + 1.0;
+        if count >= 2.0 && middle.1 > 0.0 {
+            let range = format!("{}..{}/{}", from.0, to.0, shortest(count));
+            return Some(Self { range: Some(range), has_steps: true });
+        }
+        // From 1e5 in steps of 1e6 to 10 is nothing: a number of values is meant.
+        let is_count = to.1 >= 2.0 && to.1.fract() == 0.0 && from.1 < middle.1;
+        let range = is_count.then(|| format!("{}..{}/{}", from.0, middle.0, to.0));
+        Some(Self { range, has_steps: false })
+    }
 }
 
 /// `count` numbers from `first` to `last`, equally far apart in their logarithms, both ends exact.
