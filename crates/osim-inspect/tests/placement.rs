@@ -267,7 +267,7 @@ fn another_original_is_said_and_what_the_file_shows_is_not_hidden() {
     assert_eq!(codes(&found).len(), 2, "{said:?}");
     assert!(codes(&found).contains(&FindingCode::SpheresMisplaced), "by the layout in the file");
     let why = said.iter().find(|one| one.code == FindingCode::SpheresNotCompared).unwrap();
-    assert!(why.message.to_string().contains("no scaled copy of that one"), "{}", why.message);
+    assert!(why.message.to_string().contains("not a scaled copy of that one"), "{}", why.message);
     assert!(said.iter().all(|one| one.remedy.is_none()));
 }
 

@@ -183,7 +183,7 @@ impl<'m> Remedies<'m> {
         // A rescaling since then may have changed radii, and bottoms with them.
         let untouched = model.note.as_ref().is_some_and(|note| note.operation == Verb::Note.name());
         let level = untouched && !since.factors.values().any(|factors| is_stretched(*factors));
-        self.remedy(RemedyChange::FollowNote { target_mass_kg, level }, false)
+        self.remedy(RemedyChange::FollowNote { target_mass_kg, level }, true)
     }
 
     /// Contacts of the model that OpenSim scaled, on spheres that follow their bodies.

@@ -87,7 +87,7 @@ impl Placement {
             let factors = factors_between(&scaled, original, file).map_err(in_words)?;
             if let Some(difference) = &factors.difference {
                 let mut why = difference.phrase();
-                why.push("this model is no scaled copy of that one");
+                why.push("this model is not a scaled copy of that one");
                 return Err(why);
             }
             placed_spheres(model, &scaled, original, &factors).map_err(in_words)

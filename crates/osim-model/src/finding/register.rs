@@ -107,8 +107,8 @@ codes! {
     /// Spheres stand where they were before OpenSim scaled their bodies.
     SpheresLeftBehind = "spheres-left-behind", Error, Model:
         "OpenSim's Scale Tool scales bones, joints and masses. It leaves contact spheres where they were, as large and as stiff as before, so that they hang beyond the foot of a smaller animal and end short of a larger one's.";
-        "`transfer MODEL from=ORIGINAL follow_bodies`, where ORIGINAL is the model that was scaled; it makes the contacts right for this mass, too. Add `level` only where the foot became about as much lower as it became shorter and narrower";
-        Command "lets the spheres follow their bodies, where the original is named".
+        "`rescale MODEL target_mass=KG follow_bodies` where the note in the file has the sizes of the bones; else `transfer MODEL from=ORIGINAL follow_bodies`, where ORIGINAL is the model that was scaled. Both make the contacts right for this mass, too. Add `level` only where the foot became about as much lower as it became shorter and narrower";
+        Command "lets the spheres follow their bodies, where the note has their sizes or the original is named".
     /// Spheres do not fit their bones, as in no published model or as in one of another size.
     SpheresMisplaced = "spheres-misplaced", Warn, Model:
         "Either OpenSim scaled the bones and left the spheres behind, or the spheres were taken from a model of another size. Then they push where the foot is not.";

@@ -96,8 +96,11 @@ fn other_joint(scaled: &Anatomy, reference: &Anatomy) -> Option<Difference> {
     })
 }
 
+/// Offset of a joint: its name, where it is in the reference and in the scaled model, m.
+pub(super) type SharedOffset<'a> = (&'a str, [f64; 3], [f64; 3]);
+
 /// The joints that both models have between the same bodies, by the bodies on which they are.
-pub(super) struct SharedJoints<'a>(HashMap<&'a str, Vec<(&'a str, [f64; 3], [f64; 3])>>);
+pub(super) struct SharedJoints<'a>(HashMap<&'a str, Vec<SharedOffset<'a>>>);
 
 impl<'a> SharedJoints<'a> {
     pub(super) fn of(scaled: &'a Anatomy, reference: &'a Anatomy) -> Self {
@@ -127,7 +130,7 @@ impl<'a> SharedJoints<'a> {
 
 fn unexplained(
     body: &str,
-    (meshes, joints): (&[BonePair], &[(&str, [f64; 3], [f64; 3])]),
+    (meshes, joints): (&[BonePair], &[SharedOffset<'_>]),
     (axis, name): (usize, &'static str),
 ) -> Option<Difference> {
     let meshes: Vec<f64> = meshes.iter().filter_map(|pair| pair.factors[axis]).collect();
