@@ -89,7 +89,9 @@ def pages(tmp_path_factory):
     shutil.copy(fixtures / "table1/human_62kg_smooth_sphere.osim", folder / "human.osim")
     shutil.copy(fixtures / "check/sunk_in.osim", folder)
     (folder / "library").mkdir()
-    for model in [*(fixtures / "table1").glob("*_smooth_sphere.osim"), *(fixtures / "check").glob("*.osim")]:
+    # Up to 20 models are open on paper.
+    checked = sorted((fixtures / "check").glob("*.osim"))[:12]
+    for model in [*(fixtures / "table1").glob("*_smooth_sphere.osim"), *checked]:
         shutil.copy(model, folder / "library")
     for page, call in PAGES.items():
         ran = subprocess.run([PROGRAM, *call.split(), "--report", page], cwd=folder, capture_output=True, text=True)
