@@ -8,8 +8,8 @@ folder that holds the program and a model and nothing else.
 
 import hashlib
 import json
-import re
 import os
+import re
 import shutil
 import subprocess
 import sys

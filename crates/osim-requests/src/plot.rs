@@ -7,11 +7,11 @@ use osim_inspect::unexplained_slip;
 use osim_model::files::Files;
 use osim_model::wording::{Input, phrase};
 use osim_model::{Fault, MassRequest};
+use osim_values::{Kilograms, Positive};
 
 use crate::fault::{RequestError, RequestFault};
 use crate::request::{PlotKind, PlotRequest};
 use crate::subject::Subject;
-use osim_values::{Kilograms, Positive};
 
 impl PlotRequest {
     /// `true` for a figure of the paper, which shows its own animals.

@@ -2,6 +2,10 @@
 
 use osim_model::wording::Input;
 use osim_model::{Remedy, RemedyChange, RemedyDesign, RemedyLoad};
+use osim_values::{
+    Acceleration, Assignments, ConstantIndentation, Count, Kilograms, Positive, RelativeIndentation,
+    RestitutionCoefficient,
+};
 
 use crate::fault::RequestFault;
 use crate::options::{
@@ -9,10 +13,6 @@ use crate::options::{
     ScalingOptions, SetFiles, WantedOptions,
 };
 use crate::request::{DesignRequest, Request, RescaleRequest, SetRequest, TransferRequest};
-use osim_values::{
-    Acceleration, Assignments, ConstantIndentation, Count, Kilograms, Positive, RelativeIndentation,
-    RestitutionCoefficient,
-};
 
 /// Checks a number of a remedy.
 fn checked<T>(

@@ -5,6 +5,7 @@ use contact_scaling::{
     Hertz, SharedLoad, SmoothSphere, SmoothingValues, modulus, patch, restitution, smoothing, stiffness,
 };
 use osim_model::wording::{Input, phrase};
+use osim_values::{ConstantIndentation, Positive, RestitutionCoefficient};
 
 use super::at_rest::{self, AtRest};
 use super::given::{Given, ModulusFrom, refused};
@@ -13,7 +14,6 @@ use super::sheet::DesignSheet;
 use crate::fault::RequestFault;
 use crate::options::WantedOptions;
 use crate::request::DesignRequest;
-use osim_values::{ConstantIndentation, Positive, RestitutionCoefficient};
 
 impl DesignRequest {
     /// Calculates a design that names no model.

@@ -9,13 +9,13 @@ use osim_inspect::{LoadSharing, MassMismatch, unexplained_slip};
 use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::wording::{Input, Phrase, phrase};
 use osim_model::{CountOf, Fault, GravityFor, MassRequest, Needed};
+use osim_values::{Count, Kilograms, NotNegative, Positive};
 
 use super::result::{ComparedDrop, DropResult};
 use crate::fault::{RequestError, RequestFault};
 use crate::gravity::STANDARD_GRAVITY_M_S2;
 use crate::request::DropTestRequest;
 use crate::subject::Subject;
-use osim_values::{Count, Kilograms, NotNegative, Positive};
 
 /// A body about to fall.
 struct Falling {

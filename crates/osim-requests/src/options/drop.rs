@@ -2,11 +2,11 @@
 
 use contact_scaling::SmoothingValues;
 use osim_model::wording::{Input, phrase};
+use osim_values::{Acceleration, Height, NotNegative, Positive};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::fault::RequestFault;
-use osim_values::{Acceleration, Height, NotNegative, Positive};
 
 /// A contact given by its numbers.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

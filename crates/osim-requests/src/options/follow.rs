@@ -4,13 +4,13 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use osim_patch::{MovedSpheres, RadiusAxis};
+use osim_values::body_scale::{self, BodyScaleSchema};
+use osim_values::{BodyScale, Positive, path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::choice::choices;
 use crate::relation::Relation;
-use osim_values::body_scale::{self, BodyScaleSchema};
-use osim_values::{BodyScale, Positive, path};
 
 choices! {
     /// How a radius follows from three factors.

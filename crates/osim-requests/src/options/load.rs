@@ -1,11 +1,11 @@
 //! How many spheres share which load.
 
 use osim_inspect::Stance;
+use osim_values::{Acceleration, Count, Positive};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::relation::Relation;
-use osim_values::{Acceleration, Count, Positive};
 
 /// How many spheres share the body weight.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -2,11 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
+use osim_values::path;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::relation::Relation;
-use osim_values::path;
 
 /// Where results go.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]

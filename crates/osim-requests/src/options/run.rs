@@ -3,12 +3,12 @@
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
+use osim_values::{Shard, path, serial};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::choice::choices;
 use crate::relation::Relation;
-use osim_values::{Shard, path, serial};
 
 choices! {
     /// How a change is shown.

@@ -3,13 +3,13 @@
 use osim_model::wording::{Input, phrase};
 use osim_model::{Axis, LevelAxis, Property};
 use osim_patch::{DissipationBy, PropertySet};
+use osim_values::{Acceleration, Radius, property_list};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::choice::choices;
 use crate::fault::RequestFault;
 use crate::relation::Relation;
-use osim_values::{Acceleration, Radius, property_list};
 
 choices! {
     /// Which size dissipation follows (14).

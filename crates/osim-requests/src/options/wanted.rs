@@ -1,14 +1,14 @@
 //! What is wanted or known of a contact.
 
 use osim_patch::RadiusRule;
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-use crate::relation::Relation;
 use osim_values::{
     ConstantIndentation, PoissonRatio, Positive, Radius, RelativeIndentation, RestitutionCoefficient,
     Threshold,
 };
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::relation::Relation;
 
 /// What is wanted or known of the contact.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]

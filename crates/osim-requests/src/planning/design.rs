@@ -5,6 +5,7 @@ use osim_inspect::LoadSharing;
 use osim_model::wording::{Input, Verb, phrase};
 use osim_model::{CountOf, Fault, GravityFor, Mass, MassRequest, Model, Needed, Selected, Selection};
 use osim_patch::{Design, DesignModulus, Plan, RadiusRule, design};
+use osim_values::{ConstantIndentation, PoissonRatio, Positive, RelativeIndentation, RestitutionCoefficient};
 use serde_json::json;
 
 use super::asking::Asking;
@@ -12,7 +13,6 @@ use crate::fault::RequestFault;
 use crate::options::{CountOptions, InspectionOptions, LoadOptions, StanceOptions, WantedOptions};
 use crate::planner::{Change, Planner};
 use crate::request::DesignRequest;
-use osim_values::{ConstantIndentation, PoissonRatio, Positive, RelativeIndentation, RestitutionCoefficient};
 
 struct Designing {
     wanted: WantedOptions,

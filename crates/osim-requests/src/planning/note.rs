@@ -3,6 +3,7 @@
 use osim_model::wording::{Input, phrase};
 use osim_model::{Fault, Model};
 use osim_patch::{Plan, note};
+use osim_values::Acceleration;
 use serde_json::json;
 
 use super::asking::Asking;
@@ -10,7 +11,6 @@ use crate::fault::RequestFault;
 use crate::options::{ForceOptions, InspectionOptions, MassOptions, StanceOptions};
 use crate::planner::{Change, Planner};
 use crate::request::NoteRequest;
-use osim_values::Acceleration;
 
 struct Noting {
     mass_kg: f64,

@@ -10,13 +10,13 @@ use osim_model::{
     Anatomy, CountOf, Fault, FaultKind, Mass, MassRequest, MassSource, Model, Needed, Selection, mass_slip,
 };
 use osim_patch::{Reference, ScaleFile, reference_of_model};
+use osim_values::{Acceleration, Count, Kilograms};
 
 use crate::fault::RequestFault;
 use crate::opening::{open, scale_file};
 use crate::planner::file_name;
 use crate::request::TransferRequest;
 use crate::subject::Named;
-use osim_values::{Acceleration, Count, Kilograms};
 
 /// What spheres follow from.
 pub(super) struct Generic {

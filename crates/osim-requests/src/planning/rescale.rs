@@ -7,6 +7,7 @@ use osim_model::files::Files;
 use osim_model::wording::{Input, phrase};
 use osim_model::{Fault, Mass, MassRequest, Model, Needed, NoteDoubt, Selected, Selection, same_mass};
 use osim_patch::{Plan, RadiusRule, Rescale, ScaleFile, rescale};
+use osim_values::{Acceleration, Radius};
 use serde_json::json;
 
 use super::asking::Asking;
@@ -17,7 +18,6 @@ use crate::opening::scale_file;
 use crate::options::{InspectionOptions, ScalingOptions, StanceOptions};
 use crate::planner::{Change, Planner};
 use crate::request::RescaleRequest;
-use osim_values::{Acceleration, Radius};
 
 struct Rescaling {
     target_mass_kg: f64,

@@ -2,6 +2,7 @@
 
 use osim_model::{Fault, Mass, MassRequest, MassSource, Model, Selection};
 use osim_patch::{Plan, Set, set};
+use osim_values::Assignments;
 use serde_json::json;
 
 use super::asking::Asking;
@@ -9,7 +10,6 @@ use crate::fault::RequestFault;
 use crate::options::{InspectionOptions, StanceOptions};
 use crate::planner::{Change, Planner};
 use crate::request::SetRequest;
-use osim_values::Assignments;
 
 struct Setting {
     assignments: Assignments,

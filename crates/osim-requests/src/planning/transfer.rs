@@ -13,6 +13,7 @@ use osim_patch::{
     Factors, Follow, FollowRequest, OwnRadii, Plan, RadiusAxis, RadiusRule, Reference, ScalingRule,
     TRANSFER_FOLLOWING, Transfer, moving_spheres, transfer,
 };
+use osim_values::{Acceleration, Kilograms, Positive, Radius};
 use serde_json::json;
 
 use super::asking::Asking;
@@ -24,7 +25,6 @@ use crate::options::{
 };
 use crate::planner::{Change, Planner};
 use crate::request::TransferRequest;
-use osim_values::{Acceleration, Kilograms, Positive, Radius};
 
 /// What was said of the reference, so that it counts for more than what its file says.
 struct ReferenceSaid {

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use osim_values::path;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -10,7 +11,6 @@ use crate::options::{
     WantedOptions,
 };
 use crate::relation::Relation;
-use osim_values::path;
 
 /// Finds parameters from what is wanted: indentation, stiffness, restitution.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

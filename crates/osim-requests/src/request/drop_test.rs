@@ -2,13 +2,13 @@
 
 use std::path::PathBuf;
 
+use osim_values::{Count, Height, Positive, Samples, path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::choice::choices;
 use crate::options::{AnswerOptions, ContactNumbers, CountOptions, ForceOptions, MassOptions, SetFiles};
 use crate::relation::Relation;
-use osim_values::{Count, Height, Positive, Samples, path};
 
 choices! {
     /// How a drop is shown.

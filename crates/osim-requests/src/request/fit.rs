@@ -3,13 +3,13 @@
 use std::path::PathBuf;
 
 use contact_scaling::fit::Branch;
+use osim_values::{ContactOnset, Count, Positive, path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::choice::choices;
 use crate::options::{ColumnOptions, Format};
 use crate::relation::Relation;
-use osim_values::{ContactOnset, Count, Positive, path};
 
 choices! {
     /// Which part of a measurement.

@@ -3,13 +3,13 @@
 use std::path::PathBuf;
 
 use osim_model::Severity;
+use osim_values::path;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::choice::choices;
 use crate::options::{InspectionOptions, ReportOptions, SheetFormat};
 use crate::relation::Relation;
-use osim_values::path;
 
 /// Shows what contacts models have.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -2,11 +2,11 @@
 
 use std::path::PathBuf;
 
+use osim_values::{path, serial};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::options::Format;
-use osim_values::{path, serial};
 
 /// Lists presets, or shows one.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]

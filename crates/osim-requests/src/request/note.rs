@@ -2,12 +2,12 @@
 
 use std::path::PathBuf;
 
+use osim_values::{Acceleration, Kilograms, path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::options::{AnswerOptions, OutputOptions, RunOptions, SetFiles};
 use crate::relation::Relation;
-use osim_values::{Acceleration, Kilograms, path};
 
 /// Writes into models which mass their contacts were made for; no number changes.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

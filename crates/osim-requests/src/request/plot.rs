@@ -3,13 +3,13 @@
 use std::path::PathBuf;
 
 use osim_inspect::series::HeatQuantity;
+use osim_values::{Acceleration, Dpi, Grid, Kilograms, path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::choice::choices;
 use crate::options::{AnswerOptions, CountOptions, FallOptions, ForceOptions, MassOptions, SetFiles};
 use crate::relation::Relation;
-use osim_values::{Acceleration, Dpi, Grid, Kilograms, path};
 
 choices! {
     /// What is drawn.

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use osim_values::{Kilograms, path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -9,7 +10,6 @@ use crate::options::{
     AnswerOptions, ForceOptions, MassOptions, OutputOptions, RunOptions, ScalingOptions, SetFiles,
 };
 use crate::relation::Relation;
-use osim_values::{Kilograms, path};
 
 /// Rescales a model's own contacts to another mass.
 ///

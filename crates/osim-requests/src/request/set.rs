@@ -2,12 +2,12 @@
 
 use std::path::PathBuf;
 
+use osim_values::{Assignments, path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::options::{AnswerOptions, ForceOptions, MassOptions, OutputOptions, RunOptions, SetFiles};
 use crate::relation::Relation;
-use osim_values::{Assignments, path};
 
 /// Sets properties to a value, or multiplies them by a factor.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

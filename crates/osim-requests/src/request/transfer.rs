@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use osim_values::path;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -10,7 +11,6 @@ use crate::options::{
     RunOptions, ScalingOptions, SetFiles,
 };
 use crate::relation::Relation;
-use osim_values::path;
 
 /// Gives a model the contacts of another model or of a preset, at its own size.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -6,6 +6,7 @@ use osim_inspect::unexplained_slip;
 use osim_model::files::{Failure, ModelFiles};
 use osim_model::wording::{Phrase, phrase};
 use osim_model::{MassRequest, Question, shortest};
+use osim_values::AxisName;
 
 use super::grid::{Point, along, count, ends, point};
 use super::ladder::Ladder;
@@ -14,7 +15,6 @@ use super::stages::{self, Stages};
 use super::variant::Variant;
 use crate::fault::{RequestError, RequestFault};
 use crate::request::SweepRequest;
-use osim_values::AxisName;
 
 /// More models than this are made only where that was said.
 const MANY: usize = 10_000;

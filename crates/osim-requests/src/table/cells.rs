@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use osim_model::files::Files;
 use osim_model::wording::{Phrase, Verb};
+use osim_values::path;
 use serde_json::{Map, Value};
 
 use super::columns::{Column, Columns, Kind};
@@ -12,7 +13,6 @@ use crate::planning::any::{CHANGING, changing_verbs};
 use crate::presets::find_preset;
 use crate::spreadsheet::{Row, Sheet};
 use crate::subject::looks_like_file;
-use osim_values::path;
 
 /// What a row says.
 #[derive(Debug)]

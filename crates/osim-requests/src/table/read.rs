@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use osim_model::Question;
 use osim_model::files::{Failure, Files};
 use osim_model::wording::{Input, Phrase, Verb};
+use osim_values::path;
 use serde_json::{Map, Value, json};
 
 use super::cells::Cells;
@@ -15,7 +16,6 @@ use crate::options::OutputOptions;
 use crate::planner::Change;
 use crate::request::Request;
 use crate::spreadsheet::{Row, Sheet};
-use osim_values::path;
 
 /// A table of models and what is done with each.
 pub struct Table {
