@@ -3,7 +3,7 @@
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use contact_scaling::fit::{
-    Branch, Estimate, Fit, FitError, FitValues, Measurement, Onset, Parameter, Rate, fit,
+    Branch, Doubt, Estimate, Fit, FitError, FitValues, Measurement, Onset, Parameter, Rate, fit,
 };
 use contact_scaling::{Hertz, HuntCrossley};
 
@@ -222,4 +222,93 @@ fn data_without_stiffness_are_refused() {
     let empty = Data::default();
     assert!(matches!(empty.fit(0.02, false, Onset::Fitted), Err(FitError::TooFewPoints { .. })));
     assert!(matches!(empty.fit(0.02, true, Onset::At(0.0)), Err(FitError::TooFewPoints { .. })));
+}
+
+/// F = 2 x 4/3 sqrt(R) E* x^(3/2) (1 + 3/2 alpha v) with E* = 4e5 and R = 0.02, and what is added to it.
+fn measured(
+    indentations: &[f64],
+    alpha: f64,
+    speed: impl Fn(usize) -> f64,
+    noise: impl Fn(usize) -> f64,
+) -> Data {
+    let mut data = Data::default();
+    for (row, &x) in indentations.iter().enumerate() {
+        let v = speed(row);
+        data.x.push(x);
+        data.v.push(v);
+        let elastic = 2.0 * 4.0 / 3.0 * 0.02_f64.sqrt() * 4e5 * x.max(0.0).powf(1.5);
+        data.f.push(elastic * (1.0 + 1.5 * alpha * v) + noise(row));
+    }
+    data
+}
+
+#[test]
+fn one_indentation_determines_nothing() {
+    // Every law passes through one point, also where it was measured ten times with an error.
+    for noise in [0.0, 1.0] {
+        let data = measured(&[0.003; 10], 0.0, |_| 0.0, |row| noise * (row % 3) as f64);
+        for onset in [Onset::At(0.0), Onset::At(0.001), Onset::Fitted] {
+            assert!(data.fit(0.02, false, onset).is_err(), "{onset:?}");
+        }
+        let error = data.fit(0.02, false, Onset::At(0.0)).unwrap_err();
+        assert_eq!(error, FitError::OneIndentation { indentation_m: 0.003 });
+    }
+    // Rows before contact do not help: they have no force by any law.
+    let data = measured(&[-0.002, -0.001, 0.0, 0.003, 0.003, 0.003], 0.0, |_| 0.0, |_| 0.0);
+    assert!(matches!(data.fit(0.02, false, Onset::At(0.0)), Err(FitError::OneIndentation { .. })));
+}
+
+#[test]
+fn a_force_that_does_not_follow_the_indentation_has_no_fit() {
+    let depths: Vec<f64> = (1..=12).map(|row| f64::from(row) * 1e-3).collect();
+    // The same force everywhere: its variance is 0, so R squared is not a number.
+    let constant = Data { x: depths.clone(), v: vec![0.0; 12], f: vec![50.0; 12] };
+    assert!(matches!(constant.fit(0.02, false, Onset::At(0.0)), Err(FitError::NoLaw { .. })));
+    // High where the indentation is small: the mean is nearer to the data than the law.
+    let falling: Vec<f64> = depths.iter().map(|x| 100.0 - 5e3 * x).collect();
+    let falling = Data { x: depths, v: vec![0.0; 12], f: falling };
+    match falling.fit(0.02, false, Onset::At(0.0)) {
+        Err(FitError::NoLaw { r_squared }) => assert!(r_squared < 0.0),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn a_law_that_explains_little_is_doubted() {
+    let depths: Vec<f64> = (1..=12).map(|row| f64::from(row) * 1e-3).collect();
+    // An error as large as the largest force, with changing sign.
+    let data = measured(&depths, 0.0, |_| 0.0, |row| if row % 2 == 0 { 200.0 } else { -200.0 });
+    let fit = data.fit(0.02, false, Onset::At(0.0)).unwrap();
+    assert!(fit.r_squared < 0.5 && fit.r_squared > 0.0, "{}", fit.r_squared);
+    assert!(fit.doubts.contains(&Doubt::LowRSquared { r_squared: fit.r_squared }));
+    let clear = measured(&depths, 0.0, |_| 0.0, |row| if row % 2 == 0 { 1.0 } else { -1.0 });
+    assert_eq!(clear.fit(0.02, false, Onset::At(0.0)).unwrap().doubts, []);
+}
+
+#[test]
+fn a_dissipation_that_the_error_hides_is_doubted() {
+    let depths: Vec<f64> = (1..=20).map(|row| f64::from(row) * 5e-4).collect();
+    let noise = |row: usize| [0.9, -1.1, 0.3, -0.4, 1.2, -0.9, 0.2][row % 7];
+    // Speeds of 1 micrometre per second: the force changes by a millionth, the error is a newton.
+    let slow =
+        measured(&depths, 0.5, |row| 1e-6 * (row % 4) as f64, noise).fit(0.02, true, Onset::At(0.0)).unwrap();
+    let undetermined = Doubt::Undetermined { parameter: Parameter::Dissipation };
+    assert_eq!(slow.doubts, [undetermined]);
+    // At 0.1 to 0.3 m/s the same dissipation is plain.
+    let fast =
+        measured(&depths, 0.5, |row| 0.1 * (row % 4) as f64, noise).fit(0.02, true, Onset::At(0.0)).unwrap();
+    assert_eq!(fast.doubts, []);
+}
+
+#[test]
+fn calculated_data_have_no_interval() {
+    let depths: Vec<f64> = (1..=9).map(|row| f64::from(row) * 1e-3).collect();
+    let fit = measured(&depths, 0.4, |row| 0.1 * (row % 3) as f64, |_| 0.0)
+        .fit(0.02, true, Onset::At(0.0))
+        .unwrap();
+    assert_close(fit.composite_modulus.value, 4e5, 1e-12, "E*");
+    assert_eq!(fit.doubts, [Doubt::NoResiduals]);
+    for estimate in [fit.composite_modulus, fit.plane_strain_modulus, fit.dissipation.unwrap()] {
+        assert!(estimate.low.is_nan() && estimate.high.is_nan() && estimate.standard_error.is_nan());
+    }
 }

@@ -57,6 +57,22 @@ pub enum FitError {
         /// The modulus that came out.
         value: f64,
     },
+    /// Every row in contact has the same indentation.
+    #[error(
+        "all rows in contact have one indentation, {indentation_m:?} m, expected several: one point lies on every curve"
+    )]
+    OneIndentation {
+        /// The indentation, in m.
+        indentation_m: f64,
+    },
+    /// A constant force explains the data as well as the law does: R² is 0 or less, or the force never changes.
+    #[error(
+        "the law explains the force no better than a constant does (R squared is {r_squared:?}), expected a force that follows the indentation"
+    )]
+    NoLaw {
+        /// R²; not finite where the force never changes.
+        r_squared: f64,
+    },
     /// The search for the onset did not come to an end.
     #[error("the search for the contact onset did not converge, expected data with a clear onset")]
     NotConverged,

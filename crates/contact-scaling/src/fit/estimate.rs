@@ -4,7 +4,6 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use super::error::FitError;
 use super::model::{Model, Parameters};
-use super::parameter::Parameter;
 use super::points::Point;
 
 /// A fitted value with its 95 % interval.
@@ -13,7 +12,7 @@ use super::points::Point;
 pub struct Estimate {
     /// The value of least squares.
     pub value: f64,
-    /// Its standard error.
+    /// Its standard error; not a number, as the interval, where nothing is left over that would tell it.
     pub standard_error: f64,
     /// Lower end of the 95 % interval, by Student's t.
     pub low: f64,
@@ -69,17 +68,10 @@ pub(super) fn covariance(
             information[i][j] /= scale[i] * scale[j];
         }
     }
-    let inverse = inverse(information).map_err(|i| FitError::Undetermined { parameter: word(names[i]) })?;
+    let inverse =
+        inverse(information).map_err(|i| FitError::Undetermined { parameter: names[i].in_words() })?;
     let entry = |i: usize, j: usize| variance * inverse[i][j] / (scale[i] * scale[j]);
     Ok((0..size).map(|i| (0..size).map(|j| entry(i, j)).collect()).collect())
-}
-
-fn word(parameter: Parameter) -> &'static str {
-    match parameter {
-        Parameter::CompositeModulus => "composite modulus",
-        Parameter::Dissipation => "dissipation",
-        Parameter::Onset => "contact onset",
-    }
 }
 
 /// Inverse of a small positive definite matrix, by Gauss–Jordan; the row that depends on others if there is one.

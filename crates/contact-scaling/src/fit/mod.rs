@@ -16,6 +16,7 @@
 //! # Ok::<(), contact_scaling::fit::FitError>(())
 //! ```
 
+mod doubt;
 mod error;
 mod estimate;
 mod linear;
@@ -27,6 +28,7 @@ mod points;
 mod result;
 mod solve;
 
+pub use doubt::Doubt;
 pub use error::FitError;
 pub use estimate::Estimate;
 pub use measurement::{Branch, FitValues, Measurement, Onset, Rate};

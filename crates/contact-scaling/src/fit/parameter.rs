@@ -12,3 +12,15 @@ pub enum Parameter {
     /// x₀, in m.
     Onset,
 }
+
+impl Parameter {
+    /// What it is called in a sentence.
+    #[must_use]
+    pub const fn in_words(self) -> &'static str {
+        match self {
+            Self::CompositeModulus => "composite modulus",
+            Self::Dissipation => "dissipation",
+            Self::Onset => "contact onset",
+        }
+    }
+}

@@ -1,5 +1,6 @@
 //! What the data say.
 
+use super::doubt::Doubt;
 use super::estimate::Estimate;
 use super::parameter::Parameter;
 
@@ -19,6 +20,8 @@ pub struct Fit {
     pub parameters: Vec<Parameter>,
     /// Covariance of the parameters, in their units.
     pub covariance: Vec<Vec<f64>>,
+    /// Why the result must not be taken as it is; empty where nothing speaks against it.
+    pub doubts: Vec<Doubt>,
     /// Rows that were fitted, from 0.
     pub rows: Vec<usize>,
     /// Measured less fitted force of these rows, in N.

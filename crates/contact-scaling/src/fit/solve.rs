@@ -7,9 +7,12 @@ use super::model::{Model, Parameters};
 use super::parameter::Parameter;
 use super::points::Point;
 use super::result::Fit;
-use super::{estimate, linear, onset, points};
+use super::{doubt, estimate, linear, onset, points};
 use crate::error::{at_least_one, finite, positive};
 use crate::{EQUAL_SURFACES, limits, restitution};
+
+/// Indentations that differ by less than this share are one.
+const SAME_INDENTATION: f64 = 1e-9;
 
 /// Fits the contact parameters to a measurement.
 ///
@@ -31,22 +34,48 @@ pub fn fit(measurement: &Measurement<'_>, values: &FitValues) -> Result<Fit, Fit
     if parameters.modulus <= 0.0 || !parameters.modulus.is_finite() {
         return Err(FitError::NoStiffness { value: parameters.modulus });
     }
+    several_indentations(&points, parameters.onset)?;
     report(&model, &points, &parameters, radius)
+}
+
+/// One point lies on the curve of every law.
+fn several_indentations(points: &[Point], onset: f64) -> Result<(), FitError> {
+    let touching = points.iter().map(|p| p.indentation).filter(|&indentation| indentation > onset);
+    let (least, most) =
+        touching.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (x.min(least), x.max(most)));
+    if most - least <= SAME_INDENTATION * (most - onset) {
+        return Err(FitError::OneIndentation { indentation_m: most });
+    }
+    Ok(())
 }
 
 fn report(model: &Model, points: &[Point], fitted: &Parameters, radius: f64) -> Result<Fit, FitError> {
     let residuals_n: Vec<f64> = points.iter().map(|p| p.force - model.force(fitted, p)).collect();
     let degrees_of_freedom = points.len() - model.names().len();
     let square: f64 = residuals_n.iter().map(|r| r * r).sum();
+    let r_squared = r_squared(points, square);
+    if !(r_squared.is_finite() && r_squared > 0.0) {
+        return Err(FitError::NoLaw { r_squared });
+    }
     let variance = square / degrees_of_freedom as f64;
     let covariance = estimate::covariance(model, points, fitted, variance)?;
     let t = estimate::student_95(degrees_of_freedom)?;
     let names = model.names();
-    let of = |name: Parameter, value: f64| {
-        let i = names.iter().position(|&known| known == name)?;
-        Some(Estimate::new(value, covariance[i][i].sqrt(), t))
+    let exact = doubt::is_exact(&residuals_n, points.iter().map(|p| p.force));
+    let estimate = |i: usize, value: f64| {
+        let standard_error = if exact { f64::NAN } else { covariance[i][i].sqrt() };
+        Estimate::new(value, standard_error, t)
     };
-    let composite = Estimate::new(fitted.modulus, covariance[0][0].sqrt(), t);
+    let of = |name: Parameter, value: f64| {
+        names.iter().position(|&known| known == name).map(|i| estimate(i, value))
+    };
+    let composite = estimate(0, fitted.modulus);
+    let dissipation = of(Parameter::Dissipation, fitted.dissipation());
+    let doubts = doubt::doubts(
+        r_squared,
+        exact,
+        &[(Parameter::CompositeModulus, Some(&composite)), (Parameter::Dissipation, dissipation.as_ref())],
+    );
     let touching = || points.iter().filter(|p| p.indentation > fitted.onset);
     let deepest = touching().fold(0.0, |most: f64, p| most.max(p.indentation - fitted.onset)) / radius;
     let fastest = touching().fold(0.0, |most: f64, p| most.max(p.speed.abs()));
@@ -54,13 +83,14 @@ fn report(model: &Model, points: &[Point], fitted: &Parameters, radius: f64) -> 
     Ok(Fit {
         composite_modulus: composite,
         plane_strain_modulus: composite.times(EQUAL_SURFACES),
-        dissipation: of(Parameter::Dissipation, fitted.dissipation()),
+        dissipation,
+        doubts,
         onset_m: of(Parameter::Onset, fitted.onset),
         parameters: names,
         covariance,
         rows: points.iter().map(|p| p.row).collect(),
         residual_deviation_n: variance.sqrt(),
-        r_squared: r_squared(points, square),
+        r_squared,
         residuals_n,
         degrees_of_freedom,
         largest_relative_indentation: deepest,

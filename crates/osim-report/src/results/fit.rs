@@ -1,12 +1,12 @@
 //! A fit as text.
 
-use contact_scaling::fit::{Estimate, Fit};
+use contact_scaling::fit::{Doubt, Estimate, Fit};
 use contact_scaling::limits;
 use osim_model::readable;
-use osim_model::wording::{Dialect, Input, phrase};
+use osim_model::wording::{Dialect, Input, phrase, shown_path};
 use osim_requests::FitResult;
 
-use crate::layout::{right_aligned, table};
+use crate::layout::table;
 
 /// The parameters with their confidence intervals, and whether the laws were made for this measurement.
 #[must_use]
@@ -14,7 +14,7 @@ pub fn fit_text(result: &FitResult, dialect: &dyn Dialect) -> String {
     let fit = &result.fit;
     let mut text = format!(
         "{}: {} rows in the fit, n = {}, R = {} m\n\n{}\n\n",
-        result.file.display(),
+        shown_path(&result.file),
         fit.rows.len(),
         readable(result.sphere_count),
         readable(result.radius_m),
@@ -37,12 +37,39 @@ pub fn fit_text(result: &FitResult, dialect: &dyn Dialect) -> String {
         text.push_str(&question.spelled(dialect));
     }
     text.push_str(&restitution(fit));
+    for doubt in &fit.doubts {
+        text.push_str(&format!("warning: {} [{}]\n", in_words(doubt), doubt.code()));
+    }
     if fit.dissipation.is_some_and(|dissipation| dissipation.value < 0.0) {
         text.push_str(
             "the dissipation comes out below 0, which no model takes: check the sign of the speed\n",
         );
     }
     text
+}
+
+/// What a fit cannot say.
+pub(super) fn in_words(doubt: &Doubt) -> String {
+    match doubt {
+        Doubt::LowRSquared { r_squared } => format!(
+            "the law explains only {:.0} % of what the force does: look at the residuals before you use these values",
+            100.0 * r_squared
+        ),
+        Doubt::Undetermined { parameter } => format!(
+            "the 95 % interval of the {parameter} holds 0, so these data do not tell it: measure more, or other, \
+             indentations and speeds",
+            parameter = parameter.in_words()
+        ),
+        Doubt::NoResiduals => {
+            "nothing is left over, as in calculated data: how sure the values are cannot be said".to_owned()
+        }
+        _ => doubt.code().to_owned(),
+    }
+}
+
+/// A bound of an interval that may not be known.
+fn bound(value: f64) -> String {
+    if value.is_nan() { "not known".to_owned() } else { readable(value) }
 }
 
 fn word(within: bool) -> &'static str {
@@ -52,8 +79,7 @@ fn word(within: bool) -> &'static str {
 fn parameters(fit: &Fit) -> String {
     let mut table = table(&["parameter", "value", "95 % from", "to", "unit", "equation"]);
     let mut row = |name: &str, value: &Estimate, unit: &str, equation: &str| {
-        let cells =
-            [name, &readable(value.value), &readable(value.low), &readable(value.high), unit, equation];
+        let cells = [name, &readable(value.value), &bound(value.low), &bound(value.high), unit, equation];
         table.add_row(cells.map(str::to_owned).to_vec());
     };
     row("E* (composite)", &fit.composite_modulus, "N/m2", "(1)");
@@ -64,7 +90,7 @@ fn parameters(fit: &Fit) -> String {
     if let Some(onset) = &fit.onset_m {
         row("contact onset", onset, "m", "(1)");
     }
-    right_aligned(&mut table, &[1, 2, 3]);
+    table.right_aligned(&[1, 2, 3]);
     table.trim_fmt()
 }
 

@@ -1,11 +1,13 @@
 //! The JSON contract of a fit.
 
-use contact_scaling::fit::{Estimate, Parameter};
+use contact_scaling::fit::{Doubt, Estimate, Parameter};
 use osim_inspect::SCHEMA_VERSION;
 use osim_model::files::FileName;
 use osim_requests::FitResult;
 use schemars::JsonSchema;
 use serde::Serialize;
+
+use super::fit::in_words;
 
 /// A fit, as the JSON has it.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -36,8 +38,9 @@ pub struct FitRecord {
     /// Covariance of the parameters.
     #[schemars(with = "Vec<Vec<Option<f64>>>")]
     pub covariance: Vec<Vec<f64>>,
+    /// Why the result must not be taken as it is.
+    pub warnings: Vec<FitWarningRecord>,
     /// R².
-    #[schemars(with = "Option<f64>")]
     pub r_squared: f64,
     /// Rows less parameters.
     pub degrees_of_freedom: usize,
@@ -56,6 +59,17 @@ pub struct FitRecord {
     pub within_hunt_crossley_limit: Option<bool>,
     /// What the fit leaves over.
     pub residuals: ResidualsRecord,
+}
+
+/// Why a result must not be taken as it is.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct FitWarningRecord {
+    /// Stable short name.
+    pub code: &'static str,
+    /// What cannot be said, and what to do.
+    pub message: String,
 }
 
 /// One parameter.
@@ -107,6 +121,10 @@ fn name(parameter: &Parameter) -> &'static str {
     }
 }
 
+fn warning(doubt: &Doubt) -> FitWarningRecord {
+    FitWarningRecord { code: doubt.code(), message: in_words(doubt) }
+}
+
 impl From<&FitResult> for FitRecord {
     fn from(result: &FitResult) -> Self {
         let fit = &result.fit;
@@ -123,6 +141,7 @@ impl From<&FitResult> for FitRecord {
             onset_m: fit.onset_m.as_ref().map(Into::into),
             parameters: fit.parameters.iter().map(name).collect(),
             covariance: fit.covariance.clone(),
+            warnings: fit.doubts.iter().map(warning).collect(),
             r_squared: fit.r_squared,
             degrees_of_freedom: fit.degrees_of_freedom,
             residual_deviation_n: fit.residual_deviation_n,

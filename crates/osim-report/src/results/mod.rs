@@ -12,6 +12,6 @@ pub use design_sheet::design_sheet_text;
 pub use drop_record::{DropDifferenceRecord, DropRecord, DropSeriesRecord};
 pub use drop_test::{drop_chart, drop_csv, drop_text};
 pub use fit::fit_text;
-pub use fit_record::{EstimateRecord, FitRecord, ResidualsRecord};
+pub use fit_record::{EstimateRecord, FitRecord, FitWarningRecord, ResidualsRecord};
 pub use preset::{PresetRecord, preset_text};
 pub use sweep::SweepRecord;
