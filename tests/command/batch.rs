@@ -144,7 +144,10 @@ fn paths_begin_at_the_manifest_and_options_of_the_call_fill_what_rows_leave_open
     let bench = Bench::with(&[("table1/human_62kg_smooth_sphere.osim", "lib/human.osim")]);
     let rows = "model,target-mass,output,no-note\nhuman.osim,5,,\nhuman.osim,500,big/b.osim,yes\n";
     bench.write("lib/m.csv", rows);
-    bench.run("batch lib/m.csv -d out").done().wrote(&["lib/big/b.osim", "out/human.osim"]);
+    bench
+        .run("batch lib/m.csv -d out --allow-outside")
+        .done()
+        .wrote(&["lib/big/b.osim", "out/human.osim"]);
     assert!(!bench.text("lib/big/b.osim").contains("[contacts made for "));
     assert!(bench.text("out/human.osim").contains("[contacts made for "));
     // From standard input, paths begin where the call is made.
@@ -257,4 +260,43 @@ fn a_comma_that_may_part_thousands_is_refused_everywhere() {
         bench.write("m.csv", manifest);
         bench.run("batch m.csv").usage().wrote_nothing().says(&["'1,190' may be 1190 or 1.190"]);
     }
+}
+
+#[test]
+fn rows_write_outside_only_where_that_is_allowed() {
+    let table = |row: &str| format!("model,target-mass,output,in-place,no-backup,yes\n{row}\n");
+    for (row, column, call) in [
+        ("../human.osim,100,../a.osim,,,", "output", "batch t/rows.csv"),
+        ("../human.osim,100,,yes,yes,", "in-place", "batch t/rows.csv"),
+        ("../human.osim,100,away/../../a.osim,,,", "output", "batch t/rows.csv"),
+        ("../human.osim,100,other/a.osim,,,", "output", "batch t/rows.csv -d out"),
+    ] {
+        let bench = Bench::human();
+        bench.write("t/rows.csv", table(row));
+        bench.write("t/away/x", "");
+        let column = format!("row 2, column '{column}'");
+        bench.run(call).usage().wrote_nothing().says(&[&column, "is outside the folder", "--allow-outside"]);
+        assert_eq!(bench.run(&format!("{call} --allow-outside")).done().changed.len(), 1, "{row}");
+    }
+    // Below the table's folder, below -d, and beside the model where no row names a file.
+    for (row, call, written) in [
+        ("../human.osim,100,new/a.osim,,,", "batch t/rows.csv", "t/new/a.osim"),
+        ("../human.osim,100,,,,", "batch t/rows.csv", "human.scaled.osim"),
+        ("../human.osim,100,,,,", "batch t/rows.csv -d out", "out/human.osim"),
+        ("../human.osim,100,../out/b.osim,,,", "batch t/rows.csv -d out", "out/b.osim"),
+    ] {
+        let bench = Bench::human();
+        bench.write("t/rows.csv", table(row));
+        bench.run(call).done().wrote(&[written]);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_below_the_folder_leads_outside_like_any_path() {
+    let bench = Bench::human();
+    bench.write("t/rows.csv", "model,target-mass,output\n../human.osim,100,link/a.osim\n");
+    bench.write("elsewhere/x", "");
+    std::os::unix::fs::symlink("../elsewhere", bench.path("t/link")).unwrap();
+    bench.run("batch t/rows.csv").usage().wrote_nothing().says(&["is outside the folder"]);
 }

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use anyhow::{Context, Result, bail};
-use osim_library::run::{JobSettings, RunRequest, Task};
+use osim_library::run::{Inside, JobSettings, RunRequest, Task};
 use osim_library::{Disk, Source, folder_of};
 use osim_model::files::{Failure, Files};
 use osim_model::wording::Input;
@@ -48,9 +48,11 @@ pub(super) fn run(request: &BatchRequest, session: &mut Session) -> Result<Exit>
         .map_err(|message| anyhow::anyhow!(message.spelled(words)))
         .with_context(|| shown.clone())?
         .answering(request.answers.yes.clone());
+    let inside = Inside::of(request.output.output_dir.as_deref().unwrap_or(folder));
+    let inside = Some(inside).filter(|_| !request.allow_outside);
     let (mut tasks, mut wrong, mut known) = (Vec::new(), Vec::new(), Known::new());
     for (row, read) in table.requests(&request.output, &Disk) {
-        match read.and_then(|read| task(&table, &read, &mut known)) {
+        match read.and_then(|read| task(&table, &read, inside.as_ref(), &mut known)) {
             Ok(task) => tasks.push(task),
             Err(fault) => wrong.push(table.failure(&shown, row, &fault)),
         }
@@ -65,7 +67,12 @@ pub(super) fn run(request: &BatchRequest, session: &mut Session) -> Result<Exit>
     run::run(rows, &request.run, session)
 }
 
-fn task(table: &Table, row: &RowRequest, known: &mut Known) -> Result<Task, RowFault> {
+fn task(
+    table: &Table,
+    row: &RowRequest,
+    inside: Option<&Inside>,
+    known: &mut Known,
+) -> Result<Task, RowFault> {
     let column = table.model_column();
     if row.model.is_dir() {
         return Err(RowFault::of(column, "a folder, expected one model per row"));
@@ -76,6 +83,9 @@ fn task(table: &Table, row: &RowRequest, known: &mut Known) -> Result<Task, RowF
     }
     let settings = settings(table, row, known)?;
     let task = Task::new(Source::file(&row.model), &row.output, settings).with_remarks(row.remarks.clone());
+    if let Some(Err((input, message))) = inside.map(|inside| inside.check(&task)) {
+        return Err(RowFault::of(table.header_of(input).unwrap_or(column), message));
+    }
     Ok(match usize::try_from(row.line) {
         Ok(line) => task.of_row(line),
         Err(_) => task,
@@ -99,11 +109,11 @@ fn report(wrong: &[Failure], shown: &str, json: bool, session: &mut Session) -> 
     }
     for failure in wrong.iter().take(REPORTED) {
         let message = failure.message.spelled(session.words);
-        session.terminal.error(&format!("error: {}: {message}\n", failure.model));
+        session.terminal.error_line(&format!("{}: {message}", failure.model));
     }
     let more = wrong.len().saturating_sub(REPORTED);
     let more = if more > 0 { format!(", {more} of them not shown") } else { String::new() };
     let rows = if wrong.len() == 1 { "1 row is".to_owned() } else { format!("{} rows are", wrong.len()) };
-    session.terminal.error(&format!("error: {shown}: {rows} wrong{more}: nothing was written\n"));
+    session.terminal.error_line(&format!("{shown}: {rows} wrong{more}: nothing was written"));
     Ok(Exit::Usage)
 }

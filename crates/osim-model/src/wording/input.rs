@@ -30,6 +30,7 @@ macro_rules! inputs {
 
 inputs! {
     Again = "again", "apply it once more";
+    AllowOutside = "allow_outside", "write outside the folder";
     Ascii = "ascii", "plain letters";
     Axes = "axes", "units of the axes";
     BodyScale = "body_scale", "scale factors of a body";
@@ -135,6 +136,7 @@ impl Input {
         matches!(
             self,
             Self::Again
+                | Self::AllowOutside
                 | Self::Ascii
                 | Self::Diff
                 | Self::DryRun

@@ -28,6 +28,9 @@ pub struct BatchRequest {
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub output: OutputOptions,
+    /// Let rows name files to write outside the folder of the results, or of the table
+    #[cfg_attr(feature = "clap", arg(long, help_heading = "Output"))]
+    pub allow_outside: bool,
     /// How to go about the work.
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use osim_model::Question;
 use osim_model::files::{Failure, Files};
-use osim_model::wording::{Input, Phrase, Verb};
+use osim_model::wording::{Input, Phrase, Verb, shown};
 use osim_values::path;
 use serde_json::{Map, Value, json};
 
@@ -129,7 +129,9 @@ impl Table {
             (RequestFault::BadValue { field, reason, .. }, Some(_)) if field == "set" => {
                 reason.clone().into()
             }
-            (RequestFault::BadValue { value, reason, .. }, Some(_)) => format!("'{value}': {reason}").into(),
+            (RequestFault::BadValue { value, reason, .. }, Some(_)) => {
+                format!("'{}': {reason}", shown(value)).into()
+            }
             _ => fault.phrase(),
         };
         RowFault { column, message }
@@ -152,7 +154,13 @@ impl Table {
         failure
     }
 
-    /// Header of the column that names the model.
+    /// Header of the column that says `input`.
+    #[must_use]
+    pub fn header_of(&self, input: Input) -> Option<&str> {
+        self.columns.header_of(input.name())
+    }
+
+    /// Header of the column that names the models.
     #[must_use]
     pub fn model_column(&self) -> &str {
         &self.columns.model
