@@ -164,3 +164,23 @@ fn ways_out_are_spelled_as_requests() {
         .usage()
         .says(&[r#"(or "young": E with "poisson": NU)"#]);
 }
+
+#[test]
+fn one_wrong_item_of_a_list_is_named_alone() {
+    let bench = Bench::human();
+    let request = |select: &str| {
+        format!(r#"{{"verb": "rescale", "models": ["human.osim"], "target_mass": 100, "select": {select}}}"#)
+    };
+    bench.write("request.json", request(r#"["*_r", "["]"#));
+    bench
+        .run("request request.json")
+        .usage()
+        .wrote_nothing()
+        .says(&["`select` '[': unclosed character class"]);
+    bench.write("rows.csv", "model,target-mass,select\nhuman.osim,100,*_r;[\n");
+    bench
+        .run("batch rows.csv")
+        .usage()
+        .wrote_nothing()
+        .says(&["column 'select': '[': unclosed character class"]);
+}

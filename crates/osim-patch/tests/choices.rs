@@ -136,6 +136,11 @@ fn a_sphere_that_another_force_needs_as_it_is_is_refused_with_ways_out() {
             .is_refused("shared-sphere", &["heel_r", "contact_1", "contact_2", "`select`", "`radius` keep"]);
         assert!(fault.offset.is_some());
     }
+    // Choosing it does not help where it is excluded as well.
+    given_fixture("format/shared_sphere.osim")
+        .excluding("contact_1")
+        .rescaled_to(500.0)
+        .is_refused("shared-sphere", &["contact_1, which stays as it is", "none with `exclude`"]);
     // 2 × 1234567.8 for twice the mass at the same radius; the other force stays.
     given_fixture("format/shared_sphere.osim")
         .selecting("contact_1")

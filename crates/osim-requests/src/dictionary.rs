@@ -100,11 +100,21 @@ fn bad_value<T: DeserializeOwned>(fields: &Map<String, Value>, error: &serde_jso
     for (name, value) in fields {
         let alone = Map::from_iter([(name.clone(), value.clone())]);
         if let Err(error) = serde_json::from_value::<T>(Value::Object(alone)) {
+            let (value, reason) = bad_item::<T>(name, value).unwrap_or_else(|| (value, error.to_string()));
             let shown = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
-            return RequestFault::BadValue { field: name.clone(), value: shown, reason: error.to_string() };
+            return RequestFault::BadValue { field: name.clone(), value: shown, reason };
         }
     }
     RequestFault::general(error.to_string())
+}
+
+/// The first item of a list that cannot be taken, and why.
+fn bad_item<'v, T: DeserializeOwned>(name: &str, value: &'v Value) -> Option<(&'v Value, String)> {
+    value.as_array()?.iter().find_map(|item| {
+        let alone = Map::from_iter([(name.to_owned(), Value::Array(vec![item.clone()]))]);
+        let error = serde_json::from_value::<T>(Value::Object(alone)).err()?;
+        Some((item, error.to_string()))
+    })
 }
 
 /// The field that was probably meant.

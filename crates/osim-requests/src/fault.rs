@@ -1,7 +1,7 @@
 //! What can be wrong with a request, before any model is read.
 
 use osim_model::files::Failure;
-use osim_model::wording::{Dialect, Input, Phrase, phrase};
+use osim_model::wording::{Dialect, Input, Phrase, phrase, shown};
 
 /// What is wrong with a request.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,7 +83,7 @@ impl RequestFault {
                 format!("there is no '{field}' in this request").into()
             }
             Self::BadValue { field, value, reason } => {
-                phrase![&named(field), format!(" '{value}': {reason}")]
+                phrase![&named(field), format!(" '{}': {reason}", shown(value))]
             }
             Self::Missing { field } => phrase![&named(field), " is missing"],
             Self::Needs { field, other } => phrase![&named(field), " says nothing without ", &named(other)],

@@ -279,12 +279,20 @@ impl Needed {
                 of.input().like("N"),
             ],
             Self::SharedSphere { sphere, changed, left, can_choose, radius } => {
+                let stays = if left.len() == 1 { "which stays as it is" } else { "which stay as they are" };
                 let left = left.join(", ");
-                let mut text: Phrase =
-                    format!("sphere {sphere} is used by {changed} and by {left}, which is not rescaled: ")
-                        .into();
+                let mut text: Phrase = format!(
+                    "sphere {sphere} is used by {changed}, which would change, and by {left}, {stays}: "
+                )
+                .into();
                 if *can_choose {
-                    text.push(&phrase!["choose all of them with ", Input::Select.like("GLOB"), ", or "]);
+                    text.push(&phrase![
+                        "choose all of them with ",
+                        Input::Select.like("GLOB"),
+                        " and none with ",
+                        Input::Exclude,
+                        ", or ",
+                    ]);
                 }
                 text.push(&radius.phrase());
                 text
