@@ -37,6 +37,14 @@ impl ScaledSinceNote {
     pub const fn is_scaled(&self) -> bool {
         self.left_behind
     }
+
+    /// Whether every body that carries spheres of `model` has factors.
+    #[must_use]
+    pub fn has_all_carriers(&self, model: &Model) -> bool {
+        let carriers = model.loaded_spheres(&model.force_ids());
+        let mut bodies = carriers.iter().filter_map(|&id| model.sphere(id)?.body.as_ref());
+        bodies.all(|body| self.factors.contains_key(body))
+    }
 }
 
 impl Model {

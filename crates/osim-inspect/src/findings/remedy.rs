@@ -173,9 +173,7 @@ impl<'m> Remedies<'m> {
     /// The model's own contacts at the mass of its body, on spheres that follow it by the sizes in the note.
     pub(super) fn follow_by_note(&self, model: &Model) -> Option<Remedy> {
         let since = model.scaled_since_note().filter(|_| model.doubt_about_note().is_none())?;
-        let carriers = model.loaded_spheres(&model.force_ids());
-        let mut bodies = carriers.iter().filter_map(|&id| model.sphere(id)?.body.as_ref());
-        if bodies.any(|body| !since.factors.contains_key(body)) {
+        if !since.has_all_carriers(model) {
             return None;
         }
         // What the model weighs otherwise is for the user to say.

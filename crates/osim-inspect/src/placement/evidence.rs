@@ -140,7 +140,9 @@ mod tests {
             let name = path.file_stem().unwrap().to_string_lossy().into_owned();
             (!model.loaded_spheres(&model.force_ids()).is_empty()).then_some((name, model))
         };
-        paths.iter().filter_map(read).collect()
+        let models: Vec<_> = paths.iter().filter_map(read).collect();
+        assert!(models.len() >= 15, "{} models with contacts", models.len());
+        models
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! By how much bodies were scaled, where a rescaling moves spheres with them.
 
-use osim_model::{Fault, Model, Needed, ScaledSinceNote};
+use osim_model::{Fault, Model, Needed, Note, ScaledSinceNote, readable};
 use osim_patch::{FOLLOWING, FOLLOWING_NOTE, ScaleFile};
 
 /// Factors that differ by more than this (relative) are not the same.
@@ -26,17 +26,25 @@ impl Following {
         }
     }
 
+    /// Whether the note says that spheres followed this ScaleSet already. They stay then: a second time would move them away.
+    pub(super) fn is_done(&self, model: &Model) -> bool {
+        let placed = model.note.as_ref().is_some_and(Note::placed);
+        let scaled = || model.scaled_since_note().is_some_and(|since| since.is_scaled());
+        matches!(self, Self::File(_)) && placed && !scaled()
+    }
+
     /// The factors for `model`; `None` where spheres stay.
     ///
     /// # Errors
-    /// The note does not say them, or it says that spheres followed already (unless `again`), or says others than the ScaleSet.
-    pub(super) fn factors(&self, model: &Model, again: bool) -> Result<Option<ScaleFile>, Fault> {
+    /// The note does not say them, or says others than the ScaleSet.
+    pub(super) fn factors(&self, model: &Model) -> Result<Option<ScaleFile>, Fault> {
         match self {
+            _ if self.is_done(model) => Ok(None),
             Self::Nothing => Ok(None),
             Self::Note => of_note(model).map(Some),
             Self::File(file) => {
-                if let Some(since) = model.scaled_since_note().filter(|_| !again) {
-                    compare(model, &since, file)?;
+                if let Some(since) = model.scaled_since_note().filter(ScaledSinceNote::is_scaled) {
+                    compare(&since, file)?;
                 }
                 Ok(Some(file.clone()))
             }
@@ -47,30 +55,30 @@ impl Following {
 fn of_note(model: &Model) -> Result<ScaleFile, Fault> {
     let unknown = || Fault::new(Needed::NotedSizes);
     let since = model.scaled_since_note().ok_or_else(unknown)?;
-    let carriers = model.loaded_spheres(&model.force_ids());
-    let mut bodies = carriers.iter().filter_map(|&id| model.sphere(id)?.body.as_ref());
-    if bodies.any(|body| !since.factors.contains_key(body)) {
+    if !since.has_all_carriers(model) {
         return Err(unknown());
     }
     Ok(ScaleFile::of_factors(since.factors))
 }
 
-/// Sees that the ScaleSet was not applied to these spheres before, and is that of this model.
-fn compare(model: &Model, since: &ScaledSinceNote, file: &ScaleFile) -> Result<(), Fault> {
-    if !since.is_scaled() {
-        let placed = model.note.as_ref().is_some_and(osim_model::Note::placed);
-        let repeated = || Fault::new(Needed::Repetition { operation: FOLLOWING.to_owned() });
-        return if placed { Err(repeated()) } else { Ok(()) };
-    }
+/// Sees that the ScaleSet is that of this model.
+fn compare(since: &ScaledSinceNote, file: &ScaleFile) -> Result<(), Fault> {
     for (body, noted) in &since.factors {
         let given = file.of(body)?;
         let same = |(a, b): (&f64, &f64)| (a - b).abs() <= SAME_FACTOR * b.abs();
         if !noted.iter().zip(&given).all(same) {
             return Err(Fault::refused(format!(
-                "the ScaleSet scales {body} by {given:?}, and by the note in the file it was scaled by {noted:?}: expected the \
-                 ScaleSet that was applied to this model"
+                "the ScaleSet scales {body} by {}, and by the note in the file it was scaled by {}: expected the ScaleSet \
+                 that was applied to this model",
+                in_words(given),
+                in_words(*noted)
             )));
         }
     }
     Ok(())
+}
+
+/// Factors along x, y and z.
+fn in_words(factors: [f64; 3]) -> String {
+    factors.map(readable).join(", ")
 }

@@ -25,7 +25,6 @@ struct Rescaling {
     selection: Selection,
     scaling: ScalingOptions,
     following: Following,
-    force: bool,
     reads: Vec<PathBuf>,
     may_repeat: bool,
     inspection: InspectionOptions,
@@ -82,7 +81,6 @@ impl RescaleRequest {
                 None if follow_bodies => Following::Note,
                 None => Following::Nothing,
             },
-            force: output.force,
             reads: body_scale_file.into_iter().collect(),
             may_repeat: output.may_repeat(),
             inspection: InspectionOptions::new(StanceOptions::default(), masses, choice, set_files.clone()),
@@ -124,7 +122,7 @@ impl Planner for Rescaling {
         }
         let (contacts_mass, mut warnings) = self.masses.of_contacts(model)?;
         refuse_known(model, &selected, &contacts_mass)?;
-        let bodies = self.following.factors(model, self.force)?;
+        let bodies = self.following.factors(model)?;
         if bodies.is_some() && !contacts_mass.source.is_of_contacts() {
             // What the bodies weigh now, the contacts were not made for.
             return Err(Fault::new(Needed::ContactsMass { noted_kg: None, doubt: NoteDoubt::Absent }));
@@ -143,6 +141,10 @@ impl Planner for Rescaling {
         let mut plan = rescale(model, &selected, &wanted)?;
         plan.name_operation(&operation);
         plan.warnings.append(&mut warnings);
+        if self.following.is_done(model) {
+            plan.remarks
+                .push("by the note in the file, spheres follow their bodies already: they stay".into());
+        }
         Ok(plan)
     }
 }
