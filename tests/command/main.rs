@@ -26,6 +26,7 @@ mod json;
 mod masses;
 mod meant;
 mod never_lost;
+mod outside_text;
 mod pages;
 mod recipes;
 mod requested;

@@ -38,7 +38,7 @@ fn main() -> ExitCode {
                 Err(fault) => Err(session.usage(&fault)),
             };
             done.unwrap_or_else(|error| {
-                session.terminal.error(&format!("error: {error:#}\n"));
+                session.terminal.error_line(&format!("{error:#}"));
                 Exit::Usage
             })
         }
@@ -77,7 +77,7 @@ fn usage(error: &clap::Error, terminal: &mut Terminal) -> Exit {
                 || Some(kind).filter(|kind| *kind == ErrorKind::UnknownArgument).and_then(|_| instead());
             let meant = axis_meant(&words, WORDS).or_else(of_words);
             let text = meant.unwrap_or_else(|| usage_line(error));
-            terminal.error(&format!("error: {text} (see --help)\n"));
+            terminal.error_line(&format!("{text} (see --help)"));
             Exit::Usage
         }
     }

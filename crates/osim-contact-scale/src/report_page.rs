@@ -73,7 +73,7 @@ impl ReportPage {
         match page.map_or(Ok(()), |page| page.finish(session)) {
             Ok(()) => Exit::Done,
             Err(error) => {
-                session.terminal.error(&format!("error: the report: {error:#}\n"));
+                session.terminal.error_line(&format!("the report: {error:#}"));
                 Exit::Failed
             }
         }

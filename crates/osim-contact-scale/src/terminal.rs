@@ -2,6 +2,8 @@
 
 use std::io::{self, ErrorKind, Write};
 
+use osim_model::wording::{harmless, one_line};
+
 /// How a run ended, as the exit status.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Exit {
@@ -40,7 +42,7 @@ pub(crate) struct Terminal {
 impl Terminal {
     /// Results, on standard output.
     pub(crate) fn print(&mut self, text: &str) -> io::Result<()> {
-        self.write_bytes(text.as_bytes())
+        self.write_bytes(harmless(text).as_bytes())
     }
 
     /// Results with colours, which reach terminals only.
@@ -49,7 +51,7 @@ impl Terminal {
             return Ok(());
         }
         let mut out = anstream::stdout().lock();
-        match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        match out.write_all(harmless_but_colours(text).as_bytes()).and_then(|()| out.flush()) {
             Err(error) if error.kind() == ErrorKind::BrokenPipe => {
                 self.gone = true;
                 Ok(())
@@ -58,7 +60,7 @@ impl Terminal {
         }
     }
 
-    /// A model, on standard output.
+    /// A model or another file, on standard output, as it is.
     pub(crate) fn write_bytes(&mut self, bytes: &[u8]) -> io::Result<()> {
         if self.gone {
             return Ok(());
@@ -80,7 +82,7 @@ impl Terminal {
 
     /// Things said beside the results, on standard error.
     pub(crate) fn note(&mut self, text: &str) -> io::Result<()> {
-        match io::stderr().lock().write_all(text.as_bytes()) {
+        match io::stderr().lock().write_all(harmless(text).as_bytes()) {
             Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
             result => result,
         }
@@ -88,6 +90,45 @@ impl Terminal {
 
     /// A failure, on standard error; where even that is closed nobody can read it.
     pub(crate) fn error(&mut self, text: &str) {
-        let _ = io::stderr().lock().write_all(text.as_bytes());
+        let _ = io::stderr().lock().write_all(harmless(text).as_bytes());
+    }
+
+    /// A failure in one line, on standard error.
+    pub(crate) fn error_line(&mut self, text: &str) {
+        self.error(&format!("error: {}\n", one_line(text.to_owned())));
+    }
+
+    /// A remark in one line, on standard error.
+    pub(crate) fn note_line(&mut self, text: &str) -> io::Result<()> {
+        self.note(&format!("note: {}\n", one_line(text.to_owned())))
+    }
+}
+
+/// Text that cannot steer a terminal but for the colours of its letters.
+fn harmless_but_colours(text: &str) -> String {
+    let mut parts = text.split("\u{1b}[");
+    let mut out = harmless(parts.next().unwrap_or_default()).into_owned();
+    for part in parts {
+        let end = part.find(|c: char| !c.is_ascii_digit() && c != ';');
+        let colour = end.filter(|&end| part[end..].starts_with('m')).map(|end| part.split_at(end + 1));
+        let (mark, (colour, rest)) = colour.map_or((r"\u{1b}[", ("", part)), |split| ("\u{1b}[", split));
+        out.extend([mark, colour, &harmless(rest)]);
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::harmless_but_colours;
+
+    #[test]
+    fn colours_are_all_that_reaches_a_terminal() {
+        let painted = "\u{1b}[1m\u{1b}[33m0.35 !\u{1b}[0m\nnext\n";
+        assert_eq!(harmless_but_colours(painted), painted);
+        let hostile = "a\u{1b}[2J\u{1b}]0;t\u{7}\u{1b}[31mred\u{9b}2J\u{1b}[";
+        assert_eq!(
+            harmless_but_colours(hostile),
+            "a\\u{1b}[2J\\u{1b}]0;t\\u{7}\u{1b}[31mred\\u{9b}2J\\u{1b}["
+        );
     }
 }

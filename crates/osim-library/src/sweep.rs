@@ -6,7 +6,7 @@ use osim_model::FileId;
 use osim_model::files::{Failure, FileName};
 use osim_model::wording::{Input, phrase};
 use osim_requests::options::SetFiles;
-use osim_requests::{RequestError, RequestFault, SweepPlan, SweepRequest};
+use osim_requests::{RequestError, RequestFault, SweepPlan, SweepRequest, cell};
 
 use crate::digest::sha256;
 use crate::fault::LibraryFault;
@@ -234,6 +234,8 @@ fn folder(request: &SweepRequest, model: &Path) -> PathBuf {
 fn line(cells: Vec<String>) -> Result<Vec<u8>, LibraryFault> {
     let said = |error: String| LibraryFault::new(error);
     let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(cells).map_err(|error| said(error.to_string()))?;
+    writer
+        .write_record(cells.iter().map(|text| cell(text).into_owned()))
+        .map_err(|error| said(error.to_string()))?;
     writer.into_inner().map_err(|error| said(error.to_string()))
 }

@@ -1,7 +1,7 @@
 //! Lines that say what should be known.
 
 use osim_inspect::MassMismatch;
-use osim_model::wording::Dialect;
+use osim_model::wording::{Dialect, one_line};
 use osim_model::{Finding, FindingCode};
 
 /// Warnings, one line each: `warning: line 12: message [code]`.
@@ -19,5 +19,6 @@ pub fn warnings(warnings: &[Finding]) -> String {
 #[must_use]
 pub fn mass_mismatch(name: &str, mismatch: &MassMismatch, dialect: &dyn Dialect) -> String {
     let message = mismatch.message().spelled(dialect);
-    format!("warning: {name}: {message} [{}]\n", FindingCode::MassSourcesDisagree)
+    let line = format!("warning: {name}: {message} [{}]", FindingCode::MassSourcesDisagree);
+    format!("{}\n", one_line(line))
 }

@@ -25,6 +25,7 @@
 
 mod before_after;
 mod calculator;
+mod cell;
 mod choice;
 #[cfg(feature = "clap")]
 pub mod command_line;
@@ -53,6 +54,7 @@ mod unique;
 
 pub use before_after::BeforeAfter;
 pub use calculator::{DesignFigure, DesignLimit, DesignQuantity, DesignSheet};
+pub use cell::{cell, from_cell};
 pub use drop_test::{ComparedDrop, DropColumn, DropFigure, DropResult, DropRow};
 pub use fault::{RequestError, RequestFault};
 pub use fit::FitResult;

@@ -2,6 +2,8 @@
 
 use std::borrow::Cow;
 
+use crate::cell::from_cell;
+
 const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
 
 /// A table with a header.
@@ -50,7 +52,7 @@ impl Sheet {
             if record.len() != header.len() {
                 unequal.push(format!("line {line}: {} cells", record.len()));
             }
-            rows.push(Row { line, cells: record.iter().map(str::to_owned).collect() });
+            rows.push(Row { line, cells: record.iter().map(|cell| from_cell(cell).to_owned()).collect() });
         }
         if !unequal.is_empty() {
             let hint = match delimiter {

@@ -1,6 +1,7 @@
 //! A usage error in one line.
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
+use osim_model::wording::{Phrase, shown};
 
 /// A usage error in one line: what is wrong and what was expected.
 pub(crate) fn usage_line(error: &clap::Error) -> String {
@@ -14,9 +15,9 @@ pub(crate) fn usage_line(error: &clap::Error) -> String {
             (context(ContextKind::InvalidValue), context(ContextKind::InvalidArg), from_parser)
     {
         let option = option.split(' ').next().unwrap_or_default().to_owned();
-        return format!("{option} '{value}': {reason}");
+        return format!("{option} '{}': {reason}", shown(&value));
     }
-    let text = error.to_string();
+    let text = error.render().to_string();
     let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty());
     let first = lines.next().unwrap_or_default().trim_start_matches("error: ").to_owned();
     let rest: Vec<&str> = lines
@@ -26,5 +27,6 @@ pub(crate) fn usage_line(error: &clap::Error) -> String {
         .filter(|line| !line.contains("as a value, use '--"))
         .collect();
     let joint = if first.ends_with(':') { " " } else { "; " };
-    if rest.is_empty() { first } else { format!("{first}{joint}{}", rest.join(", ")) }
+    let line = if rest.is_empty() { first } else { format!("{first}{joint}{}", rest.join(", ")) };
+    Phrase::from(line).to_string()
 }

@@ -36,7 +36,7 @@ pub(super) fn run(request: &CheckRequest, session: &mut Session) -> Result<Exit>
         exit = exit.and(session.fail(failure, json)?);
     }
     for remark in &sources.remarks {
-        session.terminal.note(&format!("note: {remark}\n"))?;
+        session.terminal.note_line(remark)?;
     }
     let folders = Folders::list(sources.models.iter().map(|source| source.path.as_path()), false);
     let deny = request.deny.severity();

@@ -28,7 +28,7 @@ pub(super) fn run(request: &FitRequest, session: &mut Session) -> Result<Exit> {
                 session.terminal.print(&line(&FailureRecord::new(&failure, session.words)))?;
             }
             // The message begins with the name of the file.
-            session.terminal.error(&format!("error: {}\n", failure.message.spelled(session.words)));
+            session.terminal.error_line(&failure.message.spelled(session.words));
             Ok(Exit::Failed)
         }
     }

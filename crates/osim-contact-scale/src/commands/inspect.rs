@@ -37,7 +37,7 @@ pub(super) fn run(request: &InspectRequest, hint: bool, session: &mut Session) -
         exit = exit.and(session.fail(failure, json)?);
     }
     for remark in &sources.remarks {
-        session.terminal.note(&format!("note: {remark}\n"))?;
+        session.terminal.note_line(remark)?;
     }
     let (mut first, mut untold) = (true, None);
     let with_page = page.is_some();

@@ -25,7 +25,7 @@ pub(super) fn run(args: &ManArgs, session: &mut Session) -> Result<Exit> {
         return Ok(match write(&pages, folder, mode, session.words) {
             Ok(()) => Exit::Done,
             Err(error) => {
-                session.terminal.error(&format!("error: {error:#}\n"));
+                session.terminal.error_line(&format!("{error:#}"));
                 Exit::Failed
             }
         });

@@ -36,7 +36,7 @@ pub(super) fn run(request: RunRequest, options: &RunOptions, session: &mut Sessi
         exit = exit.and(tell_failure(failure, format, session));
     }
     for remark in run.request().remarks.iter().filter(|_| !options.quiet) {
-        session.terminal.note(&format!("note: {remark}\n"))?;
+        session.terminal.note_line(remark)?;
     }
     run.read_previous().map_err(|fault| session.refused(&fault))?;
     let mut page = begin_page(&run, options, session)?;
@@ -44,7 +44,7 @@ pub(super) fn run(request: RunRequest, options: &RunOptions, session: &mut Sessi
     interrupt::outlive_size_limit();
     let counts = work_off(&run, options, format, &mut page, session)?;
     if let Err(fault) = run.finish() {
-        session.terminal.error(&format!("error: {}\n", fault.spelled(session.words)));
+        session.terminal.error_line(&fault.spelled(session.words));
         exit = exit.and(Exit::Failed);
     }
     exit = exit.and(ReportPage::end(page, session));
@@ -89,7 +89,7 @@ fn work_off(
             None => say(&outputs, session),
         });
         if let Err(error) = reported {
-            session.terminal.error(&format!("error: cannot write to standard output: {error:#}\n"));
+            session.terminal.error_line(&format!("cannot write to standard output: {error:#}"));
             untold = true;
         }
         Ok::<(), LibraryFault>(())

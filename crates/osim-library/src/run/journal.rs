@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
 use osim_model::wording::{Input, phrase};
+use osim_requests::cell;
 use osim_requests::options::RunOptions;
 
 use super::record::{JsonRecord, Record};
@@ -51,7 +52,8 @@ impl Form {
         if !lines.is_empty() && !known(reader.headers().map_err(said)?) {
             return Err(LibraryFault::new("there is no column 'sha256_output'"));
         }
-        reader.deserialize().collect::<Result<_, _>>().map_err(said)
+        let records = reader.deserialize::<Record>().map(|record| record.map(Record::from_spreadsheet));
+        records.collect::<Result<_, _>>().map_err(said)
     }
 
     /// One record and a line end; `first` with the header.
@@ -62,7 +64,7 @@ impl Form {
             return Ok(line);
         }
         let mut csv = csv::WriterBuilder::new().has_headers(first).from_writer(Vec::new());
-        csv.serialize(record).map_err(said)?;
+        csv.serialize(record.for_spreadsheet()).map_err(said)?;
         with_remarks(csv.into_inner().map_err(said)?, record)
     }
 }
@@ -79,7 +81,7 @@ fn with_remarks(lines: Vec<u8>, record: &Record) -> Result<Vec<u8>, LibraryFault
     let mut csv = csv::WriterBuilder::new().from_writer(Vec::new());
     for (index, row) in rows.iter_mut().enumerate() {
         let remarks = record.remarks.iter();
-        row.extend(remarks.map(|(name, text)| if index == last { text } else { name }));
+        row.extend(remarks.map(|(name, text)| if index == last { cell(text) } else { cell(name) }));
         csv.write_record(&*row).map_err(said)?;
     }
     csv.into_inner().map_err(said)

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use osim_model::Property;
 use osim_model::files::{Failure, FileName};
 use osim_patch::Plan;
+use osim_requests::{cell, from_cell};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -278,6 +279,25 @@ impl Record {
             constant_contact_force_from constant_contact_force_to constant_contact_force_factor: ConstantContactForce,
             hertz_smoothing_from hertz_smoothing_to hertz_smoothing_factor: HertzSmoothing,
             hunt_crossley_smoothing_from hunt_crossley_smoothing_to hunt_crossley_smoothing_factor: HuntCrossleySmoothing,
+        }
+    }
+
+    /// The record with the texts from outside as cells of a table.
+    pub(super) fn for_spreadsheet(&self) -> Self {
+        self.with_texts(|text| cell(text).into_owned())
+    }
+
+    /// The record that a table has, with its texts as they were.
+    pub(super) fn from_spreadsheet(self) -> Self {
+        self.with_texts(|text| from_cell(text).to_owned())
+    }
+
+    fn with_texts(&self, change: impl Fn(&str) -> String) -> Self {
+        Self {
+            model: change(&self.model),
+            output: self.output.as_deref().map(&change),
+            error: self.error.as_deref().map(&change),
+            ..self.clone()
         }
     }
 

@@ -4,7 +4,11 @@ use std::fmt;
 use std::ops::Deref;
 use std::path::{Path, PathBuf};
 
+use crate::wording::shown_whole;
+
 /// A file as it was named: text, and the bytes of the name where that is not UTF-8 and the text only an approximation.
+///
+/// It prints on one line, with what cannot be seen escaped; the text itself is behind [`Deref`].
 ///
 /// ```
 /// use osim_model::files::FileName;
@@ -58,14 +62,14 @@ impl Deref for FileName {
 
 impl fmt::Display for FileName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.text)
+        shown_whole(&self.text).fmt(f)
     }
 }
 
 impl From<&Path> for FileName {
     fn from(path: &Path) -> Self {
         let bytes = path.to_str().is_none().then(|| path.as_os_str().as_encoded_bytes().into());
-        Self { text: path.display().to_string(), bytes }
+        Self { text: path.to_string_lossy().into_owned(), bytes }
     }
 }
 

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::fmt;
 
 use super::input::{Input, Verb};
+use super::shown::shown_whole;
 
 /// A part of a [`Phrase`](super::Phrase).
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -93,7 +94,8 @@ impl fmt::Display for Example {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Placeholder(word) => f.write_str(word),
-            Self::Value(value) => f.write_str(value),
+            // A value may be the name of a file or of a sphere.
+            Self::Value(value) => shown_whole(value).fmt(f),
         }
     }
 }

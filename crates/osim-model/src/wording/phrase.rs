@@ -6,6 +6,7 @@ use std::fmt;
 use super::dialect::{Dialect, Plain};
 use super::input::{Input, Verb};
 use super::part::{Call, Example, Part};
+use super::shown::one_line;
 
 /// A piece of text in which inputs and calls are data until a front end spells them.
 ///
@@ -85,8 +86,10 @@ impl Phrase {
         for part in &self.0 {
             match part {
                 Part::Text(words) => text.push_str(words),
-                Part::Input(input, example) => text.push_str(&dialect.input(*input, example.as_ref())),
-                Part::Call(call) => text.push_str(&dialect.call(call)),
+                Part::Input(input, example) => {
+                    text.push_str(&one_line(dialect.input(*input, example.as_ref())));
+                }
+                Part::Call(call) => text.push_str(&one_line(dialect.call(call))),
             }
         }
         text
@@ -154,9 +157,10 @@ impl IntoParts for &'static str {
     }
 }
 
+/// Text that was put together may have names from outside in it: it goes on one line, and what cannot be seen is escaped.
 impl IntoParts for String {
     fn into_parts(self) -> Vec<Part> {
-        vec![Part::Text(Cow::Owned(self))]
+        vec![Part::Text(Cow::Owned(one_line(self)))]
     }
 }
 
@@ -248,5 +252,17 @@ mod tests {
     #[test]
     fn text_from_outside_is_never_taken_for_an_input() {
         assert_eq!(Phrase::from("{mass} `mass`".to_owned()).spelled(&Shouting), "{mass} `mass`");
+    }
+
+    #[test]
+    fn text_from_outside_cannot_begin_a_line_or_steer_a_terminal() {
+        let name = "a\nerror: \u{1b}[2J\u{202e}";
+        let phrase = phrase![format!("the sphere {name} has no radius, say "), Input::Radius.being(name)];
+        let printed = phrase.spelled(&Shouting);
+        assert_eq!(
+            printed,
+            r"the sphere a\nerror: \u{1b}[2J\u{202e} has no radius, say RADIUS a\nerror: \u{1b}[2J\u{202e}"
+        );
+        assert!(Phrase::from("a".repeat(5_000_000)).to_string().len() < 5000);
     }
 }

@@ -6,7 +6,7 @@ use osim_inspect::{CheckResult, Counts};
 use osim_model::wording::{Dialect, Phrase};
 use osim_model::{FindingCode, Severity};
 
-use crate::layout::{Colour, clipped, right_aligned, severity, table};
+use crate::layout::{Colour, clipped, severity, table};
 
 /// What was found in all models of a folder.
 #[derive(Debug, Default)]
@@ -55,7 +55,7 @@ impl LibraryTable {
             };
             models.add_row([vec![shown(model, 48)], cells.to_vec()].concat());
         }
-        right_aligned(&mut models, &[1, 2, 3]);
+        models.right_aligned(&[1, 2, 3]);
         let mut text = format!("{}\n", models.trim_fmt());
         if self.codes.is_empty() {
             return text;
@@ -66,7 +66,7 @@ impl LibraryTable {
             let severity = severity.as_str().to_owned();
             codes.add_row(vec![severity, code.to_string(), count.to_string(), shown(model, 36)]);
         }
-        right_aligned(&mut codes, &[2]);
+        codes.right_aligned(&[2]);
         let more = Phrase::template(
             "In full, with commands that fix it: `check MODEL`. What one means: `explain topics=FINDING`",
         );

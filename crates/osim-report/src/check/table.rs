@@ -1,6 +1,7 @@
 //! Findings of one model, for people.
 
 use osim_inspect::CheckResult;
+use osim_model::wording::one_line;
 use osim_model::{Finding, FindingCode};
 
 use crate::layout::{Colour, severity, wrapped};
@@ -63,7 +64,7 @@ fn block(first: &Finding, alike: &[&Finding], more: &str, (prompt, colour): (&st
     let mut commands: Vec<&String> = alike.iter().filter_map(|finding| finding.command.as_ref()).collect();
     commands.dedup();
     for command in commands {
-        text.push_str(&format!("  {prompt}{command}\n"));
+        text.push_str(&format!("  {prompt}{}\n", one_line(command.clone())));
     }
     text
 }

@@ -1,6 +1,5 @@
 //! Explanations for people, 80 columns wide.
 
-use comfy_table::{ColumnConstraint, ContentArrangement, Table};
 use contact_scaling::Equation;
 use osim_model::FindingCode;
 use osim_model::wording::{Dialect, Phrase};
@@ -10,7 +9,7 @@ use super::letters::Letters;
 use super::quantities::QuantityTopic;
 use super::topic::Topic;
 use super::uses::uses;
-use crate::layout::{WIDTH, options, table};
+use crate::layout::{options, table};
 
 /// One topic in full.
 #[must_use]
@@ -35,7 +34,7 @@ fn of_equation(equation: &Equation, dialect: &dyn Dialect, letters: Letters) -> 
         symbols.add_row([symbol.symbol, symbol.meaning, symbol.unit].map(spelled).to_vec());
     }
     if !equation.symbols.is_empty() {
-        text.push_str(&format!("\n{}\n", fitted(symbols)));
+        text.push_str(&format!("\n{}\n", symbols.fitted()));
     }
     text.push('\n');
     text.push_str(&paragraph("Source: ", &spelled(equation.source)));
@@ -103,10 +102,8 @@ pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: Letters) -> String
         };
     }
     // A name that is broken cannot be copied.
-    if let Some(names) = quantities.column_mut(0) {
-        names.set_constraint(ColumnConstraint::ContentWidth);
-    }
-    [equations, quantities, findings, errors].map(|table| format!("{}\n", fitted(table))).join("\n")
+    quantities.unbroken(0);
+    [equations, quantities, findings, errors].map(|table| format!("{}\n", table.fitted())).join("\n")
 }
 
 /// Numbers of the paper are in brackets, as there.
@@ -123,9 +120,4 @@ fn paragraph(label: &str, body: &str) -> String {
     let indent = " ".repeat(label.len());
     let options = options().initial_indent(label).subsequent_indent(&indent);
     format!("{}\n", textwrap::fill(&body, options))
-}
-
-fn fitted(mut table: Table) -> String {
-    table.set_content_arrangement(ContentArrangement::Dynamic).set_width(WIDTH as u16);
-    table.trim_fmt()
 }

@@ -4,7 +4,7 @@ use osim_inspect::{Figure, Inspection, SphereFigures};
 use osim_model::wording::{Dialect, Phrase};
 
 use super::rows::{Spheres, heading, key, limit, value};
-use crate::layout::{OUTSIDE, right_aligned, table, wrapped};
+use crate::layout::{OUTSIDE, table, wrapped};
 
 /// Figures of more groups of spheres than this go into a further table.
 const GROUPS_ABREAST: usize = 4;
@@ -82,7 +82,7 @@ fn sheet(inspected: &Inspection, groups: &[Alike<'_>], before: usize) -> String 
         let name = heading(figure, inspected.figures.impact_speed_m_s);
         table.add_row([vec![name, limit(figure)], values].concat());
     }
-    right_aligned(&mut table, &(2..2 + groups.len()).collect::<Vec<_>>());
+    table.right_aligned(&(2..2 + groups.len()).collect::<Vec<_>>());
     format!("{}\n", table.trim_fmt())
 }
 

@@ -2,12 +2,12 @@
 
 use osim_inspect::{InspectedSphere, Inspection};
 use osim_model::readable;
-use osim_model::wording::{Dialect, Phrase};
+use osim_model::wording::{Dialect, Phrase, one_line};
 
 use super::force_groups::{described, groups, has_default};
 use super::lengths::{decimals, metres};
 use super::sphere_sheet;
-use crate::layout::{Colour, clipped, painted, right_aligned, table, wrapped};
+use crate::layout::{Colour, clipped, painted, table, wrapped};
 use crate::messages::warnings;
 
 /// Masses, limbs, spheres, forces, and what they do. What the inspection says is taken as it is spelled.
@@ -36,10 +36,9 @@ pub fn text(inspected: &Inspection, dialect: &dyn Dialect, colour: Colour) -> St
 }
 
 fn head(inspected: &Inspection) -> String {
-    let mut text = format!(
-        "{}: {} (document version {})\n",
-        inspected.model, inspected.name, inspected.document_version
-    );
+    let title =
+        format!("{}: {} (document version {})", inspected.model, inspected.name, inspected.document_version);
+    let mut text = format!("{}\n", one_line(title));
     let weighs = match inspected.mass_kg {
         Some(mass) => format!("model weighs {} kg ({})", readable(mass), inspected.mass_source),
         None => "what the model weighs is not known".to_owned(),
@@ -96,7 +95,7 @@ fn spheres(spheres: &[InspectedSphere]) -> String {
         }
         table.add_row(cells);
     }
-    right_aligned(&mut table, &[3, 4, 5, 6]);
+    table.right_aligned(&[3, 4, 5, 6]);
     format!(
         "{}\n  (in m; the lowest point in the body's frame, with the body's axes upright)\n",
         table.trim_fmt()
@@ -113,7 +112,7 @@ fn forces(inspected: &Inspection) -> String {
         legend.push_str(&wrapped(&format!("{label}  {}", described(members)), "    "));
         table.add_row([vec![label], row.clone()].concat());
     }
-    right_aligned(&mut table, &[1, 2, 3, 4, 5, 6, 7, 8]);
+    table.right_aligned(&[1, 2, 3, 4, 5, 6, 7, 8]);
     let mut text = format!("{legend}\n{}\n", table.trim_fmt());
     text.push_str("  (E1*, E* in N/m2, alpha and bv in s/m, slip in m/s, cf in m2, bd in 1/m;\n");
     text.push_str("   friction static/dynamic/viscous)\n");
@@ -134,6 +133,6 @@ fn body_factors(inspected: &Inspection) -> String {
         cells.push(sources.join(", "));
         table.add_row(cells);
     }
-    right_aligned(&mut table, &[1, 2, 3]);
+    table.right_aligned(&[1, 2, 3]);
     format!("{}\n", table.trim_fmt())
 }

@@ -1,5 +1,6 @@
 //! Text in lines.
 
+use osim_model::wording::shown;
 use textwrap::{Options, WordSeparator, WordSplitter};
 
 use super::words;
@@ -12,16 +13,21 @@ pub(crate) fn options<'o>() -> Options<'o> {
     Options::new(WIDTH).word_separator(WordSeparator::Custom(words::find))
 }
 
-/// Text in lines of at most [`WIDTH`] columns.
-pub(crate) fn filled(text: &str) -> String {
-    textwrap::fill(text, options())
+/// A paragraph with names from outside in it: no line ends of theirs, and none endless.
+fn paragraph(text: &str) -> String {
+    text.split(' ').map(|word| shown(word).to_string()).collect::<Vec<_>>().join(" ")
 }
 
-/// Text in lines of at most [`WIDTH`] columns, the second and later ones after `indent`.
+/// Text in lines of at most [`WIDTH`] columns. Line ends in it, which are in a name from outside, are escaped.
+pub(crate) fn filled(text: &str) -> String {
+    textwrap::fill(&paragraph(text), options())
+}
+
+/// Text in lines of at most [`WIDTH`] columns, the second and later ones after `indent`. Line ends in it are escaped.
 #[must_use]
 pub fn wrapped(text: &str, indent: &str) -> String {
     // Options of a command line are never broken at their hyphens.
     let options =
         options().subsequent_indent(indent).break_words(false).word_splitter(WordSplitter::NoHyphenation);
-    format!("{}\n", textwrap::fill(text, options))
+    format!("{}\n", textwrap::fill(&paragraph(text), options))
 }

@@ -7,7 +7,7 @@ mod paint;
 mod sheet;
 mod words;
 
-pub use columns::{right_aligned, table};
+pub use columns::{TextTable, table};
 pub use lines::{WIDTH, wrapped};
 pub(crate) use lines::{filled, options};
 pub use names::clipped;

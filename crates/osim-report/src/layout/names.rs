@@ -1,11 +1,15 @@
 //! Long names.
 
-/// A name in at most `width` columns: its middle is left out, since names differ at their ends.
+use osim_model::wording::shown;
+
+/// A name in at most `width` columns: its middle is left out, since names differ at their ends; what cannot be seen in it is
+/// escaped.
 #[must_use]
 pub fn clipped(name: &str, width: usize) -> String {
+    let name = shown(name).to_string();
     let letters: Vec<char> = name.chars().collect();
     if letters.len() <= width || width < 3 {
-        return name.to_owned();
+        return name;
     }
     let end = width / 2;
     let start = width - end - 1;

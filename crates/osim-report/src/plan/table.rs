@@ -1,16 +1,17 @@
 //! A plan as a table: equal changes share a row.
 
 use osim_model::readable;
+use osim_model::wording::one_line;
 use osim_patch::{Change, Move, Plan};
 
 use super::groups::{groups, whose};
-use crate::layout::{right_aligned, table};
+use crate::layout::table;
 use crate::messages::warnings;
 
 /// What was taken, changed and noticed; `output` says the outcome. What the plan says is taken as it is spelled.
 #[must_use]
 pub fn text(plan: &Plan, model: &str, output: &str) -> String {
-    let mut text = format!("{model}: {}\n", plan.taken);
+    let mut text = format!("{}\n", one_line(format!("{model}: {}", plan.taken)));
     if plan.is_empty() {
         text.push_str("nothing to change\n");
     } else {
@@ -22,10 +23,10 @@ pub fn text(plan: &Plan, model: &str, output: &str) -> String {
         }
     }
     for remark in &plan.remarks {
-        text.push_str(&format!("note: {remark}\n"));
+        text.push_str(&format!("note: {}\n", one_line(remark.to_string())));
     }
     text.push_str(&warnings(&plan.warnings));
-    text.push_str(&format!("{output}\n"));
+    text.push_str(&format!("{}\n", one_line(output.to_owned())));
     text
 }
 
@@ -40,7 +41,8 @@ pub fn line(plan: &Plan, model: &str, output: &str) -> String {
     codes.dedup();
     let warnings = if codes.is_empty() { String::new() } else { format!(" [{}]", codes.join(", ")) };
     let changes = plan.changes.len() + plan.moves.len();
-    format!("{model}: {}{changes} changes; {output}{warnings}\n", masses.unwrap_or_default())
+    let line = format!("{model}: {}{changes} changes; {output}{warnings}", masses.unwrap_or_default());
+    format!("{}\n", one_line(line))
 }
 
 fn changes(changes: &[Change]) -> String {
@@ -70,7 +72,7 @@ fn changes(changes: &[Change]) -> String {
             equation,
         ]);
     }
-    right_aligned(&mut table, &[2, 3, 4]);
+    table.right_aligned(&[2, 3, 4]);
     let mut text = table.trim_fmt();
     text.push('\n');
     if changes.iter().any(|change| change.inserted) {
@@ -91,6 +93,6 @@ fn moves(moves: &[Move]) -> String {
         cells.push(moved.equation.to_owned());
         table.add_row(cells);
     }
-    right_aligned(&mut table, &[1, 2, 3, 4, 5, 6]);
+    table.right_aligned(&[1, 2, 3, 4, 5, 6]);
     format!("{}\n", table.trim_fmt())
 }

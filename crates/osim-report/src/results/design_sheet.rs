@@ -3,7 +3,7 @@
 use osim_model::readable;
 use osim_requests::{DesignQuantity, DesignSheet};
 
-use crate::layout::{right_aligned, table};
+use crate::layout::table;
 
 /// Every figure with its equation and its limit.
 #[must_use]
@@ -29,7 +29,7 @@ pub fn design_sheet_text(sheet: &DesignSheet) -> String {
             mark,
         ]);
     }
-    right_aligned(&mut table, &[1]);
+    table.right_aligned(&[1]);
     let mut text = format!("{}\n", table.trim_fmt());
     for note in &sheet.notes {
         text.push_str(&format!("note: {note}\n"));

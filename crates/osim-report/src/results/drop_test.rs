@@ -4,7 +4,7 @@ use contact_plots::{Axis, Curve, Look, Panel};
 use osim_model::{readable, shortest};
 use osim_requests::{DropColumn, DropFigure, DropResult, DropRow};
 
-use crate::layout::{WIDTH, right_aligned, table};
+use crate::layout::{WIDTH, table};
 
 /// Curves closer than this (in radii and body weights) differ by the rounding of the integration.
 const ROUNDING: f64 = 1e-9;
@@ -56,7 +56,7 @@ fn rows(drop: &DropResult) -> String {
             table.add_row(vec![info.heading_without_unit(), shown, unit.to_owned()]);
         }
     }
-    right_aligned(&mut table, &[1]);
+    table.right_aligned(&[1]);
     format!("{}\n", table.trim_fmt())
 }
 

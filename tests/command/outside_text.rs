@@ -1,0 +1,191 @@
+//! Text from outside (names in a model, file names, cells, options) is printed so that it can do no harm.
+
+use osim_model::wording::is_seen;
+
+use crate::support::{Bench, HUMAN, Ran, fixture};
+
+/// Clears the screen, recolours it, turns the direction of writing, begins a line of its own, and is a formula.
+const NASTY: &str = "=1+1\u{1b}[2J\u{9b}31m\u{202e}&#10;error: fake";
+/// What of it must not be seen in any output.
+const FAKE: [&str; 2] = ["\nerror: fake", "\nwarning: fake"];
+
+/// The human with these names instead of its own: model, bodies, spheres and forces.
+fn renamed(name: &str) -> String {
+    let text = String::from_utf8(fixture(HUMAN.0)).unwrap();
+    let spheres: Vec<String> = (1..=6).flat_map(|n| ["r", "l"].map(|side| format!("s{n}_{side}"))).collect();
+    let mut out = text.replace("human_62kg", &format!("{name}human"));
+    for old in spheres.iter().map(String::as_str).chain(["calcn_r", "calcn_l", "toes_r", "toes_l"]) {
+        // Names of forces and joints go on behind those of spheres and bodies.
+        for before in ["\"", "/", "contact_"] {
+            let new = if before == "contact_" { format!("{name}{before}") } else { before.to_owned() };
+            for after in ["\"", "<", "_offset\"", "_joint\"", "_angle\""] {
+                let new = format!("{new}{name}{old}{after}").replacen(
+                    &format!("\"{name}{name}"),
+                    &format!("\"{name}"),
+                    1,
+                );
+                out = out.replace(&format!("{before}{old}{after}"), &new);
+            }
+        }
+    }
+    out
+}
+
+/// Everything that is printed is seen, and begins no line.
+#[track_caller]
+fn harmless(ran: &Ran, call: &str) {
+    for (stream, text) in [("output", ran.out()), ("error", ran.err())] {
+        let bad: Vec<char> =
+            text.chars().filter(|&letter| !matches!(letter, '\n' | '\t') && !is_seen(letter)).collect();
+        assert!(bad.is_empty(), "{call}: standard {stream} has {bad:?}:\n{text}");
+        assert!(FAKE.iter().all(|fake| !text.contains(fake)), "{call}: standard {stream}:\n{text}");
+    }
+}
+
+/// Cells of CSV do not begin like formulas, except numbers.
+#[track_caller]
+fn no_formula(table: &[u8], call: &str) {
+    for record in csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(table).records() {
+        for cell in &record.unwrap() {
+            let formula = cell.starts_with(['=', '+', '-', '@', '\t', '\r']) && cell.parse::<f64>().is_err();
+            assert!(!formula, "{call}: the cell {cell:?}");
+        }
+    }
+}
+
+/// Calls of every verb that reads a model, in every form.
+const CALLS: [&str; 27] = [
+    "inspect MODEL",
+    "inspect MODEL --format json",
+    "inspect MODEL --format csv",
+    "inspect MODEL --from human.osim",
+    "check MODEL",
+    "check MODEL --format json",
+    "check MODEL --format csv",
+    "check MODEL human.osim",
+    "check MODEL --from human.osim",
+    "MODEL --target-mass 100 -o a.osim",
+    "MODEL --target-mass 100 -o b.osim --json",
+    "MODEL --target-mass 100 --dry-run --diff --json",
+    "MODEL human.osim --target-mass 100 -d many --summary many.csv --report many.html",
+    "transfer MODEL --from human.osim --dry-run",
+    "transfer human.osim --from MODEL --dry-run",
+    "transfer human.osim --from MODEL --reference-sphere nobody --dry-run",
+    "set MODEL --stiffness 1e6 --dry-run",
+    "set MODEL --select none* --stiffness 1e6 --dry-run",
+    "note MODEL --contacts-mass 62 --dry-run",
+    "sweep MODEL --stiffness-factor 1,2 -d swept",
+    "drop-test MODEL",
+    "drop-test MODEL --format json",
+    "plot force MODEL -o -",
+    "plot state MODEL -o f.svg",
+    "design MODEL --indentation 0.1",
+    "MODEL --target-mass 100 --body-scale nobody=1,1,1",
+    "explain MODEL",
+];
+
+#[test]
+fn names_in_a_model_cannot_steer_a_terminal_or_a_spreadsheet() {
+    let bench = Bench::human();
+    bench.write("nasty.osim", renamed(NASTY));
+    for call in CALLS {
+        let call = call.replace("MODEL", "nasty.osim");
+        let ran = bench.run(&call);
+        harmless(&ran, &call);
+        if call.contains("csv") {
+            no_formula(&ran.stdout, &call);
+        }
+        for file in &ran.changed {
+            if file.ends_with(".csv") {
+                no_formula(&bench.read(file), file);
+            } else if !file.ends_with(".osim") && !file.ends_with(".png") {
+                let text = bench.text(file);
+                assert!(!text.contains(['\u{1b}', '\u{9b}', '\u{202e}']), "{call}: {file}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_name_of_many_letters_is_shown_short() {
+    let bench = Bench::human();
+    bench.write("long.osim", renamed(&"n".repeat(100_000)));
+    for call in CALLS {
+        let call = call.replace("MODEL", "long.osim");
+        let ran = bench.run(&call);
+        assert!(ran.stderr.len() < 20_000, "{call}: {} bytes on standard error", ran.stderr.len());
+        let for_programs = ["json", "csv", "diff"].iter().any(|word| call.contains(word));
+        assert!(for_programs || ran.stdout.len() < 60_000, "{call}: {} bytes", ran.stdout.len());
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn names_of_files_cannot_steer_a_terminal_or_a_spreadsheet() {
+    const NAMES: [&str; 2] = ["=a\u{1b}[2J\nerror: fake\u{202e}.osim", "@b\twarning: fake\u{9b}.osim"];
+    let bench = Bench::human();
+    for name in NAMES {
+        bench.write(name, fixture(HUMAN.0));
+        bench.write(&format!("broken{name}"), "<OpenSimDocument Version=\"40000\"><Model");
+    }
+    for call in [
+        "inspect .",
+        "inspect . --format csv",
+        "check .",
+        "check . --format csv",
+        "check . --format json",
+        ". --target-mass 100 -d many --summary many.csv --report many.html",
+        ". --target-mass 100 -d many --summary many.csv --resume",
+        ". --target-mass 100 --in-place --summary places.csv",
+    ] {
+        let ran = bench.run(call);
+        harmless(&ran, call);
+        if call.contains("csv") && !call.contains("summary") {
+            no_formula(&ran.stdout, call);
+        }
+        for file in ran.changed.iter().filter(|file| file.ends_with(".csv")) {
+            no_formula(&bench.read(file), file);
+        }
+        if call.contains("--resume") {
+            // What a summary says is found again, although its cells are marked.
+            assert!(ran.changed.is_empty(), "{:?}", ran.changed);
+        }
+    }
+}
+
+#[test]
+fn options_and_cells_are_shown_short_and_on_one_line() {
+    let bench = Bench::human();
+    let nasty = "1\u{1b}[2J\nerror: fake";
+    for words in [
+        ["human.osim", "--target-mass", nasty],
+        ["human.osim", "--select", nasty],
+        ["inspect", nasty, "human.osim"],
+        [nasty, "human.osim", "--dry-run"],
+        ["explain", nasty, "1"],
+        ["presets", nasty, "--json"],
+        ["plot", nasty, "human.osim"],
+        ["human.osim", nasty, "--nonsense"],
+    ] {
+        let output = bench.run_words(&words);
+        for stream in [output.stdout, output.stderr] {
+            let text = String::from_utf8(stream).unwrap();
+            assert!(!text.contains('\u{1b}') && !text.contains("\nerror: fake"), "{words:?}: {text}");
+        }
+    }
+    let cell = "x ".repeat(2_500_000);
+    bench.write("long.csv", format!("model,target-mass\nhuman.osim,{cell}\n{cell},31\n"));
+    for call in [
+        "batch long.csv -d out",
+        "batch long.csv -d out --json",
+        "fit long.csv",
+        "human.osim --target-mass 100 --presets long.csv",
+    ] {
+        let ran = bench.run(call);
+        assert!(
+            ran.stdout.len() + ran.stderr.len() < 20_000,
+            "{call}: {}",
+            ran.stdout.len() + ran.stderr.len()
+        );
+    }
+}
