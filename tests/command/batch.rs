@@ -144,10 +144,7 @@ fn paths_begin_at_the_manifest_and_options_of_the_call_fill_what_rows_leave_open
     let bench = Bench::with(&[("table1/human_62kg_smooth_sphere.osim", "lib/human.osim")]);
     let rows = "model,target-mass,output,no-note\nhuman.osim,5,,\nhuman.osim,500,big/b.osim,yes\n";
     bench.write("lib/m.csv", rows);
-    bench
-        .run("batch lib/m.csv -d out --allow-outside")
-        .done()
-        .wrote(&["lib/big/b.osim", "out/human.osim"]);
+    bench.run("batch lib/m.csv -d out --allow-outside").done().wrote(&["lib/big/b.osim", "out/human.osim"]);
     assert!(!bench.text("lib/big/b.osim").contains("[contacts made for "));
     assert!(bench.text("out/human.osim").contains("[contacts made for "));
     // From standard input, paths begin where the call is made.

@@ -95,6 +95,9 @@ fn names_in_a_model_cannot_steer_a_terminal_or_a_spreadsheet() {
         if call.contains("csv") {
             no_formula(&ran.stdout, &call);
         }
+        // A call that writes nothing shows nothing.
+        let writes = [" -o ", " -d "].iter().any(|option| call.contains(option)) && !call.ends_with(" -o -");
+        assert!(!writes || !ran.changed.is_empty(), "{call}: {}", ran.err());
         for file in &ran.changed {
             if file.ends_with(".csv") {
                 no_formula(&bench.read(file), file);

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use osim_model::wording::{Input, Verb};
+use osim_model::wording::{Input, Verb, harmless};
 
 use super::about::About;
 use super::deferred::DeferredText;
@@ -78,11 +78,11 @@ impl<'d, S: DeferredText> Page<'d, S> {
         let alone = self.about.model.is_some();
         let fragment = entry.fragment.take().filter(|_| self.in_full < IN_FULL);
         if alone && fragment.is_none() {
-            self.details.add(&models::alone(&entry, &mut self.topics))?;
+            self.details.add(&harmless(&models::alone(&entry, &mut self.topics)))?;
         }
         if !alone {
             let place = (self.models, fragment.is_some());
-            self.rows.add(&models::row(&entry, self.about.columns, place, &mut self.topics))?;
+            self.rows.add(&harmless(&models::row(&entry, self.about.columns, place, &mut self.topics)))?;
         }
         let Some(fragment) = fragment else { return Ok(()) };
         self.in_full += 1;
@@ -90,9 +90,9 @@ impl<'d, S: DeferredText> Page<'d, S> {
         self.topics.add(&fragment.topics);
         if alone {
             self.sections = fragment.sections;
-            self.details.add(&fragment.html)
+            self.details.add(&harmless(&fragment.html))
         } else {
-            self.details.add(&models::details(&entry, self.models, &fragment.html))
+            self.details.add(&harmless(&models::details(&entry, self.models, &fragment.html)))
         }
     }
 
@@ -107,8 +107,8 @@ impl<'d, S: DeferredText> Page<'d, S> {
         let paper = if self.models > OPEN_ON_PAPER { "closed-on-paper" } else { "open-on-paper" };
         let title = self.about.title(self.models);
         let several = self.about.model.is_none();
-        page.write_all(shell::opening(&title, paper, &self.all_sections()).as_bytes())?;
-        page.write_all(shell::asked(self.about.verb, &self.about.asked).as_bytes())?;
+        page.write_all(harmless(&shell::opening(&title, paper, &self.all_sections())).as_bytes())?;
+        page.write_all(harmless(&shell::asked(self.about.verb, &self.about.asked)).as_bytes())?;
         if several {
             page.write_all(models::table_opening(self.about.columns, &self.left_out()).as_bytes())?;
             self.rows.pour_into(page)?;
