@@ -49,7 +49,6 @@ mod mass;
 mod model;
 mod note;
 mod number;
-mod opensim_text;
 mod pattern;
 mod property;
 mod read;
@@ -84,7 +83,7 @@ pub use mass::{Mass, MassRequest, MassSource, SAME_MASS, positive_mass, same_mas
 pub use model::Model;
 pub use note::{BodySize, Credits, Note, Scope};
 pub use number::{four_significant, readable, shortest};
-pub use opensim_text::NumberFault;
+pub use osim_xml::opensim_text::{self, NumberFault};
 pub use osim_xml::{Children, ElementId, LineIndex, Piece, PieceKind, Position, RawText, SyntaxFault, Tree};
 pub use pattern::{Pattern, PatternError};
 pub use property::Property;
