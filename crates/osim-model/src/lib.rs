@@ -45,6 +45,7 @@ pub mod files;
 mod finding;
 mod frames;
 mod limbs;
+mod loops;
 mod mass;
 mod model;
 mod note;
