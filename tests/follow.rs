@@ -3,6 +3,7 @@
 //! Expected numbers are literals computed by a few lines of Python from the rule and from c' = RᵀSR (c − R e) + R' e; the real
 //! OpenSim judges the same models in `tests/oracle/test_follow.py`.
 
+#![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,

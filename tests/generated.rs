@@ -1,6 +1,7 @@
 //! Parts of docs/ are made from the registers of the program: findings, errors, limits, figures of all verbs. Such a part is between
 //! `<!-- begin NAME -->` and `<!-- end NAME -->`. To write them again: `UPDATE_DOCS=1 cargo test --test generated`.
 
+#![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "a test fails by panicking")]
 
 use std::path::{Path, PathBuf};

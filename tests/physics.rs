@@ -3,6 +3,7 @@
 //! Expected numbers come from the paper's Table 1, from the real OpenSim, or from mpmath 1.3.0 with 40 digits; the comment
 //! beside them says which. None is copied from what the command prints. Layout and wording are snapshots.
 
+#![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,

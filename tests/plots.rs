@@ -2,6 +2,7 @@
 //!
 //! Expected numbers are those of `tests/plots/reference.py` (mpmath 1.3.0, and a Runge–Kutta method of its own).
 
+#![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,

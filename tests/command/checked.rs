@@ -62,6 +62,7 @@ const PLAIN: &[Case] = triggers! {
     "sphere-count-unknown": "format/no_sides.osim",
     "no-gravity": "format/no_gravity.osim",
     "connectee-by-name": "format/connectee_bare.osim",
+    "loop-of-joints": "format/loop_of_joints.osim",
     "misnamed-parameter-set": "format/parameters_misnamed.osim",
     "default-stiffness": "format/left_out_stiffness.osim",
     "zero-constant-contact-force": "format/zero_dissipation.osim",

@@ -3,6 +3,7 @@
 //! Layout and wording are snapshots in `tests/snapshots`; bytes and numbers are plain assertions. Each test works in a
 //! folder of its own that holds copies of fixtures.
 
+#![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,

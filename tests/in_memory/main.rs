@@ -4,6 +4,7 @@
 //! Only `osim-model`, `osim-patch`, `osim-inspect`, `osim-requests`, `osim-report` and `contact-plots` are used here. Each
 //! expected value is the command's: both are to be one logic behind two front ends.
 
+#![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,

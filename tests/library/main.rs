@@ -3,6 +3,7 @@
 //! `killed.rs` ends runs at any moment; the others meet full disks, odd files, Ctrl-C, leftovers and earlier runs.
 
 #![cfg(unix)]
+#![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,

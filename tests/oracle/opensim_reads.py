@@ -100,7 +100,7 @@ def parts(opensim, model):
     for component in list(model.getComponentsList()):
         kind = component.getConcreteClassName()
         here = {"name": component.getName(), "path": component.getAbsolutePathString()}
-        if kind == "Body":
+        if kind == "Body" and component.getOwner().getConcreteClassName() != "Body":  # of a loop, OpenSim divides a body
             found["bodies"].append(here | {"mass": number(component, "mass")})
         elif kind == "ContactSphere":
             found["spheres"].append(here | geometry(component) | {"radius": number(component, "radius")})

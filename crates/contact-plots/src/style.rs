@@ -50,7 +50,7 @@ pub(crate) fn fitting(text: &str, size_pt: f64, most_pt: f64) -> String {
         }
         short.push(letter);
     }
-    format!("{}…", short.trim_end())
+    format!("{}…", short.trim_end_matches(' '))
 }
 
 /// Text of a size in points; never bold, which the font of PNG pictures does not have.

@@ -47,7 +47,7 @@ pub fn text(panel: &Panel, columns: usize, rows: usize) -> Result<String, PlotEr
         let axis = if label.is_some() { '┤' } else { '│' };
         let line =
             format!("{:>margin$}{axis}{letters}", label.map(|label| format!("{label} ")).unwrap_or_default());
-        text.push_str(&format!("{}\n", line.trim_end()));
+        text.push_str(&format!("{}\n", line.trim_end_matches(' ')));
     }
     let tick = |column| if x_labels.iter().any(|(at, _)| *at == column) { '┬' } else { '─' };
     let axis: String = (0..dots.columns).map(tick).collect();

@@ -1,5 +1,6 @@
 //! The figures as documents: they parse, they say what they show, and points stand where they belong.
 
+#![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,

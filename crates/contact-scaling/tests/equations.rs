@@ -3,6 +3,7 @@
 //! `TABLE` calls each public equation by its name with a flat list of inputs, and says what powers of length,
 //! mass and time these and the output have. The values are in `data/reference.csv` (mpmath, 50 digits).
 
+#![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::collections::{BTreeMap, BTreeSet};

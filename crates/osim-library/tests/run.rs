@@ -1,5 +1,6 @@
 //! A run over a folder, asked for as any front end asks: through the crate's own trait, without the command.
 
+#![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use crate::model::Model;
+use osim_xml::opensim_text;
 
 const ELASTIC_FOUNDATION_PARAMETERS: &str = "ElasticFoundationForce::ContactParameters";
 
@@ -22,7 +23,7 @@ impl Model {
                 at = components.tree.get(force).and_then(|object| object.parent);
             }
             let Some(force) = at else { continue };
-            for name in tree.text_of(geometry).split_ascii_whitespace() {
+            for name in opensim_text::list(&tree.text_of(geometry)) {
                 let last = name.rsplit('/').next().unwrap_or(name);
                 users.entry(last.to_owned()).or_default().push(components.name(force));
             }

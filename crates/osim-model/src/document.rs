@@ -1,14 +1,31 @@
 //! One file: its bytes, its tree, its version, its data root and its `<defaults>`.
 
+use std::borrow::Cow;
 use std::sync::OnceLock;
 
+use osim_xml::opensim_text::{NumberFault, flag, number, trimmed, triple};
 use osim_xml::{ElementId, LineIndex, Position, SyntaxError, Tree};
 
 use crate::class::Class;
 use crate::fault::{Fault, FaultKind};
-use crate::opensim_text::{NumberFault, number, prefix};
 use crate::property::Property;
 use crate::value::{Origin, Value};
+
+/// Sets of a model that OpenSim also reads from files of their own.
+const FILE_SETS: [&str; 9] = [
+    "BodySet",
+    "ComponentSet",
+    "ConstraintSet",
+    "ContactGeometrySet",
+    "ControllerSet",
+    "ForceSet",
+    "JointSet",
+    "MarkerSet",
+    "ProbeSet",
+];
+/// Such sets of a force.
+const PARAMETER_SETS: [&str; 2] =
+    ["HuntCrossleyForce::ContactParametersSet", "ElasticFoundationForce::ContactParametersSet"];
 
 /// A scanned OpenSim document, with its bytes.
 ///
@@ -114,9 +131,8 @@ impl Document {
         };
         let offset = if raw.span.is_empty() { self.tree.span(element).start } else { raw.span.start };
         let span = if raw.span.is_empty() { self.tree.span(element) } else { raw.span };
-        let text = raw.text.trim_matches(|c: char| c.is_ascii_whitespace()).to_owned();
         // A blank that is not ASCII looks like one and is none: show it.
-        let text = if text.is_ascii() { text } else { text.escape_default().to_string() };
+        let text = if raw.text.is_ascii() { raw.text } else { raw.text.escape_default().to_string() };
         Value { property, number, origin: Origin::Element, span: Some(span), fault, text, offset }
     }
 
@@ -149,12 +165,20 @@ impl Document {
             return Vec::new();
         }
         let elements = self.tree.elements();
-        elements
-            .filter_map(|id| {
-                let file = self.tree.attribute(id, "file")?.trim().to_owned();
-                (!file.is_empty()).then_some((id, file))
-            })
-            .collect()
+        elements.filter_map(|id| Some((id, self.file_of(id)?.into_owned()))).collect()
+    }
+
+    /// The file in which OpenSim looks for the contents of `id`. It does so for sets that are a property of their object, the
+    /// first of each, and for members of `<components>` and `<frames>`; elsewhere it ignores `file`.
+    pub(crate) fn file_of(&self, id: ElementId) -> Option<Cow<'_, str>> {
+        let file = self.tree.attribute(id, "file").filter(|file| !file.is_empty())?;
+        let (parent, tag) = (self.tree.parent(id)?, self.tree.name(id));
+        let is_set = match self.tree.name(parent) {
+            "components" | "frames" => return Some(file),
+            "Model" => FILE_SETS.contains(&tag),
+            _ => PARAMETER_SETS.contains(&tag),
+        };
+        (is_set && self.tree.child(parent, tag) == Some(id)).then_some(file)
     }
 
     /// The class's object in `<defaults>`: the first of that class, whatever its name.
@@ -182,47 +206,48 @@ impl Document {
     pub(crate) fn whole_text(&self, element: ElementId) -> Result<String, Fault> {
         let raw = self.tree.raw_text(element);
         if raw.whole {
-            return Ok(raw.text.trim().to_owned());
+            return Ok(raw.text);
         }
         let property = self.tree.name(element).to_owned();
         Err(Fault::over(FaultKind::BrokenText { property }, self.tree.span(element)))
     }
 
-    /// The flag `tag` of `object` as OpenSim reads it: the first word, in any case, else what `<defaults>` say; `None` where
-    /// neither is a flag.
-    #[must_use]
-    pub fn flag(&self, object: ElementId, tag: &str) -> Option<bool> {
-        let read = |element| match self
-            .tree
-            .text_of(element)
-            .split_ascii_whitespace()
-            .next()?
-            .to_lowercase()
-            .as_str()
-        {
-            "true" | "1" => Some(true),
-            "false" | "0" => Some(false),
-            _ => None,
-        };
-        self.tree.child(object, tag).and_then(read).or_else(|| {
-            let default = self.defaults_of(object)?;
-            read(self.tree.child(default, tag)?)
-        })
+    /// The flag `tag` of `object` as OpenSim reads it, else what `<defaults>` say; `None` where neither is a flag.
+    ///
+    /// # Errors
+    /// Something in the middle of it, which OpenSim refuses.
+    pub fn flag(&self, object: ElementId, tag: &str) -> Result<Option<bool>, Fault> {
+        self.first_readable(object, tag, |element| Ok(flag(&self.whole_text(element)?)))
     }
 
-    /// The three numbers of `tag`, such as a location, with blanks or commas between them; from `<defaults>` where `object` has
-    /// none. `None` where the text is not three finite numbers.
+    /// The three numbers of `tag`, such as a location, as OpenSim reads them: from `<defaults>` where `object` has none; `None` where
+    /// neither can be read. They need not be finite.
     #[must_use]
     pub fn triple(&self, object: ElementId, tag: &str) -> Option<[f64; 3]> {
-        let raw = self.tree.raw_text(self.property_element(object, tag)?);
-        let words =
-            raw.text.split(|c: char| c.is_ascii_whitespace() || c == ',').filter(|word| !word.is_empty());
-        let mut numbers = words.map(|token| {
-            let (value, length) = prefix(token)?;
-            (length == token.len() && value.is_finite()).then_some(value)
-        });
-        let triple = [numbers.next()??, numbers.next()??, numbers.next()??];
-        numbers.next().is_none().then_some(triple)
+        self.whole_triple(object, tag).ok()?
+    }
+
+    /// The same.
+    ///
+    /// # Errors
+    /// Something in the middle of it, which OpenSim refuses.
+    pub(crate) fn whole_triple(&self, object: ElementId, tag: &str) -> Result<Option<[f64; 3]>, Fault> {
+        self.first_readable(object, tag, |element| Ok(triple(&self.whole_text(element)?)))
+    }
+
+    /// What `read` makes of the property `tag` of `object`, else of that in `<defaults>`.
+    fn first_readable<T>(
+        &self,
+        object: ElementId,
+        tag: &str,
+        read: impl Fn(ElementId) -> Result<Option<T>, Fault>,
+    ) -> Result<Option<T>, Fault> {
+        let own = self.tree.child(object, tag).map(&read).transpose()?.flatten();
+        if own.is_some() {
+            return Ok(own);
+        }
+        let inherited = self.defaults_of(object).and_then(|default| self.tree.child(default, tag));
+        Ok(inherited.map(read).transpose()?.flatten())
     }
 }
 
@@ -239,7 +264,7 @@ fn version_and_data_root(tree: &Tree) -> Result<(u32, ElementId), Fault> {
         let kind = FaultKind::NotOpenSim { root: tree.name(root).to_owned() };
         return Err(Fault::over(kind, tree.open_span(root)));
     }
-    let found = tree.attribute(root, "Version").unwrap_or_default().trim().to_owned();
+    let found = trimmed(&tree.attribute(root, "Version").unwrap_or_default()).to_owned();
     let Ok(version) = found.parse::<u32>() else {
         return Err(Fault::over(FaultKind::NoVersion { found }, tree.open_span(root)));
     };

@@ -121,10 +121,13 @@ impl MassRequest {
     /// What the model weighs: as said, else the sum of its bodies, left to right in file order.
     ///
     /// # Errors
-    /// A body without a mass, no body at all, or a sum that is not above 0.
+    /// A body without a mass, no body at all, a sum that is not above 0, or a loop of joints of which OpenSim counts a body twice.
     pub fn of_model(&self, model: &Model) -> Result<Mass, Fault> {
         if let Some(kg) = self.model_kg {
             return Ok(Mass { kg: positive_mass(Input::Mass, kg)?, source: MassSource::Mass });
+        }
+        if model.skeleton().loops.mass_is_in_doubt {
+            return Err(Fault::new(Needed::MassOfLoop));
         }
         let mut kg = 0.0;
         let mut bodies = 0;

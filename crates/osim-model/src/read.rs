@@ -46,16 +46,19 @@ impl Model {
         let ContactReader { spheres, forces, warnings, .. } = reader;
         let (document, companions) = (components.main(), components.companions());
         let all = std::iter::once(document).chain(companions.iter().map(|companion| &companion.document));
-        let gravity_m_s2 = all
-            .clone()
-            .find(|document| is_model(document))
-            .and_then(|document| document.triple(document.data_root(), "gravity"))
-            .or(Some(DEFAULT_GRAVITY));
+        let gravity = match all.clone().find(|document| is_model(document)) {
+            Some(document) => document
+                .whole_triple(document.data_root(), "gravity")
+                .map_err(|fault| fault.located(document.bytes()))?,
+            None => None,
+        };
+        let gravity_m_s2 =
+            gravity.or(Some(DEFAULT_GRAVITY)).filter(|gravity| gravity.iter().all(|value| value.is_finite()));
         let name = document.tree().attribute(document.data_root(), "name").unwrap_or_default().into_owned();
         let notes = NotesFound::of(document)?;
         let named = |companion: &Companion| {
             let file = document.tree().attribute(companion.included_by?, "file")?;
-            Some(file.trim().to_owned())
+            Some(file.into_owned())
         };
         let included = companions.iter().map(named).collect();
         let mut model = Self {

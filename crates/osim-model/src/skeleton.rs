@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use crate::class::Class;
 use crate::components::{Base, ComponentId, Components};
 use crate::fault::{Fault, FaultKind, FileId, Needed};
+use crate::loops::{JointLink, Loops};
 use crate::property::Property;
 use crate::value::{Origin, Value};
 
@@ -46,6 +47,9 @@ impl Body {
 pub(crate) struct Skeleton {
     pub bodies: Vec<Body>,
     parents: HashMap<ComponentId, Link>,
+    pub loops: Loops,
+    /// Joints that OpenSim does not read: all but the first of a body in documents that have joints in bodies.
+    pub ignored_joints: Vec<ComponentId>,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -59,6 +63,8 @@ impl Skeleton {
     /// without a joint to a parent stands on ground.
     pub(crate) fn read(components: &Components) -> Self {
         let mut skeleton = Self::default();
+        let mut links = Vec::new();
+        let mut last_joined = None;
         for (id, component) in components.tree.iter() {
             let tag = components.tag(id);
             if tag == "Body" {
@@ -70,13 +76,19 @@ impl Skeleton {
                     skeleton.bodies.push(Body { name, path, mass, file: component.file });
                 }
             } else if tag.ends_with("Joint") {
-                skeleton.add_joint(components, id, tag == "WeldJoint");
+                let inside = component.parent.filter(|&owner| components.tag(owner) == "Body");
+                if inside.is_some() && std::mem::replace(&mut last_joined, inside) == inside {
+                    skeleton.ignored_joints.push(id);
+                } else {
+                    links.extend(skeleton.add_joint(components, id, tag == "WeldJoint"));
+                }
             }
         }
+        skeleton.loops = Loops::of(&links);
         skeleton
     }
 
-    fn add_joint(&mut self, components: &Components, joint: ComponentId, weld: bool) {
+    fn add_joint(&mut self, components: &Components, joint: ComponentId, weld: bool) -> Option<JointLink> {
         let end = |socket: &str, legacy: &[&str]| -> Option<Base> {
             let connectee = components.connectee(joint, socket, legacy)?;
             components.base(components.frame(joint, &connectee)?.component).ok()
@@ -85,6 +97,8 @@ impl Skeleton {
         let owner = components.tree.get(joint).and_then(|component| component.parent);
         let inside = owner.filter(|&id| components.tag(id) == "Body").map(Base::Body);
         let child = end("child_frame", &["child_body"]).or_else(|| end("child_body", &[])).or(inside);
+        let known = |end: Option<Base>| end.filter(|end| *end != Base::Unknown);
+        let ends = [known(parent)?, known(child)?];
         match (parent, child) {
             (Some(parent), Some(Base::Body(child))) => {
                 self.parents.entry(child).or_insert(Link { parent, weld });
@@ -95,6 +109,7 @@ impl Skeleton {
             }
             _ => {}
         }
+        Some(JointLink { joint, ends, counts_twice: weld || components.tag(joint) == "FreeJoint" })
     }
 
     pub(crate) fn parent(&self, body: ComponentId) -> Option<ComponentId> {

@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use crate::fault::{Fault, FaultKind};
-use crate::opensim_text::NumberFault;
 use crate::property::Property;
+use osim_xml::opensim_text::NumberFault;
 
 /// Where an effective value comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -3,6 +3,7 @@
 //! The foot of these tests weighs 1 kg and is rescaled to 64 kg. Lengths then grow by 64^{1/3} = 4, and the paper's rules
 //! give E₁* × 4, α × 4^{-1/2} = 0.5, cf × 4² = 16, bd × 4^{-1} = 0.25, bv × 4^{-1/2} = 0.5: all expected texts are exact.
 
+#![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod given;

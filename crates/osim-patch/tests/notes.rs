@@ -1,5 +1,6 @@
 //! The note in a model: where it goes, what it says later, and that nothing is left of it where it is taken out.
 
+#![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod given;

@@ -1,5 +1,6 @@
 //! What is refused, and where the fault points.
 
+#![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,

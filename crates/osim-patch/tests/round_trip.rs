@@ -1,6 +1,7 @@
 //! The round-trip law: without edits every byte stays; edits touch their spans and nothing else; what was written is
 //! read again, bit for bit as planned. Seeds are the fixtures, whole and mutilated.
 
+#![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod given;

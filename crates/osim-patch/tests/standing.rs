@@ -1,5 +1,6 @@
 //! What contacts are made for: notes in the file, masses of other files, and presets.
 
+#![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod given;

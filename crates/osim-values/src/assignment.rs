@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::typed::{LENGTHS, factor, number, number_in};
+use crate::typed::{LENGTHS, factor, number, number_in, trimmed};
 use osim_model::Assignment;
 use osim_model::{Property, shortest};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -44,8 +44,8 @@ impl JsonSchema for Assignments {
 /// # Errors
 /// An unknown property, or a value that is not a number.
 pub fn assignment(name: &str, text: &str) -> Result<(Property, Assignment), String> {
-    let property: Property = name.trim().parse()?;
-    let text = text.trim();
+    let property: Property = trimmed(name).parse()?;
+    let text = trimmed(text);
     let value = match factor(text) {
         Some(factor) => number(factor).map(Assignment::Factor),
         None if property == Property::Radius => {

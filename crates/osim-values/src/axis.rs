@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use std::fmt;
 use std::str::FromStr;
 
-use crate::typed::{Range, positive_number, respelled, spaced, with_colons};
+use crate::typed::{Range, positive_number, respelled, spaced, trimmed, with_colons};
 use osim_model::Assignment;
 use osim_model::{Property, shortest};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -111,7 +111,7 @@ impl FromStr for Axis {
     fn from_str(text: &str) -> Result<Self, String> {
         let expected = "expected NAME=V,V,... such as stiffness=x0.1,x1,x10 or stiffness=x0.1..x10/9";
         let (name, list) = text.split_once('=').ok_or(expected)?;
-        let name: AxisName = name.trim().parse()?;
+        let name: AxisName = trimmed(name).parse()?;
         let mut values = Vec::new();
         for item in list.split(',') {
             if let Some(answer) = with_colons(item) {
@@ -120,7 +120,7 @@ impl FromStr for Axis {
             if Range::is_meant(item) {
                 values.extend(range(name, item)?);
             } else {
-                values.push(value(name, item.trim())?);
+                values.push(value(name, trimmed(item))?);
             }
         }
         // Two values that differ only behind the sixth digit would have one file.

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
-use crate::typed::positive_number;
+use crate::typed::{positive_number, trimmed};
 use osim_model::shortest;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::Error;
@@ -42,7 +42,7 @@ impl FromStr for BodyScale {
             [factor] => [factor; 3],
             _ => return Err(EXPECTED.to_owned()),
         };
-        Ok(Self { body: body.trim().to_owned(), factors })
+        Ok(Self { body: trimmed(body).to_owned(), factors })
     }
 }
 

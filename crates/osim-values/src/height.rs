@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use crate::typed::{LENGTHS, factor, plain, positive};
+use crate::typed::{LENGTHS, factor, plain, positive, trimmed};
 use osim_inspect::DropHeight;
 use osim_model::shortest;
 use schemars::JsonSchema;
@@ -44,7 +44,7 @@ impl FromStr for Height {
     fn from_str(text: &str) -> Result<Self, String> {
         let expected = "a length in metres, or a multiple of the radius like x0.25";
         let parse = |text: &str| {
-            if plain(text.trim()) == Some(0.0) { Ok(0.0) } else { positive(text, expected, LENGTHS) }
+            if plain(trimmed(text)) == Some(0.0) { Ok(0.0) } else { positive(text, expected, LENGTHS) }
         };
         let height = match factor(text) {
             Some(number) => parse(number).map(DropHeight::Radii),

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
+use crate::typed::trimmed;
 use contact_scaling::fit::Onset;
 use osim_model::shortest;
 use schemars::JsonSchema;
@@ -40,7 +41,7 @@ impl FromStr for ContactOnset {
         if text == "fit" {
             return Ok(Self(Onset::Fitted));
         }
-        match text.trim().parse::<f64>() {
+        match trimmed(text).parse::<f64>() {
             Ok(metres) if metres.is_finite() => Ok(Self(Onset::At(metres))),
             _ => Err("expected an indentation in metres, or fit to find it".to_owned()),
         }

@@ -1,5 +1,6 @@
 //! Lists of properties, by OpenSim's names.
 
+use crate::typed::trimmed;
 use osim_model::Property;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serializer};
@@ -10,7 +11,7 @@ use serde_json::Value;
 /// # Errors
 /// There is no such property.
 pub fn one(text: &str) -> Result<Property, String> {
-    text.trim().parse()
+    trimmed(text).parse()
 }
 
 /// Writes their names.

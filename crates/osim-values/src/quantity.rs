@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
-use crate::typed::{MASSES, converted, number, plain, positive, positive_number};
+use crate::typed::{MASSES, converted, number, plain, positive, positive_number, trimmed};
 use osim_model::shortest;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -102,7 +102,7 @@ quantities! {
     }, {"type": "number", "exclusiveMinimum": 0, "maximum": 1};
 
     /// √cf/R: above 0, for OpenSim computes nothing from a cf of 0.
-    ConstantIndentation = |text| match plain(text.trim()) {
+    ConstantIndentation = |text| match plain(trimmed(text)) {
         Some(0.0) => Err(format!(
             "expected a number above 0, such as {}: it would make constant_contact_force 0, and OpenSim computes NaN with 0 \
              whenever the sphere does not slip",
@@ -119,19 +119,19 @@ quantities! {
     }, {"type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 0.5};
 
     /// c_r, a coefficient of restitution: 0 to 1.
-    RestitutionCoefficient = |text| match plain(text.trim()) {
+    RestitutionCoefficient = |text| match plain(trimmed(text)) {
         Some(value) if (0.0..=1.0).contains(&value) => Ok(value),
         _ => Err("expected a coefficient of restitution from 0 to 1".to_owned()),
     }, {"type": "number", "minimum": 0, "maximum": 1};
 
     /// ν, Poisson's ratio: above -1, at most 0.5.
-    PoissonRatio = |text| match plain(text.trim()) {
+    PoissonRatio = |text| match plain(trimmed(text)) {
         Some(value) if value > -1.0 && value <= 0.5 => Ok(value),
         _ => Err("expected a Poisson's ratio above -1, at most 0.5".to_owned()),
     }, {"type": "number", "exclusiveMinimum": -1, "maximum": 0.5};
 
     /// A number of things, 1 or more.
-    Count = |text| match text.trim().parse::<u32>() {
+    Count = |text| match trimmed(text).parse::<u32>() {
         Ok(count) if count >= 1 => Ok(f64::from(count)),
         _ => Err("expected a whole number, 1 or more".to_owned()),
     }, {"type": "integer", "minimum": 1};

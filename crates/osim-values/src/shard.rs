@@ -4,6 +4,7 @@ use std::fmt;
 use std::path::Path;
 use std::str::FromStr;
 
+use crate::typed::trimmed;
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use sha2::{Digest, Sha256};
@@ -48,7 +49,7 @@ impl FromStr for Shard {
     fn from_str(text: &str) -> Result<Self, String> {
         let expected = || "expected i/n with i from 1 to n, such as 2/8".to_owned();
         let (index, count) = text.split_once('/').ok_or_else(expected)?;
-        let whole = |text: &str| text.trim().parse::<u64>().map_err(|_| expected());
+        let whole = |text: &str| trimmed(text).parse::<u64>().map_err(|_| expected());
         let shard = Self { index: whole(index)?, count: whole(count)? };
         if (1..=shard.count).contains(&shard.index) { Ok(shard) } else { Err(expected()) }
     }

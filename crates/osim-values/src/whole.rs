@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
+use crate::typed::trimmed;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize};
 
@@ -34,7 +35,7 @@ macro_rules! whole_numbers {
             type Err = String;
 
             fn from_str(text: &str) -> Result<Self, String> {
-                match text.trim().parse::<$type>() {
+                match trimmed(text).parse::<$type>() {
                     Ok(number) if ($least..=$most).contains(&number) => Ok(Self(number)),
                     _ => Err(format!("expected a whole number from {} to {}", $least, $most)),
                 }

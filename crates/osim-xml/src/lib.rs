@@ -1,7 +1,8 @@
 //! XML as a flat tree of exact byte spans over the untouched bytes.
 //!
-//! Nothing here knows what OpenSim is. [`Tree::scan`] cuts the bytes into gap-free [`Piece`]s, links them into elements, and
-//! refuses what is not one well-formed document; [`RawText`] is the text of a leaf.
+//! Nothing here knows what is in a model. [`Tree::scan`] cuts the bytes into gap-free [`Piece`]s, links them into elements, and
+//! refuses what is not one well-formed document; [`RawText`] is the text of a leaf, and [`opensim_text`] knows what OpenSim reads
+//! from it.
 //!
 //! # What it will not do
 //!
@@ -9,12 +10,14 @@
 
 mod decode;
 mod file_text;
+pub mod opensim_text;
 mod plain;
 mod position;
 mod raw_text;
 mod scan;
 mod syntax;
 mod tree;
+mod white;
 
 pub use position::{LineIndex, Position};
 pub use raw_text::RawText;

@@ -5,17 +5,19 @@ use std::ops::Range;
 
 use super::decode::decode;
 use super::tree::{ElementId, PieceKind, Tree};
+use super::white::{is_white, trimmed};
 
 /// The text between an element's tags.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct RawText {
-    /// Entities and CDATA resolved, comments left out.
+    /// Entities and CDATA resolved, comments left out, and the white space around it, as OpenSim does: white space that comes from
+    /// CDATA or a reference stays.
     pub text: String,
     /// The bytes that hold the text without the white space around it; what an edit replaces.
     /// Empty (at the place where text would start) when there is none.
     pub span: Range<usize>,
-    /// `false` when a comment or an element is inside the text: OpenSim reads such a value as an error.
+    /// `false` when a comment, an element or a second section of CDATA is inside the text: OpenSim reads such a value as an error.
     pub whole: bool,
 }
 
@@ -25,28 +27,34 @@ impl Tree {
     pub fn raw_text(&self, id: ElementId) -> RawText {
         let start = self.open_span(id).end;
         let mut raw = RawText { text: String::new(), span: start..start, whole: true };
-        let (mut begun, mut interrupted, mut kinds) = (false, false, (false, false));
+        let (mut begun, mut interrupted, mut texts, mut sections) = (false, false, false, 0);
+        // Where the text ends without white space that only lies between it and the tag.
+        let mut end = 0;
         for piece in self.content(id) {
             let (source, mut span) = (piece.text, piece.span);
             match piece.kind {
                 PieceKind::Text => {
-                    raw.text.push_str(source);
-                    let inner = source.trim_ascii();
+                    let inner = trimmed(source);
+                    let before = source.find(|letter| !is_white(letter)).unwrap_or(source.len());
+                    raw.text.push_str(if begun { source } else { source.get(before..).unwrap_or_default() });
                     if inner.is_empty() {
                         continue;
                     }
-                    kinds.0 = true;
-                    span.start += source.len() - source.trim_ascii_start().len();
-                    span.end -= source.len() - source.trim_ascii_end().len();
+                    texts = true;
+                    let behind = source.len() - before - inner.len();
+                    (span.start, span.end) = (span.start + before, span.end - behind);
+                    end = raw.text.len() - behind;
                 }
                 PieceKind::CData => {
-                    kinds.1 = true;
+                    sections += 1;
                     let inner = source.strip_prefix("<![CDATA[").and_then(|s| s.strip_suffix("]]>"));
                     raw.text.push_str(inner.unwrap_or_default());
+                    end = raw.text.len();
                 }
                 PieceKind::Reference => {
-                    kinds.0 = true;
+                    texts = true;
                     raw.text.push_str(&decode(Cow::Borrowed(source)));
+                    end = raw.text.len();
                 }
                 PieceKind::Comment | PieceKind::Other => {
                     interrupted = begun;
@@ -62,15 +70,16 @@ impl Tree {
             raw.span = if begun { raw.span.start..span.end } else { span };
             begun = true;
         }
-        // OpenSim takes text or CDATA, not both.
-        raw.whole &= kinds != (true, true);
+        raw.text.truncate(end);
+        // OpenSim takes text or one section of CDATA.
+        raw.whole &= sections == 0 || (sections == 1 && !texts);
         raw
     }
 
-    /// The trimmed text of `id`; for names, paths and flags.
+    /// The text of `id`; for names and paths.
     #[must_use]
     pub fn text_of(&self, id: ElementId) -> String {
-        self.raw_text(id).text.trim().to_owned()
+        self.raw_text(id).text
     }
 }
 
@@ -86,10 +95,42 @@ mod tests {
             ("<a><!--x--> <![CDATA[2]]> </a>", "<![CDATA[2]]>"),
             ("<a>1&#46;5</a>", "1&#46;5"),
             ("<a>&#49;e6 <!--x--></a>", "&#49;e6"),
+            ("<a>\u{b}1e6\u{c}</a>", "1e6"),
+            ("<a>\u{a0}1e6</a>", "\u{a0}1e6"),
+            ("<a>1e6&#32;</a>", "1e6&#32;"),
             ("<a></a>", ""),
         ] {
             let raw = Tree::scan(xml).unwrap().raw_text(ElementId::ROOT);
             assert_eq!(&xml[raw.span], number, "{xml}");
+        }
+    }
+
+    #[test]
+    fn white_space_around_a_text_is_left_out_as_opensim_does() {
+        for (xml, text) in [
+            ("<a>\u{b} 1 2\n</a>", "1 2"),
+            ("<a><!-- x --> 1 <!-- y --> </a>", "1"),
+            ("<a>&#32;1&#32; </a>", " 1 "),
+            ("<a> <![CDATA[ 1 ]]> </a>", " 1 "),
+            ("<a>1 &amp; 2</a>", "1 & 2"),
+            ("<a>\u{a0}1</a>", "\u{a0}1"),
+            ("<a> </a>", ""),
+        ] {
+            assert_eq!(Tree::scan(xml).unwrap().raw_text(ElementId::ROOT).text, text, "{xml}");
+        }
+    }
+
+    #[test]
+    fn one_section_of_cdata_is_a_value_and_two_are_none() {
+        for (xml, whole) in [
+            ("<a> <![CDATA[1]]> </a>", true),
+            ("<a><![CDATA[1]]><![CDATA[2]]></a>", false),
+            ("<a><![CDATA[1]]>2</a>", false),
+            ("<a>&#49;<![CDATA[2]]></a>", false),
+            ("<a>1<!-- x --> </a>", true),
+            ("<a>1<!-- x -->2</a>", false),
+        ] {
+            assert_eq!(Tree::scan(xml).unwrap().raw_text(ElementId::ROOT).whole, whole, "{xml}");
         }
     }
 }

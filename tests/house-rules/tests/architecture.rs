@@ -48,7 +48,7 @@ struct Named {
 fn paths_in(line: &str) -> impl Iterator<Item = &str> {
     line.split('`').skip(1).step_by(2).filter(|span| {
         let is_file = FILES.iter().any(|ending| span.ends_with(ending));
-        !span.contains(char::is_whitespace) && (span.contains('/') || is_file)
+        !span.contains(|letter: char| letter.is_ascii_whitespace()) && (span.contains('/') || is_file)
     })
 }
 
@@ -65,7 +65,7 @@ fn paths(text: &str) -> Vec<Named> {
         let block: Vec<(usize, &str)> =
             lines.by_ref().take_while(|(_, line)| !line.starts_with("```")).collect();
         let Some((&(number, folder), rest)) = block.split_first() else { continue };
-        if !folder.ends_with('/') || folder.contains(char::is_whitespace) {
+        if !folder.ends_with('/') || folder.contains(|letter: char| letter.is_ascii_whitespace()) {
             continue;
         }
         add(number, folder.to_owned());
@@ -73,7 +73,7 @@ fn paths(text: &str) -> Vec<Named> {
             let entry = line.strip_prefix("  ").filter(|entry| !entry.starts_with(' '));
             let Some(entry) = entry else { continue };
             let names = entry.split_once("  ").map_or(entry, |(names, _)| names);
-            names.split(", ").for_each(|name| add(number, format!("{folder}{}", name.trim())));
+            names.split(", ").for_each(|name| add(number, format!("{folder}{}", name.trim_ascii())));
         }
     }
     found
@@ -135,7 +135,7 @@ fn questions(text: &str) -> Vec<(usize, String, String)> {
         if !line.starts_with('|') || is_rule(line) || is_header {
             continue;
         }
-        let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
+        let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim_ascii).collect();
         let [question, answer] = cells[..] else { panic!("{PAGE}:{}: expected two cells: {line}", at + 1) };
         found.push((at + 1, question.to_owned(), answer.to_owned()));
     }

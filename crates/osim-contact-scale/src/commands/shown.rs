@@ -159,7 +159,7 @@ pub(super) fn bare_entry(record: &Record, earlier: bool) -> Entry {
     left.stiffness_factor = record.stiffness_factor;
     left.dissipation_factor = record.dissipation_factor;
     left.unequal_factors = record.unequal_factors.split(' ').map(str::to_owned).collect();
-    left.warnings = record.warnings.split_whitespace().count();
+    left.warnings = record.warnings.split_ascii_whitespace().count();
     Entry::left_by_earlier_run(&row(record), &left)
 }
 

@@ -4,9 +4,8 @@ use std::collections::HashMap;
 
 use crate::components::{ComponentId, Components};
 use crate::document::Document;
-use crate::opensim_text::prefix;
 use crate::rotation::Rotation;
-use osim_xml::ElementId;
+use osim_xml::{ElementId, opensim_text};
 
 /// Three axes of rotation and three of translation, in the order in which OpenSim applies them.
 const ROTATIONS: [&str; 3] = ["rotation1", "rotation2", "rotation3"];
@@ -70,7 +69,7 @@ fn defaults(document: &Document, joint: ElementId) -> Option<HashMap<String, f64
     coordinates
         .filter(|&id| tree.name(id) == "Coordinate")
         .map(|id| {
-            let name = tree.attribute(id, "name").unwrap_or_default().trim().to_owned();
+            let name = tree.attribute(id, "name").unwrap_or_default().into_owned();
             let value = match tree.child(id, "default_value") {
                 Some(_) => {
                     numbers(document, id, "default_value").and_then(|values| values.first().copied())?
@@ -88,8 +87,8 @@ fn spatial(document: &Document, joint: ElementId, defaults: &HashMap<String, f64
     let Some(transform) = tree.child(joint, "SpatialTransform") else { return Some(Placement::NONE) };
     let mut placement = Placement::NONE;
     for (index, axis) in tree.children(transform).enumerate() {
-        let name = tree.attribute(axis, "name").unwrap_or_default().trim().to_owned();
-        let named = ROTATIONS.iter().chain(&TRANSLATIONS).position(|known| *known == name);
+        let name = tree.attribute(axis, "name").unwrap_or_default();
+        let named = ROTATIONS.iter().chain(&TRANSLATIONS).position(|known| *known == &*name);
         let value = value_of(document, axis, defaults)?;
         let direction = document.triple(axis, "axis").unwrap_or([0.0; 3]);
         if named.unwrap_or(index) < ROTATIONS.len() {
@@ -105,7 +104,7 @@ fn spatial(document: &Document, joint: ElementId, defaults: &HashMap<String, f64
 fn value_of(document: &Document, axis: ElementId, defaults: &HashMap<String, f64>) -> Option<f64> {
     let tree = document.tree();
     let names = tree.child(axis, "coordinates").map(|list| tree.text_of(list)).unwrap_or_default();
-    let argument = names.split_whitespace().next().map_or(Some(0.0), |name| defaults.get(name).copied())?;
+    let argument = opensim_text::list(&names).next().map_or(Some(0.0), |name| defaults.get(name).copied())?;
     let wrapped = tree.child(axis, "function").and_then(|wrapper| tree.children(wrapper).next());
     let is_function = |id: &ElementId| !["coordinates", "axis", "function"].contains(&tree.name(*id));
     match wrapped.or_else(|| tree.children(axis).find(is_function)) {
@@ -149,8 +148,7 @@ fn evaluate(document: &Document, function: ElementId, x: f64) -> Option<f64> {
 fn numbers(document: &Document, owner: ElementId, tag: &str) -> Option<Vec<f64>> {
     let tree = document.tree();
     let text = tree.text_of(tree.child(owner, tag)?);
-    let words = text.split(|c: char| c.is_ascii_whitespace() || c == ',').filter(|word| !word.is_empty());
-    words.map(|word| prefix(word).filter(|(value, _)| value.is_finite()).map(|(value, _)| value)).collect()
+    opensim_text::numbers(&text).filter(|values| values.iter().all(|value| value.is_finite()))
 }
 
 #[cfg(test)]

@@ -99,7 +99,7 @@ impl Components {
 
     /// The `name` as the file has it.
     pub(crate) fn name(&self, id: ComponentId) -> String {
-        self.doc(id).tree().attribute(self.element(id), "name").unwrap_or_default().trim().to_owned()
+        self.doc(id).tree().attribute(self.element(id), "name").unwrap_or_default().into_owned()
     }
 
     /// What `owner` says about its socket, in whichever spelling its document version has; `<defaults>` may say it too.

@@ -71,8 +71,7 @@ impl ComponentTree {
             }
             let tag = tree.name(id);
             // What stands in another file hangs here once that file is added.
-            let elsewhere = tree.attribute(id, "file").is_some_and(|file| !file.trim().is_empty());
-            let role = if elsewhere {
+            let role = if document.file_of(id).is_some() {
                 Role::Nothing
             } else if is_root {
                 Role::Object(self.push_root(file, document, mount))
@@ -84,9 +83,9 @@ impl ComponentTree {
                         Role::Nothing
                     }
                     Role::Items(owner) | Role::Components(owner) => {
-                        let name = tree.attribute(id, "name").unwrap_or_default().trim().to_owned();
+                        let name = tree.attribute(id, "name").unwrap_or_default();
                         // OpenSim calls a component without a name after its class.
-                        let segment = if name.is_empty() { tag.to_lowercase() } else { name };
+                        let segment = if name.is_empty() { tag.to_lowercase() } else { name.into_owned() };
                         Role::Object(self.push(Component { file, element: id, parent: Some(owner), segment }))
                     }
                     Role::Object(owner) => self.role_of_property(file, document, id, tag, owner, &mut seen),
@@ -107,7 +106,7 @@ impl ComponentTree {
         } else if tag.ends_with("Set") {
             tag.to_lowercase()
         } else {
-            tree.attribute(element, "name").unwrap_or_default().trim().to_owned()
+            tree.attribute(element, "name").unwrap_or_default().into_owned()
         };
         // A set that stands alone belongs to a model elsewhere; its paths are those it has there.
         self.push(Component { file, element, parent: mount, segment })

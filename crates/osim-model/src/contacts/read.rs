@@ -12,6 +12,7 @@ use crate::property::Property;
 use crate::skeleton::Skeleton;
 use crate::value::Value;
 use osim_xml::ElementId;
+use osim_xml::opensim_text::{self, is_disabled};
 
 /// The frame a geometry is attached to.
 struct Attachment {
@@ -71,7 +72,8 @@ impl<'r> ContactReader<'r> {
         let (document, element) = (self.components.doc(id), self.components.element(id));
         let frame = self.attachment(id, "frame", &["body_name"])?;
         let radius = document.value(element, Class::ContactSphere, Property::Radius, "radius");
-        let location_m = document.triple(element, "location").unwrap_or([0.0; 3]);
+        let location = document.whole_triple(element, "location").map_err(|fault| self.said_of(id, fault))?;
+        let location_m = location.unwrap_or([0.0; 3]);
         let name = self.components.name(id);
         self.push_sphere(id, name, radius, location_m, frame, SphereSpelling::ContactSphere);
         self.sphere_components.push(id);
@@ -190,14 +192,23 @@ impl<'r> ContactReader<'r> {
         from_root.or_else(|| in_set().filter(|&id| accept(id)))
     }
 
-    fn applies(&self, id: ComponentId) -> bool {
+    /// Up to 30508 a force is switched off by `isDisabled`, too: the first of both elements counts. Later documents ignore it.
+    fn applies(&self, id: ComponentId) -> Result<bool, Fault> {
         let (document, element) = (self.components.doc(id), self.components.element(id));
-        // Up to 30508 a force is switched off by `isDisabled`; later documents ignore that.
-        let disabled = match document.version() {
-            ..=LAST_VERSION_WITH_IS_DISABLED => document.flag(element, "isDisabled"),
-            _ => None,
-        };
-        disabled.map(|disabled| !disabled).or_else(|| document.flag(element, "appliesForce")).unwrap_or(true)
+        let tree = document.tree();
+        let in_words = |element| -> Result<bool, Fault> { Ok(!is_disabled(&document.whole_text(element)?)) };
+        if document.version() <= LAST_VERSION_WITH_IS_DISABLED {
+            for object in std::iter::once(element).chain(document.defaults_of(element)) {
+                let first =
+                    tree.children(object).find(|&id| ["isDisabled", "appliesForce"].contains(&tree.name(id)));
+                match first.map(|id| (tree.name(id), id)) {
+                    Some(("isDisabled", disabled)) => return in_words(disabled),
+                    Some(_) => break,
+                    None => {}
+                }
+            }
+        }
+        Ok(document.flag(element, "appliesForce")?.unwrap_or(true))
     }
 
     fn add_smooth(&mut self, id: ComponentId) -> Result<(), Fault> {
@@ -221,8 +232,7 @@ impl<'r> ContactReader<'r> {
         set.half_spaces = set.half_space_bases.len();
         let transition_velocity =
             document.value(element, class, Property::TransitionVelocity, Property::TransitionVelocity.name());
-        self.push_force(id, ForceKind::SmoothSphereHalfSpace, vec![set], transition_velocity);
-        Ok(())
+        self.push_force(id, ForceKind::SmoothSphereHalfSpace, vec![set], transition_velocity)
     }
 
     /// Moco 0.1 to 0.3: the sphere's frame, radius and location are in the force.
@@ -253,10 +263,8 @@ impl<'r> ContactReader<'r> {
                         self.parameter_set(document, item, Class::ContactParameters, Some(sets.len()));
                     set.inherited = inherited;
                     if let Some(geometry) = document.property_element(item, "geometry") {
-                        let names = document.whole_text(geometry).map_err(|fault| {
-                            fault.of(self.components.tree.path(id)).in_file(self.components.file_of(id))
-                        })?;
-                        for name in names.split_ascii_whitespace() {
+                        let names = document.whole_text(geometry).map_err(|fault| self.said_of(id, fault))?;
+                        for name in opensim_text::list(&names) {
                             let surface = self.surface(id, name, geometry, true)?;
                             set.add(surface);
                         }
@@ -270,8 +278,7 @@ impl<'r> ContactReader<'r> {
         let class = Class::HuntCrossleyForce;
         let transition_velocity =
             document.value(element, class, Property::TransitionVelocity, Property::TransitionVelocity.name());
-        self.push_force(id, ForceKind::HuntCrossley, sets, transition_velocity);
-        Ok(())
+        self.push_force(id, ForceKind::HuntCrossley, sets, transition_velocity)
     }
 
     fn warn_misnamed_set(&mut self, id: ComponentId, document: &Document, element: ElementId) {
@@ -317,19 +324,25 @@ impl<'r> ContactReader<'r> {
         kind: ForceKind,
         sets: Vec<ParameterSet>,
         transition_velocity: Value,
-    ) {
+    ) -> Result<(), Fault> {
+        let applies = self.applies(id).map_err(|fault| self.said_of(id, fault))?;
         self.forces.push(Force {
             id: ForceId(self.forces.len()),
             name: self.components.name(id),
             path: self.components.tree.path(id),
             kind,
-            applies: self.applies(id),
+            applies,
             sets,
             transition_velocity,
             line: self.components.line(id),
             file: self.components.file_of(id),
             element: self.components.element(id),
         });
+        Ok(())
+    }
+
+    fn said_of(&self, id: ComponentId, fault: Fault) -> Fault {
+        fault.of(self.components.tree.path(id)).in_file(self.components.file_of(id))
     }
 }
 

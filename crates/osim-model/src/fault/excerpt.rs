@@ -28,8 +28,9 @@ impl Excerpt {
             .position(|&byte| byte == b'\n')
             .map_or(bytes.len(), |at| span.start + at);
         let line = bytes.get(start..end)?;
-        let text =
-            std::str::from_utf8(line).ok().filter(|text| !text.contains('\0') && !text.trim().is_empty())?;
+        let text = std::str::from_utf8(line)
+            .ok()
+            .filter(|text| !text.contains('\0') && !text.trim_ascii().is_empty())?;
         let text = text.trim_start_matches('\u{feff}');
         let shift = line.len() - text.len();
         let number = bytes.get(..start)?.iter().filter(|&&byte| byte == b'\n').count() + 1;

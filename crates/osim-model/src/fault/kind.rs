@@ -4,9 +4,9 @@ use contact_scaling::{DomainError, limits};
 
 use super::needed::Needed;
 use super::needs_answer::NeedsAnswer;
-use crate::opensim_text::NumberFault;
 use crate::wording::{Input, Phrase, Verb, phrase};
 use osim_xml::SyntaxFault;
+use osim_xml::opensim_text::NumberFault;
 
 /// Kinds of fault, each with what a program needs to know of it.
 ///

@@ -39,6 +39,8 @@ pub enum Needed {
         /// Their sum, kg.
         kg: f64,
     },
+    /// The mass of the model: OpenSim counts a body in a loop of joints twice.
+    MassOfLoop,
     /// What the contacts were made for: the note in the file cannot be relied on.
     ContactsMass {
         /// What the note says, kg.
@@ -184,6 +186,7 @@ impl Needed {
         match self {
             Self::BodyMass { .. }
             | Self::ModelMass { .. }
+            | Self::MassOfLoop
             | Self::KnownContactsMass { .. }
             | Self::ContactsMass { doubt: NoteDoubt::Absent, .. } => "no-mass",
             Self::ContactsMass { .. } | Self::ContactsGravity { .. } => "stale-note",
@@ -230,6 +233,11 @@ impl Needed {
                 Input::Mass.like("KG"),
                 ", or which mass its contacts are made for with ",
                 Input::ContactsMass.like("KG"),
+            ],
+            Self::MassOfLoop => phrase![
+                "joints form a loop with a WeldJoint or FreeJoint between bodies, where OpenSim counts the mass of a body twice: \
+                 say what the model weighs with ",
+                Input::Mass.like("KG"),
             ],
             Self::ContactsMass { noted_kg, doubt } => {
                 let noted = noted_kg.map(|kg| format!(" (the note says {} kg)", readable(kg)));

@@ -134,6 +134,11 @@ codes! {
         "OpenSim may fail to load such a model, or connect it to something else.";
         "Open the model in OpenSim, check the connection and save it";
         NotPossible "only OpenSim shows what it connects".
+    /// A body has more than one joint: joints form a loop, or OpenSim ignores some.
+    LoopOfJoints = "loop-of-joints", Warn, Model:
+        "Of joints inside a body, as documents up to version 3 have them, OpenSim takes the first and ignores the others. Elsewhere it cuts a loop of joints: it divides a body into equal parts that a constraint holds together, and their masses still make the body's. Where a WeldJoint or a FreeJoint between two bodies is in the loop it divides nothing, and counts the mass of a body twice. Left, right and limbs follow the first joint of each body.";
+        "Say what the model weighs with `mass=KG` where it is asked for; in OpenSim, close a loop with a constraint instead of a joint";
+        NotPossible "only numbers of contacts are changed".
     /// A ContactParametersSet has a name OpenSim does not look for.
     MisnamedParameterSet = "misnamed-parameter-set", Error, Model:
         "OpenSim finds the set by its name: with another one the force has no parameters and never pushes.";

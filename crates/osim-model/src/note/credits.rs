@@ -9,6 +9,7 @@ use super::grammar::{BEGINS, ENDS, NAMES};
 use crate::document::Document;
 use crate::fault::{Fault, FaultKind};
 use osim_xml::ElementId;
+use osim_xml::opensim_text::words;
 
 /// Between what was there and the note, and between authors.
 const AND: &str = "; ";
@@ -95,7 +96,7 @@ impl<'d> Credits<'d> {
 
 /// With single blanks, as OpenSim reads and writes it.
 fn condensed(text: &str) -> String {
-    text.split_ascii_whitespace().collect::<Vec<_>>().join(" ")
+    words(text).collect::<Vec<_>>().join(" ")
 }
 
 #[cfg(test)]

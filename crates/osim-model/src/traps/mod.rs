@@ -21,6 +21,7 @@ pub(crate) fn find(model: &Model) -> Vec<Finding> {
         sides::left_and_right,
         values::contact_defaults,
         structure::special_components,
+        structure::loops_of_joints,
     ];
     all.into_iter().flat_map(|find| find(model)).collect()
 }

@@ -8,6 +8,8 @@ use crate::fault::FileId;
 use crate::finding::{Finding, FindingCode};
 use crate::model::Model;
 
+/// Joints of a loop that a text names.
+const LOOP_JOINTS_NAMED: usize = 6;
 const NOT_HERTZ: [&str; 3] = ["ElasticFoundationForce", "ExponentialContactForce", "MeyerFregly2016Force"];
 
 /// Contacts that are in included files can be read but not changed.
@@ -55,6 +57,31 @@ pub(super) fn spheres_in_two_forces(model: &Model) -> Vec<Finding> {
         found.push(Finding::at(FindingCode::SphereInTwoForces, sphere.line, text).about(&sphere.path));
     }
     found
+}
+
+/// Bodies with more than one joint.
+pub(super) fn loops_of_joints(model: &Model) -> Vec<Finding> {
+    let (components, skeleton) = (model.components(), model.skeleton());
+    let finding = |joint, text| Finding::at(FindingCode::LoopOfJoints, components.line(joint), text);
+    let ignored = skeleton.ignored_joints.iter().map(|&joint| {
+        let text =
+            format!("{} is not the first joint of its body: OpenSim ignores it", components.tree.path(joint));
+        finding(joint, text)
+    });
+    let loops = &skeleton.loops;
+    let cut = loops.joints.first().map(|&first| {
+        let joints: Vec<_> = loops.joints.iter().map(|&joint| components.name(joint)).collect();
+        let named = joints.get(..LOOP_JOINTS_NAMED).map_or(joints.join(", "), |named| {
+            format!("{} and {} more", named.join(", "), joints.len() - named.len())
+        });
+        let what = if loops.mass_is_in_doubt {
+            "counts the mass of a body in it twice"
+        } else {
+            "divides a body in it, whose parts weigh together what the body weighs"
+        };
+        finding(first, format!("joints form a loop ({named}): OpenSim {what}"))
+    });
+    ignored.chain(cut).collect()
 }
 
 /// Traps that are seen from the component tree itmodel.

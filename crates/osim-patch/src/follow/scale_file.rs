@@ -60,9 +60,11 @@ impl ScaleFile {
             let Some(segment) = tree.child(scale, "segment").map(|segment| tree.text_of(segment)) else {
                 continue;
             };
-            let applied = document.flag(scale, "apply").unwrap_or(true);
+            let applied = document.flag(scale, "apply")?.unwrap_or(true);
             let values = if applied { document.triple(scale, "scales") } else { Some([1.0; 3]) };
-            let Some(values) = values.filter(|values| values.iter().all(|value| *value > 0.0)) else {
+            let Some(values) =
+                values.filter(|values| values.iter().all(|value| *value > 0.0 && value.is_finite()))
+            else {
                 let text = format!("the scales of segment {segment} are not three numbers above 0");
                 return Err(Fault::over(FaultKind::Refused(text), tree.span(scale)));
             };

@@ -79,7 +79,7 @@ impl LibraryTable {
 fn painted_rows(text: &str, colour: Colour) -> String {
     let mut out = String::new();
     for line in text.split_inclusive('\n') {
-        let word = line.split_whitespace().next().unwrap_or_default();
+        let word = line.split_ascii_whitespace().next().unwrap_or_default();
         let found = [Severity::Error, Severity::Warn].into_iter().find(|severity| severity.as_str() == word);
         match found {
             Some(found) => out.push_str(&line.replacen(word, &severity(found, colour), 1)),

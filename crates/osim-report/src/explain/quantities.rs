@@ -57,10 +57,10 @@ pub(super) fn quantities() -> impl Iterator<Item = &'static QuantityTopic> {
 
 /// The quantity of this name, symbol or label.
 pub(super) fn quantity(name: &str) -> Option<&'static QuantityTopic> {
-    let flat = |text: &str| text.trim().to_lowercase().replace(['-', ' '], "_");
+    let flat = |text: &str| text.trim_ascii().to_lowercase().replace(['-', ' '], "_");
     let by_name = || quantities().find(|topic| topic.name == flat(name));
     // Symbols differ in capitals: R is a radius, k a stiffness.
-    let exact = || quantities().find(|topic| topic.symbols.contains(&name.trim()));
+    let exact = || quantities().find(|topic| topic.symbols.contains(&name.trim_ascii()));
     exact()
         .or_else(by_name)
         .or_else(|| quantities().find(|topic| topic.symbols.iter().any(|it| flat(it) == flat(name))))

@@ -116,7 +116,7 @@ fn shown(label: &str) -> String {
 }
 
 fn paragraph(label: &str, body: &str) -> String {
-    let body = format!("{}.", body.trim().trim_end_matches('.'));
+    let body = format!("{}.", body.trim_ascii().trim_end_matches('.'));
     let indent = " ".repeat(label.len());
     let options = options().initial_indent(label).subsequent_indent(&indent);
     format!("{}\n", textwrap::fill(&body, options))

@@ -47,7 +47,8 @@ impl Topic {
     /// # Errors
     /// Something that is neither an equation, a quantity nor a code.
     pub fn find(named: &str) -> Result<Vec<Self>, UnknownTopic> {
-        let by_comma: Vec<&str> = named.split(',').map(str::trim).filter(|name| !name.is_empty()).collect();
+        let by_comma: Vec<&str> =
+            named.split(',').map(str::trim_ascii).filter(|name| !name.is_empty()).collect();
         let by_blank: Vec<&str> = named.split([',', ' ']).filter(|name| !name.is_empty()).collect();
         for names in [&[named][..], &by_comma, &by_blank] {
             let found: Vec<Vec<Self>> = names.iter().map(|name| called(name)).collect();
@@ -84,7 +85,7 @@ fn called(name: &str) -> Vec<Topic> {
 
 /// Whether `name` is the kind of all errors that ask, by the name that they have in the library.
 fn is_question(name: &str) -> bool {
-    name.trim().to_lowercase().replace(['-', '_', ' '], "") == "needsanswer"
+    name.trim_ascii().to_lowercase().replace(['-', '_', ' '], "") == "needsanswer"
 }
 
 /// The errors that ask.

@@ -59,5 +59,5 @@ pub(super) fn table(name: &str, caption: &str, headers: &[&str], rows: &[Markup]
 }
 
 pub(super) fn header_cell(header: &str) -> Markup {
-    html! { th.words[header.starts_with(' ')] scope="col" { (header.trim_start()) } }
+    html! { th.words[header.starts_with(' ')] scope="col" { (header.trim_start_matches(' ')) } }
 }

@@ -121,7 +121,7 @@ mod tests {
 
     /// CITATION.cff folds its texts over lines.
     fn flat(text: &str) -> String {
-        text.split_whitespace().collect::<Vec<_>>().join(" ")
+        text.split_ascii_whitespace().collect::<Vec<_>>().join(" ")
     }
 
     #[test]

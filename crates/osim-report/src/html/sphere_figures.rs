@@ -164,7 +164,7 @@ fn line(
 ) -> Markup {
     let name = heading(figure, speed);
     let part = name.starts_with(' ');
-    let name = fragment.topics.linked(name.trim_start());
+    let name = fragment.topics.linked(name.trim_start_matches(' '));
     html! {
         tr {
             th.part[part] scope="row" { (name) }

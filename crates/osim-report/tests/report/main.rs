@@ -1,5 +1,6 @@
 //! The crate's texts, on models of the project's fixtures.
 
+#![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use osim_model::files::Files;
 use osim_model::wording::{Phrase, Verb};
 use osim_values::path;
+use osim_values::typed::trimmed;
 use serde_json::{Map, Value};
 
 use super::columns::{Column, Columns, Kind};
@@ -57,7 +58,7 @@ impl Cells {
                 }
                 Kind::Value => cells.say(&column.field, number(cell, sheet, column)?),
                 Kind::List => {
-                    let items = cell.split(';').map(str::trim).filter(|item| !item.is_empty());
+                    let items = cell.split(';').map(trimmed).filter(|item| !item.is_empty());
                     cells.say(&column.field, items.collect::<Vec<_>>());
                 }
                 Kind::Flag if is_yes(cell, column)? => cells.say(&column.field, true),

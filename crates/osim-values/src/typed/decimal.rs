@@ -1,5 +1,6 @@
 //! Numbers as people type them, read strictly: a wrong one is refused with what to type instead.
 
+use super::blanks::trimmed;
 use osim_model::shortest;
 
 /// A spelling of a unit, and its size in the unit that is expected.
@@ -25,7 +26,7 @@ pub const LENGTHS: &[UnitSpelling] =
 /// # Errors
 /// What was expected, and what to type.
 pub fn positive(text: &str, expected: &str, units: &[UnitSpelling]) -> Result<f64, String> {
-    let text = text.trim();
+    let text = trimmed(text);
     if let Some(value) = plain(text) {
         return if value > 0.0 && value.is_finite() {
             Ok(value)
@@ -49,7 +50,7 @@ pub fn positive(text: &str, expected: &str, units: &[UnitSpelling]) -> Result<f6
     if let Some(value) = converted(text, units) {
         return Err(format!("units are not written here, expected {expected}: type {}", shortest(value)));
     }
-    let number = text.trim_end_matches(|c: char| !c.is_ascii_digit() && c != '.').trim_end();
+    let number = text.trim_end_matches(|c: char| !c.is_ascii_digit() && c != '.');
     // What the number is in the unit that is expected is not known here: none is proposed.
     match plain(number) {
         Some(_) if number.len() < text.len() => {
@@ -66,7 +67,7 @@ pub fn converted(text: &str, units: &[UnitSpelling]) -> Option<f64> {
     // In capitals, M is no small matter.
     let small = if text.ends_with("Mg") || text.contains("Mm") { text } else { small.as_str() };
     let (value, factor) = units.iter().find_map(|(unit, factor)| {
-        let number = small.strip_suffix(unit)?.trim_end();
+        let number = trimmed(small.strip_suffix(unit)?);
         Some((plain(number)?, *factor))
     })?;
     // 20.9 times 1e-3 would show 0.020900000000000002.
@@ -102,7 +103,7 @@ pub fn number(text: &str) -> Result<f64, String> {
 /// # Errors
 /// It is none.
 pub fn number_in(text: &str, expected: &str, units: &[UnitSpelling]) -> Result<f64, String> {
-    if plain(text.trim()) == Some(0.0) {
+    if plain(trimmed(text)) == Some(0.0) {
         return Ok(0.0);
     }
     positive(text, expected, units)

@@ -1,8 +1,10 @@
 //! Numbers and ranges as people type them.
 
+mod blanks;
 mod decimal;
 mod range;
 
+pub use blanks::trimmed;
 pub use decimal::{
     LENGTHS, MASSES, UnitSpelling, converted, factor, number, number_in, plain, positive, positive_number,
 };

@@ -1,5 +1,6 @@
 //! Numbers along an axis, in words: `FROM..TO/COUNT`.
 
+use super::blanks::trimmed;
 use super::decimal::{factor, plain};
 use osim_model::shortest;
 
@@ -26,8 +27,8 @@ impl<'t> Range<'t> {
     pub fn read(text: &'t str, most: u32) -> Option<Self> {
         let (first, rest) = text.split_once("..")?;
         let (last, count) = rest.split_once('/')?;
-        let count = count.trim().parse().ok().filter(|count| (2..=most).contains(count))?;
-        Some(Self { first: first.trim(), last: last.trim(), count })
+        let count = trimmed(count).parse().ok().filter(|count| (2..=most).contains(count))?;
+        Some(Self { first: trimmed(first), last: trimmed(last), count })
     }
 
     /// Whether both ends are factors, or both numbers; `None` where they are unlike.
@@ -71,7 +72,7 @@ impl Colons {
     fn read(text: &str) -> Option<Self> {
         let number = |part: &str| plain(factor(part).unwrap_or(part));
         let parts: Option<Vec<(&str, f64)>> =
-            text.split(':').map(str::trim).map(|part| Some((part, number(part)?))).collect();
+            text.split(':').map(trimmed).map(|part| Some((part, number(part)?))).collect();
         let (from, middle, to) = match parts?.as_slice() {
             [from, to] => (*from, ("1", 1.0), *to),
             [from, middle, to] => (*from, *middle, *to),

@@ -152,7 +152,7 @@ impl Word {
             .map(|found| Forbidden {
                 file: file.to_owned(),
                 line: line + text[..found.start()].matches('\n').count(),
-                written: found.as_str().split_whitespace().collect::<Vec<_>>().join(" "),
+                written: found.as_str().split_ascii_whitespace().collect::<Vec<_>>().join(" "),
                 say: self.say.clone(),
             })
             .collect()
@@ -161,7 +161,7 @@ impl Word {
 
 /// A literal without names of variables, as in `{name}`.
 fn prose_of_literal(literal: &Literal) -> (usize, String) {
-    let is_name = |inside: &str| !inside.contains(char::is_whitespace);
+    let is_name = |inside: &str| !inside.contains(|letter: char| letter.is_ascii_whitespace());
     (literal.line, without(&literal.without_escapes(), ['{', '}'], is_name))
 }
 

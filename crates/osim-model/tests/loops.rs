@@ -1,0 +1,89 @@
+//! Loops of joints, and joints that OpenSim ignores. What it makes of each was seen in OpenSim 4.6; `tests/oracle/test_words.py` asks
+//! it again.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use osim_model::{MassRequest, Model};
+
+/// Bodies a, b and c of 10, 20 and 40 kg in a loop that a joint between b and c closes.
+fn loop_closed_by(class: &str) -> Model {
+    let bodies = [("a", 10), ("b", 20), ("c", 40)];
+    let bodies = bodies.map(|(name, kg)| format!("<Body name='{name}'><mass>{kg}</mass></Body>")).concat();
+    let joint = |class: &str, name: &str, parent: &str, child: &str| {
+        format!(
+            "<{class} name='{name}'><socket_parent_frame>{parent}</socket_parent_frame><socket_child_frame>/bodyset/{child}\
+             </socket_child_frame></{class}>"
+        )
+    };
+    let joints = [
+        joint("FreeJoint", "root", "/ground", "a"),
+        joint("PinJoint", "ab", "/bodyset/a", "b"),
+        joint("PinJoint", "ac", "/bodyset/a", "c"),
+        if class.is_empty() { String::new() } else { joint(class, "bc", "/bodyset/b", "c") },
+    ];
+    let text = format!(
+        "<OpenSimDocument Version='40000'><Model name='m'><BodySet><objects>{bodies}</objects></BodySet><JointSet><objects>{}\
+         </objects></JointSet></Model></OpenSimDocument>",
+        joints.concat()
+    );
+    Model::parse(text).unwrap()
+}
+
+fn codes(model: &Model) -> Vec<&str> {
+    model.warnings.iter().map(|finding| finding.code.as_str()).collect()
+}
+
+// OpenSim 4.6: 70 kg without the joint and with a PinJoint (c is divided), 110 kg with a WeldJoint or a FreeJoint.
+#[test]
+fn a_loop_is_reported_and_its_mass_asked_for_where_opensim_counts_twice() {
+    let weighs = |model: &Model, mass: MassRequest| mass.of_model(model).map(|mass| mass.kg);
+    for (class, found) in
+        [("", [""; 0].as_slice()), ("PinJoint", &["loop-of-joints"]), ("BallJoint", &["loop-of-joints"])]
+    {
+        let model = loop_closed_by(class);
+        assert_eq!(
+            (codes(&model).as_slice(), weighs(&model, MassRequest::default()).unwrap()),
+            (found, 70.0)
+        );
+    }
+    for class in ["WeldJoint", "FreeJoint"] {
+        let model = loop_closed_by(class);
+        assert_eq!(codes(&model), ["loop-of-joints"]);
+        assert_eq!(weighs(&model, MassRequest::default()).unwrap_err().code(), "no-mass");
+        assert_eq!(
+            weighs(&model, MassRequest { model_kg: Some(70.0), ..MassRequest::default() }).unwrap(),
+            70.0
+        );
+    }
+}
+
+#[test]
+fn joints_in_bodies_count_once() {
+    let body = |name: &str, joints: &str| {
+        format!("<Body name='{name}'><mass>1</mass><Joint>{joints}</Joint></Body>")
+    };
+    let pin = |name: &str, parent: &str| {
+        format!("<PinJoint name='{name}'><parent_body>{parent}</parent_body></PinJoint>")
+    };
+    let model = |bodies: &str| {
+        let text = format!(
+            "<OpenSimDocument Version='30000'><Model name='m'><BodySet><objects><Body name='ground'/>{bodies}</objects></BodySet>\
+             </Model></OpenSimDocument>"
+        );
+        Model::parse(text).unwrap()
+    };
+    // OpenSim reads ab, and never ba2: no loop.
+    let ignored = model(
+        &(body("a", &pin("ground_a", "ground")) + &body("b", &(pin("ab", "a") + &pin("ground_b", "ground")))),
+    );
+    assert_eq!(codes(&ignored), ["loop-of-joints"]);
+    assert!(
+        ignored.warnings[0].message.to_string().contains("ground_b is not the first joint"),
+        "{:?}",
+        ignored.warnings
+    );
+    // Each hangs on the other: OpenSim divides one of them.
+    let circle = model(&(body("a", &pin("ba", "b")) + &body("b", &pin("ab", "a"))));
+    assert_eq!(codes(&circle), ["loop-of-joints"]);
+    assert!(circle.warnings[0].message.to_string().contains("(ba, ab)"), "{:?}", circle.warnings);
+}

@@ -1,0 +1,92 @@
+//! Texts that OpenSim reads in its own way. What it makes of each was seen in OpenSim 4.6; `tests/oracle/test_words.py` asks it again.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use osim_model::{Document, Model};
+
+const FOOT: &str = include_str!("data/one_foot.osim");
+const STIFFNESS: &str = "<stiffness>1000000</stiffness>";
+
+fn with(more: &str) -> String {
+    assert!(FOOT.contains(STIFFNESS));
+    FOOT.replace(STIFFNESS, &format!("{more}{STIFFNESS}"))
+}
+
+#[track_caller]
+fn applies(text: &str, expected: bool) {
+    assert_eq!(Model::parse(text).unwrap().forces()[0].applies, expected, "{text}");
+}
+
+#[test]
+fn a_force_is_on_or_off_as_opensim_reads_the_flag() {
+    for off in
+        ["FALSE", "0.0", "00", "-0", "0abc", "<!-- x -->false<!-- y -->", "<![CDATA[ false]]>", "\u{b}false"]
+    {
+        applies(&with(&format!("<appliesForce>{off}</appliesForce>")), false);
+    }
+    for on in ["1abc", "yes", "", "\u{a0}false", "false&#32;", "false,"] {
+        applies(&with(&format!("<appliesForce>{on}</appliesForce>")), true);
+    }
+}
+
+#[test]
+fn a_flag_with_a_comment_inside_is_refused_where_it_is() {
+    let text = with("<appliesForce>fa<!-- x -->lse</appliesForce>");
+    let fault = Model::parse(text.as_str()).unwrap_err();
+    assert_eq!(fault.code(), "broken-text", "{fault}");
+    assert_eq!(fault.position.map(|place| place.line), Some(line_of(&text, "<appliesForce>")));
+}
+
+fn line_of(text: &str, part: &str) -> usize {
+    text.lines().position(|line| line.contains(part)).unwrap() + 1
+}
+
+#[test]
+fn of_both_flags_the_first_counts_in_old_documents() {
+    let both = |first: &str, second: &str| with(&format!("{first}{second}")).replace("40000", "30505");
+    let (on, off) = ("<appliesForce>true</appliesForce>", "<appliesForce>false</appliesForce>");
+    let disabled = |text: &str| format!("<isDisabled>{text}</isDisabled>");
+    applies(&both(on, &disabled("true")), true);
+    applies(&both(&disabled("true"), on), false);
+    applies(&both(&disabled("what"), off), true);
+    applies(&both(&disabled("2"), ""), false);
+    applies(&both(&disabled("true false"), ""), true);
+}
+
+#[test]
+fn a_location_is_three_words() {
+    let location = |text: &str| {
+        let radius = "<radius>0.03</radius>";
+        let text = FOOT.replace(radius, &format!("{radius}<location>{text}</location>"));
+        Model::parse(text).map(|model| model.spheres()[0].location_m)
+    };
+    assert_eq!(location("0.1, 0.2\u{b}0.3").unwrap(), [0.1, 0.2, 0.3]);
+    for default in ["0.1,0.2,0.3", "(0.1 0.2 0.3)", "0.1 0.2", "0.1\u{a0}0.2 0.3", "0.1 0.2 0.3&#32;"] {
+        assert_eq!(location(default).unwrap(), [0.0; 3], "{default}");
+    }
+    assert_eq!(location("0.1 <!-- x --> 0.2 0.3").unwrap_err().code(), "broken-text");
+}
+
+#[test]
+fn a_file_is_heeded_where_opensim_heeds_it() {
+    let included = |inside: &str| {
+        let text = format!(
+            "<OpenSimDocument Version='40000' file='x'><Model file='x'>{inside}</Model></OpenSimDocument>"
+        );
+        let document = Document::parse(text).unwrap();
+        document.included_files().into_iter().map(|(_, file)| file).collect::<Vec<_>>()
+    };
+    assert_eq!(included("<ForceSet file='a.xml'/><ForceSet file='b.xml'/>"), ["a.xml"]);
+    assert_eq!(included("<ForceSet/><ForceSet file='b.xml'/>"), [""; 0]);
+    assert_eq!(included("<components><Body file=' c.xml'/></components>"), [" c.xml"]);
+    for ignored in [
+        "<ForceSet file=''/>",
+        "<gravity file='x'/>",
+        "<ForceSet><objects file='x'><HuntCrossleyForce file='x'><stiffness file='x'/></HuntCrossleyForce></objects></ForceSet>",
+        "<BodySet><objects><Body file='x'><mass file='x'>1</mass></Body></objects><groups file='x'/></BodySet>",
+        "<defaults file='x'><ContactSphere file='x'/></defaults>",
+        "<components file='x'/><Unknown file='x'/>",
+    ] {
+        assert_eq!(included(ignored), [""; 0], "{ignored}");
+    }
+}

@@ -1,0 +1,71 @@
+"""Odd spellings, and models changed at random: OpenSim and the command read the same, or the command says why not.
+
+`ORACLE_MUTANTS` says how many (200), `ORACLE_SEED` where to start (1). A failure names its seed and what was changed.
+"""
+
+import json
+import os
+import subprocess
+from concurrent.futures import ThreadPoolExecutor
+
+import pytest
+
+import command
+import compare
+import opensim_reads
+import words
+
+COUNT = int(os.environ.get("ORACLE_MUTANTS", "200"))
+FIRST = int(os.environ.get("ORACLE_SEED", "1"))
+TABLE = words.table()
+MUTANTS = {f"mutant {seed}: {'; '.join(story)}": model for seed in range(FIRST, FIRST + COUNT) for model, story in [words.mutant(seed)]}
+
+# Refused, though OpenSim builds the model.
+STRICT = {"unreadable": "a file that is not there: OpenSim only logs it and goes on without what should be in it"}
+# Shown, though OpenSim refuses the model, with one of these findings: such a value is never scaled.
+SAID = {"odd-number", "not-finite", "out-of-domain", "mass-unknown", "connectee-by-name"}
+
+
+@pytest.fixture(scope="module")
+def both(tmp_path_factory):
+    """`{what it is: (OpenSim's reading, exit status of inspect, its JSON)}`."""
+    folder = tmp_path_factory.mktemp("words")
+    paths = {}
+    for number, (what, model) in enumerate((TABLE | MUTANTS).items()):
+        paths[what] = folder / f"{number}.osim"
+        paths[what].write_bytes(model.encode())
+    with ThreadPoolExecutor(2) as pool:
+        theirs = pool.submit(opensim_reads.read_models, paths.values())
+        ours = dict(zip(paths, pool.map(inspect, paths.values())))
+        readings = theirs.result()
+    return {what: (readings[str(path)], *ours[what]) for what, path in paths.items()}
+
+
+def inspect(path):
+    """As `command.inspect`, without the check of the JSON's form, which other tests make."""
+    done = subprocess.run([str(command.BINARY), "inspect", str(path), "--format", "json"], capture_output=True, timeout=60)
+    return done.returncode, json.loads(done.stdout) if done.stdout else None
+
+
+@pytest.mark.parametrize("what", TABLE)
+def test_spelling(what, both):
+    reading, status, report = both[what]
+    same(reading, status, report)
+    if status == 0 and not (reading["loads"] and reading["connects"]):
+        assert SAID & {warning["code"] for warning in report["warnings"]}, reading["error"]
+
+
+@pytest.mark.parametrize("what", MUTANTS)
+def test_mutant(what, both):
+    same(*both[what])
+
+
+def same(reading, status, report):
+    assert status in (0, 1) and report, f"exit status {status}"
+    if status == 0:
+        if reading["loads"] and reading["connects"]:
+            compare.inspect_equals_opensim(report, reading)
+        return
+    error = report["error"]
+    if reading["loads"] and reading["builds"]:
+        assert error["code"] in STRICT, error
