@@ -1,5 +1,6 @@
 //! One file: its bytes, its tree, its version, its data root and its `<defaults>`.
 
+use std::collections::HashMap;
 use std::sync::OnceLock;
 
 use osim_xml::{ElementId, LineIndex, Position, SyntaxError, Tree};
@@ -26,6 +27,8 @@ pub struct Document {
     version: u32,
     data_root: ElementId,
     defaults: Option<ElementId>,
+    /// The first object of each class in `defaults`.
+    by_class: HashMap<String, DefaultObject>,
     /// Built when a line is first asked for.
     lines: OnceLock<LineIndex>,
 }
@@ -40,7 +43,8 @@ impl Document {
         let (version, data_root) =
             version_and_data_root(&tree).map_err(|fault| fault.located(tree.bytes()))?;
         let defaults = tree.child(data_root, "defaults");
-        Ok(Self { tree, version, data_root, defaults, lines: OnceLock::new() })
+        let by_class = defaults.map(|defaults| defaults_by_class(&tree, defaults)).unwrap_or_default();
+        Ok(Self { tree, version, data_root, defaults, by_class, lines: OnceLock::new() })
     }
 
     /// The file, untouched.
@@ -122,8 +126,7 @@ impl Document {
 
     fn inherited(&self, object: ElementId, class: Class, property: Property, tag: &str) -> Value {
         let offset = self.tree.span(object).start;
-        let default = self.default_object(class.tag()).and_then(|default| self.tree.child(default, tag));
-        match default {
+        match self.default_property(class.tag(), tag) {
             Some(element) => Value {
                 origin: Origin::Defaults,
                 span: None,
@@ -158,21 +161,22 @@ impl Document {
     }
 
     /// The class's object in `<defaults>`: the first of that class, whatever its name.
-    fn default_object(&self, class: &str) -> Option<ElementId> {
-        self.tree.child(self.defaults?, class)
+    fn default_object(&self, class: &str) -> Option<&DefaultObject> {
+        self.by_class.get(class)
+    }
+
+    fn default_property(&self, class: &str, tag: &str) -> Option<ElementId> {
+        self.default_object(class)?.properties.get(tag).copied()
     }
 
     /// The element of a property: the object's own, else that of the class's object in `<defaults>`.
     pub(crate) fn property_element(&self, object: ElementId, tag: &str) -> Option<ElementId> {
-        self.tree.child(object, tag).or_else(|| {
-            let default = self.default_object(self.tree.name(object))?;
-            self.tree.child(default, tag)
-        })
+        self.tree.child(object, tag).or_else(|| self.default_property(self.tree.name(object), tag))
     }
 
     /// The class's object in `<defaults>` for `object`, if there is one.
     pub(crate) fn defaults_of(&self, object: ElementId) -> Option<ElementId> {
-        self.default_object(self.tree.name(object))
+        self.default_object(self.tree.name(object)).map(|default| default.element)
     }
 
     /// The text of a list or path.
@@ -204,10 +208,8 @@ impl Document {
             "false" | "0" => Some(false),
             _ => None,
         };
-        self.tree.child(object, tag).and_then(read).or_else(|| {
-            let default = self.defaults_of(object)?;
-            read(self.tree.child(default, tag)?)
-        })
+        let own = self.tree.child(object, tag).and_then(read);
+        own.or_else(|| read(self.default_property(self.tree.name(object), tag)?))
     }
 
     /// The three numbers of `tag`, such as a location, with blanks or commas between them; from `<defaults>` where `object` has
@@ -224,6 +226,27 @@ impl Document {
         let triple = [numbers.next()??, numbers.next()??, numbers.next()??];
         numbers.next().is_none().then_some(triple)
     }
+}
+
+/// An object in `<defaults>`, and the first of each of its properties: every object of its class asks for some of them.
+#[derive(Debug, Clone)]
+struct DefaultObject {
+    element: ElementId,
+    properties: HashMap<String, ElementId>,
+}
+
+fn defaults_by_class(tree: &Tree, defaults: ElementId) -> HashMap<String, DefaultObject> {
+    let mut by_class = HashMap::new();
+    for element in tree.children(defaults) {
+        by_class.entry(tree.name(element).to_owned()).or_insert_with(|| {
+            let mut properties = HashMap::new();
+            for property in tree.children(element) {
+                properties.entry(tree.name(property).to_owned()).or_insert(property);
+            }
+            DefaultObject { element, properties }
+        });
+    }
+    by_class
 }
 
 impl From<SyntaxError> for Fault {
