@@ -12,6 +12,7 @@ mod journal;
 mod model_job;
 mod outcome;
 mod previous;
+mod previous_lines;
 mod record;
 mod request;
 mod settings;
