@@ -3,6 +3,7 @@
 
 import argparse
 import os
+import shutil
 import statistics
 import sys
 import tempfile
@@ -19,6 +20,8 @@ LIMIT_MIB = 16.0
 LIMIT_TIMES_FASTER = 50.0
 LIMIT_MB_PER_S = 200.0
 LIMIT_PEAK_PER_BYTE = 8.0
+LIMIT_TO_COPY = 10.0
+LIMIT_PEAK_OF_FORCES = 10.0
 # Ten times as deep or as many: linear is 10, quadratic 100.
 LIMIT_TENFOLD = 25.0
 
@@ -33,6 +36,8 @@ def main():
             one_model(table, command, folder, options.rounds)
         if "size" in options.parts:
             sizes(table, command, folder, options.sizes, options.repeats)
+        if "forces" in options.parts:
+            many_forces(table, command, folder, options.repeats)
         if "odd" in options.parts:
             odd_models(table, command, folder, options.repeats)
     return table.finish()
@@ -40,14 +45,14 @@ def main():
 
 def arguments():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("parts", nargs="*", help="model, size, odd; all three if none is named")
+    parser.add_argument("parts", nargs="*", help="model, size, forces, odd; all if none is named")
     parser.add_argument("--rounds", type=int, default=21, help="runs on the corpus model (default 21)")
     parser.add_argument("--repeats", type=int, default=5, help="runs on each synthetic model (default 5)")
     parser.add_argument("--sizes", type=int, nargs="+", default=[1, 3, 10, 30, 100], help="in MB")
     parser.add_argument("--command", help="a command built before, instead of building one")
     parser.add_argument("--folder", help="where the models are written (default: the system's temporary folder)")
     options = parser.parse_args()
-    known = ["model", "size", "odd"]
+    known = ["model", "size", "forces", "odd"]
     if any(part not in known for part in options.parts):
         parser.error(f"the parts are {', '.join(known)}")
     options.parts = options.parts or known
@@ -113,6 +118,31 @@ def sizes(table, command, folder, megabytes, repeats):
             table.row(f"{size} MB, {name}, peak memory", whole / length, "x file")
             table.row("  beyond the program itself", (whole - own) / length, "x file", LIMIT_PEAK_PER_BYTE)
             out.unlink(missing_ok=True)
+    model.unlink()
+
+
+def many_forces(table, command, folder, repeats):
+    """100,000 forces on two feet, against a copy of the file."""
+    model, out = folder / "forces.osim", folder / "out.osim"
+    synthetic.write_forces(model, 100_000)
+    length = model.stat().st_size
+    table.head(f"100,000 forces ({length / 1e6:.0f} MB), whole process, best of {repeats} after one that does not count")
+    # Its numbers are rolled: nothing is asked about them.
+    said = ["--yes", "implausible-mass", "--yes", "implausible-radius"]
+    calls = {
+        "copy": [shutil.which("cp"), "--reflink=never", str(model), str(out)],
+        "rescaled": rescale(command, model, *said, "-o", str(out)),
+        "inspected": [str(command), "inspect", str(model)],
+    }
+    best = {name: min(run(call, fresh=out) for _ in range(repeats + 1)) for name, call in calls.items()}
+    copy = best.pop("copy")[0]
+    table.row("copy, time", copy, "s")
+    for name, (wall, processor) in best.items():
+        table.row(f"{name}, time", wall, "s", LIMIT_TO_COPY * copy + 1)
+        table.row(f"{name}, time on a processor", processor, "s")
+        out.unlink(missing_ok=True)
+        table.row(f"{name}, peak memory", peak(calls[name]) / length, "x file", LIMIT_PEAK_OF_FORCES)
+    out.unlink(missing_ok=True)
     model.unlink()
 
 

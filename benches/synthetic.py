@@ -4,6 +4,7 @@ A pair of segments (right and left) takes about 110 KB, much of it in paths of m
 in published models. Two legs branch from the pelvis; every segment carries one sphere with one contact force.
 """
 
+import itertools
 import random
 
 HEAD = """<?xml version="1.0" encoding="UTF-8" ?>
@@ -124,6 +125,23 @@ def write(path, size):
         put(out, "JointSet", "jointset", (joint(name, parent, dice) for name, parent in [("pelvis", ""), *segments]))
         put(out, "ContactGeometrySet", "contactgeometryset", [FLOOR, *(sphere(name, dice) for name, _ in segments)])
         put(out, "ForceSet", "forceset", (text for name, _ in segments for text in forces(name, dice)))
+        out.write("\t</Model>\n</OpenSimDocument>\n")
+
+
+def write_forces(path, count):
+    """Two feet with `count` spheres and contact forces together, spelled as OpenSim does; no muscles."""
+    dice = random.Random(count)
+    feet = ["foot_r", "foot_l"]
+    with open(path, "w", encoding="utf-8", newline="\n") as out:
+        out.write(HEAD)
+        put(out, "BodySet", "bodyset", (body(name, dice) for name in ["pelvis", *feet]))
+        put(out, "JointSet", "jointset", [joint("pelvis", "", dice), *(joint(name, "pelvis", dice) for name in feet)])
+        on_foot = "<socket_frame>/bodyset/{}</socket_frame>"
+        spheres = (
+            sphere(f"c{i}", dice).replace(on_foot.format(f"c{i}"), on_foot.format(feet[i % 2])) for i in range(count)
+        )
+        put(out, "ContactGeometrySet", "contactgeometryset", itertools.chain([FLOOR], spheres))
+        put(out, "ForceSet", "forceset", (CONTACT.format(name=f"c{i}") for i in range(count)))
         out.write("\t</Model>\n</OpenSimDocument>\n")
 
 

@@ -1,6 +1,6 @@
 //! What a model's bones say about its size: mesh scale factors, joint offsets, and where its contact spheres are.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 use crate::components::{ComponentId, Components};
 use crate::document::Document;
@@ -28,6 +28,36 @@ pub struct Anatomy {
     pub spheres: Vec<AnatomySphere>,
     /// Joints between bodies of the files, in file order; those to ground are not among them.
     pub joints: Vec<AnatomyJoint>,
+    index: AnatomyIndex,
+}
+
+/// Where the first of each name is, so that looking for all of them takes no longer than reading them.
+#[derive(Debug, Clone, Default, PartialEq)]
+struct AnatomyIndex {
+    bodies: HashSet<String>,
+    spheres: HashMap<String, usize>,
+    /// Names that several spheres have.
+    twins: HashSet<String>,
+    joints: HashMap<String, usize>,
+    joints_by_child: HashMap<String, usize>,
+    joints_by_parent: HashMap<String, Vec<usize>>,
+}
+
+impl AnatomyIndex {
+    fn new(anatomy: &Anatomy) -> Self {
+        let mut index = Self { bodies: anatomy.bodies.iter().cloned().collect(), ..Self::default() };
+        for (at, sphere) in anatomy.spheres.iter().enumerate() {
+            if *index.spheres.entry(sphere.name.clone()).or_insert(at) != at {
+                index.twins.insert(sphere.name.clone());
+            }
+        }
+        for (at, joint) in anatomy.joints.iter().enumerate() {
+            index.joints.entry(joint.name.clone()).or_insert(at);
+            index.joints_by_child.entry(joint.child.clone()).or_insert(at);
+            index.joints_by_parent.entry(joint.parent.clone()).or_default().push(at);
+        }
+        index
+    }
 }
 
 /// A contact sphere and where it is.
@@ -60,6 +90,7 @@ impl Anatomy {
             offsets: BTreeMap::new(),
             spheres: Vec::new(),
             joints: joints::read(components),
+            index: AnatomyIndex::default(),
         };
         for (id, _) in components.tree.iter() {
             let tag = components.tag(id);
@@ -82,6 +113,7 @@ impl Anatomy {
                 rotation: model.rotation_of(sphere)?,
             });
         }
+        anatomy.index = AnatomyIndex::new(&anatomy);
         Ok(anatomy)
     }
 
@@ -131,7 +163,25 @@ impl Anatomy {
     /// The joint by which `body` hangs on another one.
     #[must_use]
     pub fn joint_above(&self, body: &str) -> Option<&AnatomyJoint> {
-        self.joints.iter().find(|joint| joint.child == body)
+        self.joints.get(*self.index.joints_by_child.get(body)?)
+    }
+
+    /// The joints by which others hang on `body`, in file order.
+    pub fn joints_below(&self, body: &str) -> impl Iterator<Item = &AnatomyJoint> {
+        let below = self.index.joints_by_parent.get(body).into_iter().flatten();
+        below.filter_map(|&at| self.joints.get(at))
+    }
+
+    /// The first joint of that name.
+    #[must_use]
+    pub fn joint(&self, name: &str) -> Option<&AnatomyJoint> {
+        self.joints.get(*self.index.joints.get(name)?)
+    }
+
+    /// Whether there is a body of that name.
+    #[must_use]
+    pub fn has_body(&self, name: &str) -> bool {
+        self.index.bodies.contains(name)
     }
 
     /// Where `joint` is, seen from the origin of `body` at the default pose, m; `None` unless it lies below that body.
@@ -152,7 +202,13 @@ impl Anatomy {
     /// The first sphere of that name.
     #[must_use]
     pub fn sphere(&self, name: &str) -> Option<&AnatomySphere> {
-        self.spheres.iter().find(|sphere| sphere.name == name)
+        self.spheres.get(*self.index.spheres.get(name)?)
+    }
+
+    /// Whether several spheres have that name.
+    #[must_use]
+    pub fn has_twins(&self, name: &str) -> bool {
+        self.index.twins.contains(name)
     }
 }
 
@@ -177,12 +233,13 @@ pub(crate) fn meshes(components: &Components, body: ComponentId) -> BTreeMap<Str
         }
     }
     let mut meshes = BTreeMap::new();
+    let mut counts: HashMap<String, usize> = HashMap::new();
     for (file, factors) in found {
         let mut key = file.clone();
-        let mut count = 2;
+        let count = counts.entry(file.clone()).or_insert(2);
         while meshes.contains_key(&key) {
             key = format!("{file} #{count}");
-            count += 1;
+            *count += 1;
         }
         meshes.insert(key, factors);
     }

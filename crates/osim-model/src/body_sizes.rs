@@ -57,8 +57,9 @@ impl Model {
             return None;
         }
         let now = self.body_sizes();
+        let now: BTreeMap<&str, &BodySize> = now.iter().map(|size| (size.body.as_str(), size)).collect();
         let ratios = note.sizes.iter().filter_map(|then| {
-            let now = now.iter().find(|now| now.body == then.body)?;
+            let now = now.get(then.body.as_str())?;
             let ratio = std::array::from_fn(|axis| now.factors[axis] / then.factors[axis]);
             let factors = if now.is_as_large_as(then) { [1.0; 3] } else { ratio };
             Some((now.body.clone(), factors))

@@ -1,6 +1,7 @@
 //! One file: its bytes, its tree, its version, its data root and its `<defaults>`.
 
 use std::borrow::Cow;
+use std::collections::HashMap;
 use std::sync::OnceLock;
 
 use osim_xml::opensim_text::{NumberFault, flag, number, trimmed, triple};
@@ -43,6 +44,8 @@ pub struct Document {
     version: u32,
     data_root: ElementId,
     defaults: Option<ElementId>,
+    /// The first object of each class in `defaults`.
+    by_class: HashMap<String, DefaultObject>,
     /// Built when a line is first asked for.
     lines: OnceLock<LineIndex>,
 }
@@ -57,7 +60,8 @@ impl Document {
         let (version, data_root) =
             version_and_data_root(&tree).map_err(|fault| fault.located(tree.bytes()))?;
         let defaults = tree.child(data_root, "defaults");
-        Ok(Self { tree, version, data_root, defaults, lines: OnceLock::new() })
+        let by_class = defaults.map(|defaults| defaults_by_class(&tree, defaults)).unwrap_or_default();
+        Ok(Self { tree, version, data_root, defaults, by_class, lines: OnceLock::new() })
     }
 
     /// The file, untouched.
@@ -138,8 +142,7 @@ impl Document {
 
     fn inherited(&self, object: ElementId, class: Class, property: Property, tag: &str) -> Value {
         let offset = self.tree.span(object).start;
-        let default = self.default_object(class.tag()).and_then(|default| self.tree.child(default, tag));
-        match default {
+        match self.default_property(class.tag(), tag) {
             Some(element) => Value {
                 origin: Origin::Defaults,
                 span: None,
@@ -182,21 +185,22 @@ impl Document {
     }
 
     /// The class's object in `<defaults>`: the first of that class, whatever its name.
-    fn default_object(&self, class: &str) -> Option<ElementId> {
-        self.tree.child(self.defaults?, class)
+    fn default_object(&self, class: &str) -> Option<&DefaultObject> {
+        self.by_class.get(class)
+    }
+
+    fn default_property(&self, class: &str, tag: &str) -> Option<ElementId> {
+        self.default_object(class)?.properties.get(tag).copied()
     }
 
     /// The element of a property: the object's own, else that of the class's object in `<defaults>`.
     pub(crate) fn property_element(&self, object: ElementId, tag: &str) -> Option<ElementId> {
-        self.tree.child(object, tag).or_else(|| {
-            let default = self.default_object(self.tree.name(object))?;
-            self.tree.child(default, tag)
-        })
+        self.tree.child(object, tag).or_else(|| self.default_property(self.tree.name(object), tag))
     }
 
     /// The class's object in `<defaults>` for `object`, if there is one.
     pub(crate) fn defaults_of(&self, object: ElementId) -> Option<ElementId> {
-        self.default_object(self.tree.name(object))
+        self.default_object(self.tree.name(object)).map(|default| default.element)
     }
 
     /// The text of a list or path.
@@ -246,9 +250,30 @@ impl Document {
         if own.is_some() {
             return Ok(own);
         }
-        let inherited = self.defaults_of(object).and_then(|default| self.tree.child(default, tag));
+        let inherited = self.default_property(self.tree.name(object), tag);
         Ok(inherited.map(read).transpose()?.flatten())
     }
+}
+
+/// An object in `<defaults>`, and the first of each of its properties: every object of its class asks for some of them.
+#[derive(Debug, Clone)]
+struct DefaultObject {
+    element: ElementId,
+    properties: HashMap<String, ElementId>,
+}
+
+fn defaults_by_class(tree: &Tree, defaults: ElementId) -> HashMap<String, DefaultObject> {
+    let mut by_class = HashMap::new();
+    for element in tree.children(defaults) {
+        by_class.entry(tree.name(element).to_owned()).or_insert_with(|| {
+            let mut properties = HashMap::new();
+            for property in tree.children(element) {
+                properties.entry(tree.name(property).to_owned()).or_insert(property);
+            }
+            DefaultObject { element, properties }
+        });
+    }
+    by_class
 }
 
 impl From<SyntaxError> for Fault {

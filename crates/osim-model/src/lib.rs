@@ -43,6 +43,7 @@ mod document;
 mod fault;
 pub mod files;
 mod finding;
+mod footing_tree;
 mod frames;
 mod limbs;
 mod loops;
@@ -94,6 +95,7 @@ pub use selection::Selection;
 pub use side::{Side, without_side};
 pub use skeleton::Body;
 pub use slip::{JointDistances, mass_slip};
+pub use traps::BothSides;
 pub use value::{Origin, Value};
 
 /// The example of the README compiles.

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, HashSet};
 
 use crate::components::{Base, ComponentId};
 use crate::contacts::{Force, ForceId, Sphere, SphereId};
+use crate::footing_tree::{Footing, FootingTree};
 use crate::model::Model;
 use crate::side::Side;
 use crate::wording::Phrase;
@@ -81,13 +82,6 @@ impl Limbs {
     }
 }
 
-/// Spheres on one body, with the way down to it from the body on top.
-struct Footing {
-    way: Vec<ComponentId>,
-    side: Option<Side>,
-    spheres: Vec<SphereId>,
-}
-
 impl Model {
     /// Groups the moving spheres of the applied forces among `forces` that meet a half-space.
     #[must_use]
@@ -123,17 +117,18 @@ impl Model {
     /// to its player only through ground.
     #[must_use]
     pub fn forces_of_same_body(&self, forces: &[ForceId]) -> Vec<ForceId> {
+        let own: HashSet<ForceId> = forces.iter().copied().collect();
         let tops = |id: ForceId| -> HashSet<ComponentId> {
             let spheres = self.force(id).map(Force::spheres).unwrap_or_default();
             let moving = spheres.into_iter().filter_map(|id| self.sphere(id)).filter(|sphere| !sphere.fixed);
             let top = |sphere: &Sphere| match sphere.base {
-                Base::Body(body) => self.skeleton().chain(body).pop(),
+                Base::Body(body) => Some(self.skeleton().top(body)),
                 _ => None,
             };
             moving.filter_map(top).collect()
         };
         let chosen: HashSet<ComponentId> = forces.iter().flat_map(|&id| tops(id)).collect();
-        let same = |id: &ForceId| forces.contains(id) || !tops(*id).is_disjoint(&chosen);
+        let same = |id: &ForceId| own.contains(id) || !tops(*id).is_disjoint(&chosen);
         self.force_ids().into_iter().filter(same).collect()
     }
 
@@ -160,9 +155,8 @@ impl Model {
             bodies.entry(body).or_default().push(index);
         }
         let footing = |(body, spheres): (ComponentId, Vec<SphereId>)| {
-            let mut way = self.skeleton().chain(body);
-            way.reverse();
-            Footing { way, side: self.side_of(body, &spheres), spheres }
+            let side = self.side_of(body, &spheres);
+            Footing { body, side, spheres }
         };
         Ok(bodies.into_iter().map(footing).collect())
     }
@@ -176,63 +170,50 @@ impl Model {
         })
     }
 
-    /// Splits groups of footings from the top down until none holds both sides.
+    /// Splits the footings from the top down until no group holds both sides.
     fn split(&self, footings: &[Footing], limbs: &mut Vec<Limb>) -> Result<(), String> {
-        // A group, and how many bodies from the top all of it shares.
-        let mut groups: Vec<(Vec<&Footing>, usize)> = vec![(footings.iter().collect(), 0)];
-        while let Some((group, depth)) = groups.pop() {
-            let mut shared = depth;
-            let sides = |group: &[&Footing]| {
-                let has = |side| group.iter().any(|footing| footing.side == Some(side));
-                (has(Side::Right), has(Side::Left))
-            };
-            if sides(&group) != (true, true) {
-                limbs.push(self.limb(&group, depth)?);
+        let tree = FootingTree::new(footings, self.skeleton());
+        if !tree.all_sides().are_both() {
+            let top = footings.first().map(|footing| self.skeleton().top(footing.body));
+            limbs.push(self.limb(&footings.iter().collect::<Vec<_>>(), top)?);
+            return Ok(());
+        }
+        let [top] = tree.tops() else {
+            return Err("spheres stand on bodies that are joined only through ground".to_owned());
+        };
+        let mut groups = vec![*top];
+        while let Some(body) = groups.pop() {
+            if !tree.sides(body).are_both() {
+                limbs.push(self.limb(&tree.below(body), Some(body))?);
                 continue;
             }
-            let below = |level: usize| {
-                let mut parts: BTreeMap<Option<ComponentId>, Vec<&Footing>> = BTreeMap::new();
-                for footing in &group {
-                    parts.entry(footing.way.get(level).copied()).or_default().push(footing);
-                }
-                parts
-            };
-            let mut parts = below(shared);
-            while parts.len() == 1 && !parts.contains_key(&None) {
-                shared += 1;
-                parts = below(shared);
+            let mut at = body;
+            while let (false, [only]) = (tree.carries(at), tree.children(at)) {
+                at = *only;
             }
-            if parts.contains_key(&None) {
+            if tree.carries(at) {
                 return Err("spheres stand on a body to which left and right limbs are joined".to_owned());
             }
-            if shared == 0 {
-                return Err("spheres stand on bodies that are joined only through ground".to_owned());
-            }
-            groups.extend(parts.into_values().map(|part| (part, shared)));
+            groups.extend(tree.children(at));
         }
         limbs.sort_by_key(|limb| limb.spheres.first().copied());
         Ok(())
     }
 
-    fn limb(&self, group: &[&Footing], depth: usize) -> Result<Limb, String> {
+    /// The limb of a `group`, called after the body on its top.
+    fn limb(&self, group: &[&Footing], top: Option<ComponentId>) -> Result<Limb, String> {
         let mut spheres: Vec<SphereId> =
             group.iter().flat_map(|footing| footing.spheres.iter().copied()).collect();
         spheres.sort_unstable();
-        let first = group.first();
-        let name_of = |at: usize| {
-            first
-                .and_then(|footing| footing.way.get(at).or(footing.way.last()))
-                .map(|&id| self.components().name(id))
-        };
-        let name = name_of(depth).unwrap_or_default();
-        let side = first.and_then(|footing| footing.side);
+        let name = top.map(|id| self.components().name(id)).unwrap_or_default();
+        let side = group.first().and_then(|footing| footing.side);
         match side {
             Some(side) if group.iter().all(|footing| footing.side == Some(side)) => {
                 Ok(Limb { name, side, spheres })
             }
             _ => {
-                let unknown = group.iter().find(|footing| footing.side.is_none()).and_then(|f| f.way.last());
-                let body = unknown.map(|&id| self.components().name(id)).unwrap_or(name);
+                let unknown = group.iter().find(|footing| footing.side.is_none());
+                let body = unknown.map(|footing| self.components().name(footing.body)).unwrap_or(name);
                 Err(format!("whether body {body} is left or right cannot be determined from its name"))
             }
         }

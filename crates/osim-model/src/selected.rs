@@ -1,5 +1,7 @@
 //! Which forces a change is about.
 
+use std::collections::HashMap;
+
 use crate::components::Base;
 use crate::contacts::{Force, ForceId};
 use crate::fault::{Fault, FaultKind, Needed, TreeOfForces};
@@ -81,16 +83,17 @@ fn no_contacts(model: &Model) -> Fault {
 /// Player and ball: bodies joined only through ground are not one animal, and only the user knows which is meant.
 fn refuse_several_trees(model: &Model, forces: &[ForceId]) -> Result<(), Fault> {
     let mut trees: Vec<(String, Vec<ForceId>)> = Vec::new();
+    let mut by_name: HashMap<String, usize> = HashMap::new();
     for force in forces.iter().filter_map(|&id| model.force(id)) {
         for sphere in force.spheres().into_iter().filter_map(|sphere| model.sphere(sphere)) {
             let Base::Body(body) = sphere.base else { continue };
             if sphere.fixed {
                 continue;
             }
-            let chain = model.skeleton().chain(body);
-            let top = chain.last().map(|&id| model.components().name(id)).unwrap_or_default();
-            match trees.iter_mut().find(|(name, _)| *name == top) {
-                Some((_, forces)) if forces.contains(&force.id) => {}
+            let top = model.components().name(model.skeleton().top(body));
+            let known = *by_name.entry(top.clone()).or_insert(trees.len());
+            match trees.get_mut(known) {
+                Some((_, forces)) if forces.last() == Some(&force.id) => {}
                 Some((_, forces)) => forces.push(force.id),
                 None => trees.push((top, vec![force.id])),
             }

@@ -1,6 +1,6 @@
 //! Bodies and the joints between them, in the spelling of every document version.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use crate::class::Class;
 use crate::components::{Base, ComponentId, Components};
@@ -50,6 +50,10 @@ pub(crate) struct Skeleton {
     pub loops: Loops,
     /// Joints that OpenSim does not read: all but the first of a body in documents that have joints in bodies.
     pub ignored_joints: Vec<ComponentId>,
+    /// For each body that is joined to another one, the body on top of its joint tree.
+    tops: HashMap<ComponentId, ComponentId>,
+    /// Bodies welded to ground, directly or through others.
+    welded: HashSet<ComponentId>,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -85,7 +89,54 @@ impl Skeleton {
             }
         }
         skeleton.loops = Loops::of(&links);
+        skeleton.index();
         skeleton
+    }
+
+    /// Finds the top of each body and what is welded to ground, each link looked at once. Joints that form a loop have no top:
+    /// the loop is cut above the body that comes first in the files.
+    fn index(&mut self) {
+        let mut joined: Vec<ComponentId> = self.parents.keys().copied().collect();
+        joined.sort_unstable();
+        for body in joined {
+            // Up to a body that is known, or to a top.
+            let mut way = vec![body];
+            let mut on_way = HashSet::from([body]);
+            let top = loop {
+                let Some(&last) = way.last() else { break body };
+                if let Some(&top) = self.tops.get(&last) {
+                    break top;
+                }
+                let Some(parent) = self.parent(last) else { break last };
+                if !on_way.insert(parent) {
+                    break self.cut_loop(parent);
+                }
+                way.push(parent);
+            };
+            for id in way.into_iter().rev() {
+                if let Some(link) = self.parents.get(&id).filter(|link| link.weld)
+                    && match link.parent {
+                        Base::Ground => true,
+                        Base::Body(parent) => self.welded.contains(&parent),
+                        Base::Unknown => false,
+                    }
+                {
+                    self.welded.insert(id);
+                }
+                self.tops.insert(id, top);
+            }
+        }
+    }
+
+    /// Cuts the loop of joints in which `body` is; its new top.
+    fn cut_loop(&mut self, body: ComponentId) -> ComponentId {
+        let (mut top, mut at) = (body, self.parent(body));
+        while let Some(id) = at.filter(|&id| id != body) {
+            top = top.min(id);
+            at = self.parent(id);
+        }
+        self.parents.remove(&top);
+        top
     }
 
     fn add_joint(&mut self, components: &Components, joint: ComponentId, weld: bool) -> Option<JointLink> {
@@ -119,34 +170,17 @@ impl Skeleton {
         }
     }
 
-    /// From `body` up to the body that is joined to ground.
-    pub(crate) fn chain(&self, body: ComponentId) -> Vec<ComponentId> {
-        let mut chain = vec![body];
-        let mut at = body;
-        while let Some(parent) = self.parent(at) {
-            // Joints that form a loop have no top; cut it where it closes.
-            if chain.len() > self.bodies.len() {
-                break;
-            }
-            chain.push(parent);
-            at = parent;
-        }
-        chain
+    /// The body above `body` that is joined to ground: itself, where it hangs on no other one.
+    pub(crate) fn top(&self, body: ComponentId) -> ComponentId {
+        self.tops.get(&body).copied().unwrap_or(body)
     }
 
     /// `true` for ground and for bodies welded to it: what stands there is terrain.
     pub(crate) fn is_fixed(&self, base: Base) -> bool {
-        let mut at = base;
-        for _ in 0..=self.bodies.len() {
-            match at {
-                Base::Ground => return true,
-                Base::Unknown => return false,
-                Base::Body(body) => match self.parents.get(&body) {
-                    Some(link) if link.weld => at = link.parent,
-                    _ => return false,
-                },
-            }
+        match base {
+            Base::Ground => true,
+            Base::Unknown => false,
+            Base::Body(body) => self.welded.contains(&body),
         }
-        false
     }
 }

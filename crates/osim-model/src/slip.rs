@@ -1,5 +1,6 @@
 //! Numbers that look like slips: a mass in another unit, a sphere larger than the bones around it.
 
+use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::anatomy::joints_between_bodies;
@@ -78,9 +79,8 @@ impl MassRequest {
 /// How far apart the joints of each body are: a measure of how large the bones around a sphere are.
 #[derive(Debug, Clone, Default)]
 pub struct JointDistances {
-    /// The longest distance between two joints of a body, m, by its name.
-    longest_m: BTreeMap<String, f64>,
-    neighbours: BTreeMap<String, BTreeSet<String>>,
+    /// The longest distance between two joints of one body, m: of the body of this name and of those that it is joined to.
+    around_m: BTreeMap<String, f64>,
     longest_of_all_m: Option<f64>,
 }
 
@@ -88,18 +88,24 @@ impl JointDistances {
     /// Reads the joints between the bodies of `model`.
     #[must_use]
     pub fn of(model: &Model) -> Self {
-        let mut found = Self::default();
+        let mut neighbours: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
         let mut places: BTreeMap<String, Vec<[f64; 3]>> = BTreeMap::new();
         for joint in joints_between_bodies(model) {
             places.entry(joint.parent.clone()).or_default().push(joint.in_parent_m);
             places.entry(joint.child.clone()).or_default().push(joint.in_child_m);
-            found.neighbours.entry(joint.parent.clone()).or_default().insert(joint.child.clone());
-            found.neighbours.entry(joint.child).or_default().insert(joint.parent);
+            neighbours.entry(joint.parent.clone()).or_default().insert(joint.child.clone());
+            neighbours.entry(joint.child).or_default().insert(joint.parent);
         }
         let longest = |(body, places): (String, Vec<[f64; 3]>)| Some((body, longest_m(&places)?));
-        found.longest_m = places.into_iter().filter_map(longest).collect();
-        found.longest_of_all_m = found.longest_m.values().copied().reduce(f64::max);
-        found
+        let longest_m: BTreeMap<String, f64> = places.into_iter().filter_map(longest).collect();
+        let around = |(body, next_to): (&String, &BTreeSet<String>)| {
+            let near = next_to.iter().chain([body]).filter_map(|body| longest_m.get(body));
+            Some((body.clone(), near.copied().reduce(f64::max)?))
+        };
+        Self {
+            around_m: neighbours.iter().filter_map(around).collect(),
+            longest_of_all_m: longest_m.values().copied().reduce(f64::max),
+        }
     }
 
     /// The longest distance between two joints of one body: of the body that carries `sphere` and of those that it is joined
@@ -107,8 +113,7 @@ impl JointDistances {
     #[must_use]
     pub fn around(&self, sphere: &Sphere) -> Option<f64> {
         let body = sphere.body.as_ref()?;
-        let near = self.neighbours.get(body).into_iter().flatten().chain([body]);
-        near.filter_map(|body| self.longest_m.get(body)).copied().reduce(f64::max).or(self.longest_of_all_m)
+        self.around_m.get(body).copied().or(self.longest_of_all_m)
     }
 
     /// Whether `sphere` would be larger than the bones around it with this radius. `said` where the caller said it as a length,
@@ -123,7 +128,39 @@ impl JointDistances {
 }
 
 fn longest_m(places: &[[f64; 3]]) -> Option<f64> {
-    let pairs = places.iter().enumerate().flat_map(|(at, a)| places.iter().skip(at + 1).map(move |b| (a, b)));
-    let apart = pairs.map(|(a, b)| a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt());
-    apart.filter(|metres| metres.is_finite() && *metres > 0.0).reduce(f64::max)
+    let mut places: Vec<[f64; 3]> =
+        places.iter().copied().filter(|place| place.iter().all(|value| value.is_finite())).collect();
+    places.sort_unstable_by(|a, b| {
+        a.iter().zip(b).map(|(a, b)| a.total_cmp(b)).fold(Ordering::Equal, Ordering::then)
+    });
+    places.dedup();
+    let middle = std::array::from_fn(|axis| {
+        let along = || places.iter().map(|place| place[axis]);
+        along().fold(f64::INFINITY, f64::min) / 2.0 + along().fold(f64::NEG_INFINITY, f64::max) / 2.0
+    });
+    // From the outermost one inwards: two places are no farther apart than both are from the middle together.
+    let mut by_distance: Vec<(f64, [f64; 3])> =
+        places.into_iter().map(|place| (distance_m(place, middle), place)).collect();
+    by_distance.sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
+    let mut longest: Option<f64> = None;
+    for (at, (far, a)) in by_distance.iter().enumerate() {
+        for (near, b) in by_distance.iter().skip(at + 1) {
+            // Far enough above rounding to lose no pair.
+            if longest.is_some_and(|longest| (far + near) * (1.0 + 1e-9) < longest) {
+                break;
+            }
+            let apart = distance_m(*a, *b);
+            if apart.is_finite() && apart > 0.0 {
+                longest = Some(longest.map_or(apart, |longest| longest.max(apart)));
+            }
+        }
+        if longest.is_some_and(|longest| 2.0 * far * (1.0 + 1e-9) < longest) {
+            break;
+        }
+    }
+    longest
+}
+
+fn distance_m(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
 }

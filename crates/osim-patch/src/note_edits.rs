@@ -1,6 +1,6 @@
 //! The edits that leave a note in a file, or take it out.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 use std::ops::Range;
 
 use osim_model::{BodySize, Credits, Document, ElementId, Force, Model, Note, PieceKind, SphereId, Tree};
@@ -53,20 +53,22 @@ fn opened(document: &Document) -> Option<char> {
 /// which size its spheres belong to, until they follow their bodies. A body of which only some followed has no one size.
 pub(crate) fn sizes(model: &Model, followed: Option<&BTreeSet<SphereId>>) -> Vec<BodySize> {
     let noted = model.note.as_ref().filter(|note| !note.sizes.is_empty() && is_unmoved(note, model));
+    let noted: HashMap<&str, &BodySize> =
+        noted.into_iter().flat_map(|note| &note.sizes).rev().map(|old| (old.body.as_str(), old)).collect();
     let mut sizes = model.body_sizes();
-    let followed_of = |body: &str| {
-        let spheres: BTreeSet<SphereId> = model.forces().iter().flat_map(Force::spheres).collect();
-        let of_body =
-            spheres.into_iter().filter(|&id| model.sphere(id).and_then(|s| s.body.as_deref()) == Some(body));
-        let (there, all): (Vec<bool>, Vec<bool>) =
-            of_body.map(|id| (followed.is_some_and(|followed| followed.contains(&id)), true)).unzip();
-        (there.into_iter().filter(|&one| one).count(), all.len())
-    };
-    sizes.retain_mut(|size| match followed_of(&size.body) {
+    // Of each body, how many spheres followed it, and how many it has.
+    let mut counts: HashMap<&str, (usize, usize)> = HashMap::new();
+    let spheres: BTreeSet<SphereId> = model.forces().iter().flat_map(Force::spheres).collect();
+    for id in spheres {
+        let Some(body) = model.sphere(id).and_then(|sphere| sphere.body.as_deref()) else { continue };
+        let (some, all) = counts.entry(body).or_default();
+        *some += usize::from(followed.is_some_and(|followed| followed.contains(&id)));
+        *all += 1;
+    }
+    sizes.retain_mut(|size| match counts.get(size.body.as_str()).copied().unwrap_or_default() {
         (some, all) if some == all => true,
         (0, _) => {
-            let before = noted.and_then(|note| note.sizes.iter().find(|old| old.body == size.body));
-            if let Some(before) = before {
+            if let Some(before) = noted.get(size.body.as_str()) {
                 size.factors = before.factors;
             }
             true

@@ -2,7 +2,7 @@
 //!
 //! Tables, diffs, JSON, dry runs and writing are all views of a [`Plan`]; there is no other way to change a model.
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 use osim_model::wording::{Dialect, Phrase};
 use osim_model::{
@@ -299,8 +299,14 @@ impl Plan {
 
     /// The files that result: the model's own, and the geometry set of a standalone force set where that changes, too.
     pub fn files(&self, model: &Model) -> impl Iterator<Item = FileId> {
-        let others = model.companions().map(|(file, _)| file);
-        let changed = others.filter(|&file| !self.edits(model, file).is_empty());
+        let slots = self.changes.iter().map(|change| &change.slot);
+        let with_slots: HashSet<FileId> =
+            slots.chain(self.moves.iter().map(|place| &place.slot)).map(|slot| slot.file).collect();
+        let others = model.companions().filter(move |(file, companion)| {
+            let document = &companion.document;
+            with_slots.contains(file) || document.tree().name(document.data_root()) == "ContactGeometrySet"
+        });
+        let changed = others.map(|(file, _)| file).filter(|&file| !self.edits(model, file).is_empty());
         std::iter::once(FileId::MAIN).chain(changed)
     }
 

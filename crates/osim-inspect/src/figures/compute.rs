@@ -4,6 +4,8 @@
 //! limb, chosen or not, level on the floor, where they have one indentation x (theory of mixed radii). Both are the same where the spheres of a
 //! limb are alike.
 
+use std::collections::HashMap;
+
 use contact_scaling::{mixed_radii, restitution};
 use osim_model::wording::Phrase;
 use osim_model::{CountOf, Fault, GravityFor, Limbs, Mass, Model, Needed, Selected, SphereId};
@@ -43,14 +45,15 @@ impl Figures {
             _ => None,
         };
         let mut limbs = Vec::new();
-        for group in groups(sharing.limbs(), &loads, stance) {
+        let mut all_standing = standing.as_ref().map(|all| by_limb(sharing.limbs(), all));
+        for (place, group) in groups(sharing.limbs(), &loads, stance) {
             if group.count.is_none() && why.is_none() {
                 why = limbs_unknown(sharing.limbs());
             }
             let limb = LoadedLimb {
                 model,
                 members: &group.members,
-                standing: standing.as_ref().map(|all| group.standing(all)),
+                standing: all_standing.as_mut().and_then(|all| all.get_mut(place)).map(std::mem::take),
                 count: group.count,
                 weight,
                 speed,
@@ -82,15 +85,22 @@ struct Group<'p> {
     side: Option<&'static str>,
     count: Option<f64>,
     members: Vec<&'p SphereLoads>,
-    /// All spheres of the limb; `None` where limbs are not known.
-    spheres: Option<&'p [SphereId]>,
 }
 
-impl Group<'_> {
-    /// Every sphere of the limb, chosen or not, among `all`.
-    fn standing<'a>(&self, all: &'a [SphereLoads]) -> Vec<&'a SphereLoads> {
-        all.iter().filter(|one| self.spheres.is_none_or(|spheres| spheres.contains(&one.sphere))).collect()
+/// The spheres of each limb among `all`, in their order; all together where limbs are not known.
+fn by_limb<'a>(limbs: &Limbs, all: &'a [SphereLoads]) -> Vec<Vec<&'a SphereLoads>> {
+    let Some(limbs) = limbs.known() else { return vec![all.iter().collect()] };
+    let mut limb_of: HashMap<SphereId, usize> = HashMap::new();
+    for (place, limb) in limbs.iter().enumerate() {
+        limb_of.extend(limb.spheres.iter().map(|&sphere| (sphere, place)));
     }
+    let mut found = vec![Vec::new(); limbs.len()];
+    for one in all {
+        if let Some(limb) = limb_of.get(&one.sphere).and_then(|&place| found.get_mut(place)) {
+            limb.push(one);
+        }
+    }
+    found
 }
 
 /// √(gR/2) with R = √(Σ R_i²/n) of all spheres.
@@ -100,27 +110,25 @@ fn default_speed(loads: &[SphereLoads], gravity: Option<f64>) -> Option<f64> {
     restitution::drop_speed(gravity?, radius).ok()
 }
 
-/// The chosen spheres of each limb; all together where limbs are not known.
-fn groups<'p>(limbs: &'p Limbs, loads: &'p [SphereLoads], stance: &Stance) -> Vec<Group<'p>> {
+/// The chosen spheres of each limb that has some, with its place among the limbs; all together where limbs are not known.
+fn groups<'p>(limbs: &Limbs, loads: &'p [SphereLoads], stance: &Stance) -> Vec<(usize, Group<'p>)> {
     let at_least_one = |count: &f64| *count >= 1.0;
-    let groups: Vec<Group<'p>> = match limbs.known() {
-        None => {
-            let members = loads.iter().collect();
-            let count = stance.spheres.filter(at_least_one);
-            vec![Group { name: None, side: None, count, members, spheres: None }]
-        }
-        Some(limbs) => limbs
-            .iter()
-            .map(|limb| Group {
-                name: Some(limb.name.clone()),
-                side: Some(limb.side.as_str()),
-                count: Some(LoadSharing::count_on(limb, stance.spheres, stance.limbs)).filter(at_least_one),
-                members: loads.iter().filter(|one| limb.spheres.contains(&one.sphere)).collect(),
-                spheres: Some(&limb.spheres),
-            })
-            .collect(),
+    let members = by_limb(limbs, loads).into_iter().enumerate().filter(|(_, members)| !members.is_empty());
+    let group = |(place, members): (usize, Vec<&'p SphereLoads>)| {
+        let limb = limbs.known().and_then(|limbs| limbs.get(place));
+        let count = match limb {
+            None => stance.spheres,
+            Some(limb) => Some(LoadSharing::count_on(limb, stance.spheres, stance.limbs)),
+        };
+        let group = Group {
+            name: limb.map(|limb| limb.name.clone()),
+            side: limb.map(|limb| limb.side.as_str()),
+            count: count.filter(at_least_one),
+            members,
+        };
+        (place, group)
     };
-    groups.into_iter().filter(|group| !group.members.is_empty()).collect()
+    members.map(group).collect()
 }
 
 fn limbs_unknown(limbs: &Limbs) -> Option<Phrase> {

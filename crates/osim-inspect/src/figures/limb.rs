@@ -1,5 +1,7 @@
 //! The spheres of a limb on the floor: where each rests under its share of the weight.
 
+use std::collections::HashMap;
+
 use contact_scaling::{SharedLoad, Spheres, equilibrium};
 use osim_model::{ForceId, Model};
 
@@ -34,18 +36,13 @@ impl LoadedLimb<'_> {
     /// Figures of every sphere. Where a law rests is looked for once: the spheres of a limb are mostly alike.
     pub(super) fn spheres(&self) -> Vec<SphereFigures> {
         let level: Vec<Level> = BODY_WEIGHTS.iter().filter_map(|&weights| self.level(weights)).collect();
-        let mut known: Vec<(&SphereLoads, Vec<Rest>)> = Vec::new();
+        let mut known: HashMap<Vec<u64>, Vec<Rest>> = HashMap::new();
         let mut figures = Vec::new();
         for &one in self.members {
-            let alike = known.iter().find(|(other, _)| other.laws == one.laws);
-            let rests = match alike {
-                Some((_, rests)) => rests.clone(),
-                None => level.iter().map(|level| under(one, level)).collect(),
-            };
-            if alike.is_none() {
-                known.push((one, rests.clone()));
-            }
-            figures.push(self.sphere(one, &rests));
+            let rests = known
+                .entry(one.key())
+                .or_insert_with(|| level.iter().map(|level| under(one, level)).collect());
+            figures.push(self.sphere(one, rests));
         }
         figures
     }

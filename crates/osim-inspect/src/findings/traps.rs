@@ -1,14 +1,20 @@
 //! Findings from the model itself: what reading it showed, and what only matters once it is asked.
 
+use std::cell::LazyCell;
+
 use contact_scaling::limits;
-use osim_model::{Finding, FindingCode, Force, ForceId, GravityFor, Model, Needed, Property, Remedy};
+use osim_model::{
+    BothSides, Finding, FindingCode, Force, ForceId, GravityFor, Model, Needed, Property, Remedy,
+};
 
 use super::remedy::Remedies;
 use crate::inspection::Inspection;
 
 /// Everything that the model shows apart from its figures.
 pub(super) fn findings(model: &Model, inspected: &Inspection, remedies: &Remedies<'_>) -> Vec<Finding> {
-    let with_remedy = |finding: &Finding| finding.clone().with_remedy(remedy(model, finding, remedies));
+    let sides = LazyCell::new(|| model.both_sides());
+    let with_remedy =
+        |finding: &Finding| finding.clone().with_remedy(remedy(model, &sides, finding, remedies));
     let mut found: Vec<Finding> = inspected.warnings.iter().map(with_remedy).collect();
     found.extend(model.remarks_on(&meeting_half_space(model)));
     found.extend(unknown(inspected));
@@ -21,23 +27,32 @@ fn meeting_half_space(model: &Model) -> Vec<ForceId> {
     forces.map(|force| force.id).collect()
 }
 
-fn remedy(model: &Model, finding: &Finding, remedies: &Remedies<'_>) -> Option<Remedy> {
+fn remedy<'m>(
+    model: &'m Model,
+    sides: &LazyCell<BothSides<'m>, impl FnOnce() -> BothSides<'m>>,
+    finding: &Finding,
+    remedies: &Remedies<'_>,
+) -> Option<Remedy> {
     match finding.code {
         FindingCode::DefaultStiffness => remedies.preset(),
         FindingCode::ZeroConstantContactForce => {
             remedies.constant_indentation(limits::SUGGESTED_CONSTANT_INDENTATION)
         }
         FindingCode::LeftRightDiffer => {
-            let left =
-                model.forces().iter().find(|force| Some(force.path.as_str()) == finding.place.as_deref())?;
-            remedies.copy(&left.name, &differing(model, left, model.right_of(left)?)?)
+            let left = sides.force(finding.place.as_deref()?)?;
+            remedies.copy(&left.name, &differing(model, sides, left, sides.right_of(left)?)?)
         }
         _ => None,
     }
 }
 
 /// What to write into `left` so that it is like `right`; `None` where one `set` cannot say it.
-fn differing(model: &Model, left: &Force, right: &Force) -> Option<Vec<(Property, f64)>> {
+fn differing(
+    model: &Model,
+    sides: &BothSides<'_>,
+    left: &Force,
+    right: &Force,
+) -> Option<Vec<(Property, f64)>> {
     let ([of_left], [of_right]) = (left.sets.as_slice(), right.sets.as_slice()) else { return None };
     let mut changes: Vec<(Property, f64)> = of_left
         .values
@@ -53,7 +68,7 @@ fn differing(model: &Model, left: &Force, right: &Force) -> Option<Vec<(Property
     let (ours, theirs) = (radii(left), radii(right));
     if ours != theirs {
         // On bones of another size the radius of the other side is wrong, and numbers that follow it are.
-        if model.bones_differ(left, right) {
+        if sides.bones_differ(left, right) {
             return None;
         }
         let first = *theirs.first()?;

@@ -1,12 +1,14 @@
 //! A model, inspected.
 
+use std::collections::{HashMap, HashSet};
+
 use contact_scaling::{DimensionlessContact, EQUAL_SURFACES, Scale, ScaleValues, mixed_radii};
 use osim_model::files::FileName;
 use osim_model::{
     CountOf, Fault, Finding, FindingCode, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected,
     SetId, SphereId, Value,
 };
-use osim_patch::{BodyFactors, Factors, LoadedSphere, loaded_spheres};
+use osim_patch::{BodyFactors, Factors, loaded_spheres};
 
 use super::data::{
     ContactsMass, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce, InspectedLimb,
@@ -68,28 +70,25 @@ impl InspectOptions {
 
 /// Each selected force's contact, without dimensions at the mass its contacts are made for on n spheres. Spheres of several
 /// radii have the mean of R².
-fn contacts(model: &Model, selected: &Selected, mass: Option<&Mass>, count: Option<f64>) -> Vec<SetContact> {
-    let Ok(loaded) = loaded_spheres(model, &selected.forces) else { return Vec::new() };
-    let mut found: Vec<SetContact> = Vec::new();
-    for sphere in &loaded {
-        let of_set = |one: &LoadedSphere| (one.force, one.set) == (sphere.force, sphere.set);
-        if found.iter().any(|known| (known.force, known.set) == (sphere.force, sphere.set)) {
-            continue;
-        }
+fn contacts(model: &Model, selected: &Selected, mass: Option<&Mass>, count: Option<f64>) -> SetContacts {
+    let mut found = SetContacts::new();
+    let Ok(loaded) = loaded_spheres(model, &selected.forces) else { return found };
+    // The spheres of a set stand together.
+    for spheres in loaded.chunk_by(|a, b| (a.force, a.set) == (b.force, b.set)) {
+        let Some(sphere) = spheres.first() else { continue };
         let scale = || {
-            let radii: Vec<f64> = loaded.iter().filter(|one| of_set(one)).map(|one| one.radius_m).collect();
+            let radii: Vec<f64> = spheres.iter().map(|one| one.radius_m).collect();
             let alike = radii.iter().all(|&radius| radius == sphere.radius_m);
             let radius_m =
                 if alike { sphere.radius_m } else { mixed_radii::mean_square(&radii).ok()?.sqrt() };
             let (mass_kg, sphere_count, gravity_m_s2) = (mass?.kg, count?, model.contacts_gravity()?);
             Scale::new(ScaleValues { mass_kg, radius_m, sphere_count, gravity_m_s2 }).ok()
         };
-        found.push(SetContact {
-            force: sphere.force,
-            set: sphere.set,
+        let contact = SetContact {
             composite_modulus_n_m2: sphere.contact.composite_modulus(),
             dimensionless: scale().map(|scale| DimensionlessContact::of(&sphere.contact, &scale)),
-        });
+        };
+        found.entry((sphere.force, sphere.set)).or_insert(contact);
     }
     found
 }
@@ -106,16 +105,17 @@ pub(super) struct Found<'f> {
     pub limbs: &'f Limbs,
     pub warnings: &'f [Finding],
     /// For each force (and parameter set) its contact without dimensions, and E*.
-    pub contacts: &'f [SetContact],
+    pub contacts: &'f SetContacts,
     pub factors: Option<&'f Factors>,
     pub known: Option<KnownContacts>,
     pub figures: Figures,
 }
 
+/// The contacts of all parameter sets.
+type SetContacts = HashMap<(ForceId, SetId), SetContact>;
+
 /// The contact of one parameter set with the floor.
 pub(super) struct SetContact {
-    pub force: ForceId,
-    pub set: SetId,
     pub composite_modulus_n_m2: f64,
     /// `None` where mass, limbs or gravity are not known.
     pub dimensionless: Option<DimensionlessContact>,
@@ -170,10 +170,10 @@ fn names(model: &Model, spheres: &[SphereId]) -> Vec<String> {
 }
 
 fn spheres(model: &Model, limbs: &Limbs) -> Vec<InspectedSphere> {
-    let limb_of = |id: SphereId| {
-        let limb = limbs.known()?.iter().find(|limb| limb.spheres.contains(&id))?;
-        Some(limb.name.clone())
-    };
+    let known = limbs.known().unwrap_or_default().iter();
+    let limbs: HashMap<SphereId, &str> =
+        known.flat_map(|limb| limb.spheres.iter().map(|&sphere| (sphere, limb.name.as_str()))).collect();
+    let limb_of = |id: SphereId| limbs.get(&id).map(|&name| name.to_owned());
     let inspected = model.spheres().iter().map(|sphere| InspectedSphere {
         name: sphere.name.clone(),
         path: sphere.path.clone(),
@@ -190,10 +190,10 @@ fn spheres(model: &Model, limbs: &Limbs) -> Vec<InspectedSphere> {
 
 fn forces(model: &Model, found: &Found<'_>) -> Vec<InspectedForce> {
     let mut inspected = Vec::new();
+    let selected: HashSet<ForceId> = found.selected.forces.iter().copied().collect();
     for force in model.forces() {
         for set in &force.sets {
-            let contact =
-                found.contacts.iter().find(|contact| (contact.force, contact.set) == (force.id, set.id));
+            let contact = found.contacts.get(&(force.id, set.id));
             let parameters = parameters(force, set.id, |value| value.number);
             let alone = || {
                 let stiffness = parameters.iter().find(|(property, _)| *property == Property::Stiffness)?.1;
@@ -206,7 +206,7 @@ fn forces(model: &Model, found: &Found<'_>) -> Vec<InspectedForce> {
                 set: set.number,
                 spheres: names(model, &set.spheres),
                 applies: force.applies,
-                selected: found.selected.forces.contains(&force.id),
+                selected: selected.contains(&force.id),
                 composite_modulus_n_m2: contact.map(|contact| contact.composite_modulus_n_m2).or_else(alone),
                 parameters: Parameters::new(parameters),
                 origin: Origins::new(self::parameters(force, set.id, |value| value.origin)),

@@ -1,7 +1,7 @@
 //! The contacts of a model, compared with those of the table.
 
 use contact_scaling::EQUAL_SURFACES;
-use osim_model::{FindingCode, ForceId, Model, Property, SetId, Severity};
+use osim_model::{FindingCode, ForceId, Model, Property, Severity};
 use osim_patch::{LoadedSphere, loaded_spheres};
 
 use schemars::JsonSchema;
@@ -96,17 +96,15 @@ struct HeldContact {
 /// `None` where a value cannot be read, or there are no spheres.
 fn held_contacts(model: &Model, forces: &[ForceId]) -> Option<Vec<HeldContact>> {
     let loaded = loaded_spheres(model, forces).ok().filter(|loaded| !loaded.is_empty())?;
-    let mut sets: Vec<(ForceId, SetId)> = loaded.iter().map(|sphere| (sphere.force, sphere.set)).collect();
-    sets.dedup();
-    sets.into_iter().map(|set| held_contact(model, set, &loaded)).collect()
+    // The spheres of a set stand together.
+    let sets = loaded.chunk_by(|a, b| (a.force, a.set) == (b.force, b.set));
+    sets.map(|spheres| held_contact(model, spheres)).collect()
 }
 
-fn held_contact(model: &Model, set: (ForceId, SetId), loaded: &[LoadedSphere]) -> Option<HeldContact> {
-    let of_set: Vec<&LoadedSphere> =
-        loaded.iter().filter(|sphere| (sphere.force, sphere.set) == set).collect();
-    let contact = &of_set.first()?.contact;
-    let force = model.force(set.0)?;
-    let value = |property| force.value(set.1, property).map(|value| value.number);
+fn held_contact(model: &Model, of_set: &[LoadedSphere]) -> Option<HeldContact> {
+    let LoadedSphere { contact, force, set, .. } = of_set.first()?;
+    let force = model.force(*force)?;
+    let value = |property| force.value(*set, property).map(|value| value.number);
     #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
     let count = of_set.len() as f64;
     let squares: f64 = of_set.iter().map(|sphere| sphere.radius_m * sphere.radius_m).sum();

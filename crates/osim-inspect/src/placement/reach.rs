@@ -90,8 +90,7 @@ pub(super) fn reaches(model: &Model, bones: &Bones) -> Vec<Reach> {
 fn reach_to_joint(bones: &Bones, body: &str, sphere: (SphereId, [f64; 3], f64)) -> Option<Reach> {
     let (id, centre, radius_m) = sphere;
     let dot = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    let joints = bones.next_joints(body).map(|joint| (dot(joint.in_parent_m, joint.in_parent_m), joint));
-    let (squared, joint) = joints.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let (squared, joint) = bones.farthest_joint(body)?;
     let value = dot(centre, joint.in_parent_m) / squared;
     (squared > radius_m * radius_m).then(|| Reach {
         sphere: id,

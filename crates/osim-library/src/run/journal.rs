@@ -5,7 +5,7 @@
 
 use std::ffi::OsString;
 use std::fs::{File, OpenOptions};
-use std::io::Write;
+use std::io::{Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
@@ -35,25 +35,6 @@ impl Form {
                 format!(" {}: expected a name that ends in .csv or .ndjson", path.display()),
             ])),
         }
-    }
-
-    /// Records, one per line.
-    ///
-    /// # Errors
-    /// The lines hold something else; also where a table has another header and not one line.
-    pub(super) fn read(self, lines: &[u8]) -> Result<Vec<Record>, LibraryFault> {
-        if self == Self::Ndjson {
-            let lines = lines.split(|&byte| byte == b'\n').filter(|line| !line.is_empty());
-            let record = |line| serde_json::from_slice::<JsonRecord>(line).map(Record::from);
-            return lines.map(record).collect::<Result<_, _>>().map_err(said);
-        }
-        let mut reader = csv::Reader::from_reader(lines);
-        let known = |header: &csv::StringRecord| header.iter().any(|column| column == "sha256_output");
-        if !lines.is_empty() && !known(reader.headers().map_err(said)?) {
-            return Err(LibraryFault::new("there is no column 'sha256_output'"));
-        }
-        let records = reader.deserialize::<Record>().map(|record| record.map(Record::from_spreadsheet));
-        records.collect::<Result<_, _>>().map_err(said)
     }
 
     /// One record and a line end; `first` with the header.
@@ -99,10 +80,28 @@ pub(super) fn partial(path: &Path) -> PathBuf {
     PathBuf::from(name)
 }
 
-/// What was written to its end.
-pub(super) fn whole_lines(bytes: &[u8]) -> &[u8] {
-    let end = bytes.iter().rposition(|&byte| byte == b'\n').map_or(0, |at| at + 1);
-    bytes.get(..end).unwrap_or_default()
+/// The length of what was written to its end.
+fn whole_lines(path: &Path) -> std::io::Result<u64> {
+    let mut file = File::open(path)?;
+    let length = file.metadata()?.len();
+    end_of_lines(&mut file, length)
+}
+
+/// Where the last whole line ends.
+pub(super) fn end_of_lines(file: &mut File, length: u64) -> std::io::Result<u64> {
+    const BLOCK: u64 = 1 << 16;
+    let mut end = length;
+    while end > 0 {
+        let start = end.saturating_sub(BLOCK);
+        file.seek(SeekFrom::Start(start))?;
+        let mut block = Vec::new();
+        Read::by_ref(file).take(end - start).read_to_end(&mut block)?;
+        if let Some(at) = block.iter().rposition(|&byte| byte == b'\n') {
+            return Ok(start + at as u64 + 1);
+        }
+        end = start;
+    }
+    Ok(0)
 }
 
 /// A summary that is being written.
@@ -151,7 +150,7 @@ impl Partial {
             )));
         }
         // A line cut off when the run was killed must not run into the next one.
-        let kept = if resume { whole_lines(&std::fs::read(path).context(cannot)?).len() as u64 } else { 0 };
+        let kept = if resume { whole_lines(path).context(cannot)? } else { 0 };
         file.set_len(kept).context(cannot)?;
         Ok(Self { file, length: kept })
     }

@@ -13,6 +13,7 @@ mod journal;
 mod model_job;
 mod outcome;
 mod previous;
+mod previous_lines;
 mod record;
 mod request;
 mod settings;

@@ -56,7 +56,8 @@ impl<F: FrontEnd> ModelJob<'_, F> {
         if let (Some(input), Some(_)) = (inputs.first(), &self.context.journal) {
             record.sha256_settings = Some(self.settings_digest(&inputs));
             if !self.context.previous.is_empty() {
-                match self.context.previous.of(task, input, record) {
+                let previous = self.context.previous.of(task, input, record);
+                match previous.map_err(|fault| fault.of_model(loaded.files.name().clone(), "output"))? {
                     Previous::Holds(mut record) => {
                         record.row = task.row;
                         record.remarks.clone_from(&task.remarks);

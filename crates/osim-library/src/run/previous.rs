@@ -1,27 +1,40 @@
 //! What an earlier run has done, and whether that is still so.
 
-use std::collections::HashMap;
+use std::cell::LazyCell;
+use std::hash::{BuildHasher, BuildHasherDefault, DefaultHasher};
 use std::path::{Path, PathBuf};
 
 use osim_model::wording::{Input, phrase};
 use osim_requests::options::RunOptions;
 
-use super::journal::{Form, partial, whole_lines};
+use super::journal::{Form, partial};
+use super::previous_lines::PreviousLines;
 use super::record::{Record, Status};
 use super::task::Task;
 use crate::digest::sha256;
-use crate::fault::{Context, LibraryFault};
+use crate::fault::LibraryFault;
 
-/// Records of earlier runs.
+/// Records of earlier runs: of each only where its line is, so that a million of them take no more than their places.
 #[derive(Default)]
 pub(super) struct PreviousRun {
-    /// Several of one model: a run that was killed while it replaced an output left what it was about to write beside
+    /// The summary and the partial one, oldest first.
+    files: Vec<PreviousLines>,
+    /// Sorted. Several of one model: a run that was killed while it replaced an output left what it was about to write beside
     /// what an earlier one wrote. The latest is last.
-    records: HashMap<Key, Vec<Record>>,
+    places: Vec<LinePlace>,
+}
+
+/// Where the line of a record is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct LinePlace {
+    /// Of the key. Others may have the same: the line says whose it is.
+    hash: u64,
+    file: usize,
+    offset: u64,
 }
 
 /// Model and output. Rows of a manifest may move, and no two of them write one output.
-type Key = (String, Option<String>);
+type Key<'r> = (&'r str, Option<&'r str>);
 
 /// What an earlier run means for a model now.
 pub(super) enum Previous {
@@ -54,27 +67,39 @@ impl PreviousRun {
     }
 
     fn add(&mut self, path: &Path, form: Form, may_be_cut: bool) -> Result<(), LibraryFault> {
-        let bytes = std::fs::read(path).map_err(|error| LibraryFault::new(error.to_string()))?;
-        let whole = whole_lines(&bytes);
-        if whole.len() < bytes.len() && !may_be_cut {
-            let why = "its last line is cut off, so this tool did not leave it like that";
-            return Err(LibraryFault::new(why));
-        }
-        let records = form.read(whole).context(|| "this is not a summary of this tool, or it was edited")?;
-        for record in records {
-            self.records.entry(key(&record)).or_default().push(record);
-        }
+        let mut lines = PreviousLines::open(path, form, may_be_cut)?;
+        let file = self.files.len();
+        lines.each(|offset, record| self.places.push(LinePlace { hash: hash(key(record)), file, offset }))?;
+        self.files.push(lines);
+        self.places.sort_unstable();
         Ok(())
     }
 
     pub(super) fn is_empty(&self) -> bool {
-        self.records.is_empty()
+        self.places.is_empty()
+    }
+
+    /// The records of the model and output of `now`, the latest last.
+    fn records(&self, now: &Record) -> Result<Vec<Record>, LibraryFault> {
+        let hash = hash(key(now));
+        let start = self.places.partition_point(|place| place.hash < hash);
+        let same = self.places.iter().skip(start).take_while(|place| place.hash == hash);
+        let mut found = Vec::new();
+        for place in same {
+            let Some(lines) = self.files.get(place.file) else { continue };
+            let record = lines.at(place.offset)?;
+            if key(&record) == key(now) {
+                found.push(record);
+            }
+        }
+        Ok(found)
     }
 
     /// Keeps in `record`, of a model that was not done, what an earlier run left as its output: a later run that goes on
     /// still knows it for ours.
     pub(super) fn left_behind(&self, record: &mut Record) {
-        let records = self.records.get(&key(record)).map(Vec::as_slice).unwrap_or_default();
+        // A line that was read once and cannot be read again says nothing.
+        let records = self.records(record).unwrap_or_default();
         let last =
             |digest: fn(&Record) -> &Option<String>| records.iter().rev().find_map(|r| digest(r).clone());
         record.sha256_output = last(|record| &record.sha256_output);
@@ -82,9 +107,16 @@ impl PreviousRun {
     }
 
     /// What was recorded for `task`, compared with `now`: the model's digest and its settings.
-    pub(super) fn of(&self, task: &Task, input: &str, now: &Record) -> Previous {
-        let Some(records) = self.records.get(&key(now)) else { return Previous::Unknown };
-        let there = Outputs::of(task, input);
+    ///
+    /// # Errors
+    /// The summary cannot be read any more.
+    pub(super) fn of(&self, task: &Task, input: &str, now: &Record) -> Result<Previous, LibraryFault> {
+        let records = self.records(now)?;
+        if records.is_empty() {
+            return Ok(Previous::Unknown);
+        }
+        // What is there is read only where it decides.
+        let there = LazyCell::new(|| Outputs::of(task, input));
         let holds = |record: &&Record| {
             let same_settings =
                 record.sha256_settings == now.sha256_settings && record.tool_version == now.tool_version;
@@ -97,14 +129,14 @@ impl PreviousRun {
                     Status::DryRun | Status::Failed | Status::NotBegun => false,
                 }
         };
-        match records.iter().rev().find(holds) {
+        Ok(match records.iter().rev().find(holds) {
             Some(record) => Previous::Holds(Box::new(record.clone())),
             None if task.settings.in_place => Previous::Unknown,
-            None => match there.foreign(task, records) {
+            None => match there.foreign(task, &records) {
                 Some(path) => Previous::Edited(path.to_owned()),
                 None => Previous::Outdated,
             },
-        }
+        })
     }
 }
 
@@ -118,8 +150,12 @@ fn cannot_go_on(path: &Path, fault: &LibraryFault) -> LibraryFault {
     LibraryFault::new(message)
 }
 
-fn key(record: &Record) -> Key {
-    (record.model.clone(), record.output.clone())
+fn key(record: &Record) -> Key<'_> {
+    (&record.model, record.output.as_deref())
+}
+
+fn hash(key: Key<'_>) -> u64 {
+    BuildHasherDefault::<DefaultHasher>::default().hash_one(key)
 }
 
 /// Digests of the files that are there under the names of a task's outputs.

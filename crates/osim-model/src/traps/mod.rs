@@ -5,6 +5,8 @@ mod sides;
 mod structure;
 mod values;
 
+pub use sides::BothSides;
+
 use crate::finding::Finding;
 use crate::model::Model;
 

@@ -1,5 +1,7 @@
 //! What is special about forces without being wrong. A check says it of every force, a change of those that it changes.
 
+use std::collections::HashSet;
+
 use crate::contacts::{Force, ForceId, SphereId};
 use crate::finding::{Finding, FindingCode};
 use crate::model::Model;
@@ -11,7 +13,7 @@ impl Model {
         let forces = || forces.iter().filter_map(|&id| self.force(id));
         let mut found: Vec<Finding> = forces().filter_map(|force| self.mixed_radii(force)).collect();
         found.extend(forces().filter_map(several_sets));
-        found.extend(self.terrain(&forces().flat_map(Force::spheres).collect::<Vec<_>>()));
+        found.extend(self.terrain(&forces().flat_map(Force::spheres).collect()));
         found.extend(forces().filter_map(disabled));
         found
     }
@@ -28,7 +30,7 @@ impl Model {
     }
 
     /// Spheres on ground or on bodies welded to it.
-    fn terrain(&self, spheres: &[SphereId]) -> Option<Finding> {
+    fn terrain(&self, spheres: &HashSet<SphereId>) -> Option<Finding> {
         let fixed: Vec<_> =
             self.spheres().iter().filter(|sphere| sphere.fixed && spheres.contains(&sphere.id)).collect();
         let first = fixed.first()?;

@@ -14,37 +14,65 @@ use crate::side::{Side, without_side};
 /// A ratio that differs by no more than this, relatively, is as it should be.
 const SAME: f64 = 1e-6;
 
+/// The forces of both sides, compared: from [`Model::both_sides`].
+#[derive(Debug)]
+pub struct BothSides<'m> {
+    model: &'m Model,
+    right: HashMap<String, &'m Force>,
+    by_path: HashMap<&'m str, &'m Force>,
+    bones: Bones,
+}
+
 impl Model {
+    /// The forces of both sides, to be compared one after the other.
+    #[must_use]
+    pub fn both_sides(&self) -> BothSides<'_> {
+        let mut by_path = HashMap::new();
+        for force in self.forces() {
+            by_path.entry(force.path.as_str()).or_insert(force);
+        }
+        BothSides { model: self, right: right_forces(self), by_path, bones: Bones::of(self) }
+    }
+}
+
+impl<'m> BothSides<'m> {
+    /// The force with this component path.
+    #[must_use]
+    pub fn force(&self, path: &str) -> Option<&'m Force> {
+        self.by_path.get(path).copied()
+    }
+
     /// The force on the right that has the name of `left` but for the side.
     #[must_use]
-    pub fn right_of(&self, left: &Force) -> Option<&Force> {
-        let name = without_side(&left.name);
-        let is_right = |force: &&Force| Side::of_name(&force.name) == Some(Side::Right);
-        self.forces().iter().filter(is_right).find(|force| without_side(&force.name) == name)
+    pub fn right_of(&self, left: &Force) -> Option<&'m Force> {
+        self.right.get(&without_side(&left.name)).copied()
     }
 
     /// Whether the bones under the spheres of `left` are of another size than those under `right`, by their meshes.
     #[must_use]
     pub fn bones_differ(&self, left: &Force, right: &Force) -> bool {
-        let bones = Bones::of(self);
-        let pairs = spheres(self, left).into_iter().zip(spheres(self, right));
+        let pairs = spheres(self.model, left).into_iter().zip(spheres(self.model, right));
         pairs
-            .filter_map(|(left, right)| bones.ratios(left, right))
+            .filter_map(|(left, right)| self.bones.ratios(left, right))
             .any(|ratios| ratios.into_iter().any(|ratio| !close(ratio, 1.0)))
     }
+}
+
+/// The first force on the right of each name but for the side.
+fn right_forces(model: &Model) -> HashMap<String, &Force> {
+    let mut right = HashMap::new();
+    for force in model.forces().iter().filter(|force| Side::of_name(&force.name) == Some(Side::Right)) {
+        right.entry(without_side(&force.name)).or_insert(force);
+    }
+    right
 }
 
 /// Forces whose names differ only in the side should have equal parameters, or such as follow bones that were scaled unlike.
 pub(super) fn left_and_right(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
-    let mut right: HashMap<String, &Force> = HashMap::new();
+    let right = right_forces(model);
     let mut bones: Option<Bones> = None;
     let side = |name: &str| Side::of_name(name);
-    for force in model.forces() {
-        if side(&force.name) == Some(Side::Right) {
-            right.entry(without_side(&force.name)).or_insert(force);
-        }
-    }
     for force in model.forces().iter().filter(|force| side(&force.name) == Some(Side::Left)) {
         let Some(other) = right.get(&without_side(&force.name)).copied() else {
             continue;
@@ -116,6 +144,7 @@ fn close(value: f64, expected: f64) -> bool {
 }
 
 /// The meshes of each body with their factors.
+#[derive(Debug)]
 struct Bones(HashMap<String, BTreeMap<String, [f64; 3]>>);
 
 impl Bones {

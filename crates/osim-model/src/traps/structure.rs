@@ -1,6 +1,6 @@
 //! How contacts are put together: what OpenSim, Simbody or a later change stumble over.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use crate::class::Class;
 use crate::contacts::{ForceKind, SphereId};
@@ -17,12 +17,12 @@ pub(super) fn included_contacts(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
     let forces = model.forces().iter().map(|force| (force.file, &force.path));
     let spheres = model.spheres().iter().map(|sphere| (sphere.file, &sphere.path));
-    let mut said: Vec<FileId> = Vec::new();
+    let mut said: HashSet<FileId> = HashSet::new();
     for (file, path) in forces.chain(spheres) {
         if let (Some(name), false) = (model.included_file(file), said.contains(&file)) {
             let text = format!("{path} and others are in the file '{name}' that the model includes");
             found.push(Finding::new(FindingCode::IncludedFile, text));
-            said.push(file);
+            said.insert(file);
         }
     }
     found

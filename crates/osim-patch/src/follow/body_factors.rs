@@ -1,5 +1,7 @@
 //! The factors of one body, and where they come from.
 
+use std::collections::HashMap;
+
 use osim_model::Fault;
 
 pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
@@ -61,10 +63,29 @@ pub struct BodyFactors {
     pub question: Option<Fault>,
 }
 
-/// The factors of the body called `body`.
-pub(super) fn axes_of(bodies: &[BodyFactors], body: &str) -> [Option<AxisFactor>; 3] {
-    let found = bodies.iter().find(|factors| factors.body == body);
-    found.map(|factors| factors.axes).unwrap_or([None; 3])
+/// The factors of all bodies, by name: of several bodies of one name the first counts.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(super) struct ByName(HashMap<String, usize>);
+
+impl ByName {
+    pub(super) fn of(bodies: &[BodyFactors]) -> Self {
+        let mut places = HashMap::new();
+        for (at, factors) in bodies.iter().enumerate() {
+            places.entry(factors.body.clone()).or_insert(at);
+        }
+        Self(places)
+    }
+
+    /// Where `body` is among all.
+    pub(super) fn place(&self, body: &str) -> Option<usize> {
+        self.0.get(body).copied()
+    }
+
+    /// The factors of the body called `body` among `bodies`.
+    pub(super) fn axes(&self, bodies: &[BodyFactors], body: &str) -> [Option<AxisFactor>; 3] {
+        let found = self.place(body).and_then(|at| bodies.get(at));
+        found.map(|factors| factors.axes).unwrap_or([None; 3])
+    }
 }
 
 /// Length of a vector.

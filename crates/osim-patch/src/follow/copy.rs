@@ -73,7 +73,7 @@ impl Difference {
 pub(super) fn difference(scaled: &Anatomy, reference: &Anatomy) -> Option<Difference> {
     other_joint(scaled, reference).or_else(|| {
         let joints = SharedJoints::of(scaled, reference);
-        let shared = scaled.bodies.iter().filter(|body| reference.bodies.contains(body));
+        let shared = scaled.bodies.iter().filter(|body| reference.has_body(body));
         shared.into_iter().find_map(|body| {
             let meshes = bones::pairs(scaled, reference, body);
             let said = (meshes.as_slice(), joints.on(body));
@@ -83,9 +83,9 @@ pub(super) fn difference(scaled: &Anatomy, reference: &Anatomy) -> Option<Differ
 }
 
 fn other_joint(scaled: &Anatomy, reference: &Anatomy) -> Option<Difference> {
-    let in_both = |body: &String| scaled.bodies.contains(body) && reference.bodies.contains(body);
+    let in_both = |body: &String| scaled.has_body(body) && reference.has_body(body);
     scaled.joints.iter().find_map(|joint| {
-        let there = reference.joints.iter().find(|other| other.name == joint.name)?;
+        let there = reference.joint(&joint.name)?;
         let shared = [joint, there].into_iter().any(|joint| in_both(&joint.parent) && in_both(&joint.child));
         let same = joint.parent == there.parent && joint.child == there.child;
         (shared && !same).then(|| Difference::Joint {

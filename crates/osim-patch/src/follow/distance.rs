@@ -1,6 +1,8 @@
 //! How far a joint is from the origin of a body, in two models.
 
-use osim_model::Anatomy;
+use std::collections::HashMap;
+
+use osim_model::{Anatomy, AnatomyJoint};
 
 use super::body_factors::length;
 
@@ -16,24 +18,41 @@ pub(super) struct Distance<'a> {
     new_m: [f64; 3],
 }
 
-impl<'a> Distance<'a> {
-    /// The farthest joint of one name in both models that lies below `body` and is on it in one of them.
-    pub(super) fn of(scaled: &'a Anatomy, reference: &Anatomy, body: &str) -> Option<Self> {
-        let places = scaled.joints.iter().filter_map(|joint| {
-            let there = reference.joints.iter().find(|other| other.name == joint.name)?;
-            if joint.parent != body && there.parent != body {
-                return None;
+/// The joints of one name in both models, by the bodies on which they are in one of them.
+pub(super) struct Distances<'a> {
+    scaled: &'a Anatomy,
+    reference: &'a Anatomy,
+    on_body: HashMap<&'a str, Vec<[&'a AnatomyJoint; 2]>>,
+}
+
+impl<'a> Distances<'a> {
+    pub(super) fn of(scaled: &'a Anatomy, reference: &'a Anatomy) -> Self {
+        let mut on_body: HashMap<&str, Vec<[&AnatomyJoint; 2]>> = HashMap::new();
+        for joint in &scaled.joints {
+            let Some(there) = reference.joint(&joint.name) else { continue };
+            on_body.entry(&joint.parent).or_default().push([joint, there]);
+            if there.parent != joint.parent {
+                on_body.entry(&there.parent).or_default().push([joint, there]);
             }
-            let old_m = reference.place_below(body, there)?;
-            let new_m = scaled.place_below(body, joint)?;
-            Some(Self { joint: &joint.name, old_m, new_m })
+        }
+        Self { scaled, reference, on_body }
+    }
+
+    /// The farthest joint of one name in both models that lies below `body` and is on it in one of them.
+    pub(super) fn farthest(&self, body: &str) -> Option<Distance<'a>> {
+        let places = self.on_body.get(body).into_iter().flatten().filter_map(|[joint, there]| {
+            let old_m = self.reference.place_below(body, there)?;
+            let new_m = self.scaled.place_below(body, joint)?;
+            Some(Distance { joint: &joint.name, old_m, new_m })
         });
         let long = |m: [f64; 3]| length(m) >= SHORTEST_DISTANCE_M;
         places
             .filter(|place| long(place.old_m) && long(place.new_m))
             .max_by(|a, b| length(a.old_m).total_cmp(&length(b.old_m)))
     }
+}
 
+impl Distance<'_> {
     /// New over old.
     pub(super) fn ratio(&self) -> f64 {
         length(self.new_m) / length(self.old_m)

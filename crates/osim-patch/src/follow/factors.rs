@@ -1,13 +1,14 @@
 //! Scale factors of each body, axis by axis, from the sources in their order.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 
 use osim_model::wording::Phrase;
 use osim_model::{Anatomy, Fault, FaultKind, Finding, FindingCode, Needed};
 
-use super::body_factors::{AXES, AxisFactor, BodyFactors, axes_of};
+use super::body_factors::{AXES, AxisFactor, BodyFactors, ByName};
 use super::copy::{self, Difference};
 use super::different;
+use super::distance::Distances;
 use super::scale_file::ScaleFile;
 use super::sources::{self, Sources};
 
@@ -52,6 +53,7 @@ pub struct Factors {
     pub remarks: Vec<Phrase>,
     /// What shows that the model is not a scaled copy of the reference; `None` where it is one.
     pub difference: Option<Difference>,
+    by_name: ByName,
 }
 
 impl Factors {
@@ -66,7 +68,7 @@ impl Factors {
         file: Option<&ScaleFile>,
         given: &BTreeMap<String, [f64; 3]>,
     ) -> Result<Self, Fault> {
-        if let Some(name) = given.keys().find(|name| !scaled.bodies.contains(name)) {
+        if let Some(name) = given.keys().find(|name| !scaled.has_body(name)) {
             return Err(Fault::new(FaultKind::UnknownBody { body: name.clone() }));
         }
         let carriers = carriers(scaled, reference);
@@ -74,12 +76,19 @@ impl Factors {
             file.refuse_other_reference(scaled, reference, &carriers)?;
         }
         let difference = copy::difference(scaled, reference);
+        let distances = difference.as_ref().map(|_| Distances::of(scaled, reference));
         let said: Vec<Sources> = scaled
             .bodies
             .iter()
-            .map(|body| Sources::of(scaled, reference, body, (file, given.get(body)), difference.is_none()))
+            .map(|body| Sources::of(scaled, reference, body, (file, given.get(body)), distances.as_ref()))
             .collect();
-        let mut factors = Self { bodies: Vec::new(), warnings: Vec::new(), remarks: Vec::new(), difference };
+        let mut factors = Self {
+            bodies: Vec::new(),
+            warnings: Vec::new(),
+            remarks: Vec::new(),
+            difference,
+            by_name: ByName::default(),
+        };
         let taken = sources::taken(&said);
         for (sources, axes) in said.iter().zip(taken) {
             factors.bodies.push(BodyFactors {
@@ -89,16 +98,18 @@ impl Factors {
                 question: None,
             });
         }
+        factors.by_name = ByName::of(&factors.bodies);
         if let Some(difference) = &factors.difference {
             let mut message = difference.phrase();
             message.push(NO_COPY);
             factors.warnings.push(Finding::new(FindingCode::NotAScaledCopy, message));
-            factors.remarks = different::hang_on(&mut factors.bodies, scaled, &carriers);
-            different::ask(&mut factors.bodies, &said);
+            factors.remarks = different::hang_on(&mut factors.bodies, &factors.by_name, scaled, &carriers);
+            different::ask(&mut factors.bodies, &factors.by_name, &said);
         }
         factors.refuse_no_sizes();
-        for sources in said.iter().filter(|sources| carriers.contains(&sources.body)) {
-            let messages = sources.disagreements(&axes_of(&factors.bodies, sources.body));
+        let carrying: HashSet<&str> = carriers.into_iter().collect();
+        for sources in said.iter().filter(|sources| carrying.contains(&sources.body)) {
+            let messages = sources.disagreements(&factors.by_name.axes(&factors.bodies, sources.body));
             let findings =
                 messages.into_iter().map(|message| Finding::new(FindingCode::FactorsDisagree, message));
             factors.warnings.extend(findings);
@@ -136,11 +147,11 @@ impl Factors {
     /// - Between different models, a question about the body ([`Needed::Factors`]).
     /// - A factor that is zero, negative or not finite.
     pub fn of(&self, body: &str) -> Result<[f64; 3], Fault> {
-        let found = self.bodies.iter().find(|factors| factors.body == body);
+        let found = self.by_name.place(body).and_then(|at| self.bodies.get(at));
         if let Some(question) = found.and_then(|found| found.question.clone()) {
             return Err(question);
         }
-        let axes = axes_of(&self.bodies, body);
+        let axes = self.by_name.axes(&self.bodies, body);
         let missing: Vec<&str> =
             AXES.iter().zip(&axes).filter(|(_, axis)| axis.is_none()).map(|(name, _)| *name).collect();
         match axes {
@@ -152,9 +163,7 @@ impl Factors {
 
 /// Bodies of `scaled` that carry spheres, there or in the reference: only their factors matter.
 fn carriers<'a>(scaled: &'a Anatomy, reference: &'a Anatomy) -> Vec<&'a str> {
-    let carries = |body: &str| {
-        let mut spheres = scaled.spheres.iter().chain(&reference.spheres);
-        spheres.any(|sphere| sphere.body.as_deref() == Some(body))
-    };
-    scaled.bodies.iter().map(String::as_str).filter(|body| carries(body)).collect()
+    let spheres = scaled.spheres.iter().chain(&reference.spheres);
+    let carrying: HashSet<&str> = spheres.filter_map(|sphere| sphere.body.as_deref()).collect();
+    scaled.bodies.iter().map(String::as_str).filter(|body| carrying.contains(body)).collect()
 }

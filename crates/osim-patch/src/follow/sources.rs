@@ -1,11 +1,13 @@
 //! What each source says about the factors of a body, and which is taken.
 
+use std::collections::HashMap;
+
 use osim_model::{Anatomy, Side, without_side};
 
 use super::body_factors::{AXES, AxisFactor, FactorSource, length};
 use super::bones::{self, BonePair};
 use super::copy::SHORTEST_OFFSET_M;
-use super::distance::Distance;
+use super::distance::{Distance, Distances};
 use super::scale_file::ScaleFile;
 
 /// Sources of a scaled copy that differ by more than this (relative) disagree.
@@ -32,10 +34,11 @@ impl<'a> Sources<'a> {
         reference: &Anatomy,
         body: &'a str,
         (file, given): (Option<&ScaleFile>, Option<&[f64; 3]>),
-        in_a_copy: bool,
+        distances: Option<&Distances<'a>>,
     ) -> Self {
+        let in_a_copy = distances.is_none();
         let meshes = bones::pairs(scaled, reference, body);
-        let distance = if in_a_copy { None } else { Distance::of(scaled, reference, body) };
+        let distance = distances.and_then(|distances| distances.farthest(body));
         let mut said = Vec::new();
         if let Some(given) = given {
             said.push((FactorSource::Given, given.map(Some)));
@@ -110,8 +113,9 @@ impl<'a> Sources<'a> {
 
 /// What is taken of each body: on each axis the first source that both sides of a pair have, else the first of its own.
 pub(super) fn taken(all: &[Sources<'_>]) -> Vec<[Option<AxisFactor>; 3]> {
+    let pairs = Pairs::of(all);
     let of = |one: &Sources<'_>| {
-        let other = other_side(all, one.body);
+        let other = pairs.other_side(one.body);
         std::array::from_fn(|axis| {
             let first = one.first(axis).filter(|first| first.source > FactorSource::Given);
             let shared = || {
@@ -130,13 +134,26 @@ pub(super) fn taken(all: &[Sources<'_>]) -> Vec<[Option<AxisFactor>; 3]> {
     all.iter().map(of).collect()
 }
 
-/// The body on the other side, where names say that there is exactly one.
-pub(super) fn other_side<'s, 'a>(all: &'s [Sources<'a>], body: &str) -> Option<&'s Sources<'a>> {
-    let side = Side::of_name(body)?;
-    let mut others =
-        all.iter().filter(|other| other.body != body && without_side(other.body) == without_side(body));
-    let only = others.next().filter(|other| Side::of_name(other.body).is_some_and(|other| other != side))?;
-    others.next().is_none().then_some(only)
+/// Bodies whose names differ only in the side.
+pub(super) struct Pairs<'s, 'a>(HashMap<String, Vec<&'s Sources<'a>>>);
+
+impl<'s, 'a> Pairs<'s, 'a> {
+    pub(super) fn of(all: &'s [Sources<'a>]) -> Self {
+        let mut pairs: HashMap<String, Vec<&Sources<'_>>> = HashMap::new();
+        for one in all {
+            pairs.entry(without_side(one.body)).or_default().push(one);
+        }
+        Self(pairs)
+    }
+
+    /// The body on the other side, where names say that there is exactly one.
+    pub(super) fn other_side(&self, body: &str) -> Option<&'s Sources<'a>> {
+        let side = Side::of_name(body)?;
+        let mut others = self.0.get(&without_side(body))?.iter().filter(|other| other.body != body);
+        let only =
+            others.next().filter(|other| Side::of_name(other.body).is_some_and(|other| other != side))?;
+        others.next().is_none().then_some(*only)
+    }
 }
 
 /// New over old translation of the same frame; the longest offset of each axis is the most exact.

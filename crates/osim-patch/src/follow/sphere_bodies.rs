@@ -43,7 +43,7 @@ impl SphereBodies {
         let (here, there) = (Anatomy::of(scaled)?, Anatomy::of(reference)?);
         let found = Factors::find(&here, &there, None, &BTreeMap::new())?;
         let carried = here.spheres.iter().chain(&there.spheres).filter_map(|sphere| sphere.body.clone());
-        let carried = carried.filter(|body| here.bodies.contains(body));
+        let carried = carried.filter(|body| here.has_body(body));
         let factors = carried.map(|body| (body.clone(), found.of(&body).ok())).collect();
         Ok(Self { difference: found.difference, factors })
     }

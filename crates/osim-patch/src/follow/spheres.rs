@@ -238,9 +238,8 @@ fn differs(now: &AnatomySphere, old: &AnatomySphere) -> bool {
 }
 
 fn refuse_unmatched(model: &Model, wanted: &[SphereId], generic: &Anatomy) -> Result<(), Fault> {
-    let twins = |name: &str| generic.spheres.iter().filter(|sphere| sphere.name == name).count() > 1;
     let names = wanted.iter().filter_map(|&id| model.sphere(id)).map(|sphere| &sphere.name);
-    if let Some(name) = names.into_iter().find(|name| twins(name)) {
+    if let Some(name) = names.into_iter().find(|name| generic.has_twins(name)) {
         return Err(Fault::refused(format!("the reference has several spheres called {name}: expected one")));
     }
     let unmatched: Vec<&str> = wanted

@@ -1,5 +1,7 @@
 //! Which contact of a reference each sphere of a model gets.
 
+use std::collections::HashMap;
+
 use contact_scaling::{DimensionlessContact, Scale, ScaleValues};
 use osim_model::{Fault, FaultKind, Force, Model, Needed, Selected, SphereId};
 
@@ -23,8 +25,36 @@ pub(crate) enum Choice<'t> {
     /// By sphere name; every moving sphere of the chosen forces is in it.
     Paired {
         first: &'t ReferenceContact,
-        all: &'t [ReferenceContact],
+        by_name: HashMap<&'t str, &'t ReferenceContact>,
     },
+}
+
+/// The radii of a reference.
+pub(crate) struct ReferenceRadii<'t> {
+    /// By sphere name; of several spheres of one name the first counts.
+    by_name: HashMap<&'t str, f64>,
+    /// The one that all spheres have; `None` where they differ.
+    one: Option<Option<f64>>,
+}
+
+impl<'t> ReferenceRadii<'t> {
+    pub(crate) fn of(reference: &'t Reference) -> Self {
+        let mut by_name = HashMap::new();
+        for contact in &reference.contacts {
+            for (name, &radius) in contact.spheres.iter().zip(&contact.radii_m) {
+                by_name.entry(name.as_str()).or_insert(radius);
+            }
+        }
+        let mut radii = reference.contacts.iter().flat_map(|contact| &contact.radii_m);
+        let first = radii.next().copied();
+        let one = radii.all(|&radius| Some(radius) == first).then_some(first);
+        Self { by_name, one }
+    }
+
+    /// Whether no sphere has another radius than `radius_m`.
+    fn are_all(&self, radius_m: f64) -> bool {
+        self.one.is_some_and(|one| one.is_none_or(|one| one == radius_m))
+    }
 }
 
 impl<'t> Choice<'t> {
@@ -49,7 +79,7 @@ impl<'t> Choice<'t> {
         }
         if wanted.follow.is_some() {
             // Following has matched every sphere by its name already.
-            return Ok(Self::Paired { first, all: contacts });
+            return Ok(Self::Paired { first, by_name: by_name(contacts) });
         }
         let base = dimensionless(first)?;
         let mut same = true;
@@ -59,10 +89,11 @@ impl<'t> Choice<'t> {
         if same {
             return Ok(Self::One(first));
         }
+        let by_name = by_name(contacts);
         let unmatched =
-            spheres_without(model, selected, |sphere| find(contacts, name_of(model, sphere)).is_some());
+            spheres_without(model, selected, |sphere| by_name.contains_key(name_of(model, sphere)));
         if unmatched.is_empty() {
-            return Ok(Self::Paired { first, all: contacts });
+            return Ok(Self::Paired { first, by_name });
         }
         let reference = wanted.reference.name.clone();
         Err(Fault::new(Needed::ReferenceContact { reference, unmatched }))
@@ -71,25 +102,25 @@ impl<'t> Choice<'t> {
     pub(crate) fn of_sphere(&self, model: &Model, sphere: SphereId) -> &'t ReferenceContact {
         match self {
             Self::One(contact) | Self::Named { contact, .. } => contact,
-            Self::Paired { first, all } => {
-                // `make` has seen that every name is there.
-                find(all, name_of(model, sphere)).unwrap_or(first)
-            }
+            // `make` has seen that every name is there.
+            Self::Paired { first, by_name } => by_name.get(name_of(model, sphere)).unwrap_or(first),
         }
     }
 
     /// The reference radius that a sphere's follows from: that of the sphere whose contact all get, else of the sphere of its
     /// name, else the one radius all have there.
-    pub(crate) fn radius_for(&self, model: &Model, sphere: SphereId, reference: &Reference) -> Option<f64> {
+    pub(crate) fn radius_for(
+        &self,
+        model: &Model,
+        sphere: SphereId,
+        reference: &ReferenceRadii<'_>,
+    ) -> Option<f64> {
         if let Self::Named { radius_m, .. } = self {
             return Some(*radius_m);
         }
-        let name = name_of(model, sphere);
-        let named = reference.contacts.iter().find_map(|contact| contact.radius_of(name));
+        let named = reference.by_name.get(name_of(model, sphere)).copied();
         let first = self.of_sphere(model, sphere).radius_m;
-        let one =
-            reference.contacts.iter().flat_map(|contact| &contact.radii_m).all(|radius| *radius == first);
-        named.or(one.then_some(first))
+        named.or(reference.are_all(first).then_some(first))
     }
 
     /// Isometric radii need a sphere of the same name for each sphere, or one radius in the reference.
@@ -99,8 +130,9 @@ impl<'t> Choice<'t> {
         selected: &Selected,
         reference: &Reference,
     ) -> Result<(), Fault> {
+        let radii = ReferenceRadii::of(reference);
         let unmatched =
-            spheres_without(model, selected, |sphere| self.radius_for(model, sphere, reference).is_some());
+            spheres_without(model, selected, |sphere| self.radius_for(model, sphere, &radii).is_some());
         if unmatched.is_empty() {
             return Ok(());
         }
@@ -135,8 +167,15 @@ fn spheres_without(model: &Model, selected: &Selected, found: impl Fn(SphereId) 
     moving.filter(|&sphere| !found(sphere)).map(|sphere| name_of(model, sphere).to_owned()).collect()
 }
 
-fn find<'t>(contacts: &'t [ReferenceContact], name: &str) -> Option<&'t ReferenceContact> {
-    contacts.iter().find(|contact| contact.spheres.iter().any(|sphere| sphere == name))
+/// The first contact of each sphere name.
+fn by_name(contacts: &[ReferenceContact]) -> HashMap<&str, &ReferenceContact> {
+    let mut found = HashMap::new();
+    for contact in contacts {
+        for name in &contact.spheres {
+            found.entry(name.as_str()).or_insert(contact);
+        }
+    }
+    found
 }
 
 fn dimensionless(contact: &ReferenceContact) -> Result<DimensionlessContact, Fault> {

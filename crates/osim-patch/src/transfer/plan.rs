@@ -7,7 +7,7 @@ use osim_model::{
     readable,
 };
 
-use super::choice::Choice;
+use super::choice::{Choice, ReferenceRadii};
 use super::predsim::predsim;
 use super::request::{ReferenceContact, ScalingRule, Transfer};
 use super::several_sets;
@@ -42,13 +42,14 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
         GravityChange::new(reference.gravity_m_s2, wanted.target_gravity_m_s2, GravityFor::Reference)?;
     let gravity = change.ratio;
     let followed = |sphere: SphereId| wanted.follow.as_ref().and_then(|follow| follow.spheres.get(&sphere));
+    let reference_radii = ReferenceRadii::of(&wanted.reference);
     let rule_of = |sphere: SphereId| match (followed(sphere), wanted.radius) {
         (Some(followed), RadiusRule::Isometric) => SphereRule::Like(followed.radius_m),
         (Some(followed), RadiusRule::Metres(_)) => SphereRule::Rule(RadiusRule::Metres(followed.radius_m)),
         (Some(followed), _) => SphereRule::Followed(followed.radius_m),
         // As large against the body as the reference's.
         (None, RadiusRule::Isometric) => {
-            let radius = chosen.radius_for(model, sphere, &wanted.reference);
+            let radius = chosen.radius_for(model, sphere, &reference_radii);
             SphereRule::Like(radius.map_or(f64::NAN, |radius| radius * isometric))
         }
         (None, other) => SphereRule::Rule(other),

@@ -1,5 +1,7 @@
 //! A model that was changed: from what, to what, by which equation, and what its contacts do before and after.
 
+use std::collections::HashMap;
+
 use maud::{Markup, html};
 use osim_inspect::series::Body;
 use osim_inspect::{CheckResult, Figures, Inspection, ReferenceState};
@@ -141,10 +143,10 @@ fn changes(topics: &mut Topics, plan: &Plan) -> Markup {
     }
     let groups = groups(&plan.changes);
     // Twelve spheres with the same numbers need no names; two groups of one property do.
-    let alone = |group: &[&Change]| {
-        let property = |group: &[&Change]| group.first().map(|change| change.property);
-        groups.iter().filter(|other| property(other.as_slice()) == property(group)).count() == 1
-    };
+    let property = |group: &[&Change]| group.first().map(|change| change.property);
+    let mut of_property: HashMap<_, usize> = HashMap::new();
+    groups.iter().for_each(|group| *of_property.entry(property(group)).or_default() += 1);
+    let alone = |group: &[&Change]| of_property.get(&property(group)) == Some(&1);
     let rows: Vec<Markup> = groups.iter().map(|group| change(topics, group, !alone(group))).collect();
     let mut caption =
         "Numbers that change, in OpenSim's units, and the equation each follows from.".to_owned();

@@ -1,5 +1,7 @@
 //! What `check` found, and what a change made of it.
 
+use std::collections::HashMap;
+
 use maud::{Markup, html};
 use osim_inspect::CheckResult;
 use osim_model::{Finding, FindingCode, readable};
@@ -35,7 +37,8 @@ pub(super) fn of_change(fragment: &mut Fragment, now: &CheckResult, new: &After<
     let pairs = paired(&now.findings, &new.found.findings);
     let comes: Vec<&Finding> =
         pairs.iter().filter(|(_, before)| before.is_none()).map(|(one, _)| *one).collect();
-    let gone = |one: &&Finding| !new.found.findings.iter().any(|other| kinship(one, other).is_some());
+    let kin = Kin::of(&new.found.findings);
+    let gone = |one: &&Finding| kin.nearest(one).is_none();
     let goes: Vec<&Finding> = now.findings.iter().filter(gone).collect();
     let commands = if new.in_file { Commands::Shown } else { Commands::Left };
     let comes = items(fragment, &comes, Lines::New, commands);
@@ -65,25 +68,44 @@ pub(super) fn of_change(fragment: &mut Fragment, now: &CheckResult, new: &After<
 
 /// Each new finding with the old one that says the same, if there is one.
 fn paired<'f>(now: &'f [Finding], new: &'f [Finding]) -> Vec<(&'f Finding, Option<&'f Finding>)> {
-    let nearest = |one: &Finding| {
-        now.iter().filter_map(|old| Some((kinship(old, one)?, old))).min_by_key(|(far, _)| *far)
-    };
-    new.iter().map(|one| (one, nearest(one).map(|(_, old)| old))).collect()
+    let kin = Kin::of(now);
+    new.iter().map(|one| (one, kin.nearest(one))).collect()
 }
 
 /// Findings that are steps of one ladder: one takes the place of the other as spheres sink in deeper.
 const DEPTH: [FindingCode; 3] =
     [FindingCode::BeyondHertzAtTwo, FindingCode::BeyondHertz, FindingCode::SunkIn];
 
-/// How far apart what two findings say is: 0 the same, 1 another step of a ladder; `None` where they are not akin.
-///
-/// What is said of spheres is shown once for all of them, at the worst, which may be another one after the change.
-fn kinship(old: &Finding, new: &Finding) -> Option<u8> {
-    let about_spheres = !old.spheres.is_empty() && !new.spheres.is_empty();
-    match old.code == new.code {
-        true if about_spheres || old.place == new.place => Some(0),
-        false if DEPTH.contains(&old.code) && DEPTH.contains(&new.code) => Some(1),
-        _ => None,
+/// Findings to which others may be akin, the first of each kind.
+struct Kin<'f> {
+    findings: &'f [Finding],
+    /// What is said of spheres is shown once for all of them, at the worst, which may be another one after the change.
+    of_spheres: HashMap<FindingCode, usize>,
+    at_place: HashMap<(FindingCode, Option<&'f str>), usize>,
+    of_code: HashMap<FindingCode, usize>,
+}
+
+impl<'f> Kin<'f> {
+    fn of(findings: &'f [Finding]) -> Self {
+        let mut kin =
+            Self { findings, of_spheres: HashMap::new(), at_place: HashMap::new(), of_code: HashMap::new() };
+        for (at, one) in findings.iter().enumerate() {
+            if !one.spheres.is_empty() {
+                kin.of_spheres.entry(one.code).or_insert(at);
+            }
+            kin.at_place.entry((one.code, one.place.as_deref())).or_insert(at);
+            kin.of_code.entry(one.code).or_insert(at);
+        }
+        kin
+    }
+
+    /// The first finding that says the same as `one`, else the first that is another step of the same ladder.
+    fn nearest(&self, one: &Finding) -> Option<&'f Finding> {
+        let of_spheres = self.of_spheres.get(&one.code).filter(|_| !one.spheres.is_empty());
+        let same = of_spheres.into_iter().chain(self.at_place.get(&(one.code, one.place.as_deref()))).min();
+        let steps = DEPTH.iter().filter(|code| **code != one.code && DEPTH.contains(&one.code));
+        let at = same.or_else(|| steps.filter_map(|code| self.of_code.get(code)).min())?;
+        self.findings.get(*at)
     }
 }
 
@@ -160,20 +182,24 @@ mod tests {
         Finding::new(code, "").about(place).of_spheres(spheres)
     }
 
+    fn are_akin(old: &Finding, new: &Finding) -> bool {
+        Kin::of(std::slice::from_ref(old)).nearest(new).is_some()
+    }
+
     #[test]
     fn the_worst_sphere_may_be_another_one_after_a_change() {
         let (heel, toe) = (&["heel", "toe"], &["toe"]);
         let before = finding(FindingCode::BeyondHertz, "heel", heel);
-        assert_eq!(kinship(&before, &finding(FindingCode::BeyondHertz, "toe", toe)), Some(0));
-        assert_eq!(kinship(&before, &finding(FindingCode::SunkIn, "toe", toe)), Some(1));
-        assert_eq!(kinship(&before, &finding(FindingCode::BeyondHuntCrossley, "toe", toe)), None);
+        assert!(are_akin(&before, &finding(FindingCode::BeyondHertz, "toe", toe)));
+        assert!(are_akin(&before, &finding(FindingCode::SunkIn, "toe", toe)));
+        assert!(!are_akin(&before, &finding(FindingCode::BeyondHuntCrossley, "toe", toe)));
     }
 
     #[test]
     fn what_is_said_of_forces_belongs_to_each() {
         let before = finding(FindingCode::ConnecteeByName, "left", &[]);
-        assert_eq!(kinship(&before, &finding(FindingCode::ConnecteeByName, "left", &[])), Some(0));
-        assert_eq!(kinship(&before, &finding(FindingCode::ConnecteeByName, "right", &[])), None);
+        assert!(are_akin(&before, &finding(FindingCode::ConnecteeByName, "left", &[])));
+        assert!(!are_akin(&before, &finding(FindingCode::ConnecteeByName, "right", &[])));
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! What the spheres do: one column per group of like spheres and per state of the model.
 
+use std::collections::{HashMap, HashSet};
+
 use maud::{Markup, html};
 use osim_inspect::{Figure, Figures, SphereFigures};
 
@@ -20,19 +22,37 @@ pub(super) struct State<'s> {
     pub(super) is_reference: bool,
 }
 
-impl<'s> State<'s> {
+/// The spheres of a state, to be looked up.
+struct Lookup<'s> {
+    by_path: HashMap<&'s str, &'s SphereFigures>,
+    /// Only in a reference.
+    by_name: HashMap<&'s str, &'s SphereFigures>,
+    /// Any sphere of a reference where all are alike.
+    any: Option<&'s SphereFigures>,
+}
+
+impl<'s> Lookup<'s> {
+    fn of(state: &State<'s>) -> Self {
+        let mut found = Self { by_path: HashMap::new(), by_name: HashMap::new(), any: None };
+        for sphere in state.figures.spheres() {
+            found.by_path.entry(&sphere.path).or_insert(sphere);
+            if state.is_reference {
+                found.by_name.entry(&sphere.sphere).or_insert(sphere);
+            }
+        }
+        let first = state.figures.spheres().next().filter(|_| state.is_reference);
+        found.any = first.filter(|first| {
+            let first = key(first);
+            state.figures.spheres().all(|other| key(other) == first)
+        });
+        found
+    }
+
     /// Its sphere that `sphere` of the model is compared with: itself; in a reference that of its name, else any where all are
     /// alike.
     fn sphere_like(&self, sphere: &SphereFigures) -> Option<&'s SphereFigures> {
-        let own = self.figures.spheres().find(|other| other.path == sphere.path);
-        if !self.is_reference {
-            return own;
-        }
-        let first = || {
-            let first = self.figures.spheres().next()?;
-            self.figures.spheres().all(|other| key(other) == key(first)).then_some(first)
-        };
-        own.or_else(|| self.figures.spheres().find(|other| other.sphere == sphere.sphere)).or_else(first)
+        let own = self.by_path.get(sphere.path.as_str());
+        own.or_else(|| self.by_name.get(sphere.sphere.as_str())).copied().or(self.any)
     }
 }
 
@@ -40,7 +60,6 @@ impl<'s> State<'s> {
 struct Group<'s> {
     names: Vec<&'s str>,
     limbs: Vec<&'s str>,
-    key: Vec<String>,
     /// In each state.
     spheres: Vec<Option<&'s SphereFigures>>,
     mixed: bool,
@@ -76,28 +95,25 @@ pub(super) fn section(fragment: &mut Fragment, states: &[State<'_>]) {
 fn groups<'s>(states: &'s [State<'s>]) -> Vec<Group<'s>> {
     let mut groups: Vec<Group<'s>> = Vec::new();
     let Some(first) = states.first() else { return groups };
+    let lookups: Vec<Lookup<'s>> = states.iter().map(Lookup::of).collect();
+    let mut places: HashMap<Vec<String>, usize> = HashMap::new();
+    let mut limbs: HashSet<(usize, &str)> = HashSet::new();
     for limb in &first.figures.limbs {
         let mixed = limb.is_mixed();
         for sphere in &limb.spheres {
             let spheres: Vec<Option<&SphereFigures>> =
-                states.iter().map(|state| state.sphere_like(sphere)).collect();
+                lookups.iter().map(|state| state.sphere_like(sphere)).collect();
             let key = spheres.iter().flat_map(|sphere| sphere.map(key).unwrap_or_default()).collect();
             let limb = limb.limb.as_deref().unwrap_or_default();
-            match groups.iter_mut().find(|group| group.key == key) {
+            let place = *places.entry(key).or_insert(groups.len());
+            let is_new = limbs.insert((place, limb));
+            match groups.get_mut(place) {
                 Some(group) => {
                     group.names.push(&sphere.sphere);
-                    if !group.limbs.contains(&limb) {
-                        group.limbs.push(limb);
-                    }
+                    group.limbs.extend(is_new.then_some(limb));
                 }
                 None => {
-                    groups.push(Group {
-                        names: vec![&sphere.sphere],
-                        limbs: vec![limb],
-                        key,
-                        spheres,
-                        mixed,
-                    });
+                    groups.push(Group { names: vec![&sphere.sphere], limbs: vec![limb], spheres, mixed });
                 }
             }
         }

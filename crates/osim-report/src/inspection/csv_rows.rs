@@ -1,5 +1,7 @@
 //! A model's spheres as CSV: one row per sphere that stands, numbers in full.
 
+use std::collections::HashMap;
+
 use osim_inspect::{Figure, InspectedForce, Inspection, LimbFigures, SphereFigures};
 use osim_model::{Property, shortest};
 
@@ -73,12 +75,18 @@ pub fn csv_rows(inspected: &Inspection, header: bool) -> Result<String, csv::Err
     let header = header.then(self::header);
     let spheres =
         inspected.figures.limbs.iter().flat_map(|limb| limb.spheres.iter().map(move |sphere| (limb, sphere)));
+    // The first force of each name that presses a sphere of each name.
+    let mut pressing: HashMap<(&str, &str), usize> = HashMap::new();
+    for (at, force) in inspected.forces.iter().enumerate() {
+        for sphere in &force.spheres {
+            pressing.entry((&force.name, sphere)).or_insert(at);
+        }
+    }
     let rows = spheres.map(|(limb, sphere)| {
-        let presses = |force: &&InspectedForce| {
-            sphere.forces.contains(&force.name) && force.spheres.contains(&sphere.sphere)
-        };
-        let place = Place { model: inspected, limb, sphere, force: inspected.forces.iter().find(presses) };
-        cells(&place)
+        let presses = |force: &String| pressing.get(&(force.as_str(), sphere.sphere.as_str())).copied();
+        let first = sphere.forces.iter().filter_map(presses).min();
+        let force = first.and_then(|at| inspected.forces.get(at));
+        cells(&Place { model: inspected, limb, sphere, force })
     });
     csv_text(header.into_iter().chain(rows))
 }

@@ -1,19 +1,19 @@
 //! Forces with the same parameters together.
 
+use std::collections::HashMap;
+
 use osim_inspect::{InspectedForce, Inspection};
 use osim_model::{Property, four_significant, readable};
 
 /// Forces with the same parameters, and these as cells.
 pub(crate) fn groups(inspected: &Inspection) -> Vec<(Vec<String>, Vec<&InspectedForce>)> {
     let mut groups: Vec<(Vec<String>, Vec<&InspectedForce>)> = Vec::new();
+    let mut places = HashMap::new();
     for force in &inspected.forces {
         let row = parameters(force);
-        match groups.iter_mut().find(|(known, members)| {
-            *known == row
-                && members.first().is_some_and(|first| {
-                    (first.kind, first.applies, first.selected) == (force.kind, force.applies, force.selected)
-                })
-        }) {
+        let key = (row.clone(), force.kind, force.applies, force.selected);
+        let place = *places.entry(key).or_insert(groups.len());
+        match groups.get_mut(place) {
             Some((_, members)) => members.push(force),
             None => groups.push((row, vec![force])),
         }

@@ -1,5 +1,7 @@
 //! What the spheres do, with a column for each group of spheres that do the same.
 
+use std::collections::HashMap;
+
 use osim_inspect::{Figure, Inspection, SphereFigures};
 use osim_model::wording::{Dialect, Phrase};
 
@@ -17,7 +19,6 @@ struct Alike<'a> {
     names: Vec<&'a str>,
     first: &'a SphereFigures,
     mixed: bool,
-    key: Vec<String>,
 }
 
 /// The figures; nothing where there are none and nothing is to be said of that.
@@ -47,13 +48,14 @@ pub(super) fn text(inspected: &Inspection, dialect: &dyn Dialect) -> String {
 
 fn groups(inspected: &Inspection) -> Vec<Alike<'_>> {
     let mut groups: Vec<Alike<'_>> = Vec::new();
+    let mut places = HashMap::new();
     for limb in &inspected.figures.limbs {
         let mixed = limb.is_mixed();
         for sphere in &limb.spheres {
-            let key = key(sphere);
-            match groups.iter_mut().find(|group| group.key == key) {
+            let place = *places.entry(key(sphere)).or_insert(groups.len());
+            match groups.get_mut(place) {
                 Some(group) => group.names.push(&sphere.sphere),
-                None => groups.push(Alike { names: vec![&sphere.sphere], first: sphere, mixed, key }),
+                None => groups.push(Alike { names: vec![&sphere.sphere], first: sphere, mixed }),
             }
         }
     }

@@ -1,22 +1,24 @@
 //! Equal changes together, so that twelve spheres are one line.
 
+use std::collections::HashMap;
+
 use osim_patch::Change;
 
 /// Equal changes together, in the order of the first of each.
 pub(crate) fn groups(changes: &[Change]) -> Vec<Vec<&Change>> {
     let mut groups: Vec<Vec<&Change>> = Vec::new();
+    let mut places = HashMap::new();
     for change in changes {
-        match groups.iter_mut().find(|group| group.first().is_some_and(|first| alike(first, change))) {
+        // What a group has in common.
+        let key =
+            (change.property, change.from.to_bits(), change.to.to_bits(), change.equation, change.inserted);
+        let place = *places.entry(key).or_insert(groups.len());
+        match groups.get_mut(place) {
             Some(group) => group.push(change),
             None => groups.push(vec![change]),
         }
     }
     groups
-}
-
-fn alike(a: &Change, b: &Change) -> bool {
-    (a.property, a.from.to_bits(), a.to.to_bits(), a.equation, a.inserted)
-        == (b.property, b.from.to_bits(), b.to.to_bits(), b.equation, b.inserted)
 }
 
 /// The force or sphere of a group, or how many there are.

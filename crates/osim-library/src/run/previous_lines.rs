@@ -1,0 +1,119 @@
+//! The lines of an earlier run's summary, read one at a time.
+
+use std::fs::File;
+use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
+use std::path::Path;
+use std::sync::Mutex;
+
+use super::journal::{Form, end_of_lines};
+use super::record::{JsonRecord, Record};
+use crate::fault::{Context, LibraryFault};
+
+/// A summary, whole or partial, that stays open: a run that goes on replaces its name, not the file.
+pub(super) struct PreviousLines {
+    form: Form,
+    file: Mutex<File>,
+    /// Where its last whole line ends.
+    end: u64,
+    header: csv::StringRecord,
+}
+
+impl PreviousLines {
+    /// # Errors
+    /// It cannot be read, or its last line is cut off and it is not one that `may_be_cut`.
+    pub(super) fn open(path: &Path, form: Form, may_be_cut: bool) -> Result<Self, LibraryFault> {
+        let mut file = File::open(path).map_err(said)?;
+        let length = file.metadata().map_err(said)?.len();
+        let end = end_of_lines(&mut file, length).map_err(said)?;
+        if end < length && !may_be_cut {
+            let why = "its last line is cut off, so this tool did not leave it like that";
+            return Err(LibraryFault::new(why));
+        }
+        Ok(Self { form, file: Mutex::new(file), end, header: csv::StringRecord::new() })
+    }
+
+    /// Calls `each` with every record and where its line begins.
+    ///
+    /// # Errors
+    /// The lines hold something else; also where a table has another header and not one line.
+    pub(super) fn each(&mut self, mut each: impl FnMut(u64, &Record)) -> Result<(), LibraryFault> {
+        let no_summary = || "this is not a summary of this tool, or it was edited";
+        let mut header = csv::StringRecord::new();
+        {
+            let mut file = self.file.lock().map_err(|_| ended_early())?;
+            file.seek(SeekFrom::Start(0)).map_err(said)?;
+            let lines = BufReader::new(&mut *file).take(self.end);
+            match self.form {
+                Form::Ndjson => each_json(lines, &mut each).context(no_summary)?,
+                Form::Csv => header = each_row(lines, self.end, &mut each).context(no_summary)?,
+            }
+        }
+        self.header = header;
+        Ok(())
+    }
+
+    /// The record whose line begins at `offset`.
+    ///
+    /// # Errors
+    /// It cannot be read any more.
+    pub(super) fn at(&self, offset: u64) -> Result<Record, LibraryFault> {
+        let mut file = self.file.lock().map_err(|_| ended_early())?;
+        file.seek(SeekFrom::Start(offset)).map_err(said)?;
+        let mut lines = BufReader::new(&mut *file).take(self.end.saturating_sub(offset));
+        if self.form == Form::Ndjson {
+            let mut line = Vec::new();
+            lines.read_until(b'\n', &mut line).map_err(said)?;
+            return serde_json::from_slice::<JsonRecord>(&line).map(Record::from).map_err(said);
+        }
+        let mut row = csv::StringRecord::new();
+        csv::ReaderBuilder::new()
+            .has_headers(false)
+            .from_reader(lines)
+            .read_record(&mut row)
+            .map_err(said)?;
+        row.deserialize(Some(&self.header)).map(Record::from_spreadsheet).map_err(said)
+    }
+}
+
+fn each_json(mut lines: impl BufRead, each: &mut impl FnMut(u64, &Record)) -> Result<(), LibraryFault> {
+    let (mut offset, mut line) = (0, Vec::new());
+    loop {
+        line.clear();
+        let length = lines.read_until(b'\n', &mut line).map_err(said)?;
+        if length == 0 {
+            return Ok(());
+        }
+        if line != b"\n" {
+            let record = serde_json::from_slice::<JsonRecord>(&line).map_err(said)?;
+            each(offset, &record.into());
+        }
+        offset += length as u64;
+    }
+}
+
+fn each_row(
+    lines: impl Read,
+    length: u64,
+    each: &mut impl FnMut(u64, &Record),
+) -> Result<csv::StringRecord, LibraryFault> {
+    let mut reader = csv::Reader::from_reader(lines);
+    let header = reader.headers().map_err(said)?.clone();
+    if length > 0 && !header.iter().any(|column| column == "sha256_output") {
+        return Err(LibraryFault::new("there is no column 'sha256_output'"));
+    }
+    let mut row = csv::StringRecord::new();
+    while reader.read_record(&mut row).map_err(said)? {
+        let record: Record = row.deserialize(Some(&header)).map_err(said)?;
+        each(row.position().map_or(0, csv::Position::byte), &record.from_spreadsheet());
+    }
+    Ok(header)
+}
+
+/// What another library says.
+fn said(error: impl std::fmt::Display) -> LibraryFault {
+    LibraryFault::new(error.to_string())
+}
+
+fn ended_early() -> LibraryFault {
+    LibraryFault::new("a thread ended early")
+}

@@ -1,0 +1,171 @@
+#!/usr/bin/env python3
+"""How the work of every verb grows with the size of what it is given: counted in instructions, not timed.
+
+    tests/growth/growth.py PROGRAM [--only VERB_OR_KIND...]
+
+Valgrind's callgrind counts what each function of the program executes, at N and 4 N of a kind (forces, bodies, ...), less
+what it executes for a model of next to nothing. The whole may grow with an exponent of at most 1.1, and no function of weight
+with more than 1.35: a loop within a loop shows there long before it shows in the whole. (Sorting grows with 1.16 here.)
+"""
+
+import argparse
+import collections
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import models
+
+LEAST, N, TIMES = 4, 64, 4
+LIMIT, LIMIT_OF_FUNCTION = 1.1, 1.35
+# Of the whole at 4 N; less than this is noise.
+WEIGHT = 0.01
+# Functions whose work comes in jumps: short lists are sorted in another way, freed memory is joined now and then. What they do
+# is counted in the whole.
+IN_JUMPS = re.compile(r"sort|malloc|free|alloc|unlink_chunk|hash.*(reserve|rehash|resize)|grow|drop_in_place|memset")
+
+ALL = list(models.KINDS)
+SOME = ["forces", "bodies", "chain+", "defaults"]
+MODEL, OUT = "MODEL", "OUT"
+# Verb, the call, and in what it may grow. A call that follows bodies is given the model before they were scaled.
+VERBS = {
+    "inspect": (["inspect", MODEL], ["spheres", "findings"]),
+    "inspect csv": (["inspect", MODEL, "--format", "csv"], ["forces"]),
+    "inspect json": (["inspect", MODEL, "--format", "json"], ["bodies"]),
+    "inspect --from": (["inspect", MODEL, "--from", "GENERIC"], ["bodies", "chain+"]),
+    "check": (["check", MODEL], ALL),
+    "rescale": (["rescale", MODEL, "--target-mass", "500", "-o", OUT], SOME),
+    "follow bodies": (["transfer", MODEL, "--from", "GENERIC", "--follow-bodies", "-o", OUT], ["forces", "bodies"]),
+    "report": (["rescale", MODEL, "--target-mass", "500", "-o", OUT, "--report", "OUT.html"], ["findings"]),
+    "transfer": (["transfer", MODEL, "--from", "GENERIC", "-o", OUT], ["forces", "bodies"]),
+    "set": (["set", MODEL, "stiffness=x2", "-o", OUT], ["forces", "shared"]),
+    "design": (["design", MODEL, "--indentation", "0.1", "-o", OUT], ["forces", "chain+"]),
+    "note": (["note", MODEL, "--contacts-mass", "40", "-o", OUT], ["bodies"]),
+    "sweep": (["sweep", MODEL, "--grid", "stiffness=x1,x2", "-d", OUT, "--jobs", "1"], ["forces"]),
+    "drop-test": (["drop-test", MODEL, "--duration", "0.01"], ["forces"]),
+    "files": (["rescale", "FOLDER", "--target-mass", "500", "-d", OUT, "--summary", "OUT.csv", "--jobs", "1"], ["files"]),
+    "check files": (["check", "FOLDER"], ["files"]),
+    "batch": (["batch", "TABLE", "-d", OUT, "--jobs", "1"], ["files"]),
+    "points": (["sweep", "SMALL", "--grid", "stiffness=x1..x2/COUNT", "-d", OUT, "--jobs", "1"], ["files"]),
+}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("--only", nargs="+", help="only these verbs or kinds")
+    options = parser.parse_args()
+    if not shutil.which("valgrind"):
+        print("skipped: growth of the work: no valgrind here to count instructions with")
+        return 0
+    pairs = [(verb, kind) for verb, (_, kinds) in VERBS.items() for kind in kinds]
+    if options.only:
+        pairs = [pair for pair in pairs if set(pair) & set(options.only)]
+    program = Path(options.program).resolve()
+    failed = 0
+    with tempfile.TemporaryDirectory(prefix="osim-growth-") as folder:
+        with ThreadPoolExecutor(os.cpu_count()) as workers:
+            for text, is_bad in workers.map(lambda pair: one(program, Path(folder), *pair), pairs):
+                failed += is_bad
+                print(text, flush=True)
+    print(f"\n{failed} grow too fast" if failed else "\neverything grows as it should")
+    return 1 if failed else 0
+
+
+def one(program, folder, verb, kind):
+    """The line of a verb and kind, and whether it grows too fast."""
+    least, few, many = (counted(program, folder, verb, kind, size) for size in (LEAST, N, TIMES * N))
+    if None in (least, few, many):
+        return f"FAIL {verb:16} {kind:10} the program refused", True
+    total = sum(many.values())
+    whole = exponent(*(sum(counts.values()) for counts in (least, few, many)))
+    fast = []
+    for name, count in many.items():
+        own = exponent(least[name], few[name], count)
+        if count > WEIGHT * total and own > LIMIT_OF_FUNCTION and not IN_JUMPS.search(name):
+            fast.append((count / total, own, name))
+    bad = whole > LIMIT or bool(fast)
+    lines = [f"{'FAIL' if bad else 'pass'} {verb:16} {kind:10} {whole:5.2f}   {total / 1e6:7.1f} million instructions"]
+    lines += [f"       {share:6.1%} {own:5.2f}  {name[:110]}" for share, own, name in sorted(fast, reverse=True)]
+    return "\n".join(lines), bad
+
+
+def exponent(least, few, many):
+    """Of what grows; a function that is not called for N grows from nothing."""
+    if many <= least:
+        return 0.0
+    return math.log((many - least) / max(few - least, 1)) / math.log(TIMES)
+
+
+def counted(program, folder, verb, kind, size):
+    """Instructions of each function; `None` where the program refuses."""
+    place = Path(tempfile.mkdtemp(dir=folder))
+    written = {"GENERIC": place / "generic.osim", OUT: place / "out", "FOLDER": place / "library"}
+    if kind == "files":
+        small = models.KINDS["forces"](LEAST)
+        (place / "library").mkdir()
+        names = [f"model{number:05}.osim" for number in range(size)]
+        for name in names:
+            (place / "library" / name).write_text(small)
+        rows = [f"library/{name},{500 + number}" for number, name in enumerate(names)]
+        (place / "table.csv").write_text("\n".join(["model,target-mass", *rows, ""]))
+        written |= {"TABLE": place / "table.csv", "SMALL": place / "library" / names[0]}
+    else:
+        text = models.KINDS[kind](size)
+        (place / "model.osim").write_text(text)
+        (place / "generic.osim").write_text(text)
+        written[MODEL] = place / "model.osim"
+    call = [filled(word, written, size) for word in VERBS[verb][0]]
+    out = place / "callgrind"
+    counting = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}"]
+    environment = os.environ | {"RAYON_NUM_THREADS": "1"}
+    done = subprocess.run([*counting, program, *call], cwd=place, env=environment, capture_output=True)
+    if done.returncode not in (0, 1) or not out.exists() or b"\nerror:" in b"\n" + done.stderr:
+        print(done.stderr.decode(errors="replace")[-2000:], file=sys.stderr)
+        return None
+    counts = functions(out)
+    shutil.rmtree(place)
+    return counts
+
+
+def filled(word, written, size):
+    for name, path in written.items():
+        if word == name or word.startswith(f"{name}."):
+            return word.replace(name, str(path), 1)
+    return word.replace("COUNT", str(size))
+
+
+COST = re.compile(r"^(?:\+|-|\*|\d)\S* (\d+)$")
+
+
+def functions(out):
+    """What each function executes itself, without those that it calls, from callgrind's file."""
+    counts, names = collections.Counter(), {}
+    current, skip = None, False
+    with open(out, encoding="utf-8", errors="replace") as lines:
+        for line in lines:
+            line = line.rstrip("\n")
+            if line.startswith("fn="):
+                number, _, name = line[3:].partition(" ")
+                current = names.setdefault(number, re.sub(r"'\d+$", "", name))
+            elif line.startswith("cfn="):
+                number, _, name = line[4:].partition(" ")
+                if name:
+                    names.setdefault(number, re.sub(r"'\d+$", "", name))
+            elif line.startswith("calls="):
+                skip = True
+            elif cost := COST.match(line):
+                if not skip and current is not None:
+                    counts[current] += int(cost[1])
+                skip = False
+    return counts
+
+
+if __name__ == "__main__":
+    sys.exit(main())

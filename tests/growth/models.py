@@ -1,0 +1,171 @@
+"""Models that grow in one thing: forces, spheres, bodies, defaults, or forces that share spheres.
+
+Each is a foot or a chain of bodies with as little beside that one thing as possible, so that time that does not grow with
+it does not hide time that grows with its square.
+"""
+
+HALF_PI = 1.5707963267948966
+FLOOR = (
+    '<ContactHalfSpace name="floor"><socket_frame>/ground</socket_frame><location>0 0 0</location>'
+    f"<orientation>0 0 -{HALF_PI}</orientation></ContactHalfSpace>"
+)
+
+
+def forces(n):
+    """n spheres on one foot, each with a force of its own."""
+    return model(feet(2), spheres(n, foot), [smooth(i, i) for i in range(n)])
+
+
+def spheres_only(n):
+    """n spheres, of which two have a force."""
+    return model(feet(2), spheres(max(n, 2), foot), [smooth(i, i) for i in range(2)])
+
+
+def feet_of_their_own(n):
+    """n bodies at the pelvis, each with a sphere and a force."""
+    return model(feet(n), spheres(n, lambda i: foot(i, n)), [smooth(i, i) for i in range(n)])
+
+
+def chain(n):
+    """Two legs of n bodies together, each body at the one before; the last of each leg carries a sphere."""
+    return model(legs(n), spheres(2, lambda i: foot(n - 2 + i, n)), [smooth(i, i) for i in range(2)])
+
+
+def chain_with_spheres(n):
+    """As `chain`, with a sphere and a force on every body."""
+    return model(legs(n), spheres(n, lambda i: foot(i, n)), [smooth(i, i) for i in range(n)])
+
+
+def defaults(n):
+    """n objects in <defaults>, and n spheres with a force that look up theirs."""
+    objects = "".join(f'<Marker name="default{i}"><location>0 0 0</location></Marker>' for i in range(n))
+    objects += '<SmoothSphereHalfSpaceForce name="default"><transition_velocity>0.2</transition_velocity>'
+    objects += "</SmoothSphereHalfSpaceForce>"
+    some = [smooth(i, i, short=True) for i in range(n)]
+    return model(feet(2), spheres(n, foot), some, f"<defaults>{objects}</defaults>")
+
+
+def shared(n):
+    """n forces on one sphere of each foot."""
+    return model(feet(2), spheres(2, foot), [smooth(i, i % 2) for i in range(n)])
+
+
+def one_force(n):
+    """Forces of the older kind, one for each foot, that names n spheres together."""
+    halves = [" ".join(f"s{i}" for i in range(n) if i % 2 == side) for side in range(2)]
+    some = [hunt_crossley(side, f"{names} floor") for side, names in enumerate(halves)]
+    return model(feet(2), spheres(max(n, 2), foot), some)
+
+
+def shared_by_all(n):
+    """n forces of the older kind, each with its own sphere and one of eight that they share."""
+    some = [hunt_crossley(i, f"s{i} s{i % 8} floor") for i in range(n)]
+    return model(feet(2), spheres(max(n, 8), foot), some)
+
+
+def same_name(n):
+    """n forces with one and the same name."""
+    some = [smooth(i, i).replace(f'name="f{i}"', 'name="f"') for i in range(n)]
+    return model(feet(2), spheres(n, foot), some)
+
+
+def sunk_in(n):
+    """As `forces`, each with findings of its own: no smoothness, dissipation below nothing, a long name."""
+    some = [smooth(i, i).replace("<dissipation>2", "<dissipation>0").replace("<stiffness>1e6", f"<stiffness>1e{2 + i % 3}") for i in range(n)]
+    return model(feet(2), spheres(n, foot), some)
+
+
+KINDS = {
+    "forces": forces,
+    "spheres": spheres_only,
+    "bodies": feet_of_their_own,
+    "chain": chain,
+    "chain+": chain_with_spheres,
+    "defaults": defaults,
+    "shared": shared,
+    "one force": one_force,
+    "shared+": shared_by_all,
+    "same name": same_name,
+    "findings": sunk_in,
+}
+
+
+def model(bodies_and_joints, contact_spheres, contact_forces, before=""):
+    bodies, joints = bodies_and_joints
+    sets = [
+        ("BodySet", bodies),
+        ("JointSet", joints),
+        ("ContactGeometrySet", [FLOOR, *contact_spheres]),
+        ("ForceSet", contact_forces),
+    ]
+    lines = ['<?xml version="1.0" encoding="UTF-8" ?>', '<OpenSimDocument Version="40000">', '<Model name="growth">']
+    lines += [before, '<Ground name="ground"/>', "<gravity>0 -9.80665 0</gravity>"]
+    for tag, items in sets:
+        lines += [f'<{tag} name="{tag.lower()}"><objects>', *items, f"</objects><groups/></{tag}>"]
+    return "\n".join([*lines, "</Model></OpenSimDocument>", ""])
+
+
+def foot(number, feet=2):
+    return f"foot{number % feet // 2}_{'rl'[number % 2]}"
+
+
+def feet(n):
+    """A pelvis and n feet at it."""
+    names = [foot(i, n) for i in range(n)]
+    bodies = [body("pelvis", 1), *(body(name, n) for name in names)]
+    return bodies, [joint("pelvis", None), *(joint(name, "pelvis") for name in names)]
+
+
+def legs(n):
+    """A pelvis, and n bodies in two chains from it."""
+    names = [foot(i, n) for i in range(n)]
+    bodies, joints = feet(n)
+    return bodies, [joints[0], *(joint(name, names[i - 2] if i > 1 else "pelvis") for i, name in enumerate(names))]
+
+
+def body(name, of):
+    """One of `of` bodies that weigh 40 kg together."""
+    return (
+        f'<Body name="{name}"><attached_geometry><Mesh name="bone"><scale_factors>1 1 1</scale_factors>'
+        f"<mesh_file>{name}.vtp</mesh_file></Mesh></attached_geometry><mass>{40 / of}</mass><mass_center>0 0 0</mass_center>"
+        "<inertia>1 1 1 0 0 0</inertia></Body>"
+    )
+
+
+def joint(name, parent):
+    path = f"/bodyset/{parent}" if parent else "/ground"
+    return (
+        f'<PinJoint name="{name}_joint"><socket_parent_frame>parent_offset</socket_parent_frame>'
+        f"<socket_child_frame>/bodyset/{name}</socket_child_frame>"
+        f'<frames><PhysicalOffsetFrame name="parent_offset"><socket_parent>{path}</socket_parent>'
+        "<translation>0 -0.1 0</translation></PhysicalOffsetFrame></frames></PinJoint>"
+    )
+
+
+def spheres(n, body_of):
+    return [
+        f'<ContactSphere name="s{i}"><socket_frame>/bodyset/{body_of(i)}</socket_frame>'
+        f"<location>{i % 100 / 100} -0.01 {i // 100 / 100}</location><radius>0.032</radius></ContactSphere>"
+        for i in range(n)
+    ]
+
+
+def smooth(number, sphere, short=False):
+    """`short`: the rest comes from <defaults>."""
+    rest = "" if short else "<transition_velocity>0.2</transition_velocity>"
+    return (
+        f'<SmoothSphereHalfSpaceForce name="f{number}"><socket_sphere>/contactgeometryset/s{sphere}</socket_sphere>'
+        "<socket_half_space>/contactgeometryset/floor</socket_half_space><stiffness>1e6</stiffness>"
+        "<dissipation>2</dissipation><static_friction>0.8</static_friction><dynamic_friction>0.8</dynamic_friction>"
+        f"<viscous_friction>0.5</viscous_friction>{rest}</SmoothSphereHalfSpaceForce>"
+    )
+
+
+def hunt_crossley(number, geometry):
+    return (
+        f'<HuntCrossleyForce name="f{number}"><HuntCrossleyForce::ContactParametersSet name="contact_parameters"><objects>'
+        f"<HuntCrossleyForce::ContactParameters><geometry>{geometry}</geometry><stiffness>1e7</stiffness>"
+        "<dissipation>1</dissipation><static_friction>0.8</static_friction><dynamic_friction>0.8</dynamic_friction>"
+        "<viscous_friction>0.5</viscous_friction></HuntCrossleyForce::ContactParameters></objects><groups/>"
+        "</HuntCrossleyForce::ContactParametersSet><transition_velocity>0.1</transition_velocity></HuntCrossleyForce>"
+    )
