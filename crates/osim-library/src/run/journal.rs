@@ -4,7 +4,7 @@
 //! finished output therefore has its line, and a run that goes on compares what the line says with what is there.
 
 use std::ffi::OsString;
-use std::fs::{File, OpenOptions};
+use std::fs::File;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -13,6 +13,7 @@ use osim_model::wording::{Input, phrase};
 use osim_requests::options::RunOptions;
 
 use super::record::{JsonRecord, Record};
+use crate::door;
 use crate::fault::{Context, LibraryFault};
 use crate::folders::make_folder_of;
 use crate::write::{Mode, Prepared};
@@ -141,7 +142,7 @@ impl Partial {
     /// Opens the file for this run alone, with the whole lines that are there if it goes on with them.
     fn open(path: &Path, summary: &Path, resume: bool) -> Result<Self, LibraryFault> {
         let cannot = || format!("cannot write {}", path.display());
-        let file = OpenOptions::new().create(true).append(true).open(path).context(cannot)?;
+        let file = door::append(path).map_err(|error| door::reason(&error)).context(cannot)?;
         if file.try_lock().is_err_and(|error| matches!(error, std::fs::TryLockError::WouldBlock)) {
             return Err(LibraryFault::new(format!(
                 "{} is being written by another run: give each run a summary of its own",
@@ -149,7 +150,7 @@ impl Partial {
             )));
         }
         // A line cut off when the run was killed must not run into the next one.
-        let kept = if resume { whole_lines(&std::fs::read(path).context(cannot)?).len() as u64 } else { 0 };
+        let kept = if resume { whole_lines(&door::ordinary(path).context(cannot)?).len() as u64 } else { 0 };
         file.set_len(kept).context(cannot)?;
         Ok(Self { file, length: kept })
     }

@@ -10,6 +10,7 @@ use super::journal::{Form, partial, whole_lines};
 use super::record::{Record, Status};
 use super::task::Task;
 use crate::digest::sha256;
+use crate::door;
 use crate::fault::{Context, LibraryFault};
 
 /// Records of earlier runs.
@@ -54,7 +55,7 @@ impl PreviousRun {
     }
 
     fn add(&mut self, path: &Path, form: Form, may_be_cut: bool) -> Result<(), LibraryFault> {
-        let bytes = std::fs::read(path).map_err(|error| LibraryFault::new(error.to_string()))?;
+        let bytes = door::ordinary(path).map_err(|refusal| LibraryFault::new(refusal.to_string()))?;
         let whole = whole_lines(&bytes);
         if whole.len() < bytes.len() && !may_be_cut {
             let why = "its last line is cut off, so this tool did not leave it like that";
@@ -130,7 +131,7 @@ struct Outputs {
 
 impl Outputs {
     fn of(task: &Task, input: &str) -> Self {
-        let digest = |path: &Path| std::fs::read(path).ok().map(|bytes| sha256(&bytes));
+        let digest = |path: &Path| door::ordinary(path).ok().map(|bytes| sha256(&bytes));
         let model =
             if task.settings.in_place { Some(input.to_owned()) } else { task.output().and_then(digest) };
         Self { model, geometry: task.geometry_output.as_deref().and_then(digest) }

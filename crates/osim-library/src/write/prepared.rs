@@ -10,6 +10,7 @@ use osim_model::wording::{Input, phrase};
 use tempfile::NamedTempFile;
 
 use super::temporary;
+use crate::door;
 use crate::fault::{Context, LibraryFault};
 use crate::paths::{folder_of, resolved};
 
@@ -100,7 +101,9 @@ impl Prepared {
         }
         let cannot = || format!("cannot write into {}", folder_of(&shown).display());
         let like = existing.as_ref().or(like);
-        let temporary = temporary::file(folder_of(&target), like).context(cannot)?;
+        let temporary = temporary::file(folder_of(&target), like)
+            .map_err(|error| door::reason(&error))
+            .context(cannot)?;
         keep_permissions(&temporary, like).context(cannot)?;
         Ok(Self { temporary, shown, target, replaces: existing.is_some() })
     }
@@ -221,7 +224,7 @@ pub(crate) fn backup(path: &Path, bytes: &[u8]) -> Result<(Option<Prepared>, Pat
             return Ok((Some(Prepared::new(&backup, bytes, metadata.as_ref(), Mode::New)?), backup));
         };
         let same_length = there.is_file() && there.len() == bytes.len() as u64;
-        if same_length && std::fs::read(&backup).is_ok_and(|kept| kept == bytes) {
+        if same_length && door::ordinary(&backup).is_ok_and(|kept| kept == bytes) {
             return Ok((None, backup));
         }
     }
@@ -231,7 +234,7 @@ pub(crate) fn backup(path: &Path, bytes: &[u8]) -> Result<(Option<Prepared>, Pat
 /// After a rename, the folder's entry itself has to reach the disk.
 fn sync_folder_of(path: &Path) {
     // Windows cannot open folders; the rename is durable there by itself. A failure loses nothing but speed of certainty.
-    if let Ok(folder) = File::open(folder_of(path)) {
+    if let Ok(folder) = door::folder(folder_of(path)) {
         let _ = folder.sync_all();
     }
 }
