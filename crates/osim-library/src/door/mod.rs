@@ -138,7 +138,7 @@ pub(crate) fn ordinary(path: &Path) -> Result<Vec<u8>, Refusal> {
 /// The first bytes of an ordinary file, `most` of them where there are so many.
 ///
 /// # Errors
-/// As [`read`].
+/// It is not there, cannot be read, or is not an ordinary file.
 pub fn head(path: &Path, most: usize) -> std::io::Result<Vec<u8>> {
     let (file, _) = open(path, Kinds::Ordinary).map_err(as_error)?;
     let mut head = Vec::with_capacity(most);

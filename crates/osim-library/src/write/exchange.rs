@@ -5,6 +5,10 @@ use std::path::Path;
 
 /// The outcome of an exchange.
 #[derive(Debug)]
+#[cfg_attr(
+    not(any(target_os = "linux", target_vendor = "apple")),
+    expect(dead_code, reason = "other systems cannot do it, and say only that")
+)]
 pub(super) enum Exchange {
     Done,
     /// This system, or this file system, cannot do it.
