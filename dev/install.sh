@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what the checks need beside Rust. Nothing else in the project installs anything.
 #
-#     dev/install.sh [GROUP...]     one or more of: rust programs shells oracle browser wasm; all without arguments
+#     dev/install.sh [GROUP...]     one or more of: rust programs shells oracle browser wasm windows; all without arguments
 #
 # Quick, and silent but for the table at its end, where everything is there. What it cannot install (no root, no
 # Debian, no such package) it names, and goes on: tests that need it say that they were skipped.
@@ -10,7 +10,7 @@ cd "$(dirname "$0")/.."
 
 # Where the oracle's Python packages go, by the versions in tests/oracle/requirements.txt.
 VENV=target/oracle-venv
-GROUPS_KNOWN="rust programs shells oracle browser wasm"
+GROUPS_KNOWN="rust programs shells oracle browser wasm windows"
 
 # One tool a line:
 #   group
@@ -26,6 +26,7 @@ GROUPS_KNOWN="rust programs shells oracle browser wasm"
 # oracle:   Python for the comparison with the real OpenSim. Its packages are in the table further below.
 # browser:  opens reports; pdftotext reads what they print. The tests run in the oracle's Python.
 # wasm:     a compiler with the sources of its library, for targets that rustup cannot fetch here, and a linker.
+# windows:  the same compiler, a linker for Windows, and Wine, which runs what it links.
 # No tool comes from npm yet. One that does gets a group here, and a package-lock.json that npm ci obeys.
 TOOLS="
 rust      cargo          1.90     rust                cargo --version
@@ -52,6 +53,10 @@ browser   pdftotext      22       apt:poppler-utils   pdftotext -v
 wasm      rustc-web      1.90     apt:rustc-web       /usr/bin/rustc --version
 wasm      rust-web-src   1.90     apt:rust-web-src    dpkg-query -W rust-web-src
 wasm      wasm-ld-19     19       apt:lld-19          wasm-ld-19 --version
+windows   rustc-web      1.90     apt:rustc-web       /usr/bin/rustc --version
+windows   rust-web-src   1.90     apt:rust-web-src    dpkg-query -W rust-web-src
+windows   mingw-gcc      12       apt:gcc-mingw-w64-x86-64 dpkg-query -W gcc-mingw-w64-x86-64
+windows   wine           8        apt:wine            wine --version
 "
 
 wanted_groups=${*:-$GROUPS_KNOWN}

@@ -148,3 +148,49 @@ fn options_that_leave_nothing_are_refused() {
         .usage()
         .wrote_nothing();
 }
+
+#[cfg(unix)]
+#[test]
+fn other_names_of_a_model_keep_the_old_one() {
+    let bench = Bench::human();
+    std::fs::hard_link(bench.path("human.osim"), bench.path("other.osim")).unwrap();
+    let call = "human.osim --target-mass 500 --in-place";
+    bench.run(&format!("{call} --dry-run")).done().says(&["one more name", "hard-linked"]);
+    bench.run(call).done().wrote(&["human.osim", "human.osim.bak"]).says(&["one more name"]);
+    // The backup is a file of its own: who changes the other name does not change it.
+    bench.write("other.osim", "changed");
+    assert_eq!(bench.read("human.osim.bak"), fixture(HUMAN.0));
+    let ran = bench.run("human.osim --target-mass 400 --in-place").done();
+    assert!(!ran.err().contains("hard-linked"), "{}", ran.err());
+}
+
+/// The owner and the group of a model that is changed by somebody else, who may: root.
+#[cfg(unix)]
+#[test]
+fn a_model_changed_in_place_keeps_its_owner_or_is_left_alone() {
+    use std::os::unix::fs::{MetadataExt, PermissionsExt, chown};
+    let bench = Bench::human();
+    if chown(bench.path("human.osim"), Some(12_345), Some(54_321)).is_err() {
+        crate::support::skipped("the owner of a model stays", "only root can give files away");
+        return;
+    }
+    let owner = |name: &str| {
+        let metadata = std::fs::metadata(bench.path(name)).unwrap();
+        (metadata.uid(), metadata.gid())
+    };
+    bench.run("human.osim --target-mass 500 --in-place").done();
+    assert_eq!((owner("human.osim"), owner("human.osim.bak")), ((12_345, 54_321), (12_345, 54_321)));
+    // Who may write into the folder but not give files away.
+    std::fs::set_permissions(bench.path("."), PermissionsExt::from_mode(0o777)).unwrap();
+    std::fs::set_permissions(bench.path("human.osim"), PermissionsExt::from_mode(0o666)).unwrap();
+    let before = bench.files();
+    let program = env!("CARGO_BIN_EXE_osim-contact-scale");
+    let mut command = std::process::Command::new("setpriv");
+    command.args(["--reuid=65534", "--regid=65534", "--clear-groups", "--", program]);
+    let call = ["human.osim", "--target-mass", "400", "--in-place"];
+    let output = command.args(call).current_dir(bench.path(".")).output().unwrap();
+    let text = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{text}");
+    assert!(text.contains("belongs to another user") && text.contains("another name with -o"), "{text}");
+    assert!(bench.files() == before, "nothing is written");
+}

@@ -1,11 +1,13 @@
-//! SIGKILL at random moments: outputs are absent or complete, and `--resume` makes the result of an undisturbed run.
+//! SIGKILL at random moments, and at chosen system calls: outputs are absent or complete, and `--resume` makes the result of an
+//! undisturbed run.
 
+use std::collections::BTreeMap;
 use std::os::unix::process::ExitStatusExt;
 use std::process::Stdio;
 use std::time::{Duration, Instant};
 
-use crate::library::{Files, below, is_temporary, library, name};
-use crate::support::Bench;
+use crate::library::{Files, below, is_temporary, library, name, shell_command};
+use crate::support::{Bench, skipped};
 
 /// A run that is killed again and again.
 struct Run {
@@ -49,7 +51,103 @@ fn killed_a_thousand_times() {
     IN_PLACE.kill(300);
 }
 
+/// System calls by which a run changes the disk, by what they do.
+const CALLS: [(&str, &[&str]); 4] = [
+    ("write", &["write", "writev"]),
+    ("sync", &["fsync", "fdatasync"]),
+    ("rename", &["rename", "renameat", "renameat2", "link", "linkat"]),
+    ("remove", &["unlink", "unlinkat", "ftruncate"]),
+];
+
+/// strace kills the run where a system call begins: nothing that is between two calls is left out. `KILLS=2000` for more.
+#[test]
+#[ignore = "slow, .ci/run has it: cargo test --test library -- --ignored"]
+fn killed_at_each_kind_of_system_call() {
+    let wanted = std::env::var("KILLS").map_or(300, |kills| kills.parse().unwrap());
+    let mut hit: BTreeMap<&str, usize> = BTreeMap::new();
+    // Only in place are old files replaced, and put on the disk first.
+    for (run, share) in [(IN_PLACE, 3), (INTO_FOLDER, 1), (BATCH, 1)] {
+        let Some(counted) = run.calls() else {
+            return skipped("killed at each kind of system call", "strace is missing or may not trace here");
+        };
+        run.kill_at(wanted * share / 5, &counted, &mut hit);
+    }
+    eprintln!("kills by what was about to be done: {hit:?}, {} in all", hit.values().sum::<usize>());
+    for kind in ["write", "sync", "rename"] {
+        assert!(hit[kind] >= 50.min(wanted / 6), "{hit:?}");
+    }
+}
+
+/// Words that run the command under strace, which does `how`.
+fn straced(how: &str, call: &str) -> String {
+    format!("exec strace -f -qq -o trace {how} \"$COMMAND\" {call}")
+}
+
 impl Run {
+    /// How often a thread of an undisturbed run makes each system call that changes the disk; `None` where nothing can be traced.
+    fn calls(&self) -> Option<BTreeMap<(&'static str, &'static str), usize>> {
+        let bench = self.bench();
+        let all: Vec<&str> = CALLS.iter().flat_map(|(_, calls)| *calls).copied().collect();
+        let script = straced(&format!("-e trace={}", all.join(",")), self.call);
+        let output = shell_command(&bench, &["sh", "-c", &script]).output().unwrap();
+        if !output.status.success() {
+            return None;
+        }
+        let trace = bench.text("trace");
+        let mut most = BTreeMap::new();
+        for (kind, calls) in CALLS {
+            for call in calls {
+                let mut by_thread: BTreeMap<&str, usize> = BTreeMap::new();
+                for line in trace.lines() {
+                    let (thread, rest) = line.split_once(' ').unwrap();
+                    if rest.trim_start().starts_with(&format!("{call}(")) {
+                        *by_thread.entry(thread).or_default() += 1;
+                    }
+                }
+                most.extend(by_thread.into_values().max().map(|most| ((kind, *call), most)));
+            }
+        }
+        Some(most)
+    }
+
+    /// Kills runs where they make a system call for the n-th time, until `wanted` were hit.
+    fn kill_at(
+        &self,
+        wanted: usize,
+        counted: &BTreeMap<(&'static str, &'static str), usize>,
+        hit: &mut BTreeMap<&'static str, usize>,
+    ) {
+        let (calm, _) = self.undisturbed();
+        let mut dice = Dice::new();
+        eprintln!("seed {}, system calls of a thread: {counted:?}", dice.seed);
+        let mut kills = 0;
+        while kills < wanted {
+            let bench = self.bench();
+            let before = bench.files();
+            let mut call = self.call.to_owned();
+            loop {
+                // The kind that was hit least so far; of removals there are few, and they matter least.
+                let rank = |kind: &str| hit.get(kind).unwrap_or(&0) * if kind == "remove" { 8 } else { 1 };
+                let least = counted.keys().map(|(kind, _)| *kind).min_by_key(|kind| rank(kind)).unwrap();
+                let places: Vec<_> = counted.iter().filter(|((kind, _), _)| *kind == least).collect();
+                let (&(kind, name), &most) = places[dice.below(places.len())];
+                let how =
+                    format!("-e trace={name} -e inject={name}:signal=KILL:when={}", 1 + dice.below(most));
+                let output = shell_command(&bench, &["sh", "-c", &straced(&how, &call)]).output().unwrap();
+                std::fs::remove_file(bench.path("trace")).unwrap();
+                if output.status.signal() != Some(9) {
+                    assert!(output.status.success(), "{call}: {}", String::from_utf8_lossy(&output.stderr));
+                    break;
+                }
+                kills += 1;
+                *hit.entry(kind).or_default() += 1;
+                self.check(&before, &bench.files(), &calm);
+                call = format!("{} --resume", self.call);
+            }
+            assert_same(&bench.files(), &calm);
+        }
+    }
+
     /// Kills runs until `wanted` were hit, each going on where the one before was killed.
     fn kill(&self, wanted: usize) {
         let (calm, duration) = self.undisturbed();
@@ -167,10 +265,19 @@ impl Dice {
     }
 
     fn up_to(&mut self, duration: Duration) -> Duration {
+        duration.mul_f64(self.roll() as f64 / u64::MAX as f64)
+    }
+
+    /// One of the numbers below `end`.
+    fn below(&mut self, end: usize) -> usize {
+        usize::try_from(self.roll() % end as u64).unwrap()
+    }
+
+    fn roll(&mut self) -> u64 {
         self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.state;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        duration.mul_f64((z ^ (z >> 31)) as f64 / u64::MAX as f64)
+        z ^ (z >> 31)
     }
 }

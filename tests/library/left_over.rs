@@ -8,17 +8,17 @@ use crate::support::{Bench, skipped};
 const CALL: &str = "lib --target-mass 500 -d out --summary notes/done.csv";
 
 /// The name of a temporary file of `process` on `host`.
-fn temporary(host: &str, process: u32) -> String {
+pub(crate) fn temporary(host: &str, process: u32) -> String {
     format!(".osim-contact-scale-{host}-{process}-a1B2c3.tmp")
 }
 
-fn this_host() -> String {
+pub(crate) fn this_host() -> String {
     let name = String::from_utf8(Command::new("uname").arg("-n").output().unwrap().stdout).unwrap();
     let plain = |c: char| if c.is_ascii_alphanumeric() || c == '.' || c == '_' { c } else { '_' };
     name.trim().chars().take(64).map(plain).collect()
 }
 
-fn dead_process() -> u32 {
+pub(crate) fn dead_process() -> u32 {
     let mut child = Command::new("true").spawn().unwrap();
     child.wait().unwrap();
     child.id()

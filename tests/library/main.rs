@@ -13,6 +13,7 @@
     reason = "a test fails by panicking and says aloud what it skips"
 )]
 
+mod door;
 mod full;
 mod killed;
 mod left_over;

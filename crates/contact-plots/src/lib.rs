@@ -31,6 +31,8 @@
 //!
 //! The plotting library places text by estimated widths; very long names are cut with an ellipsis.
 
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 mod axis;
 mod draw;
 mod error;

@@ -29,6 +29,8 @@
 //! (c_r ≥ 0.8); outside them a contact is a damped non-linear spring, no longer a material. Contacts of common
 //! gait models stand outside both.
 
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 mod contact;
 pub mod continuation;
 pub mod design;

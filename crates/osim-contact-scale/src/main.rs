@@ -2,6 +2,8 @@
 //!
 //! Exit status: 0 all done, 1 a model failed or needs an answer, 2 wrong usage, 130 stopped by Ctrl-C.
 
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 mod args;
 mod commands;
 mod failure;

@@ -5,7 +5,7 @@ use std::io::{BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
 use anyhow::{Context, Result, anyhow, bail};
-use osim_library::{Mode, Prepared, folder_of, make_folder_of, resolved};
+use osim_library::{Mode, Prepared, folder_of, head, make_folder_of, reason, resolved};
 use osim_model::wording::Input;
 use osim_report::html::{About, DeferredText, Entry, GENERATOR, Page};
 
@@ -17,7 +17,7 @@ use crate::words::Words;
 const CHUNK: usize = 1 << 16;
 
 /// Bytes in which a page says what wrote it.
-const HEAD: u64 = 1024;
+const HEAD: usize = 1024;
 
 /// What a page may take the place of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -89,9 +89,7 @@ impl ReportPage {
 
 /// `true` for a page that this program wrote, which says so in its head.
 fn is_page(path: &Path) -> bool {
-    let mut head = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(HEAD).read_to_end(&mut head));
-    read.is_ok() && memchr::memmem::find(&head, GENERATOR.as_bytes()).is_some()
+    head(path, HEAD).is_ok_and(|head| memchr::memmem::find(&head, GENERATOR.as_bytes()).is_some())
 }
 
 fn check_name(path: &Path, words: Words) -> Result<()> {
@@ -118,7 +116,7 @@ impl NamelessFile {
         let target = resolved(path);
         let folder = folder_of(&target);
         let file = tempfile::tempfile_in(folder)
-            .map_err(|error| anyhow!(error))
+            .map_err(|error| anyhow!(reason(&error)))
             .with_context(|| format!("cannot write into {}", folder.display()))?;
         Ok(Self(BufWriter::new(file)))
     }

@@ -21,6 +21,8 @@
 //! It knows no files, no terminal and no HTML, nor how a remedy is spelled: a [`Remedy`](osim_model::Remedy) is data, which a front end prints or
 //! applies.
 
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 mod drop_height;
 mod figures;
 mod findings;

@@ -4,7 +4,10 @@
 //!
 //! It knows no terminal: what is to be reported goes through [`run::FrontEnd`] and is data until then.
 
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 mod digest;
+mod door;
 mod fault;
 mod folders;
 mod paths;
@@ -15,10 +18,11 @@ mod workers;
 mod write;
 
 pub use digest::{sha256, sha256_of_parts};
+pub use door::{head, reason};
 pub use fault::LibraryFault;
 pub use folders::{Folders, make_folder_of};
 pub use paths::{folder_of, resolved};
-pub use source::{Disk, FOLDER_MARK, Loaded, Origin, Source, Sources, SplitName, Stamp};
+pub use source::{Disk, FOLDER_MARK, Loaded, OrdinaryFiles, Origin, Source, Sources, SplitName, Stamp};
 pub use sweep::{SweepEnd, SweepFrontEnd, SweepRun};
 pub use workers::{in_order, threads};
 pub use write::{Mode, Prepared};

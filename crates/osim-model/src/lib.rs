@@ -31,6 +31,8 @@
 //! It knows no file system (only [`files::Files`]), no terminal and no options: what the caller can say is in messages as
 //! a [`wording::Input`]. It reads what a model says, not what OpenSim would make of a file it cannot load.
 
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 mod anatomy;
 mod assignment;
 mod body_sizes;

@@ -37,6 +37,8 @@
 //! It knows no file system, no terminal and no options, decodes and re-encodes nothing, never changes the document version,
 //! element order or names, and never edits `<defaults>`.
 
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 mod builder;
 mod design;
 mod edit;

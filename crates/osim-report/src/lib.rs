@@ -26,6 +26,8 @@
 //! It knows no files, no arguments and no terminal, computes nothing of its own, and decides nothing: plans, inspections and
 //! checks are shown as they are.
 
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 pub mod check;
 pub mod dialect;
 pub mod explain;

@@ -23,6 +23,8 @@
 //! It knows no disk, only [`osim_model::files::Files`], and no terminal. What is wrong with a request is a [`RequestFault`],
 //! in which fields are data that each front end spells.
 
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 mod before_after;
 mod calculator;
 mod cell;

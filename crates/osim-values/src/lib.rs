@@ -4,6 +4,8 @@
 //!
 //! It knows no options, no files and no terminal: who asked for a value says so in its own words.
 
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 mod assignment;
 pub mod axis;
 pub mod body_scale;

@@ -8,6 +8,8 @@
 //!
 //! It decodes and encodes nothing as a whole, knows no namespaces and no DTD, and reads no other file.
 
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 mod decode;
 mod file_text;
 pub mod opensim_text;

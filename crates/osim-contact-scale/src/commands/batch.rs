@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use anyhow::{Context, Result, bail};
 use osim_library::run::{Inside, JobSettings, RunRequest, Task};
-use osim_library::{Disk, Source, folder_of};
+use osim_library::{Disk, OrdinaryFiles, Source, folder_of};
 use osim_model::files::{Failure, Files};
 use osim_model::wording::Input;
 use osim_report::json::{FailureRecord, line};
@@ -51,7 +51,7 @@ pub(super) fn run(request: &BatchRequest, session: &mut Session) -> Result<Exit>
     let inside = Inside::of(request.output.output_dir.as_deref().unwrap_or(folder));
     let inside = Some(inside).filter(|_| !request.allow_outside);
     let (mut tasks, mut wrong, mut known) = (Vec::new(), Vec::new(), Known::new());
-    for (row, read) in table.requests(&request.output, &Disk) {
+    for (row, read) in table.requests(&request.output, &OrdinaryFiles) {
         match read.and_then(|read| task(&table, &read, inside.as_ref(), &mut known)) {
             Ok(task) => tasks.push(task),
             Err(fault) => wrong.push(table.failure(&shown, row, &fault)),
@@ -82,7 +82,8 @@ fn task(
         return Err(RowFault::of(column, message));
     }
     let settings = settings(table, row, known)?;
-    let task = Task::new(Source::file(&row.model), &row.output, settings).with_remarks(row.remarks.clone());
+    let task =
+        Task::new(Source::in_table(&row.model), &row.output, settings).with_remarks(row.remarks.clone());
     if let Some(Err((input, message))) = inside.map(|inside| inside.check(&task)) {
         return Err(RowFault::of(table.header_of(input).unwrap_or(column), message));
     }
@@ -97,7 +98,7 @@ fn settings(table: &Table, row: &RowRequest, known: &mut Known) -> Result<Arc<Jo
     if let Some(settings) = known.get(&key) {
         return Ok(Arc::clone(settings));
     }
-    let change = table.prepare(row, &Disk)?;
+    let change = table.prepare(row, &OrdinaryFiles)?;
     let settings = Arc::new(JobSettings::new(change.planner, change.set_files, &row.output));
     known.insert(key, Arc::clone(&settings));
     Ok(settings)

@@ -57,7 +57,7 @@ mod tests {
     use super::*;
 
     fn source(path: &str, folder: Option<&str>) -> Source {
-        Source { path: path.into(), folder: folder.map(|folder| Path::new(folder).into()) }
+        Source { path: path.into(), folder: folder.map(|folder| Path::new(folder).into()), named: true }
     }
 
     #[test]

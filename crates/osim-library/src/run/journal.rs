@@ -4,7 +4,7 @@
 //! finished output therefore has its line, and a run that goes on compares what the line says with what is there.
 
 use std::ffi::OsString;
-use std::fs::{File, OpenOptions};
+use std::fs::File;
 use std::io::{Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -14,6 +14,7 @@ use osim_requests::cell;
 use osim_requests::options::RunOptions;
 
 use super::record::{JsonRecord, Record};
+use crate::door;
 use crate::fault::{Context, LibraryFault};
 use crate::folders::make_folder_of;
 use crate::write::{Mode, Prepared};
@@ -82,8 +83,7 @@ pub(super) fn partial(path: &Path) -> PathBuf {
 
 /// The length of what was written to its end.
 fn whole_lines(path: &Path) -> std::io::Result<u64> {
-    let mut file = File::open(path)?;
-    let length = file.metadata()?.len();
+    let (mut file, length) = door::to_read(path)?;
     end_of_lines(&mut file, length)
 }
 
@@ -142,7 +142,7 @@ impl Partial {
     /// Opens the file for this run alone, with the whole lines that are there if it goes on with them.
     fn open(path: &Path, summary: &Path, resume: bool) -> Result<Self, LibraryFault> {
         let cannot = || format!("cannot write {}", path.display());
-        let file = OpenOptions::new().create(true).append(true).open(path).context(cannot)?;
+        let file = door::append(path).map_err(|error| door::reason(&error)).context(cannot)?;
         if file.try_lock().is_err_and(|error| matches!(error, std::fs::TryLockError::WouldBlock)) {
             return Err(LibraryFault::new(format!(
                 "{} is being written by another run: give each run a summary of its own",

@@ -18,6 +18,7 @@ use super::writing::{PreparedFiles, Results, Written};
 use crate::digest::{sha256, sha256_of_parts};
 use crate::fault::LibraryFault;
 use crate::source::{Loaded, Origin};
+use crate::write::other_names;
 
 /// Does one model after the other.
 pub(super) struct ModelJob<'j, F> {
@@ -178,6 +179,8 @@ impl<F: FrontEnd> ModelJob<'_, F> {
         let mut plan = settings.planner().plan_opened(opened, settings.no_note)?;
         let compiled = self.task.output().and_then(|path| self.context.folders.compiled_beside(path));
         plan.warnings.extend(compiled);
+        let linked = self.task.output().filter(|_| settings.in_place).and_then(other_names);
+        plan.warnings.extend(linked);
         plan.spell(self.front_end.dialect());
         record.planned(&plan);
         Ok(plan)

@@ -12,6 +12,7 @@ use super::previous_lines::PreviousLines;
 use super::record::{Record, Status};
 use super::task::Task;
 use crate::digest::sha256;
+use crate::door;
 use crate::fault::LibraryFault;
 
 /// Records of earlier runs: of each only where its line is, so that a million of them take no more than their places.
@@ -166,7 +167,7 @@ struct Outputs {
 
 impl Outputs {
     fn of(task: &Task, input: &str) -> Self {
-        let digest = |path: &Path| std::fs::read(path).ok().map(|bytes| sha256(&bytes));
+        let digest = |path: &Path| door::ordinary(path).ok().map(|bytes| sha256(&bytes));
         let model =
             if task.settings.in_place { Some(input.to_owned()) } else { task.output().and_then(digest) };
         Self { model, geometry: task.geometry_output.as_deref().and_then(digest) }

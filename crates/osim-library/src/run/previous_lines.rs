@@ -7,6 +7,7 @@ use std::sync::Mutex;
 
 use super::journal::{Form, end_of_lines};
 use super::record::{JsonRecord, Record};
+use crate::door;
 use crate::fault::{Context, LibraryFault};
 
 /// A summary, whole or partial, that stays open: a run that goes on replaces its name, not the file.
@@ -22,8 +23,7 @@ impl PreviousLines {
     /// # Errors
     /// It cannot be read, or its last line is cut off and it is not one that `may_be_cut`.
     pub(super) fn open(path: &Path, form: Form, may_be_cut: bool) -> Result<Self, LibraryFault> {
-        let mut file = File::open(path).map_err(said)?;
-        let length = file.metadata().map_err(said)?.len();
+        let (mut file, length) = door::to_read(path).map_err(said)?;
         let end = end_of_lines(&mut file, length).map_err(said)?;
         if end < length && !may_be_cut {
             let why = "its last line is cut off, so this tool did not leave it like that";

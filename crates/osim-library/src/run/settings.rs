@@ -8,7 +8,7 @@ use osim_requests::Planner;
 use osim_requests::options::{OutputOptions, SetFiles};
 
 use crate::digest::sha256;
-use crate::source::Disk;
+use crate::source::OrdinaryFiles;
 
 /// What is done with a model: shared by all models of a call, or by like rows of a manifest.
 pub struct JobSettings {
@@ -50,8 +50,8 @@ impl JobSettings {
         self.digest.get_or_init(|| {
             let mut text = format!("{}\nno note: {}\n", self.planner.settings(), self.no_note);
             for path in self.reads() {
-                // What cannot be read fails later, with its name.
-                let digest = Disk.read(&path).map(|bytes| sha256(&bytes)).unwrap_or_default();
+                // What cannot be read fails later, with its name; a pipe can be read once only.
+                let digest = OrdinaryFiles.read(&path).map(|bytes| sha256(&bytes)).unwrap_or_default();
                 text.push_str(&format!("{digest}\n"));
             }
             sha256(text.as_bytes())

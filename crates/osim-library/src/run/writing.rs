@@ -12,7 +12,7 @@ use super::task::Task;
 use crate::fault::LibraryFault;
 use crate::folders::make_folder_of;
 use crate::source::{Origin, Stamp};
-use crate::write::{Mode, Prepared, backup};
+use crate::write::{InPlace, Mode, Prepared, Successor, backup};
 
 /// The bytes that a plan makes.
 #[derive(Debug)]
@@ -48,6 +48,12 @@ impl<'m> Results<'m> {
             _ => None,
         };
         Ok(Self { model: plan.patch(model, FileId::MAIN)?, geometry })
+    }
+
+    /// The new bytes of one of the files.
+    fn parts(&self, file: FileId) -> Vec<&[u8]> {
+        let geometry = self.geometry.as_ref().filter(|geometry| geometry.file == file);
+        geometry.map_or(&self.model, |geometry| &geometry.patch).parts().collect()
     }
 }
 
@@ -101,7 +107,9 @@ pub(super) struct PreparedFiles<'w> {
     opened: &'w OpenModel,
     origin: &'w Origin,
     backups: Vec<Prepared>,
-    successors: Vec<Prepared>,
+    successors: Vec<(FileId, Prepared)>,
+    /// Where each of the successors' models is kept, in the same order.
+    backed_up: Vec<Option<PathBuf>>,
     paths: Vec<PathBuf>,
     kept: Vec<PathBuf>,
 }
@@ -118,8 +126,16 @@ impl<'w> PreparedFiles<'w> {
         results: &Results<'_>,
         force: bool,
     ) -> Result<Self, LibraryFault> {
-        let mut files =
-            Self { task, opened, origin, backups: vec![], successors: vec![], paths: vec![], kept: vec![] };
+        let mut files = Self {
+            task,
+            opened,
+            origin,
+            backups: vec![],
+            successors: vec![],
+            backed_up: vec![],
+            paths: vec![],
+            kept: vec![],
+        };
         if let Some(path) = task.output() {
             origin.find_included_from(path)?;
             files.prepare(path, &results.model, FileId::MAIN, force)?;
@@ -139,6 +155,7 @@ impl<'w> PreparedFiles<'w> {
         force: bool,
     ) -> Result<(), LibraryFault> {
         let settings = &self.task.settings;
+        let mut backed_up = None;
         if settings.in_place {
             self.refuse_protected(path)?;
             if !settings.no_backup {
@@ -146,15 +163,21 @@ impl<'w> PreparedFiles<'w> {
                 let (prepared, kept) = backup(path, bytes)
                     .map_err(|fault| fault.within("the backup could not be kept, so nothing was changed"))?;
                 self.backups.extend(prepared);
+                backed_up = Some(kept.clone());
                 // As the model was named; behind a link, the backup lies where the model really is.
                 let beside = kept.file_name().filter(|_| !path.is_symlink());
                 self.kept.push(beside.map(|name| path.with_file_name(name)).unwrap_or(kept));
             }
         }
         make_folder_of(path)?;
-        let mode = if force || settings.in_place { Mode::Replace } else { Mode::New };
+        let mode = match (settings.in_place, force) {
+            (true, _) => Mode::InPlace,
+            (false, true) => Mode::Replace,
+            (false, false) => Mode::New,
+        };
         let like = self.origin.stamp_of(file).map(Stamp::metadata);
-        self.successors.push(Prepared::of_parts(path, patch.parts(), like, mode)?);
+        self.successors.push((file, Prepared::of_parts(path, patch.parts(), like, mode)?));
+        self.backed_up.push(backed_up);
         self.paths.push(path.to_owned());
         Ok(())
     }
@@ -177,10 +200,9 @@ impl<'w> PreparedFiles<'w> {
     /// Somebody else changed the model in the meantime, or a folder cannot be changed.
     pub(super) fn commit(self, results: &Results<'_>) -> Result<Written, LibraryFault> {
         // Two files that belong together, and a file whose old contents are about to go: all on the disk first.
-        let together = self.successors.len() > 1 || self.successors.iter().any(Prepared::replaces);
-        let all: Vec<Prepared> = self.backups.into_iter().chain(self.successors).collect();
-        if together {
-            all.iter().try_for_each(Prepared::sync)?;
+        let successors = || self.successors.iter().map(|(_, prepared)| prepared);
+        if self.successors.len() > 1 || successors().any(Prepared::replaces) {
+            self.backups.iter().chain(successors()).try_for_each(Prepared::sync)?;
         }
         if self.task.settings.in_place {
             let geometry = results.geometry.as_ref().map(|geometry| (geometry.file, geometry.path.as_path()));
@@ -189,11 +211,42 @@ impl<'w> PreparedFiles<'w> {
                 self.origin.stamp_of(file).map_or(Ok(()), |stamp| stamp.still_holds(path))?;
             }
         }
-        for prepared in all {
-            prepared.commit()?;
+        for backup in self.backups {
+            backup.commit()?;
+        }
+        if self.task.settings.in_place {
+            let successor = |((file, prepared), backup): ((FileId, Prepared), Option<PathBuf>)| Successor {
+                prepared,
+                before: self.opened.model.file(file).bytes(),
+                after: results.parts(file),
+                backup,
+            };
+            take_places(self.successors.into_iter().zip(self.backed_up).map(successor))?;
+        } else {
+            for (_, prepared) in self.successors {
+                prepared.commit()?;
+            }
         }
         let to_stdout = self.task.destination == Destination::Stdout;
         let (paths, kept) = (self.paths, self.kept);
         Ok(if to_stdout { Written::Stdout } else { Written::Files { paths, kept } })
     }
+}
+
+/// Puts all successors into their places, or none: what was done is undone where one of them cannot.
+fn take_places<'b>(successors: impl Iterator<Item = Successor<'b>>) -> Result<(), LibraryFault> {
+    let mut done: Vec<InPlace<'b>> = Vec::new();
+    for successor in successors {
+        match successor.take_place() {
+            Ok(in_place) => done.push(in_place),
+            Err(fault) => {
+                let kept: Vec<_> = done.into_iter().filter_map(InPlace::put_back).collect();
+                return Err(kept.iter().fold(fault, |fault, kept| {
+                    fault.within(format!("what another program saved in between is {}", kept.display()))
+                }));
+            }
+        }
+    }
+    done.into_iter().for_each(InPlace::settle);
+    Ok(())
 }

@@ -2,22 +2,41 @@
 
 use std::cell::RefCell;
 use std::collections::HashMap;
-use std::fs::{File, Metadata};
-use std::io::{ErrorKind, Read};
+use std::fs::Metadata;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
 use osim_model::files::{FileError, Files};
 
+use crate::door::{self, Kinds};
 use crate::fault::{Context, LibraryFault};
 
-/// The disk: paths are those of the file system, and `-` is standard input.
+/// The disk: paths are those of the file system, and `-` is standard input. For names that the user gave: pipes and devices
+/// are read too. What a file that was read names in turn is an ordinary file.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Disk;
 
 impl Files for Disk {
     fn read(&self, path: &Path) -> Result<Vec<u8>, FileError> {
-        read(path).map(|(bytes, _)| bytes)
+        read(path, Kinds::Streams).map(|(bytes, _)| bytes)
+    }
+
+    fn read_included(&self, path: &Path) -> Result<Vec<u8>, FileError> {
+        OrdinaryFiles.read(path)
+    }
+
+    fn exists(&self, path: &Path) -> bool {
+        path.exists()
+    }
+}
+
+/// The disk for names that are in a file, such as a table: ordinary files and nothing else.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct OrdinaryFiles;
+
+impl Files for OrdinaryFiles {
+    fn read(&self, path: &Path) -> Result<Vec<u8>, FileError> {
+        read(path, Kinds::Ordinary).map(|(bytes, _)| bytes)
     }
 
     fn exists(&self, path: &Path) -> bool {
@@ -26,24 +45,38 @@ impl Files for Disk {
 }
 
 /// The disk, remembering each file as it was when it was read.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct StampedDisk {
+    /// For names that the user gave.
+    kinds: Kinds,
     stamps: RefCell<HashMap<PathBuf, Stamp>>,
 }
 
 impl StampedDisk {
+    pub(super) fn new(kinds: Kinds) -> Self {
+        Self { kinds, stamps: RefCell::default() }
+    }
+
     pub(super) fn into_stamps(self) -> HashMap<PathBuf, Stamp> {
         self.stamps.into_inner()
+    }
+
+    fn stamped(&self, path: &Path, kinds: Kinds) -> Result<Vec<u8>, FileError> {
+        let (bytes, stamp) = read(path, kinds)?;
+        if let Some(stamp) = stamp {
+            self.stamps.borrow_mut().insert(path.to_owned(), stamp);
+        }
+        Ok(bytes)
     }
 }
 
 impl Files for StampedDisk {
     fn read(&self, path: &Path) -> Result<Vec<u8>, FileError> {
-        let (bytes, stamp) = read(path)?;
-        if let Some(stamp) = stamp {
-            self.stamps.borrow_mut().insert(path.to_owned(), stamp);
-        }
-        Ok(bytes)
+        self.stamped(path, self.kinds)
+    }
+
+    fn read_included(&self, path: &Path) -> Result<Vec<u8>, FileError> {
+        self.stamped(path, Kinds::Ordinary)
     }
 
     fn exists(&self, path: &Path) -> bool {
@@ -91,29 +124,13 @@ impl Stamp {
 ///
 /// # Errors
 /// It is not there, cannot be read, or changes while it is being read.
-fn read(path: &Path) -> Result<(Vec<u8>, Option<Stamp>), FileError> {
-    let mut bytes = Vec::new();
-    if path.as_os_str() == "-" {
-        let read = std::io::stdin().lock().read_to_end(&mut bytes);
-        read.map_err(|error| FileError::new(format!("cannot read standard input: {error}")))?;
-        return Ok((bytes, None));
+fn read(path: &Path, kinds: Kinds) -> Result<(Vec<u8>, Option<Stamp>), FileError> {
+    if path.as_os_str() == "-" && kinds == Kinds::Streams {
+        let read = door::standard_input();
+        return read
+            .map(|bytes| (bytes, None))
+            .map_err(|why| FileError::new(format!("standard input: {why}")));
     }
-    let cannot = |error: std::io::Error| FileError::new(format!("cannot be read: {error}"));
-    let mut file = File::open(path).map_err(|error| match error.kind() {
-        ErrorKind::NotFound => FileError::not_found(),
-        _ => cannot(error),
-    })?;
-    let stamp = Stamp::of(file.metadata().map_err(cannot)?);
-    let length = usize::try_from(stamp.metadata.len()).unwrap_or(0);
-    bytes.try_reserve_exact(length).map_err(|error| {
-        FileError::new(format!("cannot be read: too large for this computer's memory: {error}"))
-    })?;
-    file.read_to_end(&mut bytes).map_err(cannot)?;
-    let after = file.metadata().map_err(cannot)?;
-    let changed = after.modified().ok() != stamp.modified || bytes.len() as u64 != after.len();
-    if changed && after.is_file() {
-        let why = "another program changed it while it was being read: run again when that is done";
-        return Err(FileError::new(why));
-    }
-    Ok((bytes, Some(stamp)))
+    let (bytes, metadata) = door::read(path, kinds)?;
+    Ok((bytes, Some(Stamp::of(metadata))))
 }

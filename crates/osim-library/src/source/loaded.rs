@@ -10,6 +10,7 @@ use osim_requests::options::SetFiles;
 use super::disk::{Stamp, StampedDisk};
 use super::sources::Source;
 use crate::digest::sha256;
+use crate::door::Kinds;
 use crate::fault::LibraryFault;
 use crate::paths::folder_of;
 
@@ -41,7 +42,7 @@ impl Loaded {
     /// # Errors
     /// One of them cannot be read.
     pub fn read(source: &Source, set_files: &SetFiles) -> Result<Self, Failure> {
-        let disk = StampedDisk::default();
+        let disk = StampedDisk::new(if source.named { Kinds::Streams } else { Kinds::Ordinary });
         let unreadable =
             |error: FileError| Failure::outside(source.path.as_path(), "unreadable", error.to_string());
         let bytes = disk.read(&source.path).map_err(unreadable)?;

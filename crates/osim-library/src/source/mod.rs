@@ -6,6 +6,6 @@ mod loaded;
 mod sources;
 
 pub use blanks::SplitName;
-pub use disk::{Disk, Stamp};
+pub use disk::{Disk, OrdinaryFiles, Stamp};
 pub use loaded::{Loaded, Origin};
 pub use sources::{FOLDER_MARK, Source, Sources};

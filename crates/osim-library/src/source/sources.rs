@@ -10,6 +10,7 @@ use walkdir::{DirEntry, WalkDir};
 
 use super::blanks::SplitName;
 use crate::digest::{self, NameDigest};
+use crate::door;
 use crate::paths::{Resolver, resolved};
 
 /// End of the name of the folder that variants are written into by default. Walks over folders leave it out.
@@ -22,13 +23,21 @@ pub struct Source {
     pub path: PathBuf,
     /// The folder that was named, when the model was found by walking it.
     pub folder: Option<Arc<Path>>,
+    /// The user gave this very name: it may be a pipe. Names in folders and tables are those of ordinary files.
+    pub named: bool,
 }
 
 impl Source {
     /// A model that was named itself.
     #[must_use]
     pub fn file(path: &Path) -> Self {
-        Self { path: path.to_owned(), folder: None }
+        Self { path: path.to_owned(), folder: None, named: true }
+    }
+
+    /// A model that a table names.
+    #[must_use]
+    pub fn in_table(path: &Path) -> Self {
+        Self { named: false, ..Self::file(path) }
     }
 
     /// Whether it is standard input.
@@ -117,7 +126,7 @@ impl Sources {
                     found = true;
                     if known.is_new(entry.path()) {
                         let folder = Some(Arc::clone(&shared));
-                        self.models.push(Source { path: entry.into_path(), folder });
+                        self.models.push(Source { path: entry.into_path(), folder, named: false });
                     } else {
                         again += 1;
                     }
@@ -185,7 +194,7 @@ fn unreadable(folder: &Path, error: &walkdir::Error) -> Failure {
             "a link that leads nowhere: remove it, or bring back what it leads to".to_owned()
         }
         // Without the path, which stands before it.
-        (None, Some(error)) => format!("cannot be read: {error}"),
+        (None, Some(error)) => format!("cannot be read: {}", door::reason(error)),
         (None, None) => "cannot be read".to_owned(),
     };
     Failure::outside(path, "unreadable", reason)

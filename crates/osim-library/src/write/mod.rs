@@ -1,7 +1,10 @@
 //! Writing without ever leaving a file half written or losing one.
 
+mod exchange;
+mod in_place;
 mod prepared;
 pub(crate) mod temporary;
 
+pub(crate) use in_place::{InPlace, Successor, other_names};
 pub(crate) use prepared::backup;
 pub use prepared::{Mode, Prepared};

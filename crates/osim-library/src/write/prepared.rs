@@ -10,6 +10,7 @@ use osim_model::wording::{Input, phrase};
 use tempfile::NamedTempFile;
 
 use super::temporary;
+use crate::door;
 use crate::fault::{Context, LibraryFault};
 use crate::paths::{folder_of, resolved};
 
@@ -24,13 +25,15 @@ pub struct Prepared {
     replaces: bool,
 }
 
-/// How a file may be written: what is there is kept or replaced; there is no third way.
+/// How a file may be written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mode {
     /// Refuse to replace anything.
     New,
-    /// Replace what is there.
+    /// Replace what is there, with its owner and group where the system lets us.
     Replace,
+    /// The successor of the file itself, with its owner and group, or nothing.
+    InPlace,
 }
 
 /// Bytes are added as they come; that they are all there, [`commit`](Prepared::commit) says.
@@ -100,7 +103,15 @@ impl Prepared {
         }
         let cannot = || format!("cannot write into {}", folder_of(&shown).display());
         let like = existing.as_ref().or(like);
-        let temporary = temporary::file(folder_of(&target), like).context(cannot)?;
+        let temporary = temporary::file(folder_of(&target), like)
+            .map_err(|error| door::reason(&error))
+            .context(cannot)?;
+        if let Some(existing) = &existing
+            && !keep_owner(&temporary, existing).context(cannot)?
+            && mode == Mode::InPlace
+        {
+            return Err(foreign(&shown));
+        }
         keep_permissions(&temporary, like).context(cannot)?;
         Ok(Self { temporary, shown, target, replaces: existing.is_some() })
     }
@@ -112,6 +123,11 @@ impl Prepared {
     pub fn add(&mut self, bytes: &[u8]) -> Result<(), LibraryFault> {
         let written = self.temporary.write_all(bytes);
         written.context(|| self.cannot_write())
+    }
+
+    /// The file under its temporary name, its target, and the target as the user knows it.
+    pub(super) fn into_parts(self) -> (NamedTempFile, PathBuf, PathBuf) {
+        (self.temporary, self.target, self.shown)
     }
 
     fn cannot_write(&self) -> String {
@@ -187,6 +203,39 @@ fn write_all(file: &mut File, slices: &mut [IoSlice<'_>]) -> std::io::Result<()>
     Ok(())
 }
 
+/// A file that would belong to somebody else afterwards.
+fn foreign(shown: &Path) -> LibraryFault {
+    LibraryFault::new(phrase![
+        format!(
+            "{} belongs to another user or group, and changed it would be yours: let its owner change it, or write to \
+             another name with ",
+            shown.display()
+        ),
+        Input::Output,
+    ])
+}
+
+/// Owner and group of the file that is replaced; whether that was possible.
+#[cfg(unix)]
+fn keep_owner(file: &NamedTempFile, like: &Metadata) -> std::io::Result<bool> {
+    use std::os::unix::fs::{MetadataExt, fchown};
+    let own = file.as_file().metadata()?;
+    if (own.uid(), own.gid()) == (like.uid(), like.gid()) {
+        return Ok(true);
+    }
+    if fchown(file, Some(like.uid()), Some(like.gid())).is_ok() {
+        return Ok(true);
+    }
+    // Files of a group that one belongs to keep it at least.
+    drop(fchown(file, None, Some(like.gid())));
+    Ok(false)
+}
+
+#[cfg(not(unix))]
+fn keep_owner(_file: &NamedTempFile, _like: &Metadata) -> std::io::Result<bool> {
+    Ok(true)
+}
+
 /// The mode bits of the file that is replaced or copied, exactly: a process's mask takes nothing from them.
 #[cfg(unix)]
 fn keep_permissions(file: &NamedTempFile, like: Option<&Metadata>) -> std::io::Result<()> {
@@ -213,25 +262,31 @@ fn keep_permissions(_file: &NamedTempFile, _like: Option<&Metadata>) -> std::io:
 pub(crate) fn backup(path: &Path, bytes: &[u8]) -> Result<(Option<Prepared>, PathBuf), LibraryFault> {
     let path = resolved(path);
     let metadata = std::fs::metadata(&path).ok();
-    for count in 1_u32.. {
-        let mut name = path.file_name().unwrap_or_default().to_owned();
-        name.push(if count == 1 { ".bak".to_owned() } else { format!(".bak{count}") });
-        let backup = path.with_file_name(name);
+    for backup in backup_names(&path) {
         let Ok(there) = backup.symlink_metadata() else {
             return Ok((Some(Prepared::new(&backup, bytes, metadata.as_ref(), Mode::New)?), backup));
         };
         let same_length = there.is_file() && there.len() == bytes.len() as u64;
-        if same_length && std::fs::read(&backup).is_ok_and(|kept| kept == bytes) {
+        if same_length && door::ordinary(&backup).is_ok_and(|kept| kept == bytes) {
             return Ok((None, backup));
         }
     }
     Err(LibraryFault::new(format!("cannot keep a backup of {}", path.display())))
 }
 
+/// `NAME.bak`, `NAME.bak2`, ...
+pub(super) fn backup_names(path: &Path) -> impl Iterator<Item = PathBuf> {
+    (1_u32..).map(|count| {
+        let mut name = path.file_name().unwrap_or_default().to_owned();
+        name.push(if count == 1 { ".bak".to_owned() } else { format!(".bak{count}") });
+        path.with_file_name(name)
+    })
+}
+
 /// After a rename, the folder's entry itself has to reach the disk.
-fn sync_folder_of(path: &Path) {
+pub(super) fn sync_folder_of(path: &Path) {
     // Windows cannot open folders; the rename is durable there by itself. A failure loses nothing but speed of certainty.
-    if let Ok(folder) = File::open(folder_of(path)) {
+    if let Ok(folder) = door::folder(folder_of(path)) {
         let _ = folder.sync_all();
     }
 }

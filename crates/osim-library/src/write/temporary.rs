@@ -7,11 +7,13 @@
 //! name, nobody else can open it for writing.
 
 use std::ffi::OsStr;
-use std::fs::{File, Metadata};
+use std::fs::{File, Metadata, OpenOptions};
 use std::path::Path;
 use std::sync::OnceLock;
 
 use tempfile::NamedTempFile;
+
+use crate::door;
 
 const PREFIX: &str = ".osim-contact-scale-";
 const SUFFIX: &str = ".tmp";
@@ -60,12 +62,9 @@ fn is_alive(_process: u32) -> bool {
     false
 }
 
+/// What is not an ordinary file was not made here: it stays.
 fn nobody_has_open(path: &Path) -> bool {
-    let file = File::options().write(true).open(path);
-    // Like the model it was made from, it may be write-protected; network file systems lock only what can be written.
-    #[cfg(unix)]
-    let file = file.or_else(|_| File::open(path));
-    file.is_ok_and(|file| file.try_lock().is_ok())
+    door::to_lock(path).is_ok_and(|file| file.try_lock().is_ok())
 }
 
 /// The computer's name, of letters that every file system takes.
@@ -89,41 +88,33 @@ fn host_name() -> String {
     gethostname::gethostname().to_string_lossy().into_owned()
 }
 
-#[cfg(unix)]
 fn made(
     builder: &mut tempfile::Builder<'_, '_>,
     folder: &Path,
     like: Option<&Metadata>,
 ) -> std::io::Result<NamedTempFile> {
-    use std::os::unix::fs::PermissionsExt;
+    builder.make_in(folder, |path| door::make_new(path, &mut options(like)))
+}
+
+#[cfg(unix)]
+fn options(like: Option<&Metadata>) -> OpenOptions {
+    use std::os::unix::fs::{OpenOptionsExt, PermissionsExt};
+    let mut options = File::options();
     // Without a file to be like, what any new file gets; the process's mask still applies.
-    let mode = like.map_or(0o666, |metadata| metadata.permissions().mode() & 0o777);
-    builder.permissions(std::fs::Permissions::from_mode(mode));
-    builder.tempfile_in(folder).map_err(|error| without_name(&error))
+    options.mode(like.map_or(0o666, |metadata| metadata.permissions().mode() & 0o777));
+    options
 }
 
 /// Others may read, rename and remove the file while it is open, but not write it.
 #[cfg(windows)]
-fn made(
-    builder: &mut tempfile::Builder<'_, '_>,
-    folder: &Path,
-    _like: Option<&Metadata>,
-) -> std::io::Result<NamedTempFile> {
+fn options(_like: Option<&Metadata>) -> OpenOptions {
     use std::os::windows::fs::OpenOptionsExt;
     const FILE_SHARE_READ: u32 = 1;
     // Without it not even this process could give the file its final name.
     const FILE_SHARE_DELETE: u32 = 4;
     let mut options = File::options();
-    options.read(true).write(true).create_new(true).share_mode(FILE_SHARE_READ | FILE_SHARE_DELETE);
-    builder.make_in(folder, |path| options.open(path))
-}
-
-/// The reason alone: the temporary name that tempfile puts into its message says nothing to a user.
-#[cfg(unix)]
-fn without_name(error: &std::io::Error) -> std::io::Error {
-    let kind = error.kind();
-    let inner = error.get_ref().and_then(std::error::Error::source).map(ToString::to_string);
-    std::io::Error::new(kind, inner.unwrap_or_else(|| kind.to_string()))
+    options.share_mode(FILE_SHARE_READ | FILE_SHARE_DELETE);
+    options
 }
 
 #[cfg(test)]

@@ -182,7 +182,8 @@ fn companion(
         let message = format!("{what}{error}");
         Failure::outside(path.as_path(), "unreadable", message)
     };
-    let bytes = files.read(&path).map_err(failed)?;
+    let read = if included_by.is_some() { files.read_included(&path) } else { files.read(&path) };
+    let bytes = read.map_err(failed)?;
     Ok(CompanionFile { path, bytes, included_by, named: None })
 }
 

@@ -35,6 +35,15 @@ pub trait Files {
     /// It is not there or cannot be read.
     fn read(&self, path: &Path) -> Result<Vec<u8>, FileError>;
 
+    /// The bytes of a file that another file names, such as a model that includes it. Who wrote that other file should not decide
+    /// what else is opened: where the world has pipes and devices, this reads ordinary files only.
+    ///
+    /// # Errors
+    /// Those of [`read`](Self::read), or it is not an ordinary file.
+    fn read_included(&self, path: &Path) -> Result<Vec<u8>, FileError> {
+        self.read(path)
+    }
+
     /// Whether there is such a file. A name without a file may be that of a preset.
     fn exists(&self, path: &Path) -> bool;
 }

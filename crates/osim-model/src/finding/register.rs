@@ -169,6 +169,11 @@ codes! {
         "PredSim and OpenCap compile a model to F_<name> and reuse it without looking at the model's content: the old contacts would stay in use.";
         "Delete the compiled file, or write the model under a new name";
         NotPossible "files of other programs are left alone".
+    /// A model that is changed itself has other names too.
+    HardLinked = "hard-linked", Warn, Change:
+        "A changed model is a new file that takes the name of the old one, so that no moment is without a whole file. Hard links to the old one are names of the old file: they keep the old model.";
+        "Make the other names again, or change the model under one of its names into a file of its own";
+        NotPossible "only you know what the other names are for".
     /// One sphere is used by two contact forces.
     SphereInTwoForces = "sphere-in-two-forces", Warn, Model:
         "Both forces act, so the sphere is stiffer than either stiffness says, and the sphere count by which parameters scale is not what it seems.";

@@ -78,7 +78,7 @@ const fn code(code: &'static str, means: &'static str, way_out: &'static str) ->
 const FILE: &[ErrorCode] = &[
     code(
         "unreadable",
-        "the file, or one that belongs to it, is not there or cannot be read; a link leads nowhere or back; another program is writing it; a folder holds a pipe or a device under the name of a model",
+        "the file, or one that belongs to it, is not there or cannot be read; a link leads nowhere or back; another program is writing it; a pipe, a device or a folder is in the place of a file; it is larger than 2 GiB",
         "check name, folder and permissions. Dragging the file onto the terminal types its path for you",
     ),
     code("no-models", "the folder holds no .osim file", "name a model, or the folder that holds them"),

@@ -1,0 +1,61 @@
+//! How Unix opens files, and what it calls things that are not files.
+#![cfg_attr(not(test), expect(clippy::disallowed_methods, reason = "a part of the door"))]
+
+use std::fs::{FileType, Metadata, OpenOptions};
+use std::os::unix::fs::{FileTypeExt, OpenOptionsExt};
+use std::path::Path;
+
+use rustix::fs::OFlags;
+
+/// A pipe without a writer, a terminal line without a carrier: opened, and found out by what they are. Nothing becomes
+/// the program's own terminal.
+pub(super) fn without_waiting(options: &mut OpenOptions) -> &mut OpenOptions {
+    options.custom_flags((OFlags::NONBLOCK | OFlags::NOCTTY).bits().cast_signed())
+}
+
+fn kind_of(path: &Path) -> Option<FileType> {
+    std::fs::metadata(path).ok().map(|metadata| metadata.file_type())
+}
+
+pub(super) fn is_stream(path: &Path) -> bool {
+    kind_of(path).is_some_and(|kind| kind.is_fifo() || kind.is_char_device())
+}
+
+pub(super) fn is_pipe(metadata: &Metadata) -> bool {
+    metadata.file_type().is_fifo()
+}
+
+pub(super) fn is_device(metadata: &Metadata) -> bool {
+    metadata.file_type().is_char_device()
+}
+
+/// No name is one by itself.
+pub(super) fn is_device_name(_path: &Path) -> bool {
+    false
+}
+
+/// Sockets cannot be opened at all.
+pub(super) fn kind_that_cannot_be_opened(path: &Path) -> Option<&'static str> {
+    kind_of(path).is_some_and(|kind| kind.is_socket()).then_some("a socket")
+}
+
+pub(super) fn kind(metadata: &Metadata) -> &'static str {
+    let kind = metadata.file_type();
+    match () {
+        () if kind.is_dir() => "a folder",
+        () if kind.is_fifo() => "a pipe",
+        () if kind.is_socket() => "a socket",
+        () => "a device",
+    }
+}
+
+pub(super) fn is_out_of_files(error: &std::io::Error) -> bool {
+    use rustix::io::Errno;
+    Errno::from_io_error(error).is_some_and(|errno| [Errno::MFILE, Errno::NFILE].contains(&errno))
+}
+
+/// Whether standard input is a device, such as a terminal.
+pub(super) fn types_standard_input() -> bool {
+    let stat = rustix::fs::fstat(std::io::stdin());
+    stat.is_ok_and(|stat| rustix::fs::FileType::from_raw_mode(stat.st_mode).is_char_device())
+}

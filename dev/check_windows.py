@@ -1,0 +1,225 @@
+#!/usr/bin/env python3
+"""Builds the program for Windows and runs it under Wine; checks that all of it compiles for macOS.
+
+    dev/check_windows.py [--no-macos]
+
+Needs what `dev/install.sh windows` installs: Debian's compiler with the sources of its library (rustc-web, rust-web-src), a
+linker (mingw) and Wine. What runs under Wine is compared with what the program for this system writes. CONTRIBUTING.md says
+what Wine cannot show. Prints a line for each check, and ends with 1 where one failed.
+"""
+
+import argparse
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+TARGET = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")).resolve()
+OTHER = TARGET / "other-systems"
+COMPILER = "/usr/bin/rustc"
+WINDOWS, MACOS = "x86_64-pc-windows-gnu", "aarch64-apple-darwin"
+HUMAN = ROOT / "fixtures/table1/human_62kg_smooth_sphere.osim"
+INCLUDES = ROOT / "fixtures/format/file_forceset.osim"
+
+# Windows 10 has this function, Wine 8 does not: the standard library takes its random numbers from it.
+RANDOM = r"""
+#include <windows.h>
+BOOLEAN NTAPI SystemFunction036(PVOID, ULONG);
+__declspec(dllexport) BOOL WINAPI ProcessPrng(PBYTE bytes, SIZE_T count) {
+    return SystemFunction036(bytes, (ULONG)count);
+}
+"""
+
+
+def cargo(verb, target, *options):
+    """Another compiler than the project's own, which has no libraries for other systems here; it builds them along."""
+    call = ["cargo", verb, "--locked", "-Zbuild-std=std,panic_abort", "--target", target, "--target-dir", str(OTHER)]
+    call += ["--config", 'profile.dev.package."*".opt-level=0', "--config", "profile.dev.debug=false", *options]
+    print("+", " ".join(call), flush=True)
+    environment = dict(os.environ, RUSTC=COMPILER, RUSTC_BOOTSTRAP="1", CARGO_INCREMENTAL="0")
+    subprocess.run(call, cwd=ROOT, env=environment, check=True)
+
+
+def build_dll(folder):
+    source = folder / "random.c"
+    source.write_text(RANDOM)
+    library = folder / "bcryptprimitives.dll"
+    call = ["x86_64-w64-mingw32-gcc", "-shared", "-o", library, source, "-ladvapi32"]
+    subprocess.run(call, check=True)
+
+
+class Bench:
+    """A folder with models, and the two programs."""
+
+    def __init__(self, folder, prefix, program, native):
+        self.folder, self.program, self.native = folder, program, native
+        debug = {"WINEPREFIX": str(prefix), "WINEDEBUG": "-all", "WINEDLLOVERRIDES": "mscoree,mshtml="}
+        self.environment = dict(os.environ, LC_ALL="C.UTF-8", NO_COLOR="1", **debug)
+
+    def run(self, *words, program=None, stdin=subprocess.DEVNULL, seconds=60):
+        call = [program] if program else ["wine", str(self.program)]
+        ran = subprocess.run(call + [str(word) for word in words], cwd=self.folder, env=self.environment, stdin=stdin,
+                             stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=seconds)
+        text = (ran.stdout + ran.stderr).decode(errors="replace").replace("\r\n", "\n")
+        # Debian's script says at every start that there is no Wine for 32 bits.
+        lines = text.splitlines()
+        if lines and lines[0].startswith("it looks like wine32 is missing"):
+            lines = lines[4:]
+        return ran.returncode, "\n".join(lines)
+
+    def done(self, *words, **options):
+        status, text = self.run(*words, **options)
+        assert status == 0, f"{words}: exit status {status}\n{text}"
+        return text
+
+    def refused(self, *words, status=1, says=(), **options):
+        got, text = self.run(*words, **options)
+        assert got == status, f"{words}: exit status {got}\n{text}"
+        for word in says:
+            assert word in text, f"{words}: '{word}' is not in\n{text}"
+
+    def model(self, name, source=HUMAN):
+        path = self.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(source, path)
+        return path
+
+    def names(self, name="."):
+        return sorted(path.name for path in (self.folder / name).iterdir())
+
+    def like_here(self, output, *words):
+        """The same file as the program of this system writes."""
+        if self.native is None:
+            return
+        here = self.folder / "here.osim"
+        assert self.run(*words, "-o", here, "--force", program=self.native)[0] == 0
+        assert here.read_bytes() == (self.folder / output).read_bytes(), f"{output} is not what this system writes"
+        here.unlink()
+
+    def windows(self, path):
+        return "Z:" + str(path).replace("/", "\\")
+
+
+def blanks_and_umlauts(bench):
+    bench.model("Mäuse & Co/my model ß.osim")
+    bench.done(r"Mäuse & Co\my model ß.osim", "--target-mass", "500", "-o", r"Öl\größer als groß.osim")
+    bench.like_here("Öl/größer als groß.osim", "Mäuse & Co/my model ß.osim", "--target-mass", "500")
+    bench.done("inspect", "Mäuse & Co/my model ß.osim")
+    bench.refused("inspect", "Mäuse", "&", "Co/my", "model", "ß.osim", says=["quotes"])
+
+
+def servers_and_long_names(bench):
+    bench.refused("inspect", r"\\server\share\model.osim", says=["error: "], seconds=120)
+    path = bench.model("model.osim")
+    bench.done("inspect", "\\\\?\\" + bench.windows(path))
+    bench.done(bench.windows(path), "--target-mass", "500", "-o", bench.windows(bench.folder / "absolute.osim"))
+    bench.like_here("absolute.osim", "model.osim", "--target-mass", "500")
+    deep = pathlib.Path(*["a folder with quite a long name " + "x" * 30 for _ in range(5)])
+    long = bench.model(deep / "model.osim")
+    assert len(str(long)) > 300
+    for name in [deep / "model.osim", "\\\\?\\" + bench.windows(long)]:
+        bench.done("inspect", str(name).replace("/", "\\"))
+    bench.done(str(deep / "model.osim").replace("/", "\\"), "--target-mass", "500", "--in-place")
+    assert bench.names(deep) == ["model.osim", "model.osim.bak"], bench.names(deep)
+
+
+def in_place(bench):
+    before = bench.model("model.osim").read_bytes()
+    bench.done("model.osim", "--target-mass", "500", "--in-place")
+    assert (bench.folder / "model.osim.bak").read_bytes() == before
+    bench.like_here("model.osim", "model.osim.bak", "--target-mass", "500")
+    changed = (bench.folder / "model.osim").read_bytes()
+    bench.done("model.osim", "--target-mass", "400", "--in-place")
+    assert (bench.folder / "model.osim.bak2").read_bytes() == changed
+    assert bench.names() == ["model.osim", "model.osim.bak", "model.osim.bak2"], bench.names()
+    (bench.folder / "model.osim").chmod(0o444)
+    bench.refused("model.osim", "--target-mass", "300", "--in-place", says=["write-protected"])
+    bench.refused("model.osim", "--target-mass", "300", "-o", "model.osim.bak", says=["exists already"])
+
+
+def folders_and_leftovers(bench):
+    for name in ["lib/even/a.osim", "lib/odd/b.osim", "lib/c.OSIM"]:
+        bench.model(name)
+    call = ["lib", "--target-mass", "500", "-d", "out", "--summary", r"notes\done.csv", "--jobs", "2"]
+    assert "3 written" in bench.done(*call)
+    for name in ["even/a.osim", "odd/b.osim", "c.OSIM"]:
+        bench.like_here(f"out/{name}", f"lib/{name}", "--target-mass", "500")
+    assert "3 done before" in bench.done(*call, "--resume")
+    assert bench.names("notes") == ["done.csv"]
+    # The program's own name of this computer, from a run that is killed while it writes.
+    host = os.uname().nodename.split(".")[0]
+    plain = "".join(c if c.isalnum() or c in "._" else "_" for c in host)[:64]
+    left = bench.folder / f"out/even/.osim-contact-scale-{plain}-999999-abcdef.tmp"
+    other = bench.folder / "out/even/.osim-contact-scale-another.computer-999999-abcdef.tmp"
+    left.write_text("half a model")
+    other.write_text("half a model")
+    bench.done(*call, "--force")
+    assert other.exists() and not left.exists(), "what a process that is gone left behind goes, nothing else"
+    bench.refused("lib", "--target-mass", "500", "-d", "OUT", "-o", "x.osim", status=2)
+
+
+def sweeps(bench):
+    bench.model("model.osim")
+    bench.done("sweep", "model.osim", "--grid", "stiffness=x0.5,x1,x2", "-d", "variants")
+    names = bench.names("variants")
+    assert sum(name.endswith(".osim") for name in names) == 3, names
+    assert not any(name.endswith(".tmp") for name in names), names
+    bench.refused("sweep", "model.osim", "--grid", "stiffness=x0.5,x1,x2", "-d", "variants", status=2, says=["exist already"])
+
+
+def devices(bench):
+    text = INCLUDES.read_text()
+    for name in ["NUL", "CON", "aux.xml", r"\\.\COM1", r"\\.\pipe\nobody"]:
+        (bench.folder / "model.osim").write_text(text.replace("standalone_ForceSet.xml", name))
+        bench.refused("inspect", "model.osim", says=["this is a device"])
+    (bench.folder / "folder.osim.d").mkdir()
+    bench.refused("transfer", "model.osim", "--from", "folder.osim.d", says=["error: "])
+
+
+CHECKS = [blanks_and_umlauts, servers_and_long_names, in_place, folders_and_leftovers, sweeps, devices]
+
+
+def run_under_wine(program):
+    native = next((TARGET / kind / "osim-contact-scale" for kind in ("debug", "release")
+                   if (TARGET / kind / "osim-contact-scale").exists()), None)
+    if native is None:
+        print("skipped: comparison with this system's program: it is not built")
+    failed = []
+    with tempfile.TemporaryDirectory(prefix="wine-") as prefix:
+        for check in CHECKS:
+            with tempfile.TemporaryDirectory(prefix="windows-") as folder:
+                bench = Bench(pathlib.Path(folder), pathlib.Path(prefix) / "prefix", program, native)
+                try:
+                    if check is CHECKS[0]:
+                        print(bench.done("--version", seconds=180))
+                    check(bench)
+                    print(f"{check.__name__}: ok", flush=True)
+                except (AssertionError, subprocess.TimeoutExpired) as error:
+                    failed.append(check.__name__)
+                    print(f"{check.__name__}: FAILED: {error}", flush=True)
+        subprocess.run(["wineserver", "-k"], env=dict(os.environ, WINEPREFIX=f"{prefix}/prefix"), check=False)
+    print(f"{len(CHECKS) - len(failed)} passed, {len(failed)} failed")
+    return not failed
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--no-macos", action="store_true")
+    options = parser.parse_args()
+    missing = [tool for tool in (COMPILER, "x86_64-w64-mingw32-gcc", "wine") if shutil.which(tool) is None]
+    if missing:
+        sys.exit(f"error: {', '.join(missing)}: dev/install.sh windows")
+    subprocess.run([COMPILER, "--version"], check=True)
+    if not options.no_macos:
+        cargo("check", MACOS, "--workspace")
+    cargo("build", WINDOWS, "--package", "osim-contact-scale")
+    program = OTHER / WINDOWS / "debug/osim-contact-scale.exe"
+    build_dll(program.parent)
+    sys.exit(0 if run_under_wine(program) else 1)
+
+
+if __name__ == "__main__":
+    main()
