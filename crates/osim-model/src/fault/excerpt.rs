@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-/// Bytes of a long line that are shown before a place and behind it.
+/// Bytes of a long line that are shown before a place and after it.
 const BESIDE_MARK: usize = 200;
 
 /// One line of a file, and what to underline in it; of a long line the part around that.

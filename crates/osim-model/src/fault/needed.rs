@@ -120,6 +120,8 @@ pub enum Needed {
         /// The operation, as the note has it.
         operation: String,
     },
+    /// No ScaleSet: by the note, spheres followed it already.
+    Followed,
     /// The other half of a force set that stands alone.
     Geometry,
     /// The other half of a geometry set that stands alone.
@@ -198,7 +200,7 @@ impl Needed {
             | Self::ReferenceRadius { .. } => "which-reference",
             Self::NotedSizes | Self::BodyFactors { .. } | Self::Factors(_) => "body-scale",
             Self::MovedSpheres { .. } => "moved-spheres",
-            Self::Repetition { .. } => "same-operation",
+            Self::Repetition { .. } | Self::Followed => "same-operation",
             Self::Geometry | Self::ForceSet => "incomplete-set",
             Self::Load | Self::Gravity { .. } | Self::HeightRatio => "refused",
         }
@@ -297,9 +299,7 @@ impl Needed {
                     text.push(&phrase![
                         "choose all of them with ",
                         Input::Select.like("GLOB"),
-                        " and none with ",
-                        Input::Exclude,
-                        ", or ",
+                        ", excluding none, or ",
                     ]);
                 }
                 text.push(&radius.phrase());
@@ -366,6 +366,11 @@ impl Needed {
                 format!("the note in the file says that '{operation}' was done already"),
                 ": apply it once more with ",
                 Input::Force,
+            ],
+            Self::Followed => phrase![
+                "by the note in the file, spheres follow their bodies already, and a ScaleSet would move them once more: \
+                 leave out ",
+                Input::BodyScaleFile,
             ],
             Self::Geometry => phrase![
                 "this is a ForceSet that stands alone: its spheres are in another file, name it with ",

@@ -171,8 +171,8 @@ const QUESTION: &[ErrorCode] = &[
     ),
     code(
         "same-operation",
-        "the note says that this very factor was applied already (set … `in_place`, `radius=xFACTOR` `in_place`)",
-        "`force`, if once more is meant",
+        "the note says that this very factor was applied already (set … `in_place`, `radius=xFACTOR` `in_place`), or that spheres follow their bodies already (`body_scale_file`)",
+        "`force`, if once more is meant; or leave out `body_scale_file`",
     ),
     code(
         "body-scale",

@@ -26,25 +26,21 @@ impl Following {
         }
     }
 
-    /// Whether the note says that spheres followed this ScaleSet already. They stay then: a second time would move them away.
-    pub(super) fn is_done(&self, model: &Model) -> bool {
-        let placed = model.note.as_ref().is_some_and(Note::placed);
-        let scaled = || model.scaled_since_note().is_some_and(|since| since.is_scaled());
-        matches!(self, Self::File(_)) && placed && !scaled()
-    }
-
     /// The factors for `model`; `None` where spheres stay.
     ///
     /// # Errors
-    /// The note does not say them, or says others than the ScaleSet.
+    /// The note does not say them, says others than the ScaleSet, or says that spheres followed already.
     pub(super) fn factors(&self, model: &Model) -> Result<Option<ScaleFile>, Fault> {
         match self {
-            _ if self.is_done(model) => Ok(None),
             Self::Nothing => Ok(None),
             Self::Note => of_note(model).map(Some),
             Self::File(file) => {
-                if let Some(since) = model.scaled_since_note().filter(ScaledSinceNote::is_scaled) {
-                    compare(&since, file)?;
+                match model.scaled_since_note() {
+                    Some(since) if since.is_scaled() => compare(&since, file)?,
+                    Some(_) if model.note.as_ref().is_some_and(Note::placed) => {
+                        return Err(Fault::new(Needed::Followed));
+                    }
+                    _ => {}
                 }
                 Ok(Some(file.clone()))
             }

@@ -141,10 +141,6 @@ impl Planner for Rescaling {
         let mut plan = rescale(model, &selected, &wanted)?;
         plan.name_operation(&operation);
         plan.warnings.append(&mut warnings);
-        if self.following.is_done(model) {
-            plan.remarks
-                .push("by the note in the file, spheres follow their bodies already: they stay".into());
-        }
         Ok(plan)
     }
 }
