@@ -1,6 +1,6 @@
 //! Standard output and standard error; a reader that has gone away (`… | head`) is no failure.
 
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, ErrorKind, IsTerminal, Write};
 
 use osim_model::wording::{harmless, one_line};
 
@@ -43,6 +43,11 @@ impl Terminal {
     /// Results, on standard output.
     pub(crate) fn print(&mut self, text: &str) -> io::Result<()> {
         self.write_bytes(harmless(text).as_bytes())
+    }
+
+    /// Lines of files: programs that apply a diff need them as they are, and a terminal does not.
+    pub(crate) fn print_diff(&mut self, text: &str) -> io::Result<()> {
+        if io::stdout().is_terminal() { self.print(text) } else { self.write_bytes(text.as_bytes()) }
     }
 
     /// Results with colours, which reach terminals only.

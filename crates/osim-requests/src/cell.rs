@@ -30,7 +30,7 @@ pub fn from_cell(cell: &str) -> &str {
     cell.strip_prefix(TEXT_MARK).filter(|text| is_formula(text)).unwrap_or(cell)
 }
 
-/// Whether a spreadsheet would run it, also behind marks of its own: what is marked once more can be read back.
+/// Whether a spreadsheet would run it, also after marks of its own: what is marked once more can be read back.
 fn is_formula(text: &str) -> bool {
     text.trim_start_matches(TEXT_MARK).starts_with(['=', '+', '-', '@', '\t', '\r', '\n'])
 }

@@ -18,7 +18,7 @@ pub enum Doubt {
         /// R².
         r_squared: f64,
     },
-    /// The 95 % interval holds 0, or reaches below it where a value must be above: the data cannot tell the parameter from 0.
+    /// The 95 % interval holds 0, or reaches below it where a value must be above: the data cannot distinguish the parameter from 0.
     Undetermined {
         /// The parameter.
         parameter: Parameter,

@@ -12,7 +12,7 @@ use super::points::Point;
 pub struct Estimate {
     /// The value of least squares.
     pub value: f64,
-    /// Its standard error; not a number, as the interval, where nothing is left over that would tell it.
+    /// Its standard error; not a number, as the interval, where nothing is left over that would show it.
     pub standard_error: f64,
     /// Lower end of the 95 % interval, by Student's t.
     pub low: f64,

@@ -146,7 +146,9 @@ fn say_failure(failure: &Failure, format: RunFormat, session: &mut Session) -> R
 fn say(all: &[Output], session: &mut Session) -> Result<()> {
     for output in all {
         match output {
-            Output::Result(bytes) => session.terminal.write_bytes(bytes)?,
+            Output::Result(text) => session.terminal.print(text)?,
+            Output::Diff(text) => session.terminal.print_diff(text)?,
+            Output::Model(bytes) => session.terminal.write_bytes(bytes)?,
             Output::Note(text) => session.terminal.note(text)?,
         }
     }

@@ -24,7 +24,11 @@ pub(super) struct Shown {
 /// One thing to report.
 pub(super) enum Output {
     /// On standard output.
-    Result(Vec<u8>),
+    Result(String),
+    /// On standard output, where programs take it as it is.
+    Diff(String),
+    /// On standard output, byte for byte.
+    Model(Vec<u8>),
     /// On standard error, beside the results.
     Note(String),
 }
@@ -75,16 +79,16 @@ impl Shower<'_> {
         let mut outputs = Vec::new();
         let to_stdout = matches!(changed.written, Written::Stdout);
         if let Some(text) = self.text(changed) {
-            outputs.push(if to_stdout { Output::Note(text) } else { Output::Result(text.into_bytes()) });
+            outputs.push(if to_stdout { Output::Note(text) } else { Output::Result(text) });
         }
         if self.options.diff {
             let text = diff(changed);
             // With JSON on standard output, the diff would not be JSON.
             let aside = self.format == RunFormat::Json;
-            outputs.push(if aside { Output::Note(text) } else { Output::Result(text.into_bytes()) });
+            outputs.push(if aside { Output::Note(text) } else { Output::Diff(text) });
         }
         if to_stdout {
-            outputs.push(Output::Result(changed.results.model.to_vec()));
+            outputs.push(Output::Model(changed.results.model.to_vec()));
         }
         outputs
     }

@@ -8,7 +8,7 @@ use crate::wording::shown_whole;
 
 /// A file as it was named: text, and the bytes of the name where that is not UTF-8 and the text only an approximation.
 ///
-/// It prints on one line, with what cannot be seen escaped; the text itself is behind [`Deref`].
+/// It prints on one line, with what cannot be seen escaped; [`Deref`] gives the text itself.
 ///
 /// ```
 /// use osim_model::files::FileName;

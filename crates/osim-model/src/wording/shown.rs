@@ -101,7 +101,7 @@ pub fn is_seen(letter: char) -> bool {
     }
     let mut bytes = [0; 4];
     let escaped = letter.encode_utf8(&mut bytes).escape_debug().count() > 1;
-    // The standard library escapes accents, but not behind a letter.
+    // The standard library escapes accents, but not after a letter.
     !escaped || format!("a{letter}").escape_debug().count() == 2
 }
 
