@@ -2,7 +2,7 @@
 
 use super::factor_question::FactorQuestion;
 use super::note_doubt::NoteDoubt;
-use super::way_out::{GravityFor, RadiusFrom};
+use super::way_out::{GravityFor, RadiusFrom, shared_sphere};
 use crate::number::readable;
 use crate::wording::{Input, Phrase, phrase};
 
@@ -289,19 +289,7 @@ impl Needed {
                 of.input().like("N"),
             ],
             Self::SharedSphere { sphere, changed, left, can_choose, radius } => {
-                let stays = if left.len() == 1 { "which stays as it is" } else { "which stay as they are" };
-                let left = left.join(", ");
-                let mut text: Phrase = format!(
-                    "sphere {sphere} is used by {changed}, which would change, and by {left}, {stays}: "
-                )
-                .into();
-                if *can_choose {
-                    text.push(&phrase![
-                        "choose all of them with ",
-                        Input::Select.like("GLOB"),
-                        ", excluding none, or ",
-                    ]);
-                }
+                let mut text = shared_sphere(sphere, changed, left, *can_choose);
                 text.push(&radius.phrase());
                 text
             }

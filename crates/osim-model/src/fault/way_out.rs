@@ -92,3 +92,15 @@ impl RadiusFrom {
         }
     }
 }
+
+/// What is asked about a sphere that `changed` forces use and `left` ones too, up to how its radius stays.
+pub(super) fn shared_sphere(sphere: &str, changed: &str, left: &[String], can_choose: bool) -> Phrase {
+    let stays = if left.len() == 1 { "which stays as it is" } else { "which stay as they are" };
+    let left = left.join(", ");
+    let mut text: Phrase =
+        format!("sphere {sphere} is used by {changed}, which would change, and by {left}, {stays}: ").into();
+    if can_choose {
+        text.push(&phrase!["choose all of them with ", Input::Select.like("GLOB"), ", excluding none, or "]);
+    }
+    text
+}

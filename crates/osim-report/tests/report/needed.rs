@@ -11,6 +11,7 @@ fn examples() -> Vec<Needed> {
         Needed::BodyMass { body: name("toes_r") },
         Needed::ModelMass { bodies: 3, kg: 0.0 },
         Needed::MassOfLoop,
+        Needed::Followed,
         Needed::ContactsMass { noted_kg: Some(62.0), doubt: NoteDoubt::ValuesChanged },
         Needed::ContactsGravity { doubt: NoteDoubt::Partial },
         Needed::Selection {
