@@ -124,7 +124,7 @@ impl<'s> SweepRun<'s> {
         // Files left behind by a run that was killed go first.
         Folders::list(std::iter::once(manifest.as_path()), true);
         let mut table = Prepared::begin(&manifest, None, self.mode())?;
-        table.add(&line(self.plan.table_header())?)?;
+        table.add(&line(&self.plan.table_header())?)?;
         let mut end = SweepEnd { manifest: None, made: 0, failed: 0, not_begun: 0 };
         let work = |&index: &usize| {
             let made = self.make(index, front_end);
@@ -199,7 +199,7 @@ impl<'s> SweepRun<'s> {
         };
         let operation = variant.operation.clone();
         let digest = sha256(&variant.bytes);
-        let row = self.write(&path, &variant.bytes).and_then(|()| line(variant.row(digest)));
+        let row = self.write(&path, &variant.bytes).and_then(|()| line(&variant.row(digest)));
         match row {
             Ok(row) => Made::Row(row),
             Err(fault) => {
@@ -231,7 +231,7 @@ fn folder(request: &SweepRequest, model: &Path) -> PathBuf {
 }
 
 /// One row of the table.
-fn line(cells: Vec<String>) -> Result<Vec<u8>, LibraryFault> {
+fn line(cells: &[String]) -> Result<Vec<u8>, LibraryFault> {
     let said = |error: String| LibraryFault::new(error);
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer

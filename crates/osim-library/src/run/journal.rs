@@ -46,7 +46,7 @@ impl Form {
             return Ok(line);
         }
         let mut csv = csv::WriterBuilder::new().has_headers(first).from_writer(Vec::new());
-        csv.serialize(record.for_spreadsheet()).map_err(said)?;
+        csv.serialize(record.marked()).map_err(said)?;
         with_remarks(csv.into_inner().map_err(said)?, record)
     }
 }

@@ -71,7 +71,8 @@ impl PreviousLines {
             .from_reader(lines)
             .read_record(&mut row)
             .map_err(said)?;
-        row.deserialize(Some(&self.header)).map(Record::from_spreadsheet).map_err(said)
+        let record: Record = row.deserialize(Some(&self.header)).map_err(said)?;
+        Ok(record.unmarked())
     }
 }
 
@@ -104,7 +105,7 @@ fn each_row(
     let mut row = csv::StringRecord::new();
     while reader.read_record(&mut row).map_err(said)? {
         let record: Record = row.deserialize(Some(&header)).map_err(said)?;
-        each(row.position().map_or(0, csv::Position::byte), &record.from_spreadsheet());
+        each(row.position().map_or(0, csv::Position::byte), &record.unmarked());
     }
     Ok(header)
 }

@@ -282,13 +282,13 @@ impl Record {
         }
     }
 
-    /// The record with the texts from outside as cells of a table.
-    pub(super) fn for_spreadsheet(&self) -> Self {
+    /// The record with the texts from outside as cells of a table, marked where spreadsheets would run them.
+    pub(super) fn marked(&self) -> Self {
         self.with_texts(|text| cell(text).into_owned())
     }
 
-    /// The record that a table has, with its texts as they were.
-    pub(super) fn from_spreadsheet(self) -> Self {
+    /// The record of a table with its texts as they were.
+    pub(super) fn unmarked(&self) -> Self {
         self.with_texts(|text| from_cell(text).to_owned())
     }
 

@@ -86,20 +86,20 @@ pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: Letters) -> String
     for topic in topics {
         match topic {
             Topic::Equation(equation) => {
-                equations.add_row(vec![shown(equation.label), letters.spelled(equation.title)])
+                equations.add_row(vec![shown(equation.label), letters.spelled(equation.title)]);
             }
             Topic::Quantity(quantity) => {
                 let what = letters.spelled(&quantity.what().spelled(dialect));
-                quantities.add_row(vec![quantity.name.to_owned(), what])
+                quantities.add_row(vec![quantity.name.to_owned(), what]);
             }
             Topic::Finding(code) => {
-                findings.add_row(vec![code.as_str().to_owned(), code.what().spelled(dialect)])
+                findings.add_row(vec![code.as_str().to_owned(), code.what().spelled(dialect)]);
             }
             Topic::Error(error) => {
                 let means = letters.spelled(&error.means().spelled(dialect));
-                errors.add_row(vec![error.code.to_owned(), means])
+                errors.add_row(vec![error.code.to_owned(), means]);
             }
-        };
+        }
     }
     // A name that is broken cannot be copied.
     quantities.unbroken(0);
