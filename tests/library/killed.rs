@@ -28,6 +28,18 @@ const BATCH: Run = Run {
 const IN_PLACE: Run =
     Run { call: "lib --target-mass 500 --in-place --summary done.csv --jobs 2", models: 12, in_place: true };
 
+/// Variants of one model, and the table of them.
+const SWEEP: Run = Run {
+    call: "sweep lib/odd/model01.osim --grid stiffness=x0.1..x10/20 --grid dissipation=1,2 -d out --jobs 2",
+    models: 40,
+    in_place: false,
+};
+
+#[test]
+fn killed_in_a_sweep() {
+    SWEEP.kill(60);
+}
+
 #[test]
 fn killed_while_writing_into_a_folder() {
     INTO_FOLDER.kill(80);
@@ -49,6 +61,7 @@ fn killed_a_thousand_times() {
     INTO_FOLDER.kill(400);
     BATCH.kill(300);
     IN_PLACE.kill(300);
+    SWEEP.kill(300);
 }
 
 /// System calls by which a run changes the disk, by what they do.
@@ -66,7 +79,7 @@ fn killed_at_each_kind_of_system_call() {
     let wanted = std::env::var("KILLS").map_or(300, |kills| kills.parse().unwrap());
     let mut hit: BTreeMap<&str, usize> = BTreeMap::new();
     // Only in place are old files replaced, and put on the disk first.
-    for (run, share) in [(IN_PLACE, 3), (INTO_FOLDER, 1), (BATCH, 1)] {
+    for (run, share) in [(IN_PLACE, 3), (INTO_FOLDER, 1), (BATCH, 1), (SWEEP, 1)] {
         let Some(counted) = run.calls() else {
             return skipped("killed at each kind of system call", "strace is missing or may not trace here");
         };
@@ -193,10 +206,9 @@ impl Run {
         runs.sort_by_key(|(duration, _)| *duration);
         assert_same(&runs[0].1, &runs[1].1);
         let (duration, files) = runs.swap_remove(1);
-        let written = |name: &String| {
-            files.contains_key(&if self.in_place { format!("lib/{name}.bak") } else { format!("out/{name}") })
-        };
-        assert!((0..self.models).all(|number| written(&name(number))), "{:?}", files.keys());
+        let backups = files.keys().filter(|name| name.ends_with(".bak")).count();
+        let done = if self.in_place { backups } else { outputs(&files) };
+        assert_eq!(done, self.models, "{:?}", files.keys());
         (files, duration)
     }
 
@@ -233,13 +245,18 @@ impl Run {
         }
         assert!(before.keys().all(|name| after.contains_key(name)), "a file is gone");
         if !self.in_place {
-            return below(after, "out/").keys().filter(|name| !is_temporary(name)).count();
+            return outputs(after);
         }
         let changed = before.iter().filter(|(name, bytes)| after.get(*name) != Some(bytes));
         changed
             .inspect(|(name, bytes)| assert_eq!(after.get(&format!("{name}.bak")), Some(*bytes), "{name}"))
             .count()
     }
+}
+
+/// How many models are in the folder of the outputs.
+fn outputs(files: &Files) -> usize {
+    below(files, "out/").keys().filter(|name| name.ends_with(".osim") && !is_temporary(name)).count()
 }
 
 /// Compares the names first: what differs is told shortly.

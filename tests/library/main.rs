@@ -18,6 +18,7 @@ mod full;
 mod killed;
 mod left_over;
 mod library;
+mod memory;
 mod odd_files;
 mod resumed;
 mod shares;
@@ -25,3 +26,4 @@ mod stopped;
 #[path = "../command/support.rs"]
 #[allow(dead_code, reason = "shared with the tests of the command, which use all of it")]
 mod support;
+mod sweeps;

@@ -1,9 +1,10 @@
 //! Why something could not be done with files.
 
 use std::fmt::{self, Display};
+use std::path::Path;
 
 use osim_model::files::{Failure, FileName};
-use osim_model::wording::{Dialect, Phrase};
+use osim_model::wording::{Dialect, Input, Phrase, phrase};
 
 /// Why something could not be done with files: what is wrong, what was expected, and a way out.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,6 +21,17 @@ impl LibraryFault {
     /// What could not be done, and why not.
     pub(crate) fn because(what: impl Display, why: impl Display) -> Self {
         Self::new(format!("{what}: {why}"))
+    }
+
+    /// This output is there, and no run wrote it like that. No file is replaced unless the user asks for it.
+    pub(crate) fn edited(output: &Path) -> Self {
+        Self::new(phrase![
+            format!(
+                "{} is not what an earlier run wrote, so it stays: move it away, or replace it with ",
+                output.display()
+            ),
+            Input::Force,
+        ])
     }
 
     /// The same, after what could not be done because of it.

@@ -6,6 +6,7 @@ use anyhow::Result;
 use osim_library::{LibraryFault, SweepEnd, SweepFrontEnd, SweepRun};
 use osim_model::Question;
 use osim_model::files::Failure;
+use osim_model::wording::Input;
 use osim_report::json::line;
 use osim_report::results::SweepRecord;
 use osim_requests::SweepRequest;
@@ -68,11 +69,15 @@ pub(super) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
     }
     let end = make(&sweep, request, session)?;
     if end.not_begun > 0 {
-        let (made, count) = (end.made, sweep.count());
-        session.terminal.note(&format!("note: stopped: {made} of {count} models are made\n"))?;
+        let (made, count) = (end.made + end.earlier, sweep.count());
+        let resume = session.words.input(Input::Resume, None);
+        session.terminal.note(&format!(
+            "note: stopped: {made} of {count} models are made; go on with the same call and {resume}\n"
+        ))?;
     }
     let record = SweepRecord::new(sweep.model(), sweep.folder(), end.manifest.as_deref());
-    report(&record.counted(end.made, end.failed), &text(&sweep, &end), request, session)?;
+    let record = record.counted(end.made + end.earlier, end.failed).of_which_before(end.earlier);
+    report(&record, &text(&sweep, &end), request, session)?;
     Ok(match (end.not_begun, end.failed) {
         (0, 0) => Exit::Done,
         (0, _) => Exit::Failed,
@@ -118,8 +123,10 @@ fn text(sweep: &SweepRun<'_>, end: &SweepEnd) -> String {
     match &end.manifest {
         Some(manifest) => {
             let (made, count) = (end.made, sweep.count());
-            let of = if made < count { format!(" of {count}") } else { String::new() };
-            format!("{made}{of} models written; what is in which: {}\n", manifest.display())
+            let of = if made + end.earlier < count { format!(" of {count}") } else { String::new() };
+            let before =
+                if end.earlier > 0 { format!(", {} done before", end.earlier) } else { String::new() };
+            format!("{made}{of} models written{before}; what is in which: {}\n", manifest.display())
         }
         None => "no model was made\n".to_owned(),
     }

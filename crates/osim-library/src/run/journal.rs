@@ -1,12 +1,8 @@
 //! A summary: one line per model, in order; and while the run lasts, `FILE.partial` in the order of the work.
 //!
-//! A line of the partial file is written before its output takes its name. Whenever the program is killed, every
-//! finished output therefore has its line, and a run that goes on compares what the line says with what is there.
+//! A run that goes on compares what the lines say with what is there.
 
-use std::ffi::OsString;
-use std::fs::File;
-use std::io::{Read, Seek, SeekFrom, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Mutex;
 
 use osim_model::wording::{Input, phrase};
@@ -14,9 +10,9 @@ use osim_requests::cell;
 use osim_requests::options::RunOptions;
 
 use super::record::{JsonRecord, Record};
-use crate::door;
-use crate::fault::{Context, LibraryFault};
+use crate::fault::LibraryFault;
 use crate::folders::make_folder_of;
+use crate::partial::Partial;
 use crate::write::{Mode, Prepared};
 
 /// How a summary is written, by the ending of its name.
@@ -74,43 +70,12 @@ fn said(error: impl std::fmt::Display) -> LibraryFault {
     LibraryFault::new(error.to_string())
 }
 
-/// The file that lasts as long as the run.
-pub(super) fn partial(path: &Path) -> PathBuf {
-    let mut name = OsString::from(path.as_os_str());
-    name.push(".partial");
-    PathBuf::from(name)
-}
-
-/// The length of what was written to its end.
-fn whole_lines(path: &Path) -> std::io::Result<u64> {
-    let (mut file, length) = door::to_read(path)?;
-    end_of_lines(&mut file, length)
-}
-
-/// Where the last whole line ends.
-pub(super) fn end_of_lines(file: &mut File, length: u64) -> std::io::Result<u64> {
-    const BLOCK: u64 = 1 << 16;
-    let mut end = length;
-    while end > 0 {
-        let start = end.saturating_sub(BLOCK);
-        file.seek(SeekFrom::Start(start))?;
-        let mut block = Vec::new();
-        Read::by_ref(file).take(end - start).read_to_end(&mut block)?;
-        if let Some(at) = block.iter().rposition(|&byte| byte == b'\n') {
-            return Ok(start + at as u64 + 1);
-        }
-        end = start;
-    }
-    Ok(0)
-}
-
 /// A summary that is being written.
 #[derive(Debug)]
 pub(super) struct Journal {
     form: Form,
     /// In the order of the work.
     partial: Mutex<Partial>,
-    partial_path: PathBuf,
     /// In the order of the models.
     summary: Mutex<Summary>,
 }
@@ -131,41 +96,6 @@ impl Summary {
     }
 }
 
-/// Whole lines only.
-#[derive(Debug)]
-struct Partial {
-    file: File,
-    length: u64,
-}
-
-impl Partial {
-    /// Opens the file for this run alone, with the whole lines that are there if it goes on with them.
-    fn open(path: &Path, summary: &Path, resume: bool) -> Result<Self, LibraryFault> {
-        let cannot = || format!("cannot write {}", path.display());
-        let file = door::append(path).map_err(|error| door::reason(&error)).context(cannot)?;
-        if file.try_lock().is_err_and(|error| matches!(error, std::fs::TryLockError::WouldBlock)) {
-            return Err(LibraryFault::new(format!(
-                "{} is being written by another run: give each run a summary of its own",
-                summary.display()
-            )));
-        }
-        // A line cut off when the run was killed must not run into the next one.
-        let kept = if resume { whole_lines(path).context(cannot)? } else { 0 };
-        file.set_len(kept).context(cannot)?;
-        Ok(Self { file, length: kept })
-    }
-
-    fn add(&mut self, line: &[u8]) -> std::io::Result<()> {
-        if let Err(error) = self.file.write_all(line) {
-            // On a full disk a part of the line may be there: the next one would run into it.
-            self.file.set_len(self.length)?;
-            return Err(error);
-        }
-        self.length += line.len() as u64;
-        Ok(())
-    }
-}
-
 impl Journal {
     /// # Errors
     /// A summary of that name is there, and nothing says that the run goes on with it or replaces it; or another run is
@@ -173,7 +103,6 @@ impl Journal {
     pub(super) fn begin(options: &RunOptions, force: bool) -> Result<Option<Self>, LibraryFault> {
         let Some(path) = &options.summary else { return Ok(None) };
         let form = Form::of(path)?;
-        let partial_path = partial(path);
         make_folder_of(path)?;
         let replace = options.resume || force;
         if !replace && path.exists() {
@@ -185,26 +114,21 @@ impl Journal {
                 "), or choose another name",
             ]));
         }
-        if !replace && partial_path.exists() {
-            return Err(LibraryFault::new(phrase![
-                format!("{} was left by a run that was stopped: go on with it (", partial_path.display()),
-                Input::Resume,
-                "), or start again (",
-                Input::Force,
-                ")",
-            ]));
+        if !replace {
+            Partial::check_none_left(path)?;
         }
         let mode = if replace { Mode::Replace } else { Mode::New };
         let summary = Summary { file: Prepared::begin(path, None, mode)?, first: true, broken: None };
-        let partial = Mutex::new(Partial::open(&partial_path, path, options.resume)?);
-        Ok(Some(Self { form, partial, partial_path, summary: Mutex::new(summary) }))
+        let way_out = "give each run a summary of its own".into();
+        let partial = Mutex::new(Partial::open(path, options.resume, &way_out)?);
+        Ok(Some(Self { form, partial, summary: Mutex::new(summary) }))
     }
 
     /// An output is complete and about to take its name.
     pub(super) fn about_to_finish(&self, record: &Record) -> Result<(), LibraryFault> {
         let mut partial = self.partial.lock().map_err(|_| LibraryFault::new("a thread ended early"))?;
-        let line = self.form.line(record, partial.length == 0)?;
-        partial.add(&line).context(|| format!("cannot write {}", self.partial_path.display()))
+        let line = self.form.line(record, partial.is_empty())?;
+        partial.add(&line)
     }
 
     /// The next model in order. Whether that went well, [`finish`](Self::finish) says: models do not wait for it.
@@ -228,8 +152,6 @@ impl Journal {
             message.push(fault.phrase());
             LibraryFault::new(message)
         })?;
-        drop(self.partial);
-        std::fs::remove_file(&self.partial_path)
-            .context(|| format!("cannot remove {}", self.partial_path.display()))
+        self.partial.into_inner().map_err(|_| LibraryFault::new("a thread ended early"))?.remove()
     }
 }

@@ -2,8 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use osim_model::files::{Failure, FileName, ModelFiles, OpenModel};
-use osim_model::wording::{Input, phrase};
+use osim_model::files::{Failure, ModelFiles, OpenModel};
 use osim_patch::Plan;
 use osim_requests::BeforeAfter;
 
@@ -67,7 +66,8 @@ impl<F: FrontEnd> ModelJob<'_, F> {
                     }
                     Previous::Outdated => force = true,
                     Previous::Edited(path) if !force && !self.context.run.dry_run => {
-                        return Err(edited(loaded.files.name(), &path));
+                        let fault = LibraryFault::edited(&path);
+                        return Err(fault.of_model(loaded.files.name().clone(), "output"));
                     }
                     Previous::Edited(_) | Previous::Unknown => {}
                 }
@@ -216,18 +216,6 @@ impl<F: FrontEnd> ModelJob<'_, F> {
         }
         files.commit(results)
     }
-}
-
-/// No file is replaced unless the user asks for it.
-fn edited(model: &FileName, output: &Path) -> Failure {
-    let message = phrase![
-        format!(
-            "{} is not what an earlier run wrote, so it stays: move it away, or replace it with ",
-            output.display()
-        ),
-        Input::Force,
-    ];
-    Failure::outside(model, "output", message)
 }
 
 /// The model as it will be, with the geometry set that goes with it.

@@ -7,13 +7,14 @@ use std::path::{Path, PathBuf};
 use osim_model::wording::{Input, phrase};
 use osim_requests::options::RunOptions;
 
-use super::journal::{Form, partial};
+use super::journal::Form;
 use super::previous_lines::PreviousLines;
 use super::record::{Record, Status};
 use super::task::Task;
 use crate::digest::sha256;
 use crate::door;
 use crate::fault::LibraryFault;
+use crate::partial::Partial;
 
 /// Records of earlier runs: of each only where its line is, so that a million of them take no more than their places.
 #[derive(Default)]
@@ -59,7 +60,7 @@ impl PreviousRun {
         let Some(path) = options.summary.as_ref().filter(|_| options.resume) else { return Ok(done) };
         let form = Form::of(path)?;
         // Oldest first. Only the partial one may end in the middle of a line: a whole one gets its name in one step.
-        for (path, may_be_cut) in [(path.clone(), false), (partial(path), true)] {
+        for (path, may_be_cut) in [(path.clone(), false), (Partial::path_of(path), true)] {
             if path.exists() {
                 done.add(&path, form, may_be_cut).map_err(|fault| cannot_go_on(&path, &fault))?;
             }

@@ -5,10 +5,11 @@ use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
 use std::path::Path;
 use std::sync::Mutex;
 
-use super::journal::{Form, end_of_lines};
+use super::journal::Form;
 use super::record::{JsonRecord, Record};
 use crate::door;
 use crate::fault::{Context, LibraryFault};
+use crate::partial::end_of_lines;
 
 /// A summary, whole or partial, that stays open: a run that goes on replaces its name, not the file.
 pub(super) struct PreviousLines {

@@ -29,8 +29,10 @@ pub struct SweepRecord {
     /// Its name in bytes, where that is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub folder_bytes: Option<Vec<u8>>,
-    /// How many models were made, or would be.
+    /// How many models are there as they should be, or would be.
     pub models: usize,
+    /// How many of these an earlier sweep had made.
+    pub done_before: usize,
     /// How many could not be made.
     pub failed: usize,
 }
@@ -51,6 +53,7 @@ impl SweepRecord {
             folder,
             folder_bytes,
             models: 0,
+            done_before: 0,
             failed: 0,
         }
     }
@@ -59,5 +62,11 @@ impl SweepRecord {
     #[must_use]
     pub fn counted(self, models: usize, failed: usize) -> Self {
         Self { models, failed, ..self }
+    }
+
+    /// The same with how many of its models an earlier sweep had made.
+    #[must_use]
+    pub fn of_which_before(self, done_before: usize) -> Self {
+        Self { done_before, ..self }
     }
 }

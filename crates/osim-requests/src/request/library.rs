@@ -78,6 +78,9 @@ pub struct SweepRequest {
     /// Replace existing files
     #[cfg_attr(feature = "clap", arg(long, help_heading = "Output"))]
     pub force: bool,
+    /// Go on with a sweep that was stopped or changed: make what is not there as it should be, leave what was edited
+    #[cfg_attr(feature = "clap", arg(long, help_heading = "Output", hide_short_help = true))]
+    pub resume: bool,
     /// Leave no note (in the credits) in the models
     #[cfg_attr(feature = "clap", arg(long, help_heading = "Output", hide_short_help = true))]
     pub no_note: bool,
@@ -132,6 +135,7 @@ impl Default for SweepRequest {
             soft: Positive::SOFT_STIFFNESS,
             output_dir: None,
             force: false,
+            resume: false,
             no_note: false,
             dry_run: false,
             format: Format::Table,
@@ -155,6 +159,7 @@ impl SweepRequest {
             Relation::Excludes("ladder", "grid"),
             Relation::Needs("ladder", "indentation"),
             Relation::Needs("soft", "ladder"),
+            Relation::Excludes("resume", "dry_run"),
         ],
         WantedOptions::RELATIONS,
         LoadOptions::RELATIONS,

@@ -1,5 +1,7 @@
 //! A sweep on the disk: a folder of variants, and a table that says what is in which.
 
+mod made;
+
 use std::path::{Path, PathBuf};
 
 use osim_model::FileId;
@@ -8,9 +10,12 @@ use osim_model::wording::{Input, phrase};
 use osim_requests::options::SetFiles;
 use osim_requests::{RequestError, RequestFault, SweepPlan, SweepRequest, cell};
 
+use self::made::MadeFiles;
 use crate::digest::sha256;
-use crate::fault::LibraryFault;
-use crate::folders::{Folders, make_folder_of};
+use crate::door;
+use crate::fault::{Context, LibraryFault};
+use crate::folders::Folders;
+use crate::partial::Partial;
 use crate::paths::{Resolver, resolved};
 use crate::source::{FOLDER_MARK, Loaded, Origin, Source, Stamp};
 use crate::workers::{in_order, threads};
@@ -41,6 +46,8 @@ pub struct SweepEnd {
     pub manifest: Option<PathBuf>,
     /// Variants that were made.
     pub made: usize,
+    /// Variants that an earlier sweep had made already.
+    pub earlier: usize,
     /// Variants that could not be made.
     pub failed: usize,
     /// Variants that were not begun.
@@ -49,7 +56,8 @@ pub struct SweepEnd {
 
 /// The outcome for a variant.
 enum Made {
-    Row(Vec<u8>),
+    /// Its row in the table, and whether an earlier sweep made it.
+    Row(Vec<u8>, bool),
     Failed(Failure),
     NotBegun,
 }
@@ -120,19 +128,22 @@ impl<'s> SweepRun<'s> {
     ) -> Result<SweepEnd, E> {
         let manifest = self.folder.join(self.plan.table_name());
         self.check_new(&manifest)?;
-        make_folder_of(&manifest)?;
+        let files = MadeFiles::begin(&manifest, self.request.resume)?;
         // Files left behind by a run that was killed go first.
         Folders::list(std::iter::once(manifest.as_path()), true);
         let mut table = Prepared::begin(&manifest, None, self.mode())?;
         table.add(&line(&self.plan.table_header())?)?;
-        let mut end = SweepEnd { manifest: None, made: 0, failed: 0, not_begun: 0 };
+        let mut end = SweepEnd { manifest: None, made: 0, earlier: 0, failed: 0, not_begun: 0 };
         let work = |&index: &usize| {
-            let made = self.make(index, front_end);
+            let made = self.make(index, &files, front_end);
             front_end.done(matches!(made, Made::Failed(_)));
             made
         };
         let each = |_: &usize, made: Made| match made {
-            Made::Row(row) => table.add(&row).map_err(E::from),
+            Made::Row(row, earlier) => {
+                *if earlier { &mut end.earlier } else { &mut end.made } += 1;
+                table.add(&row).map_err(E::from)
+            }
             Made::Failed(failure) => {
                 end.failed += 1;
                 failed(failure)
@@ -144,11 +155,11 @@ impl<'s> SweepRun<'s> {
         };
         let indices: Vec<usize> = (0..self.count()).collect();
         in_order(&indices, threads(self.request.jobs, self.count()), work, each)?;
-        end.made = self.count() - end.failed - end.not_begun;
-        if end.made > 0 {
+        if end.made + end.earlier > 0 {
             table.commit()?;
             end.manifest = Some(manifest);
         }
+        files.finish(end.made + end.earlier == self.count())?;
         Ok(end)
     }
 
@@ -170,38 +181,46 @@ impl<'s> SweepRun<'s> {
                 first.get_or_insert(path);
             }
         }
+        if self.mode() == Mode::Replace {
+            return Ok(());
+        }
+        Partial::check_none_left(manifest)?;
         match first {
-            Some(first) if !self.request.force => Err(LibraryFault::new(phrase![
+            Some(first) => Err(LibraryFault::new(phrase![
                 format!(
-                    "{there} of these files exist already, such as {}: replace them with ",
+                    "{there} of these files exist already, such as {}: go on with them (",
                     first.display()
                 ),
+                Input::Resume,
+                "), replace them (",
                 Input::Force,
-                ", or choose another folder with ",
+                "), or choose another folder with ",
                 Input::OutputDir.like("DIR"),
             ])),
-            _ => Ok(()),
+            None => Ok(()),
         }
     }
 
+    /// Of the table.
     fn mode(&self) -> Mode {
-        if self.request.force { Mode::Replace } else { Mode::New }
+        if self.request.force || self.request.resume { Mode::Replace } else { Mode::New }
     }
 
-    fn make(&self, index: usize, front_end: &impl SweepFrontEnd) -> Made {
+    fn make(&self, index: usize, files: &MadeFiles, front_end: &impl SweepFrontEnd) -> Made {
         if front_end.is_interrupted() {
             return Made::NotBegun;
         }
-        let path = self.folder.join(self.plan.file_name(index));
+        let name = self.plan.file_name(index);
+        let path = self.folder.join(&name);
         let variant = match self.plan.make(index) {
             Ok(variant) => variant,
             Err(failure) => return Made::Failed(failure),
         };
         let operation = variant.operation.clone();
         let digest = sha256(&variant.bytes);
-        let row = self.write(&path, &variant.bytes).and_then(|()| line(&variant.row(digest)));
-        match row {
-            Ok(row) => Made::Row(row),
+        let written = self.write(&path, &variant.bytes, files, (&name, &digest));
+        match written.and_then(|earlier| Ok((line(&variant.row(digest))?, earlier))) {
+            Ok((row, earlier)) => Made::Row(row, earlier),
             Err(fault) => {
                 let mut failure = fault.of_model(path.as_path(), "output");
                 failure.message.push(format!(" ({operation})"));
@@ -210,14 +229,51 @@ impl<'s> SweepRun<'s> {
         }
     }
 
-    fn write(&self, path: &Path, bytes: &[u8]) -> Result<(), LibraryFault> {
+    /// Writes a variant, with its name and digest; `true` where it was there already.
+    fn write(
+        &self,
+        path: &Path,
+        bytes: &[u8],
+        files: &MadeFiles,
+        (name, digest): (&str, &str),
+    ) -> Result<bool, LibraryFault> {
         self.origin.find_included_from(path)?;
+        let Some(mode) = self.mode_of(path, bytes, |there| files.knows(name, there))? else {
+            files.about_to_finish(name, digest)?;
+            return Ok(true);
+        };
         let like = self.origin.stamp_of(FileId::MAIN).map(Stamp::metadata);
-        let prepared = Prepared::new(path, bytes, like, self.mode())?;
+        let prepared = Prepared::new(path, bytes, like, mode)?;
         if prepared.replaces() {
             prepared.sync()?;
         }
-        prepared.commit().map_err(|fault| fault.within("not written"))
+        files.about_to_finish(name, digest)?;
+        prepared.commit().map_err(|fault| fault.within("not written"))?;
+        Ok(false)
+    }
+
+    /// How a variant may be written; none where it is there, byte for byte. `is_ours` knows digests of what earlier sweeps made
+    /// under its name.
+    fn mode_of(
+        &self,
+        path: &Path,
+        bytes: &[u8],
+        is_ours: impl Fn(&str) -> bool,
+    ) -> Result<Option<Mode>, LibraryFault> {
+        if !self.request.resume {
+            return Ok(Some(self.mode()));
+        }
+        if !path.exists() {
+            return Ok(Some(Mode::New));
+        }
+        let there = door::ordinary(path).context(|| path.display())?;
+        if there == bytes {
+            return Ok(None);
+        }
+        if self.request.force || is_ours(&sha256(&there)) {
+            return Ok(Some(Mode::Replace));
+        }
+        Err(LibraryFault::edited(path))
     }
 }
 

@@ -1,0 +1,121 @@
+//! `FILE.partial`: what a run has done so far, one line each, while `FILE` itself is not whole.
+//!
+//! A line is there before its output takes its name. Whenever the program is killed, every finished output therefore has
+//! its line.
+
+use std::ffi::OsString;
+use std::fs::File;
+use std::io::{Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+use osim_model::wording::{Input, Phrase, phrase};
+
+use crate::door;
+use crate::fault::{Context, LibraryFault};
+
+/// Whole lines only. While it is open, no other run opens it.
+#[derive(Debug)]
+pub(crate) struct Partial {
+    path: PathBuf,
+    file: File,
+    length: u64,
+}
+
+impl Partial {
+    /// The partial file of `whole`.
+    pub(crate) fn path_of(whole: &Path) -> PathBuf {
+        let mut name = OsString::from(whole.as_os_str());
+        name.push(".partial");
+        PathBuf::from(name)
+    }
+
+    /// Refuses to begin where a run that was stopped left one.
+    ///
+    /// # Errors
+    /// It is there.
+    pub(crate) fn check_none_left(whole: &Path) -> Result<(), LibraryFault> {
+        let path = Self::path_of(whole);
+        if !path.exists() {
+            return Ok(());
+        }
+        Err(LibraryFault::new(phrase![
+            format!("{} was left by a run that was stopped: go on with it (", path.display()),
+            Input::Resume,
+            "), or start again (",
+            Input::Force,
+            ")",
+        ]))
+    }
+
+    /// Opens that of `whole` for this run alone, with the whole lines that are there if it goes on with them. `way_out` is
+    /// what to do where another run has it.
+    ///
+    /// # Errors
+    /// It cannot be written, or another run has it.
+    pub(crate) fn open(whole: &Path, resume: bool, way_out: &Phrase) -> Result<Self, LibraryFault> {
+        let path = Self::path_of(whole);
+        let cannot = || format!("cannot write {}", path.display());
+        let file = door::append(&path).map_err(|error| door::reason(&error)).context(cannot)?;
+        if file.try_lock().is_err_and(|error| matches!(error, std::fs::TryLockError::WouldBlock)) {
+            let mut message = phrase![format!("{} is being written by another run: ", whole.display())];
+            message.push(way_out);
+            return Err(LibraryFault::new(message));
+        }
+        // A line cut off when the run was killed must not run into the next one.
+        let kept = if resume { whole_lines(&path).context(cannot)? } else { 0 };
+        file.set_len(kept).context(cannot)?;
+        Ok(Self { file, length: kept, path })
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.length == 0
+    }
+
+    /// Adds whole lines.
+    ///
+    /// # Errors
+    /// The disk is full; then nothing of them is there.
+    pub(crate) fn add(&mut self, lines: &[u8]) -> Result<(), LibraryFault> {
+        let cannot = || format!("cannot write {}", self.path.display());
+        if let Err(error) = self.file.write_all(lines) {
+            // On a full disk a part of the line may be there: the next one would run into it.
+            self.file.set_len(self.length).context(cannot)?;
+            return Err(error).context(cannot);
+        }
+        self.length += lines.len() as u64;
+        Ok(())
+    }
+
+    /// The whole file is there: this one is no longer needed.
+    ///
+    /// # Errors
+    /// The folder cannot be changed.
+    pub(crate) fn remove(self) -> Result<(), LibraryFault> {
+        let Self { path, file, .. } = self;
+        drop(file);
+        std::fs::remove_file(&path).context(|| format!("cannot remove {}", path.display()))
+    }
+}
+
+/// The length of what was written to its end.
+fn whole_lines(path: &Path) -> std::io::Result<u64> {
+    let (mut file, length) = door::to_read(path)?;
+    end_of_lines(&mut file, length)
+}
+
+/// Where the last whole line ends.
+pub(crate) fn end_of_lines(file: &mut File, length: u64) -> std::io::Result<u64> {
+    const BLOCK: u64 = 1 << 16;
+    let mut end = length;
+    while end > 0 {
+        let start = end.saturating_sub(BLOCK);
+        file.seek(SeekFrom::Start(start))?;
+        let mut block = Vec::new();
+        Read::by_ref(file).take(end - start).read_to_end(&mut block)?;
+        if let Some(at) = block.iter().rposition(|&byte| byte == b'\n') {
+            return Ok(start + at as u64 + 1);
+        }
+        end = start;
+    }
+    Ok(0)
+}
