@@ -139,6 +139,18 @@ fn inspecting() {
 }
 
 #[test]
+fn every_row_has_each_code_once() {
+    // Four forces of several spheres: four warnings of one code, which each row would repeat.
+    let bench = Bench::with(&[("table1/horse_hunt_crossley.osim", "horse.osim")]);
+    let ran = bench.run("inspect horse.osim --format csv").done();
+    let rows = String::from_utf8(ran.stdout.clone()).unwrap();
+    assert!(rows.lines().count() > 4);
+    for row in rows.lines().skip(1) {
+        assert_eq!(row.rsplit(',').next(), Some("several-spheres-one-force"), "{row}");
+    }
+}
+
+#[test]
 fn inspecting_says_what_is_wrong_and_goes_on() {
     let bench = Bench::with(&[
         ("bad/number_decimal_comma.osim", "comma.osim"),

@@ -26,16 +26,16 @@ LEAST, N, TIMES = 4, 64, 4
 LIMIT, LIMIT_OF_FUNCTION = 1.1, 1.35
 # Of the whole at 4 N; less than this is noise.
 WEIGHT = 0.01
-# Functions whose work comes in jumps: short lists are sorted in another way, freed memory is joined now and then. What they do
-# is counted in the whole.
-IN_JUMPS = re.compile(r"sort|malloc|free|alloc|unlink_chunk|hash.*(reserve|rehash|resize)|grow|drop_in_place|memset")
+# Functions whose work comes in jumps: short lists are sorted in another way, freed memory is joined now and then, lines are
+# broken (smawk) only where they are long. What they do is counted in the whole.
+IN_JUMPS = re.compile(r"sort|smawk|malloc|free|alloc|unlink_chunk|hash.*(reserve|rehash|resize)|grow|drop_in_place|memset")
 
 ALL = list(models.KINDS)
 SOME = ["forces", "bodies", "chain+", "defaults"]
 MODEL, OUT = "MODEL", "OUT"
 # Verb, the call, and in what it may grow. A call that follows bodies is given the model before they were scaled.
 VERBS = {
-    "inspect": (["inspect", MODEL], ["spheres", "findings"]),
+    "inspect": (["inspect", MODEL], ["forces", "spheres", "findings"]),
     "inspect csv": (["inspect", MODEL, "--format", "csv"], ["forces"]),
     "inspect json": (["inspect", MODEL, "--format", "json"], ["bodies"]),
     "inspect --from": (["inspect", MODEL, "--from", "GENERIC"], ["bodies", "chain+"]),
@@ -46,7 +46,7 @@ VERBS = {
     "transfer": (["transfer", MODEL, "--from", "GENERIC", "-o", OUT], ["forces", "bodies"]),
     "set": (["set", MODEL, "stiffness=x2", "-o", OUT], ["forces", "shared"]),
     "design": (["design", MODEL, "--indentation", "0.1", "-o", OUT], ["forces", "chain+"]),
-    "note": (["note", MODEL, "--contacts-mass", "40", "-o", OUT], ["bodies"]),
+    "note": (["note", MODEL, "--contacts-mass", "80", "-o", OUT], ["bodies"]),
     "sweep": (["sweep", MODEL, "--grid", "stiffness=x1,x2", "-d", OUT, "--jobs", "1"], ["forces"]),
     "drop-test": (["drop-test", MODEL, "--duration", "0.01"], ["forces"]),
     "files": (["rescale", "FOLDER", "--target-mass", "500", "-d", OUT, "--summary", "OUT.csv", "--jobs", "1"], ["files"]),

@@ -40,7 +40,9 @@ impl Folders {
     pub fn compiled_beside(&self, output: &Path) -> Option<Finding> {
         let compiled = self.compiled.get(folder_of(output)).filter(|compiled| !compiled.is_empty())?;
         let prefix = format!("F_{}.", output.file_stem()?.to_string_lossy());
-        let found = compiled.iter().find(|name| name.starts_with(&prefix))?;
+        // The names are sorted: the first that is not before the prefix has it, or none does.
+        let first = compiled.partition_point(|name| *name < prefix);
+        let found = compiled.get(first).filter(|name| name.starts_with(&prefix))?;
         let text = format!(
             "{} lies beside the output: PredSim and OpenCap would go on using it",
             folder_of(output).join(found).display()

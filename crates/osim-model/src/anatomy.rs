@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 
-use crate::components::{ComponentId, Components};
+use crate::components::{ComponentId, Components, MAX_FRAME_CHAIN};
 use crate::document::Document;
 use crate::fault::Fault;
 use crate::model::Model;
@@ -184,11 +184,12 @@ impl Anatomy {
         self.index.bodies.contains(name)
     }
 
-    /// Where `joint` is, seen from the origin of `body` at the default pose, m; `None` unless it lies below that body.
+    /// Where `joint` is, seen from the origin of `body` at the default pose, m; `None` unless it lies below that body, with at
+    /// most 64 joints between: each joint of a long chain would walk all of it.
     #[must_use]
     pub fn place_below(&self, body: &str, joint: &AnatomyJoint) -> Option<[f64; 3]> {
         let (mut at, mut point) = (joint.parent.as_str(), joint.in_parent_m);
-        for _ in 0..=self.joints.len() {
+        for _ in 0..=MAX_FRAME_CHAIN {
             if at == body {
                 return Some(point);
             }

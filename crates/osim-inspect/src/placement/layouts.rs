@@ -3,6 +3,7 @@
 //! A layout is known again by its places. Where its licence does not allow copying, the table has a digest of the places, in
 //! whole micrometres, from which they cannot be read.
 
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::sync::OnceLock;
@@ -39,6 +40,18 @@ pub(super) struct Layout {
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub(super) struct Place(String, f64, f64, f64);
 
+/// Places of a model, with their digest once a layout asks for it.
+struct Places {
+    list: Vec<Place>,
+    digest: OnceCell<String>,
+}
+
+impl From<Vec<Place>> for Places {
+    fn from(list: Vec<Place>) -> Self {
+        Self { list, digest: OnceCell::new() }
+    }
+}
+
 /// What a layout says about a model that has it.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum LayoutAnswer {
@@ -50,13 +63,13 @@ pub(crate) enum LayoutAnswer {
 
 /// What the layout of `model` says; `None` where it is not known, or nothing shows how large the bones are.
 pub(super) fn answer(model: &Model, bones: &Bones) -> Option<LayoutAnswer> {
-    let places = places(model)?;
+    let places = Places::from(places(model)?);
     let Some(layout) = layouts().iter().find(|layout| layout.is_of(&places)) else {
-        let followed = layouts().iter().any(|layout| layout.grew_to(&places, bones));
+        let followed = layouts().iter().any(|layout| layout.grew_to(&places.list, bones));
         return followed.then_some(LayoutAnswer::AsPublished);
     };
     let sizes: Vec<(&str, [f64; 3])> =
-        places.iter().filter_map(|place| Some((place.0.as_str(), bones.size(&place.0)?))).collect();
+        places.list.iter().filter_map(|place| Some((place.0.as_str(), bones.size(&place.0)?))).collect();
     if sizes.is_empty() {
         return None;
     }
@@ -86,12 +99,13 @@ fn places(model: &Model) -> Option<Vec<Place>> {
 }
 
 impl Layout {
-    fn is_of(&self, places: &[Place]) -> bool {
+    fn is_of(&self, places: &Places) -> bool {
         match (&self.places, &self.digest) {
             (Some(own), _) => {
-                own.len() == places.len() && own.iter().all(|own| places.iter().any(|place| own.is(place)))
+                let list = &places.list;
+                own.len() == list.len() && own.iter().all(|own| list.iter().any(|place| own.is(place)))
             }
-            (None, Some(own)) => *own == digest(places),
+            (None, Some(own)) => own == places.digest.get_or_init(|| digest(&places.list)),
             (None, None) => false,
         }
     }
@@ -107,7 +121,7 @@ impl Layout {
                 Some(Place(place.0.clone(), place.1 * x, place.2 * y, place.3 * z))
             };
             let back: Option<Vec<Place>> = places.iter().map(back).collect();
-            back.is_some_and(|back| self.is_of(&back))
+            back.is_some_and(|back| self.is_of(&Places::from(back)))
         })
     }
 }

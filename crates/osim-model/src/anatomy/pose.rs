@@ -251,4 +251,28 @@ mod tests {
         let anatomy = chain(&between, "0.05 0 0");
         assert!(anatomy.place_below("calcn_r", &anatomy.joints[1]).is_none());
     }
+
+    #[test]
+    fn a_joint_far_down_a_chain_says_nothing_about_a_body() {
+        // Body number n hangs on number n - 1, 0.1 m along x.
+        let joint = |n: usize| {
+            format!(
+                "<WeldJoint name=\"j{n}\"><socket_parent_frame>/bodyset/b{}</socket_parent_frame>\
+                 <socket_child_frame>f</socket_child_frame><frames><PhysicalOffsetFrame name=\"f\"><socket_parent>/bodyset/b{n}\
+                 </socket_parent><translation>-0.1 0 0</translation></PhysicalOffsetFrame></frames></WeldJoint>",
+                n - 1
+            )
+        };
+        let bodies: String = (0..100).map(|n| format!("<Body name=\"b{n}\"><mass>1</mass></Body>")).collect();
+        let joints: String = (1..100).map(joint).collect();
+        let text = format!(
+            "<OpenSimDocument Version=\"40000\"><Model name=\"m\"><BodySet><objects>{bodies}</objects></BodySet>\
+             <JointSet><objects>{joints}</objects></JointSet></Model></OpenSimDocument>"
+        );
+        let anatomy = Anatomy::of(&Model::parse(text).unwrap()).unwrap();
+        let place = |n: usize| anatomy.place_below("b0", anatomy.joint(&format!("j{n}")).unwrap());
+        // Joint 65 is at body 64, with 64 joints between.
+        assert!((place(65).unwrap()[0] - 6.4).abs() < 1e-12);
+        assert!(place(66).is_none());
+    }
 }

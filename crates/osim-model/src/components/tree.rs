@@ -40,6 +40,8 @@ pub(crate) struct ComponentTree {
     roots: Vec<ComponentId>,
     by_parent: HashMap<(Option<ComponentId>, String), ComponentId>,
     by_segment: HashMap<String, Vec<ComponentId>>,
+    /// The numbers tried for a name among siblings: they are taken.
+    tried: HashMap<(Option<ComponentId>, String), usize>,
     /// Members of `<components>` of a class that OpenSim does not know: file and element.
     pub(crate) skipped: Vec<(FileId, ElementId)>,
 }
@@ -157,21 +159,30 @@ impl ComponentTree {
         if object.parent.is_none() {
             self.roots.push(id);
         } else {
-            // OpenSim calls the second of two siblings `f` `f_0`, the third `f_1`.
-            let mut count = 0_usize;
-            let plain = object.segment.clone();
-            while self.by_parent.contains_key(&(object.parent, object.segment.clone())) {
-                // Hundreds of equal names are a mistake, not a model: no need to number them all.
-                if count > 64 {
-                    break;
-                }
-                object.segment = format!("{plain}_{count}");
-                count += 1;
-            }
+            self.number(&mut object);
         }
         self.by_parent.entry((object.parent, object.segment.clone())).or_insert(id);
         self.list.push(object);
         id
+    }
+
+    /// OpenSim calls the second of two siblings `f` `f_0`, the third `f_1`.
+    fn number(&mut self, object: &mut Component) {
+        // Hundreds of equal names are a mistake, not a model: no need to number them all.
+        const MOST: usize = 64;
+        let mut key = (object.parent, object.segment.clone());
+        if !self.by_parent.contains_key(&key) {
+            return;
+        }
+        let tried = self.tried.entry(key.clone()).or_default();
+        loop {
+            key.1 = format!("{}_{tried}", object.segment);
+            if *tried >= MOST || !self.by_parent.contains_key(&key) {
+                break;
+            }
+            *tried += 1;
+        }
+        object.segment = key.1;
     }
 
     pub(crate) fn get(&self, id: ComponentId) -> Option<&Component> {

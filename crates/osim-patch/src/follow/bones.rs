@@ -1,5 +1,8 @@
 //! Which mesh of one model shows the same bone as which of the other.
 
+use std::cell::OnceCell;
+use std::collections::{BTreeMap, HashMap};
+
 use osim_model::Anatomy;
 
 /// Folders, extensions and side marks that say nothing about the bone.
@@ -20,14 +23,9 @@ pub(super) fn pairs(scaled: &Anatomy, reference: &Anatomy, body: &str) -> Vec<Bo
     let (Some(new), Some(old)) = (scaled.meshes.get(body), reference.meshes.get(body)) else {
         return Vec::new();
     };
+    let bones = OnceCell::new();
     let pair = |(mesh, new): (&String, &[f64; 3])| {
-        // The same file says more than the same bone, and a mesh of the same side more than its mirror.
-        let alike = || {
-            let mut same = old.iter().filter(|(other, _)| bone_of_mesh(other) == bone_of_mesh(mesh));
-            let first = same.next()?;
-            let sided = std::iter::once(first).chain(same).find(|(other, _)| side(other) == side(mesh));
-            Some(sided.unwrap_or(first).1)
-        };
+        let alike = || bones.get_or_init(|| Bones::of(old)).alike(mesh);
         let same_file = old.get(mesh);
         let old = same_file.or_else(alike)?;
         let factors = std::array::from_fn(|axis| {
@@ -38,6 +36,30 @@ pub(super) fn pairs(scaled: &Anatomy, reference: &Anatomy, body: &str) -> Vec<Bo
         Some(BonePair { mesh: mesh.clone(), factors })
     };
     new.iter().filter_map(pair).collect()
+}
+
+/// The factors of one body's meshes by what they show; where several show the same, those of the first.
+struct Bones<'a> {
+    by_bone: HashMap<String, &'a [f64; 3]>,
+    by_side: HashMap<(String, Option<char>), &'a [f64; 3]>,
+}
+
+impl<'a> Bones<'a> {
+    fn of(meshes: &'a BTreeMap<String, [f64; 3]>) -> Self {
+        let mut bones = Self { by_bone: HashMap::new(), by_side: HashMap::new() };
+        for (mesh, factors) in meshes {
+            let bone = bone_of_mesh(mesh);
+            bones.by_bone.entry(bone.clone()).or_insert(factors);
+            bones.by_side.entry((bone, side(mesh))).or_insert(factors);
+        }
+        bones
+    }
+
+    /// The same file says more than the same bone, and a mesh of the same side more than its mirror.
+    fn alike(&self, mesh: &str) -> Option<&'a [f64; 3]> {
+        let sided = (bone_of_mesh(mesh), side(mesh));
+        self.by_side.get(&sided).or_else(|| self.by_bone.get(&sided.0)).copied()
+    }
 }
 
 /// The bone that a mesh shows: its file's name without folder, extension, case and side mark.

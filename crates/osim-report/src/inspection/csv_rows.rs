@@ -1,6 +1,6 @@
 //! A model's spheres as CSV: one row per sphere that stands, numbers in full.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use osim_inspect::{Figure, InspectedForce, Inspection, LimbFigures, SphereFigures};
 use osim_model::{Property, shortest};
@@ -13,6 +13,8 @@ struct Place<'p> {
     limb: &'p LimbFigures,
     sphere: &'p SphereFigures,
     force: Option<&'p InspectedForce>,
+    /// The codes of the model's warnings.
+    warnings: &'p str,
 }
 
 type Column = (&'static str, fn(&Place<'_>) -> String);
@@ -62,9 +64,15 @@ fn header() -> Vec<String> {
 fn cells(place: &Place<'_>) -> Vec<String> {
     let figures = Figure::ALL.iter().map(|&figure| text(place.sphere.value(figure)));
     let outside = place.sphere.limits().filter(|check| !check.within_limit).map(|check| check.figure);
-    let warnings = place.model.warnings.iter().map(|warning| warning.code.as_str());
-    let last = [outside.collect::<Vec<_>>().join(" "), warnings.collect::<Vec<_>>().join(" ")];
+    let last = [outside.collect::<Vec<_>>().join(" "), place.warnings.to_owned()];
     COLUMNS.iter().map(|(_, value)| value(place)).chain(figures).chain(last).collect()
+}
+
+/// The codes of a model's warnings, each once: every row repeats them.
+fn codes(inspected: &Inspection) -> String {
+    let mut seen = HashSet::new();
+    let codes = inspected.warnings.iter().map(|warning| warning.code.as_str());
+    codes.filter(|code| seen.insert(*code)).collect::<Vec<_>>().join(" ")
 }
 
 /// The rows of one model, after a header where `header`.
@@ -82,11 +90,12 @@ pub fn csv_rows(inspected: &Inspection, header: bool) -> Result<String, csv::Err
             pressing.entry((&force.name, sphere)).or_insert(at);
         }
     }
+    let warnings = codes(inspected);
     let rows = spheres.map(|(limb, sphere)| {
         let presses = |force: &String| pressing.get(&(force.as_str(), sphere.sphere.as_str())).copied();
         let first = sphere.forces.iter().filter_map(presses).min();
         let force = first.and_then(|at| inspected.forces.get(at));
-        cells(&Place { model: inspected, limb, sphere, force })
+        cells(&Place { model: inspected, limb, sphere, force, warnings: &warnings })
     });
     csv_text(header.into_iter().chain(rows))
 }

@@ -8,14 +8,14 @@ use osim_model::{Property, four_significant, readable};
 /// Forces with the same parameters, and these as cells.
 pub(crate) fn groups(inspected: &Inspection) -> Vec<(Vec<String>, Vec<&InspectedForce>)> {
     let mut groups: Vec<(Vec<String>, Vec<&InspectedForce>)> = Vec::new();
-    let mut places = HashMap::new();
+    let (mut places, mut exact) = (HashMap::new(), HashMap::new());
     for force in &inspected.forces {
-        let row = parameters(force);
-        let key = (row.clone(), force.kind, force.applies, force.selected);
-        let place = *places.entry(key).or_insert(groups.len());
+        let how = (force.kind, force.applies, force.selected);
+        let found = || *places.entry((parameters(force), how)).or_insert(groups.len());
+        let place = *exact.entry((exact_parameters(force), how)).or_insert_with(found);
         match groups.get_mut(place) {
             Some((_, members)) => members.push(force),
-            None => groups.push((row, vec![force])),
+            None => groups.push((parameters(force), vec![force])),
         }
     }
     groups
@@ -66,6 +66,14 @@ fn parameters(force: &InspectedForce) -> Vec<String> {
         one(Property::HertzSmoothing),
         one(Property::HuntCrossleySmoothing),
     ]
+}
+
+/// What the cells are made from: where it is equal, they are, too.
+fn exact_parameters(force: &InspectedForce) -> (Vec<(Option<u64>, bool)>, Option<u64>) {
+    let one = |&property: &Property| {
+        (force.parameters.get(property).map(f64::to_bits), force.origin.is_default(property))
+    };
+    (Property::ALL.iter().map(one).collect(), force.composite_modulus_n_m2.map(f64::to_bits))
 }
 
 /// A number of the file: exact where that is short.

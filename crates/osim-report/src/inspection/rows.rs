@@ -55,12 +55,17 @@ pub(crate) fn value(figure: Figure, sphere: &SphereFigures) -> Option<(String, b
     }
 }
 
+/// The figures of which something is shown.
+fn shown() -> impl Iterator<Item = Figure> {
+    Figure::ALL.iter().copied().filter(|figure| figure.shown() != Shown::Nowhere)
+}
+
 /// What is shown of a sphere: spheres with the same figures share a column.
 pub(crate) fn key(sphere: &SphereFigures) -> Vec<String> {
-    let shown = |figure: &&Figure| figure.shown() != Shown::Nowhere;
-    Figure::ALL
-        .iter()
-        .filter(shown)
-        .map(|&figure| sphere.value(figure).map(four_significant).unwrap_or_default())
-        .collect()
+    shown().map(|figure| sphere.value(figure).map(four_significant).unwrap_or_default()).collect()
+}
+
+/// The same without a text, in all digits: where this is equal, the key is, too.
+pub(crate) fn exact_key(sphere: &SphereFigures) -> Vec<Option<u64>> {
+    shown().map(|figure| sphere.value(figure).map(f64::to_bits)).collect()
 }

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use osim_inspect::{Figure, Inspection, SphereFigures};
 use osim_model::wording::{Dialect, Phrase};
 
-use super::rows::{Spheres, heading, key, limit, value};
+use super::rows::{Spheres, exact_key, heading, key, limit, value};
 use crate::layout::{OUTSIDE, table, wrapped};
 
 /// Figures of more groups of spheres than this go into a further table.
@@ -48,11 +48,12 @@ pub(super) fn text(inspected: &Inspection, dialect: &dyn Dialect) -> String {
 
 fn groups(inspected: &Inspection) -> Vec<Alike<'_>> {
     let mut groups: Vec<Alike<'_>> = Vec::new();
-    let mut places = HashMap::new();
+    let (mut places, mut exact) = (HashMap::new(), HashMap::new());
     for limb in &inspected.figures.limbs {
         let mixed = limb.is_mixed();
         for sphere in &limb.spheres {
-            let place = *places.entry(key(sphere)).or_insert(groups.len());
+            let found = || *places.entry(key(sphere)).or_insert(groups.len());
+            let place = *exact.entry(exact_key(sphere)).or_insert_with(found);
             match groups.get_mut(place) {
                 Some(group) => group.names.push(&sphere.sphere),
                 None => groups.push(Alike { names: vec![&sphere.sphere], first: sphere, mixed }),
