@@ -11,7 +11,7 @@ use std::sync::Mutex;
 use osim_model::wording::{Input, phrase};
 use osim_requests::from_cell;
 
-use super::line;
+use super::table_row::line;
 use crate::digest::{self, NameDigest};
 use crate::door;
 use crate::fault::LibraryFault;

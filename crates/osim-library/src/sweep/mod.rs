@@ -1,6 +1,7 @@
 //! A sweep on the disk: a folder of variants, and a table that says what is in which.
 
 mod made;
+mod table_row;
 
 use std::path::{Path, PathBuf};
 
@@ -8,9 +9,10 @@ use osim_model::FileId;
 use osim_model::files::{Failure, FileName};
 use osim_model::wording::{Input, phrase};
 use osim_requests::options::SetFiles;
-use osim_requests::{RequestError, RequestFault, SweepPlan, SweepRequest, cell};
+use osim_requests::{RequestError, RequestFault, SweepPlan, SweepRequest};
 
 use self::made::MadeFiles;
+use self::table_row::line;
 use crate::digest::sha256;
 use crate::door;
 use crate::fault::{Context, LibraryFault};
@@ -284,14 +286,4 @@ fn folder(request: &SweepRequest, model: &Path) -> PathBuf {
         model.with_file_name(name)
     };
     request.output_dir.clone().unwrap_or_else(beside)
-}
-
-/// One row of the table.
-fn line(cells: &[String]) -> Result<Vec<u8>, LibraryFault> {
-    let said = |error: String| LibraryFault::new(error);
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer
-        .write_record(cells.iter().map(|text| cell(text).into_owned()))
-        .map_err(|error| said(error.to_string()))?;
-    writer.into_inner().map_err(|error| said(error.to_string()))
 }
