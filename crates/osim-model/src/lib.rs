@@ -64,7 +64,7 @@ mod skeleton;
 mod slip;
 mod traps;
 mod value;
-pub mod wording;
+pub use osim_wording as wording;
 
 pub use anatomy::{Anatomy, AnatomyJoint, AnatomySphere};
 pub use assignment::Assignment;

@@ -16,7 +16,7 @@ use house_rules::{Ban, Limits, Workspace};
 
 /// From the lowest to the highest. Crates of one layer do not know each other.
 const LAYERS: &[&[&str]] = &[
-    &["contact-plots", "contact-scaling", "house-rules", "osim-xml"],
+    &["contact-plots", "contact-scaling", "house-rules", "osim-wording", "osim-xml"],
     &["osim-model"],
     &["osim-patch"],
     &["osim-inspect"],
@@ -37,6 +37,7 @@ const LIBRARIES: &[&str] = &[
     "osim-report",
     "osim-requests",
     "osim-values",
+    "osim-wording",
     "osim-xml",
 ];
 
@@ -74,6 +75,7 @@ const BANS: &[Ban<'_>] = &[
         dependencies: &["clap", "contact-scaling", "osim-model", "quick-xml", "serde", "toml"],
         paths: OUTSIDE,
     },
+    Ban { in_crate: "osim-wording", dependencies: &["clap", "serde", "toml", "walkdir"], paths: OUTSIDE },
     Ban { in_crate: "osim-xml", dependencies: &["clap", "serde", "toml", "walkdir"], paths: OUTSIDE },
     Ban {
         in_crate: "osim-model",

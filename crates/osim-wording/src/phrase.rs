@@ -11,7 +11,7 @@ use super::shown::one_line;
 /// A piece of text in which inputs and calls are data until a front end spells them.
 ///
 /// ```
-/// use osim_model::wording::{Input, Phrase};
+/// use osim_wording::{Input, Phrase};
 ///
 /// let phrase = Phrase::template("Say `mass=KG`, or look at the model with `inspect MODEL`");
 /// // A page shows a field for each input.
@@ -191,7 +191,7 @@ impl IntoParts for &Phrase {
 /// Puts a [`Phrase`] together from texts, inputs, calls and phrases.
 ///
 /// ```
-/// use osim_model::wording::{Input, phrase};
+/// use osim_wording::{Input, phrase};
 ///
 /// let way_out = phrase!["say what the model weighs with ", Input::Mass.like("KG")];
 /// assert_eq!(way_out.to_string(), "say what the model weighs with `mass`");
@@ -200,12 +200,11 @@ impl IntoParts for &Phrase {
 macro_rules! phrase {
     ($($part:expr),* $(,)?) => {{
         #[allow(unused_mut, reason = "an empty phrase gets no parts")]
-        let mut phrase = $crate::wording::Phrase::default();
+        let mut phrase = $crate::Phrase::default();
         $(phrase.push($part);)*
         phrase
     }};
 }
-pub use phrase;
 
 #[cfg(test)]
 mod tests {

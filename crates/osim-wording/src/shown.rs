@@ -22,7 +22,7 @@ const LAST_LETTERS: usize = 40;
 /// and its end.
 ///
 /// ```
-/// use osim_model::wording::shown;
+/// use osim_wording::shown;
 ///
 /// assert_eq!(shown("heel_r").to_string(), "heel_r");
 /// assert_eq!(shown("\u{1b}[31mred\n").to_string(), r"\u{1b}[31mred\n");
@@ -110,7 +110,7 @@ pub fn is_seen(letter: char) -> bool {
 /// Names are shown by [`shown`] already; this is the last door, for texts in which that was forgotten.
 ///
 /// ```
-/// use osim_model::wording::harmless;
+/// use osim_wording::harmless;
 ///
 /// assert_eq!(harmless("a\tb\r\nc\n"), "a\tb\r\nc\n");
 /// assert_eq!(harmless("\u{1b}]0;title\u{7}"), r"\u{1b}]0;title\u{7}");

@@ -6,7 +6,7 @@ use super::part::{Call, Example};
 /// The words of a front end.
 ///
 /// ```
-/// use osim_model::wording::{Call, Dialect, Example, Input, phrase};
+/// use osim_wording::{Call, Dialect, Example, Input, phrase};
 ///
 /// /// `mass=KG`, as in a call of a Python function.
 /// struct Python;
