@@ -130,7 +130,10 @@ impl<'r> Run<'r> {
     /// # Errors
     /// It could not be written.
     pub fn finish(self) -> Result<(), LibraryFault> {
-        self.context.journal.map_or(Ok(()), Journal::finish)
+        let Context { journal, previous, .. } = self.context;
+        // Windows puts no file into the place of one that is open.
+        drop(previous);
+        journal.map_or(Ok(()), Journal::finish)
     }
 
     /// What could not even be listed.
