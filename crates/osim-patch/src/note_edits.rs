@@ -93,11 +93,22 @@ pub(crate) fn leave(document: &Document, note: &Note) -> Vec<Edit> {
     let mut edits: Vec<Edit> = comment.map(|span| without(tree, span)).into_iter().collect();
     match Credits::of(document) {
         Ok(Some(credits)) => edits.push(filled(tree, &credits, Some(note))),
-        Ok(None) => edits.extend(insert(tree, root, &ORDER, &[(CREDITS, note.text())])),
+        Ok(None) => insert(tree, root, &ORDER, &[(CREDITS, note.text())])
+            .into_iter()
+            .for_each(|inserted| add(&mut edits, inserted)),
         // Reading such a model was refused.
         Err(_) => {}
     }
     edits
+}
+
+/// Adds an edit; one at the place of what goes takes that place.
+fn add(edits: &mut Vec<Edit>, inserted: Edit) {
+    let holds = |gone: &Range<usize>| gone.start <= inserted.span.start && inserted.span.end <= gone.end;
+    match edits.iter_mut().find(|edit| edit.text.is_empty() && holds(&edit.span)) {
+        Some(edit) => edit.text = inserted.text,
+        None => edits.push(inserted),
+    }
 }
 
 /// Takes the note out of `document`, and the element `<credits>` where it was added for it.

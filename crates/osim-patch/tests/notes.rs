@@ -102,6 +102,23 @@ fn the_comment_of_an_earlier_version_moves_into_the_credits() {
 }
 
 #[test]
+fn a_comment_where_the_credits_belong_gives_them_its_place() {
+    // Nothing is before the comment of which OpenSim writes the credits after: both are the first child of the model.
+    let text = String::from_utf8(fixture("check/earlier_note.osim")).unwrap();
+    let (head, rest) = text.split_once("<Model name=\"one_foot\">").unwrap();
+    let start = rest.find("<!-- osim-contact-scale").unwrap();
+    let end = start + rest[start..].find("-->").unwrap() + 3;
+    let comment = &rest[start..end];
+    let bodies = &rest[rest.find("<BodySet").unwrap()..];
+    let model = format!("{head}<Model name=\"one_foot\">\n\t\t{comment}\n\t\t{bodies}");
+    let there = given(model.clone()).with_note().rescaled_to(123.0);
+    let text = String::from_utf8_lossy(there.bytes()).into_owned();
+    assert!(text.contains("<Model name=\"one_foot\">\n\t\t<credits>[contacts made for 123 kg"), "{text}");
+    assert!(!text.contains("<!-- osim-contact-scale"), "{text}");
+    Model::parse(text).unwrap();
+}
+
+#[test]
 fn of_two_notes_the_one_counts_that_fits_the_values() {
     let right = noted("check/within_limits.osim");
     let note = Note::find(Model::parse(right.as_str()).unwrap().document()).unwrap();
