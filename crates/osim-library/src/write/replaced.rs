@@ -1,8 +1,8 @@
 //! The name under which a successor and a model exchange: `NAME.replaced-HOST-PROCESS-XXXXXX-DIGEST`, beside the model.
 //!
-//! From the exchange on it is the name of what the model was, and that may be another program's work. So it is no temporary
+//! From the exchange on it is the name of what the model was, and that may be another program's work. So it is not a temporary
 //! name: whenever the process is killed, the file stays, and no run removes it before it has read it. `DIGEST` is that of the
-//! successor. What has it was made here; what a backup holds, too, is there twice; anything else becomes a further backup.
+//! successor. What has it was made here; what is in a backup too is not needed; anything else becomes a further backup.
 
 use std::ffi::{OsStr, OsString};
 use std::fs::Metadata;
@@ -77,7 +77,7 @@ pub(crate) fn is_left_over(folder: &Path, name: &OsStr) -> bool {
     parts(name).is_some_and(|(_, whose, _)| temporary::is_gone(whose, &folder.join(name)))
 }
 
-/// What a killed process left under such a name goes where it is known to be there twice, or of our own making. Else it becomes a
+/// What a killed process left under such a name goes where a backup has the same, or where it was made here. Else it becomes a
 /// further backup of its model: which.
 pub(crate) fn settle(left: &Path) -> Option<PathBuf> {
     let (model, _, of_successor) = parts(left.file_name()?)?;
