@@ -71,7 +71,7 @@ def one(number, program, seed, usual):
         if held:
             held.close()
         texts = {path.name: path.read_bytes() for path in pathlib.Path(folder).iterdir()}
-        left = [name for name in texts if name.endswith(".tmp")]
+        left = [name for name in texts if name.endswith(".tmp") or ".replaced-" in name]
         where = [name for name, text in texts.items() if mark in text]
         whole = MODEL in texts.get("model.osim.bak", MODEL) or "model.osim.bak" in where
     if run.returncode not in (0, 1) or left or not whole:

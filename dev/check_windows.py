@@ -15,6 +15,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TARGET = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")).resolve()
@@ -170,16 +171,84 @@ def sweeps(bench):
     bench.refused("sweep", "model.osim", "--grid", "stiffness=x0.5,x1,x2", "-d", "variants", status=2, says=["exist already"])
 
 
+def goes_on(bench):
+    """A sweep and a summary that a killed run left in the middle; and what another run is writing."""
+    bench.model("model.osim")
+    call = ["sweep", "model.osim", "--grid", "stiffness=x0.5,x1,x2", "-d", "variants"]
+    bench.done(*call)
+    [table] = [name for name in bench.names("variants") if name.endswith(".csv")]
+    table = bench.folder / "variants" / table
+    lines = table.read_text().splitlines(keepends=True)
+    # As if it had been killed after the first variant: the others, and the table, are not there.
+    for name in [name for name in bench.names("variants") if name.endswith(".osim")][1:]:
+        (bench.folder / "variants" / name).unlink()
+    made = {path.name: path.read_bytes() for path in table.parent.iterdir()}
+    table.unlink()
+    columns = lines[0].rstrip("\n").split(",")
+    [first] = [line.split(",") for line in lines[1:] if line.split(",")[columns.index("file")] in made]
+    row = ",".join(first[columns.index(column)] for column in ("file", "sha256"))
+    table.with_name(table.name + ".partial").write_text(f"file,sha256\n{row}\ncut o")
+    bench.done(*call, "--resume")
+    assert table.read_text().splitlines(keepends=True) == lines
+    assert not (table.with_name(table.name + ".partial")).exists()
+    summary = ["model.osim", "--target-mass", "500", "-d", "out", "--summary", "done.csv"]
+    bench.done(*summary)
+    whole = (bench.folder / "done.csv").read_text()
+    (bench.folder / "done.csv").rename(bench.folder / "done.csv.partial")
+    with open(bench.folder / "done.csv.partial", "a") as partial:
+        partial.write("cut o")
+    bench.done(*summary, "--resume")
+    assert (bench.folder / "done.csv").read_text() == whole
+    assert not (bench.folder / "done.csv.partial").exists()
+
+
+def one_summary_for_two_runs(bench):
+    """The second finds the first at work: a model comes slowly, through a pipe."""
+    bench.model("model.osim")
+    call = ["-", "--target-mass", "500", "-o", "one.osim", "--summary", "done.csv"]
+    first = subprocess.Popen(["wine", str(bench.program), *call], cwd=bench.folder, env=bench.environment,
+                             stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    try:
+        end = time.monotonic() + 60
+        while not (bench.folder / "done.csv.partial").exists() and time.monotonic() < end:
+            time.sleep(0.05)
+        bench.refused("model.osim", "--target-mass", "500", "-o", "two.osim", "--summary", "done.csv", "--force",
+                      status=2, says=["is being written by another run"])
+        text = first.communicate((bench.folder / "model.osim").read_bytes(), timeout=60)[0]
+        assert first.returncode == 0, text
+    finally:
+        if first.poll() is None:
+            first.kill()
+    assert bench.names() == ["done.csv", "model.osim", "one.osim"], bench.names()
+
+
+def tables(bench):
+    bench.model("model.osim")
+    (bench.folder / "rows.csv").write_text("model,target-mass,output\nmodel.osim,500,new.osim\n")
+    bench.done("batch", "rows.csv", "-d", ".")
+    bench.like_here("new.osim", "model.osim", "--target-mass", "500")
+
+
 def devices(bench):
     text = INCLUDES.read_text()
     for name in ["NUL", "CON", "aux.xml", r"\\.\COM1", r"\\.\pipe\nobody"]:
         (bench.folder / "model.osim").write_text(text.replace("standalone_ForceSet.xml", name))
         bench.refused("inspect", "model.osim", says=["this is a device"])
+    bench.model("lib/comb.osim")
+    bench.done("inspect", r"lib\comb.osim")
     (bench.folder / "folder.osim.d").mkdir()
     bench.refused("transfer", "model.osim", "--from", "folder.osim.d", says=["error: "])
 
 
-CHECKS = [blanks_and_umlauts, servers_and_long_names, in_place, folders_and_leftovers, sweeps, devices]
+def unit_tests(bench):
+    """Those of files: some are for Windows alone."""
+    tests = max(bench.program.parent.glob("deps/osim_library-*.exe"), key=lambda path: path.stat().st_mtime)
+    shutil.copy(bench.program.parent / "bcryptprimitives.dll", tests.parent)
+    bench.done("wine", tests, "--test-threads=1", program="env", seconds=300)
+
+
+CHECKS = [blanks_and_umlauts, servers_and_long_names, in_place, folders_and_leftovers, sweeps, goes_on, one_summary_for_two_runs,
+          tables, devices, unit_tests]
 
 
 def run_under_wine(program):
@@ -216,6 +285,7 @@ def main():
     if not options.no_macos:
         cargo("check", MACOS, "--workspace")
     cargo("build", WINDOWS, "--package", "osim-contact-scale")
+    cargo("test", WINDOWS, "--package", "osim-library", "--lib", "--no-run")
     program = OTHER / WINDOWS / "debug/osim-contact-scale.exe"
     build_dll(program.parent)
     sys.exit(0 if run_under_wine(program) else 1)

@@ -235,6 +235,10 @@ impl Run {
     fn check(&self, before: &Files, after: &Files, calm: &Files) -> usize {
         for (name, bytes) in after {
             let is_new = !before.contains_key(name);
+            if let Some((model, _)) = name.split_once(".replaced-") {
+                let whole = [before.get(model), calm.get(model)].contains(&Some(bytes));
+                assert!(whole, "{name} is torn");
+            }
             if is_new && (is_temporary(name) || name.ends_with(".partial")) {
                 continue;
             }

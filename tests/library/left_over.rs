@@ -100,16 +100,22 @@ fn a_file_is_on_the_disk_before_it_replaces_another() {
     let bench = library(4);
     let Some(trace) = traced(&bench, "lib --target-mass 500 --in-place --jobs 2 --quiet") else { return };
     let lines: Vec<&str> = trace.lines().collect();
-    let synced = |at: usize, file: &str| {
-        lines[..at].iter().any(|line| line.contains("sync(") && line.contains(&format!("/{file}>")))
-    };
+    let name = |path: &str| path.rsplit('/').next().unwrap().to_owned();
+    // Names of files that are on the disk; a new name of one of them is, too.
+    let mut synced = std::collections::BTreeSet::new();
     let mut replaced = 0;
-    for (at, line) in lines.iter().enumerate() {
+    for line in &lines {
+        if let Some((_, path)) = line.split_once("sync(").and_then(|(_, call)| call.split_once('<')) {
+            synced.insert(name(path.split('>').next().unwrap()));
+        }
         let quoted: Vec<&str> = line.split('"').skip(1).step_by(2).collect();
         let [from, to] = quoted[..] else { continue };
         if line.contains("rename") || line.contains("link") {
-            let from = from.rsplit('/').next().unwrap();
-            assert!(synced(at, from), "{to} got its name before its bytes were on the disk:\n{trace}");
+            assert!(
+                synced.contains(&name(from)),
+                "{to} got its name before its bytes were on the disk:\n{trace}"
+            );
+            synced.insert(name(to));
             replaced += usize::from(to.ends_with(".osim"));
         }
     }

@@ -47,8 +47,10 @@ pub(crate) fn below(files: &Files, prefix: &str) -> Files {
     files.iter().filter_map(strip).collect()
 }
 
+/// Whether a run that goes on settles it: a temporary file, or what a model and its successor exchanged.
 pub(crate) fn is_temporary(name: &str) -> bool {
-    name.rsplit('/').next().is_some_and(|name| name.starts_with(".osim-contact-scale-"))
+    let name = name.rsplit('/').next().unwrap_or_default();
+    name.starts_with(".osim-contact-scale-") || name.contains(".replaced-")
 }
 
 #[track_caller]

@@ -21,6 +21,7 @@ mod library;
 mod memory;
 mod odd_files;
 mod resumed;
+mod saved_and_killed;
 mod shares;
 mod stopped;
 #[path = "../command/support.rs"]

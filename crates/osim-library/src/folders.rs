@@ -7,12 +7,14 @@ use osim_model::{Finding, FindingCode};
 
 use crate::fault::{Context, LibraryFault};
 use crate::paths::{folder_of, resolved};
-use crate::write::temporary;
+use crate::write::{replaced, temporary};
 
 /// What was in the folders when the run began.
 #[derive(Debug, Default)]
 pub struct Folders {
     compiled: HashMap<PathBuf, Vec<String>>,
+    /// What a process left that was killed while it changed a model itself.
+    replaced: Vec<PathBuf>,
 }
 
 impl Folders {
@@ -31,8 +33,41 @@ impl Folders {
 
     fn list_one(&mut self, folder: &Path, tidy: bool) {
         if !self.compiled.contains_key(folder) {
-            self.compiled.insert(folder.to_owned(), names_of_compiled(folder, tidy));
+            let compiled = self.names_of_compiled(folder, tidy);
+            self.compiled.insert(folder.to_owned(), compiled);
         }
+    }
+
+    /// Names in `folder` that may be compiled models; none where it does not exist yet or cannot be read.
+    fn names_of_compiled(&mut self, folder: &Path, tidy: bool) -> Vec<String> {
+        let mut compiled = Vec::new();
+        for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
+            let name = entry.file_name();
+            if name.as_encoded_bytes().starts_with(b"F_") {
+                compiled.push(name.to_string_lossy().into_owned());
+            } else if tidy && temporary::is_left_over(folder, &name) {
+                // Whoever may not remove it may not write here either, and is told so.
+                drop(std::fs::remove_file(entry.path()));
+            } else if tidy && replaced::is_left_over(folder, &name) {
+                self.replaced.push(entry.path());
+            }
+        }
+        compiled.sort();
+        compiled
+    }
+
+    /// Looks at what a process left that was killed while it changed a model itself. What may be another program's work becomes a
+    /// further backup: a line for each.
+    pub(crate) fn settle_replaced(&mut self) -> Vec<String> {
+        let kept = |left: PathBuf| Some((replaced::settle(&left)?, left));
+        let shown = |path: &Path| path.strip_prefix(".").unwrap_or(path).display().to_string();
+        let line = |(kept, left): (PathBuf, PathBuf)| {
+            let (left, kept) = (shown(&left), shown(&kept));
+            format!(
+                "{left} was left by a run that was killed and may be what another program saved: kept as {kept}"
+            )
+        };
+        self.replaced.drain(..).filter_map(kept).map(line).collect()
     }
 
     /// A compiled copy of the model `output`, which PredSim and OpenCap would go on using.
@@ -49,22 +84,6 @@ impl Folders {
         );
         Some(Finding::new(FindingCode::CompiledModelBeside, text))
     }
-}
-
-/// Names in `folder` that may be compiled models; none where it does not exist yet or cannot be read.
-fn names_of_compiled(folder: &Path, tidy: bool) -> Vec<String> {
-    let mut compiled = Vec::new();
-    for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
-        let name = entry.file_name();
-        if name.as_encoded_bytes().starts_with(b"F_") {
-            compiled.push(name.to_string_lossy().into_owned());
-        } else if tidy && temporary::is_left_over(folder, &name) {
-            // Whoever may not remove it may not write here either, and is told so.
-            drop(std::fs::remove_file(entry.path()));
-        }
-    }
-    compiled.sort();
-    compiled
 }
 
 /// Makes the folder of `path`, with those above it.

@@ -55,15 +55,15 @@ impl Partial {
     pub(crate) fn open(whole: &Path, resume: bool, way_out: &Phrase) -> Result<Self, LibraryFault> {
         let path = Self::path_of(whole);
         let cannot = || format!("cannot write {}", path.display());
-        let file = door::append(&path).map_err(|error| door::reason(&error)).context(cannot)?;
-        if file.try_lock().is_err_and(|error| matches!(error, std::fs::TryLockError::WouldBlock)) {
+        let opened = door::alone(&path).map_err(|error| door::reason(&error)).context(cannot)?;
+        let Some(mut file) = opened else {
             let mut message = phrase![format!("{} is being written by another run: ", whole.display())];
             message.push(way_out);
             return Err(LibraryFault::new(message));
-        }
+        };
         // A line cut off when the run was killed must not run into the next one.
-        let kept = if resume { whole_lines(&path).context(cannot)? } else { 0 };
-        file.set_len(kept).context(cannot)?;
+        let kept = if resume { whole_lines(&mut file).context(cannot)? } else { 0 };
+        cut(&mut file, kept).context(cannot)?;
         Ok(Self { file, length: kept, path })
     }
 
@@ -79,7 +79,7 @@ impl Partial {
         let cannot = || format!("cannot write {}", self.path.display());
         if let Err(error) = self.file.write_all(lines) {
             // On a full disk a part of the line may be there: the next one would run into it.
-            self.file.set_len(self.length).context(cannot)?;
+            cut(&mut self.file, self.length).context(cannot)?;
             return Err(error).context(cannot);
         }
         self.length += lines.len() as u64;
@@ -98,9 +98,15 @@ impl Partial {
 }
 
 /// The length of what was written to its end.
-fn whole_lines(path: &Path) -> std::io::Result<u64> {
-    let (mut file, length) = door::to_read(path)?;
-    end_of_lines(&mut file, length)
+fn whole_lines(file: &mut File) -> std::io::Result<u64> {
+    let length = file.metadata()?.len();
+    end_of_lines(file, length)
+}
+
+/// The next line comes after so many bytes.
+fn cut(file: &mut File, length: u64) -> std::io::Result<()> {
+    file.set_len(length)?;
+    file.seek(SeekFrom::Start(length)).map(|_| ())
 }
 
 /// Where the last whole line ends.
@@ -118,4 +124,35 @@ pub(crate) fn end_of_lines(file: &mut File, length: u64) -> std::io::Result<u64>
         end = start;
     }
     Ok(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Also while another handle of this process reads it, as a run does that goes on.
+    #[test]
+    fn one_run_at_a_time_writes_after_the_whole_lines_and_all_may_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let whole = folder.path().join("summary.csv");
+        let partial = Partial::path_of(&whole);
+        std::fs::write(&partial, "one\ntwo\nthr").unwrap();
+        let (mut earlier, _) = door::to_read(&partial).unwrap();
+        let mut open = Partial::open(&whole, true, &"wait".into()).unwrap();
+        let other = Partial::open(&whole, true, &"wait".into()).unwrap_err().to_string();
+        assert!(other.ends_with("is being written by another run: wait"), "{other}");
+        open.add(b"three\n").unwrap();
+        assert_eq!(std::fs::read_to_string(&partial).unwrap(), "one\ntwo\nthree\n");
+        let mut line = [0; 4];
+        earlier.read_exact(&mut line).unwrap();
+        assert_eq!(&line, b"one\n");
+        drop(earlier);
+        open.remove().unwrap();
+        assert!(!partial.exists());
+        let mut anew = Partial::open(&whole, false, &"wait".into()).unwrap();
+        anew.add(b"new\n").unwrap();
+        drop(anew);
+        drop(Partial::open(&whole, false, &"wait".into()).unwrap());
+        assert_eq!(std::fs::read(&partial).unwrap(), b"");
+    }
 }

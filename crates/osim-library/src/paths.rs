@@ -9,8 +9,9 @@ pub fn resolved(path: &Path) -> PathBuf {
     if let Ok(real) = path.canonicalize() {
         return real;
     }
-    let start = if path.is_absolute() { PathBuf::new() } else { std::env::current_dir().unwrap_or_default() };
-    let mut real = start;
+    // Windows has two spellings of a folder, and all that is resolved has to have the same: `\\?\C:\here`, not `C:\here`.
+    let here = || std::env::current_dir().map(|here| here.canonicalize().unwrap_or(here)).unwrap_or_default();
+    let mut real = if path.is_absolute() { PathBuf::new() } else { here() };
     for component in path.components() {
         match component {
             Component::ParentDir => {
@@ -65,6 +66,9 @@ mod tests {
         std::fs::write(&file, "").unwrap();
         assert_eq!(resolved(&folder.path().join("new/../a.osim")), resolved(&file));
         assert_eq!(resolved(&folder.path().join("./new")), resolved(folder.path()).join("new"));
+        for new in ["new.osim", "new/a.osim"] {
+            assert!(resolved(Path::new(new)).starts_with(resolved(Path::new("."))), "{new}");
+        }
         let mut resolver = Resolver::default();
         for path in ["new/../a.osim", "./a.osim", "new/b.osim", ".."] {
             let path = folder.path().join(path);

@@ -41,6 +41,9 @@ pub(super) fn run(request: RunRequest, options: &RunOptions, session: &mut Sessi
     run.read_previous().map_err(|fault| session.refused(&fault))?;
     let mut page = begin_page(&run, options, session)?;
     run.begin().map_err(|fault| session.refused(&fault))?;
+    for kept in run.kept() {
+        session.terminal.note_line(kept)?;
+    }
     interrupt::outlive_size_limit();
     let counts = work_off(&run, options, format, &mut page, session)?;
     if let Err(fault) = run.finish() {

@@ -164,15 +164,16 @@ pub(crate) fn standard_input() -> Result<Vec<u8>, Refusal> {
     until_end(std::io::stdin().lock(), most)
 }
 
-/// An ordinary file to which lines are added; an empty one where there is none.
+/// An ordinary file that this process alone writes and may shorten, an empty one where there is none; `None` where another process
+/// has it. Others may read it.
 ///
 /// # Errors
 /// It cannot be written, or is not an ordinary file.
-pub(crate) fn append(path: &Path) -> std::io::Result<File> {
-    let mut options = File::options();
-    options.create(true).append(true);
-    let file = system::without_waiting(&mut options).open(path)?;
-    check(&file.metadata()?, Kinds::Ordinary).map_err(as_error)?;
+pub(crate) fn alone(path: &Path) -> std::io::Result<Option<File>> {
+    let file = system::alone(path)?;
+    if let Some(file) = &file {
+        check(&file.metadata()?, Kinds::Ordinary).map_err(as_error)?;
+    }
     Ok(file)
 }
 

@@ -1,7 +1,7 @@
 //! How Unix opens files, and what it calls things that are not files.
 #![cfg_attr(not(test), expect(clippy::disallowed_methods, reason = "a part of the door"))]
 
-use std::fs::{FileType, Metadata, OpenOptions};
+use std::fs::{File, FileType, Metadata, OpenOptions, TryLockError};
 use std::os::unix::fs::{FileTypeExt, OpenOptionsExt};
 use std::path::Path;
 
@@ -11,6 +11,14 @@ use rustix::fs::OFlags;
 /// the program's own terminal.
 pub(super) fn without_waiting(options: &mut OpenOptions) -> &mut OpenOptions {
     options.custom_flags((OFlags::NONBLOCK | OFlags::NOCTTY).bits().cast_signed())
+}
+
+/// By a lock, where the file system knows locks. What is written goes to the end, so that lines stay whole where it does not.
+pub(super) fn alone(path: &Path) -> std::io::Result<Option<File>> {
+    let mut options = File::options();
+    let file = without_waiting(options.read(true).append(true).create(true)).open(path)?;
+    let is_taken = file.try_lock().is_err_and(|error| matches!(error, TryLockError::WouldBlock));
+    Ok((!is_taken).then_some(file))
 }
 
 fn kind_of(path: &Path) -> Option<FileType> {

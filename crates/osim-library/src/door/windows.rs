@@ -1,11 +1,26 @@
 //! How Windows opens files: nothing waits but devices, which have names of their own.
 #![cfg_attr(not(test), expect(clippy::disallowed_methods, reason = "a part of the door"))]
 
-use std::fs::{Metadata, OpenOptions};
+use std::fs::{File, Metadata, OpenOptions};
 use std::path::{Component, Path, Prefix};
 
 pub(super) fn without_waiting(options: &mut OpenOptions) -> &mut OpenOptions {
     options
+}
+
+/// By the way it is opened: nobody else can open it for writing. A lock would also refuse reading to others, and to this process by
+/// another handle. Where a file is opened for appending only, Windows neither shortens nor locks it.
+pub(super) fn alone(path: &Path) -> std::io::Result<Option<File>> {
+    use std::os::windows::fs::OpenOptionsExt;
+    const FILE_SHARE_READ: u32 = 1;
+    const FILE_SHARE_DELETE: u32 = 4;
+    const ERROR_SHARING_VIOLATION: i32 = 32;
+    let mut options = File::options();
+    options.read(true).write(true).create(true).truncate(false);
+    match options.share_mode(FILE_SHARE_READ | FILE_SHARE_DELETE).open(path) {
+        Err(error) if error.raw_os_error() == Some(ERROR_SHARING_VIOLATION) => Ok(None),
+        file => file.map(Some),
+    }
 }
 
 pub(super) fn is_stream(_path: &Path) -> bool {
@@ -20,8 +35,9 @@ pub(super) fn is_device(_metadata: &Metadata) -> bool {
     false
 }
 
-/// `CON`, `nul.osim`, `\\.\COM1`, `\\.\pipe\name`.
+/// `CON`, `nul.osim`, `\\.\COM1`, `\\.\pipe\name`. Ports have the numbers 1 to 9, of which 1 to 3 may be raised.
 pub(super) fn is_device_name(path: &Path) -> bool {
+    const NUMBERS: [&str; 12] = ["1", "2", "3", "4", "5", "6", "7", "8", "9", "\u{b9}", "\u{b2}", "\u{b3}"];
     const NAMES: [&str; 6] = ["CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$"];
     if let Some(Component::Prefix(prefix)) = path.components().next()
         && matches!(prefix.kind(), Prefix::DeviceNS(_))
@@ -30,7 +46,7 @@ pub(super) fn is_device_name(path: &Path) -> bool {
     }
     let name = path.file_name().map(|name| name.to_string_lossy().to_ascii_uppercase()).unwrap_or_default();
     let stem = name.split(['.', ':']).next().unwrap_or_default().trim_end_matches(' ');
-    let numbered = |port: &str| stem.strip_prefix(port).is_some_and(|number| number.chars().count() == 1);
+    let numbered = |port: &str| stem.strip_prefix(port).is_some_and(|number| NUMBERS.contains(&number));
     NAMES.contains(&stem) || numbered("COM") || numbered("LPT")
 }
 
@@ -59,11 +75,29 @@ mod tests {
     /// Names that Windows gives to devices in every folder, whatever their ending.
     #[test]
     fn names_of_devices_are_known() {
-        for name in ["CON", "nul.osim", r"lib\aux.xml", r"\\.\COM1", r"\\.\pipe\x", "com3.osim", "LPT1"] {
+        for name in [
+            "CON",
+            "nul.osim",
+            r"lib\aux.xml",
+            r"\\.\COM1",
+            r"\\.\pipe\x",
+            "com3.osim",
+            "LPT1",
+            "lpt\u{b2}.xml",
+        ] {
             assert!(is_device_name(Path::new(name)), "{name}");
         }
         for name in
             ["console.osim", "com.osim", "com12.osim", r"C:\nul_models\a.osim", r"\\server\con\a.osim"]
+                .into_iter()
+                .chain([
+                    r"lib\comb.osim",
+                    "coma.xml",
+                    "com_.osim",
+                    "lptx.osim",
+                    "com0.osim",
+                    "com\u{b4}.osim",
+                ])
         {
             assert!(!is_device_name(Path::new(name)), "{name}");
         }

@@ -22,6 +22,8 @@ use crate::workers::{in_order, threads};
 pub struct Run<'r> {
     request: RunRequest,
     context: Context<'r>,
+    /// Files of a run that was killed, which became backups.
+    kept: Vec<String>,
 }
 
 impl<'r> Run<'r> {
@@ -40,7 +42,7 @@ impl<'r> Run<'r> {
         }
         let context =
             Context { run, folders: Folders::default(), journal: None, previous: PreviousRun::default() };
-        Ok(Self { request, context })
+        Ok(Self { request, context, kept: Vec::new() })
     }
 
     /// What is to be done.
@@ -71,6 +73,7 @@ impl<'r> Run<'r> {
     pub fn begin(&mut self) -> Result<(), LibraryFault> {
         self.context.journal = Journal::begin(self.context.run, self.request.force)?;
         self.context.folders = self.folders();
+        self.kept = self.context.folders.settle_replaced();
         if let Some(journal) = &self.context.journal {
             self.request.failures.iter().for_each(|failure| journal.add(&Record::of_failure(failure)));
         }
@@ -134,6 +137,12 @@ impl<'r> Run<'r> {
         // Windows puts no file into the place of one that is open.
         drop(previous);
         journal.map_or(Ok(()), Journal::finish)
+    }
+
+    /// What a run that was killed left of models that it changed themselves, where it had to be kept: a line for each.
+    #[must_use]
+    pub fn kept(&self) -> &[String] {
+        &self.kept
     }
 
     /// What could not even be listed.

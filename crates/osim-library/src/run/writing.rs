@@ -240,10 +240,8 @@ fn take_places<'b>(successors: impl Iterator<Item = Successor<'b>>) -> Result<()
         match successor.take_place() {
             Ok(in_place) => done.push(in_place),
             Err(fault) => {
-                let kept: Vec<_> = done.into_iter().filter_map(InPlace::put_back).collect();
-                return Err(kept.iter().fold(fault, |fault, kept| {
-                    fault.within(format!("what another program saved in between is {}", kept.display()))
-                }));
+                let remarks = done.into_iter().filter_map(|in_place| in_place.put_back().remark());
+                return Err(remarks.fold(fault, LibraryFault::within));
             }
         }
     }

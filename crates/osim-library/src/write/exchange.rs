@@ -16,6 +16,9 @@ pub(super) enum Exchange {
     Failed(std::io::Error),
 }
 
+/// Whether this system can do it on some of its file systems.
+pub(super) const IS_KNOWN: bool = cfg!(any(target_os = "linux", target_vendor = "apple"));
+
 /// Exchanges two files of one folder: `renameat2` with `RENAME_EXCHANGE` on Linux, `renameatx_np` with `RENAME_SWAP` on macOS.
 #[cfg(any(target_os = "linux", target_vendor = "apple"))]
 pub(super) fn exchange(one: &Path, other: &Path) -> Exchange {

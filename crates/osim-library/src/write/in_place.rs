@@ -4,19 +4,21 @@
 //! names in one step, and then what came out is compared with what was read. If it is something else, it is put back: the
 //! save of the other program stays, and the run reports the model as changed. What comes out when it is put back should be
 //! the successor; if the other program saved once more, that newer save goes back in the same way. What is then left over
-//! and is not ours becomes a further backup.
+//! and is not ours becomes a further backup. Whenever the process is killed, that save has the name of the model, of a backup, or of
+//! [`replaced`].
 //!
-//! Where files cannot be exchanged (Windows, some network and FAT disks) the model is read once more right before the rename.
+//! Where files cannot be exchanged (Windows, some network and FAT disks) the model is read once more right before the rename, and
+//! to undo that, what was read is written again.
 
-use std::fs::Metadata;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use osim_model::{Finding, FindingCode};
-use tempfile::{NamedTempFile, TempPath};
+use tempfile::NamedTempFile;
 
-use super::exchange::{Exchange, exchange};
-use super::prepared::{Prepared, backup_names, sync_folder_of};
+use super::exchange::{Exchange, IS_KNOWN, exchange};
+use super::prepared::{Mode, Prepared, sync_folder_of};
+use super::replaced::{self, become_backup, is, kept, names_of};
 use crate::door;
 use crate::fault::LibraryFault;
 use crate::paths::resolved;
@@ -38,12 +40,34 @@ pub(crate) struct Successor<'b> {
 
 /// A successor in its place.
 pub(crate) struct InPlace<'b> {
-    /// Under its name is what it displaced; none where that is gone.
+    /// Under its name is what it displaced; none where that is gone, because files cannot be exchanged here.
     displaced: Option<NamedTempFile>,
     target: PathBuf,
     shown: PathBuf,
+    before: &'b [u8],
     after: Vec<&'b [u8]>,
     backup: Option<PathBuf>,
+}
+
+/// What is left of a change that was undone.
+pub(crate) enum Undone {
+    /// Nothing.
+    Whole,
+    /// What another program saved in between, as a further backup.
+    Kept(PathBuf),
+    /// The model is not what it was, and why.
+    Not(String),
+}
+
+impl Undone {
+    /// What the user has to know of it.
+    pub(crate) fn remark(&self) -> Option<String> {
+        match self {
+            Self::Whole => None,
+            Self::Kept(path) => Some(format!("what another program saved in between is {}", path.display())),
+            Self::Not(why) => Some(why.clone()),
+        }
+    }
 }
 
 impl<'b> Successor<'b> {
@@ -53,118 +77,127 @@ impl<'b> Successor<'b> {
     /// It is something else by now, or is gone: nothing was written. Or the folder cannot be changed.
     pub(crate) fn take_place(self) -> Result<InPlace<'b>, LibraryFault> {
         let Self { prepared, before, after, backup } = self;
-        let (mut temporary, target, shown) = prepared.into_parts();
+        let (mut successor, target, shown) = prepared.into_parts();
         let cannot = |error: std::io::Error| {
             LibraryFault::because(format!("cannot write {}", shown.display()), door::reason(&error))
         };
-        // From here on the temporary name may be that of somebody's work.
-        temporary.disable_cleanup(true);
-        match exchange(temporary.path(), &target) {
-            Exchange::Done => {}
-            Exchange::NotPossible => {
-                temporary.disable_cleanup(false);
-                if !is(&target, &[before]) {
-                    return Err(changed(&shown, None, &backup));
-                }
-                temporary.persist(&target).map_err(|error| cannot(error.error))?;
-                sync_folder_of(&target);
-                return Ok(InPlace { displaced: None, target, shown, after, backup });
-            }
-            Exchange::Failed(error) => {
-                temporary.disable_cleanup(false);
-                return Err(if error.kind() == ErrorKind::NotFound { gone(&shown) } else { cannot(error) });
-            }
+        if IS_KNOWN {
+            successor = replaced::renamed(successor, &target, &after).map_err(cannot)?;
         }
-        let in_place = InPlace { displaced: Some(temporary), target, shown, after, backup };
-        if in_place.displaced.as_ref().is_some_and(|displaced| is(displaced.path(), &[before])) {
-            sync_folder_of(&in_place.target);
-            return Ok(in_place);
+        let exchanged = exchange(successor.path(), &target);
+        if let Exchange::Done = exchanged {
+            let in_place = InPlace { displaced: Some(successor), target, shown, before, after, backup };
+            return in_place.if_unchanged();
         }
-        let (shown, backup) = (in_place.shown.clone(), in_place.backup.clone());
-        let kept = in_place.put_back();
-        Err(changed(&shown, kept.as_deref(), &backup))
+        // As it should be, it is still our own file.
+        successor.disable_cleanup(!is(successor.path(), &after));
+        if let Exchange::Failed(error) = exchanged {
+            return Err(if error.kind() == ErrorKind::NotFound { gone(&shown) } else { cannot(error) });
+        }
+        if !is(&target, &[before]) {
+            return Err(changed(&shown, &Undone::Whole, &backup));
+        }
+        successor.persist(&target).map_err(|error| cannot(error.error))?;
+        sync_folder_of(&target);
+        Ok(InPlace { displaced: None, target, shown, before, after, backup })
     }
 }
 
 impl InPlace<'_> {
+    /// Puts back what was displaced, if that is not what was read.
+    fn if_unchanged(self) -> Result<Self, LibraryFault> {
+        if self.displaced.as_ref().is_some_and(|displaced| is(displaced.path(), &[self.before])) {
+            sync_folder_of(&self.target);
+            return Ok(self);
+        }
+        let (shown, backup) = (self.shown.clone(), self.backup.clone());
+        Err(changed(&shown, &self.put_back(), &backup))
+    }
+
     /// What was displaced goes: it is the model that was read. Where a backup is kept, the displaced file itself becomes the
     /// backup: what a program that has it open still writes into it is there, too.
     pub(crate) fn settle(self) {
         let Some(mut displaced) = self.displaced else { return };
-        let linked = std::fs::metadata(displaced.path()).is_ok_and(|metadata| names_of(&metadata) > 1);
-        if let Some(backup) = self.backup.filter(|_| !linked)
-            && std::fs::rename(displaced.path(), backup).is_ok()
-        {
-            return;
+        match self.backup {
+            Some(backup) => become_backup(displaced.path(), &backup),
+            None => displaced.disable_cleanup(false),
         }
-        displaced.disable_cleanup(false);
     }
 
-    /// Puts what was displaced back into its place; what was displaced by that and is not ours is kept: where.
-    pub(crate) fn put_back(self) -> Option<PathBuf> {
-        let mut displaced = self.displaced?;
-        let mut went_in: Option<Vec<u8>> = None;
+    /// Puts what was displaced back into its place; what was displaced by that and is not ours is kept.
+    pub(crate) fn put_back(self) -> Undone {
+        let Some(mut displaced) = self.displaced else { return self.write_back() };
+        let (mut went_in, mut is_back): (Option<Vec<u8>>, bool) = (None, false);
         for _ in 0..PUT_BACK {
             let going_in = door::ordinary(displaced.path()).ok();
             if !matches!(exchange(displaced.path(), &self.target), Exchange::Done) {
                 break;
             }
+            is_back = true;
             if is(displaced.path(), &self.after) {
                 displaced.disable_cleanup(false);
                 sync_folder_of(&self.target);
-                return None;
+                return Undone::Whole;
             }
             if went_in.as_deref().is_some_and(|went_in| is(displaced.path(), &[went_in])) {
                 break;
             }
             went_in = going_in;
         }
-        Some(kept(displaced.into_temp_path(), &self.target))
+        let path = displaced.path().to_owned();
+        let kept = kept(displaced.into_temp_path(), &self.target).unwrap_or(path);
+        if is_back {
+            return Undone::Kept(kept);
+        }
+        Undone::Not(format!(
+            "{} is changed and could not be put back: it is {}",
+            self.shown.display(),
+            kept.display()
+        ))
     }
-}
 
-/// Gives a file that is somebody's work the name of a further backup.
-fn kept(mut file: TempPath, target: &Path) -> PathBuf {
-    for name in backup_names(target) {
-        match file.persist_noclobber(&name) {
-            Ok(()) => return name,
-            Err(error) if error.error.kind() == ErrorKind::AlreadyExists => file = error.path,
-            Err(mut error) => {
-                error.path.disable_cleanup(true);
-                return error.path.to_path_buf();
+    /// Where files cannot be exchanged: what was read takes the place of the successor again.
+    fn write_back(self) -> Undone {
+        let Self { target, shown, before, after, backup, .. } = self;
+        let (shown, read) = (shown.display(), as_read(&backup));
+        if !is(&target, &after) {
+            return Undone::Not(format!("{shown} was changed, and then another program saved it{read}"));
+        }
+        let written = Prepared::new(&target, before, None, Mode::InPlace)
+            .and_then(|prepared| prepared.sync().and_then(|()| prepared.commit()));
+        match written {
+            Ok(()) => Undone::Whole,
+            Err(fault) => {
+                Undone::Not(format!("{shown} is changed and could not be put back ({fault}){read}"))
             }
         }
     }
-    target.to_owned()
-}
-
-/// Whether the file has these bytes, which may lie in several places.
-fn is(path: &Path, parts: &[&[u8]]) -> bool {
-    let Ok(bytes) = door::ordinary(path) else { return false };
-    let mut rest = bytes.as_slice();
-    parts.iter().all(|part| {
-        let begins = rest.strip_prefix(*part);
-        rest = begins.unwrap_or_default();
-        begins.is_some()
-    }) && rest.is_empty()
 }
 
 fn gone(shown: &Path) -> LibraryFault {
     LibraryFault::new(format!("{} is no longer there, so nothing was written", shown.display()))
 }
 
-fn changed(shown: &Path, kept: Option<&Path>, backup: &Option<PathBuf>) -> LibraryFault {
+fn changed(shown: &Path, undone: &Undone, backup: &Option<PathBuf>) -> LibraryFault {
     let mut message = format!(
         "another program changed {} while it was being worked on, so nothing was written: run again",
         shown.display()
     );
-    if let Some(kept) = kept {
-        message.push_str(&format!("; it saved more than once: what came in between is {}", kept.display()));
+    match undone {
+        Undone::Whole => {}
+        Undone::Kept(kept) => message
+            .push_str(&format!("; it saved more than once: what came in between is {}", kept.display())),
+        Undone::Not(why) => {
+            message =
+                format!("another program changed {} while it was being worked on: {why}", shown.display());
+        }
     }
-    if let Some(backup) = backup {
-        message.push_str(&format!(" (as it was read: {})", backup.display()));
-    }
+    message.push_str(&as_read(backup));
     LibraryFault::new(message)
+}
+
+fn as_read(backup: &Option<PathBuf>) -> String {
+    backup.as_ref().map_or_else(String::new, |backup| format!(" (as it was read: {})", backup.display()))
 }
 
 /// A model that has other names too, of which each would keep the old model.
@@ -176,23 +209,11 @@ pub(crate) fn other_names(path: &Path) -> Option<Finding> {
     Some(Finding::new(FindingCode::HardLinked, text))
 }
 
-/// How many names a file has.
-#[cfg(unix)]
-fn names_of(metadata: &Metadata) -> u64 {
-    std::os::unix::fs::MetadataExt::nlink(metadata)
-}
-
-/// Not known without opening it.
-#[cfg(not(unix))]
-fn names_of(_metadata: &Metadata) -> u64 {
-    1
-}
-
 #[cfg(test)]
 #[cfg(any(target_os = "linux", target_vendor = "apple"))]
 mod tests {
     use super::*;
-    use crate::write::{Mode, backup};
+    use crate::write::backup;
 
     const READ: &[u8] = b"as it was read";
     const SUCCESSOR: &[u8] = b"the successor of it";
@@ -260,11 +281,67 @@ mod tests {
         std::fs::write(&displaced, "saved first").unwrap();
         std::fs::write(folder.path().join("new"), "saved second").unwrap();
         std::fs::rename(folder.path().join("new"), &target).unwrap();
-        let kept = in_place.put_back().unwrap();
-        assert_eq!(kept, target.with_file_name("model.osim.bak2"));
+        let kept = in_place.put_back();
+        let expected = target.with_file_name("model.osim.bak2");
+        assert!(matches!(kept, Undone::Kept(kept) if kept == expected));
         assert_eq!(names(folder.path()), ["model.osim", "model.osim.bak", "model.osim.bak2"]);
         assert_eq!(read(folder.path(), "model.osim"), b"saved second");
         assert_eq!(read(folder.path(), "model.osim.bak2"), b"saved first");
+    }
+
+    /// What a process leaves that is killed at this moment, under a name of a process that is gone.
+    fn left(in_place: InPlace<'_>) -> PathBuf {
+        let path = in_place.displaced.as_ref().unwrap().path().to_owned();
+        let name = path.file_name().unwrap().to_str().unwrap();
+        assert!(name.starts_with("model.osim.replaced-"), "{name}");
+        std::mem::forget(in_place);
+        path
+    }
+
+    #[test]
+    fn what_a_killed_run_displaced_is_a_backup_afterwards() {
+        for (saved, kept) in [(READ, None), (b"saved".as_slice(), Some("model.osim.bak2")), (SUCCESSOR, None)]
+        {
+            let folder = tempfile::tempdir().unwrap();
+            let (_, successor) = ready(folder.path());
+            let left = left(successor.take_place().unwrap());
+            std::fs::write(&left, saved).unwrap();
+            let expected = kept.map(|name| folder.path().join(name));
+            assert_eq!(replaced::settle(&left), expected);
+            let all: Vec<&str> = ["model.osim", "model.osim.bak"].into_iter().chain(kept).collect();
+            assert_eq!(names(folder.path()), all);
+            assert_eq!(read(folder.path(), "model.osim.bak"), READ);
+            assert!(kept.is_none_or(|name| read(folder.path(), name) == saved));
+        }
+    }
+
+    #[test]
+    fn a_model_with_a_very_long_name_is_changed_too() {
+        let folder = tempfile::tempdir().unwrap();
+        let target = folder.path().join(format!("{}.osim", "\u{fc}".repeat(122)));
+        std::fs::write(&target, READ).unwrap();
+        let prepared = Prepared::new(&target, SUCCESSOR, None, Mode::InPlace).unwrap();
+        let successor = Successor { prepared, before: READ, after: vec![SUCCESSOR], backup: None };
+        successor.take_place().unwrap().settle();
+        assert_eq!(names(folder.path()).len(), 1);
+        assert_eq!(std::fs::read(&target).unwrap(), SUCCESSOR);
+    }
+
+    /// As on systems that cannot exchange files.
+    #[test]
+    fn what_was_read_is_written_again_where_nothing_is_displaced() {
+        for (saved, whole) in [(None, true), (Some("saved"), false)] {
+            let folder = tempfile::tempdir().unwrap();
+            let (target, successor) = ready(folder.path());
+            let mut in_place = successor.take_place().unwrap();
+            std::fs::remove_file(in_place.displaced.take().unwrap().path()).unwrap();
+            saved.map(|saved| std::fs::write(&target, saved).unwrap());
+            let undone = in_place.put_back();
+            assert_eq!(undone.remark().is_none(), whole);
+            assert!(undone.remark().is_none_or(|remark| remark.contains("model.osim.bak")));
+            assert_eq!(read(folder.path(), "model.osim"), saved.map_or(READ, str::as_bytes));
+            assert_eq!(names(folder.path()), ["model.osim", "model.osim.bak"]);
+        }
     }
 
     #[test]

@@ -3,6 +3,7 @@
 mod exchange;
 mod in_place;
 mod prepared;
+pub(crate) mod replaced;
 pub(crate) mod temporary;
 
 pub(crate) use in_place::{InPlace, Successor, other_names};

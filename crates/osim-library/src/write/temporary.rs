@@ -1,7 +1,8 @@
 //! Names of files that are being written, and what is left of them when a process is killed.
 //!
 //! `.osim-contact-scale-HOST-PROCESS-XXXXXX.tmp`: a later run on the same computer sees whose file it is. If that
-//! process is gone, nobody will ever finish the file, and it is removed.
+//! process is gone, nobody will ever finish the file, and it is removed. No other program's work ever has such a name: files that
+//! are exchanged have names of [`replaced`](super::replaced) before.
 //!
 //! On Windows a file shows by itself whether its writer is there: from the moment it is made until it has its final
 //! name, nobody else can open it for writing.
@@ -20,7 +21,7 @@ const SUFFIX: &str = ".tmp";
 
 /// A new file in `folder` that only this process writes, with the mode bits of `like`.
 ///
-/// It is locked as long as it is open, so that it counts as alive also where processes of several containers share a
+/// It is locked as long as it is open, so that under this name it counts as alive also where processes of several containers share a
 /// folder and a host name, and cannot see each other.
 ///
 /// # Errors
@@ -37,13 +38,23 @@ pub(crate) fn file(folder: &Path, like: Option<&Metadata>) -> std::io::Result<Na
 
 /// Whether `name` is that of a file left by a process of this computer that is gone.
 pub(crate) fn is_left_over(folder: &Path, name: &OsStr) -> bool {
-    let Some(process) = name.to_str().and_then(process_of) else { return false };
-    process != std::process::id() && !is_alive(process) && nobody_has_open(&folder.join(name))
+    whose(name).is_some_and(|whose| is_gone(whose, &folder.join(name)))
 }
 
-/// The process in the name of a temporary file of this computer.
-fn process_of(name: &str) -> Option<u32> {
-    let rest = name.strip_prefix(PREFIX)?.strip_suffix(SUFFIX)?.strip_prefix(host())?.strip_prefix('-')?;
+/// `HOST-PROCESS-XXXXXX` of the name of a temporary file.
+pub(super) fn whose(name: &OsStr) -> Option<&str> {
+    name.to_str()?.strip_prefix(PREFIX)?.strip_suffix(SUFFIX)
+}
+
+/// Whether `path` is that of a process of this computer that is gone.
+pub(super) fn is_gone(whose: &str, path: &Path) -> bool {
+    let Some(process) = process_of(whose) else { return false };
+    process != std::process::id() && !is_alive(process) && nobody_has_open(path)
+}
+
+/// The process of this computer in `HOST-PROCESS-XXXXXX`.
+fn process_of(whose: &str) -> Option<u32> {
+    let rest = whose.strip_prefix(host())?.strip_prefix('-')?;
     let (process, random) = rest.split_once('-')?;
     process.parse().ok().filter(|_| !random.is_empty() && !random.contains('-'))
 }
@@ -126,12 +137,11 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let file = file(folder.path(), None).unwrap();
         let name = file.path().file_name().unwrap();
-        assert_eq!(process_of(name.to_str().unwrap()), Some(std::process::id()));
+        assert_eq!(process_of(whose(name).unwrap()), Some(std::process::id()));
         assert!(!is_left_over(folder.path(), name));
         assert!(!nobody_has_open(file.path()));
-        let of_other_host = format!("{PREFIX}not.{}-1-abcdef{SUFFIX}", host());
-        assert_eq!(process_of(&of_other_host), None);
-        assert_eq!(process_of(&format!("{PREFIX}{}-x-abcdef{SUFFIX}", host())), None);
+        assert_eq!(process_of(&format!("not.{}-1-abcdef", host())), None);
+        assert_eq!(process_of(&format!("{}-x-abcdef", host())), None);
     }
 
     /// Before it is locked, too: another run may look at any moment.
