@@ -275,6 +275,30 @@ fn rows_write_outside_only_where_that_is_allowed() {
         bench.run(call).usage().wrote_nothing().says(&[&column, "is outside the folder", "--allow-outside"]);
         assert_eq!(bench.run(&format!("{call} --allow-outside")).done().changed.len(), 1, "{row}");
     }
+    // By the column that says it, and a result beside its model is not replaced either because a row says so.
+    for (header, row, column) in [
+        ("model,target-mass,output-dir", "../human.osim,100,..", "output-dir"),
+        ("model,target-mass,output,output-dir", "../human.osim,100,,..", "output-dir"),
+        ("model,target-mass,force", "../human.osim,100,yes", "force"),
+    ] {
+        let bench = Bench::human();
+        bench.write("t/rows.csv", format!("{header}\n{row}\n"));
+        bench.write("human.scaled.osim", "my work");
+        let column = format!("row 2, column '{column}'");
+        let refused = bench.run("batch t/rows.csv");
+        refused.usage().wrote_nothing().says(&[&column, "is outside the folder", "--allow-outside"]);
+    }
+    let bench = Bench::human();
+    bench.write("t/rows.csv", "model,target-mass,force\n../human.osim,100,yes\n");
+    bench.write("human.scaled.osim", "my work");
+    bench.run("batch t/rows.csv --allow-outside").done().wrote(&["human.scaled.osim"]);
+    // Who calls may replace what is beside the models, and a row below its own folder.
+    bench.write("t/rows.csv", "model,target-mass\n../human.osim,110\n");
+    bench.run("batch t/rows.csv").failed().wrote_nothing();
+    bench.run("batch t/rows.csv --force").done().wrote(&["human.scaled.osim"]);
+    bench.write("t/rows.csv", "model,target-mass,force,output\n../human.osim,100,yes,a.osim\n");
+    bench.write("t/a.osim", "my work");
+    bench.run("batch t/rows.csv").done().wrote(&["t/a.osim"]);
     // Below the table's folder, below -d, and beside the model where no row names a file.
     for (row, call, written) in [
         ("../human.osim,100,new/a.osim,,,", "batch t/rows.csv", "t/new/a.osim"),

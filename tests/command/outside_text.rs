@@ -149,12 +149,49 @@ fn names_of_files_cannot_steer_a_terminal_or_a_spreadsheet() {
         }
         for file in ran.changed.iter().filter(|file| file.ends_with(".csv")) {
             no_formula(&bench.read(file), file);
+            let table = bench.text(file);
+            let steers = |letter: char| letter != '\n' && (letter.is_control() || letter == '\u{202e}');
+            assert!(!table.contains(steers), "{table}");
+            // The header, and one line for each record.
+            let models = csv::Reader::from_reader(table.as_bytes()).records().count();
+            assert_eq!(table.lines().count(), 1 + models, "{table}");
         }
         if call.contains("--resume") {
             // What a summary says is found again, although its cells are marked.
             assert!(ran.changed.is_empty(), "{:?}", ran.changed);
         }
     }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_table_finds_the_files_that_a_summary_names() {
+    let bench = Bench::human();
+    let (name, output) = ("a\u{1b}[2J\n.osim", "out/a\u{1b}[2J\n.osim");
+    bench.write(name, fixture(HUMAN.0));
+    bench.run_words(&[name, "--target-mass", "100", "-d", "out", "--summary", "done.csv"]);
+    let summary = bench.text("done.csv");
+    let model = r"a\u{1b}[2J\u{a}.osim";
+    assert!(
+        summary.lines().nth(1).is_some_and(|line| line.starts_with(&format!(",{model},out/{model},"))),
+        "{summary}"
+    );
+    bench.write("rows.csv", format!("model,target-mass\n{model},120\n"));
+    bench.run("batch rows.csv -d out --force").done().wrote(&[output]);
+    bench.run_words(&["sweep", name, "--grid", "stiffness=x2", "-d", "swept"]);
+    let table = bench.files().into_keys().find(|file| file.starts_with("swept/") && file.ends_with(".csv"));
+    let table = bench.text(&table.unwrap());
+    assert_eq!(table.lines().count(), 2, "{table}");
+    assert!(table.contains(r"a\u{1b}[2J\u{a}_stiffness-x2.osim,"), "{table}");
+}
+
+#[test]
+fn the_path_of_a_model_is_shown_whole_by_check() {
+    let bench = Bench::human();
+    let folders = "a_folder_of_twenty_8/".repeat(11);
+    bench.write(&format!("{folders}m.osim"), fixture(HUMAN.0));
+    let shown = bench.run(&format!("check {folders}m.osim")).out().replace("\n  ", "");
+    assert!(shown.starts_with(&format!("{folders}m.osim:")), "{shown}");
 }
 
 #[test]

@@ -31,7 +31,7 @@ WEIGHT = 0.01
 IN_JUMPS = re.compile(r"sort|smawk|malloc|free|alloc|unlink_chunk|hash.*(reserve|rehash|resize)|grow|drop_in_place|memset")
 
 ALL = list(models.KINDS)
-SOME = ["forces", "bodies", "chain+", "defaults"]
+SOME = ["forces", "bodies", "circle", "chain+", "defaults"]
 MODEL, OUT = "MODEL", "OUT"
 # Verb, the call, and in what it may grow. A call that follows bodies is given the model before they were scaled.
 VERBS = {

@@ -4,6 +4,8 @@ Each is a foot or a chain of bodies with as little beside that one thing as poss
 it does not hide time that grows with its square.
 """
 
+import math
+
 HALF_PI = 1.5707963267948966
 FLOOR = (
     '<ContactHalfSpace name="floor"><socket_frame>/ground</socket_frame><location>0 0 0</location>'
@@ -24,6 +26,15 @@ def spheres_only(n):
 def feet_of_their_own(n):
     """n bodies at the pelvis, each with a sphere and a force."""
     return model(feet(n), spheres(n, lambda i: foot(i, n)), [smooth(i, i) for i in range(n)])
+
+
+def circle(n):
+    """As `feet_of_their_own`, the joints on a circle: each pair of them may be the one that is farthest apart."""
+    bodies, joints = feet(n)
+    angles = [2 * math.pi * i / n for i in range(n)]
+    places = [f"{0.1 * math.cos(angle)} -0.1 {0.1 * math.sin(angle)}" for angle in angles]
+    around = [one.replace("<translation>0 -0.1 0<", f"<translation>{place}<") for one, place in zip(joints[1:], places)]
+    return model((bodies, [joints[0], *around]), spheres(n, lambda i: foot(i, n)), [smooth(i, i) for i in range(n)])
 
 
 def chain(n):
@@ -79,6 +90,7 @@ KINDS = {
     "forces": forces,
     "spheres": spheres_only,
     "bodies": feet_of_their_own,
+    "circle": circle,
     "chain": chain,
     "chain+": chain_with_spheres,
     "defaults": defaults,

@@ -193,6 +193,43 @@ fn a_summary_that_is_torn_or_was_saved_by_a_spreadsheet_is_refused() {
 }
 
 #[test]
+fn what_a_spreadsheet_made_of_a_summary_is_refused_also_with_commas() {
+    for name in ["done.csv", "done.csv.partial"] {
+        let bench = done();
+        let whole = bench.text("done.csv");
+        let added = |column: &str| {
+            let (header, rows) = whole.split_once('\n').unwrap();
+            format!("{header},{column}\n{}", rows.replace('\n', ",good\n"))
+        };
+        let saved =
+            [whole.replace('\n', "\r\n"), format!("\u{feff}{whole}"), added("my notes"), added("#my notes")];
+        for saved in saved {
+            bench.write(name, &saved);
+            resume(&bench).usage().wrote_nothing().says(&["cannot go on with done.csv", "summary"]);
+        }
+    }
+}
+
+#[test]
+fn own_columns_of_a_table_may_be_added_and_not_lost() {
+    let bench = library(1);
+    let model = bench.files().into_keys().find(|name| name.ends_with(".osim")).unwrap();
+    let mut tables = Vec::new();
+    for own in ["", ",#sex", ",#sex,#age"] {
+        let cells = own.replace('#', "");
+        tables.push(format!("model,target-mass,output{own}\n{model},500,a.osim{cells}\n"));
+    }
+    bench.write("m.csv", &tables[1]);
+    bench.run("batch m.csv --summary done.csv").done().says(&["1 written"]);
+    bench.write("m.csv", &tables[2]);
+    bench.run("batch m.csv --summary done.csv --resume").done().says(&["1 done before"]);
+    assert!(bench.text("done.csv").lines().next().unwrap().ends_with(",tool_version,#sex,#age"));
+    bench.write("m.csv", &tables[0]);
+    let refused = bench.run("batch m.csv --summary done.csv --resume");
+    refused.usage().wrote_nothing().says(&["cannot go on with done.csv", "'#sex'"]);
+}
+
+#[test]
 fn what_a_killed_run_left_is_not_overwritten_unasked() {
     let bench = library(2);
     bench.write("done.csv.partial", "");

@@ -177,6 +177,39 @@ fn a_table_that_no_sweep_left_is_neither_believed_nor_replaced() {
 }
 
 #[test]
+fn what_a_spreadsheet_made_of_a_table_is_refused_also_with_commas() {
+    let whole = done().text(TABLE);
+    let (header, rows) = whole.split_once('\n').unwrap();
+    let behind = format!("{header},my notes\n{}", rows.replace('\n', ",good\n"));
+    let between = whole.replace(",sha256\n", ",my notes,sha256\n").replace(".osim,", ".osim,good,");
+    let marked = format!("\u{feff}{whole}");
+    let quoted = whole.replace("file,", "\"file\",");
+    for damaged in [&whole.replace('\n', "\r\n"), &marked, &behind, &between, &quoted] {
+        let bench = done();
+        bench.write(TABLE, damaged);
+        resume(&bench).usage().wrote_nothing().says(&[
+            "cannot go on with",
+            TABLE,
+            "another program saved it",
+        ]);
+    }
+    let bench = done();
+    bench.write(PARTIAL, "file,sha256,my notes\n");
+    resume(&bench).usage().wrote_nothing().says(&["cannot go on with", PARTIAL]);
+}
+
+#[test]
+fn a_ladder_goes_on_after_another_one() {
+    let bench = emu();
+    let ladder = |steps: usize| {
+        let words = "--indentation 0.16 --restitution 0.9 -d out --resume";
+        bench.run(&format!("sweep emu.osim --ladder {steps} {words}"))
+    };
+    ladder(2).done().says(&["2 models written"]);
+    ladder(2).done().wrote_nothing().says(&["2 done before"]);
+}
+
+#[test]
 fn a_sweep_says_how_to_go_on() {
     let bench = done();
     bench.run(CALL).usage().wrote_nothing().says(&["7 of these files exist", "--resume", "--force", "-d"]);

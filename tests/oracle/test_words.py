@@ -4,6 +4,7 @@
 """
 
 import json
+import math
 import os
 import subprocess
 from concurrent.futures import ThreadPoolExecutor
@@ -53,6 +54,19 @@ def test_spelling(what, both):
     same(reading, status, report)
     if status == 0 and not (reading["loads"] and reading["connects"]):
         assert SAID & {warning["code"] for warning in report["warnings"]}, reading["error"]
+
+
+@pytest.mark.parametrize("what", [what for what in TABLE if what.startswith(words.VECTORS)])
+def test_location_and_gravity_are_said_where_they_are_not_what_they_look_like(what, both):
+    reading, status, report = both[what]
+    if status != 0 or not reading["loads"]:
+        return
+    of_gravity = what.startswith("gravity")
+    read = [float.fromhex(value) for value in (reading["gravity"] if of_gravity else reading["spheres"][0]["location"])]
+    found = {warning["code"] for warning in report["warnings"]} & {"odd-number", "not-finite"}
+    plain = words.as_it_looks(TABLE[what], "gravity" if of_gravity else "location")
+    as_seen = plain == read and all(map(math.isfinite, read))
+    assert bool(found) != as_seen, f"OpenSim reads {read}, a person {plain}; found: {found}"
 
 
 @pytest.mark.parametrize("what", MUTANTS)

@@ -3,6 +3,7 @@
 What a spelling means is never written here: the real OpenSim tells.
 """
 
+import html
 import random
 import re
 import sys
@@ -15,6 +16,7 @@ from quirks import base  # noqa: E402  (the fixtures' own building blocks)
 
 NBSP, BOM = "\u00a0", "\ufeff"
 DEFAULTS = '<defaults><SmoothSphereHalfSpaceForce name="default">{}</SmoothSphereHalfSpaceForce></defaults>'
+OF_SPHERES = '<defaults><ContactSphere name="default">{}</ContactSphere></defaults>'
 MODEL, STIFFNESS = '<Model name="one_foot">', "<stiffness>1234567.8</stiffness>"
 
 NUMBERS = """1e6|+8e6|.5E+6|5.|1,5|1;5|1_0|(1e6)|1e6)|,1e6|1e6,|1e6 ,|nan|NaN|+nan|-nan|nan5|inf|+Inf|-Infinity|infi|3 nan|3 -nan|3 x|
@@ -32,7 +34,7 @@ false abc|true abc|1 abc|false 2|0 2|falsey|truely|false.|(false)|false,true|,fa
 <!-- x -->false|false<!-- x -->|fa<!-- x -->lse|<![CDATA[false]]>|<![CDATA[ false]]>|<![CDATA[false ]]>|f&#97;lse|false&#32;|&#32;false|
 <x/>false|<x>false</x>|&#11;false""".replace("\n", "").split("|")
 FLAGS += [f"{before}false{behind}" for before in ("", "\v", NBSP) for behind in ("", "\f", NBSP, "\vtrue")]
-TRIPLES = """1 2 3|1,2,3|1, 2, 3|(1 2 3)|(1,2,3)|~[1,2,3]|[1 2 3]|1 2|1 2 3 4|1 2 3 4 5 6|1 2 3 x|1 x 3|1x 2 3|1 2 3x|1 2 nan|1 2 inf|
+TRIPLES = """1 2 3|1,2,3|0,5 1 2|1 nan 3|0,-9.81,0|1, 2, 3|(1 2 3)|(1,2,3)|~[1,2,3]|[1 2 3]|1 2|1 2 3 4|1 2 3 4 5 6|1 2 3 x|1 x 3|1x 2 3|1 2 3x|1 2 nan|1 2 inf|
 1 2 3)(|1;2;3|1 , 2 , 3|,1 2 3|1 2 3,|1 2 3 ,|1 2 1e400|1 2 -nan|1-2 3||  |<!-- x -->1 2 3|1 <!-- x --> 2 3|<![CDATA[1 2 3]]>|
 <![CDATA[1 2 3 ]]>|1&#32;2 3|1 2 3&#32;""".replace("\n", "").split("|")
 TRIPLES += ["1\v2\f3", f"1{NBSP}2 3", f"{NBSP}1 2 3", f"1 2 3{NBSP}"]
@@ -70,7 +72,15 @@ def table():
         "isDisabled": (old.replace("{}", "<isDisabled>{}</isDisabled>"), FLAGS[1::2]),
         "isDisabled of later documents": (flagged.replace("appliesForce", "isDisabled"), FLAGS[:4]),
         "location": (base.edit(smooth, ("0.01 -0.02 0.003", "{}")), TRIPLES),
-        "gravity": (base.edit(smooth, ("0 -9.81 0", "{}")), TRIPLES[::2]),
+        "location, defaults": (
+            base.edit(smooth, ("0.01 -0.02 0.003", "{}"), (MODEL, MODEL + OF_SPHERES.format("<location>7 8 9</location>"))),
+            TRIPLES[::3],
+        ),
+        "location of defaults": (
+            base.edit(smooth, ("<location>0.01 -0.02 0.003</location>", ""), (MODEL, MODEL + OF_SPHERES.format("<location>{}</location>"))),
+            TRIPLES[1::3],
+        ),
+        "gravity": (base.edit(smooth, ("0 -9.81 0", "{}")), TRIPLES),
         "geometry": (base.edit(hunt, ("<geometry>floor heel_r<", "<geometry>{}<")), LISTS),
         "socket": (base.edit(smooth, ("<socket_sphere>/contactgeometryset/heel_r<", "<socket_sphere>{}<")), PATHS),
         "name": (base.edit(smooth, ('<ContactSphere name="heel_r">', '<ContactSphere name="{}">')), NAMES),
@@ -83,6 +93,24 @@ def table():
                 text = order.format(one, other)
                 models[f"both flags: {text}"] = old.replace("{}", text)
     return models | files()
+
+
+# Places of the table with three numbers.
+VECTORS = ("location", "gravity")
+
+
+def as_it_looks(model, tag):
+    """The three numbers that a person sees in the text of `tag` of the one sphere or the model; None where they are not three plain ones.
+
+    A person takes commas with blanks behind them and blanks for what parts numbers, and knows no more of the format.
+    """
+    objects = re.findall("<ContactSphere.*?</ContactSphere>", model, re.S) if tag == "location" else [model]
+    text = re.findall(rf"<{tag}>(.*?)</{tag}>", "".join(objects), re.S)[-1]
+    text = html.unescape(re.sub(r"<!--.*?-->|<!\[CDATA\[|\]\]>", "", text))
+    parts = re.split(r"[ \v\f\n\t]+", text.strip(" \v\f\n\t"))
+    parts = [part.removesuffix(",") for part in parts[:-1]] + parts[-1:]
+    plain = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?|[+-]?inf|nan", re.I)
+    return [float(part) for part in parts] if len(parts) == 3 and all(map(plain.fullmatch, parts)) else None
 
 
 def loops():

@@ -250,9 +250,15 @@ fn one_indentation_determines_nothing() {
         for onset in [Onset::At(0.0), Onset::At(0.001), Onset::Fitted] {
             assert!(data.fit(0.02, false, onset).is_err(), "{onset:?}");
         }
-        let error = data.fit(0.02, false, Onset::At(0.0)).unwrap_err();
-        assert_eq!(error, FitError::OneIndentation { indentation_m: 0.003 });
+        for onset in [Onset::At(0.0), Onset::Fitted] {
+            let error = data.fit(0.02, false, onset).unwrap_err();
+            assert_eq!(error, FitError::OneIndentation { indentation_m: 0.003 }, "{onset:?}");
+        }
     }
+    // As many rows as a fit of modulus, dissipation and onset needs, at different speeds.
+    let data = measured(&[0.003; 4], 1.0, |row| row as f64 * 0.01, |_| 0.0);
+    let error = data.fit(0.02, true, Onset::Fitted).unwrap_err();
+    assert_eq!(error, FitError::OneIndentation { indentation_m: 0.003 });
     // Rows before contact do not help: they have no force by any law.
     let data = measured(&[-0.002, -0.001, 0.0, 0.003, 0.003, 0.003], 0.0, |_| 0.0, |_| 0.0);
     assert!(matches!(data.fit(0.02, false, Onset::At(0.0)), Err(FitError::OneIndentation { .. })));
@@ -263,7 +269,11 @@ fn a_force_that_does_not_follow_the_indentation_has_no_fit() {
     let depths: Vec<f64> = (1..=12).map(|row| f64::from(row) * 1e-3).collect();
     // The same force everywhere: its variance is 0, so R squared is not a number.
     let constant = Data { x: depths.clone(), v: vec![0.0; 12], f: vec![50.0; 12] };
-    assert!(matches!(constant.fit(0.02, false, Onset::At(0.0)), Err(FitError::NoLaw { .. })));
+    let error = constant.fit(0.02, false, Onset::At(0.0)).unwrap_err();
+    assert!(
+        matches!(error, FitError::NoLaw { .. }) && error.to_string().contains("(the force never changes)"),
+        "{error}"
+    );
     // High where the indentation is small: the mean is nearer to the data than the law.
     let falling: Vec<f64> = depths.iter().map(|x| 100.0 - 5e3 * x).collect();
     let falling = Data { x: depths, v: vec![0.0; 12], f: falling };

@@ -11,7 +11,7 @@ use crate::skeleton::Skeleton;
 use crate::traps;
 
 /// OpenSim's `gravity` where a model gives none, m/s².
-const DEFAULT_GRAVITY: [f64; 3] = [0.0, -9.80665, 0.0];
+pub(crate) const DEFAULT_GRAVITY: [f64; 3] = [0.0, -9.80665, 0.0];
 
 impl Model {
     /// Reads a model from the bytes of one file.
@@ -109,7 +109,7 @@ impl Model {
     }
 }
 
-fn is_model(document: &Document) -> bool {
+pub(crate) fn is_model(document: &Document) -> bool {
     document.tree().name(document.data_root()) == "Model"
 }
 

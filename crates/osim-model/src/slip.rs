@@ -18,6 +18,8 @@ const POUNDS: f64 = 2.2046;
 const LIGHTEST_KG: f64 = 1e-6;
 /// Heavier than any: 200 t, kg.
 const HEAVIEST_KG: f64 = 200e3;
+/// Joints of one body whose distance from all others is looked at: more than a body has.
+const OUTERMOST: usize = 32;
 /// So many times the bodies' mass a target looks like grams: 1000 times, for a body within a factor of 5.
 const GRAMS_OF_A_TARGET: std::ops::RangeInclusive<f64> = 200.0..=5000.0;
 
@@ -127,6 +129,9 @@ impl JointDistances {
     }
 }
 
+/// The longest distance between two of `places`. Where very many are about equally far from their middle (joints on a circle), only
+/// pairs with one of the [`OUTERMOST`] are looked at. What is found is then at least 0.57 (1/√3) of the longest: the outermost place is
+/// as far out along some axis as 1/√3 of half the longest, and on the other side of the middle there is a place as far out.
 fn longest_m(places: &[[f64; 3]]) -> Option<f64> {
     let mut places: Vec<[f64; 3]> =
         places.iter().copied().filter(|place| place.iter().all(|value| value.is_finite())).collect();
@@ -143,7 +148,7 @@ fn longest_m(places: &[[f64; 3]]) -> Option<f64> {
         places.into_iter().map(|place| (distance_m(place, middle), place)).collect();
     by_distance.sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
     let mut longest: Option<f64> = None;
-    for (at, (far, a)) in by_distance.iter().enumerate() {
+    for (at, (far, a)) in by_distance.iter().enumerate().take(OUTERMOST) {
         for (near, b) in by_distance.iter().skip(at + 1) {
             // Far enough above rounding to lose no pair.
             if longest.is_some_and(|longest| (far + near) * (1.0 + 1e-9) < longest) {

@@ -52,7 +52,7 @@ impl Sheet {
             if record.len() != header.len() {
                 unequal.push(format!("line {line}: {} cells", record.len()));
             }
-            rows.push(Row { line, cells: record.iter().map(|cell| from_cell(cell).to_owned()).collect() });
+            rows.push(Row { line, cells: record.iter().map(|cell| from_cell(cell).into_owned()).collect() });
         }
         if !unequal.is_empty() {
             let hint = match delimiter {

@@ -4,6 +4,8 @@
 //! line, `mass=` in Python and a field on a page. So a [`Phrase`] keeps the [`Input`] as data, and each front end spells
 //! it by its own [`Dialect`].
 
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 mod dialect;
 mod input;
 mod part;

@@ -106,6 +106,24 @@ pub fn triple(text: &str) -> Option<[f64; 3]> {
     (all.len() % 3 == 0).then_some(*first)
 }
 
+/// Whether a text is three numbers, and OpenSim reads those that people see. Commas after the first two do no harm.
+///
+/// ```
+/// use osim_xml::opensim_text::is_plain_triple;
+///
+/// assert!(is_plain_triple("0.1 -2e-3 inf") && is_plain_triple("1, 2, 3"));
+/// for text in ["0.1,0.2,0.3", "0,5 1 2", "1 2 3,", "1x 2 3", "1 2", "1 2 3 4 5 6", ""] {
+///     assert!(!is_plain_triple(text), "{text}");
+/// }
+/// ```
+#[must_use]
+pub fn is_plain_triple(text: &str) -> bool {
+    let is_number = |word: &str| number_at_start(word).is_some_and(|(_, length)| length == word.len());
+    let before_comma = |word: &str| is_number(word.strip_suffix(',').unwrap_or(word));
+    let all: Vec<&str> = list(text).collect();
+    matches!(all[..], [x, y, z] if before_comma(x) && before_comma(y) && is_number(z))
+}
+
 /// A flag; `None` where OpenSim cannot read it and takes its default.
 ///
 /// ```

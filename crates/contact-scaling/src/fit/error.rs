@@ -67,7 +67,8 @@ pub enum FitError {
     },
     /// A constant force explains the data as well as the law does: R² is 0 or less, or the force never changes.
     #[error(
-        "the law explains the force no better than a constant does (R squared is {r_squared:?}), expected a force that follows the indentation"
+        "the law explains the force no better than a constant does{}, expected a force that follows the indentation",
+        r_squared_in_words(*r_squared)
     )]
     NoLaw {
         /// R²; not finite where the force never changes.
@@ -76,4 +77,13 @@ pub enum FitError {
     /// The search for the onset did not come to an end.
     #[error("the search for the contact onset did not converge, expected data with a clear onset")]
     NotConverged,
+}
+
+/// Of a force that never changes there is no R squared.
+fn r_squared_in_words(r_squared: f64) -> String {
+    if r_squared.is_finite() {
+        format!(" (R squared is {r_squared:?})")
+    } else {
+        " (the force never changes)".to_owned()
+    }
 }

@@ -34,8 +34,11 @@ pub(super) fn solve(model: &Model, points: &[Point]) -> Result<Parameters, FitEr
 /// The best of some onsets, each with its closed form.
 fn scan(model: &Model, points: &[Point], low: f64, high: f64) -> Result<Parameters, FitError> {
     let needed = model.names().len() + 1;
-    if points.len() < needed || high <= low {
+    if points.len() < needed {
         return Err(FitError::TooFewPoints { found: points.len(), needed });
+    }
+    if high <= low {
+        return Err(FitError::OneIndentation { indentation_m: high });
     }
     // From half the range before the first row, since the whole measurement may be in contact.
     let onsets = (0..SCAN).map(|i| low + (high - low) * (1.5 * f64::from(i) / f64::from(SCAN) - 0.5));

@@ -12,6 +12,7 @@ use osim_library::{Disk, OrdinaryFiles, Source, folder_of};
 use osim_model::files::{Failure, Files};
 use osim_model::wording::Input;
 use osim_report::json::{FailureRecord, line};
+use osim_requests::options::OutputOptions;
 use osim_requests::{BatchRequest, RowFault, RowRequest, Table};
 
 use super::run;
@@ -49,7 +50,7 @@ pub(super) fn run(request: &BatchRequest, session: &mut Session) -> Result<Exit>
         .with_context(|| shown.clone())?
         .answering(request.answers.yes.clone());
     let inside = Inside::of(request.output.output_dir.as_deref().unwrap_or(folder));
-    let inside = Some(inside).filter(|_| !request.allow_outside);
+    let inside = Some((inside, &request.output)).filter(|_| !request.allow_outside);
     let (mut tasks, mut wrong, mut known) = (Vec::new(), Vec::new(), Known::new());
     for (row, read) in table.requests(&request.output, &OrdinaryFiles) {
         match read.and_then(|read| task(&table, &read, inside.as_ref(), &mut known)) {
@@ -70,7 +71,7 @@ pub(super) fn run(request: &BatchRequest, session: &mut Session) -> Result<Exit>
 fn task(
     table: &Table,
     row: &RowRequest,
-    inside: Option<&Inside>,
+    inside: Option<&(Inside, &OutputOptions)>,
     known: &mut Known,
 ) -> Result<Task, RowFault> {
     let column = table.model_column();
@@ -84,7 +85,7 @@ fn task(
     let settings = settings(table, row, known)?;
     let task =
         Task::new(Source::in_table(&row.model), &row.output, settings).with_remarks(row.remarks.clone());
-    if let Some(Err((input, message))) = inside.map(|inside| inside.check(&task)) {
+    if let Some(Err((input, message))) = inside.map(|(inside, call)| inside.check(&task, &row.output, call)) {
         return Err(RowFault::of(table.header_of(input).unwrap_or(column), message));
     }
     Ok(match usize::try_from(row.line) {

@@ -42,9 +42,22 @@ impl Form {
             return Ok(line);
         }
         let mut csv = csv::WriterBuilder::new().has_headers(first).from_writer(Vec::new());
-        csv.serialize(record.marked()).map_err(said)?;
+        csv.serialize(record.as_cells()).map_err(said)?;
         with_remarks(csv.into_inner().map_err(said)?, record)
     }
+}
+
+/// The first line of a summary with these columns after its own.
+///
+/// # Errors
+/// None in practice: it is written into memory.
+pub(super) fn header_line<'c>(own: impl Iterator<Item = &'c str>) -> Result<Vec<u8>, LibraryFault> {
+    let line = Form::Csv.line(&Record::default(), true)?;
+    let mut columns = csv::Reader::from_reader(line.as_slice()).headers().map_err(said)?.clone();
+    columns.extend(own);
+    let mut csv = csv::WriterBuilder::new().from_writer(Vec::new());
+    csv.write_record(&columns).map_err(said)?;
+    csv.into_inner().map_err(said)
 }
 
 /// Columns of the user's own table come after those of a summary.

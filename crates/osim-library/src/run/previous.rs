@@ -51,27 +51,36 @@ pub(super) enum Previous {
 }
 
 impl PreviousRun {
-    /// Reads the summary, whole or partial, that a run goes on with.
+    /// Reads the summary, whole or partial, that a run goes on with; `own` are the user's own columns in this run, `None` where that is
+    /// not known.
     ///
     /// # Errors
     /// It is not a summary of this tool.
-    pub(super) fn read(options: &RunOptions) -> Result<Self, LibraryFault> {
+    pub(super) fn read(options: &RunOptions, own: Option<&[String]>) -> Result<Self, LibraryFault> {
         let mut done = Self::default();
         let Some(path) = options.summary.as_ref().filter(|_| options.resume) else { return Ok(done) };
         let form = Form::of(path)?;
         // Oldest first. Only the partial one may end in the middle of a line: a whole one gets its name in one step.
         for (path, may_be_cut) in [(path.clone(), false), (Partial::path_of(path), true)] {
             if path.exists() {
-                done.add(&path, form, may_be_cut).map_err(|fault| cannot_go_on(&path, &fault))?;
+                done.add(&path, form, may_be_cut, own).map_err(|fault| cannot_go_on(&path, &fault))?;
             }
         }
         Ok(done)
     }
 
-    fn add(&mut self, path: &Path, form: Form, may_be_cut: bool) -> Result<(), LibraryFault> {
+    fn add(
+        &mut self,
+        path: &Path,
+        form: Form,
+        may_be_cut: bool,
+        own: Option<&[String]>,
+    ) -> Result<(), LibraryFault> {
         let mut lines = PreviousLines::open(path, form, may_be_cut)?;
         let file = self.files.len();
-        lines.each(|offset, record| self.places.push(LinePlace { hash: hash(key(record)), file, offset }))?;
+        lines.each(own, |offset, record| {
+            self.places.push(LinePlace { hash: hash(key(record)), file, offset });
+        })?;
         self.files.push(lines);
         self.places.sort_unstable();
         Ok(())

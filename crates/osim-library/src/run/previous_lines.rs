@@ -5,7 +5,10 @@ use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
 use std::path::Path;
 use std::sync::Mutex;
 
-use super::journal::Form;
+use osim_model::wording::shown;
+use osim_requests::from_cell;
+
+use super::journal::{Form, header_line};
 use super::record::{JsonRecord, Record};
 use crate::door;
 use crate::fault::{Context, LibraryFault};
@@ -33,11 +36,16 @@ impl PreviousLines {
         Ok(Self { form, file: Mutex::new(file), end, header: csv::StringRecord::new() })
     }
 
-    /// Calls `each` with every record and where its line begins.
+    /// Calls `each` with every record and where its line begins. `own` are the user's own columns in this run, `None` where that is
+    /// not known.
     ///
     /// # Errors
     /// The lines hold something else; also where a table has another header and not one line.
-    pub(super) fn each(&mut self, mut each: impl FnMut(u64, &Record)) -> Result<(), LibraryFault> {
+    pub(super) fn each(
+        &mut self,
+        own: Option<&[String]>,
+        mut each: impl FnMut(u64, &Record),
+    ) -> Result<(), LibraryFault> {
         let no_summary = || "this is not a summary of this tool, or it was edited";
         let mut header = csv::StringRecord::new();
         {
@@ -46,7 +54,7 @@ impl PreviousLines {
             let lines = BufReader::new(&mut *file).take(self.end);
             match self.form {
                 Form::Ndjson => each_json(lines, &mut each).context(no_summary)?,
-                Form::Csv => header = each_row(lines, self.end, &mut each).context(no_summary)?,
+                Form::Csv => header = each_row(lines, own, &mut each).context(no_summary)?,
             }
         }
         self.header = header;
@@ -73,7 +81,7 @@ impl PreviousLines {
             .read_record(&mut row)
             .map_err(said)?;
         let record: Record = row.deserialize(Some(&self.header)).map_err(said)?;
-        Ok(record.unmarked())
+        Ok(record.from_cells())
     }
 }
 
@@ -94,21 +102,45 @@ fn each_json(mut lines: impl BufRead, each: &mut impl FnMut(u64, &Record)) -> Re
 }
 
 fn each_row(
-    lines: impl Read,
-    length: u64,
+    mut lines: impl BufRead,
+    own: Option<&[String]>,
     each: &mut impl FnMut(u64, &Record),
 ) -> Result<csv::StringRecord, LibraryFault> {
-    let mut reader = csv::Reader::from_reader(lines);
-    let header = reader.headers().map_err(said)?.clone();
-    if length > 0 && !header.iter().any(|column| column == "sha256_output") {
-        return Err(LibraryFault::new("there is no column 'sha256_output'"));
+    let mut first = Vec::new();
+    if lines.read_until(b'\n', &mut first).map_err(said)? == 0 {
+        return Ok(csv::StringRecord::new());
     }
+    let header = csv::Reader::from_reader(first.as_slice()).headers().map_err(said)?.clone();
+    check_header(&header, &first, own)?;
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(lines);
     let mut row = csv::StringRecord::new();
     while reader.read_record(&mut row).map_err(said)? {
         let record: Record = row.deserialize(Some(&header)).map_err(said)?;
-        each(row.position().map_or(0, csv::Position::byte), &record.unmarked());
+        let offset = row.position().map_or(0, csv::Position::byte);
+        each(first.len() as u64 + offset, &record.from_cells());
     }
     Ok(header)
+}
+
+/// The first line is, byte for byte, one of ours: otherwise another program saved the table, perhaps with columns of the user's,
+/// which the new summary would not have.
+fn check_header(
+    header: &csv::StringRecord,
+    first: &[u8],
+    own: Option<&[String]>,
+) -> Result<(), LibraryFault> {
+    let added: Vec<&str> = header.iter().skip_while(|column| !column.starts_with('#')).collect();
+    if header_line(added.iter().copied())? != first {
+        return Err(LibraryFault::new("its first line differs from the one that this version writes"));
+    }
+    let lost = |column: &&&str| own.is_some_and(|own| !own.iter().any(|name| *name == from_cell(column)));
+    match added.iter().find(lost) {
+        Some(column) => Err(LibraryFault::new(format!(
+            "it has the column '{}', which this run does not have",
+            shown(column)
+        ))),
+        None => Ok(()),
+    }
 }
 
 /// What another library says.

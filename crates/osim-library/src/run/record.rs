@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use osim_model::Property;
 use osim_model::files::{Failure, FileName};
 use osim_patch::Plan;
-use osim_requests::{cell, from_cell};
+use osim_requests::{cell, from_cell, marked};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -282,23 +282,20 @@ impl Record {
         }
     }
 
-    /// The record with the texts from outside as cells of a table, marked where spreadsheets would run them.
-    pub(super) fn marked(&self) -> Self {
-        self.with_texts(|text| cell(text).into_owned())
+    /// The record with the texts from outside as cells of a table, which nobody takes for formulas.
+    pub(super) fn as_cells(&self) -> Self {
+        // What is not seen is shown in a message already.
+        let error = self.error.as_deref().map(|text| marked(text).into_owned());
+        Self { error, ..self.with_names(|name| cell(name).into_owned()) }
     }
 
-    /// The record of a table with its texts as they were.
-    pub(super) fn unmarked(&self) -> Self {
-        self.with_texts(|text| from_cell(text).to_owned())
+    /// The record of a table with its names as they were.
+    pub(super) fn from_cells(&self) -> Self {
+        self.with_names(|name| from_cell(name).into_owned())
     }
 
-    fn with_texts(&self, change: impl Fn(&str) -> String) -> Self {
-        Self {
-            model: change(&self.model),
-            output: self.output.as_deref().map(&change),
-            error: self.error.as_deref().map(&change),
-            ..self.clone()
-        }
+    fn with_names(&self, change: impl Fn(&str) -> String) -> Self {
+        Self { model: change(&self.model), output: self.output.as_deref().map(&change), ..self.clone() }
     }
 
     pub(super) fn failed(&mut self, failure: &Failure) {

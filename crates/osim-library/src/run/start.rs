@@ -56,7 +56,10 @@ impl<'r> Run<'r> {
     /// # Errors
     /// Its summary is none, or was edited.
     pub fn read_previous(&mut self) -> Result<(), LibraryFault> {
-        self.context.previous = PreviousRun::read(self.context.run)?;
+        // All rows of a table have the same columns. A share without a model says nothing of them.
+        let own = |task: &Task| task.remarks.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
+        let own = self.request.tasks.first().map(own);
+        self.context.previous = PreviousRun::read(self.context.run, own.as_deref())?;
         Ok(())
     }
 

@@ -4,12 +4,12 @@
 //! until every variant is made. That a file is as it should be needs neither: its bytes say it.
 
 use std::collections::HashSet;
-use std::io::{BufReader, Read, Seek, SeekFrom};
+use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
 use std::path::Path;
 use std::sync::Mutex;
 
 use osim_model::wording::{Input, phrase};
-use osim_requests::from_cell;
+use osim_requests::{SweepPlan, from_cell};
 
 use super::table_row::line;
 use crate::digest::{self, NameDigest};
@@ -135,21 +135,38 @@ fn read(
         return Err(LibraryFault::new("its last line is cut off, so this tool did not leave it like that"));
     }
     file.seek(SeekFrom::Start(0)).map_err(said)?;
-    let mut reader = csv::Reader::from_reader(BufReader::new(file).take(end));
-    let header = reader.headers().map_err(said)?;
-    let [name, digest] = COLUMNS.map(|column| header.iter().position(|cell| cell == column));
-    let (Some(name), Some(digest)) = (name, digest) else {
+    let mut lines = BufReader::new(file).take(end);
+    let mut first = Vec::new();
+    if lines.read_until(b'\n', &mut first).map_err(said)? == 0 && may_be_cut {
         // Killed before its first line was whole.
-        let is_empty = end == 0 && may_be_cut;
-        let why = "this is not the table of a sweep, or it was edited";
-        return if is_empty { Ok(()) } else { Err(LibraryFault::new(why)) };
-    };
+        return Ok(());
+    }
+    let (name, digest) = columns(&first)?;
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(lines);
     let mut row = csv::StringRecord::new();
     while reader.read_record(&mut row).map_err(said)? {
         let cell = |at: usize| from_cell(row.get(at).unwrap_or_default());
-        each(cell(name), cell(digest))?;
+        each(&cell(name), &cell(digest))?;
     }
     Ok(())
+}
+
+/// Where file and digest are in the rows below `first`.
+///
+/// # Errors
+/// It is not, byte for byte, the first line of a table of ours: another program saved it, perhaps with columns of the user's, which the
+/// new table would not have.
+fn columns(first: &[u8]) -> Result<(usize, usize), LibraryFault> {
+    let header = csv::Reader::from_reader(first).headers().map_err(said)?.clone();
+    let columns: Vec<String> = header.iter().map(str::to_owned).collect();
+    let is_ours = (columns == COLUMNS || SweepPlan::is_table_header(&columns)) && line(&columns)? == first;
+    let [name, digest] = COLUMNS.map(|column| columns.iter().position(|cell| cell == column));
+    match (name, digest) {
+        (Some(name), Some(digest)) if is_ours => Ok((name, digest)),
+        _ => Err(LibraryFault::new(
+            "this is not the table of a sweep, or another program saved it: its first line differs",
+        )),
+    }
 }
 
 /// What another library says.

@@ -100,7 +100,11 @@ pub(super) fn shared_sphere(sphere: &str, changed: &str, left: &[String], can_ch
     let mut text: Phrase =
         format!("sphere {sphere} is used by {changed}, which would change, and by {left}, {stays}: ").into();
     if can_choose {
-        text.push(&phrase!["choose all of them with ", Input::Select.like("GLOB"), ", excluding none, or "]);
+        text.push(&phrase![
+            "choose all of them with ",
+            Input::Select.like("GLOB"),
+            " and exclude none of them, or "
+        ]);
     }
     text
 }

@@ -14,6 +14,7 @@ use crate::model::Model;
 pub(crate) fn find(model: &Model) -> Vec<Finding> {
     let all = [
         values::numbers,
+        values::triples,
         structure::included_contacts,
         values::dead_elements,
         structure::several_spheres,

@@ -2,10 +2,14 @@
 
 use crate::class::Class;
 use crate::contacts::SetId;
+use crate::fault::FileId;
 use crate::finding::{Finding, FindingCode};
 use crate::model::Model;
 use crate::property::Property;
+use crate::read::{DEFAULT_GRAVITY, is_model};
 use crate::value::{Origin, Value};
+use osim_xml::ElementId;
+use osim_xml::opensim_text::is_plain_triple;
 
 pub(super) fn numbers(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
@@ -30,6 +34,46 @@ pub(super) fn numbers(model: &Model) -> Vec<Finding> {
         found.push(Finding::at(code, line, format!("{} of {path} {text}", value.property)).about(path));
     }
     found
+}
+
+/// Places of spheres, and gravity: a text that OpenSim cannot read is its default without a word.
+pub(super) fn triples(model: &Model) -> Vec<Finding> {
+    let locations = model.spheres().iter().filter_map(|sphere| {
+        let at = (sphere.file, sphere.element, sphere.location_slot().tag);
+        Some(triple(model, at, &sphere.path, sphere.location_m)?.about(&sphere.path))
+    });
+    let beside = model.companions().map(|(file, companion)| (file, &companion.document));
+    let mut files = std::iter::once((FileId::MAIN, model.document())).chain(beside);
+    let gravity = files.find(|(_, document)| is_model(document)).and_then(|(file, document)| {
+        let object = document.data_root();
+        let read = document.triple(object, "gravity").unwrap_or(DEFAULT_GRAVITY);
+        triple(model, (file, object, "gravity"), "the model", read)
+    });
+    locations.chain(gravity).collect()
+}
+
+/// What is odd about three numbers: the file, the object and the tag that they are in, whose they are, and how OpenSim reads them.
+fn triple(
+    model: &Model,
+    (file, object, tag): (FileId, ElementId, &str),
+    whose: &str,
+    read: [f64; 3],
+) -> Option<Finding> {
+    let document = model.file(file);
+    let element = document.property_element(object, tag)?;
+    let text = document.tree().raw_text(element).text;
+    let [x, y, z] = read;
+    let (code, text) = if !is_plain_triple(&text) {
+        // A blank that is not ASCII looks like one and is none: show it.
+        let text = if text.is_ascii() { text } else { text.escape_default().to_string() };
+        (FindingCode::OddNumber, format!("is '{text}', which OpenSim reads as {x} {y} {z}"))
+    } else if !read.iter().all(|value| value.is_finite()) {
+        (FindingCode::NotFinite, format!("is {x} {y} {z}"))
+    } else {
+        return None;
+    };
+    let line = document.line(document.tree().span(element).start);
+    Some(Finding::at(code, line, format!("{tag} of {whose} {text}")))
 }
 
 pub(super) fn dead_elements(model: &Model) -> Vec<Finding> {

@@ -4,7 +4,7 @@ use osim_inspect::CheckResult;
 use osim_model::wording::one_line;
 use osim_model::{Finding, FindingCode};
 
-use crate::layout::{Colour, severity, wrapped};
+use crate::layout::{Colour, severity, wrapped, wrapped_with_path};
 
 /// Every finding, worst first, with what to do. What was found is taken as it is spelled; `prompt` is before each remedy.
 ///
@@ -23,7 +23,7 @@ pub fn text(found: &CheckResult, prompt: &str, colour: Colour) -> String {
         Some(known) => format!("nothing is wrong; {}{published}", known.message),
         None => found.counts.describe("nothing to say"),
     };
-    let mut text = wrapped(&format!("{}: {head}", found.model), "  ");
+    let mut text = wrapped_with_path(&found.model, &head, "  ");
     let mut rest = shown.as_slice();
     while let Some(first) = rest.first() {
         // The same trap in several places is explained once.

@@ -1,6 +1,6 @@
 //! Text in lines.
 
-use osim_model::wording::shown;
+use osim_model::wording::{shown, shown_whole};
 use textwrap::{Options, WordSeparator, WordSplitter};
 
 use super::words;
@@ -26,8 +26,17 @@ pub(crate) fn filled(text: &str) -> String {
 /// Text in lines of at most [`WIDTH`] columns, the second and later ones after `indent`. Line ends in it are escaped.
 #[must_use]
 pub fn wrapped(text: &str, indent: &str) -> String {
+    in_lines(&paragraph(text), indent)
+}
+
+/// The same of a file and what is said of it: the reader has to find the file again, so its path is shown whole.
+pub(crate) fn wrapped_with_path(path: &str, text: &str, indent: &str) -> String {
+    in_lines(&format!("{}: {}", shown_whole(path), paragraph(text)), indent)
+}
+
+fn in_lines(text: &str, indent: &str) -> String {
     // Options of a command line are never broken at their hyphens.
     let options =
         options().subsequent_indent(indent).break_words(false).word_splitter(WordSplitter::NoHyphenation);
-    format!("{}\n", textwrap::fill(&paragraph(text), options))
+    format!("{}\n", textwrap::fill(text, options))
 }

@@ -9,7 +9,7 @@ mod words;
 
 pub use columns::{TextTable, table};
 pub use lines::{WIDTH, wrapped};
-pub(crate) use lines::{filled, options};
+pub(crate) use lines::{filled, options, wrapped_with_path};
 pub use names::clipped;
 pub use paint::{Colour, OUTSIDE};
 pub(crate) use paint::{painted, severity};

@@ -4,7 +4,7 @@ use std::io;
 
 use csv::{IntoInnerError, WriterBuilder};
 use osim_model::wording::shown_whole;
-use osim_requests::cell;
+use osim_requests::marked;
 
 /// The records as CSV, quoted where they have to be.
 ///
@@ -14,7 +14,7 @@ pub(crate) fn csv_text(records: impl IntoIterator<Item = Vec<String>>) -> Result
     let mut writer = WriterBuilder::new().from_writer(Vec::new());
     for record in records {
         // One line for each record, whatever names hold.
-        writer.write_record(record.iter().map(|text| cell(&shown_whole(text).to_string()).into_owned()))?;
+        writer.write_record(record.iter().map(|text| marked(&shown_whole(text).to_string()).into_owned()))?;
     }
     let bytes = writer.into_inner().map_err(IntoInnerError::into_error)?;
     String::from_utf8(bytes).map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error).into())

@@ -14,6 +14,11 @@ const PROPERTIES: [Property; 6] = [
     Property::HuntCrossleySmoothing,
 ];
 
+/// Before the name of what a column was asked of.
+pub(super) const GRID: &str = "grid_";
+/// What a ladder asks at each step.
+pub(super) const LADDER: [&str; 2] = ["step", "wanted_dimensionless_stiffness"];
+
 /// Names of the columns: the file, what was asked, what is in the file, what follows from it.
 pub(super) fn header(asked: Vec<String>) -> Vec<String> {
     let properties = PROPERTIES.map(|property| property.name().to_owned());
@@ -21,6 +26,16 @@ pub(super) fn header(asked: Vec<String>) -> Vec<String> {
         ["relative_indentation", "dimensionless_stiffness", "restitution", "sha256"].map(str::to_owned);
     let first = std::iter::once("file".to_owned());
     first.chain(asked).chain(properties).chain(follows).collect()
+}
+
+/// Whether these are the columns of some sweep's table, by grid or by ladder.
+pub(super) fn is_header<C: AsRef<str>>(columns: &[C]) -> bool {
+    let others = header(Vec::new()).len();
+    let Some(count) = columns.len().checked_sub(others) else { return false };
+    let asked: Vec<&str> = columns.iter().skip(1).take(count).map(AsRef::as_ref).collect();
+    let is_grid = asked.iter().all(|column| column.starts_with(GRID));
+    let whole = header(asked.iter().map(|&column| column.to_owned()).collect());
+    (is_grid || asked == LADDER) && columns.iter().map(AsRef::as_ref).eq(whole)
 }
 
 /// One variant; `sha256` is that of its bytes.

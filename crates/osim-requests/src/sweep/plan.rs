@@ -10,7 +10,7 @@ use osim_values::AxisName;
 
 use super::grid::{Point, along, count, ends, point};
 use super::ladder::Ladder;
-use super::manifest;
+use super::manifest::{self, GRID, LADDER};
 use super::stages::{self, Stages};
 use super::variant::Variant;
 use crate::fault::{RequestError, RequestFault};
@@ -153,9 +153,15 @@ impl<'s> SweepPlan<'s> {
     #[must_use]
     pub fn table_header(&self) -> Vec<String> {
         manifest::header(match self.ladder {
-            Some(_) => vec!["step".to_owned(), "wanted_dimensionless_stiffness".to_owned()],
-            None => self.request.grid.iter().map(|axis| format!("grid_{}", axis.name.as_str())).collect(),
+            Some(_) => LADDER.map(str::to_owned).to_vec(),
+            None => self.request.grid.iter().map(|axis| format!("{GRID}{}", axis.name.as_str())).collect(),
         })
+    }
+
+    /// Whether these are the columns of a sweep's table, also of one that asked something else.
+    #[must_use]
+    pub fn is_table_header<C: AsRef<str>>(columns: &[C]) -> bool {
+        manifest::is_header(columns)
     }
 
     /// What a variant asks for may make no sense: that shows before anything is written.
