@@ -5,6 +5,8 @@ use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
 use std::path::Path;
 use std::sync::Mutex;
 
+use osim_requests::from_cell;
+
 use super::journal::Form;
 use super::record::{JsonRecord, Record};
 use crate::door;
@@ -73,7 +75,10 @@ impl PreviousLines {
             .read_record(&mut row)
             .map_err(said)?;
         let record: Record = row.deserialize(Some(&self.header)).map_err(said)?;
-        Ok(record.unmarked())
+        let cells = self.header.iter().zip(&row).map(|(name, text)| (from_cell(name), from_cell(text)));
+        let remarks = cells.filter(|(name, _)| name.starts_with('#'));
+        let remarks = remarks.map(|(name, text)| (name.to_owned(), text.to_owned())).collect();
+        Ok(Record { remarks, ..record.unmarked() })
     }
 }
 

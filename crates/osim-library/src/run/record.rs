@@ -161,6 +161,8 @@ pub struct Record {
     pub sha256_settings: Option<String>,
     /// Version of the program.
     pub tool_version: String,
+    /// The folder where the names of model and output begin, seen from the folder of the summary.
+    pub folder: Option<String>,
 }
 
 /// A record as NDJSON has it: beside it the bytes of names that are not text.
@@ -298,6 +300,38 @@ impl Record {
             output: self.output.as_deref().map(&change),
             error: self.error.as_deref().map(&change),
             ..self.clone()
+        }
+    }
+
+    /// The same outcome of the same files, by the names and in the row that they have in `now`.
+    pub(super) fn named_as(self, now: &Self) -> Self {
+        Self {
+            row: now.row,
+            model: now.model.clone(),
+            model_bytes: now.model_bytes.clone(),
+            remarks: now.remarks.clone(),
+            output: now.output.clone(),
+            output_bytes: now.output_bytes.clone(),
+            folder: now.folder.clone(),
+            ..self
+        }
+    }
+
+    /// As if this outcome had been the last: what was written is there.
+    pub(super) fn still_written(self) -> Self {
+        let status = if self.sha256_output.is_some() { Status::Written } else { self.status };
+        Self { status, error_code: None, error: None, line: None, column: None, ..self }
+    }
+
+    /// What an earlier run wrote, which is still there, in a line that says how this run ended.
+    pub(super) fn left_behind(self, now: &Self) -> Self {
+        Self {
+            status: now.status,
+            error_code: now.error_code.clone(),
+            error: now.error.clone(),
+            line: now.line,
+            column: now.column,
+            ..self.named_as(now)
         }
     }
 

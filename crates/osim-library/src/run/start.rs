@@ -131,9 +131,7 @@ impl<'r> Run<'r> {
     /// It could not be written.
     pub fn finish(self) -> Result<(), LibraryFault> {
         let Context { journal, previous, .. } = self.context;
-        // Windows puts no file into the place of one that is open.
-        drop(previous);
-        journal.map_or(Ok(()), Journal::finish)
+        journal.map_or(Ok(()), |journal| journal.finish(previous, &self.request.tasks))
     }
 
     /// What could not even be listed.
