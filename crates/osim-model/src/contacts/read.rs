@@ -53,6 +53,7 @@ impl<'r> ContactReader<'r> {
 
     /// All spheres first, then all forces, each in file order.
     pub(crate) fn read(&mut self) -> Result<(), Fault> {
+        self.components.check_texts()?;
         for (id, _) in self.components.tree.iter() {
             if self.components.tag(id) == "ContactSphere" {
                 self.add_sphere(id)?;
