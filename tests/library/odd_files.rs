@@ -218,3 +218,13 @@ fn a_file_with_two_hard_links_is_not_changed_twice() {
     assert_eq!(bench.read("lib/even/model00.osim"), once.read("lib/even/model00.osim"));
     assert_eq!(bench.read("lib/even/second.osim"), once.read("lib/even/model00.osim"));
 }
+
+/// What could not even be listed has failed like a model that cannot be read.
+#[test]
+fn the_last_line_counts_what_could_not_be_listed() {
+    let bench = library(1);
+    for number in 0..3 {
+        std::os::unix::fs::symlink("nowhere", bench.path(&format!("lib/dead{number}.osim"))).unwrap();
+    }
+    bench.run("lib --target-mass 500 -d out").failed().says(&["note: 4 models: 1 written, 3 failed"]);
+}

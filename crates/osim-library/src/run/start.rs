@@ -97,7 +97,7 @@ impl<'r> Run<'r> {
     ) -> Result<Counts, E> {
         let tasks = &self.request.tasks;
         let indices: Vec<usize> = (0..tasks.len()).collect();
-        let mut counts = Counts::default();
+        let mut counts = Counts { failed: self.request.failures.len(), ..Counts::default() };
         let work = |&index: &usize| {
             let outcome = tasks.get(index).map(|task| self.one(front_end, index, task));
             let failed = outcome.as_ref().is_some_and(|outcome| outcome.record.status == Status::Failed);
