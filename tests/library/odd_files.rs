@@ -228,3 +228,18 @@ fn the_last_line_counts_what_could_not_be_listed() {
     }
     bench.run("lib --target-mass 500 -d out").failed().says(&["note: 4 models: 1 written, 3 failed"]);
 }
+
+/// A table names ordinary files. A pipe is there, and is none.
+#[test]
+fn a_pipe_in_a_table_is_not_called_missing() {
+    let bench = library(1);
+    bench.write(
+        "m.csv",
+        "model,output,target-mass\nlib,o.osim,70\n/dev/null,o.osim,70\nnowhere.osim,o.osim,70\n",
+    );
+    bench
+        .run("batch m.csv")
+        .usage()
+        .wrote_nothing()
+        .says(&["this is not an ordinary file: /dev/null", "there is no such file: nowhere.osim"]);
+}
