@@ -243,3 +243,15 @@ fn a_pipe_in_a_table_is_not_called_missing() {
         .wrote_nothing()
         .says(&["this is not an ordinary file: /dev/null", "there is no such file: nowhere.osim"]);
 }
+
+/// The model begins the line; its message does not name it again.
+#[test]
+fn a_model_is_named_once() {
+    let bench = library(1);
+    let path = bench.path("lib/even/model00.osim");
+    let mut permissions = std::fs::metadata(&path).unwrap().permissions();
+    permissions.set_readonly(true);
+    std::fs::set_permissions(&path, permissions).unwrap();
+    let ran = bench.run("set lib/even/model00.osim stiffness=x2 --in-place");
+    ran.failed().says(&["error: lib/even/model00.osim: is write-protected"]);
+}
