@@ -88,7 +88,7 @@ fn columns_of_ones_own_are_in_the_summary() {
     let own = |line: &BTreeMap<String, String>| (line["#subject"].clone(), line["#sex"].clone());
     assert_eq!(own(&found[0]), ("S01".to_owned(), "f, adult".to_owned()));
     assert_eq!(own(&found[1]), ("S02".to_owned(), String::new()));
-    assert!(first.lines().next().unwrap().ends_with(",tool_version,#subject,#sex"), "{first}");
+    assert!(first.lines().next().unwrap().ends_with(",tool_version,folder,#subject,#sex"), "{first}");
     // One JSON object a line has them beside its own.
     bench.run("batch m.csv --summary s.ndjson --quiet --force").done();
     let json: Value = serde_json::from_str(bench.text("s.ndjson").lines().next().unwrap()).unwrap();

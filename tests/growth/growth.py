@@ -46,7 +46,7 @@ VERBS = {
     "transfer": (["transfer", MODEL, "--from", "GENERIC", "-o", OUT], ["forces", "bodies"]),
     "set": (["set", MODEL, "stiffness=x2", "-o", OUT], ["forces", "shared"]),
     "design": (["design", MODEL, "--indentation", "0.1", "-o", OUT], ["forces", "chain+"]),
-    "note": (["note", MODEL, "--contacts-mass", "80", "-o", OUT], ["bodies"]),
+    "note": (["note", MODEL, "--contacts-mass", "80", "-o", OUT], ["bodies", "brackets"]),
     "sweep": (["sweep", MODEL, "--grid", "stiffness=x1,x2", "-d", OUT, "--jobs", "1"], ["forces"]),
     "drop-test": (["drop-test", MODEL, "--duration", "0.01"], ["forces"]),
     "files": (["rescale", "FOLDER", "--target-mass", "500", "-d", OUT, "--summary", "OUT.csv", "--jobs", "1"], ["files"]),

@@ -86,6 +86,12 @@ def sunk_in(n):
     return model(feet(2), spheres(n, foot), some)
 
 
+def brackets(n):
+    """Credits with three n square brackets, where a note could begin: with blanks after them and without."""
+    credits = "see [1], [2]; " * n + "[" * n
+    return model(feet(2), spheres(2, foot), [smooth(i, i) for i in range(2)], f"<credits>{credits}</credits>")
+
+
 KINDS = {
     "forces": forces,
     "spheres": spheres_only,
@@ -99,6 +105,7 @@ KINDS = {
     "shared+": shared_by_all,
     "same name": same_name,
     "findings": sunk_in,
+    "brackets": brackets,
 }
 
 

@@ -218,3 +218,40 @@ fn a_file_with_two_hard_links_is_not_changed_twice() {
     assert_eq!(bench.read("lib/even/model00.osim"), once.read("lib/even/model00.osim"));
     assert_eq!(bench.read("lib/even/second.osim"), once.read("lib/even/model00.osim"));
 }
+
+/// What could not even be listed has failed like a model that cannot be read.
+#[test]
+fn the_last_line_counts_what_could_not_be_listed() {
+    let bench = library(1);
+    for number in 0..3 {
+        symlink("nowhere", bench.path(&format!("lib/dead{number}.osim"))).unwrap();
+    }
+    bench.run("lib --target-mass 500 -d out").failed().says(&["note: 4 models: 1 written, 3 failed"]);
+}
+
+/// A table names ordinary files. A pipe is there, and is none.
+#[test]
+fn a_pipe_in_a_table_is_not_called_missing() {
+    let bench = library(1);
+    bench.write(
+        "m.csv",
+        "model,output,target-mass\nlib,o.osim,70\n/dev/null,o.osim,70\nnowhere.osim,o.osim,70\n",
+    );
+    bench
+        .run("batch m.csv")
+        .usage()
+        .wrote_nothing()
+        .says(&["this is not an ordinary file: /dev/null", "there is no such file: nowhere.osim"]);
+}
+
+/// The model begins the line; its message does not name it again.
+#[test]
+fn a_model_is_named_once() {
+    let bench = library(1);
+    let path = bench.path("lib/even/model00.osim");
+    let mut permissions = std::fs::metadata(&path).unwrap().permissions();
+    permissions.set_readonly(true);
+    std::fs::set_permissions(&path, permissions).unwrap();
+    let ran = bench.run("set lib/even/model00.osim stiffness=x2 --in-place");
+    ran.failed().says(&["error: lib/even/model00.osim: is write-protected"]);
+}

@@ -288,3 +288,134 @@ fn rows_of_a_manifest_may_move() {
     let rows: Vec<&str> = summary.lines().skip(1).map(|line| line.split(',').next().unwrap()).collect();
     assert_eq!(rows, ["2", "3", "4"]);
 }
+
+/// One model is one model, however its name, its output or the folder of the call is spelled.
+#[test]
+fn what_was_done_is_known_by_any_spelling_and_from_any_folder() {
+    let bench = done();
+    let root = bench.path("").display().to_string();
+    let root = root.trim_end_matches('/');
+    for (input, output) in [
+        ("./lib", "./out"),
+        ("lib/../lib", "lib/../out"),
+        (&format!("{root}/lib") as &str, "out"),
+        ("lib", &format!("{root}/out") as &str),
+    ] {
+        let call = format!("{input} --target-mass 500 -d {output} --summary done.csv --resume");
+        bench.run(&call).done().says(&["5 models: 5 done before"]);
+    }
+    let outside = bench.path("elsewhere");
+    std::fs::create_dir(&outside).unwrap();
+    let call = "../lib --target-mass 500 -d ../out --summary ../done.csv --resume";
+    let ran = bench.command(call).current_dir(&outside).output().unwrap();
+    let text = String::from_utf8_lossy(&ran.stderr).into_owned();
+    assert!(ran.status.success() && text.contains("5 done before"), "{text}");
+    resume(&bench).done().says(&["5 done before"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn in_place_a_factor_is_applied_once_by_any_spelling() {
+    let bench = library(3);
+    let call = |folder: &str, more: &str| {
+        format!("set {folder} stiffness=x2 --no-note --no-backup --in-place --summary s.csv{more}")
+    };
+    bench.run(&call("lib", "")).done();
+    std::os::unix::fs::symlink(bench.path("lib"), bench.path("link")).unwrap();
+    let once = crate::library::below(&bench.files(), "lib/");
+    for folder in ["./lib", "link", "lib/odd/../../lib"] {
+        bench.run(&call(folder, " --resume")).done().says(&["3 done before"]);
+        assert!(crate::library::below(&bench.files(), "lib/") == once, "{folder}");
+    }
+}
+
+/// A run over fewer models says nothing about the others: their lines stay.
+#[test]
+fn lines_of_models_that_are_not_in_this_run_stay() {
+    let bench = done();
+    let before = bench.text("done.csv");
+    let lines = |text: &str| {
+        let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+        lines.sort();
+        lines
+    };
+    let part = "lib/even --target-mass 500 -d out/even --summary done.csv --resume";
+    bench.run(part).done().says(&["3 models: 3 done before"]);
+    assert_eq!(lines(&bench.text("done.csv")), lines(&before));
+    // Nothing is known of this output: it fails, and costs no line.
+    bench.write("new/model02.osim", "my work");
+    bench.run("lib/even/model02.osim --target-mass 500 -d new --summary done.csv --resume").failed();
+    let text = bench.text("done.csv");
+    assert!(lines(&before)[..5].iter().all(|line| text.contains(line.as_str())), "{text}");
+    resume(&bench).done().wrote(&["done.csv"]).says(&["5 done before"]);
+}
+
+#[test]
+fn a_share_that_is_not_this_summarys_costs_no_line() {
+    let bench = library(6);
+    let call = |share: &str| format!("lib --target-mass 500 -d out --shard {share} --summary s1.csv");
+    bench.run(&call("1/2")).done();
+    let of_first: Vec<String> = bench.text("s1.csv").lines().skip(1).map(str::to_owned).collect();
+    assert!(!of_first.is_empty() && of_first.len() < 6, "{of_first:?}");
+    bench.run(&format!("{} --resume", call("2/2"))).done();
+    let text = bench.text("s1.csv");
+    assert_eq!(text.lines().count(), 7, "{text}");
+    assert!(of_first.iter().all(|line| text.contains(line.as_str())), "{text}");
+    let before = format!("{} done before", of_first.len());
+    bench.run(&format!("{} --resume", call("1/2"))).done().says(&[&before]);
+}
+
+/// Rows are removed, come back, and change places; the columns of the user's own with them.
+#[test]
+fn rows_of_a_manifest_may_go_and_come_back_and_exchange_their_outputs() {
+    for summary in ["done.csv", "done.ndjson"] {
+        let bench = Bench::with(&[
+            ("table1/human_62kg_smooth_sphere.osim", "a.osim"),
+            ("table1/human_62kg_hunt_crossley.osim", "b.osim"),
+        ]);
+        let call = format!("batch m.csv --summary {summary}");
+        let table = |rows: &str| bench.write("m.csv", format!("#who,model,output,target-mass\n{rows}"));
+        table("me,a.osim,o/x.osim,70\nyou,b.osim,o/y.osim,70\n");
+        bench.run(&call).done().says(&["2 written"]);
+        table("me,a.osim,o/x.osim,70\n");
+        bench.run(&format!("{call} --resume")).done();
+        assert!(bench.text(summary).contains("you"), "{summary}");
+        table("me,a.osim,o/x.osim,70\nyou,b.osim,o/y.osim,70\n");
+        bench.run(&format!("{call} --resume")).done().wrote(&[summary]).says(&["2 done before"]);
+        table("me,a.osim,o/y.osim,70\nyou,b.osim,o/x.osim,70\n");
+        bench.run(&format!("{call} --resume")).done().says(&["2 written"]);
+        bench.run(&format!("{call} --resume")).done().says(&["2 done before"]);
+        let calm = Bench::with(&[("table1/human_62kg_smooth_sphere.osim", "a.osim")]);
+        calm.run("a.osim --target-mass 70 -o o/y.osim").done();
+        assert_eq!(bench.read("o/y.osim"), calm.read("o/y.osim"));
+    }
+}
+
+/// A corrected factor would come on top of the one before.
+#[test]
+fn in_place_another_factor_is_not_applied_on_top() {
+    let bench = Bench::with(&[("table1/human_62kg_smooth_sphere.osim", "a.osim")]);
+    let table =
+        |factor: &str| bench.write("m.csv", format!("model,verb,set\na.osim,set,stiffness={factor}\n"));
+    let call = "batch m.csv --in-place --summary done.csv";
+    table("x2");
+    bench.run(call).done();
+    let (twice, backup) = (bench.read("a.osim"), bench.read("a.osim.bak"));
+    table("x3");
+    for _ in 0..2 {
+        bench
+            .run(&format!("{call} --resume"))
+            .failed()
+            .says(&["an earlier run changed this model", "--force"]);
+        assert_eq!(bench.read("a.osim"), twice);
+    }
+    // Back to what it was: the same change has its line still.
+    table("x2");
+    bench.run(&format!("{call} --resume")).done();
+    table("x3");
+    bench.write("a.osim", backup);
+    bench.run(&format!("{call} --resume")).done();
+    let text = bench.text("a.osim");
+    // The fixture's stiffness is 1e6 N/m2.
+    assert!(text.contains("<stiffness>3000000</stiffness>"), "{text}");
+}

@@ -12,7 +12,10 @@ pub(crate) fn text(failure: &Failure, words: Words) -> String {
         (Some(line), Some(column)) => format!("{}:{line}:{column}", failure.model),
         _ => failure.model.to_string(),
     };
-    let line = format!("error: {place}: {}\n", failure.message.spelled(words));
+    let message = failure.message.spelled(words);
+    // Messages about outputs name them. Where that is the model, it is named already.
+    let message = message.strip_prefix(&format!("{} ", failure.model)).unwrap_or(&message);
+    let line = format!("error: {place}: {message}\n");
     match &failure.excerpt {
         Some(excerpt) => format!("{line}{}\n", snippet(excerpt)),
         None => line,

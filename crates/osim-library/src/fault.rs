@@ -34,6 +34,15 @@ impl LibraryFault {
         ])
     }
 
+    /// A model holds what an earlier run wrote by other options. A factor would come on top of the one before.
+    pub(crate) fn changed_before() -> Self {
+        Self::new(phrase![
+            "an earlier run changed this model by other options, and this change would come on top of that: bring back \
+             what it was before, or change it once more with ",
+            Input::Force,
+        ])
+    }
+
     /// The same, after what could not be done because of it.
     #[must_use]
     pub fn within(self, what: impl Display) -> Self {

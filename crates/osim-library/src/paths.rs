@@ -27,6 +27,17 @@ pub fn resolved(path: &Path) -> PathBuf {
     real
 }
 
+/// The way from one folder to another, both [`resolved`]: `.` where they are one. The other itself where it is on another drive.
+pub(crate) fn way(from: &Path, to: &Path) -> PathBuf {
+    let same = from.components().zip(to.components()).take_while(|(from, to)| from == to).count();
+    if same == 0 {
+        return to.to_owned();
+    }
+    let up = from.components().skip(same).map(|_| Component::ParentDir);
+    let way: PathBuf = up.chain(to.components().skip(same)).collect();
+    if way.as_os_str().is_empty() { Path::new(".").to_owned() } else { way }
+}
+
 /// The folder of a file: `.` for a bare name.
 #[must_use]
 pub fn folder_of(path: &Path) -> &Path {
@@ -58,6 +69,15 @@ impl Resolver {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_way_from_a_folder_leads_up_and_down() {
+        for (from, to, expected) in
+            [("/a/b", "/a/b", "."), ("/a", "/a/b/c", "b/c"), ("/a/b/c", "/a/d", "../../d")]
+        {
+            assert_eq!(way(Path::new(from), Path::new(to)), Path::new(expected), "{from} {to}");
+        }
+    }
 
     #[test]
     fn a_way_through_a_folder_that_does_not_exist_leads_to_the_same_file() {

@@ -153,3 +153,40 @@ fn a_file_is_heeded_where_opensim_heeds_it() {
         assert_eq!(included(ignored), [""; 0], "{ignored}");
     }
 }
+
+/// OpenSim 4.6 refuses each of these models ("is not a value element"), and reads a comment behind the text.
+#[test]
+fn a_path_or_a_place_with_something_inside_is_refused() {
+    let whole = include_str!("../../../fixtures/table1/human_62kg_smooth_sphere.osim");
+    for tag in ["socket_frame", "socket_sphere", "socket_half_space", "socket_parent_frame", "mass_center"] {
+        let (open, close) = (format!("<{tag}>"), format!("</{tag}>"));
+        let Some((before, rest)) = whole.split_once(&open) else { panic!("{tag}") };
+        let (text, after) = rest.split_once(&close).unwrap();
+        let (first, last) = text.split_at(text.len() - 1);
+        for inside in ["<!-- c -->", "<?p x?>"] {
+            let model = format!("{before}{open}{first}{inside}{last}{close}{after}");
+            assert_eq!(Model::parse(model).unwrap_err().code(), "broken-text", "{tag} {inside}");
+        }
+        let model = format!("{before}{open}{text}<!-- c -->{close}{after}");
+        assert!(Model::parse(model).is_ok(), "{tag}");
+    }
+}
+
+#[test]
+fn a_transition_velocity_that_is_no_number_is_found_in_the_older_class_too() {
+    let older = include_str!("../../../fixtures/table1/human_62kg_hunt_crossley.osim");
+    let tag = "<transition_velocity>";
+    let (before, rest) = older.split_once(tag).unwrap();
+    let after = &rest[rest.find('<').unwrap()..];
+    for (text, code) in [
+        ("nan", "not-finite"),
+        ("inf", "not-finite"),
+        ("-1", "out-of-domain"),
+        ("0.<!-- c -->17", "odd-number"),
+        ("<x/>0.17", "odd-number"),
+    ] {
+        let model = Model::parse(format!("{before}{tag}{text}{after}")).unwrap();
+        let found: Vec<_> = model.warnings.iter().map(|finding| finding.code.as_str()).collect();
+        assert!(found.contains(&code), "{text}: {found:?}");
+    }
+}

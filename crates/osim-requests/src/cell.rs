@@ -49,10 +49,16 @@ pub fn marked(text: &str) -> Cow<'_, str> {
     }
 }
 
+/// The text of a cell that [`marked`] wrote.
+#[must_use]
+pub fn unmarked(cell: &str) -> &str {
+    cell.strip_prefix(TEXT_MARK).filter(|text| is_formula(text)).unwrap_or(cell)
+}
+
 /// The text of a cell that [`cell`] wrote.
 #[must_use]
 pub fn from_cell(cell: &str) -> Cow<'_, str> {
-    let text = cell.strip_prefix(TEXT_MARK).filter(|text| is_formula(text)).unwrap_or(cell);
+    let text = unmarked(cell);
     let mut pieces = text.split(ESCAPE);
     let first = pieces.next().unwrap_or_default();
     if first.len() == text.len() {

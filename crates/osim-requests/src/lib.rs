@@ -56,7 +56,7 @@ mod unique;
 
 pub use before_after::BeforeAfter;
 pub use calculator::{DesignFigure, DesignLimit, DesignQuantity, DesignSheet};
-pub use cell::{cell, from_cell, marked};
+pub use cell::{cell, from_cell, marked, unmarked};
 pub use drop_test::{ComparedDrop, DropColumn, DropFigure, DropResult, DropRow};
 pub use fault::{RequestError, RequestFault};
 pub use fit::FitResult;

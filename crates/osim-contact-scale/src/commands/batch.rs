@@ -79,7 +79,8 @@ fn task(
         return Err(RowFault::of(column, "a folder, expected one model per row"));
     }
     if !row.model.is_file() {
-        let message = format!("there is no such file: {}", row.model.display());
+        let why = if row.model.exists() { "this is not an ordinary file" } else { "there is no such file" };
+        let message = format!("{why}: {}", row.model.display());
         return Err(RowFault::of(column, message));
     }
     let settings = settings(table, row, known)?;

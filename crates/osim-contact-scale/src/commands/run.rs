@@ -188,5 +188,6 @@ fn summary(counts: &Counts, options: &RunOptions, words: Words) -> String {
         (true, None) => "; stopped".to_owned(),
     };
     let parts = if parts.is_empty() { "none done".to_owned() } else { parts.join(", ") };
-    format!("note: {all} models: {parts}{stopped}\n")
+    let models = if all == 1 { "model" } else { "models" };
+    format!("note: {all} {models}: {parts}{stopped}\n")
 }

@@ -207,7 +207,12 @@ impl<'m> Remedies<'m> {
     /// Writes values into one force.
     pub(super) fn copy(&self, force: &str, values: &[(Property, f64)]) -> Option<Remedy> {
         let selection = &self.options.selection;
-        if !selection.select.is_empty() || force.contains(['*', '?', '[', ']', '{', '}', '\\', '!']) {
+        // A value that nobody may set is no repair of the other side.
+        let can_be_set = values.iter().all(|(property, value)| property.allows(*value));
+        if !can_be_set
+            || !selection.select.is_empty()
+            || force.contains(['*', '?', '[', ']', '{', '}', '\\', '!'])
+        {
             return None;
         }
         let assignments = values.iter().map(|(property, value)| (*property, Assignment::Value(*value)));

@@ -58,18 +58,20 @@ impl<F: FrontEnd> ModelJob<'_, F> {
             if !self.context.previous.is_empty() {
                 let previous = self.context.previous.of(task, input, record);
                 match previous.map_err(|fault| fault.of_model(loaded.files.name().clone(), "output"))? {
-                    Previous::Holds(mut record) => {
-                        record.row = task.row;
-                        record.remarks.clone_from(&task.remarks);
+                    Previous::Holds(record) => {
                         let shown = self.show_again(loaded, &record, (detail, &inputs));
                         return Ok(Outcome { record: *record, earlier: true, shown, failure: None });
                     }
                     Previous::Outdated => force = true,
+                    Previous::Changed if !force => {
+                        let fault = LibraryFault::changed_before();
+                        return Err(fault.of_model(loaded.files.name().clone(), "output"));
+                    }
                     Previous::Edited(path) if !force && !self.context.run.dry_run => {
                         let fault = LibraryFault::edited(&path);
                         return Err(fault.of_model(loaded.files.name().clone(), "output"));
                     }
-                    Previous::Edited(_) | Previous::Unknown => {}
+                    Previous::Edited(_) | Previous::Changed | Previous::Unknown => {}
                 }
             }
         }
@@ -197,6 +199,7 @@ impl<F: FrontEnd> ModelJob<'_, F> {
     ) -> Result<Written, LibraryFault> {
         if self.context.run.dry_run {
             record.status = Status::DryRun;
+            self.context.previous.keep_digests(record);
             return Ok(Written::Nothing("dry run: nothing written"));
         }
         let to_stdout = self.task.destination == Destination::Stdout;

@@ -1,8 +1,12 @@
 //! What an earlier run has done, and whether that is still so.
+//!
+//! A line is known by the file that it is about, however that is spelled: from another folder, absolutely, through a link.
 
 use std::cell::LazyCell;
+use std::collections::HashSet;
 use std::hash::{BuildHasher, BuildHasherDefault, DefaultHasher};
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
 
 use osim_model::wording::{Input, phrase};
 use osim_requests::options::RunOptions;
@@ -15,28 +19,29 @@ use crate::digest::sha256;
 use crate::door;
 use crate::fault::LibraryFault;
 use crate::partial::Partial;
+use crate::paths::{Resolver, folder_of, resolved};
 
 /// Records of earlier runs: of each only where its line is, so that a million of them take no more than their places.
 #[derive(Default)]
 pub(super) struct PreviousRun {
     /// The summary and the partial one, oldest first.
     files: Vec<PreviousLines>,
-    /// Sorted. Several of one model: a run that was killed while it replaced an output left what it was about to write beside
+    /// Sorted. Several of one file: a run that was killed while it replaced an output left what it was about to write beside
     /// what an earlier one wrote. The latest is last.
     places: Vec<LinePlace>,
+    /// The folder of the summary.
+    folder: PathBuf,
+    paths: Mutex<Resolver>,
 }
 
 /// Where the line of a record is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct LinePlace {
-    /// Of the key. Others may have the same: the line says whose it is.
+    /// Of its file. Others may have the same: the line says whose it is.
     hash: u64,
     file: usize,
     offset: u64,
 }
-
-/// Model and output. Rows of a manifest may move, and no two of them write one output.
-type Key<'r> = (&'r str, Option<&'r str>);
 
 /// What an earlier run means for a model now.
 pub(super) enum Previous {
@@ -46,6 +51,8 @@ pub(super) enum Previous {
     Holds(Box<Record>),
     /// The output is what that run wrote, but it would be another now.
     Outdated,
+    /// The model was changed itself, and would be changed otherwise now.
+    Changed,
     /// This output is there, and no run wrote it like that.
     Edited(PathBuf),
 }
@@ -60,6 +67,7 @@ impl PreviousRun {
         let mut done = Self::default();
         let Some(path) = options.summary.as_ref().filter(|_| options.resume) else { return Ok(done) };
         let form = Form::of(path)?;
+        done.folder = resolved(folder_of(path));
         // Oldest first. Only the partial one may end in the middle of a line: a whole one gets its name in one step.
         for (path, may_be_cut) in [(path.clone(), false), (Partial::path_of(path), true)] {
             if path.exists() {
@@ -78,9 +86,11 @@ impl PreviousRun {
     ) -> Result<(), LibraryFault> {
         let mut lines = PreviousLines::open(path, form, may_be_cut)?;
         let file = self.files.len();
+        let mut places = Vec::new();
         lines.each(own, |offset, record| {
-            self.places.push(LinePlace { hash: hash(key(record)), file, offset });
+            places.push(LinePlace { hash: hash(&self.file_of(record)), file, offset })
         })?;
+        self.places.append(&mut places);
         self.files.push(lines);
         self.places.sort_unstable();
         Ok(())
@@ -90,16 +100,32 @@ impl PreviousRun {
         self.places.is_empty()
     }
 
-    /// The records of the model and output of `now`, the latest last.
+    /// The file that a line is about: its output, or the model where nothing is written. Rows of a manifest may move and take
+    /// other models, and no two of them write one output.
+    fn file_of(&self, record: &Record) -> PathBuf {
+        self.real(record, record.output.as_deref().unwrap_or(&record.model))
+    }
+
+    /// A file that is named in a line.
+    fn real(&self, record: &Record, name: &str) -> PathBuf {
+        let path = match &record.folder {
+            Some(folder) => self.folder.join(folder).join(name),
+            None => PathBuf::from(name),
+        };
+        self.paths.lock().map_or_else(|_| resolved(&path), |mut paths| paths.resolved(&path))
+    }
+
+    /// The records of the file of `now`, the latest last.
     fn records(&self, now: &Record) -> Result<Vec<Record>, LibraryFault> {
-        let hash = hash(key(now));
+        let file = self.file_of(now);
+        let hash = hash(&file);
         let start = self.places.partition_point(|place| place.hash < hash);
         let same = self.places.iter().skip(start).take_while(|place| place.hash == hash);
         let mut found = Vec::new();
         for place in same {
             let Some(lines) = self.files.get(place.file) else { continue };
             let record = lines.at(place.offset)?;
-            if key(&record) == key(now) {
+            if self.file_of(&record) == file {
                 found.push(record);
             }
         }
@@ -109,12 +135,54 @@ impl PreviousRun {
     /// Keeps in `record`, of a model that was not done, what an earlier run left as its output: a later run that goes on
     /// still knows it for ours.
     pub(super) fn left_behind(&self, record: &mut Record) {
+        if let Some(wrote) = self.last_written(record) {
+            *record = wrote.left_behind(record);
+        }
+    }
+
+    /// The same of a model whose change is only shown.
+    pub(super) fn keep_digests(&self, record: &mut Record) {
+        if let Some(wrote) = self.last_written(record) {
+            record.sha256_input = wrote.sha256_input;
+            record.sha256_output = wrote.sha256_output;
+            record.sha256_geometry_output = wrote.sha256_geometry_output;
+            record.sha256_settings = wrote.sha256_settings;
+        }
+    }
+
+    fn last_written(&self, now: &Record) -> Option<Record> {
         // A line that was read once and cannot be read again says nothing.
-        let records = self.records(record).unwrap_or_default();
-        let last =
-            |digest: fn(&Record) -> &Option<String>| records.iter().rev().find_map(|r| digest(r).clone());
-        record.sha256_output = last(|record| &record.sha256_output);
-        record.sha256_geometry_output = last(|record| &record.sha256_geometry_output);
+        let records = if self.is_empty() { Vec::new() } else { self.records(now).unwrap_or_default() };
+        records.into_iter().rev().find(|record| record.sha256_output.is_some())
+    }
+
+    /// Calls `each` with the records of files that are not those of `tasks`, the latest last. What failed and left nothing is
+    /// forgotten.
+    ///
+    /// # Errors
+    /// The summary cannot be read any more, or what `each` says.
+    pub(super) fn of_others(
+        &self,
+        tasks: &[Task],
+        mut each: impl FnMut(Record) -> Result<(), LibraryFault>,
+    ) -> Result<(), LibraryFault> {
+        if self.is_empty() {
+            return Ok(());
+        }
+        let here: HashSet<u64> =
+            tasks.iter().map(|task| hash(&self.file_of(&Record::of_task(task)))).collect();
+        let mut others: Vec<LinePlace> =
+            self.places.iter().filter(|place| !here.contains(&place.hash)).copied().collect();
+        others.sort_unstable_by_key(|place| (place.file, place.offset));
+        for place in others {
+            let Some(lines) = self.files.get(place.file) else { continue };
+            let record = lines.at(place.offset)?;
+            let left = matches!(record.status, Status::Unchanged | Status::NoContacts);
+            if left || record.sha256_output.is_some() {
+                each(record)?;
+            }
+        }
+        Ok(())
     }
 
     /// What was recorded for `task`, compared with `now`: the model's digest and its settings.
@@ -128,21 +196,28 @@ impl PreviousRun {
         }
         // What is there is read only where it decides.
         let there = LazyCell::new(|| Outputs::of(task, input));
+        let in_place = task.settings.in_place;
+        let model = self.real(now, &now.model);
+        let same_model = |record: &Record| self.real(record, &record.model) == model;
         let holds = |record: &&Record| {
             let same_settings =
                 record.sha256_settings == now.sha256_settings && record.tool_version == now.tool_version;
             let same_input = record.sha256_input.as_deref() == Some(input);
             same_settings
+                && same_model(record)
                 && match record.status {
                     Status::Unchanged | Status::NoContacts => same_input,
-                    // A model changed itself is its own output: what it was before is gone.
-                    Status::Written => (same_input || task.settings.in_place) && there.are_of(record),
-                    Status::DryRun | Status::Failed | Status::NotBegun => false,
+                    // A model changed itself is its own output: what it was before is gone. A line of a run that did not
+                    // come to a model says what was written before that.
+                    _ => (same_input || in_place) && there.are_of(record),
                 }
         };
+        let changed_itself =
+            |record: &Record| record.sha256_output.as_deref() == Some(input) && same_model(record);
         Ok(match records.iter().rev().find(holds) {
-            Some(record) => Previous::Holds(Box::new(record.clone())),
-            None if task.settings.in_place => Previous::Unknown,
+            Some(record) => Previous::Holds(Box::new(record.clone().named_as(now).still_written())),
+            None if in_place && records.iter().any(changed_itself) => Previous::Changed,
+            None if in_place => Previous::Unknown,
             None => match there.foreign(task, &records) {
                 Some(path) => Previous::Edited(path.to_owned()),
                 None => Previous::Outdated,
@@ -161,12 +236,8 @@ fn cannot_go_on(path: &Path, fault: &LibraryFault) -> LibraryFault {
     LibraryFault::new(message)
 }
 
-fn key(record: &Record) -> Key<'_> {
-    (&record.model, record.output.as_deref())
-}
-
-fn hash(key: Key<'_>) -> u64 {
-    BuildHasherDefault::<DefaultHasher>::default().hash_one(key)
+fn hash(file: &Path) -> u64 {
+    BuildHasherDefault::<DefaultHasher>::default().hash_one(file)
 }
 
 /// Digests of the files that are there under the names of a task's outputs.

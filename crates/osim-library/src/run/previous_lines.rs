@@ -81,7 +81,10 @@ impl PreviousLines {
             .read_record(&mut row)
             .map_err(said)?;
         let record: Record = row.deserialize(Some(&self.header)).map_err(said)?;
-        Ok(record.from_cells())
+        let cells = self.header.iter().zip(&row).map(|(name, text)| (from_cell(name), from_cell(text)));
+        let remarks = cells.filter(|(name, _)| name.starts_with('#'));
+        let remarks = remarks.map(|(name, text)| (name.into_owned(), text.into_owned())).collect();
+        Ok(Record { remarks, ..record.from_cells() })
     }
 }
 

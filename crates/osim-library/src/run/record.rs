@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use osim_model::Property;
 use osim_model::files::{Failure, FileName};
 use osim_patch::Plan;
-use osim_requests::{cell, from_cell, marked};
+use osim_requests::{cell, from_cell, marked, unmarked};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -161,6 +161,8 @@ pub struct Record {
     pub sha256_settings: Option<String>,
     /// Version of the program.
     pub tool_version: String,
+    /// The folder where the names of model and output begin, seen from the folder of the summary.
+    pub folder: Option<String>,
 }
 
 /// A record as NDJSON has it: beside it the bytes of names that are not text.
@@ -289,13 +291,46 @@ impl Record {
         Self { error, ..self.with_names(|name| cell(name).into_owned()) }
     }
 
-    /// The record of a table with its names as they were.
+    /// The record of a table with its texts as they were.
     pub(super) fn from_cells(&self) -> Self {
-        self.with_names(|name| from_cell(name).into_owned())
+        let error = self.error.as_deref().map(|text| unmarked(text).to_owned());
+        Self { error, ..self.with_names(|name| from_cell(name).into_owned()) }
     }
 
     fn with_names(&self, change: impl Fn(&str) -> String) -> Self {
         Self { model: change(&self.model), output: self.output.as_deref().map(&change), ..self.clone() }
+    }
+
+    /// The same outcome of the same files, by the names and in the row that they have in `now`.
+    pub(super) fn named_as(self, now: &Self) -> Self {
+        Self {
+            row: now.row,
+            model: now.model.clone(),
+            model_bytes: now.model_bytes.clone(),
+            remarks: now.remarks.clone(),
+            output: now.output.clone(),
+            output_bytes: now.output_bytes.clone(),
+            folder: now.folder.clone(),
+            ..self
+        }
+    }
+
+    /// As if this outcome had been the last: what was written is there.
+    pub(super) fn still_written(self) -> Self {
+        let status = if self.sha256_output.is_some() { Status::Written } else { self.status };
+        Self { status, error_code: None, error: None, line: None, column: None, ..self }
+    }
+
+    /// What an earlier run wrote, which is still there, in a line that says how this run ended.
+    pub(super) fn left_behind(self, now: &Self) -> Self {
+        Self {
+            status: now.status,
+            error_code: now.error_code.clone(),
+            error: now.error.clone(),
+            line: now.line,
+            column: now.column,
+            ..self.named_as(now)
+        }
     }
 
     pub(super) fn failed(&mut self, failure: &Failure) {

@@ -103,7 +103,7 @@ impl<'r> Run<'r> {
     ) -> Result<Counts, E> {
         let tasks = &self.request.tasks;
         let indices: Vec<usize> = (0..tasks.len()).collect();
-        let mut counts = Counts::default();
+        let mut counts = Counts { failed: self.request.failures.len(), ..Counts::default() };
         let work = |&index: &usize| {
             let outcome = tasks.get(index).map(|task| self.one(front_end, index, task));
             let failed = outcome.as_ref().is_some_and(|outcome| outcome.record.status == Status::Failed);
@@ -137,9 +137,7 @@ impl<'r> Run<'r> {
     /// It could not be written.
     pub fn finish(self) -> Result<(), LibraryFault> {
         let Context { journal, previous, .. } = self.context;
-        // Windows puts no file into the place of one that is open.
-        drop(previous);
-        journal.map_or(Ok(()), Journal::finish)
+        journal.map_or(Ok(()), |journal| journal.finish(previous, &self.request.tasks))
     }
 
     /// What a run that was killed left of models that it changed themselves, where it had to be kept: a line for each.

@@ -110,6 +110,25 @@ impl Components {
         of(own).or_else(|| of(document.defaults_of(own)?))
     }
 
+    /// # Errors
+    /// The text of a socket, or of a place, with something in the middle of it, which OpenSim refuses.
+    pub(crate) fn check_texts(&self) -> Result<(), Fault> {
+        let is_checked = |tag: &str| {
+            ["socket_", "connector_"].iter().any(|spelling| tag.starts_with(spelling))
+                || ["mass_center", "body_name"].contains(&tag)
+        };
+        for (id, _) in self.tree.iter() {
+            let document = self.doc(id);
+            for child in document.tree().children(self.element(id)) {
+                if is_checked(document.tree().name(child)) {
+                    let said = |fault: Fault| fault.of(self.tree.path(id)).in_file(self.file_of(id));
+                    document.whole_text(child).map_err(said)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
     fn connectee_of(
         &self,
         document: &Document,

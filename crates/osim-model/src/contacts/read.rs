@@ -53,6 +53,7 @@ impl<'r> ContactReader<'r> {
 
     /// All spheres first, then all forces, each in file order.
     pub(crate) fn read(&mut self) -> Result<(), Fault> {
+        self.components.check_texts()?;
         for (id, _) in self.components.tree.iter() {
             if self.components.tag(id) == "ContactSphere" {
                 self.add_sphere(id)?;
@@ -150,7 +151,7 @@ impl<'r> ContactReader<'r> {
         element: ElementId,
         found: Option<ComponentId>,
     ) {
-        let path = found.map(|id| self.components.tree.path(id)).unwrap_or_default();
+        let path = found.map_or_else(|| "/ground".to_owned(), |id| self.components.tree.path(id));
         let line = self.components.doc(owner).line(self.components.doc(owner).tree().span(element).start);
         let whose = self.components.tree.path(owner);
         let text = format!("'{text}' of {whose} leads nowhere; took {path}, the only one of that name");

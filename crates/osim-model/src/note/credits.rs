@@ -9,7 +9,7 @@ use super::grammar::{BEGINS, ENDS, NAMES};
 use crate::document::Document;
 use crate::fault::{Fault, FaultKind};
 use osim_xml::ElementId;
-use osim_xml::opensim_text::words;
+use osim_xml::opensim_text::{is_white, words};
 
 /// Between what was there and the note, and between authors.
 const AND: &str = "; ";
@@ -78,7 +78,7 @@ impl<'d> Credits<'d> {
     /// What comes before and after the note that is there.
     fn without_note(&self) -> Vec<&'d str> {
         // People and their programs break lines where the note has a blank.
-        let begins = |at: usize| self.raw.get(at..).is_some_and(|rest| condensed(rest).starts_with(BEGINS));
+        let begins = |at: usize| self.raw.get(at..).is_some_and(begins_a_note);
         let found = self.raw.rmatch_indices('[').map(|(at, _)| at).find(|&at| begins(at));
         let around = found.and_then(|at| {
             let (before, rest) = self.raw.split_at(at);
@@ -92,6 +92,18 @@ impl<'d> Credits<'d> {
         });
         around.unwrap_or([self.raw, ""]).into_iter().filter(|part| !part.is_empty()).collect()
     }
+}
+
+/// Whether `text` begins like a note, with any white space where the note has a blank. No more of it is read than that takes.
+fn begins_a_note(text: &str) -> bool {
+    let behind = BEGINS.chars().try_fold(text, |rest, letter| {
+        if letter != ' ' {
+            return rest.strip_prefix(letter);
+        }
+        let behind = rest.trim_start_matches(is_white);
+        (behind.len() < rest.len()).then_some(behind)
+    });
+    behind.is_some_and(|behind| !behind.is_empty())
 }
 
 /// With single blanks, as OpenSim reads and writes it.

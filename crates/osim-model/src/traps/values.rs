@@ -1,7 +1,7 @@
 //! Numbers that OpenSim reads otherwise than they look, or computes nonsense from.
 
 use crate::class::Class;
-use crate::contacts::SetId;
+use crate::contacts::{ForceKind, SetId};
 use crate::fault::FileId;
 use crate::finding::{Finding, FindingCode};
 use crate::model::Model;
@@ -14,8 +14,10 @@ use osim_xml::opensim_text::is_plain_triple;
 pub(super) fn numbers(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
     let parameters = model.forces().iter().flat_map(|force| {
+        // Of the older class, what is not in its sets.
+        let beside = (force.kind == ForceKind::HuntCrossley).then_some(&force.transition_velocity);
         let own = force.sets.iter().flat_map(|set| &set.values);
-        own.map(move |value| (force.path.as_str(), force.file, value))
+        own.chain(beside).map(move |value| (force.path.as_str(), force.file, value))
     });
     let radii = model.spheres().iter().map(|sphere| (sphere.path.as_str(), sphere.file, &sphere.radius));
     let masses = model.bodies().iter().map(|body| (body.path.as_str(), body.file, &body.mass));
