@@ -176,7 +176,7 @@ fn a_table_finds_the_files_that_a_summary_names() {
         summary.lines().nth(1).is_some_and(|line| line.starts_with(&format!(",{model},out/{model},"))),
         "{summary}"
     );
-    bench.write("rows.csv", format!("model,target-mass\n{model},120\n"));
+    bench.write("rows.csv", format!("model,target-mass\n{model},90\n"));
     bench.run("batch rows.csv -d out --force").done().wrote(&[output]);
     bench.run_words(&["sweep", name, "--grid", "stiffness=x2", "-d", "swept"]);
     let table = bench.files().into_keys().find(|file| file.starts_with("swept/") && file.ends_with(".csv"));

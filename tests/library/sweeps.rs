@@ -76,7 +76,7 @@ fn a_file_that_somebody_edited_is_left_alone() {
     bench.write(ONE, "my work");
     for _ in 0..2 {
         resume(&bench).failed().says(&[
-            &format!("{ONE} is not what an earlier run wrote, so it stays"),
+            &format!("{ONE}: is not what an earlier run wrote, so it stays"),
             "--force",
             "5 done before",
         ]);

@@ -195,7 +195,7 @@ fn no_model_is_written_over() {
     assert!(rescale(&a, "output", &a, &RunOptions::default()).is_err());
     // The whole folder into itself: what is written into is never read, so nothing is left to be done.
     let ran = rescale(&models, "output_dir", &models, &RunOptions::default()).unwrap();
-    assert_eq!((ran.counts, ran.failures), (Counts::default(), 1));
+    assert_eq!((ran.counts.written, ran.counts.failed, ran.failures), (0, 1, 1));
     // Onto another file that is there already: that model fails.
     let there = folder.path().join("there.osim");
     std::fs::write(&there, "something else").unwrap();

@@ -94,6 +94,12 @@ impl Document {
         self.data_root
     }
 
+    /// Whether it holds a whole model, and no set that stands alone.
+    #[must_use]
+    pub fn is_model(&self) -> bool {
+        self.tree.name(self.data_root()) == "Model"
+    }
+
     /// The `<defaults>` of the document, if it has any.
     #[must_use]
     pub fn defaults(&self) -> Option<ElementId> {

@@ -38,6 +38,9 @@ pub struct Model {
 }
 
 impl Model {
+    /// OpenSim's `gravity` where a model gives none, m/s².
+    pub(crate) const DEFAULT_GRAVITY: [f64; 3] = [0.0, -9.80665, 0.0];
+
     /// Contact spheres, in file order.
     #[must_use]
     pub fn spheres(&self) -> &[Sphere] {

@@ -10,9 +10,6 @@ use crate::note::{Note, NotesFound};
 use crate::skeleton::Skeleton;
 use crate::traps;
 
-/// OpenSim's `gravity` where a model gives none, m/s².
-pub(crate) const DEFAULT_GRAVITY: [f64; 3] = [0.0, -9.80665, 0.0];
-
 impl Model {
     /// Reads a model from the bytes of one file.
     ///
@@ -46,14 +43,15 @@ impl Model {
         let ContactReader { spheres, forces, warnings, .. } = reader;
         let (document, companions) = (components.main(), components.companions());
         let all = std::iter::once(document).chain(companions.iter().map(|companion| &companion.document));
-        let gravity = match all.clone().find(|document| is_model(document)) {
+        let gravity = match all.clone().find(|document| document.is_model()) {
             Some(document) => document
                 .whole_triple(document.data_root(), "gravity")
                 .map_err(|fault| fault.located(document.bytes()))?,
             None => None,
         };
-        let gravity_m_s2 =
-            gravity.or(Some(DEFAULT_GRAVITY)).filter(|gravity| gravity.iter().all(|value| value.is_finite()));
+        let gravity_m_s2 = gravity
+            .or(Some(Self::DEFAULT_GRAVITY))
+            .filter(|gravity| gravity.iter().all(|value| value.is_finite()));
         let name = document.tree().attribute(document.data_root(), "name").unwrap_or_default().into_owned();
         let notes = NotesFound::of(document)?;
         let named = |companion: &Companion| {
@@ -99,7 +97,7 @@ impl Model {
         let ours = self.note.as_ref().map(|note| note.digest.as_str());
         let beside = self.components.companions().iter();
         let beside = beside
-            .filter(|companion| companion.included_by.is_none() && !is_model(&companion.document))
+            .filter(|companion| companion.included_by.is_none() && !companion.document.is_model())
             .filter(|companion| Note::find(&companion.document).map(|note| note.digest).as_deref() != ours)
             .count();
         for _ in 0..beside {
@@ -107,10 +105,6 @@ impl Model {
             self.warnings.push(Finding::new(FindingCode::MixedPair, NoteDoubt::MixedPair.as_str()));
         }
     }
-}
-
-pub(crate) fn is_model(document: &Document) -> bool {
-    document.tree().name(document.data_root()) == "Model"
 }
 
 fn check_data_root(document: &Document, alone: bool) -> Result<(), Fault> {

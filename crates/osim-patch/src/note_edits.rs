@@ -18,7 +18,7 @@ const OPENED: [(char, &str); 2] = [('s', "<credits/>"), ('b', "<credits />")];
 
 /// Whether `document` keeps its note in credits that it does not have yet.
 pub(crate) fn adds_credits(document: &Document) -> bool {
-    is_model(document) && matches!(Credits::of(document), Ok(None))
+    document.is_model() && matches!(Credits::of(document), Ok(None))
 }
 
 /// `made` of an earlier note and what a note in the model adds; `followed` as of [`sizes`].
@@ -82,7 +82,7 @@ pub(crate) fn sizes(model: &Model, followed: Option<&BTreeSet<SphereId>>) -> Vec
 pub(crate) fn leave(document: &Document, note: &Note) -> Vec<Edit> {
     let (tree, root) = (document.tree(), document.data_root());
     let comment = Note::comment_span(document);
-    if !is_model(document) {
+    if !document.is_model() {
         let text = note.comment();
         return vec![match comment {
             Some(span) => Edit { span, text },
@@ -151,8 +151,4 @@ fn without(tree: &Tree, span: Range<usize>) -> Edit {
 
 fn contains_only_text(tree: &Tree, element: ElementId) -> bool {
     tree.content(element).all(|piece| piece.kind == PieceKind::Text)
-}
-
-fn is_model(document: &Document) -> bool {
-    document.tree().name(document.data_root()) == "Model"
 }

@@ -11,8 +11,8 @@ const ESCAPE: &str = "\\u{";
 
 /// The text as a cell of CSV, from which [`from_cell`] makes the text again.
 ///
-/// Control characters, line ends and marks that turn the direction of writing are `\u{1b}`: whoever prints the table, with `cat`
-/// for example, sees them, and each record is one line. A text that would look like that itself begins with `\u{5c}`, which is
+/// Control characters, line ends and marks that turn the direction of writing are `\u{1b}`: who prints the table, with `cat` for
+/// example, sees them, and each record is one line. A text that would look like that itself begins with `\u{5c}`, which is
 /// the `\`. What spreadsheets would run is [`marked`].
 ///
 /// ```

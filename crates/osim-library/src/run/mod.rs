@@ -7,6 +7,7 @@ mod changed;
 mod conflicts;
 mod context;
 mod destination;
+mod form;
 mod front_end;
 mod inside;
 mod journal;

@@ -11,7 +11,7 @@ use std::sync::Mutex;
 use osim_model::wording::{Input, phrase};
 use osim_requests::options::RunOptions;
 
-use super::journal::Form;
+use super::form::Form;
 use super::previous_lines::PreviousLines;
 use super::record::{Record, Status};
 use super::task::Task;
@@ -88,7 +88,7 @@ impl PreviousRun {
         let file = self.files.len();
         let mut places = Vec::new();
         lines.each(own, |offset, record| {
-            places.push(LinePlace { hash: hash(&self.file_of(record)), file, offset })
+            places.push(LinePlace { hash: hash(&self.file_of(record)), file, offset });
         })?;
         self.places.append(&mut places);
         self.files.push(lines);

@@ -8,7 +8,7 @@ use std::sync::Mutex;
 use osim_model::wording::shown;
 use osim_requests::from_cell;
 
-use super::journal::{Form, header_line};
+use super::form::{Form, header_line};
 use super::record::{JsonRecord, Record};
 use crate::door;
 use crate::fault::{Context, LibraryFault};
@@ -84,7 +84,7 @@ impl PreviousLines {
         let cells = self.header.iter().zip(&row).map(|(name, text)| (from_cell(name), from_cell(text)));
         let remarks = cells.filter(|(name, _)| name.starts_with('#'));
         let remarks = remarks.map(|(name, text)| (name.into_owned(), text.into_owned())).collect();
-        Ok(Record { remarks, ..record.from_cells() })
+        Ok(Record { remarks, ..record.read_from_cells() })
     }
 }
 
@@ -120,7 +120,7 @@ fn each_row(
     while reader.read_record(&mut row).map_err(said)? {
         let record: Record = row.deserialize(Some(&header)).map_err(said)?;
         let offset = row.position().map_or(0, csv::Position::byte);
-        each(first.len() as u64 + offset, &record.from_cells());
+        each(first.len() as u64 + offset, &record.read_from_cells());
     }
     Ok(header)
 }

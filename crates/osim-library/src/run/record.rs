@@ -292,7 +292,7 @@ impl Record {
     }
 
     /// The record of a table with its texts as they were.
-    pub(super) fn from_cells(&self) -> Self {
+    pub(super) fn read_from_cells(&self) -> Self {
         let error = self.error.as_deref().map(|text| unmarked(text).to_owned());
         Self { error, ..self.with_names(|name| from_cell(name).into_owned()) }
     }

@@ -335,7 +335,9 @@ mod tests {
             let (target, successor) = ready(folder.path());
             let mut in_place = successor.take_place().unwrap();
             std::fs::remove_file(in_place.displaced.take().unwrap().path()).unwrap();
-            saved.map(|saved| std::fs::write(&target, saved).unwrap());
+            if let Some(saved) = saved {
+                std::fs::write(&target, saved).unwrap();
+            }
             let undone = in_place.put_back();
             assert_eq!(undone.remark().is_none(), whole);
             assert!(undone.remark().is_none_or(|remark| remark.contains("model.osim.bak")));

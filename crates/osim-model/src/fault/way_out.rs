@@ -103,7 +103,7 @@ pub(super) fn shared_sphere(sphere: &str, changed: &str, left: &[String], can_ch
         text.push(&phrase![
             "choose all of them with ",
             Input::Select.like("GLOB"),
-            " and exclude none of them, or "
+            ", excluding none of these, or "
         ]);
     }
     text

@@ -6,7 +6,6 @@ use crate::fault::FileId;
 use crate::finding::{Finding, FindingCode};
 use crate::model::Model;
 use crate::property::Property;
-use crate::read::{DEFAULT_GRAVITY, is_model};
 use crate::value::{Origin, Value};
 use osim_xml::ElementId;
 use osim_xml::opensim_text::is_plain_triple;
@@ -46,9 +45,9 @@ pub(super) fn triples(model: &Model) -> Vec<Finding> {
     });
     let beside = model.companions().map(|(file, companion)| (file, &companion.document));
     let mut files = std::iter::once((FileId::MAIN, model.document())).chain(beside);
-    let gravity = files.find(|(_, document)| is_model(document)).and_then(|(file, document)| {
+    let gravity = files.find(|(_, document)| document.is_model()).and_then(|(file, document)| {
         let object = document.data_root();
-        let read = document.triple(object, "gravity").unwrap_or(DEFAULT_GRAVITY);
+        let read = document.triple(object, "gravity").unwrap_or(Model::DEFAULT_GRAVITY);
         triple(model, (file, object, "gravity"), "the model", read)
     });
     locations.chain(gravity).collect()
