@@ -169,6 +169,9 @@ fn a_path_or_a_place_with_something_inside_is_refused() {
         }
         let model = format!("{before}{open}{text}<!-- c -->{close}{after}");
         assert!(Model::parse(model).is_ok(), "{tag}");
+        // OpenSim reads the first of a name and no other.
+        let twice = format!("{before}{open}{text}{close}{open}{first}<!-- c -->{last}{close}{after}");
+        assert!(Model::parse(twice).is_ok(), "{tag}");
     }
 }
 

@@ -3,6 +3,8 @@
 //! Usually there is one. A model whose sets are in other files (`file="…"`), or a `ForceSet` with the
 //! `ContactGeometrySet` and the model it belongs to, are several.
 
+use std::collections::HashSet;
+
 use super::tree::{ComponentId, ComponentTree};
 use crate::document::Document;
 use crate::fault::{Fault, FaultKind, FileId};
@@ -119,8 +121,11 @@ impl Components {
         };
         for (id, _) in self.tree.iter() {
             let document = self.doc(id);
+            // OpenSim reads the first of a name.
+            let mut read = HashSet::new();
             for child in document.tree().children(self.element(id)) {
-                if is_checked(document.tree().name(child)) {
+                let tag = document.tree().name(child);
+                if is_checked(tag) && read.insert(tag) {
                     let said = |fault: Fault| fault.of(self.tree.path(id)).in_file(self.file_of(id));
                     document.whole_text(child).map_err(said)?;
                 }
