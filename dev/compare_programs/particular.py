@@ -159,7 +159,7 @@ def explanations(program: Path) -> Iterator[str]:
     """Each thing that can be explained, in each form."""
     told = subprocess.run([program, "explain", "--format", "json"], capture_output=True, check=True, timeout=60)
     topics = [json.loads(line) for line in told.stdout.splitlines()]
-    names = sorted({topic.get("label") or topic["code"] for topic in topics})
+    names = sorted({topic.get("label") or topic.get("name") or topic["code"] for topic in topics})
     words = [shlex.quote(name) for name in names]
     words += [
         "'(C.10)'",
