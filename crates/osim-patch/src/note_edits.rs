@@ -78,19 +78,20 @@ pub(crate) fn sizes(model: &Model, followed: Option<&BTreeSet<SphereId>>) -> Vec
     sizes
 }
 
-/// Leaves `note` in `document`, in the place of an earlier one.
+/// Leaves `note` in `document`, in the place of all earlier ones.
 pub(crate) fn leave(document: &Document, note: &Note) -> Vec<Edit> {
     let (tree, root) = (document.tree(), document.data_root());
-    let comment = Note::comment_span(document);
+    let mut comments = Note::comment_spans(document);
     if !document.is_model() {
         let text = note.comment();
-        return vec![match comment {
+        let own = match comments.next() {
             Some(span) => Edit { span, text },
             None => insert_first(tree, root, &text),
-        }];
+        };
+        return std::iter::once(own).chain(comments.map(|span| without(tree, span))).collect();
     }
     // A comment of an earlier version would be lost when OpenSim saves the file: its note moves.
-    let mut edits: Vec<Edit> = comment.map(|span| without(tree, span)).into_iter().collect();
+    let mut edits: Vec<Edit> = comments.map(|span| without(tree, span)).collect();
     match Credits::of(document) {
         Ok(Some(credits)) => edits.push(filled(tree, &credits, Some(note))),
         Ok(None) => insert(tree, root, &ORDER, &[(CREDITS, note.text())])
@@ -114,8 +115,7 @@ fn add(edits: &mut Vec<Edit>, inserted: Edit) {
 /// Takes the note out of `document`, and the element `<credits>` where it was added for it.
 pub(crate) fn remove(document: &Document) -> Vec<Edit> {
     let tree = document.tree();
-    let mut edits: Vec<Edit> =
-        Note::comment_span(document).map(|span| without(tree, span)).into_iter().collect();
+    let mut edits: Vec<Edit> = Note::comment_spans(document).map(|span| without(tree, span)).collect();
     if let Ok(Some(credits)) = Credits::of(document) {
         let edit = filled(tree, &credits, None);
         let made = Note::find(document).map(|note| note.made).unwrap_or_default();

@@ -119,6 +119,22 @@ fn a_comment_where_the_credits_belong_gives_them_its_place() {
 }
 
 #[test]
+fn all_comments_of_earlier_versions_go() {
+    // Copied, and then cut by hand: what is left of it would go on saying another mass.
+    let text = String::from_utf8(fixture("check/earlier_note.osim")).unwrap();
+    let start = text.find("<!-- osim-contact-scale").unwrap();
+    let end = start + text[start..].find("-->").unwrap() + 3;
+    let broken = "\n\t\t<!-- osim-contact-scale 0.1.0: contacts stand for 62 kg; gravity 9.x m/s2 -->";
+    let twice = format!("{}{broken}{}", &text[..end], &text[end..]);
+    let there = given(twice).with_note().rescaled_to(123.0);
+    let written = String::from_utf8_lossy(there.bytes()).into_owned();
+    assert!(!written.contains("<!-- osim-contact-scale"), "{written}");
+    // Otherwise it is as if there had been one.
+    let one = given(text).with_note().rescaled_to(123.0);
+    assert_eq!(written, String::from_utf8_lossy(one.bytes()));
+}
+
+#[test]
 fn of_two_notes_the_one_counts_that_fits_the_values() {
     let right = noted("check/within_limits.osim");
     let note = Note::find(Model::parse(right.as_str()).unwrap().document()).unwrap();

@@ -40,21 +40,21 @@ impl Note {
     }
 }
 
-/// The comment before the first child of the data root that begins like a note.
-pub(super) fn span(document: &Document) -> Option<Range<usize>> {
+/// The comments before the first child of the data root that begin like a note.
+pub(super) fn spans(document: &Document) -> impl Iterator<Item = Range<usize>> + '_ {
     let tree = document.tree();
     let root = document.data_root();
     // Other comments may stand around it, elements may not stand before it.
     let end = tree.children(root).next().map_or(tree.close_span(root).start, |child| tree.span(child).start);
     tree.content(root)
-        .take_while(|piece| piece.span.start < end)
+        .take_while(move |piece| piece.span.start < end)
         .filter(|piece| piece.kind == PieceKind::Comment)
-        .find(|piece| [EARLIER, BEGINS].iter().any(|begins| inner(piece.text).starts_with(begins)))
+        .filter(|piece| [EARLIER, BEGINS].iter().any(|begins| inner(piece.text).starts_with(begins)))
         .map(|piece| piece.span)
 }
 
 pub(super) fn find(document: &Document) -> Option<Result<Note, Unreadable>> {
-    let text = inner(document.tree().slice(span(document)?));
+    let text = inner(document.tree().slice(spans(document).next()?));
     Some(Note::parse(text).or_else(|| Note::parse_earlier(text)).ok_or(Unreadable))
 }
 

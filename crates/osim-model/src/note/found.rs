@@ -35,9 +35,8 @@ impl Note {
         found.credits.or(found.comment)?.ok()
     }
 
-    /// The bytes of the comment that holds a note, of this version or an earlier one.
-    #[must_use]
-    pub fn comment_span(document: &Document) -> Option<Range<usize>> {
-        comment::span(document)
+    /// The bytes of the comments that begin like a note, of this version or an earlier one: the first counts.
+    pub fn comment_spans(document: &Document) -> impl Iterator<Item = Range<usize>> + '_ {
+        comment::spans(document)
     }
 }
