@@ -1,11 +1,14 @@
 //! Where a body rests on its spheres, by the Hertz law and by the law of the file.
 //!
-//! Spheres stand on one plane with their bottoms level, so that all have the same indentation x, whatever
-//! their radii.
+//! Spheres stand on one plane: with their bottoms level, so that all have the same indentation x, whatever their radii; or each at
+//! its own height ([`Raised`]).
 
+use crate::Spheres;
 use crate::error::{DomainError, positive, within};
 use crate::hertz::depth;
-use crate::{Law, Spheres};
+use crate::rest::{bisect, first_rest};
+
+pub use crate::rest::Raised;
 
 /// Indentation at rest by the Hertz law, x = (F / Σ 4/3 E*_i √R_i)^(2/3), in m.
 ///
@@ -47,63 +50,75 @@ pub fn hertz_indentation(spheres: &[Spheres], load_n: f64) -> Result<f64, Domain
 /// ```
 pub fn indentation(spheres: &[Spheres], load_n: f64) -> Result<f64, DomainError> {
     let hertz = hertz_indentation(spheres, load_n)?;
-    let Some(step) = smallest_transition(spheres) else { return Ok(hertz) };
-    let force = |x: f64| spheres.iter().map(|s| s.count() * s.law().rest_force(x)).sum::<f64>();
-    let carried = |x: f64| force(x) >= load_n;
-    let (mut above, mut below) = (-20.0 * step, -20.0 * step);
-    for _ in 0..60 {
-        if !carried(above) {
-            break;
-        }
-        above *= 2.0;
-    }
-    // Short steps through the onset, where the force can rise and fall; past x = 0 it only rises.
-    let falls = |x: f64| spheres.iter().map(|s| s.count() * s.law().rest_stiffness(x)).sum::<f64>() < 0.0;
-    while below <= 0.0 && !carried(below) {
-        above = below;
-        below += 0.05 * step;
-        if !falls(above) && falls(below) {
-            let top = bisect(above, below, falls);
-            below = if carried(top) { top } else { below };
-        }
-    }
-    let mut stride = hertz.max(step);
-    while !carried(below) && below.is_finite() {
-        above = below;
-        below += stride;
-        stride *= 2.0;
-    }
-    within(below.is_finite() && !carried(above), "load", load_n, "a load that the spheres can carry")?;
-    Ok(bisect(above, below, carried))
+    let level: Vec<Raised> = spheres.iter().map(|&spheres| Raised { spheres, height_m: 0.0 }).collect();
+    first_rest(&level, load_n, hertz)
 }
 
-/// The shortest 1/bd of the smoothed laws: the length over which the force can change.
-fn smallest_transition(spheres: &[Spheres]) -> Option<f64> {
-    spheres.iter().fold(None, |shortest: Option<f64>, spheres| match spheres.law() {
-        Law::HuntCrossley(_) => shortest,
-        Law::Smooth(law) => {
-            let length = 1.0 / law.smoothing().hertz_smoothing;
-            Some(shortest.map_or(length, |known| known.min(length)))
-        }
-    })
+/// Indentation x of the lowest sphere at rest by the Hertz law, Σ 4/3 E*_i √R_i max(0, x − h_i)^(3/2) = F, in m.
+///
+/// Load F in N, above 0; h_i in m. The indentation of another sphere is x − h_i; below 0 it does not touch.
+///
+/// Source: (1) summed over the spheres, each at its own height, solved for x.
+///
+/// # Errors
+/// [`DomainError`] unless F is finite and above 0 and there is a sphere.
+///
+/// ```
+/// # use contact_scaling::{equilibrium::{self, Raised}, falisse2022, Law, Spheres};
+/// // Falisse's six spheres, two of them 2 mm lower than the others.
+/// let law = Law::of(&falisse2022().contact, 0.032)?;
+/// let foot = [Raised::new(Spheres::new(law, 2.0)?, 0.0)?, Raised::new(Spheres::new(law, 4.0)?, 0.002)?];
+/// let x = equilibrium::hertz_indentation_of_lowest(&foot, 62.0 * 9.81)?;
+/// // The low ones are deeper than the 0.3533 R of a level foot, the others 2 mm less deep.
+/// let force = |x: f64, count: f64| count * 4.0 / 3.0 * 353553.39 * 0.032_f64.sqrt() * x.powf(1.5);
+/// assert!((force(x, 2.0) + force(x - 0.002, 4.0) - 62.0 * 9.81).abs() < 1e-4);
+/// # Ok::<(), contact_scaling::DomainError>(())
+/// ```
+pub fn hertz_indentation_of_lowest(spheres: &[Raised], load_n: f64) -> Result<f64, DomainError> {
+    let load = positive("load", load_n)?;
+    let force = |x: f64| -> f64 {
+        let one = |s: &Raised| {
+            s.spheres.count() * s.spheres.law().hertz().coefficient() * (x - s.height_m).max(0.0).powf(1.5)
+        };
+        spheres.iter().map(one).sum()
+    };
+    // As deep as if all were as high as the highest.
+    let sum: f64 = spheres.iter().map(|s| s.spheres.count() * s.spheres.law().hertz().coefficient()).sum();
+    let deepest = highest(spheres) + depth(load, positive("sum of force coefficients", sum)?);
+    within(deepest.is_finite(), "load", load_n, "a load that the spheres can carry")?;
+    Ok(bisect(0.0, deepest, |x| force(x) >= load))
 }
 
-/// The point between `out` and `within` where `holds` begins, to the last bit.
-fn bisect(mut out: f64, mut within: f64, holds: impl Fn(f64) -> bool) -> f64 {
-    for _ in 0..200 {
-        let middle = 0.5 * (out + within);
-        if middle == out || middle == within {
-            break;
-        }
-        if holds(middle) { within = middle } else { out = middle }
-    }
-    within
+/// Indentation x of the lowest sphere at rest by the laws themselves, Σ F_i(x − h_i, 0) = F, in m.
+///
+/// Load F in N, above 0. Where the laws carry the load at several x, it is the first that a body lowered onto its spheres meets,
+/// and below 0 where they hold it above the ground.
+///
+/// Source: (C.9) at ẋ = 0 summed over the spheres, each at its own height, solved for x.
+///
+/// # Errors
+/// [`DomainError`] unless F is finite and above 0, there is a sphere, and an indentation carries F.
+///
+/// ```
+/// # use contact_scaling::{equilibrium::{self, Raised}, falisse2022, Law, Spheres};
+/// let law = Law::of(&falisse2022().contact, 0.032)?;
+/// // All at one height is a level foot.
+/// let level = [Raised::new(Spheres::new(law, 6.0)?, 0.0)?];
+/// assert!((equilibrium::indentation_of_lowest(&level, 62.0 * 9.81)? / 0.032 - 0.3396).abs() < 5e-5);
+/// # Ok::<(), contact_scaling::DomainError>(())
+/// ```
+pub fn indentation_of_lowest(spheres: &[Raised], load_n: f64) -> Result<f64, DomainError> {
+    first_rest(spheres, load_n, hertz_indentation_of_lowest(spheres, load_n)?)
+}
+
+fn highest(spheres: &[Raised]) -> f64 {
+    spheres.iter().map(|s| s.height_m).fold(0.0, f64::max)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Contact, ContactValues, SmoothingValues, falisse2022};
+    use crate::{Contact, ContactValues, Law, SmoothingValues, falisse2022};
     use proptest::prelude::*;
 
     fn smooth(cf: f64, bd: f64, radius: f64, count: f64) -> Spheres {

@@ -50,6 +50,7 @@ pub mod modulus;
 pub mod patch;
 mod preset;
 mod ratios;
+mod rest;
 pub mod restitution;
 mod scale;
 pub mod sizing;

@@ -9,6 +9,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
+use contact_scaling::equilibrium::Raised;
 use contact_scaling::modulus::{MixingRule, SurfaceValues};
 use contact_scaling::{
     Contact, ContactValues, EQUAL_SURFACES, Hertz, HertzValues, HuntCrossley, Law, RatioValues, Ratios,
@@ -96,6 +97,12 @@ fn standing(i: &[f64]) -> [Spheres; 1] {
     [Spheres::new(Law::of(&Contact::new(values).unwrap(), i[1]).unwrap(), i[6]).unwrap()]
 }
 
+/// The same spheres twice: at height 0, and higher by the last input.
+fn uneven(i: &[f64]) -> [Raised; 2] {
+    let [spheres] = standing(i);
+    [Raised::new(spheres, 0.0).unwrap(), Raised::new(spheres, i[8]).unwrap()]
+}
+
 fn load(i: &[f64]) -> SharedLoad {
     SharedLoad::new(i[0], i[1]).unwrap()
 }
@@ -109,6 +116,7 @@ const HERTZ_X_HAT: &[Dimension] = &[PRESSURE, LENGTH, ONE, ONE];
 const HUNT_CROSSLEY: &[Dimension] = &[PRESSURE, LENGTH, PER_SPEED, LENGTH, SPEED];
 const SMOOTH: &[Dimension] = &[PRESSURE, LENGTH, PER_SPEED, AREA, PER_LENGTH, PER_SPEED, LENGTH, SPEED];
 const STANDING: &[Dimension] = &[PRESSURE, LENGTH, PER_SPEED, AREA, PER_LENGTH, PER_SPEED, ONE, FORCE];
+const UNEVEN: &[Dimension] = &[PRESSURE, LENGTH, PER_SPEED, AREA, PER_LENGTH, PER_SPEED, ONE, FORCE, LENGTH];
 const RATIOS: &[Dimension] = &[ONE, ONE, ONE, ONE];
 const SURFACES: &[Dimension] = &[PRESSURE, PER_SPEED, PRESSURE, PER_SPEED];
 
@@ -244,6 +252,12 @@ const TABLE: &[Equation] = &[
     }),
     eq("equilibrium::indentation", STANDING, LENGTH, |i| {
         equilibrium::indentation(&standing(i), i[7]).unwrap()
+    }),
+    eq("equilibrium::hertz_indentation_of_lowest", UNEVEN, LENGTH, |i| {
+        equilibrium::hertz_indentation_of_lowest(&uneven(i), i[7]).unwrap()
+    }),
+    eq("equilibrium::indentation_of_lowest", UNEVEN, LENGTH, |i| {
+        equilibrium::indentation_of_lowest(&uneven(i), i[7]).unwrap()
     }),
     eq("mixed_radii::mean_square", &[LENGTH, LENGTH, LENGTH], AREA, |i| mixed_radii::mean_square(i).unwrap()),
     eq("Ratios::plane_strain_modulus", RATIOS, ONE, |i| ratios(i).plane_strain_modulus()),

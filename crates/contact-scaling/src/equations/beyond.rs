@@ -2,7 +2,7 @@
 
 use super::equation::{Equation, form};
 use super::symbols::{
-    ALPHA, C_EXACT, D, E_A, E_B, E_I, F_I, F_LOAD, G, IMPACT, K_HAT_A, K_HAT_B, N, R, R_EQUIVALENT, R_I,
+    ALPHA, C_EXACT, D, E_A, E_B, E_I, F_I, F_LOAD, G, H_I, IMPACT, K_HAT_A, K_HAT_B, N, R, R_EQUIVALENT, R_I,
     SPEED, U_V, V_T, X,
 };
 
@@ -41,6 +41,22 @@ pub(super) const ALL: &[Equation] = &[
         forms: &[form("", "Σ F_i(x, ẋ = 0) = F", "equilibrium::indentation", "m")],
         symbols: &[F_I, X, SPEED, F_LOAD],
         source: "beyond the paper: (C.9) at ẋ = 0 summed over spheres whose bottoms are level",
+    },
+    Equation {
+        label: "rest at own heights",
+        aliases: &["standing"],
+        title: "Indentation of the lowest sphere, each at its own height",
+        forms: &[
+            form(
+                "by (1)",
+                "Σ 4/3 E*_i √R_i max(0, x − h_i)^(3/2) = F",
+                "equilibrium::hertz_indentation_of_lowest",
+                "m",
+            ),
+            form("by (C.9)", "Σ F_i(x − h_i, ẋ = 0) = F", "equilibrium::indentation_of_lowest", "m"),
+        ],
+        symbols: &[E_I, R_I, F_I, X, H_I, SPEED, F_LOAD],
+        source: "beyond the paper: (1) and (C.9) summed over spheres whose bottoms are h_i above the lowest, as at the default pose",
     },
     Equation {
         label: "continuation",

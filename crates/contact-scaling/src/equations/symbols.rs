@@ -40,6 +40,7 @@ pub(super) const R_2: Symbol = symbol("R₂", "radius of the second sphere", "m"
 pub(super) const R_A: Symbol = symbol("R_a", "radius of the spheres of a, the reference", "m");
 pub(super) const R_B: Symbol = symbol("R_b", "radius of the spheres of b, the model", "m");
 pub(super) const R_I: Symbol = symbol("R_i", "radius of sphere i", "m");
+pub(super) const H_I: Symbol = symbol("h_i", "height of the bottom of sphere i above the lowest", "m");
 pub(super) const R_EQUIVALENT: Symbol = symbol("R", "one radius in the place of all n", "m");
 pub(super) const E: Symbol = symbol("E*", "composite plane strain modulus of the contact", "N/m²");
 pub(super) const E_A: Symbol = symbol("E*_a", "composite plane strain modulus of a, the reference", "N/m²");

@@ -59,6 +59,17 @@ def rest(e, r, a, cf, bd, bv, n, load):
     return findroot(lambda x: n * smooth(e, r, a, cf, bd, bv, x, 0) - load, (mpf("0.3") * r, mpf("0.4") * r))
 
 
+def rest_of_lowest(e, r, a, cf, bd, bv, n, load, h):
+    # n spheres at height 0, as many h higher.
+    force = lambda x: n * (smooth(e, r, a, cf, bd, bv, x, 0) + smooth(e, r, a, cf, bd, bv, x - h, 0))
+    return findroot(lambda x: force(x) - load, (mpf("0.2") * r, mpf("0.4") * r))
+
+
+def hertz_rest_of_lowest(e, r, a, cf, bd, bv, n, load, h):
+    force = lambda x: n * mpf(4) / 3 * sqrt(r) * e * (x**half3 + (x - h) ** half3)
+    return findroot(lambda x: force(x) - load, (mpf("0.2") * r, mpf("0.4") * r))
+
+
 def rest_slope(e, r, a, cf, bd, bv, x):
     return mpmath.diff(lambda y: smooth(e, r, a, cf, bd, bv, y, 0), x)
 
@@ -87,6 +98,8 @@ AT_REST, BV_AT_REST = [20.0, 50.0, 2.0], [50.0, 5.0, 1.7]
 T = [0.05, 0.01, 0.25]
 ETA = [1.0, 1.3, 0.8]
 STANDING = ([353553.39, 91540.5, 353553.39, 353553.39], [0.032, 0.002, 0.032, 0.032], [2.0, 8.0, 20.0, 50.0], [1e-5, 3.90625e-8, 1e-5, 1e-5], [300.0, 4800.0, 300.0, 300.0], [50.0, 200.0, 50.0, 5.0], [6.0, 2.0, 6.0, 6.0], [608.22, 0.205, 608.22, 608.22])
+# Heights at which the higher spheres still touch.
+UNEVEN = (*STANDING, [0.002, 0.0001, 0.001, 0.0005])
 
 ROWS = [
     ("Hertz::relative_indentation", lambda e, r, eta, x: x / r, (E, R, ETA, X)),
@@ -144,6 +157,8 @@ ROWS = [
     ("smoothing::speed_state_at_rest", lambda a, bv: speed_state(a, bv, 0), (A + AT_REST, BV + BV_AT_REST)),
     ("equilibrium::hertz_indentation", lambda e, r, a, cf, bd, bv, n, f: (f / (n * mpf(4) / 3 * sqrt(r) * e)) ** (mpf(2) / 3), STANDING),
     ("equilibrium::indentation", rest, STANDING),
+    ("equilibrium::hertz_indentation_of_lowest", hertz_rest_of_lowest, UNEVEN),
+    ("equilibrium::indentation_of_lowest", rest_of_lowest, UNEVEN),
     ("continuation::modulus_ratio", lambda a, b: (a / b) ** half3, ([1.2, 2.5, 4.246], [9.375, 4.246, 1.5])),
     ("mixed_radii::mean_square", lambda a, b, c: (a**2 + b**2 + c**2) / 3, ([0.032, 0.015], [0.03, 0.002], [0.0637, 0.1])),
 ]

@@ -1,0 +1,150 @@
+//! The first rest of a body that is lowered onto spheres, level or at several heights.
+
+use crate::error::{DomainError, within};
+use crate::{Law, Spheres};
+
+/// Spheres whose bottoms are above the lowest of the limb.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Raised {
+    /// The spheres.
+    pub spheres: Spheres,
+    /// How much higher their bottoms are than the lowest, m.
+    pub height_m: f64,
+}
+
+impl Raised {
+    /// Spheres at a height.
+    ///
+    /// # Errors
+    /// [`DomainError`] unless the height is finite and not below 0.
+    pub fn new(spheres: Spheres, height_m: f64) -> Result<Self, DomainError> {
+        within(height_m.is_finite() && height_m >= 0.0, "height", height_m, "finite and not below 0")?;
+        Ok(Self { spheres, height_m })
+    }
+}
+
+/// The first rest that a body lowered onto its spheres meets; `hertz` is that of the Hertz law.
+pub(crate) fn first_rest(spheres: &[Raised], load_n: f64, hertz: f64) -> Result<f64, DomainError> {
+    let Some(step) = smallest_transition(spheres) else { return Ok(hertz) };
+    let sum = |of: &dyn Fn(&Law, f64) -> f64, x: f64| -> f64 {
+        spheres.iter().map(|s| s.spheres.count() * of(s.spheres.law(), x - s.height_m)).sum()
+    };
+    let carried = |x: f64| sum(&|law, x| law.rest_force(x), x) >= load_n;
+    let falls = |x: f64| sum(&|law, x| law.rest_stiffness(x), x) < 0.0;
+    let (mut above, mut below) = (-20.0 * step, -20.0 * step);
+    for _ in 0..60 {
+        if !carried(above) {
+            break;
+        }
+        above *= 2.0;
+    }
+    // Short steps through the onset of each sphere, where its force can rise and fall; elsewhere forces only rise.
+    for onset in onsets(spheres) {
+        below = below.max(onset - 20.0 * step);
+        while below <= onset && !carried(below) {
+            above = below;
+            below += 0.05 * step;
+            if !falls(above) && falls(below) {
+                let top = bisect(above, below, falls);
+                below = if carried(top) { top } else { below };
+            }
+        }
+        if carried(below) {
+            break;
+        }
+    }
+    let mut stride = hertz.max(step);
+    while !carried(below) && below.is_finite() {
+        above = below;
+        below += stride;
+        stride *= 2.0;
+    }
+    within(below.is_finite() && !carried(above), "load", load_n, "a load that the spheres can carry")?;
+    Ok(bisect(above, below, carried))
+}
+
+/// The heights at which spheres begin to touch, each once, the lowest first.
+fn onsets(spheres: &[Raised]) -> Vec<f64> {
+    let mut heights: Vec<f64> = spheres.iter().map(|s| s.height_m).collect();
+    heights.sort_by(f64::total_cmp);
+    heights.dedup();
+    heights
+}
+
+/// The shortest 1/bd of the smoothed laws: the length over which the force can change.
+fn smallest_transition(spheres: &[Raised]) -> Option<f64> {
+    spheres.iter().fold(None, |shortest: Option<f64>, raised| match raised.spheres.law() {
+        Law::HuntCrossley(_) => shortest,
+        Law::Smooth(law) => {
+            let length = 1.0 / law.smoothing().hertz_smoothing;
+            Some(shortest.map_or(length, |known| known.min(length)))
+        }
+    })
+}
+
+/// The point between `out` and `within` where `holds` begins, to the last bit.
+pub(crate) fn bisect(mut out: f64, mut within: f64, holds: impl Fn(f64) -> bool) -> f64 {
+    for _ in 0..200 {
+        let middle = 0.5 * (out + within);
+        if middle == out || middle == within {
+            break;
+        }
+        if holds(middle) { within = middle } else { out = middle }
+    }
+    within
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::equilibrium::{hertz_indentation_of_lowest, indentation_of_lowest};
+    use crate::{Contact, ContactValues, SmoothingValues, falisse2022};
+    use proptest::prelude::*;
+
+    fn law(smoothing: Option<SmoothingValues>, radius: f64) -> Spheres {
+        let values = ContactValues { smoothing, ..falisse2022().contact.values() };
+        Spheres::new(Law::of(&Contact::new(values).unwrap(), radius).unwrap(), 1.0).unwrap()
+    }
+
+    fn smooth(cf: f64, bd: f64) -> Option<SmoothingValues> {
+        let smoothing = SmoothingValues {
+            constant_contact_force: cf,
+            hertz_smoothing: bd,
+            hunt_crossley_smoothing: 50.0,
+        };
+        Some(smoothing)
+    }
+
+    #[test]
+    fn a_sphere_out_of_reach_carries_nothing() {
+        let low = law(None, 0.03);
+        let alone = crate::equilibrium::hertz_indentation(&[low], 500.0).unwrap();
+        let both = [Raised::new(low, 0.0).unwrap(), Raised::new(law(None, 0.05), 2.0 * alone).unwrap()];
+        let x = hertz_indentation_of_lowest(&both, 500.0).unwrap();
+        assert!((x / alone - 1.0).abs() < 1e-14, "{x} {alone}");
+    }
+
+    #[test]
+    fn heights_and_loads_have_domains() {
+        assert_eq!(Raised::new(law(None, 0.03), -1e-3).unwrap_err().quantity(), "height");
+        assert_eq!(
+            hertz_indentation_of_lowest(&[], 1.0).unwrap_err().quantity(),
+            "sum of force coefficients"
+        );
+    }
+
+    proptest! {
+        /// The laws are summed here by hand, each at its own indentation.
+        #[test]
+        fn the_load_is_carried_there(
+            load in 1.0..1e4, cf in 1e-9..1e-4, bd in 50.0..5e3, height in 0.0..0.05, r1 in 1e-2..0.1, r2 in 1e-2..0.1,
+        ) {
+            let (low, high) = (law(smooth(cf, bd), r1), law(smooth(cf, bd / 2.0), r2));
+            let foot = [Raised::new(high, height).unwrap(), Raised::new(low, 0.0).unwrap()];
+            let x = indentation_of_lowest(&foot, load).unwrap();
+            let force = low.law().rest_force(x) + high.law().rest_force(x - height);
+            prop_assert!((force / load - 1.0).abs() < 1e-9, "{x} {force} {load}");
+        }
+    }
+}
