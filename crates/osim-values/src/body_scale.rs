@@ -26,6 +26,8 @@ pub struct BodyScale {
 /// What is expected of a text.
 const EXPECTED: &str =
     "expected BODY=x,y,z with three factors above 0, or BODY=f with one, like calcn_r=1.1,1.05,1.1";
+/// Factors beyond this, or below 1 over this, belong to no body.
+const LARGEST: f64 = 1e9;
 
 impl FromStr for BodyScale {
     type Err = String;
@@ -42,8 +44,15 @@ impl FromStr for BodyScale {
             [factor] => [factor; 3],
             _ => return Err(EXPECTED.to_owned()),
         };
+        if !factors.iter().all(is_factor) {
+            return Err(format!("{EXPECTED}, each from 1e-9 to 1e9"));
+        }
         Ok(Self { body: trimmed(body).to_owned(), factors })
     }
+}
+
+fn is_factor(factor: &f64) -> bool {
+    (1.0 / LARGEST..=LARGEST).contains(factor)
 }
 
 impl fmt::Display for BodyScale {
@@ -60,14 +69,17 @@ pub fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<BodyS
     match Value::deserialize(deserializer)? {
         Value::Object(bodies) => {
             let scale = |(body, factors): (String, Value)| {
-                let expected = || D::Error::custom(format!("{body}: expected three factors above 0, or one"));
+                let expected = || {
+                    D::Error::custom(format!(
+                        "{body}: expected three factors above 0, or one, from 1e-9 to 1e9"
+                    ))
+                };
                 let one = factors.as_f64().map(|factor| [factor; 3]);
                 let factors: [f64; 3] = match one {
                     Some(factors) => factors,
                     None => serde_json::from_value(factors).map_err(|_| expected())?,
                 };
-                let above_0 = |factor: &f64| factor.is_finite() && *factor > 0.0;
-                if factors.iter().all(above_0) { Ok(BodyScale { body, factors }) } else { Err(expected()) }
+                if factors.iter().all(is_factor) { Ok(BodyScale { body, factors }) } else { Err(expected()) }
             };
             bodies.into_iter().map(scale).collect()
         }
@@ -93,7 +105,7 @@ impl JsonSchema for BodyScaleSchema {
 
     fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
         let text = json!({"type": "string", "pattern": "="});
-        let factor = json!({"type": "number", "exclusiveMinimum": 0});
+        let factor = json!({"type": "number", "minimum": 1e-9, "maximum": 1e9});
         json_schema!({"anyOf": [
             {
                 "type": "object",

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use crate::typed::{LENGTHS, factor, plain, positive, trimmed};
+use crate::typed::{LENGTHS, factor, not_negative};
 use osim_inspect::DropHeight;
 use osim_model::shortest;
 use schemars::JsonSchema;
@@ -43,9 +43,7 @@ impl FromStr for Height {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let expected = "a length in metres, or a multiple of the radius like x0.25";
-        let parse = |text: &str| {
-            if plain(trimmed(text)) == Some(0.0) { Ok(0.0) } else { positive(text, expected, LENGTHS) }
-        };
+        let parse = |text: &str| not_negative(text, expected, LENGTHS);
         let height = match factor(text) {
             Some(number) => parse(number).map(DropHeight::Radii),
             None => parse(text).map(DropHeight::Metres),

@@ -8,9 +8,12 @@
 
 mod assignment;
 pub mod axis;
+mod body_map;
 pub mod body_scale;
+pub mod contact_table;
 pub mod grid;
 mod height;
+mod new_radius;
 mod onset;
 pub mod path;
 pub mod property_list;
@@ -18,22 +21,25 @@ mod quantity;
 mod radius;
 pub mod serial;
 mod shard;
+pub mod sheet;
 pub mod typed;
 mod whole;
 
 pub use assignment::{Assignments, assignment};
 pub use axis::{Axis, AxisName, GridValue};
+pub use body_map::BodyMap;
 pub use body_scale::BodyScale;
 pub use grid::Grid;
 pub use height::Height;
+pub use new_radius::NewRadius;
 pub use onset::ContactOnset;
 pub use quantity::{
-    Acceleration, ConstantIndentation, Count, Kilograms, NotNegative, PoissonRatio, Positive,
+    Acceleration, ConstantIndentation, Count, Kilograms, Metres, NotNegative, PoissonRatio, Positive,
     RelativeIndentation, RestitutionCoefficient, Threshold,
 };
 pub use radius::Radius;
 pub use shard::Shard;
-pub use whole::{Dpi, Samples};
+pub use whole::{Dpi, Samples, SpheresOfFoot};
 
 /// The example of the README compiles.
 #[cfg(doctest)]

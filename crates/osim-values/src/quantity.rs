@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
-use crate::typed::{MASSES, converted, number, plain, positive, positive_number, trimmed};
+use crate::typed::{LENGTHS, MASSES, converted, not_negative, plain, positive, positive_number, trimmed};
 use osim_model::shortest;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -92,7 +92,10 @@ quantities! {
     Positive = positive_number, {"type": "number", "exclusiveMinimum": 0};
 
     /// A number, 0 or more, in the unit of its field.
-    NotNegative = number, {"type": "number", "minimum": 0};
+    NotNegative = |text| not_negative(text, "a number", &[]), {"type": "number", "minimum": 0};
+
+    /// A length in m, 0 or more.
+    Metres = |text| not_negative(text, "metres", LENGTHS), {"type": "number", "minimum": 0};
 
     /// x̂, an indentation over the radius: above 0, at most 1.
     RelativeIndentation = |text| {
@@ -202,6 +205,10 @@ mod tests {
             let refused = text.parse::<Kilograms>().unwrap_err();
             assert!(refused.contains(hint), "{text}: {refused}");
         }
+        assert_eq!("-0.1".parse::<NotNegative>().unwrap_err(), "expected a number, 0 or more");
+        assert_eq!("0".parse::<NotNegative>().unwrap().get(), 0.0);
+        assert_eq!("-0.1".parse::<Metres>().unwrap_err(), "expected metres, 0 or more");
+        assert!("5 mm".parse::<Metres>().unwrap_err().ends_with("type 0.005"));
         assert!("1.5".parse::<Count>().is_err());
         assert!("0.5".parse::<Threshold>().is_err());
         assert!("1.01".parse::<RelativeIndentation>().is_err());

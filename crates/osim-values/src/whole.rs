@@ -73,6 +73,8 @@ macro_rules! whole_numbers {
 whole_numbers! {
     /// Points of a series.
     Samples(u32) = 2 to 1_000_000, 1001;
+    /// Spheres under one foot.
+    SpheresOfFoot(u8) = 1 to 60, 4;
     /// Pixels to the inch.
     Dpi(u16) = 50 to 2400, 600;
 }

@@ -36,14 +36,19 @@ inputs! {
     BodyScale = "body_scale", "scale factors of a body";
     BodyScaleFile = "body_scale_file", "the Scale Tool's ScaleSet";
     BodyWeights = "body_weights", "load in body weights";
+    BodyMap = "body_map", "body that takes the spheres of another";
     Branch = "branch", "part of the measurement";
+    Class = "class", "class of the new forces";
     Compare = "compare", "body to compare with";
     CompareSpheres = "compare_spheres", "spheres that share the other body's weight";
     ConstantContactForce = "constant_contact_force", "constant contact force";
     ConstantIndentation = "constant_indentation", "constant indentation over radius";
     ContactStiffness = "contact_stiffness", "stiffness of one sphere";
+    Contacts = "contacts", "table of contacts";
     ContactsGravity = "contacts_gravity", "gravity the contacts were made for";
     ContactsMass = "contacts_mass", "mass the contacts were made for";
+    Count = "count", "spheres under each foot";
+    DefaultPose = "default_pose", "global places are those of the default pose";
     Deny = "deny", "findings that count as a failure";
     Diff = "diff", "unified diff";
     Dissipation = "dissipation", "dissipation";
@@ -51,8 +56,10 @@ inputs! {
     Dpi = "dpi", "pixels per inch";
     DryRun = "dry_run", "dry run";
     Duration = "duration", "duration";
+    DynamicFriction = "dynamic_friction", "dynamic friction";
     Exclude = "exclude", "forces to leave out";
     ExcludeBody = "exclude_body", "bodies to leave out of the sum";
+    Feet = "feet", "bodies that touch the ground";
     FollowBodies = "follow_bodies", "spheres follow their bodies";
     Force = "force", "replace existing files";
     ForceColumn = "force_column", "column of the force";
@@ -61,6 +68,7 @@ inputs! {
     Friction = "friction", "scale friction speeds too";
     From = "from", "where the contacts come from";
     Geometry = "geometry", "file of the contact geometry set";
+    GeometryDir = "geometry_dir", "folder of the bones' meshes";
     GeometryOutput = "geometry_output", "output file of the geometry set";
     Gravity = "gravity", "gravity";
     Grid = "grid", "values along an axis";
@@ -81,6 +89,7 @@ inputs! {
     LevelAxis = "level_axis", "axis that points up";
     Load = "load", "total load";
     Mass = "mass", "mass of the model";
+    Mirror = "mirror", "axis of the mirror";
     Model = "model", "file of the model";
     MovedSpheres = "moved_spheres", "spheres that were moved already";
     NoBackup = "no_backup", "keep no backup";
@@ -89,6 +98,7 @@ inputs! {
     Onset = "onset", "where contact begins";
     Output = "output", "output file";
     OutputDir = "output_dir", "output folder";
+    Pad = "pad", "sole below the bones";
     Poisson = "poisson", "Poisson's ratio";
     Presets = "presets", "file with presets";
     Quantity = "quantity", "what the colours show";
@@ -100,6 +110,7 @@ inputs! {
     ReferenceSelect = "reference_select", "forces of the reference";
     ReferenceSphere = "reference_sphere", "sphere of the reference";
     ReferenceSpheres = "reference_spheres", "spheres that share the reference's weight";
+    Replace = "replace", "take the model's own contacts out first";
     Report = "report", "report";
     Restitution = "restitution", "coefficient of restitution";
     Resume = "resume", "go on with an earlier run";
@@ -115,6 +126,7 @@ inputs! {
     Spheres = "spheres", "spheres that share the body weight";
     StanceLimbs = "stance_limbs", "limbs that share the body weight";
     StateWidth = "state_width", "width of the contact transition over radius";
+    StaticFriction = "static_friction", "static friction";
     Stiffness = "stiffness", "OpenSim's stiffness";
     Strict = "strict", "refuse instead of warning";
     Summary = "summary", "summary file";
@@ -124,7 +136,10 @@ inputs! {
     TimeColumn = "time_column", "column of the time";
     TimeUnit = "time_unit", "unit of the time";
     Title = "title", "title of the figure";
+    To = "to", "class that forces get";
     Topics = "topics", "what to explain";
+    TransitionVelocity = "transition_velocity", "transition velocity";
+    ViscousFriction = "viscous_friction", "viscous friction";
     Yes = "yes", "questions answered with yes";
     Young = "young", "Young's modulus";
 }
@@ -138,6 +153,7 @@ impl Input {
             Self::Again
                 | Self::AllowOutside
                 | Self::Ascii
+                | Self::DefaultPose
                 | Self::Diff
                 | Self::DryRun
                 | Self::FollowBodies
@@ -148,6 +164,7 @@ impl Input {
                 | Self::NoBackup
                 | Self::NoNote
                 | Self::Quiet
+                | Self::Replace
                 | Self::Resume
                 | Self::SkipDisabled
                 | Self::Strict
@@ -182,6 +199,12 @@ verbs! {
     Rescale = "rescale";
     /// Contacts of another model or of a preset.
     Transfer = "transfer";
+    /// Contacts for a model that has none.
+    Add = "add";
+    /// Contacts out of a model.
+    Remove = "remove";
+    /// Forces of one class as forces of the other.
+    Convert = "convert";
     /// Parameters from what is wanted.
     Design = "design";
     /// Plain values and factors.

@@ -109,6 +109,17 @@ pub fn number_in(text: &str, expected: &str, units: &[UnitSpelling]) -> Result<f
     positive(text, expected, units)
 }
 
+/// The same, and one below 0 is refused in these words.
+///
+/// # Errors
+/// It is none.
+pub fn not_negative(text: &str, expected: &str, units: &[UnitSpelling]) -> Result<f64, String> {
+    match plain(trimmed(text)) {
+        Some(value) if value < 0.0 || !value.is_finite() => Err(format!("expected {expected}, 0 or more")),
+        _ => number_in(text, expected, units),
+    }
+}
+
 /// What is after the `x` of a factor such as `x1.5`.
 #[must_use]
 pub fn factor(text: &str) -> Option<&str> {

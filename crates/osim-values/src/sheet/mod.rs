@@ -1,0 +1,8 @@
+//! Tables as text: CSV of any country, and texts as cells of it.
+
+mod cell;
+mod spreadsheet;
+mod unequal;
+
+pub use cell::{cell, from_cell, marked, unmarked};
+pub use spreadsheet::{Row, Sheet};
