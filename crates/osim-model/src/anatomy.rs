@@ -2,17 +2,20 @@
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 
+use self::attached::{GEOMETRY_SETS, file_of, scale};
 use crate::components::{ComponentId, Components, MAX_FRAME_CHAIN};
-use crate::document::Document;
 use crate::fault::Fault;
 use crate::model::Model;
-use crate::rotation::{Rotation, times};
-use osim_xml::ElementId;
+use osim_frames::{Rotation, times};
+use osim_xml::opensim_text;
 
+mod attached;
+mod functions;
 mod joints;
 mod pose;
 
-pub use joints::AnatomyJoint;
+pub use attached::AttachedMesh;
+pub use joints::{AnatomyJoint, JointCoordinate, ModelJoint};
 
 /// The part of a model that scaling changes (or should have changed), by body name.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,6 +31,8 @@ pub struct Anatomy {
     pub spheres: Vec<AnatomySphere>,
     /// Joints between bodies of the files, in file order; those to ground are not among them.
     pub joints: Vec<AnatomyJoint>,
+    /// It has some bodies of a larger model, too few to recognise scaled copies of that model.
+    pub is_fragment: bool,
     index: AnatomyIndex,
 }
 
@@ -76,7 +81,28 @@ pub struct AnatomySphere {
     pub rotation: Rotation,
 }
 
+impl AnatomySphere {
+    /// A sphere called `name` with its centre and radius, m, in a frame that is turned by `rotation` in `body`.
+    #[must_use]
+    pub fn new(
+        name: String,
+        body: Option<String>,
+        (location_m, radius_m): ([f64; 3], f64),
+        rotation: Rotation,
+    ) -> Self {
+        Self { name, body, location_m, radius_m, rotation }
+    }
+}
+
 impl Anatomy {
+    /// The same bones with other spheres.
+    #[must_use]
+    pub fn with_spheres(mut self, spheres: Vec<AnatomySphere>) -> Self {
+        self.spheres = spheres;
+        self.index = AnatomyIndex::new(&self);
+        self
+    }
+
     /// Reads the anatomy of `model`.
     ///
     /// # Errors
@@ -90,6 +116,7 @@ impl Anatomy {
             offsets: BTreeMap::new(),
             spheres: Vec::new(),
             joints: joints::read(components),
+            is_fragment: false,
             index: AnatomyIndex::default(),
         };
         for (id, _) in components.tree.iter() {
@@ -200,6 +227,46 @@ impl Anatomy {
         None
     }
 
+    /// A point of the body `from`, seen from the body `above` at the default pose, m; `None` unless `from` hangs on that body, with
+    /// at most 64 joints between.
+    #[must_use]
+    pub fn seen_from(&self, above: &str, from: &str, point_m: [f64; 3]) -> Option<[f64; 3]> {
+        let (mut at, mut point) = (from, point_m);
+        for _ in 0..=MAX_FRAME_CHAIN {
+            if at == above {
+                return Some(point);
+            }
+            let joint = self.joint_above(at)?;
+            point = joint.in_parent(point)?;
+            at = &joint.parent;
+        }
+        None
+    }
+
+    /// The same bones, of which `body` is called `name`.
+    #[must_use]
+    pub fn with_name(mut self, body: &str, name: &str) -> Self {
+        let renamed = |known: &mut String| {
+            if known == body {
+                name.clone_into(known);
+            }
+        };
+        self.bodies.iter_mut().for_each(renamed);
+        for joint in &mut self.joints {
+            renamed(&mut joint.parent);
+            renamed(&mut joint.child);
+        }
+        self.spheres.iter_mut().filter_map(|sphere| sphere.body.as_mut()).for_each(renamed);
+        if let Some(meshes) = self.meshes.remove(body) {
+            self.meshes.insert(name.to_owned(), meshes);
+        }
+        if let Some(offsets) = self.offsets.remove(body) {
+            self.offsets.insert(name.to_owned(), offsets);
+        }
+        self.index = AnatomyIndex::new(&self);
+        self
+    }
+
     /// The first sphere of that name.
     #[must_use]
     pub fn sphere(&self, name: &str) -> Option<&AnatomySphere> {
@@ -224,9 +291,13 @@ pub(crate) fn meshes(components: &Components, body: ComponentId) -> BTreeMap<Str
             found.push((file_of(document, mesh, "mesh_file"), scale(document, mesh)));
         }
     }
-    // Documents of version 3: every display geometry has its own factors, and the whole has some too.
+    // Documents of version 1 list names; those of version 2 and 3: every display geometry has its own factors, and the whole has some too.
     if let Some(visible) = tree.child(element, "VisibleObject") {
         let whole = scale(document, visible);
+        if document.version() < GEOMETRY_SETS {
+            let names = file_of(document, visible, "geometry_files");
+            found.extend(opensim_text::list(&names).map(|name| (name.to_owned(), whole)));
+        }
         let set = tree.child(visible, "GeometrySet").and_then(|set| tree.child(set, "objects"));
         for geometry in set.into_iter().flat_map(|set| tree.children(set)) {
             let own = scale(document, geometry);
@@ -250,17 +321,6 @@ pub(crate) fn meshes(components: &Components, body: ComponentId) -> BTreeMap<Str
 /// The joints between the bodies of `model`, in file order.
 pub(crate) fn joints_between_bodies(model: &Model) -> Vec<AnatomyJoint> {
     joints::read(model.components())
-}
-
-fn file_of(document: &Document, element: ElementId, tag: &str) -> String {
-    let tree = document.tree();
-    tree.child(element, tag).map(|file| tree.text_of(file)).unwrap_or_default()
-}
-
-/// Factors that are written but are not numbers stay visible as NaN: they must not pass for 1.
-fn scale(document: &Document, element: ElementId) -> [f64; 3] {
-    let missing = document.tree().child(element, "scale_factors").is_none();
-    document.triple(element, "scale_factors").unwrap_or([if missing { 1.0 } else { f64::NAN }; 3])
 }
 
 /// The body an offset frame is fixed to directly, and where it is there.

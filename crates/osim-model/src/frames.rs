@@ -4,7 +4,7 @@ use crate::components::{Base, ComponentId, Components, MAX_FRAME_CHAIN};
 use crate::contacts::{Sphere, SphereId};
 use crate::fault::Fault;
 use crate::model::Model;
-use crate::rotation::{LevelAxis, Rotation};
+use osim_frames::{LevelAxis, Rotation};
 
 impl Model {
     /// Rotation of a sphere's frame in the body that carries it: the product of those of its chain of offset frames.
@@ -13,17 +13,10 @@ impl Model {
     /// A frame that leads nowhere.
     pub fn rotation_of(&self, sphere: &Sphere) -> Result<Rotation, Fault> {
         let components = self.components();
-        let mut rotation = Rotation::IDENTITY;
-        let mut at = sphere.frame_component;
-        while let Some(id) = at {
-            if !matches!(components.base(Some(id))?, Base::Body(_)) || components.tag(id) == "Body" {
-                break;
-            }
-            let angles = components.doc(id).triple(components.element(id), "orientation").unwrap_or([0.0; 3]);
-            rotation = Rotation::body_fixed_xyz(angles).after(&rotation);
-            at = components.parent_frame(id);
+        if !matches!(components.base(sphere.frame_component)?, Base::Body(_)) {
+            return Ok(Rotation::IDENTITY);
         }
-        Ok(rotation)
+        Ok(components.rotation_to_base(sphere.frame_component).unwrap_or(Rotation::IDENTITY))
     }
 
     /// The lowest point of a sphere in the frame of the body that carries it (or of ground), m: its centre, less the radius
@@ -55,6 +48,20 @@ impl Components {
     fn parent_frame(&self, frame: ComponentId) -> Option<ComponentId> {
         let parent = self.connectee(frame, "parent", &["parent_frame"])?;
         self.frame(frame, &parent)?.component
+    }
+
+    /// Rotation of a frame in the body (or ground) at the end of its chain of offset frames.
+    pub(crate) fn rotation_to_base(&self, frame: Option<ComponentId>) -> Option<Rotation> {
+        let (mut rotation, mut at) = (Rotation::IDENTITY, frame);
+        for _ in 0..=MAX_FRAME_CHAIN {
+            let Some(id) = at.filter(|&id| self.tag(id) != "Body" && self.tag(id) != "Ground") else {
+                return Some(rotation);
+            };
+            let angles = self.doc(id).triple(self.element(id), "orientation").unwrap_or([0.0; 3]);
+            rotation = Rotation::body_fixed_xyz(angles).after(&rotation);
+            at = self.parent_frame(id);
+        }
+        None
     }
 
     /// A point of a frame, seen from the body at the end of its chain of offset frames.

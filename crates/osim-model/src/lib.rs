@@ -47,6 +47,7 @@ pub mod files;
 mod finding;
 mod footing_tree;
 mod frames;
+mod ground_planes;
 mod limbs;
 mod loops;
 mod mass;
@@ -56,7 +57,6 @@ mod number;
 mod pattern;
 mod property;
 mod read;
-mod rotation;
 mod selected;
 mod selection;
 mod side;
@@ -66,32 +66,33 @@ mod traps;
 mod value;
 pub use osim_wording as wording;
 
-pub use anatomy::{Anatomy, AnatomyJoint, AnatomySphere};
+pub use anatomy::{Anatomy, AnatomyJoint, AnatomySphere, AttachedMesh, JointCoordinate, ModelJoint};
 pub use assignment::Assignment;
 pub use body_sizes::ScaledSinceNote;
 pub use class::Class;
 pub use components::Companion;
 pub use contact_digest::ValueKey;
-pub use contacts::{Force, ForceId, ForceKind, ParameterSet, SetId, Slot, Sphere, SphereId};
+pub use contacts::{Force, ForceId, ForceKind, HalfSpace, ParameterSet, SetId, Slot, Sphere, SphereId};
 pub use document::{Document, may_include};
 pub use fault::{
     CountOf, Excerpt, FactorQuestion, Fault, FaultKind, FileId, GravityFor, MassSlip, Needed, NeedsAnswer,
-    NoteDoubt, Question, RadiusFrom, TreeOfForces,
+    NoteDoubt, Question, RadiusFrom, TreeOfForces, probable_units,
 };
 pub use finding::{
     Finding, FindingCode, Remedy, RemedyChange, RemedyDesign, RemedyDialect, RemedyLoad, Repair, Seen,
     Severity,
 };
+pub use ground_planes::GroundPlane;
 pub use limbs::{Limb, Limbs};
 pub use mass::{Mass, MassRequest, MassSource, SAME_MASS, positive_mass, same_mass};
 pub use model::Model;
 pub use note::{BodySize, Credits, Note, Scope};
 pub use number::{four_significant, readable, shortest};
+pub use osim_frames::{Axis, LevelAxis, Placement, Rotation};
 pub use osim_xml::opensim_text::{self, NumberFault};
 pub use osim_xml::{Children, ElementId, LineIndex, Piece, PieceKind, Position, RawText, SyntaxFault, Tree};
 pub use pattern::{Pattern, PatternError};
 pub use property::Property;
-pub use rotation::{Axis, LevelAxis, Rotation};
 pub use selected::Selected;
 pub use selection::Selection;
 pub use side::{Side, without_side};

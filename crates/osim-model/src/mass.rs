@@ -151,7 +151,7 @@ impl MassRequest {
         let mass = if let Some(kg) = self.contacts_kg {
             Mass { kg: positive_mass(Input::ContactsMass, kg)?, source: MassSource::ContactsMass }
         } else if let Some(doubt) = model.doubt_about_note() {
-            return Err(Fault::new(Needed::ContactsMass { noted_kg, doubt }));
+            return Err(Fault::new(Needed::ContactsMass { noted_kg, doubt, input: Input::ContactsMass }));
         } else if let Some(kg) = noted_kg {
             Mass { kg, source: MassSource::Note }
         } else {

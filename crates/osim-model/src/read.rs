@@ -78,6 +78,21 @@ impl Model {
         Ok(model)
     }
 
+    /// The same model with other bytes of its main file; the files beside it stay.
+    ///
+    /// # Errors
+    /// Those of [`Document::parse`] and of [`Model::read_with`].
+    pub fn rebuilt(&self, bytes: Vec<u8>) -> Result<Self, Fault> {
+        let document = Document::parse(bytes)?;
+        let mut named = document.included_files().into_iter();
+        let companions = self.components.companions().iter().map(|companion| Companion {
+            document: companion.document.clone(),
+            included_by: companion.included_by.and_then(|_| named.next()).map(|(element, _)| element),
+        });
+        let companions = companions.collect();
+        Self::read_with(document, companions)
+    }
+
     /// Of the note in the credits and that of an earlier version in a comment, the one that describes these contacts counts;
     /// where neither does, or both do, the one in the credits.
     fn take_note(&mut self, notes: NotesFound) {

@@ -20,19 +20,44 @@ pub struct Selected {
     pub complete: bool,
 }
 
+impl Selected {
+    /// The forces of `model` for which `wanted` holds.
+    #[must_use]
+    pub fn those(model: &Model, wanted: impl Fn(&Force) -> bool) -> Self {
+        let forces = ids(model, wanted);
+        Self { complete: is_complete(model, &forces), forces }
+    }
+}
+
 impl Selection {
     /// Applies the choice to `model`: by default every force in which a moving sphere meets a half-space.
     ///
     /// # Errors
     /// No force at all, no force that matches, or forces of several animals and no choice among them.
     pub fn apply(&self, model: &Model) -> Result<Selected, Fault> {
-        let ids = |of: &dyn Fn(&Force) -> bool| -> Vec<ForceId> {
-            model.forces().iter().filter(|force| of(force)).map(|force| force.id).collect()
-        };
-        let default = ids(&|force| model.meets_half_space(force));
         let explicit = !self.select.is_empty();
-        let candidates =
-            if explicit { ids(&|force| has_moving_sphere(model, force)) } else { default.clone() };
+        let candidates = match explicit {
+            true => ids(model, |force| has_moving_sphere(model, force)),
+            false => ids(model, |force| model.meets_half_space(force)),
+        };
+        let selected = self.chosen_of(model, &candidates)?;
+        if !explicit {
+            refuse_several_trees(model, &selected.forces)?;
+        }
+        Ok(selected)
+    }
+
+    /// Applies the choice to all contact forces of `model`, whatever meets in them: for changes that are the same for every
+    /// animal.
+    ///
+    /// # Errors
+    /// No force at all, or no force that matches.
+    pub fn apply_to_all(&self, model: &Model) -> Result<Selected, Fault> {
+        self.chosen_of(model, &ids(model, |_| true))
+    }
+
+    fn chosen_of(&self, model: &Model, candidates: &[ForceId]) -> Result<Selected, Fault> {
+        let explicit = !self.select.is_empty();
         if candidates.is_empty() {
             return Err(no_contacts(model));
         }
@@ -45,14 +70,20 @@ impl Selection {
         };
         let forces: Vec<ForceId> = candidates.iter().copied().filter(wanted).collect();
         if forces.is_empty() {
-            return Err(Fault::new(FaultKind::NothingSelected { forces: model.names_of(&candidates) }));
+            return Err(Fault::new(FaultKind::NothingSelected { forces: model.names_of(candidates) }));
         }
-        if !explicit {
-            refuse_several_trees(model, &forces)?;
-        }
-        let complete = default.iter().all(|id| forces.binary_search(id).is_ok());
-        Ok(Selected { forces, complete })
+        Ok(Selected { complete: is_complete(model, &forces), forces })
     }
+}
+
+fn ids(model: &Model, wanted: impl Fn(&Force) -> bool) -> Vec<ForceId> {
+    model.forces().iter().filter(|force| wanted(force)).map(|force| force.id).collect()
+}
+
+/// Whether every force of the default choice is among `forces`.
+fn is_complete(model: &Model, forces: &[ForceId]) -> bool {
+    let mut default = model.forces().iter().filter(|force| model.meets_half_space(force));
+    default.all(|force| forces.binary_search(&force.id).is_ok())
 }
 
 impl Model {
@@ -73,7 +104,10 @@ fn has_moving_sphere(model: &Model, force: &Force) -> bool {
 
 fn no_contacts(model: &Model) -> Fault {
     let detail = if model.forces().is_empty() {
-        "there is no HuntCrossleyForce and no SmoothSphereHalfSpaceForce in it".to_owned()
+        let tree = model.document().tree();
+        let is_other = tree.elements().any(|id| tree.name(id) == "ElasticFoundationForce");
+        let other = if is_other { "; an ElasticFoundationForce is not changed" } else { "" };
+        format!("there is no HuntCrossleyForce and no SmoothSphereHalfSpaceForce in it{other}")
     } else {
         format!("in none of its {} contact forces a moving sphere meets a half-space", model.forces().len())
     };

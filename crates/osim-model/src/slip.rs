@@ -20,6 +20,8 @@ const LIGHTEST_KG: f64 = 1e-6;
 const HEAVIEST_KG: f64 = 200e3;
 /// Joints of one body whose distance from all others is looked at: more than a body has.
 const OUTERMOST: usize = 32;
+/// Bones are so many times as long as a sphere's radius, where nothing else is known: a shank of 0.43 m, a radius of 0.032 m.
+const BONES: f64 = 13.0;
 /// So many times the bodies' mass a target looks like grams: 1000 times, for a body within a factor of 5.
 const GRAMS_OF_A_TARGET: std::ops::RangeInclusive<f64> = 200.0..=5000.0;
 
@@ -114,7 +116,12 @@ impl JointDistances {
     /// to; where none of them has two joints that are apart, of all bodies. `None` where no body has.
     #[must_use]
     pub fn around(&self, sphere: &Sphere) -> Option<f64> {
-        let body = sphere.body.as_ref()?;
+        self.around_body(sphere.body.as_ref()?)
+    }
+
+    /// The same of a body.
+    #[must_use]
+    pub fn around_body(&self, body: &str) -> Option<f64> {
         self.around_m.get(body).copied().or(self.longest_of_all_m)
     }
 
@@ -123,7 +130,9 @@ impl JointDistances {
     #[must_use]
     pub fn radius_slip(&self, sphere: &Sphere, radius_m: f64, said: bool) -> Option<NeedsAnswer> {
         let longest_m = self.around(sphere)?;
-        let said_for = said.then_some(sphere.radius.number);
+        // A sphere that is new has the radius that was said.
+        let usual = if sphere.radius.number == radius_m { longest_m / BONES } else { sphere.radius.number };
+        let said_for = said.then_some(usual);
         let sphere = sphere.name.clone();
         (radius_m > longest_m).then_some(NeedsAnswer::Radius { sphere, radius_m, longest_m, said_for })
     }

@@ -1,8 +1,15 @@
 //! Joints between bodies: where they are on both, and how the bodies stand to each other at the default pose.
 
-use super::pose::{Placement, at_default};
+use std::collections::HashSet;
+
+use super::functions::numbers;
+use super::pose::motion;
 use crate::components::{ComponentId, Components, MAX_FRAME_CHAIN};
-use crate::rotation::Rotation;
+use crate::document::Document;
+use crate::fault::FileId;
+use crate::model::Model;
+use osim_frames::Placement;
+use osim_xml::ElementId;
 
 /// A joint between two bodies.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,17 +33,111 @@ impl AnatomyJoint {
     /// A point of the child, seen from the parent at the default pose, m.
     #[must_use]
     pub fn in_parent(&self, point_m: [f64; 3]) -> Option<[f64; 3]> {
-        Some(self.placement?.of(point_m))
+        Some(self.placement?.point(point_m))
+    }
+}
+
+/// A joint, to ground or between bodies, and what it takes to place one by the other.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct ModelJoint {
+    /// Its name.
+    pub name: String,
+    /// Its class, such as `CustomJoint`.
+    pub class: String,
+    /// The body it hangs on; `None` is ground.
+    pub parent: Option<String>,
+    /// The body that hangs on it; `None` is ground.
+    pub child: Option<String>,
+    /// The file it is in.
+    pub file: FileId,
+    /// Its coordinates, in order.
+    pub coordinates: Vec<JointCoordinate>,
+    element: ElementId,
+    in_parent: Placement,
+    in_child: Placement,
+    /// It is in its child, as documents before version 4 have it.
+    in_body: bool,
+    /// Such a joint may say that the child moves the parent.
+    reversed: bool,
+}
+
+/// A coordinate of a joint.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct JointCoordinate {
+    /// Its name.
+    pub name: String,
+    /// Where it is in the joint's file.
+    pub element: ElementId,
+    /// `default_value`, rad or m; `None` where it is not a number.
+    pub default: Option<f64>,
+}
+
+impl ModelJoint {
+    /// Where it is on its parent (or in ground), m.
+    #[must_use]
+    pub fn in_parent_m(&self) -> [f64; 3] {
+        self.in_parent.translation_m
+    }
+
+    /// The child's frame in the parent's where the coordinates have these `values` (rad, m; 0 where there are fewer); `None`
+    /// where a function of the joint, or the joint itself, is not understood.
+    #[must_use]
+    pub fn placement(&self, model: &Model, values: &[f64]) -> Option<Placement> {
+        self.placed(model.file(self.file), values)
+    }
+
+    fn placed(&self, document: &Document, values: &[f64]) -> Option<Placement> {
+        let names = self.coordinates.iter().map(|coordinate| coordinate.name.as_str());
+        let values: Vec<(&str, f64)> = names.zip(values.iter().copied()).collect();
+        let motion = motion(document, self.element, &values)?;
+        let motion = if self.reversed { motion.inverse() } else { motion };
+        Some(self.in_parent.then(&motion).then(&self.in_child.inverse()))
+    }
+}
+
+impl Model {
+    /// All joints whose frames lead to bodies or to ground, in file order, without those that OpenSim ignores. Frames of joints in
+    /// bodies are as OpenSim converts them, with six digits.
+    #[must_use]
+    pub fn joints(&self) -> Vec<ModelJoint> {
+        let ignored: HashSet<&ComponentId> = self.skeleton().ignored_joints.iter().collect();
+        let found = ids(self.components()).filter(|id| !ignored.contains(id));
+        let mut joints: Vec<ModelJoint> = found.filter_map(|id| read_one(self.components(), id)).collect();
+        for joint in joints.iter_mut().filter(|joint| joint.in_body) {
+            joint.in_parent = joint.in_parent.in_six_digits();
+            joint.in_child = joint.in_child.in_six_digits();
+        }
+        joints
     }
 }
 
 /// All joints between bodies of the files. One whose frames lead nowhere is left out: its limb says nothing then.
 pub(super) fn read(components: &Components) -> Vec<AnatomyJoint> {
-    let joints = components.tree.iter().filter(|(id, _)| components.tag(*id).ends_with("Joint"));
-    joints.filter_map(|(id, _)| read_one(components, id)).collect()
+    ids(components).filter_map(|id| between_bodies(components, read_one(components, id)?)).collect()
 }
 
-fn read_one(components: &Components, joint: ComponentId) -> Option<AnatomyJoint> {
+fn between_bodies(components: &Components, joint: ModelJoint) -> Option<AnatomyJoint> {
+    let defaults: Option<Vec<f64>> = joint.coordinates.iter().map(|coordinate| coordinate.default).collect();
+    Some(AnatomyJoint {
+        placement: defaults.and_then(|values| joint.placed(components.document(joint.file), &values)),
+        name: joint.name,
+        parent: joint.parent?,
+        child: joint.child?,
+        in_parent_m: joint.in_parent.translation_m,
+        in_child_m: joint.in_child.translation_m,
+    })
+}
+
+fn ids(components: &Components) -> impl Iterator<Item = ComponentId> {
+    let joints = components.tree.iter().filter(|(id, _)| components.tag(*id).ends_with("Joint"));
+    joints.map(|(id, _)| id)
+}
+
+fn read_one(components: &Components, joint: ComponentId) -> Option<ModelJoint> {
+    let element = components.element(joint);
+    let document = components.doc(joint);
     let old = components.tree.get(joint)?.parent.filter(|&id| components.tag(id) == "Body");
     let (parent, child) = match old {
         // A document of version 3: the joint is in its child and holds both places.
@@ -44,42 +145,71 @@ fn read_one(components: &Components, joint: ComponentId) -> Option<AnatomyJoint>
             let (body, on_body) = end(components, joint, "parent_frame", &["parent_body"])?;
             let there = own(components, joint, "location_in_parent", "orientation_in_parent");
             let here = own(components, joint, "location", "orientation");
-            ((body, on_body.then(&there)), (components.name(child), here))
+            ((body, on_body.then(&there)), (Some(components.name(child)), here))
         }
         None => (
             end(components, joint, "parent_frame", &["parent_body"])?,
             end(components, joint, "child_frame", &["child_body"])?,
         ),
     };
-    let motion = at_default(components, joint);
-    Some(AnatomyJoint {
+    Some(ModelJoint {
         name: components.name(joint),
-        placement: motion.map(|motion| parent.1.then(&motion).then(&child.1.inverse())),
-        in_parent_m: parent.1.translation,
-        in_child_m: child.1.translation,
+        class: components.tag(joint).to_owned(),
         parent: parent.0,
         child: child.0,
+        file: components.file_of(joint),
+        coordinates: coordinates(document, element),
+        element,
+        in_parent: parent.1,
+        in_child: child.1,
+        in_body: old.is_some(),
+        reversed: old.is_some() && matches!(document.flag(element, "reverse"), Ok(Some(true))),
     })
 }
 
-/// The body at one end of a joint, and the joint's frame on it.
+fn coordinates(document: &Document, joint: ElementId) -> Vec<JointCoordinate> {
+    let tree = document.tree();
+    let old = || tree.child(tree.child(joint, "CoordinateSet")?, "objects");
+    let list = tree.child(joint, "coordinates").or_else(old);
+    let coordinates = list.into_iter().flat_map(|list| tree.children(list));
+    let coordinates = coordinates.filter(|&id| tree.name(id) == "Coordinate");
+    coordinates
+        .map(|element| {
+            let name = tree.attribute(element, "name").unwrap_or_default().into_owned();
+            let default = match tree.child(element, "default_value") {
+                Some(_) => {
+                    numbers(document, element, "default_value").and_then(|values| values.first().copied())
+                }
+                None => Some(0.0),
+            };
+            JointCoordinate { name, element, default }
+        })
+        .collect()
+}
+
+/// The body at one end of a joint (`None` is ground), and the joint's frame on it.
 fn end(
     components: &Components,
     joint: ComponentId,
     socket: &str,
     legacy: &[&str],
-) -> Option<(String, Placement)> {
+) -> Option<(Option<String>, Placement)> {
     let connectee = components.connectee(joint, socket, legacy)?;
-    let mut at = components.frame(joint, &connectee)?.component;
-    let mut placement = Placement::NONE;
+    let (body, placement) = on_base(components, components.frame(joint, &connectee)?.component)?;
+    Some((body.map(|body| components.name(body)), placement))
+}
+
+/// The body that carries a frame (`None` is ground), and the frame on it; nothing where the frame leads nowhere.
+pub(super) fn on_base(
+    components: &Components,
+    frame: Option<ComponentId>,
+) -> Option<(Option<ComponentId>, Placement)> {
+    let (mut at, mut placement) = (frame, Placement::IDENTITY);
     for _ in 0..=MAX_FRAME_CHAIN {
-        let frame = at?;
+        let Some(frame) = at else { return Some((None, placement)) };
         match components.tag(frame) {
-            "Body" => {
-                let name = components.name(frame);
-                return (name != "ground").then_some((name, placement));
-            }
-            "Ground" => return None,
+            "Body" => return Some(((components.name(frame) != "ground").then_some(frame), placement)),
+            "Ground" => return Some((None, placement)),
             _ => {}
         }
         placement = own(components, frame, "translation", "orientation").then(&placement);
@@ -91,5 +221,5 @@ fn end(
 
 fn own(components: &Components, owner: ComponentId, translation: &str, orientation: &str) -> Placement {
     let triple = |tag| components.doc(owner).triple(components.element(owner), tag).unwrap_or([0.0; 3]);
-    Placement { rotation: Rotation::body_fixed_xyz(triple(orientation)), translation: triple(translation) }
+    Placement::of_triples(triple(orientation), triple(translation))
 }

@@ -1,154 +1,85 @@
-//! How the two frames of a joint stand to each other where all coordinates have their default values.
+//! How the two frames of a joint stand to each other at given values of its coordinates.
 
-use std::collections::HashMap;
-
-use crate::components::{ComponentId, Components};
+use super::functions::evaluate;
 use crate::document::Document;
-use crate::rotation::Rotation;
+use osim_frames::Placement;
+use osim_frames::{Rotation, times};
 use osim_xml::{ElementId, opensim_text};
 
 /// Three axes of rotation and three of translation, in the order in which OpenSim applies them.
 const ROTATIONS: [&str; 3] = ["rotation1", "rotation2", "rotation3"];
 const TRANSLATIONS: [&str; 3] = ["translation1", "translation2", "translation3"];
-/// Joints whose frames coincide while all coordinates are 0.
-const COINCIDE_AT_ZERO: [&str; 7] =
-    ["PinJoint", "SliderJoint", "UniversalJoint", "GimbalJoint", "BallJoint", "PlanarJoint", "FreeJoint"];
 
-/// A frame in another one.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Placement {
-    pub rotation: Rotation,
-    pub translation: [f64; 3],
-}
-
-impl Placement {
-    pub(super) const NONE: Self = Self { rotation: Rotation::IDENTITY, translation: [0.0; 3] };
-
-    /// A point of the frame, seen from the other one.
-    pub(super) fn of(&self, point: [f64; 3]) -> [f64; 3] {
-        let turned = self.rotation.to_body(point);
-        std::array::from_fn(|i| self.translation[i] + turned[i])
-    }
-
-    /// A frame in this one, seen from where this one is seen.
-    pub(super) fn then(&self, inner: &Self) -> Self {
-        Self { rotation: self.rotation.after(&inner.rotation), translation: self.of(inner.translation) }
-    }
-
-    pub(super) fn inverse(&self) -> Self {
-        let rotation = self.rotation.inverse();
-        let translation = rotation.to_body(self.translation).map(|value| -value);
-        Self { rotation, translation }
-    }
-}
-
-/// The child's frame of `joint` in its parent's; `None` where that is not known.
-pub(super) fn at_default(components: &Components, joint: ComponentId) -> Option<Placement> {
-    let document = components.doc(joint);
-    let element = components.element(joint);
-    let defaults = defaults(document, element)?;
-    let still = defaults.values().all(|&value| value == 0.0);
-    match components.tag(joint) {
-        "WeldJoint" => Some(Placement::NONE),
-        "CustomJoint" => spatial(document, element, &defaults),
-        "PinJoint" if !still && defaults.len() == 1 => {
-            let angle = defaults.values().next().copied()?;
-            Some(Placement { rotation: Rotation::about([0.0, 0.0, 1.0], angle), ..Placement::NONE })
+/// The child's frame of the joint at `element` in its parent's; `None` where that is not known. `values` are those of its
+/// coordinates, in their order, with their names.
+pub(super) fn motion(document: &Document, element: ElementId, values: &[(&str, f64)]) -> Option<Placement> {
+    let value = |index: usize| values.get(index).map_or(0.0, |(_, value)| *value);
+    let [first, second, third, ..] = std::array::from_fn::<f64, 6, _>(value);
+    let turned = Rotation::body_fixed_xyz([first, second, third]);
+    let only = |rotation| Placement { rotation, ..Placement::IDENTITY };
+    Some(match document.tree().name(element) {
+        "WeldJoint" => Placement::IDENTITY,
+        "PinJoint" => only(Rotation::about([0.0, 0.0, 1.0], first)),
+        "SliderJoint" => Placement { translation_m: [first, 0.0, 0.0], ..Placement::IDENTITY },
+        "UniversalJoint" => only(Rotation::body_fixed_xyz([first, second, 0.0])),
+        "GimbalJoint" | "BallJoint" => only(turned),
+        "PlanarJoint" => Placement {
+            rotation: Rotation::about([0.0, 0.0, 1.0], first),
+            translation_m: [second, third, 0.0],
+        },
+        "FreeJoint" => Placement { rotation: turned, translation_m: [value(3), value(4), value(5)] },
+        "EllipsoidJoint" => {
+            let radii = document.triple(element, "radii_x_y_z")?;
+            Placement { rotation: turned, translation_m: times(radii, turned.to_body([0.0, 0.0, 1.0])) }
         }
-        tag if still && COINCIDE_AT_ZERO.contains(&tag) => Some(Placement::NONE),
-        _ => None,
-    }
-}
-
-/// Default values of the coordinates of a joint, by name.
-fn defaults(document: &Document, joint: ElementId) -> Option<HashMap<String, f64>> {
-    let tree = document.tree();
-    let old = || tree.child(tree.child(joint, "CoordinateSet")?, "objects");
-    let list = tree.child(joint, "coordinates").or_else(old);
-    let coordinates = list.into_iter().flat_map(|list| tree.children(list));
-    coordinates
-        .filter(|&id| tree.name(id) == "Coordinate")
-        .map(|id| {
-            let name = tree.attribute(id, "name").unwrap_or_default().into_owned();
-            let value = match tree.child(id, "default_value") {
-                Some(_) => {
-                    numbers(document, id, "default_value").and_then(|values| values.first().copied())?
-                }
-                None => 0.0,
-            };
-            Some((name, value))
-        })
-        .collect()
+        "CustomJoint" => spatial(document, element, values)?,
+        _ => return None,
+    })
 }
 
 /// A `<SpatialTransform>`: rotations about three axes, each in the frame that those before have turned, and translations.
-fn spatial(document: &Document, joint: ElementId, defaults: &HashMap<String, f64>) -> Option<Placement> {
+fn spatial(document: &Document, joint: ElementId, values: &[(&str, f64)]) -> Option<Placement> {
     let tree = document.tree();
-    let Some(transform) = tree.child(joint, "SpatialTransform") else { return Some(Placement::NONE) };
-    let mut placement = Placement::NONE;
+    let Some(transform) = tree.child(joint, "SpatialTransform") else { return Some(Placement::IDENTITY) };
+    let mut placement = Placement::IDENTITY;
     for (index, axis) in tree.children(transform).enumerate() {
         let name = tree.attribute(axis, "name").unwrap_or_default();
         let named = ROTATIONS.iter().chain(&TRANSLATIONS).position(|known| *known == &*name);
-        let value = value_of(document, axis, defaults)?;
+        let value = value_of(document, axis, values)?;
         let direction = document.triple(axis, "axis").unwrap_or([0.0; 3]);
         if named.unwrap_or(index) < ROTATIONS.len() {
             placement.rotation = placement.rotation.after(&Rotation::about(direction, value));
         } else {
-            placement.translation = std::array::from_fn(|i| placement.translation[i] + direction[i] * value);
+            let [x, y, z] = direction;
+            let length = libm::sqrt(x * x + y * y + z * z);
+            // OpenSim gives each axis the length 1; one without length moves nothing.
+            let value = if length > 0.0 { value / length } else { 0.0 };
+            placement.translation_m =
+                std::array::from_fn(|i| placement.translation_m[i] + direction[i] * value);
         }
     }
     Some(placement)
 }
 
 /// What moves along or about one axis.
-fn value_of(document: &Document, axis: ElementId, defaults: &HashMap<String, f64>) -> Option<f64> {
+fn value_of(document: &Document, axis: ElementId, values: &[(&str, f64)]) -> Option<f64> {
     let tree = document.tree();
     let names = tree.child(axis, "coordinates").map(|list| tree.text_of(list)).unwrap_or_default();
-    let argument = opensim_text::list(&names).next().map_or(Some(0.0), |name| defaults.get(name).copied())?;
+    let mut names = opensim_text::list(&names);
+    let argument = match names.next() {
+        Some(name) => Some(values.iter().find(|(known, _)| *known == name)?.1),
+        None => None,
+    };
+    // A function of several coordinates is not understood.
+    if names.next().is_some() {
+        return None;
+    }
     let wrapped = tree.child(axis, "function").and_then(|wrapper| tree.children(wrapper).next());
     let is_function = |id: &ElementId| !["coordinates", "axis", "function"].contains(&tree.name(*id));
     match wrapped.or_else(|| tree.children(axis).find(is_function)) {
-        Some(function) => evaluate(document, function, argument),
-        None => names.is_empty().then_some(0.0),
+        Some(function) => evaluate(document, function, argument.unwrap_or(0.0)),
+        None => argument.is_none().then_some(0.0),
     }
-}
-
-/// A function of one coordinate; a curve only at its own knots.
-fn evaluate(document: &Document, function: ElementId, x: f64) -> Option<f64> {
-    let tree = document.tree();
-    match tree.name(function) {
-        "Constant" => match tree.child(function, "value") {
-            Some(_) => numbers(document, function, "value")?.first().copied(),
-            None => Some(0.0),
-        },
-        "LinearFunction" | "PolynomialFunction" => {
-            let coefficients = numbers(document, function, "coefficients")?;
-            Some(coefficients.into_iter().fold(0.0, |sum, coefficient| sum * x + coefficient))
-        }
-        "MultiplierFunction" => {
-            let inner = tree.children(tree.child(function, "function")?).next()?;
-            let scale = match tree.child(function, "scale") {
-                Some(_) => numbers(document, function, "scale")?.first().copied()?,
-                None => 1.0,
-            };
-            Some(scale * evaluate(document, inner, x)?)
-        }
-        "SimmSpline" | "NaturalCubicSpline" | "PiecewiseLinearFunction" => {
-            let (xs, ys) = (numbers(document, function, "x")?, numbers(document, function, "y")?);
-            // Many joints hold constants as curves between equal values.
-            let first = ys.first().copied()?;
-            let flat = ys.iter().all(|&y| y == first);
-            let knot = || ys.get(xs.iter().position(|&knot| knot == x)?).copied();
-            if flat { Some(first) } else { knot() }
-        }
-        _ => None,
-    }
-}
-
-fn numbers(document: &Document, owner: ElementId, tag: &str) -> Option<Vec<f64>> {
-    let tree = document.tree();
-    let text = tree.text_of(tree.child(owner, tag)?);
-    opensim_text::numbers(&text).filter(|values| values.iter().all(|value| value.is_finite()))
 }
 
 #[cfg(test)]
@@ -243,12 +174,13 @@ mod tests {
             axis("rotation3", "", "1 0 0", "<Constant><value>0</value></Constant>"),
             axis("translation1", "", "1 0 0", ""),
             axis("translation2", "", "0 1 0", ""),
-            axis("translation3", "t", "0 0 1", spline),
+            // OpenSim gives the axis the length 1.
+            axis("translation3", "t", "0 0 2", spline),
         );
         at(&chain(&custom, "0.05 0 0"), [0.12, 0.05, 0.03]);
-        // Between its knots, a curve is not guessed.
-        let between = custom.replace("<default_value>0<", "<default_value>0.5<");
-        let anatomy = chain(&between, "0.05 0 0");
+        // A curve that is not known is not guessed.
+        let unknown = custom.replace("SimmSpline", "GCVSpline");
+        let anatomy = chain(&unknown, "0.05 0 0");
         assert!(anatomy.place_below("calcn_r", &anatomy.joints[1]).is_none());
     }
 

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use super::ids::{ForceId, SetId, SphereId};
 use super::slot::Slot;
 use crate::class::Class;
-use crate::components::Base;
+use crate::components::{Base, ComponentId};
 use crate::fault::{Fault, FileId};
 use crate::property::Property;
 use crate::value::Value;
@@ -80,6 +80,8 @@ pub struct ParameterSet {
     pub(crate) element: ElementId,
     pub(crate) class: Class,
     pub(crate) half_space_bases: Vec<Base>,
+    /// Those of its half-spaces that are components of their own.
+    pub(crate) half_space_components: Vec<ComponentId>,
 }
 
 impl ParameterSet {
@@ -91,6 +93,12 @@ impl ParameterSet {
 }
 
 impl Force {
+    /// Its element in its [`file`](Self::file).
+    #[must_use]
+    pub const fn element(&self) -> ElementId {
+        self.element
+    }
+
     /// All spheres of the force, each once, in order.
     #[must_use]
     pub fn spheres(&self) -> Vec<SphereId> {

@@ -25,7 +25,7 @@ struct Attachment {
 #[derive(Clone, Copy)]
 enum Surface {
     Sphere(SphereId),
-    HalfSpace(Base),
+    HalfSpace(ComponentId, Base),
     Other,
 }
 
@@ -181,7 +181,9 @@ impl<'r> ContactReader<'r> {
                 let index = self.sphere_components.binary_search(&id).unwrap_or_default();
                 Ok(Surface::Sphere(SphereId(index)))
             }
-            "ContactHalfSpace" => Ok(Surface::HalfSpace(self.attachment(id, "frame", &["body_name"])?.base)),
+            "ContactHalfSpace" => {
+                Ok(Surface::HalfSpace(id, self.attachment(id, "frame", &["body_name"])?.base))
+            }
             _ => Ok(Surface::Other),
         }
     }
@@ -315,6 +317,7 @@ impl<'r> ContactReader<'r> {
             element,
             class,
             half_space_bases: vec![],
+            half_space_components: vec![],
             inherited: false,
         }
     }
@@ -351,7 +354,10 @@ impl ParameterSet {
     fn add(&mut self, surface: Surface) {
         match surface {
             Surface::Sphere(sphere) => self.spheres.push(sphere),
-            Surface::HalfSpace(base) => self.half_space_bases.push(base),
+            Surface::HalfSpace(id, base) => {
+                self.half_space_bases.push(base);
+                self.half_space_components.push(id);
+            }
             Surface::Other => self.other_surfaces += 1,
         }
     }

@@ -54,6 +54,12 @@ impl Sphere {
         self.radius.checked().map_err(|fault| fault.of(self.path.clone()).in_file(self.file))
     }
 
+    /// Its element in its [`file`](Self::file).
+    #[must_use]
+    pub const fn element(&self) -> ElementId {
+        self.element
+    }
+
     /// Whether the sphere is inside its force, as in Moco 0.1 to 0.3.
     #[must_use]
     pub fn is_inside_force(&self) -> bool {

@@ -88,6 +88,16 @@ pub enum FaultKind {
     Needed(Needed),
     /// Something that looks like a slip, and is done only when the caller says that it is meant.
     NeedsAnswer(NeedsAnswer),
+    /// A model that is to get contacts has some.
+    ContactsExist {
+        /// Names of their forces.
+        forces: String,
+    },
+    /// Bodies that carry spheres in the reference and are not in the model.
+    MissingCarriers {
+        /// Their names.
+        bodies: Vec<String>,
+    },
     /// What should change is in another file, which the model names.
     IncludedFile {
         /// Component path.
@@ -128,10 +138,19 @@ pub enum FaultKind {
         /// Names of the forces there are, shortened.
         forces: String,
     },
-    /// Spheres of one force grow by different factors, and that was to be refused.
-    FactorSpread {
-        /// What differs, and by how much.
+    /// Something that a change warns of, and that was to be refused.
+    StrictlyRefused {
+        /// What it is.
         text: String,
+    },
+    /// A force for which a change cannot be made, and that can be left out of it.
+    LeaveOut {
+        /// What is wrong with it.
+        text: String,
+        /// Its name.
+        force: String,
+        /// Another way out, where there is one: a clause.
+        otherwise: &'static str,
     },
     /// A request that makes no sense for this model. The text names no input.
     Refused(String),
@@ -161,13 +180,16 @@ impl FaultKind {
             Self::Unresolved { .. } => "unresolved",
             Self::Needed(needed) => needed.code(),
             Self::NeedsAnswer(asks) => asks.question().code(),
+            Self::ContactsExist { .. } => "contacts-exist",
+            Self::MissingCarriers { .. } => "missing-body",
             Self::IncludedFile { .. } => "included-file",
             Self::ParametersInDefaults { .. } => "parameters-in-defaults",
             Self::BadInput { .. }
             | Self::UnknownBody { .. }
             | Self::UnknownReferenceSphere { .. }
             | Self::NothingSelected { .. }
-            | Self::FactorSpread { .. }
+            | Self::StrictlyRefused { .. }
+            | Self::LeaveOut { .. }
             | Self::Refused(_) => "refused",
             Self::Quantity(_) => "out-of-range",
             Self::OverlappingEdits { .. } => "internal",
@@ -185,6 +207,25 @@ impl FaultKind {
             }
             Self::UnknownBody { body } => {
                 phrase![Input::BodyScale.being(body), ": the model has no body of that name"]
+            }
+            Self::ContactsExist { forces } => phrase![
+                format!("the model has contacts already: {forces}; make them right with "),
+                Verb::Rescale.call(),
+                " or ",
+                Verb::Transfer.call(),
+                ", or replace them with ",
+                Input::Replace,
+            ],
+            Self::MissingCarriers { bodies } => {
+                let (is, first) = match bodies.as_slice() {
+                    [one] => (format!("body {one}, which carries"), one.as_str()),
+                    [one, ..] => (format!("bodies {}, which carry", bodies.join(", ")), one.as_str()),
+                    [] => (String::new(), ""),
+                };
+                phrase![
+                    format!("the model lacks {is} spheres in the reference: name what takes them here with "),
+                    Input::BodyMap.being(format!("{first}=BODY")),
+                ]
             }
             Self::UnknownReferenceSphere { sphere, reference, known } => phrase![
                 Input::ReferenceSphere.being(sphere),
@@ -209,8 +250,12 @@ impl FaultKind {
                     .call()
                     .saying(Input::ConstantIndentation, limits::SUGGESTED_CONSTANT_INDENTATION.to_string()),
             ],
-            Self::FactorSpread { text } => {
+            Self::StrictlyRefused { text } => {
                 phrase![text.clone(), " (refused because of ", Input::Strict, ")"]
+            }
+            Self::LeaveOut { text, force, otherwise } => {
+                let other = if otherwise.is_empty() { String::new() } else { format!(", or {otherwise}") };
+                phrase![format!("{text}: leave this force out with "), Input::Exclude.being(force), other]
             }
             other => other.without_inputs().into(),
         }

@@ -2,7 +2,7 @@
 
 use super::factor_question::FactorQuestion;
 use super::note_doubt::NoteDoubt;
-use super::way_out::{GravityFor, RadiusFrom, shared_sphere};
+use super::way_out::{GravityFor, RadiusFrom, contacts_mass, known_contacts_mass, shared_sphere};
 use crate::number::readable;
 use crate::wording::{Input, Phrase, phrase};
 
@@ -47,6 +47,8 @@ pub enum Needed {
         noted_kg: Option<f64>,
         /// Why it is in doubt.
         doubt: NoteDoubt,
+        /// Where it can be said: [`Input::ReferenceMass`] of contacts that others are made from.
+        input: Input,
     },
     /// The gravity that the contacts were made for: the note in the file cannot be relied on.
     ContactsGravity {
@@ -141,6 +143,8 @@ pub enum Needed {
         made_for_kg: f64,
         /// What the bodies weigh, kg.
         bodies_kg: f64,
+        /// As of [`Needed::ContactsMass`].
+        input: Input,
     },
     /// How bodies were scaled, which the note was to say: it has no sizes, or spheres were moved since.
     NotedSizes,
@@ -241,23 +245,9 @@ impl Needed {
                  say what the model weighs with ",
                 Input::Mass.like("KG"),
             ],
-            Self::ContactsMass { noted_kg, doubt } => {
-                let noted = noted_kg.map(|kg| format!(" (the note says {} kg)", readable(kg)));
-                let what = format!(
-                    "which mass the contacts are made for is not certain{}",
-                    noted.unwrap_or_default()
-                );
-                phrase![what, ": ", doubt.as_str(), ": say it with ", Input::ContactsMass.like("KG")]
-            }
-            Self::KnownContactsMass { title, made_for_kg, bodies_kg } => {
-                let (made_for, bodies) = (readable(*made_for_kg), readable(*bodies_kg));
-                phrase![
-                    format!(
-                        "the contacts are those of {title}, made for {made_for} kg, and the bodies weigh {bodies} kg: say \
-                         what the contacts are made for with "
-                    ),
-                    Input::ContactsMass.being(made_for.clone()),
-                ]
+            Self::ContactsMass { noted_kg, doubt, input } => contacts_mass(*noted_kg, *doubt, *input),
+            Self::KnownContactsMass { title, made_for_kg, bodies_kg, input } => {
+                known_contacts_mass(title, *made_for_kg, *bodies_kg, *input)
             }
             Self::ContactsGravity { doubt } => phrase![
                 "which gravity the contacts are made for is not certain: ",

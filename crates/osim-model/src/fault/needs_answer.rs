@@ -14,13 +14,26 @@ pub enum Question {
     ImplausibleMass,
     /// A sphere that is larger than the bones around it.
     ImplausibleRadius,
+    /// A place or a sole that is far from the bones.
+    ImplausiblePlace,
+    /// Scale factors that no two animals differ by.
+    ImplausibleScale,
+    /// A foot that does not lie flat at the default pose.
+    TiltedFoot,
     /// A very large number of files.
     ManyModels,
 }
 
 impl Question {
     /// Every question.
-    pub const ALL: [Self; 3] = [Self::ImplausibleMass, Self::ImplausibleRadius, Self::ManyModels];
+    pub const ALL: [Self; 6] = [
+        Self::ImplausibleMass,
+        Self::ImplausibleRadius,
+        Self::ImplausiblePlace,
+        Self::ImplausibleScale,
+        Self::TiltedFoot,
+        Self::ManyModels,
+    ];
 
     /// Stable short name, which answers it.
     #[must_use]
@@ -28,6 +41,9 @@ impl Question {
         match self {
             Self::ImplausibleMass => "implausible-mass",
             Self::ImplausibleRadius => "implausible-radius",
+            Self::ImplausiblePlace => "implausible-place",
+            Self::ImplausibleScale => "implausible-scale",
+            Self::TiltedFoot => "tilted-foot",
             Self::ManyModels => "many-models",
         }
     }
@@ -104,8 +120,16 @@ pub enum NeedsAnswer {
         radius_m: f64,
         /// The longest distance between the joints of its body and of those next to it, m.
         longest_m: f64,
-        /// What it is in the file, m, where the caller said the new one as a length, which may be in another unit.
+        /// What is usual, m, where the caller said the new one as a length, which may be in another unit: what it is in the file, else
+        /// what follows from the bones.
         said_for: Option<f64>,
+    },
+    /// Something else, in words.
+    Other {
+        /// Which question it is.
+        question: Question,
+        /// What looks wrong, and what was probably meant.
+        text: Phrase,
     },
 }
 
@@ -116,6 +140,7 @@ impl NeedsAnswer {
         match self {
             Self::Mass { .. } => Question::ImplausibleMass,
             Self::Radius { .. } => Question::ImplausibleRadius,
+            Self::Other { question, .. } => *question,
         }
     }
 
@@ -133,6 +158,7 @@ impl NeedsAnswer {
             Self::Radius { sphere, radius_m, longest_m, said_for } => {
                 radius(sphere, *radius_m, *longest_m, *said_for).into()
             }
+            Self::Other { text, .. } => text.clone(),
         };
         text.push("; if it is meant, say ");
         text.push(&self.question().answer());
@@ -161,12 +187,37 @@ fn mass(input: Input, kg: f64, bodies_kg: Option<f64>, slip: MassSlip) -> Phrase
     phrase![input.being(readable(kg)), format!(" is {why}")]
 }
 
+/// The units, and how many of them are a metre, in which a length was probably said that is so many `times` as long as usual.
+///
+/// ```
+/// use osim_model::probable_units;
+///
+/// assert_eq!(probable_units(1100.0), [("mm", 1000.0)]);
+/// assert_eq!(probable_units(300.0), [("mm", 1000.0), ("cm", 100.0)]);
+/// assert!(probable_units(10.0).is_empty());
+/// ```
+#[must_use]
+pub fn probable_units(times: f64) -> &'static [(&'static str, f64)] {
+    const UNITS: [(&str, f64); 2] = [("mm", 1000.0), ("cm", 100.0)];
+    let of = match times {
+        // What is usual differs by a factor of two and a half or so.
+        _ if times < 30.0 => 0..0,
+        _ if times < 150.0 => 1..2,
+        _ if times < 600.0 => 0..2,
+        _ => 0..1,
+    };
+    UNITS.get(of).unwrap_or_default()
+}
+
 fn radius(sphere: &str, radius_m: f64, longest_m: f64, said_for: Option<f64>) -> String {
     let (radius, longest) = (readable(radius_m), four_significant(longest_m));
-    let meant = said_for.map(|old| {
-        // The unit in which it is most like the one in the file.
-        let (unit, per_metre) = if radius_m / 300.0 > old { ("mm", 1000.0) } else { ("cm", 100.0) };
-        format!(": radii are in m, write {} if it is in {unit}", readable(radius_m / per_metre))
+    let meant = said_for.map(|like_m| {
+        let units: Vec<String> = probable_units(radius_m / like_m)
+            .iter()
+            .map(|(unit, per_metre)| format!("{} if it is in {unit}", readable(radius_m / per_metre)))
+            .collect();
+        let write = if units.is_empty() { "" } else { ", write " };
+        format!(": radii are in m{write}{}", units.join(", or "))
     });
     format!(
         "the radius of {sphere} would be {radius} m, and the joints of its body and of those next to it are at most \

@@ -1,5 +1,8 @@
-//! What a question asks for depends on what was to be done: for a gravity that is not there, and for radii that must stay.
+//! What a question asks for depends on what was to be done: for a gravity that is not there, for radii that must stay, and for
+//! the mass of contacts that are the model's own or a reference's.
 
+use super::note_doubt::NoteDoubt;
+use crate::number::readable;
 use crate::wording::{Input, Phrase, phrase};
 
 /// What a gravity is needed for that the file does not have.
@@ -107,4 +110,32 @@ pub(super) fn shared_sphere(sphere: &str, changed: &str, left: &[String], can_ch
         ]);
     }
     text
+}
+
+/// Asks what contacts were made for, of which the note is in doubt: the model's own, or those of a reference.
+pub(super) fn contacts_mass(noted_kg: Option<f64>, doubt: NoteDoubt, input: Input) -> Phrase {
+    let noted = noted_kg.map(|kg| format!(" (the note says {} kg)", readable(kg)));
+    let what =
+        format!("which mass {} made for is not certain{}", contacts_are(input), noted.unwrap_or_default());
+    phrase![what, ": ", doubt.as_str(), ": say it with ", input.like("KG")]
+}
+
+/// Asks what known contacts were made for, under bodies of another mass.
+pub(super) fn known_contacts_mass(title: &str, made_for_kg: f64, bodies_kg: f64, input: Input) -> Phrase {
+    let (made_for, bodies) = (readable(made_for_kg), readable(bodies_kg));
+    let contacts = contacts_are(input);
+    phrase![
+        format!(
+            "{contacts} those of {title}, made for {made_for} kg, and the bodies weigh {bodies} kg: say what the contacts are \
+             made for with "
+        ),
+        input.being(made_for.clone()),
+    ]
+}
+
+fn contacts_are(input: Input) -> &'static str {
+    match input {
+        Input::ReferenceMass => "the contacts of the reference are",
+        _ => "the contacts are",
+    }
 }

@@ -162,8 +162,13 @@ codes! {
     /// One HuntCrossleyForce has several spheres.
     SeveralSpheres = "several-spheres-one-force", Warn, Model:
         "In Simbody, when one sphere of a HuntCrossleyForce leaves the ground faster than 2/(3 dissipation), the spheres evaluated after it lose their force in that step.";
-        "Give each sphere a HuntCrossleyForce of its own, or use SmoothSphereHalfSpaceForce";
-        NotPossible "forces cannot be divided yet: only numbers are changed".
+        "Give each sphere a HuntCrossleyForce of its own with `convert MODEL to=hunt-crossley`";
+        Command "makes one force for each sphere; stiffness, dissipation and friction stay as they are".
+    /// Sphere and half-space of a converted force have parameters of their own.
+    CompositeSurfaces = "composite-surfaces", Warn, Change:
+        "A force of one sphere has one set of parameters. It gets those that both surfaces have together (A.3), which gives the same force; but Simbody moves the point of contact towards the softer surface, so that accelerations can differ by up to 3 %.";
+        "Nothing, if 3 % do not matter; otherwise give both surfaces the same parameters first";
+        NotPossible "only you know which parameters are meant".
     /// A compiled file, F_ and the name of the model, lies beside the output.
     CompiledModelBeside = "compiled-model-beside", Warn, Model:
         "PredSim and OpenCap compile a model to F_<name> and reuse it without looking at the model's content: the old contacts would stay in use.";

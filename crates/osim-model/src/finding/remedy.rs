@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use crate::assignment::Assignment;
+use crate::contacts::ForceKind;
 use crate::fault::Question;
 use crate::files::FileName;
 use crate::pattern::Pattern;
@@ -62,6 +63,11 @@ pub enum RemedyChange {
         level: bool,
         /// Spheres whose radii were changed since are placed again, too.
         replace_moved: bool,
+    },
+    /// Forces of a class, one for each sphere.
+    Convert {
+        /// The class.
+        to: ForceKind,
     },
     /// Parameters from what is wanted.
     Design(RemedyDesign),

@@ -66,17 +66,40 @@ impl<'d> Credits<'d> {
         note.contains(NAMES).then(|| Note::parse(note).ok_or(Unreadable))
     }
 
-    /// The text with `note` at its end instead of the note that is there; without one where there is none to write.
+    /// The bytes to replace, each with its text, so that `note` ends the credits instead of the note that is there. What
+    /// others wrote is not among them, because its bytes need not be UTF-8.
     #[must_use]
-    pub fn with(&self, note: Option<&Note>) -> String {
-        let mut parts = self.without_note();
-        let text = note.map(Note::text);
-        parts.extend(text.as_deref());
-        parts.join(AND)
+    pub fn edits(&self, note: Option<&Note>) -> Vec<(Range<usize>, String)> {
+        let mut edits = Vec::new();
+        let mut end = self.span.start;
+        let kept = self.kept();
+        for part in &kept {
+            let between = if end == self.span.start { "" } else { AND };
+            edits.push((end..part.start, between.to_owned()));
+            end = part.end;
+        }
+        let and = if kept.is_empty() { "" } else { AND };
+        let last = note.map(|note| format!("{and}{}", note.text()));
+        edits.push((end..self.span.end, last.unwrap_or_default()));
+        edits.retain(|(span, text)| !(span.is_empty() && text.is_empty()));
+        edits
     }
 
-    /// What comes before and after the note that is there.
-    fn without_note(&self) -> Vec<&'d str> {
+    /// The same so that `note` comes after everything that is there, another note too.
+    #[must_use]
+    pub fn edits_for_another(&self, note: &Note) -> Vec<(Range<usize>, String)> {
+        let and = if self.raw.is_empty() { "" } else { AND };
+        vec![(self.span.end..self.span.end, format!("{and}{}", note.text()))]
+    }
+
+    /// Whether nothing is left of the text without the note.
+    #[must_use]
+    pub fn is_note_only(&self) -> bool {
+        self.kept().is_empty()
+    }
+
+    /// Where in the file is what comes before and after the note that is there.
+    fn kept(&self) -> Vec<Range<usize>> {
         // People and their programs break lines where the note has a blank.
         let begins = |at: usize| self.raw.get(at..).is_some_and(begins_a_note);
         let found = self.raw.rmatch_indices('[').map(|(at, _)| at).find(|&at| begins(at));
@@ -88,9 +111,11 @@ impl<'d> Credits<'d> {
             let before = before.trim_ascii_end();
             let behind = behind.trim_ascii_start();
             let behind = behind.strip_prefix(';').unwrap_or(behind).trim_ascii_start();
-            Some([before.strip_suffix(';').unwrap_or(before), behind])
+            Some((before.strip_suffix(';').unwrap_or(before).len(), behind.len()))
         });
-        around.unwrap_or([self.raw, ""]).into_iter().filter(|part| !part.is_empty()).collect()
+        let (before, behind) = around.unwrap_or((self.raw.len(), 0));
+        let (start, end) = (self.span.start, self.span.end);
+        [start..start + before, end - behind..end].into_iter().filter(|part| !part.is_empty()).collect()
     }
 }
 
@@ -129,9 +154,10 @@ mod tests {
         let document = document(credits);
         let found = Credits::of(&document).unwrap().unwrap();
         let note = Note::parse(&NOTE.replace("62 kg", "70 kg")).unwrap();
-        let bytes = document.tree().slice(0..document.bytes().len());
-        let text =
-            format!("{}{}{}", &bytes[..found.span.start], found.with(Some(&note)), &bytes[found.span.end..]);
+        let mut text = document.tree().slice(0..document.bytes().len()).to_owned();
+        for (span, new) in found.edits(Some(&note)).into_iter().rev() {
+            text.replace_range(span, &new);
+        }
         let inner = text.split_once("<Model name='m'>").unwrap().1.split_once("</Model>").unwrap().0;
         inner.replace(&note.text(), "NOTE")
     }

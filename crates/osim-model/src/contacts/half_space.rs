@@ -1,0 +1,95 @@
+//! Half-spaces: the floor, and other planes that spheres meet.
+
+use super::force::ParameterSet;
+use crate::components::{Base, ComponentId, Components};
+use crate::fault::FileId;
+use crate::model::Model;
+use osim_frames::Rotation;
+use osim_xml::ElementId;
+
+/// A `ContactHalfSpace`.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct HalfSpace {
+    /// Name as in the file.
+    pub name: String,
+    /// Component path.
+    pub path: String,
+    /// Whether its frame is ground, or fixed to ground by offset frames.
+    pub on_ground: bool,
+    /// Name of the body that carries its frame; `None` is ground or a body in a file that was not given.
+    pub body: Option<String>,
+    /// Its outward normal in the frame of ground or of the body that carries it; `None` where a number cannot be read.
+    pub normal: Option<[f64; 3]>,
+    /// A point of the plane in the same frame, m; `None` where a number cannot be read.
+    pub point_m: Option<[f64; 3]>,
+    /// The file it is in.
+    pub file: FileId,
+    /// Its element in that file.
+    pub element: ElementId,
+    component: ComponentId,
+}
+
+impl Model {
+    /// All half-spaces whose frame can be found, in file order.
+    #[must_use]
+    pub fn half_spaces(&self) -> Vec<HalfSpace> {
+        let components = self.components();
+        let planes = components.tree.iter().filter(|(id, _)| components.tag(*id) == "ContactHalfSpace");
+        planes.filter_map(|(id, _)| read(components, id)).collect()
+    }
+
+    /// The half-spaces among the surfaces of a parameter set, in its order.
+    #[must_use]
+    pub fn half_spaces_of(&self, set: &ParameterSet) -> Vec<HalfSpace> {
+        set.half_space_components.iter().filter_map(|&id| read(self.components(), id)).collect()
+    }
+}
+
+fn read(components: &Components, id: ComponentId) -> Option<HalfSpace> {
+    HalfSpace::read(components, id, ("frame", &["body_name"]), ("location", "orientation"))
+}
+
+impl HalfSpace {
+    /// The half-space that `id` is or keeps inside itself, by the names of its socket and of its place.
+    pub(crate) fn read(
+        components: &Components,
+        id: ComponentId,
+        (socket, legacy): (&str, &[&str]),
+        (location, orientation): (&str, &str),
+    ) -> Option<Self> {
+        let (document, element) = (components.doc(id), components.element(id));
+        let connectee = components.connectee(id, socket, legacy)?;
+        let frame = components.frame(id, &connectee)?.component;
+        let base = components.base(frame).ok()?;
+        let triple = |tag| match document.property_element(element, tag) {
+            Some(_) => document.triple(element, tag),
+            None => Some([0.0; 3]),
+        };
+        // The solid is where x is above 0 in the half-space's own frame.
+        let normal = triple(orientation).zip(components.rotation_to_base(frame)).map(|(angles, turned)| {
+            turned.after(&Rotation::body_fixed_xyz(angles)).to_body([-1.0, 0.0, 0.0])
+        });
+        Some(HalfSpace {
+            name: components.name(id),
+            path: components.tree.path(id),
+            on_ground: base == Base::Ground,
+            body: match base {
+                Base::Body(body) => Some(components.name(body)),
+                Base::Ground | Base::Unknown => None,
+            },
+            normal: normal.filter(|normal| normal.iter().all(|value| value.is_finite())),
+            point_m: triple(location).and_then(|point| components.in_body(frame, point)),
+            file: components.file_of(id),
+            element,
+            component: id,
+        })
+    }
+}
+
+impl PartialEq for HalfSpace {
+    /// The same one of a model.
+    fn eq(&self, other: &Self) -> bool {
+        self.component == other.component
+    }
+}
