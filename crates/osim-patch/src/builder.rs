@@ -7,7 +7,7 @@ use osim_model::{
     Fault, FaultKind, FileId, Finding, ForceId, Model, Property, SetId, Slot, SphereId, ValueKey,
 };
 
-use crate::plan::{Change, Move};
+use crate::change::{Change, Move};
 
 /// Rounding of a few multiplications (relative).
 const SAME_VALUE: f64 = 1e-14;

@@ -14,7 +14,7 @@ use crate::builder::{New, PlanBuilder};
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
 use crate::property_set::PropertySet;
 use crate::radii::{Radii, RadiusRule, SphereRule};
-use crate::remarks::{bottoms_remark, rest_remark};
+use crate::remarks::{PLACES_STAY, bottoms_remark, rest_remark};
 use crate::scaling::{DissipationBy, factor};
 use crate::surfaces::write_composite;
 
@@ -135,7 +135,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
             }
         }
     }
-    let mut remarks: Vec<Phrase> = vec!["body masses and sphere locations stay as they are".into()];
+    let mut remarks: Vec<Phrase> = vec![PLACES_STAY.into()];
     remarks.extend(bottoms_remark(&radii));
     remarks.extend(rest_remark(&rests));
     let PlanBuilder { changes, moves, mut warnings, .. } = plan;

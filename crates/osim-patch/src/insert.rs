@@ -5,20 +5,17 @@ use std::ops::Range;
 use osim_model::{ElementId, PieceKind, Tree};
 
 use crate::edit::Edit;
+use crate::node::Node;
 
-/// Inserts `<tag>text</tag>` for each of `elements` into `parent`, whose children OpenSim writes in `order`.
-pub(crate) fn insert(
-    tree: &Tree,
-    parent: ElementId,
-    order: &[&str],
-    elements: &[(&str, String)],
-) -> Vec<Edit> {
+/// Inserts `nodes` into `parent`, whose children OpenSim writes in `order`.
+pub(crate) fn insert(tree: &Tree, parent: ElementId, order: &[&str], nodes: &[Node]) -> Vec<Edit> {
     let rank = |tag: &str| order.iter().position(|known| *known == tag);
-    let mut elements: Vec<_> = elements.iter().collect();
-    elements.sort_by_key(|(tag, _)| rank(tag));
+    let mut nodes: Vec<&Node> = nodes.iter().collect();
+    nodes.sort_by_key(|node| rank(node.tag()));
     if let Some(layout) = Layout::of_empty(tree, parent) {
-        return vec![layout.fill(&elements)];
+        return vec![layout.fill(&nodes)];
     }
+    let unit = unit(tree, parent);
     let children: Vec<ElementId> = tree.children(parent).collect();
     let place = |tag: &str| -> (usize, String) {
         let wanted = rank(tag);
@@ -38,13 +35,62 @@ pub(crate) fn insert(
         let next = behind_text(tree, parent, first);
         (first, white_space_before(tree, next))
     };
-    elements
+    nodes
         .iter()
-        .map(|(tag, text)| {
-            let (at, space) = place(tag);
-            Edit { span: at..at, text: format!("{space}<{tag}>{text}</{tag}>") }
+        .map(|node| {
+            let (at, space) = place(node.tag());
+            Edit { span: at..at, text: node.text(&space, unit) }
         })
         .collect()
+}
+
+/// Inserts `nodes` after everything in `parent`, so that taking them out with the white space before each leaves what was there.
+/// `None` where `parent` has nothing in it, not even white space: [`fill`] does it then.
+pub(crate) fn append(tree: &Tree, parent: ElementId, nodes: &[Node]) -> Option<Edit> {
+    if tree.is_empty_tag(parent) || tree.content(parent).next().is_none() {
+        return None;
+    }
+    let last = tree.content(parent).rfind(|piece| piece.kind != PieceKind::Text || !is_white(piece.text));
+    let (at, space) = match last {
+        Some(last) => {
+            let first = tree.children(parent).last().map_or(last.span.start, |child| tree.span(child).start);
+            (last.span.end, white_space_before(tree, first))
+        }
+        None => {
+            let inner = Layout::of_empty(tree, parent).map(|layout| layout.inner).unwrap_or_default();
+            (tree.open_span(parent).end, inner)
+        }
+    };
+    let unit = unit(tree, parent);
+    Some(Edit { span: at..at, text: nodes.iter().map(|node| node.text(&space, unit)).collect() })
+}
+
+/// Fills `parent`, which has no content, with `nodes`.
+pub(crate) fn fill(tree: &Tree, parent: ElementId, nodes: &[Node]) -> Option<Edit> {
+    Layout::of_empty(tree, parent).map(|layout| layout.fill(&nodes.iter().collect::<Vec<_>>()))
+}
+
+fn is_white(text: &str) -> bool {
+    text.trim_ascii().is_empty()
+}
+
+/// By how much the children of `parent` are indented against it; a tab where that cannot be seen.
+pub(crate) fn unit(tree: &Tree, parent: ElementId) -> &str {
+    let of = |element| indentation_of(tree, tree.span(element).start);
+    let child = tree.children(parent).next();
+    let by_child = child.and_then(|child| of(child).strip_prefix(of(parent)));
+    let by_parent = || of(parent).strip_prefix(of(tree.parent(parent)?));
+    by_child
+        .filter(|unit| !unit.is_empty())
+        .or_else(by_parent)
+        .filter(|unit| !unit.is_empty())
+        .unwrap_or("\t")
+}
+
+/// Blanks and tabs between the beginning of the line and byte `at`; nothing where something else is there.
+fn indentation_of(tree: &Tree, at: usize) -> &str {
+    let before = tree.slice(0..at);
+    indentation(&before[before.trim_ascii_end().len()..])
 }
 
 /// Inserts `comment` as the first child of `parent`.
@@ -68,7 +114,7 @@ pub(crate) fn with_white_space_before(tree: &Tree, span: Range<usize>) -> Range<
 }
 
 /// Line end and indentation before byte `at`; empty where something else stands on that line.
-fn white_space_before(tree: &Tree, at: usize) -> String {
+pub(crate) fn white_space_before(tree: &Tree, at: usize) -> String {
     let before = tree.slice(0..at);
     let space = &before[before.trim_ascii_end().len()..];
     match space.rfind('\n') {
@@ -99,20 +145,17 @@ struct Layout<'t> {
     closes_tag: &'static str,
     outer: String,
     inner: String,
+    unit: String,
 }
 
 impl<'t> Layout<'t> {
     fn of_empty(tree: &'t Tree, parent: ElementId) -> Option<Self> {
-        let nothing = tree.content(parent).all(|piece| piece.text.trim_ascii().is_empty());
+        let nothing = tree.content(parent).all(|piece| is_white(piece.text));
         if !nothing {
             return None;
         }
         let outer = white_space_before(tree, tree.span(parent).start);
-        let above = tree.parent(parent).map(|above| white_space_before(tree, tree.span(above).start));
-        let unit = indentation(&outer)
-            .strip_prefix(indentation(above.as_deref().unwrap_or_default()))
-            .filter(|unit| !unit.is_empty())
-            .unwrap_or("\t");
+        let unit = unit(tree, parent).to_owned();
         let inner = if outer.is_empty() { String::new() } else { format!("{outer}{unit}") };
         let tag = tree.slice(tree.open_span(parent));
         let open = tree.open_span(parent);
@@ -122,14 +165,18 @@ impl<'t> Layout<'t> {
         } else {
             (open.end, "")
         };
-        Some(Self { name: tree.name(parent), span: start..tree.span(parent).end, closes_tag, outer, inner })
+        Some(Self {
+            name: tree.name(parent),
+            span: start..tree.span(parent).end,
+            closes_tag,
+            outer,
+            inner,
+            unit,
+        })
     }
 
-    fn fill(&self, elements: &[&(&str, String)]) -> Edit {
-        let mut text = String::new();
-        for (tag, value) in elements {
-            text.push_str(&format!("{}<{tag}>{value}</{tag}>", self.inner));
-        }
+    fn fill(&self, nodes: &[&Node]) -> Edit {
+        let text: String = nodes.iter().map(|node| node.text(&self.inner, &self.unit)).collect();
         Edit {
             span: self.span.clone(),
             text: format!("{}{text}{}</{}>", self.closes_tag, self.outer, self.name),
@@ -147,7 +194,7 @@ mod tests {
     #[track_caller]
     fn inserting(tags: &[&str], into: &str, gives: &str) {
         let tree = Tree::scan(into).unwrap();
-        let elements: Vec<_> = tags.iter().map(|tag| (*tag, "1".to_owned())).collect();
+        let elements: Vec<_> = tags.iter().map(|tag| Node::leaf(*tag, "1")).collect();
         let parent = tree.children(ElementId::ROOT).next().unwrap_or(ElementId::ROOT);
         let edits = insert(&tree, parent, &ORDER, &elements);
         assert_eq!(String::from_utf8(splice(into.as_bytes(), &edits).unwrap()).unwrap(), gives);

@@ -40,14 +40,17 @@
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 mod builder;
+mod change;
 mod design;
 mod edit;
 mod follow;
 mod gravity;
 mod insert;
 mod loaded_sphere;
+mod node;
 mod note;
 mod note_edits;
+mod objects;
 mod plan;
 mod property_set;
 mod radii;
@@ -58,6 +61,7 @@ mod set;
 mod surfaces;
 mod transfer;
 
+pub use change::{Change, Move};
 pub use design::{Design, DesignModulus, design};
 pub use edit::{Edit, Patch, splice};
 pub use follow::{
@@ -65,14 +69,21 @@ pub use follow::{
     MovedSpheres, OwnRadii, RadiusAxis, ScaleFile, SphereBodies, bone_of_mesh,
 };
 pub use loaded_sphere::{LoadedSphere, loaded_spheres};
-pub use note::note;
-pub use plan::{Change, Masses, Move, Plan};
+pub use note::{kept_note, note, note_of_rest};
+pub use objects::{
+    Convert, Converted, Deed, Layout, Leftover, NewContact, NewSphere, ObjectChange, Rebuilt, add_contacts,
+    convert, leftovers, preset_model, presets_with_places, refuse_name, remove,
+};
+pub use plan::{Masses, Plan};
 pub use property_set::PropertySet;
 pub use radii::{RadiusRule, moving_spheres};
+pub use remarks::PLACES_STAY;
 pub use rescale::{FOLLOWING, FOLLOWING_NOTE, Rescale, TRANSFER_FOLLOWING, rescale};
 pub use scaling::DissipationBy;
 pub use set::{Set, set};
-pub use transfer::{Reference, ReferenceContact, ScalingRule, Transfer, reference_of_model, transfer};
+pub use transfer::{
+    Reference, ReferenceContact, ScalingRule, Transfer, reference_of_layout, reference_of_model, transfer,
+};
 
 /// The example of the README compiles.
 #[cfg(doctest)]

@@ -5,6 +5,7 @@ use osim_model::{
     Fault, Finding, FindingCode, Mass, MassSource, Model, Note, Scope, positive_mass, readable,
 };
 
+use crate::objects::Rebuilt;
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
 
 /// Plans a note that the contacts of `model` were made for `mass_kg` at `gravity_m_s2`, as they are. Later changes need not be
@@ -42,6 +43,37 @@ pub fn note(model: &Model, mass_kg: f64, gravity_m_s2: Option<f64>) -> Result<Pl
         plan.keep_note();
     }
     Ok(plan)
+}
+
+/// The note of `model` after an `operation` that makes it `rebuilt` and leaves what contacts were made for; `None` where it has none.
+/// Where contacts were changed since the note was written, it goes on saying so.
+#[must_use]
+pub fn kept_note(model: &Model, rebuilt: &Rebuilt, operation: &str) -> Option<Note> {
+    let (old, new) = (model.note.as_ref()?, rebuilt.model());
+    let mut note = old.clone();
+    if old.digest == model.contact_digest(|_| None) {
+        note.digest = new.contact_digest(|_| None);
+        note.version = env!("CARGO_PKG_VERSION").to_owned();
+        note.operation = Note::operation_text(operation);
+    }
+    if old.places.as_ref().is_some_and(|places| *places == model.places_digest(|_| None)) {
+        note.places = Some(new.places_digest(|_| None));
+    }
+    Some(note)
+}
+
+/// The note of what [`remove`](crate::remove()) left of the contacts of `model`: of a part, and of what else was made for them. `None`
+/// where none is left, or the model has no note.
+#[must_use]
+pub fn note_of_rest(model: &Model, rebuilt: &Rebuilt) -> Option<Note> {
+    let note = kept_note(model, rebuilt, "remove").filter(|_| has_rest(model, rebuilt.model()))?;
+    Some(Note { scope: Scope::Partial, made: rebuilt.made.clone(), ..note })
+}
+
+/// Whether a note of the contacts of `model` is about something in `rebuilt`, too.
+pub(crate) fn has_rest(model: &Model, rebuilt: &Model) -> bool {
+    let on_ground = |model: &Model| model.forces().iter().any(|force| model.meets_half_space(force));
+    on_ground(rebuilt) || (!on_ground(model) && !rebuilt.forces().is_empty())
 }
 
 /// Whether two notes say the same of the contacts, apart from the program and operation that wrote them.

@@ -7,6 +7,7 @@ use osim_model::{BodySize, Credits, Document, ElementId, Force, Model, Note, Pie
 
 use crate::edit::Edit;
 use crate::insert::{insert, insert_first, with_white_space_before};
+use crate::node::Node;
 
 /// What OpenSim writes before and after `<credits>` in a model.
 const ORDER: [&str; 6] = ["defaults", "Ground", "gravity", "credits", "publications", "length_units"];
@@ -36,6 +37,19 @@ pub(crate) fn made(model: &Model, followed: Option<&BTreeSet<SphereId>>) -> Stri
     }
     letters.extend(if adds_credits(document) { Some(MADE_CREDITS) } else { opened(document) });
     if letters.is_empty() { Note::nothing_made() } else { letters.into_iter().collect() }
+}
+
+/// Letters of a note with `others`, each once.
+pub(crate) fn with_letters(made: &str, others: &str) -> String {
+    let letters: BTreeSet<char> =
+        made.chars().chain(others.chars()).filter(char::is_ascii_alphabetic).collect();
+    if letters.is_empty() { Note::nothing_made() } else { letters.into_iter().collect() }
+}
+
+/// Letters of a note of objects that are new in a model with the note `earlier`, which is about others.
+pub(crate) fn without_letters(made: &str, earlier: &Note) -> String {
+    let own = |letter: &char| *letter == Note::PLACED || !earlier.made.contains(*letter);
+    with_letters(&made.chars().filter(own).collect::<String>(), "")
 }
 
 fn is_unmoved(note: &Note, model: &Model) -> bool {
@@ -80,6 +94,20 @@ pub(crate) fn sizes(model: &Model, followed: Option<&BTreeSet<SphereId>>) -> Vec
 
 /// Leaves `note` in `document`, in the place of all earlier ones.
 pub(crate) fn leave(document: &Document, note: &Note) -> Vec<Edit> {
+    leave_with(document, note, |credits| credits.edits(Some(note)))
+}
+
+/// Leaves `note` in `document`, after an earlier one that is about contacts that are gone: without the new ones, the text is what it
+/// was.
+pub(crate) fn leave_behind(document: &Document, note: &Note) -> Vec<Edit> {
+    leave_with(document, note, |credits| credits.edits_for_another(note))
+}
+
+fn leave_with(
+    document: &Document,
+    note: &Note,
+    of: impl Fn(&Credits<'_>) -> Vec<(Range<usize>, String)>,
+) -> Vec<Edit> {
     let (tree, root) = (document.tree(), document.data_root());
     let mut comments = Note::comment_spans(document);
     if !document.is_model() {
@@ -93,8 +121,8 @@ pub(crate) fn leave(document: &Document, note: &Note) -> Vec<Edit> {
     // A comment of an earlier version would be lost when OpenSim saves the file: its note moves.
     let mut edits: Vec<Edit> = comments.map(|span| without(tree, span)).collect();
     match Credits::of(document) {
-        Ok(Some(credits)) => edits.push(filled(tree, &credits, Some(note))),
-        Ok(None) => insert(tree, root, &ORDER, &[(CREDITS, note.text())])
+        Ok(Some(credits)) => edits.extend(filled(tree, &credits, of(&credits))),
+        Ok(None) => insert(tree, root, &ORDER, &[Node::leaf(CREDITS, note.text())])
             .into_iter()
             .for_each(|inserted| add(&mut edits, inserted)),
         // Reading such a model was refused.
@@ -117,32 +145,34 @@ pub(crate) fn remove(document: &Document) -> Vec<Edit> {
     let tree = document.tree();
     let mut edits: Vec<Edit> = Note::comment_spans(document).map(|span| without(tree, span)).collect();
     if let Ok(Some(credits)) = Credits::of(document) {
-        let edit = filled(tree, &credits, None);
         let made = Note::find(document).map(|note| note.made).unwrap_or_default();
-        let is_bare = edit.text.is_empty() && contains_only_text(tree, credits.element);
+        let is_bare = credits.is_note_only() && contains_only_text(tree, credits.element);
         let closed = OPENED.into_iter().find(|(letter, _)| made.contains(*letter)).map(|(_, tag)| tag);
         if is_bare && made.contains(MADE_CREDITS) {
             edits.push(without(tree, tree.span(credits.element)));
         } else if let (true, Some(tag)) = (is_bare, closed) {
             edits.push(Edit { span: tree.span(credits.element), text: tag.to_owned() });
-        } else if tree.slice(edit.span.clone()) != edit.text {
-            edits.push(edit);
+        } else {
+            edits.extend(filled(tree, &credits, credits.edits(None)));
         }
     }
     edits
 }
 
-/// The text of `credits` with `note` at its end.
-fn filled(tree: &Tree, credits: &Credits<'_>, note: Option<&Note>) -> Edit {
-    let text = credits.with(note);
+/// `credits` with these edits of its text.
+fn filled(tree: &Tree, credits: &Credits<'_>, edits: Vec<(Range<usize>, String)>) -> Vec<Edit> {
     if !tree.is_empty_tag(credits.element) {
-        return Edit { span: credits.span.clone(), text };
+        let edits = edits.into_iter().map(|(span, text)| Edit { span, text });
+        return edits.filter(|edit| tree.slice(edit.span.clone()) != edit.text).collect();
+    }
+    let text: String = edits.into_iter().map(|(_, text)| text).collect();
+    if text.is_empty() {
+        return Vec::new();
     }
     let span = tree.span(credits.element);
     let tag = tree.slice(span.clone());
     let open = tag.strip_suffix("/>").unwrap_or(tag).trim_ascii_end();
-    let text = if text.is_empty() { tag.to_owned() } else { format!("{open}>{text}</{CREDITS}>") };
-    Edit { span, text }
+    vec![Edit { span, text: format!("{open}>{text}</{CREDITS}>") }]
 }
 
 fn without(tree: &Tree, span: Range<usize>) -> Edit {

@@ -6,120 +6,16 @@ use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 use osim_model::wording::{Dialect, Phrase};
 use osim_model::{
-    Class, ElementId, Fault, FileId, Finding, JointDistances, Mass, Model, Note, Property, Scope, Slot,
-    Sphere, SphereId, ValueKey, shortest,
+    Class, ElementId, Fault, FileId, Finding, JointDistances, Mass, Model, Note, Property, Scope, Sphere,
+    SphereId, ValueKey, shortest,
 };
 
+use crate::change::{Change, Move};
 use crate::edit::{Edit, Patch};
 use crate::insert::insert;
+use crate::node::Node;
 use crate::note_edits;
-
-/// One number that is to change, in the unit of its [`Property`].
-///
-/// ```
-/// # use osim_model::{MassRequest, Model, Property, Selection};
-/// # use osim_patch::{Change, Plan, Rescale, rescale};
-/// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
-/// # let model = Model::parse(bytes)?;
-/// # let selected = Selection::default().apply(&model)?;
-/// # let (mass, _) = MassRequest::default().of_contacts(&model)?;
-/// // One sphere of 0.03 m, scaled from 10 to 80 kg.
-/// let plan = rescale(&model, &selected, &Rescale::new(80.0, mass))?;
-/// let find = |property| plan.changes.iter().find(|change| change.property == property).unwrap();
-///
-/// // <radius>0.03</radius> stands on line 21.
-/// let radius = find(Property::Radius);
-/// assert_eq!((radius.sphere.as_deref(), radius.line), (Some("heel_r"), 21));
-/// // (10): 8 times the mass on 4 times R².
-/// let stiffness = find(Property::Stiffness);
-/// assert_eq!((stiffness.from, stiffness.to, stiffness.equation), (1e6, 2e6, "10"));
-/// // The file has no <constant_contact_force>: OpenSim's 1e-5 m² is scaled by R² (C.2) and written as a new element.
-/// let constant = find(Property::ConstantContactForce);
-/// assert_eq!((constant.from, constant.to, constant.inserted), (1e-5, 4e-5, true));
-/// # Ok::<(), osim_model::Fault>(())
-/// ```
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct Change {
-    /// Name of the force; `None` for a sphere's radius.
-    pub force: Option<String>,
-    /// Component path of the force or sphere.
-    pub path: String,
-    /// Number of the `ContactParameters` in its force for reports, from 0; `None` elsewhere.
-    pub set: Option<usize>,
-    /// Name of the sphere whose radius changes.
-    pub sphere: Option<String>,
-    /// What changes.
-    pub property: Property,
-    /// Effective value now, as OpenSim reads it.
-    pub from: f64,
-    /// Value to be written.
-    pub to: f64,
-    /// The factor by which the value was multiplied, where it was.
-    pub factor: Option<f64>,
-    /// Number of the equation in the paper, such as `10` or `C.2`; else `friction`, `predsim`, `follow`, or `given` by the
-    /// caller.
-    pub equation: &'static str,
-    /// Line of the number, from 1, or of the object that gets it.
-    pub line: usize,
-    /// `true` where the element is absent and is inserted.
-    pub inserted: bool,
-    pub(crate) slot: Slot,
-}
-
-/// One sphere centre that is to move.
-///
-/// ```
-/// # use osim_model::{LevelAxis, MassRequest, Model, Selection};
-/// # use osim_patch::{Rescale, rescale};
-/// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
-/// # let model = Model::parse(bytes)?;
-/// # let selected = Selection::default().apply(&model)?;
-/// # let (mass, _) = MassRequest::default().of_contacts(&model)?;
-/// // From 10 to 80 kg, and the bottoms of the spheres stay where they are.
-/// let mut wanted = Rescale::new(80.0, mass);
-/// wanted.level = Some(LevelAxis::of_gravity(model.gravity_m_s2));
-/// let plan = rescale(&model, &selected, &wanted)?;
-/// // The radius grows from 0.03 to 0.06 m, so the centre rises by 0.03 m.
-/// let place = &plan.moves[0];
-/// assert_eq!((place.from, place.to), ([0.0, 0.0, 0.0], [0.0, 0.03, 0.0]));
-/// # Ok::<(), osim_model::Fault>(())
-/// ```
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct Move {
-    /// Name of the sphere.
-    pub sphere: String,
-    /// Its component path.
-    pub path: String,
-    /// Location in its frame now, m.
-    pub from: [f64; 3],
-    /// Location to be written, m.
-    pub to: [f64; 3],
-    /// Why: `follow` (its body was scaled) or `level` (its bottom stays).
-    pub equation: &'static str,
-    /// Line of the location, from 1, or of the sphere that gets one.
-    pub line: usize,
-    /// `true` where the element is absent and is inserted.
-    pub inserted: bool,
-    pub(crate) slot: Slot,
-}
-
-impl Change {
-    /// The file that the number is in.
-    #[must_use]
-    pub fn file(&self) -> FileId {
-        self.slot.file
-    }
-}
-
-impl Move {
-    /// The file that the sphere is in.
-    #[must_use]
-    pub fn file(&self) -> FileId {
-        self.slot.file
-    }
-}
+use crate::objects::{EarlierNote, ObjectChange, Rebuilt};
 
 /// Everything that is to be done to one model: made by [`rescale`](crate::rescale), [`transfer`](crate::transfer()),
 /// [`design`](crate::design()) or [`set`](crate::set()), shown and written by the caller.
@@ -163,6 +59,8 @@ pub struct Plan {
     pub remarks: Vec<Phrase>,
     note: Option<Note>,
     note_anyway: bool,
+    /// The model with other objects, where whole objects change: numbers change in that one.
+    pub(crate) rebuilt: Option<Rebuilt>,
 }
 
 /// The mass that contacts were made for, before and after a change.
@@ -179,9 +77,9 @@ pub struct Masses {
 pub(crate) const FOLLOW: &str = "follow";
 
 /// Elements that an object lacks and gets.
-struct Absent<'p> {
+struct Absent {
     class: Class,
-    elements: Vec<(&'p str, String)>,
+    elements: Vec<Node>,
 }
 
 /// What the note of a plan says beside the values.
@@ -233,6 +131,14 @@ impl Plan {
         }
     }
 
+    /// Records in the note that all values of the contacts were made for its mass: of contacts that are new, also those that the
+    /// plan leaves as they were made.
+    pub fn note_all_values(&mut self) {
+        if let Some(note) = &mut self.note {
+            note.scope = Scope::All;
+        }
+    }
+
     /// The note that would be written; none when nothing changes.
     #[must_use]
     pub fn note(&self) -> Option<&Note> {
@@ -242,7 +148,8 @@ impl Plan {
     /// `true` when the output equals the input byte for byte.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.changes.is_empty() && self.moves.is_empty() && !(self.note_anyway && self.note.is_some())
+        let numbers = self.changes.is_empty() && self.moves.is_empty();
+        numbers && self.objects().is_empty() && !(self.note_anyway && self.note.is_some())
     }
 
     /// A plan with the note that goes with it.
@@ -265,7 +172,68 @@ impl Plan {
             places: Some(model.places_digest(|sphere| moved.get(sphere.path.as_str()).copied())),
             made: note_edits::made(model, facts.followed),
         });
-        Self { changes, moves, masses, taken, warnings, remarks, note, note_anyway: false }
+        Self { changes, moves, masses, taken, warnings, remarks, note, note_anyway: false, rebuilt: None }
+    }
+
+    /// The same for the model from which `rebuilt` was made: this plan was made for the model with its objects.
+    #[must_use]
+    pub fn on(mut self, rebuilt: Rebuilt) -> Self {
+        if let Some(note) = &mut self.note {
+            if let Some(earlier) =
+                rebuilt.model().note.as_ref().filter(|_| rebuilt.earlier_note == EarlierNote::OfOthers)
+            {
+                note.made = note_edits::without_letters(&note.made, earlier);
+            }
+            note.made = note_edits::with_letters(&note.made, &rebuilt.made);
+        }
+        self.rebuilt = Some(rebuilt);
+        self
+    }
+
+    /// A plan that changes objects and no numbers; `taken` says it in words.
+    #[must_use]
+    pub fn of_objects(rebuilt: Rebuilt, taken: Phrase) -> Self {
+        Self {
+            changes: Vec::new(),
+            moves: Vec::new(),
+            masses: None,
+            taken,
+            warnings: Vec::new(),
+            remarks: Vec::new(),
+            note: None,
+            note_anyway: false,
+            rebuilt: Some(rebuilt),
+        }
+    }
+
+    /// The same with this note, or without one.
+    #[must_use]
+    pub fn with_note(mut self, note: Option<Note>) -> Self {
+        self.note = note;
+        self
+    }
+
+    /// Whole objects that are added or taken out, in the order in which reports list them.
+    #[must_use]
+    pub fn objects(&self) -> &[ObjectChange] {
+        self.rebuilt.as_ref().map_or(&[], |rebuilt| &rebuilt.objects)
+    }
+
+    /// What is odd about `model` itself and stays so: a warning about an object that goes, or that becomes another one, is no
+    /// longer one.
+    pub fn standing_warnings<'m>(&'m self, model: &'m Model) -> impl Iterator<Item = &'m Finding> {
+        let still = self.rebuilt.as_ref().map(|rebuilt| {
+            let found = rebuilt.model().warnings.iter();
+            found.map(|warning| (warning.code, warning.place.as_deref())).collect::<HashSet<_>>()
+        });
+        model.warnings.iter().filter(move |warning| {
+            still.as_ref().is_none_or(|still| still.contains(&(warning.code, warning.place.as_deref())))
+        })
+    }
+
+    /// The model in which numbers change: `model`, or that with other objects.
+    fn ground<'m>(&'m self, model: &'m Model) -> &'m Model {
+        self.rebuilt.as_ref().map_or(model, Rebuilt::model)
     }
 
     /// The first new radius that looks like a slip: a sphere larger than the bones around it. Radii that stay are not asked about.
@@ -273,6 +241,7 @@ impl Plan {
     pub fn radius_slip(&self, model: &Model) -> Option<Fault> {
         let mut radii = self.changes.iter().filter(|change| change.property == Property::Radius).peekable();
         radii.peek()?;
+        let model = self.ground(model);
         let distances = JointDistances::of(model);
         let spheres: HashMap<&str, &Sphere> =
             model.spheres().iter().map(|sphere| (sphere.path.as_str(), sphere)).collect();
@@ -294,11 +263,12 @@ impl Plan {
     /// Whether the note needs an element `<credits>` that the model does not have.
     #[must_use]
     pub fn adds_credits(&self, model: &Model) -> bool {
-        self.note().is_some() && note_edits::adds_credits(model.document())
+        self.note().is_some() && note_edits::adds_credits(self.ground(model).document())
     }
 
     /// The files that result: the model's own, and the geometry set of a standalone force set where that changes, too.
-    pub fn files(&self, model: &Model) -> impl Iterator<Item = FileId> {
+    pub fn files<'m>(&'m self, model: &'m Model) -> impl Iterator<Item = FileId> {
+        let model = self.ground(model);
         let slots = self.changes.iter().map(|change| &change.slot);
         let with_slots: HashSet<FileId> =
             slots.chain(self.moves.iter().map(|place| &place.slot)).map(|slot| slot.file).collect();
@@ -310,13 +280,14 @@ impl Plan {
         std::iter::once(FileId::MAIN).chain(changed)
     }
 
-    /// The edits of `file`, the note's among them. `model` is the one that the plan was made for.
+    /// The edits of `file`, the note's among them. `model` is the one that the plan was made for. Where whole objects change, they
+    /// are edits of the file with these objects.
     #[must_use]
     pub fn edits(&self, model: &Model, file: FileId) -> Vec<Edit> {
-        let document = model.file(file);
+        let document = self.ground(model).file(file);
         let tree = document.tree();
         let mut edits = Vec::new();
-        let mut absent: BTreeMap<ElementId, Absent<'_>> = BTreeMap::new();
+        let mut absent: BTreeMap<ElementId, Absent> = BTreeMap::new();
         let numbers = self.changes.iter().map(|change| (&change.slot, shortest(change.to)));
         let places = self.moves.iter().map(|place| (&place.slot, place.to.map(shortest).join(" ")));
         for (slot, text) in numbers.chain(places).filter(|(slot, _)| slot.file == file) {
@@ -325,7 +296,7 @@ impl Plan {
                 None => {
                     let object =
                         absent.entry(slot.object).or_insert(Absent { class: slot.class, elements: vec![] });
-                    object.elements.push((slot.tag, text));
+                    object.elements.push(Node::leaf(slot.tag, text));
                 }
             }
         }
@@ -336,9 +307,14 @@ impl Plan {
         let noted = file == FileId::MAIN
             || !edits.is_empty()
             || tree.name(document.data_root()) == "ContactGeometrySet";
+        let earlier = self.rebuilt.as_ref().map_or(EarlierNote::OfContacts, |rebuilt| rebuilt.earlier_note);
         if let (Some(note), true) = (&self.note, noted && !self.is_empty()) {
-            edits.extend(note_edits::leave(document, note));
-        } else if noted && !self.is_empty() {
+            let leave = match earlier {
+                EarlierNote::OfOthers => note_edits::leave_behind,
+                _ => note_edits::leave,
+            };
+            edits.extend(leave(document, note));
+        } else if noted && !self.is_empty() && earlier != EarlierNote::TakenOut {
             // Without a new note the old one would lie: it goes.
             edits.extend(note_edits::remove(document));
         }
@@ -357,7 +333,7 @@ impl Plan {
     ///
     /// # Errors
     /// As [`patched`](Self::patched).
-    pub fn patch<'m>(&self, model: &'m Model, file: FileId) -> Result<Patch<'m>, Fault> {
-        Patch::new(model.file(file).bytes(), self.edits(model, file))
+    pub fn patch<'m>(&'m self, model: &'m Model, file: FileId) -> Result<Patch<'m>, Fault> {
+        Patch::new(self.ground(model).file(file).bytes(), self.edits(model, file))
     }
 }

@@ -7,6 +7,9 @@ use crate::builder::PlanBuilder;
 use crate::property_set::PropertySet;
 use crate::radii::Radii;
 
+/// What every change of plain numbers leaves as it is.
+pub const PLACES_STAY: &str = "body masses and sphere locations stay as they are";
+
 /// Said where contacts are scaled to a gravity that is not the model's own.
 pub(crate) const GRAVITY_STAYS: &str = "the model's own <gravity> stays as it is: set it in OpenSim";
 

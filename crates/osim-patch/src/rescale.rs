@@ -187,7 +187,7 @@ fn finish(
     let nothing = changes.is_empty() && moves.is_empty();
     if !nothing {
         if moves.is_empty() {
-            remarks.push("body masses and sphere locations stay as they are".into());
+            remarks.push(crate::remarks::PLACES_STAY.into());
             remarks.extend(radii.and_then(bottoms_remark));
         } else if wanted.bodies.is_some() {
             remarks.push("body masses stay as they are; spheres follow their bodies".into());

@@ -20,7 +20,7 @@ pub(crate) fn sphere_sets(model: &Model, force: &Force) -> Vec<(SetId, Vec<Spher
 /// Modulus and dissipation of every parameter set of a force, and which of them the plane belongs to.
 pub(crate) struct Surfaces {
     sets: Vec<(f64, f64)>,
-    /// The set that the plane belongs to.
+    /// The set that the first plane belongs to.
     plane: Option<SetId>,
 }
 
@@ -37,8 +37,13 @@ impl Surfaces {
 
     /// E₁* of two equal surfaces that would touch as set `set` and the plane do, and the mixed α; (A.3), (A.4).
     pub(crate) fn with_plane(&self, set: SetId) -> Result<(f64, f64), Fault> {
+        self.together(set, self.plane.unwrap_or(set))
+    }
+
+    /// The same for the sets `set` and `plane`.
+    pub(crate) fn together(&self, set: SetId, plane: SetId) -> Result<(f64, f64), Fault> {
         let own = self.sets.get(set.index()).copied().unwrap_or((f64::NAN, 0.0));
-        let plane = self.plane.and_then(|plane| self.sets.get(plane.index())).copied().unwrap_or(own);
+        let plane = self.sets.get(plane.index()).copied().unwrap_or(own);
         if own == plane {
             return Ok(own);
         }

@@ -223,3 +223,29 @@ fn a_note_says_a_new_size_only_of_bodies_whose_spheres_all_followed() {
     let again = given(all).with_note().rescaled_to(25.0);
     assert!(again.plan().note().unwrap().placed());
 }
+
+#[test]
+fn bytes_of_others_stay_as_they_are_whatever_their_encoding() {
+    // What Windows writes for an umlaut and for a dash, where the file says UTF-8.
+    const ODD: &[u8] = b"M\xFCller \x96";
+    let position = |bytes: &[u8], part: &[u8]| bytes.windows(part.len()).position(|window| window == part);
+    let text = fixture("format/credits_some.osim");
+    let at = position(&text, b"A. Author").unwrap();
+    let odd = [&text[..at], ODD, b"; ", &text[at..]].concat();
+    let noted = |bytes: &[u8], mass_kg: f64| {
+        let model = Model::parse(bytes).unwrap();
+        note(&model, mass_kg, Some(9.81)).unwrap().patched(&model, FileId::MAIN).unwrap()
+    };
+    let with = noted(&odd, 62.0);
+    assert!(position(&with, ODD).is_some(), "{}", String::from_utf8_lossy(&with));
+
+    // A note in the middle is replaced by one at the end.
+    let note_at = position(&with, b"; [contacts").unwrap();
+    let end = note_at + position(&with[note_at..], b")]").unwrap() + 2;
+    let again = noted(&[&with[..end], b"; B. ", ODD, &with[end..]].concat(), 70.0);
+    let shown = String::from_utf8_lossy(&again).into_owned();
+    let first = position(&again, ODD).unwrap();
+    assert!(position(&again[first + 1..], ODD).is_some(), "{shown}");
+    assert_eq!(shown.matches("[contacts made for 70 kg").count(), 1, "{shown}");
+    assert!(!shown.contains("62 kg at"), "{shown}");
+}

@@ -19,6 +19,8 @@ pub(super) const SHORTEST_OFFSET_M: f64 = 1e-6;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Difference {
+    /// The reference has too few bodies to say: one joint is always explained by some factors.
+    Fragment,
     /// A joint is between other bodies.
     Joint {
         /// Its name.
@@ -55,6 +57,7 @@ impl Difference {
     #[must_use]
     pub fn phrase(&self) -> Phrase {
         let text = match self {
+            Self::Fragment => "the reference has some bodies only: ".to_owned(),
             Self::Joint { joint, here: [parent, child], there: [old_parent, old_child] } => format!(
                 "joint {joint} is between {parent} and {child}, in the reference between {old_parent} and {old_child}: "
             ),
@@ -71,6 +74,9 @@ impl Difference {
 
 /// The first thing in file order that no factors per body and axis explain; `None` where `scaled` is a scaled copy.
 pub(super) fn difference(scaled: &Anatomy, reference: &Anatomy) -> Option<Difference> {
+    if reference.is_fragment {
+        return Some(Difference::Fragment);
+    }
     other_joint(scaled, reference).or_else(|| {
         let joints = SharedJoints::of(scaled, reference);
         let shared = scaled.bodies.iter().filter(|body| reference.has_body(body));

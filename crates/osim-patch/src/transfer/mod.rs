@@ -9,5 +9,5 @@ mod several_sets;
 mod similarity;
 
 pub use plan::transfer;
-pub use reference::reference_of_model;
+pub use reference::{reference_of_layout, reference_of_model};
 pub use request::{Reference, ReferenceContact, ScalingRule, Transfer};

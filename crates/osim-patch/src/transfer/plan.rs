@@ -16,7 +16,7 @@ use crate::builder::{New, PlanBuilder};
 use crate::gravity::GravityChange;
 use crate::plan::{Contents, FOLLOW, Masses, NoteFacts, Plan};
 use crate::radii::{Radii, RadiusRule, SphereRule};
-use crate::remarks::{GRAVITY_STAYS, bottoms_remark, warn_forces};
+use crate::remarks::{GRAVITY_STAYS, PLACES_STAY, bottoms_remark, warn_forces};
 use crate::scaling::{DissipationBy, factor};
 use crate::surfaces::write_composite;
 
@@ -31,7 +31,7 @@ use crate::surfaces::write_composite;
 ///   [`Needed::ReferenceRadius`](osim_model::Needed::ReferenceRadius)), or the reference has no such sphere
 ///   ([`FaultKind::UnknownReferenceSphere`](osim_model::FaultKind::UnknownReferenceSphere)).
 /// - Spheres of one force follow bodies with different factors, and that is to be refused
-///   ([`FaultKind::FactorSpread`](osim_model::FaultKind::FactorSpread)).
+///   ([`FaultKind::StrictlyRefused`](osim_model::FaultKind::StrictlyRefused)).
 pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result<Plan, Fault> {
     let mut plan = PlanBuilder::new(model);
     let chosen = Choice::make(model, selected, wanted)?;
@@ -174,7 +174,7 @@ fn finish(
     } else if !moves.is_empty() {
         remarks.push("body masses stay as they are; sphere centres move so that bottoms stay".into());
     } else {
-        remarks.push("body masses and sphere locations stay as they are".into());
+        remarks.push(PLACES_STAY.into());
         remarks.extend(bottoms_remark(radii));
     }
     // Nothing is to be set in OpenSim where the target is the model's own gravity.

@@ -1,10 +1,12 @@
 //! The contacts of a model, as a reference for others.
 
-use osim_model::{Fault, Mass, Model, Property, Selected};
+use contact_scaling::{Contact, ContactValues, SmoothingValues};
+use osim_model::{Class, Fault, ForceKind, Mass, Model, Property, Selected};
 
 use super::request::{Reference, ReferenceContact};
 use crate::builder::PlanBuilder;
 use crate::loaded_sphere::contact_of_set;
+use crate::objects::{Layout, NewContact};
 use crate::radii::root_mean_square;
 use crate::surfaces::{Surfaces, sphere_sets};
 
@@ -43,5 +45,62 @@ pub fn reference_of_model(
         sphere_count,
         gravity_m_s2: model.contacts_gravity().filter(|&g| g > 0.0),
         contacts,
+    })
+}
+
+/// The contacts of `layout` as a reference called `name`, which were made for `mass`, for `sphere_count` spheres that share its
+/// weight, and for a gravity where that is known.
+///
+/// ```
+/// use osim_model::{ForceKind, Mass, MassSource, Property};
+/// use osim_patch::{Layout, NewContact, reference_of_layout};
+///
+/// let mut heel = NewContact::new(ForceKind::HuntCrossley, "force_heel", "heel");
+/// heel.radius_m = 0.03;
+/// heel.values = vec![(Property::Stiffness, 1e6), (Property::Dissipation, 2.0)];
+/// let mut layout = Layout::default();
+/// layout.contacts.push(heel);
+///
+/// let mass = Mass { kg: 62.0, source: MassSource::ReferenceMass };
+/// let reference = reference_of_layout("human", &layout, (mass, 6.0, Some(9.81)))?;
+/// assert_eq!(reference.contacts[0].contact.plane_strain_modulus(), 1e6);
+/// assert_eq!(reference.contacts[0].radius_m, 0.03);
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+///
+/// # Errors
+/// A value outside its domain.
+pub fn reference_of_layout(
+    name: &str,
+    layout: &Layout,
+    (mass, sphere_count, gravity_m_s2): (Mass, f64, Option<f64>),
+) -> Result<Reference, Fault> {
+    let contacts = layout.contacts.iter().map(contact_of_new).collect::<Result<_, Fault>>()?;
+    Ok(Reference { name: name.to_owned(), mass, sphere_count, gravity_m_s2, contacts })
+}
+
+fn contact_of_new(new: &NewContact) -> Result<ReferenceContact, Fault> {
+    let smooth = new.kind == ForceKind::SmoothSphereHalfSpace;
+    let class = if smooth { Class::SmoothSphereHalfSpaceForce } else { Class::ContactParameters };
+    let value = |property| {
+        let given = new.values.iter().find(|(known, _)| *known == property);
+        given.map_or_else(|| class.default(property), |(_, value)| *value)
+    };
+    let smoothing = SmoothingValues {
+        constant_contact_force: value(Property::ConstantContactForce),
+        hertz_smoothing: value(Property::HertzSmoothing),
+        hunt_crossley_smoothing: value(Property::HuntCrossleySmoothing),
+    };
+    let values = ContactValues {
+        plane_strain_modulus: value(Property::Stiffness),
+        dissipation: value(Property::Dissipation),
+        smoothing: smooth.then_some(smoothing),
+    };
+    Ok(ReferenceContact {
+        spheres: vec![new.sphere.clone()],
+        radii_m: vec![new.radius_m],
+        radius_m: new.radius_m,
+        contact: Contact::new(values).map_err(|fault| Fault::new(fault).of(new.force.clone()))?,
+        friction: Some((value(Property::TransitionVelocity), value(Property::ViscousFriction))),
     })
 }

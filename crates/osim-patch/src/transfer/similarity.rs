@@ -38,7 +38,7 @@ pub(crate) fn check_spread(
             (spread - 1.0) * 100.0
         );
         if wanted.strict {
-            return Err(Fault::new(FaultKind::FactorSpread { text }).of(force.path.clone()));
+            return Err(Fault::new(FaultKind::StrictlyRefused { text }).of(force.path.clone()));
         }
         plan.warnings.push(Finding::at(FindingCode::FactorSpread, force.line, text));
     }

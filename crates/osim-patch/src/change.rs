@@ -1,0 +1,110 @@
+//! One number or one place that is to change.
+
+use osim_model::{FileId, Property, Slot};
+
+/// One number that is to change, in the unit of its [`Property`].
+///
+/// ```
+/// # use osim_model::{MassRequest, Model, Property, Selection};
+/// # use osim_patch::{Change, Plan, Rescale, rescale};
+/// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
+/// # let model = Model::parse(bytes)?;
+/// # let selected = Selection::default().apply(&model)?;
+/// # let (mass, _) = MassRequest::default().of_contacts(&model)?;
+/// // One sphere of 0.03 m, scaled from 10 to 80 kg.
+/// let plan = rescale(&model, &selected, &Rescale::new(80.0, mass))?;
+/// let find = |property| plan.changes.iter().find(|change| change.property == property).unwrap();
+///
+/// // <radius>0.03</radius> stands on line 21.
+/// let radius = find(Property::Radius);
+/// assert_eq!((radius.sphere.as_deref(), radius.line), (Some("heel_r"), 21));
+/// // (10): 8 times the mass on 4 times R².
+/// let stiffness = find(Property::Stiffness);
+/// assert_eq!((stiffness.from, stiffness.to, stiffness.equation), (1e6, 2e6, "10"));
+/// // The file has no <constant_contact_force>: OpenSim's 1e-5 m² is scaled by R² (C.2) and written as a new element.
+/// let constant = find(Property::ConstantContactForce);
+/// assert_eq!((constant.from, constant.to, constant.inserted), (1e-5, 4e-5, true));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Change {
+    /// Name of the force; `None` for a sphere's radius.
+    pub force: Option<String>,
+    /// Component path of the force or sphere.
+    pub path: String,
+    /// Number of the `ContactParameters` in its force for reports, from 0; `None` elsewhere.
+    pub set: Option<usize>,
+    /// Name of the sphere whose radius changes.
+    pub sphere: Option<String>,
+    /// What changes.
+    pub property: Property,
+    /// Effective value now, as OpenSim reads it.
+    pub from: f64,
+    /// Value to be written.
+    pub to: f64,
+    /// The factor by which the value was multiplied, where it was.
+    pub factor: Option<f64>,
+    /// Number of the equation in the paper, such as `10` or `C.2`; else `friction`, `predsim`, `follow`, or `given` by the
+    /// caller.
+    pub equation: &'static str,
+    /// Line of the number, from 1, or of the object that gets it.
+    pub line: usize,
+    /// `true` where the element is absent and is inserted.
+    pub inserted: bool,
+    pub(crate) slot: Slot,
+}
+
+/// One sphere centre that is to move.
+///
+/// ```
+/// # use osim_model::{LevelAxis, MassRequest, Model, Selection};
+/// # use osim_patch::{Rescale, rescale};
+/// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
+/// # let model = Model::parse(bytes)?;
+/// # let selected = Selection::default().apply(&model)?;
+/// # let (mass, _) = MassRequest::default().of_contacts(&model)?;
+/// // From 10 to 80 kg, and the bottoms of the spheres stay where they are.
+/// let mut wanted = Rescale::new(80.0, mass);
+/// wanted.level = Some(LevelAxis::of_gravity(model.gravity_m_s2));
+/// let plan = rescale(&model, &selected, &wanted)?;
+/// // The radius grows from 0.03 to 0.06 m, so the centre rises by 0.03 m.
+/// let place = &plan.moves[0];
+/// assert_eq!((place.from, place.to), ([0.0, 0.0, 0.0], [0.0, 0.03, 0.0]));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Move {
+    /// Name of the sphere.
+    pub sphere: String,
+    /// Its component path.
+    pub path: String,
+    /// Location in its frame now, m.
+    pub from: [f64; 3],
+    /// Location to be written, m.
+    pub to: [f64; 3],
+    /// Why: `follow` (its body was scaled) or `level` (its bottom stays).
+    pub equation: &'static str,
+    /// Line of the location, from 1, or of the sphere that gets one.
+    pub line: usize,
+    /// `true` where the element is absent and is inserted.
+    pub inserted: bool,
+    pub(crate) slot: Slot,
+}
+
+impl Change {
+    /// The file that the number is in.
+    #[must_use]
+    pub fn file(&self) -> FileId {
+        self.slot.file
+    }
+}
+
+impl Move {
+    /// The file that the sphere is in.
+    #[must_use]
+    pub fn file(&self) -> FileId {
+        self.slot.file
+    }
+}

@@ -1,0 +1,135 @@
+//! Contacts for a model that has none.
+
+use std::collections::HashMap;
+
+use osim_model::{Body, Document, Fault, FaultKind, FileId, HalfSpace, Model};
+
+use super::floor::floor;
+use super::layout::{Layout, NewContact};
+use super::names::{Names, refuse_misread};
+use super::rebuilt::{Deed, EarlierNote, ObjectChange, Rebuilt};
+use super::sets::{FORCE_SET, GEOMETRY_SET};
+use super::spelling::{self, Carrier, InList, Surfaces};
+use super::whole::refuse_parts;
+use crate::edit::splice;
+use crate::node::Node;
+
+/// A letter in a note's list of what was made: the floor.
+pub(super) const MADE_FLOOR: char = 'h';
+const FLOOR: &str = "floor";
+
+/// `model` with the contacts of `layout`: spheres, one force for each, and a floor where it has none. Every other byte stays.
+/// Names that are taken get a number; `layout` says the names that were given.
+///
+/// ```
+/// use osim_model::{ForceKind, Model};
+/// use osim_patch::{Layout, NewContact, add_contacts};
+///
+/// let text = r#"<OpenSimDocument Version="40000"><Model name="leg"><BodySet><objects>
+///   <Body name="foot_r"><mass>1</mass></Body></objects></BodySet></Model></OpenSimDocument>"#;
+/// let model = Model::parse(text)?;
+/// let mut heel = NewContact::new(ForceKind::SmoothSphereHalfSpace, "heel_force", "heel");
+/// heel.body = "foot_r".into();
+/// heel.radius_m = 0.03;
+/// let mut layout = Layout::default();
+/// layout.contacts.push(heel);
+///
+/// let rebuilt = add_contacts(&model, &mut layout)?;
+/// let force = &rebuilt.model().forces()[0];
+/// assert_eq!((force.name.as_str(), rebuilt.model().spheres()[0].radius_m()?), ("heel_force", 0.03));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+///
+/// # Errors
+/// - A set that stands alone, or one in another file.
+/// - A body that the model does not have ([`FaultKind::UnknownBody`]).
+/// - A `constant_contact_force` of 0, a name that OpenSim refuses, a radius that is not above 0, or several half-spaces that could be the floor.
+pub fn add_contacts(model: &Model, layout: &mut Layout) -> Result<Rebuilt, Fault> {
+    refuse_parts(model)?;
+    layout.check()?;
+    let (mut names, list) = (Names::of(model), InList::of(model));
+    let version = model.document().version();
+    let own = floor(model)?;
+    let made_floor = match &own {
+        Some(_) => None,
+        None => Some(names.take(if layout.floor.is_empty() { FLOOR } else { &layout.floor })?),
+    };
+    let plane = plane_path(own.as_ref(), made_floor.as_deref());
+    refuse_misread(model, &plane)?;
+    let bodies: HashMap<&str, &Body> =
+        model.bodies().iter().rev().map(|body| (body.name.as_str(), body)).collect();
+    let (mut geometry, mut forces, mut objects) = (Vec::new(), Vec::new(), Vec::new());
+    if let Some(name) = &made_floor {
+        geometry.push(spelling::floor(version, name, model.up()));
+        objects.push(added("ContactHalfSpace", name, &plane, None));
+    }
+    let mut force_objects = Vec::new();
+    for contact in &mut layout.contacts {
+        check(contact)?;
+        let Some(body) = bodies.get(contact.body.as_str()) else {
+            return Err(Fault::new(FaultKind::UnknownBody { body: contact.body.clone() }));
+        };
+        refuse_misread(model, &body.path)?;
+        contact.sphere = names.take(&contact.sphere)?;
+        contact.force = names.take(&contact.force)?;
+        let sphere = format!("/contactgeometryset/{}", contact.sphere);
+        let carrier = Carrier { name: &body.name, path: &body.path };
+        geometry.push(spelling::sphere(version, &carrier, contact));
+        objects.push(added("ContactSphere", &contact.sphere, &sphere, Some(&contact.body)));
+        forces.push(force(model.document(), &list, contact, (&sphere, &plane)));
+        let path = format!("/forceset/{}", contact.force);
+        force_objects.push(added(contact.kind.as_str(), &contact.force, &path, Some(&contact.body)));
+    }
+    objects.extend(force_objects);
+    let document = model.document();
+    let (tree, root) = (document.tree(), document.data_root());
+    let mut made: String = made_floor.iter().map(|_| MADE_FLOOR).collect();
+    let mut edits = FORCE_SET.add(tree, root, &forces, &mut made);
+    edits.extend(GEOMETRY_SET.add(tree, root, &geometry, &mut made));
+    let bytes = splice(model.file(FileId::MAIN).bytes(), &edits)?;
+    let mut rebuilt = Rebuilt::new(model.rebuilt(bytes)?, objects, made);
+    if !model.forces().iter().any(|force| model.meets_half_space(force)) {
+        rebuilt.earlier_note = EarlierNote::OfOthers;
+    }
+    Ok(rebuilt)
+}
+
+fn check(contact: &NewContact) -> Result<(), Fault> {
+    let (radius, place) = (contact.radius_m, contact.location_m);
+    if !(radius.is_finite() && radius > 0.0) {
+        let text =
+            format!("the radius of {} is {radius} m, expected a finite number above 0", contact.sphere);
+        return Err(Fault::refused(text));
+    }
+    if place.iter().any(|value| !value.is_finite()) {
+        let text = format!("the place of {} is not finite: {}", contact.sphere, spelling::triple(place));
+        return Err(Fault::refused(text));
+    }
+    Ok(())
+}
+
+fn force(document: &Document, list: &InList, contact: &NewContact, (sphere, plane): (&str, &str)) -> Node {
+    // In the list of a HuntCrossleyForce, members of the geometry set are called by their names.
+    let (sphere, plane) = match contact.kind {
+        osim_model::ForceKind::HuntCrossley => (list.call(sphere), list.call(plane)),
+        _ => (sphere, plane),
+    };
+    let surfaces = Surfaces { sphere, plane };
+    spelling::force(document, contact.kind, &contact.force, &surfaces, &contact.values, true)
+}
+
+fn plane_path(own: Option<&HalfSpace>, made: Option<&str>) -> String {
+    own.map(|plane| plane.path.clone())
+        .unwrap_or_else(|| format!("/contactgeometryset/{}", made.unwrap_or(FLOOR)))
+}
+
+fn added(class: &'static str, name: &str, path: &str, body: Option<&str>) -> ObjectChange {
+    ObjectChange {
+        deed: Deed::Added,
+        class,
+        name: name.to_owned(),
+        path: path.to_owned(),
+        body: body.map(str::to_owned),
+        parameters: Vec::new(),
+    }
+}

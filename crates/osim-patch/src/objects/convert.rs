@@ -1,0 +1,308 @@
+//! Forces of one class as forces of the other, one for each sphere.
+
+use std::collections::HashSet;
+
+use contact_scaling::{RatioValues, Ratios, SmoothingValues, falisse2022};
+use osim_model::{
+    ElementId, Fault, FaultKind, FileId, Finding, FindingCode, Force, ForceKind, Model, Property, Selected,
+    Tree,
+};
+
+use super::names::{Names, refuse_misread};
+use super::pairs::{Pair, pairs};
+use super::rebuilt::{Deed, ObjectChange, Rebuilt};
+use super::spelling::{self, InList, Surfaces};
+use super::whole::refuse_parts;
+use crate::edit::{Edit, splice};
+use crate::insert::{unit, white_space_before};
+
+/// What only smoothed forces have.
+pub(super) const SMOOTHING: [Property; 3] =
+    [Property::ConstantContactForce, Property::HertzSmoothing, Property::HuntCrossleySmoothing];
+
+/// What is wanted of a conversion.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Convert {
+    /// The class that forces get.
+    pub to: ForceKind,
+    /// The smoothing of forces that had none; what is not given comes from Falisse et al. (2022), without dimensions, at the radius
+    /// of each sphere: (C.2), (C.5), (C.10).
+    pub constant_contact_force: Option<f64>,
+    /// The same of `hertz_smoothing`, 1/m.
+    pub hertz_smoothing: Option<f64>,
+    /// The same of `hunt_crossley_smoothing`, s/m.
+    pub hunt_crossley_smoothing: Option<f64>,
+    /// Refuse where sphere and half-space have parameters of their own that differ, instead of warning.
+    pub strict: bool,
+}
+
+impl Convert {
+    /// Into forces of the class `to`.
+    #[must_use]
+    pub const fn new(to: ForceKind) -> Self {
+        Self {
+            to,
+            constant_contact_force: None,
+            hertz_smoothing: None,
+            hunt_crossley_smoothing: None,
+            strict: false,
+        }
+    }
+}
+
+/// A model whose forces are of another class, and what is to be said of it.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Converted {
+    /// The model.
+    pub rebuilt: Rebuilt,
+    /// What the user should know.
+    pub warnings: Vec<Finding>,
+    /// Old and new names of forces that were divided.
+    pub renamed: Vec<(String, Vec<String>)>,
+    /// Paths of forces that hold no sphere, and stay as they are.
+    pub without_sphere: Vec<String>,
+}
+
+/// `model` with the forces `selected` as forces of the class that is wanted, one for each sphere that meets a half-space. Stiffness,
+/// dissipation, friction and transition velocity stay bit for bit where the surfaces of a force share their parameters.
+///
+/// # Errors
+/// - A set that stands alone, or one in another file.
+/// - A force without a half-space, or a sphere on the half-space's own body: by name.
+/// - Values that are not plain numbers.
+/// - Surfaces with parameters of their own, where that is to be refused.
+pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<Converted, Fault> {
+    refuse_parts(model)?;
+    let document = model.document();
+    let tree = document.tree();
+    let (mut names, list) = (Names::of(model), InList::of(model));
+    let mut made = Converted {
+        rebuilt: Rebuilt::new(model.rebuilt(document.bytes().to_vec())?, Vec::new(), String::new()),
+        warnings: Vec::new(),
+        renamed: Vec::new(),
+        without_sphere: Vec::new(),
+    };
+    let (mut edits, mut objects) = (Vec::new(), Vec::new());
+    for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
+        refuse_included(model, force)?;
+        if force.spheres().is_empty() && has_half_space(force) {
+            made.without_sphere.push(force.path.clone());
+            continue;
+        }
+        let pairs = pairs_of(model, force)?;
+        if force.kind == wanted.to && pairs.len() == 1 && force.spheres().len() == 1 {
+            continue;
+        }
+        if let Some(pair) = pairs.iter().find(|pair| pair.is_composite) {
+            made.warnings.push(composite(model, force, pair, wanted)?);
+        }
+        let (edit, new) = divided(model, force, &pairs, wanted, (&mut names, &list))?;
+        edits.push(edit);
+        let own: Vec<String> = new.iter().map(|object| object.name.clone()).collect();
+        if own != [force.name.clone()] {
+            made.renamed.push((force.name.clone(), own));
+        }
+        objects.push(object(Deed::Removed, force.kind, &force.name, &force.path, None));
+        objects.extend(new);
+    }
+    edits.extend(renamed_members(tree, document.data_root(), &made.renamed));
+    let bytes = splice(model.file(FileId::MAIN).bytes(), &edits)?;
+    made.rebuilt = Rebuilt::new(model.rebuilt(bytes)?, objects, String::new());
+    Ok(made)
+}
+
+fn refuse_included(model: &Model, force: &Force) -> Result<(), Fault> {
+    match model.included_file(force.file) {
+        Some(file) => {
+            let (path, file) = (force.path.clone(), file.to_owned());
+            Err(Fault::new(FaultKind::IncludedFile { path, file }).of(force.path.clone()))
+        }
+        None => Ok(()),
+    }
+}
+
+fn has_half_space(force: &Force) -> bool {
+    force.sets.iter().any(|set| set.half_spaces > 0)
+}
+
+/// The pairs of `force`.
+fn pairs_of(model: &Model, force: &Force) -> Result<Vec<Pair>, Fault> {
+    let refused = |text: String| Fault::refused(text).of(force.path.clone());
+    let leave_out = |text: String, otherwise: &'static str| {
+        let kind = FaultKind::LeaveOut { text, force: force.name.clone(), otherwise };
+        Fault::new(kind).of(force.path.clone())
+    };
+    if !has_half_space(force) {
+        let text = format!(
+            "{} has no half-space among its surfaces, and a force of one sphere needs one",
+            force.path
+        );
+        return Err(leave_out(text, "give it a half-space in OpenSim"));
+    }
+    if force.spheres().into_iter().filter_map(|id| model.sphere(id)).any(osim_model::Sphere::is_inside_force)
+    {
+        return Err(refused(format!(
+            "{} keeps its sphere inside itself, as Moco 0.1 to 0.3 did: open the model in OpenSim 4.2 or later and save it first",
+            force.path
+        )));
+    }
+    let pairs = pairs(model, force)?;
+    let own: HashSet<_> = pairs.iter().map(|pair| pair.sphere).collect();
+    let alone =
+        force.spheres().into_iter().find(|sphere| !own.contains(sphere)).and_then(|id| model.sphere(id));
+    if let Some(sphere) = alone {
+        let text = format!(
+            "{} is on the same body as the half-space of {}, so that they never meet",
+            sphere.path, force.path
+        );
+        return Err(leave_out(text, "take the sphere out of it in OpenSim first"));
+    }
+    Ok(pairs)
+}
+
+fn composite(model: &Model, force: &Force, pair: &Pair, wanted: &Convert) -> Result<Finding, Fault> {
+    let sphere = model.sphere(pair.sphere).map_or("", |sphere| sphere.name.as_str());
+    let text = format!(
+        "{}: {sphere} and {} have parameters of their own; the new force has those of both together (A.3), and as Simbody moves \
+         the contact point by the moduli, accelerations differ by up to 2.9 %",
+        force.path, pair.plane.name
+    );
+    if wanted.strict {
+        let kind = FaultKind::StrictlyRefused { text };
+        return Err(Fault::new(kind).of(force.path.clone()));
+    }
+    Ok(Finding::at(FindingCode::CompositeSurfaces, force.line, text).about(&force.path))
+}
+
+/// The edit that puts one force for each pair into the place of `force`, and the new objects.
+fn divided(
+    model: &Model,
+    force: &Force,
+    pairs: &[Pair],
+    wanted: &Convert,
+    (names, list): (&mut Names, &InList),
+) -> Result<(Edit, Vec<ObjectChange>), Fault> {
+    let tree = model.document().tree();
+    let span = tree.span(force.element());
+    let space = white_space_before(tree, span.start);
+    let unit = unit(tree, force.element());
+    let (mut text, mut objects) = (String::new(), Vec::new());
+    for (index, pair) in pairs.iter().enumerate() {
+        let Some(sphere) = model.sphere(pair.sphere) else { continue };
+        let name = match pairs.len() {
+            1 => force.name.clone(),
+            _ => names.take(&format!("{}_{}", force.name, sphere.name))?,
+        };
+        for used in [&name, &sphere.path, &pair.plane.path] {
+            refuse_misread(model, used).map_err(|fault| fault.of(force.path.clone()))?;
+        }
+        let mut values = pair.values.clone();
+        if wanted.to == ForceKind::SmoothSphereHalfSpace {
+            smooth(&mut values, sphere.radius_m()?, wanted)?;
+        }
+        let surfaces = match wanted.to {
+            ForceKind::HuntCrossley => {
+                Surfaces { sphere: list.call(&sphere.path), plane: list.call(&pair.plane.path) }
+            }
+            _ => Surfaces { sphere: &sphere.path, plane: &pair.plane.path },
+        };
+        let node = spelling::force(model.document(), wanted.to, &name, &surfaces, &values, force.applies);
+        let written = node.text(&space, unit);
+        // The first begins where the old one did.
+        text.push_str(if index == 0 {
+            written.strip_prefix(space.as_str()).unwrap_or(&written)
+        } else {
+            &written
+        });
+        let path = format!("{}/{name}", force.path.rsplit_once('/').map_or("", |(set, _)| set));
+        let made = object(Deed::Added, wanted.to, &name, &path, sphere.body.clone());
+        objects.push(ObjectChange { parameters: of_class(wanted.to, values), ..made });
+    }
+    Ok((Edit { span, text }, objects))
+}
+
+/// Those of `values` that forces of `kind` have.
+fn of_class(kind: ForceKind, mut values: Vec<(Property, f64)>) -> Vec<(Property, f64)> {
+    if kind == ForceKind::HuntCrossley {
+        values.retain(|(property, _)| !SMOOTHING.contains(property));
+    }
+    values
+}
+
+/// Gives a force its smoothing, where it has none.
+pub(super) fn smooth(
+    values: &mut Vec<(Property, f64)>,
+    radius_m: f64,
+    wanted: &Convert,
+) -> Result<(), Fault> {
+    let human = falisse2022();
+    let radius = radius_m / human.scale.radius_m();
+    let ratios = Ratios::new(RatioValues { mass: 1.0, sphere_count: 1.0, radius, gravity: 1.0 });
+    let ratios = ratios.map_err(Fault::new)?;
+    let base = human.contact.smoothing().unwrap_or(SmoothingValues::OPENSIM_DEFAULT);
+    let own = [
+        (
+            Property::ConstantContactForce,
+            wanted.constant_contact_force,
+            base.constant_contact_force * ratios.constant_contact_force(),
+        ),
+        (Property::HertzSmoothing, wanted.hertz_smoothing, base.hertz_smoothing * ratios.hertz_smoothing()),
+        (
+            Property::HuntCrossleySmoothing,
+            wanted.hunt_crossley_smoothing,
+            base.hunt_crossley_smoothing * ratios.hunt_crossley_smoothing(),
+        ),
+    ];
+    for (property, given, scaled) in own {
+        let value = given.unwrap_or(scaled);
+        if property == Property::ConstantContactForce && value == 0.0 {
+            return Err(Fault::new(FaultKind::ZeroConstantContactForce));
+        }
+        match values.iter_mut().find(|(known, _)| *known == property) {
+            // Divided forces of the smooth class keep theirs.
+            Some((_, old)) => *old = given.unwrap_or(*old),
+            None => values.push((property, value)),
+        }
+    }
+    Ok(())
+}
+
+/// Members of groups are called by the names of forces.
+fn renamed_members(tree: &Tree, model: ElementId, renamed: &[(String, Vec<String>)]) -> Vec<Edit> {
+    let groups = tree
+        .child(model, super::whole::FORCES)
+        .and_then(|set| tree.child(set, "groups"))
+        .into_iter()
+        .flat_map(|groups| tree.children(groups))
+        .filter_map(|group| tree.child(group, "members"));
+    let edit = |members: ElementId| {
+        let raw = tree.raw_text(members);
+        let text = tree.text_of(members);
+        let mut changed = false;
+        let words = osim_model::opensim_text::list(&text).flat_map(|word| {
+            match renamed.iter().find(|(old, _)| old == word) {
+                Some((_, new)) => {
+                    changed = true;
+                    new.clone()
+                }
+                None => vec![word.to_owned()],
+            }
+        });
+        let words = words.collect::<Vec<_>>().join(" ");
+        changed.then(|| Edit { span: raw.span, text: crate::node::escaped(&words) })
+    };
+    groups.filter_map(edit).collect()
+}
+
+fn object(deed: Deed, kind: ForceKind, name: &str, path: &str, body: Option<String>) -> ObjectChange {
+    ObjectChange {
+        deed,
+        class: kind.as_str(),
+        name: name.to_owned(),
+        path: path.to_owned(),
+        body,
+        parameters: Vec::new(),
+    }
+}

@@ -1,0 +1,97 @@
+//! A model whose objects are others: what a plan builds on before numbers change.
+
+use std::sync::Arc;
+
+use osim_model::{FileId, Model, Property};
+
+/// What happens to a whole object.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Deed {
+    /// It is new.
+    Added,
+    /// It goes.
+    Removed,
+}
+
+impl Deed {
+    /// In a word.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Added => "added",
+            Self::Removed => "removed",
+        }
+    }
+}
+
+/// One object that a plan adds or takes out.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct ObjectChange {
+    /// What happens to it.
+    pub deed: Deed,
+    /// OpenSim's class, such as `ContactSphere`.
+    pub class: &'static str,
+    /// Its name.
+    pub name: String,
+    /// Its component path: where it will be, or was.
+    pub path: String,
+    /// The body that carries it, or carries its sphere; `None` for ground.
+    pub body: Option<String>,
+    /// Parameters that a converted force is written with, in their own units; nothing for all others: what new contacts have
+    /// are changes.
+    pub parameters: Vec<(Property, f64)>,
+}
+
+/// A model with other objects than the one it was made from.
+#[derive(Debug, Clone)]
+pub struct Rebuilt {
+    model: Arc<Model>,
+    /// What was added or taken out, in the order in which reports list it.
+    pub objects: Vec<ObjectChange>,
+    /// Letters for a note's list of what was made: in addition, or what is left of it after a removal.
+    pub(crate) made: String,
+    pub(crate) earlier_note: EarlierNote,
+}
+
+/// What a note that is in the model is about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum EarlierNote {
+    /// Its contacts: a new note takes its place.
+    OfContacts,
+    /// Other contacts, which went before these were added: it stays beside a new one.
+    OfOthers,
+    /// The same, and the note of those that went now is out already.
+    TakenOut,
+}
+
+impl Rebuilt {
+    pub(crate) fn new(model: Model, objects: Vec<ObjectChange>, made: String) -> Self {
+        Self { model: Arc::new(model), objects, made, earlier_note: EarlierNote::OfContacts }
+    }
+
+    /// The same, made from the model of `first`.
+    #[must_use]
+    pub fn after(mut self, first: &Self) -> Self {
+        self.objects.splice(0..0, first.objects.iter().cloned());
+        if first.earlier_note == EarlierNote::TakenOut {
+            self.earlier_note = EarlierNote::OfOthers;
+        }
+        self
+    }
+
+    /// The model as it is then, before numbers change.
+    #[must_use]
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+}
+
+impl PartialEq for Rebuilt {
+    /// The same bytes and the same objects.
+    fn eq(&self, other: &Self) -> bool {
+        let bytes = |of: &'_ Self| of.model.file(FileId::MAIN).bytes().to_vec();
+        self.objects == other.objects && self.made == other.made && bytes(self) == bytes(other)
+    }
+}

@@ -1,0 +1,192 @@
+//! Contacts out of a model: forces, their spheres where nothing else uses them, and what was made for them.
+
+use std::collections::{BTreeSet, HashSet};
+
+use osim_model::{
+    ElementId, Fault, FileId, Force, ForceId, ForceKind, HalfSpace, Model, Selected, SphereId, Tree,
+};
+
+use super::add::MADE_FLOOR;
+use super::covered::Covered;
+use super::rebuilt::{Deed, EarlierNote, ObjectChange, Rebuilt};
+use super::sets::{FORCE_SET, GEOMETRY_SET, Set};
+use super::whole::refuse_parts;
+use crate::edit::{Edit, splice};
+use crate::insert::with_white_space_before;
+
+/// `model` without the forces `selected` and the spheres that only they use; the floor goes where [`add_contacts`] made it and
+/// nothing uses it, and so do the sets that it made. After [`add_contacts`], also with other numbers since, the first file is
+/// there again, byte for byte.
+///
+/// [`add_contacts`]: super::add_contacts
+///
+/// # Errors
+/// - A set that stands alone, or one in another file.
+/// - A sphere or force that something else uses, such as another force class, by name.
+pub fn remove(model: &Model, selected: &Selected) -> Result<Rebuilt, Fault> {
+    refuse_parts(model)?;
+    let going: HashSet<ForceId> = selected.forces.iter().copied().collect();
+    let staying = || model.forces().iter().filter(|force| !going.contains(&force.id));
+    let used: HashSet<SphereId> = staying().flat_map(Force::spheres).collect();
+    let mut elements: Vec<ElementId> = Vec::new();
+    let mut objects: Vec<ObjectChange> = Vec::new();
+    let mut spheres: BTreeSet<SphereId> = BTreeSet::new();
+    for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
+        refuse_other_file(model, force.file, &force.path)?;
+        elements.push(force.element());
+        let moving = force.spheres().into_iter().filter_map(|id| model.sphere(id));
+        let body = moving.clone().find_map(|sphere| sphere.body.clone());
+        objects.push(removed(force.kind.as_str(), &force.name, &force.path, body));
+        spheres.extend(moving.filter(|sphere| !sphere.is_inside_force()).map(|sphere| sphere.id));
+    }
+    spheres.retain(|sphere| !used.contains(sphere));
+    let mut going_names: HashSet<String> = HashSet::new();
+    for sphere in spheres.iter().filter_map(|&id| model.sphere(id)) {
+        refuse_other_file(model, sphere.file, &sphere.path)?;
+        elements.push(sphere.element());
+        going_names.insert(sphere.name.clone());
+        objects.push(removed("ContactSphere", &sphere.name, &sphere.path, sphere.body.clone()));
+    }
+    let mut made = model.note.as_ref().map(|note| note.made.clone()).unwrap_or_default();
+    if made.contains(MADE_FLOOR) {
+        let planes = |force: &Force| -> Vec<HalfSpace> {
+            force.sets.iter().flat_map(|set| model.half_spaces_of(set)).collect()
+        };
+        let still_used: HashSet<(FileId, ElementId)> =
+            staying().flat_map(planes).map(|plane| (plane.file, plane.element)).collect();
+        let mut floors = selected.forces.iter().filter_map(|&id| model.force(id)).flat_map(planes);
+        let floor = floors.find(|plane| !still_used.contains(&(plane.file, plane.element)));
+        if let Some(floor) = floor.filter(|floor| floor.file == FileId::MAIN) {
+            elements.push(floor.element);
+            going_names.insert(floor.name.clone());
+            objects.push(removed("ContactHalfSpace", &floor.name, &floor.path, None));
+            made.retain(|letter| letter != MADE_FLOOR);
+        }
+    }
+    refuse_users(model, &elements, &going_names)?;
+    let bytes = without(model, &elements, &mut made)?;
+    let mut rebuilt = model.rebuilt(bytes)?;
+    let is_last = !crate::note::has_rest(model, &rebuilt);
+    if is_last {
+        // Without contacts, a note about contacts would be wrong.
+        let document = rebuilt.document();
+        let edits = crate::note_edits::remove(document);
+        let bytes = splice(document.bytes(), &edits)?;
+        rebuilt = rebuilt.rebuilt(bytes)?;
+    }
+    let made = crate::note_edits::with_letters(&made, "");
+    let mut rebuilt = Rebuilt::new(rebuilt, objects, made);
+    if is_last {
+        rebuilt.earlier_note = EarlierNote::TakenOut;
+    }
+    Ok(rebuilt)
+}
+
+fn removed(class: &'static str, name: &str, path: &str, body: Option<String>) -> ObjectChange {
+    ObjectChange {
+        deed: Deed::Removed,
+        class,
+        name: name.to_owned(),
+        path: path.to_owned(),
+        body,
+        parameters: Vec::new(),
+    }
+}
+
+fn refuse_other_file(model: &Model, file: FileId, path: &str) -> Result<(), Fault> {
+    match model.included_file(file) {
+        Some(included) => {
+            let kind =
+                osim_model::FaultKind::IncludedFile { path: path.to_owned(), file: included.to_owned() };
+            Err(Fault::new(kind).of(path))
+        }
+        None => Ok(()),
+    }
+}
+
+/// The file without `elements`; of a set that loses all members, what was `made` goes, too, and with it the letters for it.
+fn without(model: &Model, elements: &[ElementId], made: &mut String) -> Result<Vec<u8>, Fault> {
+    let document = model.document();
+    let (tree, root) = (document.tree(), document.data_root());
+    let going: HashSet<ElementId> = elements.iter().copied().collect();
+    let mut edits: Vec<Edit> = Vec::new();
+    for set in [FORCE_SET, GEOMETRY_SET] {
+        if is_emptied(tree, set.element(tree, root), &going) {
+            edits.extend(restored(tree, root, &set, made));
+            *made = set.forgotten(made);
+        }
+    }
+    let restored = Covered::of(edits.iter().map(|edit| edit.span.clone()).collect());
+    let gone = Covered::of(elements.iter().map(|&element| tree.span(element)).collect());
+    for span in gone.spans() {
+        let span = with_white_space_before(tree, span.clone());
+        if !restored.covers(&span) {
+            edits.push(Edit { span, text: String::new() });
+        }
+    }
+    splice(document.bytes(), &edits)
+}
+
+fn is_emptied(tree: &Tree, set: Option<ElementId>, going: &HashSet<ElementId>) -> bool {
+    let Some(objects) = set.and_then(|set| tree.child(set, "objects")) else { return false };
+    let mut members = tree.children(objects).peekable();
+    members.peek().is_some() && members.all(|member| going.contains(&member))
+}
+
+fn restored(tree: &Tree, root: ElementId, set: &Set, made: &str) -> Option<Edit> {
+    let (element, text) = set.restored(tree, root, made)?;
+    let own = tree.span(element);
+    let span = if text.is_empty() { with_white_space_before(tree, own) } else { own };
+    Some(Edit { span, text })
+}
+
+/// Things in the file that name what goes would make OpenSim refuse it. What `<defaults>` name for forces counts only for those that
+/// have nothing of their own there, and what such a force uses does not go.
+fn refuse_users(model: &Model, elements: &[ElementId], names: &HashSet<String>) -> Result<(), Fault> {
+    let document = model.document();
+    let tree = document.tree();
+    let of_forces = |&id: &ElementId| {
+        [ForceKind::HuntCrossley, ForceKind::SmoothSphereHalfSpace]
+            .iter()
+            .any(|kind| kind.as_str() == tree.name(id))
+    };
+    let defaults = document.defaults().into_iter().flat_map(|defaults| tree.children(defaults));
+    let ignored = elements.iter().copied().chain(defaults.filter(of_forces));
+    let gone = Covered::of(ignored.map(|element| tree.span(element)).collect());
+    for element in tree.elements().filter(|&id| is_reference(tree.name(id))) {
+        let span = tree.span(element);
+        let text = tree.text_of(element);
+        let named = osim_model::opensim_text::list(&text).find_map(|word| {
+            let name = word.rsplit('/').next().unwrap_or(word);
+            names.get(name)
+        });
+        if let Some(name) = named.filter(|_| !gone.covers(&span)) {
+            let in_defaults = document
+                .defaults()
+                .is_some_and(|defaults| Covered::of(vec![tree.span(defaults)]).covers(&span));
+            let (place, way_out) = match in_defaults {
+                true => (
+                    " in <defaults>",
+                    "take that out of the file in a text editor first, as OpenSim does not show it",
+                ),
+                false => ("", "take that out in OpenSim first"),
+            };
+            return Err(Fault::over(
+                osim_model::FaultKind::Refused(format!(
+                    "<{}>{place} uses {name}, which would go: {way_out}, or choose the forces that go",
+                    tree.name(element)
+                )),
+                span,
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Elements that name contact geometry.
+fn is_reference(tag: &str) -> bool {
+    tag == "geometry"
+        || tag == "socket_sphere"
+        || tag == "socket_half_space"
+        || tag == "socket_contact_geometry"
+}

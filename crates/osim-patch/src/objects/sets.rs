@@ -1,0 +1,193 @@
+//! The sets that hold contact objects: where a new member goes, and what a note has to know so that it can be taken out again.
+
+use osim_model::{ElementId, Tree};
+
+use super::whole::{FORCES, GEOMETRY};
+use crate::edit::Edit;
+use crate::insert::{append, fill, insert};
+use crate::node::Node;
+
+/// What OpenSim writes around its sets in a model.
+const ORDER: [&str; 15] = [
+    "Ground",
+    "gravity",
+    "credits",
+    "publications",
+    "length_units",
+    "force_units",
+    "BodySet",
+    "JointSet",
+    "ControllerSet",
+    "ConstraintSet",
+    FORCES,
+    "MarkerSet",
+    GEOMETRY,
+    "ProbeSet",
+    "ComponentSet",
+];
+const OBJECTS: &str = "objects";
+
+/// Letters of a note for what was made of one set, so that removing its members leaves what was there before.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Letters {
+    /// The whole set.
+    pub(super) set: char,
+    /// The set's element `<objects>`.
+    pub(super) objects: char,
+    /// An element without content was opened: of the set, and of its `<objects>`.
+    opened: [[(char, Form); 3]; 2],
+}
+
+/// How an element without content was written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Form {
+    /// `<objects/>`
+    Closed,
+    /// `<objects />`
+    ClosedWithBlank,
+    /// `<objects></objects>`
+    Open,
+}
+
+impl Form {
+    fn of(tree: &Tree, element: ElementId) -> Option<Self> {
+        let tag = tree.slice(tree.open_span(element));
+        if !tree.is_empty_tag(element) {
+            return Some(Self::Open);
+        }
+        match tag.strip_suffix("/>")?.strip_suffix(' ') {
+            None => Some(Self::Closed),
+            // What has two blanks, or a tab, is opened and stays open.
+            Some(kept) => (kept.trim_ascii_end().len() == kept.len()).then_some(Self::ClosedWithBlank),
+        }
+    }
+
+    /// The element as it was, from its start tag as it is now.
+    fn restored(self, tree: &Tree, element: ElementId) -> String {
+        let open = tree.slice(tree.open_span(element));
+        let kept = open.strip_suffix('>').unwrap_or(open);
+        match self {
+            Self::Closed => format!("{kept}/>"),
+            Self::ClosedWithBlank => format!("{kept} />"),
+            Self::Open => format!("{open}</{}>", tree.name(element)),
+        }
+    }
+}
+
+/// A set with its letters.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Set {
+    pub(super) tag: &'static str,
+    pub(super) letters: Letters,
+}
+
+/// The set of forces.
+pub(super) const FORCE_SET: Set = Set {
+    tag: FORCES,
+    letters: Letters {
+        set: 'f',
+        objects: 'o',
+        opened: [
+            [('t', Form::Closed), ('u', Form::ClosedWithBlank), ('v', Form::Open)],
+            [('a', Form::Closed), ('d', Form::ClosedWithBlank), ('e', Form::Open)],
+        ],
+    },
+};
+/// The set of contact geometry.
+pub(super) const GEOMETRY_SET: Set = Set {
+    tag: GEOMETRY,
+    letters: Letters {
+        set: 'g',
+        objects: 'O',
+        opened: [
+            [('T', Form::Closed), ('U', Form::ClosedWithBlank), ('V', Form::Open)],
+            [('A', Form::Closed), ('D', Form::ClosedWithBlank), ('E', Form::Open)],
+        ],
+    },
+};
+
+impl Set {
+    /// The first set of a model: OpenSim ignores what is in a second one.
+    pub(super) fn element(&self, tree: &Tree, model: ElementId) -> Option<ElementId> {
+        tree.child(model, self.tag)
+    }
+
+    /// Puts `members` at the end of the set, and the letters for what had to be made.
+    pub(super) fn add(
+        &self,
+        tree: &Tree,
+        model: ElementId,
+        members: &[Node],
+        made: &mut String,
+    ) -> Vec<Edit> {
+        let Some(set) = self.element(tree, model) else {
+            made.push(self.letters.set);
+            let objects = Node::parent(OBJECTS, members.to_vec());
+            let whole = Node::object(self.tag, &self.tag.to_ascii_lowercase(), vec![objects]);
+            return insert(tree, model, &ORDER, &[whole]);
+        };
+        let [of_set, of_objects] = &self.letters.opened;
+        let Some(objects) = tree.child(set, OBJECTS) else {
+            made.push(self.letters.objects);
+            let list = Node::parent(OBJECTS, members.to_vec());
+            return match append_first(tree, set, &list) {
+                Some(edit) => vec![edit],
+                None => opened(tree, set, &[list], of_set, made),
+            };
+        };
+        match append(tree, objects, members) {
+            Some(edit) => vec![edit],
+            None => opened(tree, objects, members, of_objects, made),
+        }
+    }
+
+    /// `made` without what says something of this set.
+    pub(super) fn forgotten(&self, made: &str) -> String {
+        let Letters { set, objects, opened } = self.letters;
+        let own = |letter: char| {
+            letter == set || letter == objects || opened.iter().flatten().any(|(known, _)| *known == letter)
+        };
+        made.chars().filter(|&letter| !own(letter)).collect()
+    }
+
+    /// Takes what `add` made of the set back, where none of its members stays: `None` where it made nothing.
+    pub(super) fn restored(&self, tree: &Tree, model: ElementId, made: &str) -> Option<(ElementId, String)> {
+        let set = self.element(tree, model)?;
+        let form = |letters: &[(char, Form); 3]| {
+            letters.iter().find(|(letter, _)| made.contains(*letter)).map(|(_, form)| *form)
+        };
+        let [of_set, of_objects] = &self.letters.opened;
+        if made.contains(self.letters.set) {
+            return Some((set, String::new()));
+        }
+        if let Some(form) = form(of_set) {
+            return Some((set, form.restored(tree, set)));
+        }
+        let objects = tree.child(set, OBJECTS)?;
+        if made.contains(self.letters.objects) {
+            return Some((objects, String::new()));
+        }
+        form(of_objects).map(|form| (objects, form.restored(tree, objects)))
+    }
+}
+
+/// `list` before everything else in `set`, where something is in it.
+fn append_first(tree: &Tree, set: ElementId, list: &Node) -> Option<Edit> {
+    let list = std::slice::from_ref(list);
+    match tree.children(set).next() {
+        Some(_) => insert(tree, set, &[OBJECTS, "groups"], list).pop(),
+        None => append(tree, set, list),
+    }
+}
+
+fn opened(
+    tree: &Tree,
+    element: ElementId,
+    nodes: &[Node],
+    letters: &[(char, Form); 3],
+    made: &mut String,
+) -> Vec<Edit> {
+    let form = Form::of(tree, element);
+    made.extend(letters.iter().find(|(_, known)| Some(*known) == form).map(|(letter, _)| *letter));
+    fill(tree, element, nodes).into_iter().collect()
+}

@@ -1,0 +1,213 @@
+//! Forces as forces of the other class, one for each sphere.
+
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "a test fails by panicking")]
+
+use osim_model::{Force, ForceKind, Model, Property, Selection, SetId};
+use osim_patch::{Convert, Converted, convert};
+
+const BOTH: [ForceKind; 2] = [ForceKind::SmoothSphereHalfSpace, ForceKind::HuntCrossley];
+
+/// A foot with a sphere on it, a floor and a wall, around its forces.
+fn foot(forces: &str) -> String {
+    document(40000, "", forces, GEOMETRY)
+}
+
+const GEOMETRY: &str = r#"
+				<ContactHalfSpace name="floor"><socket_frame>/ground</socket_frame><location>0 0 0</location><orientation>0 0 -1.5707963267948966</orientation></ContactHalfSpace>
+				<ContactHalfSpace name="wall"><socket_frame>/ground</socket_frame><location>0.5 0 0</location></ContactHalfSpace>
+				<ContactSphere name="heel"><socket_frame>/bodyset/foot_r</socket_frame><location>0 0 0</location><radius>0.032</radius></ContactSphere>"#;
+
+fn document(version: u32, defaults: &str, forces: &str, geometry: &str) -> String {
+    format!(
+        r#"<OpenSimDocument Version="{version}">
+	<Model name="foot">{defaults}
+		<BodySet name="bodyset">
+			<objects>
+				<Body name="foot_r">
+					<mass>1</mass>
+				</Body>
+			</objects>
+		</BodySet>
+		<ForceSet name="forceset">
+			<objects>{forces}
+			</objects>
+		</ForceSet>
+		<ContactGeometrySet name="contactgeometryset">
+			<objects>{geometry}
+			</objects>
+		</ContactGeometrySet>
+	</Model>
+</OpenSimDocument>
+"#
+    )
+}
+
+fn material(geometry: &str, stiffness: &str, dissipation: &str, friction: &str) -> String {
+    format!(
+        "<HuntCrossleyForce::ContactParameters><geometry>{geometry}</geometry><stiffness>{stiffness}</stiffness>\
+         <dissipation>{dissipation}</dissipation><static_friction>{friction}</static_friction>\
+         </HuntCrossleyForce::ContactParameters>"
+    )
+}
+
+fn hunt(name: &str, own: &str, materials: &[String]) -> String {
+    format!(
+        "\n\t\t\t\t<HuntCrossleyForce name=\"{name}\">{own}<HuntCrossleyForce::ContactParametersSet name=\"contact_parameters\">\
+         <objects>{}</objects></HuntCrossleyForce::ContactParametersSet></HuntCrossleyForce>",
+        materials.concat()
+    )
+}
+
+#[track_caller]
+fn converted(text: &str, to: ForceKind) -> Converted {
+    let model = Model::parse(text).unwrap();
+    let selected = Selection::default().apply_to_all(&model).unwrap();
+    convert(&model, &selected, &Convert::new(to)).unwrap()
+}
+
+/// The force between `heel` and the half-space `plane`.
+#[track_caller]
+fn against<'m>(model: &'m Model, plane: &str) -> &'m Force {
+    let meets = |force: &&Force| {
+        force.sets.iter().flat_map(|set| model.half_spaces_of(set)).any(|own| own.name == plane)
+    };
+    model.forces().iter().find(meets).unwrap_or_else(|| panic!("no force meets {plane}"))
+}
+
+#[track_caller]
+fn value(force: &Force, property: Property) -> f64 {
+    force.checked(SetId::FIRST, property).unwrap().unwrap()
+}
+
+#[test]
+fn each_half_space_has_its_own_material() {
+    let floor = ("heel floor", "1e6", "2", "0.8");
+    let wall = ("wall", "3e6", "0", "0.2");
+    // Simbody: k = E^(2/3) of each surface, s = k of the other over the sum of both; k s^1.5 is that of the pair, and two equal
+    // surfaces of E* make 2^-1.5 E*. Here k_sphere = 1e4, k_wall = 3e6^(2/3) = 20800.838, so E* = (2 * 1e4 * 20800.838 /
+    // 30800.838)^1.5 = 1569720.9, c = 2 * 20800.838 / 30800.838 = 1.3506670, and 2 * 0.8 * 0.2 / (0.8 + 0.2) = 0.32.
+    for (first, second) in [(floor, wall), (wall, floor)] {
+        let materials = [first, second].map(|(geometry, k, c, mu)| material(geometry, k, c, mu));
+        for to in BOTH {
+            let made = converted(&foot(&hunt("foot", "", &materials)), to);
+            let model = made.rebuilt.model();
+            let own = against(model, "floor");
+            assert_eq!((value(own, Property::Stiffness), value(own, Property::Dissipation)), (1e6, 2.0));
+            assert_eq!(value(own, Property::StaticFriction), 0.8);
+            let other = against(model, "wall");
+            for (property, wanted) in [
+                (Property::Stiffness, 1_569_720.9),
+                (Property::Dissipation, 1.350_667_0),
+                (Property::StaticFriction, 0.32),
+            ] {
+                let found = value(other, property);
+                assert!((found / wanted - 1.0).abs() < 1e-7, "{to:?} {property}: {found}, expected {wanted}");
+            }
+            assert_eq!(made.warnings.len(), 1);
+        }
+    }
+}
+
+const SMOOTH: &str = r#"
+				<SmoothSphereHalfSpaceForce name="foot"><socket_sphere>/contactgeometryset/heel</socket_sphere><socket_half_space>/contactgeometryset/floor</socket_half_space>{own}<stiffness>1e6</stiffness></SmoothSphereHalfSpaceForce>"#;
+
+/// Defaults with which forces of both classes do not act unless they say so: up to 30508 in two spellings.
+const OFF: [(u32, &str); 3] = [
+    (40000, "<appliesForce>false</appliesForce>"),
+    (30000, "<appliesForce>false</appliesForce>"),
+    (30000, "<isDisabled>true</isDisabled>"),
+];
+
+fn defaults(own: &str) -> String {
+    let object = |class: ForceKind| format!("<{0} name=\"default\">{own}</{0}>", class.as_str());
+    format!("<defaults>{}</defaults>", BOTH.map(object).concat())
+}
+
+#[test]
+fn forces_act_as_they_did_whatever_the_defaults_say() {
+    for (version, off) in OFF {
+        for to in BOTH {
+            let geometry = match version {
+                30000 => GEOMETRY
+                    .replace("socket_frame>/bodyset/", "body_name>")
+                    .replace("socket_frame>/", "body_name>")
+                    .replace("socket_frame", "body_name"),
+                _ => GEOMETRY.to_owned(),
+            };
+            for (own, acts) in [
+                ("<appliesForce>true</appliesForce>", true),
+                ("<appliesForce>false</appliesForce>", false),
+                ("", false),
+            ] {
+                let force = match to {
+                    ForceKind::HuntCrossley => SMOOTH.replace("{own}", own),
+                    _ => hunt("foot", own, &[material("heel floor", "1e6", "0", "0")]),
+                };
+                let made = converted(&document(version, &defaults(off), &force, &geometry), to);
+                let [force] = made.rebuilt.model().forces() else { panic!("one force") };
+                assert_eq!((force.kind, force.applies), (to, acts), "{version} {off} {own}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_defaults_do_not_speak_of_is_not_written() {
+    for defaults in [
+        "",
+        "<defaults><HuntCrossleyForce name=\"default\"><transition_velocity>0.2</transition_velocity></HuntCrossleyForce></defaults>",
+    ] {
+        let force = SMOOTH.replace("{own}", "");
+        let made = converted(&document(40000, defaults, &force, GEOMETRY), ForceKind::HuntCrossley);
+        let model = made.rebuilt.model();
+        assert!(!String::from_utf8_lossy(model.document().bytes()).contains("appliesForce"));
+        // The force that was there had OpenSim's.
+        assert_eq!(model.forces()[0].transition_velocity.number, 0.01);
+    }
+}
+
+#[test]
+fn a_sphere_keeps_its_force_where_another_one_has_its_name() {
+    // OpenSim looks for `heel` in the model itself first, and then in its geometry set.
+    let other = "<components><ContactSphere name=\"heel\"><socket_frame>/bodyset/foot_r</socket_frame>\
+                 <location>0 1 0</location><radius>0.5</radius></ContactSphere></components>";
+    let text = foot(&SMOOTH.replace("{own}", ""));
+    let two = text.replace("\t</Model>", &format!("\t\t{other}\n\t</Model>"));
+    for (text, called) in [
+        (text, "<geometry>heel floor</geometry>"),
+        (two, "<geometry>/contactgeometryset/heel floor</geometry>"),
+    ] {
+        let made = converted(&text, ForceKind::HuntCrossley);
+        let model = made.rebuilt.model();
+        let written = String::from_utf8_lossy(model.document().bytes()).into_owned();
+        assert!(written.contains(called), "{written}");
+        let own = model.forces()[0].spheres();
+        assert_eq!(model.sphere(own[0]).unwrap().path, "/contactgeometryset/heel");
+    }
+}
+
+#[test]
+fn a_force_without_a_sphere_stays_as_it_is() {
+    let floor_only = hunt("floor_only", "", &[material("floor", "1e6", "2", "0.8")]);
+    let text =
+        foot(&format!("{}{floor_only}", hunt("foot", "", &[material("heel floor", "1e6", "2", "0.8")])));
+    let made = converted(&text, ForceKind::SmoothSphereHalfSpace);
+    assert_eq!(made.without_sphere, ["/forceset/floor_only"]);
+    let written = String::from_utf8_lossy(made.rebuilt.model().document().bytes()).into_owned();
+    assert!(written.contains(floor_only.as_str()), "{written}");
+    let touched: Vec<&str> = made.rebuilt.objects.iter().map(|object| object.name.as_str()).collect();
+    assert_eq!(touched, ["foot", "foot"]);
+    assert!(made.renamed.is_empty());
+}
+
+#[test]
+fn a_force_without_a_half_space_is_refused_with_the_way_out() {
+    let text = foot(&hunt("kick", "", &[material("heel", "1e6", "2", "0.8")]));
+    let model = Model::parse(text).unwrap();
+    let selected = Selection::default().apply_to_all(&model).unwrap();
+    let fault = convert(&model, &selected, &Convert::new(ForceKind::SmoothSphereHalfSpace)).unwrap_err();
+    assert_eq!(fault.code(), "refused");
+    assert_eq!(fault.kind.phrase().inputs(), [osim_model::wording::Input::Exclude]);
+    let said = fault.to_string();
+    assert!(said.contains("/forceset/kick has no half-space") && said.contains("kick"), "{said}");
+}
