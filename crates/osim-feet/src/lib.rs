@@ -1,0 +1,44 @@
+//! What a model's feet look like: bones from meshes, where they stand, and spheres below them.
+//!
+//! [`bones`] reads the meshes that are attached to bodies, through [`Files`](osim_model::files::Files); [`DefaultPose`] says where
+//! the bodies are in ground; [`soles`] lays spheres under the feet.
+//!
+//! # What it will not do
+//!
+//! It changes nothing and opens no file by itself. It poses nothing but the default pose, and knows no constraints but couplers.
+
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
+mod bone;
+mod bones;
+mod couplers;
+mod default_pose;
+mod fault;
+mod folders;
+mod mesh;
+mod pose_fault;
+mod scene;
+mod sole;
+mod sphere_pairs;
+mod standing;
+mod tilted;
+
+pub use bone::Bone;
+pub use bones::bones;
+pub use default_pose::DefaultPose;
+pub use fault::FeetFault;
+pub use folders::MeshFolders;
+pub use mesh::{MeshFault, mesh_points};
+pub use pose_fault::PoseFault;
+pub use scene::{
+    FloorPlace, Foot, FootBodies, FootBone, FootFrame, FootJoint, FootSphere, ViewAxes, silhouette,
+};
+pub use sole::{Footprint, Sole, SoleRequest, SoleSphere, soles};
+pub use sphere_pairs::{SpherePair, sphere_pairs};
+pub use standing::{PlacedSphere, Standing, VerticalCoordinate};
+pub use tilted::Tilting;
+
+/// The example of the README compiles.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

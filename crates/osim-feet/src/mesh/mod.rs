@@ -1,0 +1,82 @@
+//! The points of mesh files.
+//!
+//! Numbers in text keep all their digits, because OpenSim reads them as doubles whatever type the file declares. (The crates
+//! vtkio 0.7.0-rc2 and stl_io 0.11 read them in single precision, 5e-9 m off at the tip of a foot, and vtkio brings quick-xml
+//! 0.36, which has known flaws; [`osim_xml`] scans the XML here.) Nothing is allocated because a file says so: sizes are checked
+//! against the bytes that are there.
+
+mod fault;
+mod numbers;
+mod obj;
+mod stl;
+mod vtk_array;
+mod vtp;
+
+use std::collections::HashSet;
+
+pub use fault::MeshFault;
+
+/// Coordinates and factors up to this one, of which products are finite.
+const LARGEST: f64 = 1e9;
+/// Points closer to a line than this part of its length are in it: single precision has seven digits.
+const SAME_LINE: f64 = 1e-6;
+
+/// The points of the mesh file `name` from its bytes, in the file's own units and frame: the ending of the name (.vtp, .stl,
+/// .obj) says how they are written. Points that repeat are given once.
+///
+/// ```
+/// let triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n";
+/// let points = osim_feet::mesh_points("toe.obj", triangle.as_bytes())?;
+/// assert_eq!(points[3], [0.0, 0.0, 1.0]);
+/// # Ok::<(), osim_feet::MeshFault>(())
+/// ```
+///
+/// # Errors
+/// Bytes that are not such a file, or are cut off; points that are not finite, fewer than four, too many, or all in one line.
+pub fn mesh_points(name: &str, bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
+    let ending = name.rsplit_once('.').map(|(_, ending)| ending.to_ascii_lowercase());
+    let points = match ending.as_deref() {
+        Some("vtp") => vtp::points(bytes),
+        Some("stl") => stl::points(bytes),
+        Some("obj") => obj::points(bytes),
+        _ => Err(MeshFault::UnknownKind),
+    }?;
+    checked(points)
+}
+
+/// Whether a number can be a coordinate in some unit, or a factor of one.
+pub(crate) fn is_length(value: f64) -> bool {
+    value.abs() <= LARGEST
+}
+
+/// Points, each once, if they are those of a surface.
+fn checked(mut points: Vec<[f64; 3]>) -> Result<Vec<[f64; 3]>, MeshFault> {
+    for (index, point) in points.iter().enumerate() {
+        if let Some((value, axis)) = point.iter().zip(['x', 'y', 'z']).find(|(value, _)| !is_length(**value))
+        {
+            return Err(MeshFault::Coordinate { point: index + 1, axis, value: value.to_string() });
+        }
+    }
+    let mut seen = HashSet::with_capacity(points.len());
+    // -0 is 0.
+    points.retain(|point| seen.insert(point.map(|value| (value + 0.0).to_bits())));
+    if points.len() < 4 {
+        return Err(MeshFault::FewPoints(points.len()));
+    }
+    if in_one_line(&points) { Err(MeshFault::InOneLine) } else { Ok(points) }
+}
+
+/// Whether all points are as good as in the line through the first and the one farthest from it.
+fn in_one_line(points: &[[f64; 3]]) -> bool {
+    let Some(&first) = points.first() else { return true };
+    let from_first = |point: &[f64; 3]| -> [f64; 3] { std::array::from_fn(|i| point[i] - first[i]) };
+    let length = |[x, y, z]: [f64; 3]| x.hypot(y).hypot(z);
+    let farthest = points.iter().map(from_first).max_by(|a, b| length(*a).total_cmp(&length(*b)));
+    let along = farthest.unwrap_or_default();
+    let whole = length(along);
+    let [x, y, z] = along.map(|value| value / whole);
+    points
+        .iter()
+        .map(from_first)
+        .all(|[a, b, c]| length([b * z - c * y, c * x - a * z, a * y - b * x]) <= SAME_LINE * whole)
+}

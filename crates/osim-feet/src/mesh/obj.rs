@@ -1,0 +1,34 @@
+//! Wavefront files: of their lines, those that begin with `v`.
+
+use osim_xml::opensim_text::words;
+
+use super::fault::MeshFault;
+use super::numbers::{add, number};
+
+/// The vertices of an .obj file. A weight or a colour may follow x, y and z, and does not count.
+pub(super) fn points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
+    let text = String::from_utf8_lossy(bytes);
+    let mut points = Vec::new();
+    for line in text.lines() {
+        let mut words = words(line);
+        if words.next() != Some("v") {
+            continue;
+        }
+        let mut next = || number(words.next().ok_or(MeshFault::Truncated("a vertex"))?, "the vertices");
+        add(&mut points, [next()?, next()?, next()?])?;
+    }
+    Ok(points)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn vertices_are_the_lines_that_begin_with_v() {
+        let text = "# v 9 9 9\r\nmtllib a.mtl\r\nv 1 2 3\r\n  v\t-1e-3 .5 6 1.0 0.2 0.3\r\nvn 0 0 1\r\nvt 1 1\r\nf 1 2 1\r\n";
+        assert_eq!(points(text.as_bytes()).unwrap(), [[1.0, 2.0, 3.0], [-1e-3, 0.5, 6.0]]);
+        assert_eq!(points(b"v 1 2\nv 1 2 3\n"), Err(MeshFault::Truncated("a vertex")));
+        assert!(matches!(points(b"v 1 2 x\n"), Err(MeshFault::NotUnderstood(_))));
+    }
+}
