@@ -9,6 +9,7 @@ use osim_model::files::{Failure, ModelFiles, OpenModel};
 use osim_model::{Property, same_mass};
 use osim_patch::Plan;
 
+use crate::feet::ModelFeet;
 use crate::planner::Planner;
 
 /// What is known of both states of a model, spelled.
@@ -23,6 +24,8 @@ pub struct BeforeAfter {
     pub after: Option<(Inspection, CheckResult)>,
     /// Both states, where they are to be drawn.
     pub bodies: Vec<Body>,
+    /// The feet of both states without their bones, where they are to be drawn; of one where the spheres stay as they are.
+    pub feet: Vec<ModelFeet>,
     /// What the contacts are taken from, where they are another body's.
     pub reference: Option<ReferenceState>,
     /// The contacts are scaled to this gravity, m/s², and the model's is another.
@@ -56,6 +59,7 @@ impl BeforeAfter {
             before_under_new_weight: None,
             after: None,
             bodies: Vec::new(),
+            feet: Vec::new(),
             reference: planner.reference().cloned(),
             target_gravity_m_s2,
         };
@@ -65,6 +69,10 @@ impl BeforeAfter {
             heavier.stance.gravity_m_s2 = after.stance.gravity_m_s2;
             both.before_under_new_weight = Some(heavier.inspect(opened.name(), &opened.model, None).figures);
         }
+        let feet = |name: &str, opened: &OpenModel| {
+            bodies.then(|| ModelFeet::for_page(name, opened, &before.selection)).flatten()
+        };
+        both.feet.extend(feet("before", opened));
         // A reference is compared with, whether or not it is drawn.
         let bodies = bodies || both.reference.is_some();
         both.bodies.extend(body("before", &before, opened).filter(|_| bodies));
@@ -72,6 +80,8 @@ impl BeforeAfter {
             let written = changed().open()?;
             both.after = Some(seen(&after, &written, changes));
             both.bodies.extend(body("after", &after, &written).filter(|_| bodies));
+            let changed = |after: &ModelFeet| both.feet.iter().any(|before| !before.has_same_spheres(after));
+            both.feet.extend(feet("after", &written).filter(changed));
         }
         both.spell(dialect);
         Ok(both)

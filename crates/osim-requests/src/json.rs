@@ -7,9 +7,9 @@ use osim_values::path;
 use serde_json::error::Category;
 use serde_json::{Map, Value};
 
-use crate::fault::RequestFault;
 use crate::request::Request;
 use crate::unique;
+use osim_options::RequestFault;
 
 /// What some editors write before a text in UTF-8.
 const UTF8_MARK: &[u8] = b"\xEF\xBB\xBF";

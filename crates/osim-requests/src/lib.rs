@@ -27,28 +27,23 @@
 
 mod before_after;
 mod calculator;
-mod cell;
-mod choice;
 #[cfg(feature = "clap")]
 pub mod command_line;
 mod dictionary;
 mod drop_test;
-mod fault;
+mod feet;
 mod fit;
 mod gravity;
 mod inspector;
 mod json;
 mod opening;
-pub mod options;
 mod planner;
 mod planning;
 mod plot;
 mod presets;
-mod relation;
 mod remedy;
 mod request;
 mod schema;
-mod spreadsheet;
 mod subject;
 mod sweep;
 mod table;
@@ -56,24 +51,25 @@ mod unique;
 
 pub use before_after::BeforeAfter;
 pub use calculator::{DesignFigure, DesignLimit, DesignQuantity, DesignSheet};
-pub use cell::{cell, from_cell, marked, unmarked};
 pub use drop_test::{ComparedDrop, DropColumn, DropFigure, DropResult, DropRow};
-pub use fault::{RequestError, RequestFault};
+pub use feet::ModelFeet;
 pub use fit::FitResult;
 pub use inspector::Inspector;
 pub use opening::{open_with, scale_file};
+pub use osim_options::{RequestError, RequestFault, options};
+pub use osim_values::sheet::{cell, from_cell, marked, unmarked};
 pub use osim_values::{
-    Acceleration, Assignments, Axis, AxisName, BodyScale, ConstantIndentation, ContactOnset, Count, Dpi,
-    Grid, GridValue, Height, Kilograms, NotNegative, PoissonRatio, Positive, Radius, RelativeIndentation,
-    RestitutionCoefficient, Samples, Shard, Threshold, assignment,
+    Acceleration, Assignments, Axis, AxisName, BodyMap, BodyScale, ConstantIndentation, ContactOnset, Count,
+    Dpi, Grid, GridValue, Height, Kilograms, Metres, NewRadius, NotNegative, PoissonRatio, Positive, Radius,
+    RelativeIndentation, RestitutionCoefficient, Samples, Shard, SpheresOfFoot, Threshold, assignment,
 };
 pub use planner::{Change, Planner};
 pub use presets::presets;
 pub use request::{
-    AxesChoice, BatchRequest, BranchChoice, CheckRequest, Deny, DesignRequest, DropTestRequest,
-    ExplainRequest, FitRequest, HeatOptions, InspectRequest, NoteRequest, PlotKind, PlotRequest,
-    PresetsRequest, QuantityChoice, Request, RescaleRequest, SeriesFormat, SetRequest, SweepRequest,
-    TransferRequest, schema_of,
+    AddRequest, AxesChoice, BatchRequest, BranchChoice, CheckRequest, ConvertRequest, Deny, DesignRequest,
+    DropTestRequest, ExplainRequest, FitRequest, HeatOptions, InspectRequest, NoteRequest, PlotKind,
+    PlotRequest, PresetsRequest, QuantityChoice, RemoveRequest, Request, RescaleRequest, SeriesFormat,
+    SetRequest, SweepRequest, TransferRequest, schema_of,
 };
 pub use subject::may_be_file;
 pub use sweep::{SweepPlan, VariantMade};

@@ -23,7 +23,7 @@ pub fn open_with(path: &Path, beside: Beside<'_>, files: &dyn Files) -> Result<O
     ModelFiles::read(path, bytes, beside, files)?.open()
 }
 
-fn read(path: &Path, files: &dyn Files) -> Result<Vec<u8>, Failure> {
+pub(crate) fn read(path: &Path, files: &dyn Files) -> Result<Vec<u8>, Failure> {
     let failed = |error: FileError| Failure::outside(path, "unreadable", error.to_string());
     files.read(path).map_err(failed)
 }

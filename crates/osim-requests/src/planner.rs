@@ -18,14 +18,24 @@ pub trait Planner: Send + Sync {
     /// What only the caller can know, or what cannot be done with this model.
     fn plan(&self, model: &Model) -> Result<Plan, Fault>;
 
+    /// The same where files beside the model say something, such as the meshes of its bones.
+    ///
+    /// # Errors
+    /// Those of [`plan`](Self::plan), with the name of the file and the place; a file that is missing or broken.
+    fn plan_beside(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
+        // Most plans follow from the model alone.
+        let _ = files;
+        self.plan(&opened.model).map_err(|fault| opened.failure(fault))
+    }
+
     /// The same for a model that was opened: what is odd about the model itself is among the warnings. `no_note` leaves no
     /// note in it.
     ///
     /// # Errors
-    /// Those of [`plan`](Self::plan), with the name of the file and the place.
-    fn plan_opened(&self, opened: &OpenModel, no_note: bool) -> Result<Plan, Failure> {
+    /// Those of [`plan_beside`](Self::plan_beside).
+    fn plan_opened(&self, opened: &OpenModel, no_note: bool, files: &dyn Files) -> Result<Plan, Failure> {
         let model = &opened.model;
-        let mut plan = self.plan(model).map_err(|fault| opened.failure(fault))?;
+        let mut plan = self.plan_beside(opened, files)?;
         if no_note {
             plan.without_note();
             if model.note.is_some() && !plan.is_empty() {
@@ -37,7 +47,8 @@ pub trait Planner: Send + Sync {
             let text = "the model has no <credits>: they are added for the note, because OpenSim drops comments when it saves";
             plan.remarks.push(text.into());
         }
-        plan.warnings.splice(0..0, model.warnings.iter().cloned());
+        let standing: Vec<_> = plan.standing_warnings(model).cloned().collect();
+        plan.warnings.splice(0..0, standing);
         Ok(plan)
     }
 
@@ -80,7 +91,7 @@ pub trait Planner: Send + Sync {
 /// let change = Request::from_json(json)?.prepare(&files)?;
 /// for path in &change.models {
 ///     let opened = change.open(path, &files)?;
-///     let plan = change.plan(&opened)?;
+///     let plan = change.plan(&opened, &files)?;
 ///     let changed = plan.patched(&opened.model, FileId::MAIN).map_err(|fault| opened.failure(fault))?;
 ///     assert!(String::from_utf8_lossy(&changed).contains("<radius>0.06</radius>"));
 /// }
@@ -120,8 +131,8 @@ impl Change {
     ///
     /// # Errors
     /// Those of [`Planner::plan_opened`].
-    pub fn plan(&self, opened: &OpenModel) -> Result<Plan, Failure> {
-        self.planner.plan_opened(opened, self.output.no_note)
+    pub fn plan(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
+        self.planner.plan_opened(opened, self.output.no_note, files)
     }
 }
 

@@ -2,16 +2,18 @@
 
 use std::path::Path;
 
+use contact_scaling::Ratios;
 use osim_inspect::series::{Body, HeatRequest};
 use osim_inspect::unexplained_slip;
 use osim_model::files::Files;
 use osim_model::wording::{Input, phrase};
-use osim_model::{Fault, MassRequest};
+use osim_model::{Fault, MassRequest, readable};
 use osim_values::{Kilograms, Positive};
 
-use crate::fault::{RequestError, RequestFault};
+use crate::feet::ModelFeet;
 use crate::request::{PlotKind, PlotRequest};
 use crate::subject::Subject;
+use osim_options::{RequestError, RequestFault};
 
 impl PlotRequest {
     /// `true` for a figure of the paper, which shows its own animals.
@@ -37,6 +39,62 @@ impl PlotRequest {
             ));
         }
         Ok(())
+    }
+
+    /// `true` for a figure of feet, which shows where spheres are and not what they do.
+    #[must_use]
+    pub fn is_of_feet(&self) -> bool {
+        self.kind == Some(PlotKind::Feet)
+    }
+
+    /// The states of the feet that a figure shows, the later one last: those of a model, of the same with radii scaled to the
+    /// target mass, or of two models.
+    ///
+    /// # Errors
+    /// A preset, which has no places, too many models, or a model that cannot be read or has no feet.
+    pub fn feet(&self, files: &dyn Files) -> Result<Vec<ModelFeet>, RequestError> {
+        let states = self.models.len() + usize::from(self.target_mass.is_some());
+        if states > 2 {
+            return Err(RequestFault::general(phrase![
+                "a figure of feet shows one model, or two (before and after): leave out others, and ",
+                Input::TargetMass,
+                " beside two",
+            ])
+            .into());
+        }
+        let mut feet = Vec::new();
+        for path in &self.models {
+            let (own, scaled) = self.feet_of(path, files)?;
+            feet.push(own);
+            feet.extend(scaled);
+        }
+        Ok(feet)
+    }
+
+    fn feet_of(
+        &self,
+        path: &Path,
+        files: &dyn Files,
+    ) -> Result<(ModelFeet, Option<ModelFeet>), RequestError> {
+        let open = match Subject::find(path, self.presets.as_deref(), &self.set_files, files)? {
+            Subject::Model(open) => open,
+            Subject::Preset(preset) => {
+                let why = format!("{} is a preset, which has no feet: name a model", preset.name);
+                return Err(RequestFault::general(why).into());
+            }
+        };
+        let name = short_name(path);
+        let mut feet = ModelFeet::of(&name, &open, &self.choice.selection())?;
+        let geometry = self.geometry_dir.as_deref();
+        // Of a standalone set, the model beside it says where the bones are.
+        let beside = self.set_files.model.as_deref().unwrap_or(path);
+        feet.add_bones((&open.model, beside), geometry, files);
+        let Some(target) = self.target_mass else { return Ok((feet, None)) };
+        let failed = |fault| open.failure(fault);
+        let (from, _) = self.masses.request().of_contacts(&open.model).map_err(failed)?;
+        let ratios = Ratios::isometric(target.get() / from.kg).map_err(|error| failed(Fault::new(error)))?;
+        let scaled = feet.with_radii(format!("scaled to {} kg", readable(target.get())), ratios.radius());
+        Ok((feet, Some(scaled)))
     }
 
     /// All bodies of the figure: those that were named, each followed by its scaled self where one is asked for.

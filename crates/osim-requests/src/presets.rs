@@ -9,8 +9,8 @@ use osim_model::wording::{Input, phrase};
 use serde::Deserialize;
 use toml::Spanned;
 
-use crate::fault::RequestFault;
 use crate::request::PresetsRequest;
+use osim_options::RequestFault;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -1,5 +1,7 @@
 //! A remedy as a request: what puts a finding right, ready to be run.
 
+use std::path::PathBuf;
+
 use osim_model::wording::Input;
 use osim_model::{Remedy, RemedyChange, RemedyDesign, RemedyLoad};
 use osim_values::{
@@ -7,12 +9,12 @@ use osim_values::{
     RestitutionCoefficient,
 };
 
-use crate::fault::RequestFault;
 use crate::options::{
-    AnswerOptions, CountOptions, FollowOptions, ForceOptions, LoadOptions, MassOptions, MovedChoice,
-    ScalingOptions, SetFiles, WantedOptions,
+    AnswerOptions, ClassChoice, CountOptions, FollowOptions, ForceOptions, LoadOptions, MassOptions,
+    MovedChoice, ScalingOptions, SetFiles, WantedOptions,
 };
-use crate::request::{DesignRequest, Request, RescaleRequest, SetRequest, TransferRequest};
+use crate::request::{ConvertRequest, DesignRequest, Request, RescaleRequest, SetRequest, TransferRequest};
+use osim_options::RequestFault;
 
 /// Checks a number of a remedy.
 fn checked<T>(
@@ -31,14 +33,16 @@ impl TryFrom<&Remedy> for Request {
     fn try_from(remedy: &Remedy) -> Result<Self, RequestFault> {
         let models = vec![remedy.model.to_path()];
         let choice = choice(remedy);
-        let set_files = SetFiles { geometry: remedy.geometry.clone(), model: remedy.set_model.clone() };
+        let mut set_files = SetFiles::default();
+        (set_files.geometry, set_files.model) = (remedy.geometry.clone(), remedy.set_model.clone());
         let load = remedy.load.clone().unwrap_or_default();
         let answers = AnswerOptions::new(remedy.yes.clone());
         Ok(match &remedy.change {
             RemedyChange::Rescale { contacts_mass_kg, target_mass_kg } => {
                 let contacts_mass = checked(Input::ContactsMass, Some(*contacts_mass_kg), Kilograms::new)?;
                 let target_mass = checked(Input::TargetMass, Some(*target_mass_kg), Kilograms::new)?;
-                let masses = MassOptions { contacts_mass, ..masses(&load)? };
+                let mut masses = masses(&load)?;
+                masses.contacts_mass = contacts_mass;
                 let rescale = RescaleRequest {
                     models,
                     target_mass,
@@ -64,7 +68,7 @@ impl TryFrom<&Remedy> for Request {
                 models,
                 target_mass: checked(Input::TargetMass, Some(*target_mass_kg), Kilograms::new)?,
                 follow_bodies: true,
-                scaling: ScalingOptions { level: *level, ..ScalingOptions::default() },
+                scaling: levelling(*level),
                 masses: masses(&load)?,
                 choice,
                 answers,
@@ -75,13 +79,8 @@ impl TryFrom<&Remedy> for Request {
             RemedyChange::Follow { from, body_scale_file, level, replace_moved } => TransferRequest {
                 models,
                 from: Some(from.clone()),
-                follow: FollowOptions {
-                    follow_bodies: true,
-                    body_scale_file: body_scale_file.clone(),
-                    moved_spheres: replace_moved.then_some(MovedChoice::Replace),
-                    ..FollowOptions::default()
-                },
-                scaling: ScalingOptions { level: *level, ..ScalingOptions::default() },
+                follow: following(body_scale_file.clone(), *replace_moved),
+                scaling: levelling(*level),
                 masses: masses(&load)?,
                 counts: counts(&load)?,
                 choice,
@@ -90,14 +89,14 @@ impl TryFrom<&Remedy> for Request {
                 ..TransferRequest::default()
             }
             .into(),
+            RemedyChange::Convert { to } => {
+                let to = ClassChoice::of(*to);
+                ConvertRequest { models, to, choice, answers, ..ConvertRequest::default() }.into()
+            }
             RemedyChange::Design(design) => DesignRequest {
                 models,
                 wanted: wanted(design)?,
-                load: LoadOptions {
-                    body_weights: checked(Input::BodyWeights, design.body_weights, Positive::new)?,
-                    gravity: checked(Input::Gravity, load.gravity_m_s2, Acceleration::new)?,
-                    ..LoadOptions::default()
-                },
+                load: loaded(design, &load)?,
                 masses: masses(&load)?,
                 counts: counts(&load)?,
                 choice,
@@ -117,40 +116,57 @@ impl TryFrom<&Remedy> for Request {
 
 fn choice(remedy: &Remedy) -> ForceOptions {
     let selection = &remedy.selection;
-    ForceOptions {
-        select: selection.select.clone(),
-        exclude: selection.exclude.clone(),
-        skip_disabled: selection.skip_disabled,
-    }
+    let mut choice = ForceOptions::default();
+    choice.select.clone_from(&selection.select);
+    choice.exclude.clone_from(&selection.exclude);
+    choice.skip_disabled = selection.skip_disabled;
+    choice
+}
+
+fn levelling(level: bool) -> ScalingOptions {
+    let mut scaling = ScalingOptions::default();
+    scaling.level = level;
+    scaling
+}
+
+fn following(body_scale_file: Option<PathBuf>, replace_moved: bool) -> FollowOptions {
+    let mut follow = FollowOptions::default();
+    follow.follow_bodies = true;
+    follow.body_scale_file = body_scale_file;
+    follow.moved_spheres = replace_moved.then_some(MovedChoice::Replace);
+    follow
+}
+
+fn loaded(design: &RemedyDesign, load: &RemedyLoad) -> Result<LoadOptions, RequestFault> {
+    let mut loaded = LoadOptions::default();
+    loaded.body_weights = checked(Input::BodyWeights, design.body_weights, Positive::new)?;
+    loaded.gravity = checked(Input::Gravity, load.gravity_m_s2, Acceleration::new)?;
+    Ok(loaded)
 }
 
 fn masses(load: &RemedyLoad) -> Result<MassOptions, RequestFault> {
-    Ok(MassOptions {
-        mass: checked(Input::Mass, load.mass_kg, Kilograms::new)?,
-        exclude_body: load.exclude_bodies.clone(),
-        ..MassOptions::default()
-    })
+    let mut masses = MassOptions::default();
+    masses.mass = checked(Input::Mass, load.mass_kg, Kilograms::new)?;
+    masses.exclude_body.clone_from(&load.exclude_bodies);
+    Ok(masses)
 }
 
 fn counts(load: &RemedyLoad) -> Result<CountOptions, RequestFault> {
     let limbs = checked(Input::StanceLimbs, load.stance_limbs, Count::new)?;
-    Ok(CountOptions {
-        spheres: checked(Input::Spheres, load.spheres, Count::new)?,
-        stance_limbs: limbs.unwrap_or(Count::ONE),
-    })
+    let mut counts = CountOptions::default();
+    counts.spheres = checked(Input::Spheres, load.spheres, Count::new)?;
+    counts.stance_limbs = limbs.unwrap_or(Count::ONE);
+    Ok(counts)
 }
 
 fn wanted(design: &RemedyDesign) -> Result<WantedOptions, RequestFault> {
-    Ok(WantedOptions {
-        indentation: checked(Input::Indentation, design.indentation, RelativeIndentation::new)?,
-        restitution: checked(Input::Restitution, design.restitution, RestitutionCoefficient::new)?,
-        impact_speed: checked(Input::ImpactSpeed, design.impact_speed_m_s, Positive::new)?,
-        constant_indentation: checked(
-            Input::ConstantIndentation,
-            design.constant_indentation,
-            ConstantIndentation::new,
-        )?,
-        state_width: checked(Input::StateWidth, design.state_width, Positive::new)?,
-        ..WantedOptions::default()
-    })
+    let mut wanted = WantedOptions::default();
+    wanted.indentation = checked(Input::Indentation, design.indentation, RelativeIndentation::new)?;
+    wanted.restitution = checked(Input::Restitution, design.restitution, RestitutionCoefficient::new)?;
+    wanted.impact_speed = checked(Input::ImpactSpeed, design.impact_speed_m_s, Positive::new)?;
+    let constant =
+        checked(Input::ConstantIndentation, design.constant_indentation, ConstantIndentation::new)?;
+    wanted.constant_indentation = constant;
+    wanted.state_width = checked(Input::StateWidth, design.state_width, Positive::new)?;
+    Ok(wanted)
 }

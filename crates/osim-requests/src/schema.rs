@@ -5,7 +5,7 @@ use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema};
 use serde_json::{Map, Value, json};
 
-use crate::relation::Relation;
+use osim_options::Relation;
 
 /// The schema of the requests `T` for `verb`.
 pub(crate) fn schema<T: JsonSchema>(verb: Verb, relations: &[&[Relation]]) -> Schema {

@@ -7,10 +7,10 @@ use osim_model::files::{Files, OpenModel};
 
 use osim_model::wording::{Input, phrase};
 
-use crate::fault::{RequestError, RequestFault};
 use crate::opening::open_with;
 use crate::options::SetFiles;
 use crate::presets::{find_preset, preset_names};
+use osim_options::{RequestError, RequestFault};
 
 /// What a word names.
 pub(crate) enum Named {

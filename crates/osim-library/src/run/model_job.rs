@@ -16,7 +16,7 @@ use super::task::Task;
 use super::writing::{PreparedFiles, Results, Written};
 use crate::digest::{sha256, sha256_of_parts};
 use crate::fault::LibraryFault;
-use crate::source::{Loaded, Origin};
+use crate::source::{Disk, Loaded, Origin};
 use crate::write::other_names;
 
 /// Does one model after the other.
@@ -178,7 +178,7 @@ impl<F: FrontEnd> ModelJob<'_, F> {
 
     fn plan(&self, opened: &OpenModel, record: &mut Record) -> Result<Plan, Failure> {
         let settings = &self.task.settings;
-        let mut plan = settings.planner().plan_opened(opened, settings.no_note)?;
+        let mut plan = settings.planner().plan_opened(opened, settings.no_note, &Disk)?;
         let compiled = self.task.output().and_then(|path| self.context.folders.compiled_beside(path));
         plan.warnings.extend(compiled);
         let linked = self.task.output().filter(|_| settings.in_place).and_then(other_names);

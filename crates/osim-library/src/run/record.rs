@@ -77,6 +77,8 @@ pub struct Record {
     pub contacts_mass_source: Option<String>,
     /// The mass they are made for afterwards.
     pub contacts_mass_to_kg: Option<f64>,
+    /// How many whole objects are added or removed.
+    pub objects: usize,
     /// How many numbers and places change.
     pub changes: usize,
     /// What the radii were, m, where they changed and were the same everywhere.
@@ -243,6 +245,7 @@ impl Record {
             self.contacts_mass_source = Some(masses.from.source.as_str().to_owned());
             self.contacts_mass_to_kg = Some(masses.target_mass_kg);
         }
+        self.objects = plan.objects().len();
         self.changes = plan.changes.len() + plan.moves.len();
         let mut unequal_factors = Vec::new();
         for property in Property::ALL {

@@ -39,7 +39,7 @@ pub struct GeometryResult<'m> {
 impl<'m> Results<'m> {
     /// # Errors
     /// Edits that overlap, which would be a defect.
-    pub(super) fn of(task: &Task, plan: &Plan, model: &'m Model) -> Result<Self, Fault> {
+    pub(super) fn of(task: &Task, plan: &'m Plan, model: &'m Model) -> Result<Self, Fault> {
         let changed = plan.files(model).find(|&file| file != FileId::MAIN);
         let geometry = match (&task.geometry_output, changed) {
             (Some(path), Some(file)) => {

@@ -6,8 +6,8 @@ use osim_model::readable;
 use osim_values::{Positive, RestitutionCoefficient};
 
 use super::given::{Given, refused};
-use crate::fault::RequestFault;
 use crate::options::WantedOptions;
+use osim_options::RequestFault;
 
 /// A radius that dissipation and sizing both depend on is found by turns; each brings it at least three times closer.
 const TURNS: u32 = 60;

@@ -11,9 +11,9 @@ use super::at_rest::{self, AtRest};
 use super::given::{Given, ModulusFrom, refused};
 use super::register::DesignQuantity;
 use super::sheet::DesignSheet;
-use crate::fault::RequestFault;
 use crate::options::WantedOptions;
 use crate::request::DesignRequest;
+use osim_options::RequestFault;
 
 impl DesignRequest {
     /// Calculates a design that names no model.

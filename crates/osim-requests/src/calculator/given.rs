@@ -7,9 +7,9 @@ use osim_model::wording::{Input, Phrase, phrase};
 use osim_patch::RadiusRule;
 use osim_values::{Count, Kilograms, PoissonRatio, Positive, RelativeIndentation};
 
-use crate::fault::RequestFault;
 use crate::gravity::STANDARD_GRAVITY_M_S2;
 use crate::request::DesignRequest;
+use osim_options::RequestFault;
 
 /// What is known.
 pub(super) struct Given {

@@ -12,10 +12,10 @@ use osim_model::{CountOf, Fault, GravityFor, MassRequest, Needed};
 use osim_values::{Count, Kilograms, NotNegative, Positive};
 
 use super::result::{ComparedDrop, DropResult};
-use crate::fault::{RequestError, RequestFault};
 use crate::gravity::STANDARD_GRAVITY_M_S2;
 use crate::request::DropTestRequest;
 use crate::subject::Subject;
+use osim_options::{RequestError, RequestFault};
 
 /// A body about to fall.
 struct Falling {

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use osim_model::files::Files;
+use osim_values::sheet::Sheet;
 
 use crate::options::ColumnOptions;
-use crate::spreadsheet::Sheet;
 
 /// Columns in SI units; row `i` of each belongs together.
 pub(super) struct Measured {
@@ -30,7 +30,7 @@ impl Measured {
 
     fn of_sheet(sheet: &Sheet, columns: &ColumnOptions) -> Result<Self, String> {
         let header = &sheet.header;
-        let find = |name: &str| find(header, name);
+        let find = |name: &str| sheet.column(name);
         let mut wanted = vec![
             Column::new(find(&columns.indentation_column)?, columns.indentation_unit.metres()),
             Column::new(find(&columns.force_column)?, columns.force_unit.newtons()),
@@ -46,7 +46,8 @@ impl Measured {
             for column in &mut wanted {
                 let cell = row.cells.get(column.index).map_or("", String::as_str);
                 let name = header.get(column.index).map_or("", String::as_str);
-                let value = cell_number(cell, sheet)
+                let value = sheet
+                    .number(cell)
                     .map_err(|why| format!("line {}, column '{name}': '{cell}' {why}", row.line))?;
                 column.values.push(value * column.unit);
             }
@@ -65,18 +66,6 @@ impl Measured {
     }
 }
 
-/// The place of a column.
-fn find(header: &[String], name: &str) -> Result<usize, String> {
-    if header.iter().filter(|cell| cell.eq_ignore_ascii_case(name)).count() > 1 {
-        return Err(format!("the column '{name}' appears twice, expected one"));
-    }
-    header.iter().position(|cell| cell.eq_ignore_ascii_case(name)).ok_or_else(|| {
-        let known: Vec<_> = header.iter().map(|cell| format!("'{cell}'")).collect();
-        let known = if known.is_empty() { "nothing".to_owned() } else { known.join(", ") };
-        format!("no column '{name}' in the first row, which has {known}")
-    })
-}
-
 struct Column {
     index: usize,
     unit: f64,
@@ -86,34 +75,5 @@ struct Column {
 impl Column {
     fn new(index: usize, unit: f64) -> Self {
         Self { index, unit, values: Vec::new() }
-    }
-}
-
-/// A finite number.
-fn cell_number(cell: &str, sheet: &Sheet) -> Result<f64, &'static str> {
-    if cell.is_empty() {
-        return Err("is empty, expected a number");
-    }
-    let text = sheet.with_point(cell)?;
-    match text.parse::<f64>() {
-        Ok(value) if value.is_finite() => Ok(value),
-        Ok(_) => Err("is not finite, expected a number"),
-        Err(_) => Err("is not a number"),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_cell_is_one_plain_finite_number() {
-        let commas = Sheet::read(b"a,b\n").unwrap();
-        let semicolons = Sheet::read(b"a;b\n").unwrap();
-        assert_eq!(cell_number("1,5", &semicolons), Ok(1.5));
-        assert_eq!(cell_number("1.5", &commas), Ok(1.5));
-        for cell in ["nan", "", "5 N", "1,5"] {
-            assert!(cell_number(cell, &commas).is_err(), "{cell}");
-        }
     }
 }

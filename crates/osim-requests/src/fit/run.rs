@@ -6,8 +6,8 @@ use contact_scaling::fit::{Fit, FitError, FitValues, Measurement, Rate, fit};
 use osim_model::files::{Failure, Files};
 
 use super::measured::Measured;
-use crate::fault::{RequestError, RequestFault};
 use crate::request::FitRequest;
+use osim_options::{RequestError, RequestFault};
 
 /// What a measurement says of a contact.
 #[derive(Debug, Clone)]

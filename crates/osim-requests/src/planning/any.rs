@@ -3,12 +3,21 @@
 use osim_model::files::Files;
 use osim_model::wording::Verb;
 
-use crate::fault::{RequestError, RequestFault};
 use crate::planner::Change;
 use crate::request::Request;
+use osim_options::{RequestError, RequestFault};
 
 /// Verbs that change models.
-pub(crate) const CHANGING: [Verb; 5] = [Verb::Rescale, Verb::Transfer, Verb::Design, Verb::Set, Verb::Note];
+pub(crate) const CHANGING: [Verb; 8] = [
+    Verb::Rescale,
+    Verb::Transfer,
+    Verb::Add,
+    Verb::Remove,
+    Verb::Convert,
+    Verb::Design,
+    Verb::Set,
+    Verb::Note,
+];
 
 /// The same in words: `rescale, transfer, design, set or note`.
 pub(crate) fn changing_verbs() -> String {
@@ -32,6 +41,9 @@ impl Request {
             Self::Design(request) => Ok(request.prepare()?),
             Self::Set(request) => Ok(request.prepare()?),
             Self::Note(request) => Ok(request.prepare()?),
+            Self::Add(request) => request.prepare(files),
+            Self::Convert(request) => Ok(request.prepare()?),
+            Self::Remove(request) => Ok(request.prepare()?),
             Self::Transfer(request) => request.prepare(files),
             _ => {
                 let message = format!("'{verb}', expected {}", changing_verbs());

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use osim_inspect::{ReferenceState, unexplained_slip};
+use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::{Fault, MassRequest, Model, Question};
 use osim_patch::Plan;
 
@@ -17,16 +18,34 @@ pub(crate) struct Asking<P> {
     pub(crate) answers: AnswerOptions,
 }
 
-impl<P: Planner> Planner for Asking<P> {
-    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
+impl<P: Planner> Asking<P> {
+    fn ask_about_masses(&self, model: &Model) -> Result<(), Fault> {
         let selection = self.planner.inspection().choice.selection();
         let slip = unexplained_slip(&self.masses, model, &selection);
-        self.answers.ask(slip).map_err(Fault::new)?;
-        let plan = self.planner.plan(model)?;
+        self.answers.ask(slip).map_err(Fault::new)
+    }
+
+    fn ask_about_radii(&self, model: &Model, plan: Plan) -> Result<Plan, Fault> {
         match plan.radius_slip(model) {
             Some(fault) if !self.answers.has(Question::ImplausibleRadius) => Err(fault),
             _ => Ok(plan),
         }
+    }
+}
+
+impl<P: Planner> Planner for Asking<P> {
+    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
+        self.ask_about_masses(model)?;
+        let plan = self.planner.plan(model)?;
+        self.ask_about_radii(model, plan)
+    }
+
+    fn plan_beside(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
+        let model = &opened.model;
+        let failure = |fault| opened.failure(fault);
+        self.ask_about_masses(model).map_err(failure)?;
+        let plan = self.planner.plan_beside(opened, files)?;
+        self.ask_about_radii(model, plan).map_err(failure)
     }
 
     fn reads(&self) -> Vec<PathBuf> {

@@ -9,12 +9,13 @@ use osim_values::{ConstantIndentation, PoissonRatio, Positive, RelativeIndentati
 use serde_json::json;
 
 use super::asking::Asking;
-use crate::fault::RequestFault;
-use crate::options::{CountOptions, InspectionOptions, LoadOptions, StanceOptions, WantedOptions};
+use crate::options::{CountOptions, InspectionOptions, LoadOptions, WantedOptions};
 use crate::planner::{Change, Planner};
 use crate::request::DesignRequest;
+use osim_options::RequestFault;
 
-struct Designing {
+/// Plans designs.
+pub(super) struct Designing {
     wanted: WantedOptions,
     load: LoadOptions,
     counts: CountOptions,
@@ -30,25 +31,30 @@ impl DesignRequest {
     /// # Errors
     /// Options that say nothing, or contradict each other.
     pub fn prepare(self) -> Result<Change, RequestFault> {
+        let (models, output, answers) = (self.models.clone(), self.output.clone(), self.answers.clone());
+        let set_files = self.set_files.clone();
+        let planner = self.planner()?;
+        let asking = Asking { masses: planner.masses.clone(), answers, planner };
+        Ok(Change::new(models, output, set_files, asking))
+    }
+
+    /// What plans for each model.
+    ///
+    /// # Errors
+    /// Options that say nothing, or contradict each other.
+    pub(super) fn planner(self) -> Result<Designing, RequestFault> {
         check(&self)?;
-        let Self { models, wanted, load, masses, counts, choice, output, run: _, answers, set_files } = self;
-        let stance = StanceOptions {
-            spheres: counts.spheres,
-            stance_limbs: counts.stance_limbs,
-            impact_speed: wanted.impact_speed,
-            gravity: load.gravity,
-        };
-        let planner = Designing {
+        let Self { wanted, load, masses, counts, choice, set_files, .. } = self;
+        let stance = counts.stance_options(wanted.impact_speed, load.gravity);
+        Ok(Designing {
             settings: json!(["design", wanted, load, masses, counts, choice]).to_string(),
             wanted,
             load,
             counts,
             selection: choice.selection(),
             masses: masses.request(),
-            inspection: InspectionOptions::new(stance, masses, choice, set_files.clone()),
-        };
-        let asking = Asking { masses: planner.masses.clone(), answers, planner };
-        Ok(Change::new(models, output, set_files, asking))
+            inspection: InspectionOptions::new(stance, masses, choice, set_files),
+        })
     }
 }
 
@@ -153,9 +159,15 @@ impl Planner for Designing {
     }
 
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
-        let selected = self.selection.apply(model)?;
+        self.plan_for(model, &self.selection.apply(model)?)
+    }
+}
+
+impl Designing {
+    /// Plans for the forces `selected` of `model`.
+    pub(super) fn plan_for(&self, model: &Model, selected: &Selected) -> Result<Plan, Fault> {
         let asked = &self.wanted;
-        let (load, mass) = self.load(model, &selected)?;
+        let (load, mass) = self.load(model, selected)?;
         let young = asked.young.map(Positive::get).zip(asked.poisson.map(PoissonRatio::get));
         let width = |width: Option<Positive>| width.map(|width| (asked.threshold.get(), width.get()));
         let mut wanted = Design::default();
@@ -176,6 +188,6 @@ impl Planner for Designing {
         wanted.contact_stiffness_n_m = asked.contact_stiffness.map(Positive::get);
         wanted.mass = mass;
         wanted.gravity_m_s2 = self.load.gravity();
-        design(model, &selected, &wanted)
+        design(model, selected, &wanted)
     }
 }

@@ -7,10 +7,10 @@ use osim_values::Acceleration;
 use serde_json::json;
 
 use super::asking::Asking;
-use crate::fault::RequestFault;
 use crate::options::{ForceOptions, InspectionOptions, MassOptions, StanceOptions};
 use crate::planner::{Change, Planner};
 use crate::request::NoteRequest;
+use osim_options::RequestFault;
 
 struct Noting {
     mass_kg: f64,
@@ -41,7 +41,8 @@ impl NoteRequest {
                 Input::NoNote
             ]));
         }
-        let masses = MassOptions { contacts_mass: Some(mass), ..MassOptions::default() };
+        let mut masses = MassOptions::default();
+        masses.contacts_mass = Some(mass);
         let planner = Noting {
             mass_kg: mass.get(),
             gravity_m_s2: contacts_gravity.map(Acceleration::get),

@@ -10,15 +10,26 @@ use osim_model::{
     Anatomy, CountOf, Fault, FaultKind, Mass, MassRequest, MassSource, Model, Needed, Selection, mass_slip,
 };
 use osim_patch::{Reference, ScaleFile, reference_of_model};
+use osim_remarks::refuse_known;
 use osim_values::{Acceleration, Count, Kilograms};
 
-use crate::fault::RequestFault;
 use crate::opening::{open, scale_file};
 use crate::planner::file_name;
 use crate::request::TransferRequest;
 use crate::subject::Named;
+use osim_options::RequestFault;
+
+/// What published contacts of a reference count for that were made for another mass than its bodies weigh.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum KnownMass {
+    /// Nobody but the caller knows.
+    Asked,
+    /// The mass of the bodies.
+    AsBodies,
+}
 
 /// What spheres follow from.
+#[derive(Clone)]
 pub(super) struct Generic {
     pub(super) anatomy: Anatomy,
     pub(super) file: Option<ScaleFile>,
@@ -29,6 +40,11 @@ pub(super) struct Generic {
 }
 
 impl Generic {
+    /// The same with other spheres: those of `model`, where they are in `anatomy`.
+    pub(super) fn with_contacts(&self, anatomy: Anatomy, model: &Model) -> Self {
+        Self { anatomy, file: None, sphere_count: self.sphere_count.clone(), standing: standing(model) }
+    }
+
     /// Whether each sphere of `model` that can stand has its own here, and the other way round.
     pub(super) fn stands_like(&self, model: &Model) -> bool {
         standing(model) == self.standing
@@ -75,20 +91,9 @@ pub(super) fn reference_from_file(
     from: &Path,
     files: &dyn Files,
 ) -> Result<(Reference, ReferenceState, Option<Generic>), Failure> {
-    let read = || {
-        let open = open(from, files)?;
-        let (reference, sphere_count) =
-            reference_from_model(&open.model, request, from).map_err(|fault| open.failure(fault))?;
-        let state = state(request, from, &open, &reference);
-        if !request.follow.follow_bodies {
-            return Ok((reference, state, None));
-        }
-        let anatomy = Anatomy::of(&open.model).map_err(|fault| open.failure(fault))?;
-        let file =
-            request.follow.body_scale_file.as_deref().map(|path| scale_file(path, files)).transpose()?;
-        let standing = standing(&open.model);
-        Ok((reference, state, Some(Generic { anatomy, file, sphere_count, standing })))
-    };
+    // A scaled copy of the reference keeps what its contacts are to its bodies.
+    let known = if request.follow.follow_bodies { KnownMass::AsBodies } else { KnownMass::Asked };
+    let read = || of_opened(request, from, (&open(from, files)?, known), files);
     read().map_err(|failure: Failure| match failure.code {
         // The usual way out is about the model that gets the contacts.
         "incomplete-set" => {
@@ -101,6 +106,28 @@ pub(super) fn reference_from_file(
     })
 }
 
+/// The same of a model that was opened, called `from`.
+///
+/// # Errors
+/// It cannot be a reference, or the Scale Tool's file cannot be read.
+pub(super) fn of_opened(
+    request: &TransferRequest,
+    from: &Path,
+    (open, known): (&OpenModel, KnownMass),
+    files: &dyn Files,
+) -> Result<(Reference, ReferenceState, Option<Generic>), Failure> {
+    let (reference, sphere_count) =
+        reference_from_model((&open.model, known), request, from).map_err(|fault| open.failure(fault))?;
+    let state = state(request, from, open, &reference);
+    if !request.follow.follow_bodies {
+        return Ok((reference, state, None));
+    }
+    let anatomy = Anatomy::of(&open.model).map_err(|fault| open.failure(fault))?;
+    let file = request.follow.body_scale_file.as_deref().map(|path| scale_file(path, files)).transpose()?;
+    let standing = standing(&open.model);
+    Ok((reference, state, Some(Generic { anatomy, file, sphere_count, standing })))
+}
+
 fn state(request: &TransferRequest, from: &Path, open: &OpenModel, reference: &Reference) -> ReferenceState {
     let options = &request.reference;
     let selection = Selection { select: options.reference_select.clone(), ..Selection::default() };
@@ -110,7 +137,7 @@ fn state(request: &TransferRequest, from: &Path, open: &OpenModel, reference: &R
 }
 
 fn reference_from_model(
-    model: &Model,
+    (model, known): (&Model, KnownMass),
     request: &TransferRequest,
     from: &Path,
 ) -> Result<(Reference, Result<f64, Fault>), Fault> {
@@ -123,7 +150,13 @@ fn reference_from_model(
             request.answers.ask(asks).map_err(Fault::new)?;
             reference_mass(kg)
         }
-        None => MassRequest::default().of_contacts(model)?.0,
+        None => {
+            let (mass, _) = MassRequest::default().of_contacts(model).map_err(about_reference)?;
+            if known == KnownMass::Asked {
+                refuse_known(model, &selected, &mass, Input::ReferenceMass)?;
+            }
+            mass
+        }
     };
     // How many limbs stand is about the model that gets the contacts; a reference on several limbs says its own count.
     let count = match options.reference_spheres {
@@ -151,10 +184,12 @@ fn of_reference(mut fault: Fault, from: &Path) -> Fault {
     fault
 }
 
-/// A question about the forces of the reference is answered by another field than one about the model's.
+/// A question about the forces of the reference, or about their mass, is answered by another field than one about the model's.
 fn about_reference(mut fault: Fault) -> Fault {
-    if let FaultKind::Needed(Needed::Selection { input, .. }) = &mut fault.kind {
-        *input = Input::ReferenceSelect;
+    match &mut fault.kind {
+        FaultKind::Needed(Needed::Selection { input, .. }) => *input = Input::ReferenceSelect,
+        FaultKind::Needed(Needed::ContactsMass { input, .. }) => *input = Input::ReferenceMass,
+        _ => {}
     }
     fault
 }

@@ -2,22 +2,23 @@
 
 use std::path::PathBuf;
 
-use osim_inspect::{KnownContacts, misplaced_spheres};
+use osim_inspect::misplaced_spheres;
 use osim_model::files::Files;
 use osim_model::wording::{Input, phrase};
-use osim_model::{Fault, Mass, MassRequest, Model, Needed, NoteDoubt, Selected, Selection, same_mass};
+use osim_model::{Fault, MassRequest, Model, Needed, NoteDoubt, Selection};
 use osim_patch::{Plan, RadiusRule, Rescale, ScaleFile, rescale};
+use osim_remarks::refuse_known;
 use osim_values::{Acceleration, Radius};
 use serde_json::json;
 
 use super::asking::Asking;
 use super::following::Following;
 use super::operation::{operation, refuse_again};
-use crate::fault::{RequestError, RequestFault};
 use crate::opening::scale_file;
 use crate::options::{InspectionOptions, ScalingOptions, StanceOptions};
 use crate::planner::{Change, Planner};
 use crate::request::RescaleRequest;
+use osim_options::{RequestError, RequestFault};
 
 struct Rescaling {
     target_mass_kg: f64,
@@ -121,11 +122,15 @@ impl Planner for Rescaling {
             refuse_again(model, &operation, self.may_repeat)?;
         }
         let (contacts_mass, mut warnings) = self.masses.of_contacts(model)?;
-        refuse_known(model, &selected, &contacts_mass)?;
+        refuse_known(model, &selected, &contacts_mass, Input::ContactsMass)?;
         let bodies = self.following.factors(model)?;
         if bodies.is_some() && !contacts_mass.source.is_of_contacts() {
             // What the bodies weigh now, the contacts were not made for.
-            return Err(Fault::new(Needed::ContactsMass { noted_kg: None, doubt: NoteDoubt::Absent }));
+            return Err(Fault::new(Needed::ContactsMass {
+                noted_kg: None,
+                doubt: NoteDoubt::Absent,
+                input: Input::ContactsMass,
+            }));
         }
         if bodies.is_none() {
             warnings.extend(misplaced_spheres(model));
@@ -142,21 +147,5 @@ impl Planner for Rescaling {
         plan.name_operation(&operation);
         plan.warnings.append(&mut warnings);
         Ok(plan)
-    }
-}
-
-/// Refuses to take what the bodies weigh where the contacts are known ones that were made for another mass.
-fn refuse_known(model: &Model, selected: &Selected, mass: &Mass) -> Result<(), Fault> {
-    if mass.source.is_of_contacts() {
-        return Ok(());
-    }
-    let known = KnownContacts::find(model, &selected.forces, None, Some(mass.kg));
-    match known.filter(|known| !same_mass(known.made_for_kg, mass.kg)) {
-        Some(known) => Err(Fault::new(Needed::KnownContactsMass {
-            title: known.title.to_owned(),
-            made_for_kg: known.made_for_kg,
-            bodies_kg: mass.kg,
-        })),
-        None => Ok(()),
     }
 }

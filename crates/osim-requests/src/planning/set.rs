@@ -6,10 +6,10 @@ use osim_values::Assignments;
 use serde_json::json;
 
 use super::asking::Asking;
-use crate::fault::RequestFault;
 use crate::options::{InspectionOptions, StanceOptions};
 use crate::planner::{Change, Planner};
 use crate::request::SetRequest;
+use osim_options::RequestFault;
 
 struct Setting {
     assignments: Assignments,

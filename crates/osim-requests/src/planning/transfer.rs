@@ -1,63 +1,25 @@
 //! Contacts of another model or of a preset.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use contact_scaling::Ratios;
-use osim_inspect::{LoadSharing, ReferenceState};
+use osim_inspect::ReferenceState;
 use osim_model::files::{Failure, Files};
 use osim_model::wording::{Input, phrase};
-use osim_model::{
-    Anatomy, CountOf, Fault, GravityFor, MassRequest, Model, Needed, Property, Selected, Selection, mass_slip,
-};
-use osim_patch::{
-    Factors, Follow, FollowRequest, OwnRadii, Plan, RadiusAxis, RadiusRule, Reference, ScalingRule,
-    TRANSFER_FOLLOWING, Transfer, moving_spheres, transfer,
-};
-use osim_values::{Acceleration, Kilograms, Positive, Radius};
+use osim_model::{Property, mass_slip};
+use osim_patch::{RadiusAxis, RadiusRule, Reference};
+use osim_values::{Acceleration, Kilograms, Radius};
 use serde_json::json;
 
 use super::asking::Asking;
-use super::operation::{operation, refuse_again};
 use super::reference::{Generic, preset, reference_from_file};
-use crate::fault::{RequestError, RequestFault};
-use crate::options::{
-    CountOptions, FollowOptions, InspectionOptions, RuleChoice, ScalingOptions, StanceOptions,
-};
-use crate::planner::{Change, Planner};
+use super::transferring::{ReferenceSaid, Transferring};
+use crate::options::{InspectionOptions, RuleChoice};
+use crate::planner::Change;
 use crate::request::TransferRequest;
+use osim_options::{RequestError, RequestFault};
 
-/// What was said of the reference, so that it counts for more than what its file says.
-struct ReferenceSaid {
-    spheres: bool,
-    gravity: bool,
-}
-
-/// Spheres that share the weight, here and in the reference.
-struct SphereCounts {
-    here: f64,
-    there: f64,
-    /// Neither is known, only their ratio.
-    cancel: bool,
-}
-
-struct Transferring {
-    counts: CountOptions,
-    follow: FollowOptions,
-    scaling: ScalingOptions,
-    reference_sphere: Option<String>,
-    selection: Selection,
-    masses: MassRequest,
-    reference: Reference,
-    /// The same as reports show it.
-    state: ReferenceState,
-    reference_said: ReferenceSaid,
-    /// The generic model's bones and the Scale Tool's factors, where spheres follow their bodies.
-    generic: Option<Generic>,
-    may_repeat: bool,
-    reads: Vec<PathBuf>,
-    inspection: InspectionOptions,
-    settings: String,
-}
+/// A reference, the same as reports show it, and its bones where spheres follow them.
+pub(super) type Referenced = (Reference, ReferenceState, Option<Generic>);
 
 impl TransferRequest {
     /// Checks the request and reads the reference once, for all models.
@@ -71,7 +33,7 @@ impl TransferRequest {
         };
         let named = preset(&self, &from, files)?;
         let is_file = named.is_none();
-        let (mut reference, state, generic) = match named {
+        let (reference, state, generic) = match named {
             Some(_) if self.follow.follow_bodies => {
                 let message = phrase![
                     Input::FollowBodies,
@@ -91,18 +53,26 @@ impl TransferRequest {
             }
             None => reference_from_file(&self, &from, files)?,
         };
+        Ok(self.change((reference, state, generic), is_file))
+    }
+
+    /// The change with a reference that was read.
+    fn change(self, reference: Referenced, is_file: bool) -> Change {
+        let (models, output, set_files) = (self.models.clone(), self.output.clone(), self.set_files.clone());
+        let answers = self.answers.clone();
+        let planner = self.planner(reference, is_file);
+        Change::new(models, output, set_files, Asking { masses: planner.masses.clone(), answers, planner })
+    }
+
+    /// What plans for each model, with a reference that was read: from a file, or a preset.
+    pub(super) fn planner(self, (mut reference, state, generic): Referenced, is_file: bool) -> Transferring {
         let gravity = self.reference.reference_gravity.map(Acceleration::get);
         reference.gravity_m_s2 = gravity.or(reference.gravity_m_s2);
         let settings = self.settings(is_file);
-        let own = Some(from).filter(|_| is_file);
+        let own = self.from.filter(|_| is_file);
         let reads = own.into_iter().chain(self.presets).chain(self.follow.body_scale_file.clone()).collect();
-        let stance = StanceOptions {
-            spheres: self.counts.spheres,
-            stance_limbs: self.counts.stance_limbs,
-            impact_speed: None,
-            gravity: None,
-        };
-        let planner = Transferring {
+        let stance = self.counts.stance_options(None, None);
+        Transferring {
             counts: self.counts,
             follow: self.follow,
             scaling: self.scaling,
@@ -120,9 +90,7 @@ impl TransferRequest {
             reads,
             inspection: InspectionOptions::new(stance, self.masses, self.choice, self.set_files.clone()),
             settings,
-        };
-        let asking = Asking { masses: planner.masses.clone(), answers: self.answers, planner };
-        Ok(Change::new(self.models, self.output, self.set_files, asking))
+        }
     }
 
     /// The reference is identified by its contents; a preset by its name, which means the same numbers in one version.
@@ -220,140 +188,4 @@ fn check_radii(request: &TransferRequest) -> Result<(), RequestFault> {
         return Err(RequestFault::refused(Input::RadiusAxis, message));
     }
     Ok(())
-}
-
-impl Planner for Transferring {
-    fn name(&self) -> &'static str {
-        "transfer"
-    }
-
-    fn inspection(&self) -> InspectionOptions {
-        self.inspection.clone()
-    }
-
-    fn target_gravity_m_s2(&self) -> Option<f64> {
-        self.scaling.target_gravity.map(Acceleration::get)
-    }
-
-    fn reference(&self) -> Option<&ReferenceState> {
-        Some(&self.state)
-    }
-
-    fn settings(&self) -> String {
-        self.settings.clone()
-    }
-
-    fn reads(&self) -> Vec<PathBuf> {
-        self.reads.clone()
-    }
-
-    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
-        let selected = self.selection.apply(model)?;
-        let (follow, mut warnings, mut remarks) = match &self.generic {
-            Some(generic) => {
-                let (follow, factors) = self.follow(model, &selected, generic)?;
-                (Some(follow), factors.warnings, factors.remarks)
-            }
-            None => (None, Vec::new(), Vec::new()),
-        };
-        let counts = self.sphere_counts(model, &selected)?;
-        let radius = self.scaling.radius.map(Radius::rule);
-        let verb = if follow.is_some() { TRANSFER_FOLLOWING } else { "transfer" };
-        let operation = operation(verb, radius);
-        if matches!(radius, Some(RadiusRule::Factor(_))) {
-            refuse_again(model, &operation, self.may_repeat)?;
-        }
-        let mass = self.masses.of_model(model)?;
-        warnings.extend(self.masses.disagreements_of_weight(model, &mass));
-        let mut wanted = Transfer::new(self.reference.clone(), mass, counts.here);
-        wanted.reference.sphere_count = counts.there;
-        wanted.counts_cancel = counts.cancel;
-        wanted.reference_sphere.clone_from(&self.reference_sphere);
-        wanted.radius = radius.unwrap_or(RadiusRule::Keep);
-        wanted.properties = self.scaling.properties();
-        wanted.dissipation_by = self.scaling.dissipation();
-        wanted.target_gravity_m_s2 = self.target_gravity(model)?;
-        wanted.rule = self.rule(follow.as_ref())?;
-        wanted.level = self.scaling.level_axis(model.gravity_m_s2);
-        wanted.follow = follow;
-        wanted.strict = self.follow.strict;
-        let mut plan = transfer(model, &selected, &wanted)?;
-        plan.name_operation(&operation);
-        plan.warnings.append(&mut warnings);
-        plan.remarks.append(&mut remarks);
-        Ok(plan)
-    }
-}
-
-impl Transferring {
-    fn follow(
-        &self,
-        model: &Model,
-        selected: &Selected,
-        generic: &Generic,
-    ) -> Result<(Follow, Factors), Fault> {
-        let scaled = Anatomy::of(model)?;
-        let factors = Factors::find(&scaled, &generic.anatomy, generic.file.as_ref(), &self.follow.given())?;
-        let mut wanted = FollowRequest::default();
-        wanted.radius_axis = self.follow.radius_axis();
-        wanted.level = self.scaling.level_axis(model.gravity_m_s2);
-        wanted.moved = self.follow.moved();
-        let rule = self.scaling.radius.map(Radius::rule);
-        wanted.keep_radii =
-            !self.scaling.properties().contains(Property::Radius) || rule == Some(RadiusRule::Keep);
-        wanted.own_radii = match rule {
-            Some(RadiusRule::Metres(metres)) => Some(OwnRadii::Metres(metres)),
-            Some(RadiusRule::Isometric) => {
-                let ratio = self.masses.of_model(model)?.kg / self.reference.mass.kg;
-                Some(OwnRadii::Isometric(Ratios::isometric(ratio).map_err(Fault::new)?.radius()))
-            }
-            _ => None,
-        };
-        Follow::refuse_missing(&scaled, self.reference.contacts.iter().flat_map(|contact| &contact.spheres))?;
-        let spheres = moving_spheres(model, &selected.forces);
-        let follow = Follow::find(model, &spheres, &scaled, &generic.anatomy, &factors, &wanted)?;
-        Ok((follow, factors))
-    }
-
-    /// Spheres that share the weight, here and in the reference. Where each sphere has its own there, one of the two counts says
-    /// the other, and without either they cancel.
-    fn sphere_counts(&self, model: &Model, selected: &Selected) -> Result<SphereCounts, Fault> {
-        let limbs = self.counts.stance_limbs();
-        let here =
-            LoadSharing::of(model, &selected.forces).count(self.counts.spheres(), limbs, CountOf::Model);
-        let there = match &self.generic {
-            Some(generic) => generic.sphere_count.clone(),
-            None => Ok(self.reference.sphere_count),
-        };
-        let nothing_said = self.counts.spheres.is_none() && !self.reference_said.spheres;
-        let alike = nothing_said && self.generic.as_ref().is_some_and(|generic| generic.stands_like(model));
-        match (here, there) {
-            (Ok(here), Ok(there)) => Ok(SphereCounts { here, there, cancel: false }),
-            (Ok(here), Err(_)) if alike => Ok(SphereCounts { here, there: here / limbs, cancel: false }),
-            (Err(_), Ok(there)) if alike => Ok(SphereCounts { here: there * limbs, there, cancel: false }),
-            (Err(_), Err(_)) if alike => Ok(SphereCounts { here: limbs, there: 1.0, cancel: true }),
-            (Err(fault), _) | (_, Err(fault)) => Err(fault),
-        }
-    }
-
-    /// Gravity that the contacts are scaled to. Naming the reference's asks for the model's own, where no other is named.
-    fn target_gravity(&self, model: &Model) -> Result<Option<f64>, Fault> {
-        let asked = self.reference_said.gravity && self.follow.rule == RuleChoice::Paper;
-        match (self.target_gravity_m_s2(), model.gravity().filter(|&gravity| gravity > 0.0)) {
-            (None, None) if asked => Err(Fault::new(Needed::Gravity { purpose: GravityFor::Target })),
-            (None, own) if asked => Ok(own),
-            (target, _) => Ok(target),
-        }
-    }
-
-    fn rule(&self, follow: Option<&Follow>) -> Result<ScalingRule, Fault> {
-        if self.follow.rule == RuleChoice::Paper {
-            return Ok(ScalingRule::Paper);
-        }
-        let given = self.follow.height_ratio.map(Positive::get);
-        match given.or(follow.map(|follow| follow.size_ratio)) {
-            Some(height_ratio) => Ok(ScalingRule::PredSim { height_ratio }),
-            None => Err(Fault::new(Needed::HeightRatio)),
-        }
-    }
 }

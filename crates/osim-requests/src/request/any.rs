@@ -4,6 +4,8 @@ use osim_model::wording::Verb;
 use schemars::Schema;
 use serde_json::{Map, Value};
 
+use super::add::AddRequest;
+use super::convert::ConvertRequest;
 use super::design::DesignRequest;
 use super::drop_test::DropTestRequest;
 use super::fit::FitRequest;
@@ -12,14 +14,15 @@ use super::knowledge::{ExplainRequest, PresetsRequest};
 use super::library::{BatchRequest, SweepRequest};
 use super::note::NoteRequest;
 use super::plot::PlotRequest;
+use super::remove::RemoveRequest;
 use super::rescale::RescaleRequest;
 use super::set::SetRequest;
 use super::transfer::TransferRequest;
 use crate::dictionary;
-use crate::fault::RequestFault;
-#[cfg(feature = "clap")]
-use crate::relation::Relation;
 use crate::schema::schema;
+#[cfg(feature = "clap")]
+use osim_options::Relation;
+use osim_options::RequestFault;
 
 /// The name under which a dictionary says which verb it is for.
 const VERB: &str = "verb";
@@ -97,6 +100,9 @@ macro_rules! requests {
 requests! {
     Rescale(RescaleRequest) = RescaleRequest::RELATIONS;
     Transfer(TransferRequest) = TransferRequest::RELATIONS;
+    Add(AddRequest) = AddRequest::RELATIONS;
+    Remove(RemoveRequest) = RemoveRequest::RELATIONS;
+    Convert(ConvertRequest) = ConvertRequest::RELATIONS;
     Design(DesignRequest) = DesignRequest::RELATIONS;
     Set(SetRequest) = SetRequest::RELATIONS;
     Note(NoteRequest) = NoteRequest::RELATIONS;

@@ -10,7 +10,7 @@ use crate::options::{
     AnswerOptions, CountOptions, ForceOptions, LoadOptions, MassOptions, OutputOptions, RunOptions, SetFiles,
     WantedOptions,
 };
-use crate::relation::Relation;
+use osim_options::Relation;
 
 /// Finds parameters from what is wanted: indentation, stiffness, restitution.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -6,9 +6,9 @@ use osim_values::{Count, Height, Positive, Samples, path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::choice::choices;
 use crate::options::{AnswerOptions, ContactNumbers, CountOptions, ForceOptions, MassOptions, SetFiles};
-use crate::relation::Relation;
+use osim_options::Relation;
+use osim_options::choices;
 
 choices! {
     /// How a drop is shown.

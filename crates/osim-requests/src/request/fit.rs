@@ -7,9 +7,9 @@ use osim_values::{ContactOnset, Count, Positive, path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::choice::choices;
 use crate::options::{ColumnOptions, Format};
-use crate::relation::Relation;
+use osim_options::Relation;
+use osim_options::choices;
 
 choices! {
     /// Which part of a measurement.

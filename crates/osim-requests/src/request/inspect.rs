@@ -7,9 +7,9 @@ use osim_values::path;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::choice::choices;
 use crate::options::{InspectionOptions, ReportOptions, SheetFormat};
-use crate::relation::Relation;
+use osim_options::Relation;
+use osim_options::choices;
 
 /// Shows what contacts models have.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -11,7 +11,7 @@ use crate::options::{
     AnswerOptions, CountOptions, ForceOptions, Format, LoadOptions, MassOptions, OutputOptions, RunOptions,
     WantedOptions,
 };
-use crate::relation::Relation;
+use osim_options::Relation;
 
 /// One row per model; columns are named like the long options of rescale, transfer, design and set.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

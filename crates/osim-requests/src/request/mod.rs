@@ -1,6 +1,8 @@
 //! A request for each verb: everything that can be said, typed.
 
+mod add;
 mod any;
+mod convert;
 mod design;
 mod drop_test;
 mod fit;
@@ -9,14 +11,17 @@ mod knowledge;
 mod library;
 mod note;
 mod plot;
+mod remove;
 mod rescale;
 mod set;
 mod transfer;
 
+pub use add::AddRequest;
 #[cfg(feature = "clap")]
 pub(crate) use any::relations_of;
 pub(crate) use any::silent_fields;
 pub use any::{Request, schema_of};
+pub use convert::ConvertRequest;
 pub use design::DesignRequest;
 pub use drop_test::{DropTestRequest, SeriesFormat};
 pub use fit::{BranchChoice, FitRequest};
@@ -25,6 +30,7 @@ pub use knowledge::{ExplainRequest, PresetsRequest};
 pub use library::{BatchRequest, SweepRequest};
 pub use note::NoteRequest;
 pub use plot::{AxesChoice, HeatOptions, PlotKind, PlotRequest, QuantityChoice};
+pub use remove::RemoveRequest;
 pub use rescale::RescaleRequest;
 pub use set::SetRequest;
 pub use transfer::TransferRequest;

@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::options::{AnswerOptions, OutputOptions, RunOptions, SetFiles};
-use crate::relation::Relation;
+use osim_options::Relation;
 
 /// Writes into models which mass their contacts were made for; no number changes.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -7,9 +7,9 @@ use osim_values::{Acceleration, Dpi, Grid, Kilograms, path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::choice::choices;
 use crate::options::{AnswerOptions, CountOptions, FallOptions, ForceOptions, MassOptions, SetFiles};
-use crate::relation::Relation;
+use osim_options::Relation;
+use osim_options::choices;
 
 choices! {
     /// What is drawn.
@@ -24,6 +24,8 @@ choices! {
         Drop = "drop", "Drop test: force against time and non-dimensional time";
         /// A heat map.
         Sweep = "sweep", "A quantity over stiffness and dissipation, as a heat map";
+        /// Feet from the side and from above.
+        Feet = "feet", "Feet from the side and from above: bones, joints, spheres to scale";
         /// The paper's Fig. 4.
         Fig4 = "fig4", "The paper's Fig. 4";
         /// The paper's Fig. C.5.
@@ -125,6 +127,11 @@ pub struct PlotRequest {
     /// Pixels to the inch of a PNG
     #[cfg_attr(feature = "clap", arg(long, value_name = "N", default_value_t, hide_short_help = true))]
     pub dpi: Dpi,
+    /// Of feet: a folder with the bones' meshes, beside the model's own and its Geometry
+    #[cfg_attr(feature = "clap", arg(long, value_name = "DIR"))]
+    #[serde(with = "path::optional")]
+    #[schemars(with = "Option<path::PathSchema>")]
+    pub geometry_dir: Option<PathBuf>,
     /// A file with presets of your own (TOML)
     #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", hide_short_help = true))]
     #[serde(with = "path::optional")]

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use crate::options::{
     AnswerOptions, ForceOptions, MassOptions, OutputOptions, RunOptions, ScalingOptions, SetFiles,
 };
-use crate::relation::Relation;
+use osim_options::Relation;
 
 /// Rescales a model's own contacts to another mass.
 ///

@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::options::{AnswerOptions, ForceOptions, MassOptions, OutputOptions, RunOptions, SetFiles};
-use crate::relation::Relation;
+use osim_options::Relation;
 
 /// Sets properties to a value, or multiplies them by a factor.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

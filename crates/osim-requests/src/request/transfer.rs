@@ -10,7 +10,7 @@ use crate::options::{
     AnswerOptions, CountOptions, FollowOptions, ForceOptions, MassOptions, OutputOptions, ReferenceOptions,
     RunOptions, ScalingOptions, SetFiles,
 };
-use crate::relation::Relation;
+use osim_options::Relation;
 
 /// Gives a model the contacts of another model or of a preset, at its own size.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -8,8 +8,8 @@ use osim_model::{Property, shortest};
 
 use super::stages::{Stages, design, set};
 use super::variant::Variant;
-use crate::fault::RequestFault;
 use crate::request::SweepRequest;
+use osim_options::RequestFault;
 
 /// What a ladder needs to know before its first step.
 pub(super) struct Ladder {

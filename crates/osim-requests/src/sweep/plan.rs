@@ -13,8 +13,8 @@ use super::ladder::Ladder;
 use super::manifest::{self, GRID, LADDER};
 use super::stages::{self, Stages};
 use super::variant::Variant;
-use crate::fault::{RequestError, RequestFault};
 use crate::request::SweepRequest;
+use osim_options::{RequestError, RequestFault};
 
 /// More models than this are made only where that was said.
 const MANY: usize = 10_000;

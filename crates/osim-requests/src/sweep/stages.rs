@@ -6,9 +6,9 @@ use osim_model::{Property, shortest};
 use osim_values::{AxisName, Kilograms, RelativeIndentation, RestitutionCoefficient};
 
 use super::grid::Point;
-use crate::fault::RequestFault;
 use crate::planner::Planner;
 use crate::request::{DesignRequest, RescaleRequest, SetRequest, SweepRequest};
+use osim_options::RequestFault;
 
 /// The plans that lead to a point, one after the other.
 pub(super) type Stages = Vec<Box<dyn Planner>>;

@@ -12,8 +12,8 @@ use super::columns::{Column, Columns, Kind};
 use super::fault::RowFault;
 use crate::planning::any::{CHANGING, changing_verbs};
 use crate::presets::find_preset;
-use crate::spreadsheet::{Row, Sheet};
 use crate::subject::looks_like_file;
+use osim_values::sheet::{Row, Sheet};
 
 /// What a row says.
 #[derive(Debug)]

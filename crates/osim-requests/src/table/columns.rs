@@ -13,8 +13,17 @@ const OF_THE_RUN: [&str; 9] =
     ["dry_run", "diff", "format", "quiet", "jobs", "summary", "resume", "shard", "report"];
 
 /// Fields that hold a path below the table's folder.
-const PATHS: [&str; 7] =
-    ["presets", "body_scale_file", "output", "geometry_output", "output_dir", "geometry", "model"];
+const PATHS: [&str; 9] = [
+    "contacts",
+    "geometry_dir",
+    "presets",
+    "body_scale_file",
+    "output",
+    "geometry_output",
+    "output_dir",
+    "geometry",
+    "model",
+];
 
 /// Lists that are written with commas between their items: one cell is one list.
 const WITH_COMMAS: [&str; 2] = ["only", "keep"];

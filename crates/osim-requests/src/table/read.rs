@@ -11,11 +11,11 @@ use serde_json::{Map, Value, json};
 use super::cells::Cells;
 use super::columns::Columns;
 use super::fault::RowFault;
-use crate::fault::{RequestError, RequestFault};
 use crate::options::OutputOptions;
 use crate::planner::Change;
 use crate::request::Request;
-use crate::spreadsheet::{Row, Sheet};
+use osim_options::{RequestError, RequestFault};
+use osim_values::sheet::{Row, Sheet};
 
 /// A table of models and what is done with each.
 pub struct Table {
@@ -49,8 +49,8 @@ impl RowRequest {
     /// Rows with the same text plan the same for any model and are written in the same way.
     #[must_use]
     pub fn settings(&self) -> String {
-        let output =
-            OutputOptions { output: None, geometry_output: None, output_dir: None, ..self.output.clone() };
+        let mut output = self.output.clone();
+        (output.output, output.geometry_output, output.output_dir) = (None, None, None);
         json!([self.verb.name(), self.fields, output]).to_string()
     }
 }
@@ -179,13 +179,13 @@ fn output(cells: &Cells, call: &OutputOptions) -> Result<OutputOptions, RowFault
     if named && cells.has("in_place") {
         return Err(RowFault::of("in-place", "the row has an output already: leave one cell empty"));
     }
-    Ok(OutputOptions {
-        output: cells.output.clone(),
-        geometry_output: cells.geometry_output.clone(),
-        output_dir: if named { cells.output_dir.clone() } else { call.output_dir.clone() },
-        in_place: cells.has("in_place") || (call.in_place && !named),
-        no_backup: cells.has("no_backup") || call.no_backup,
-        force: cells.has("force") || call.force,
-        no_note: cells.has("no_note") || call.no_note,
-    })
+    let mut output = OutputOptions::default();
+    output.output.clone_from(&cells.output);
+    output.geometry_output.clone_from(&cells.geometry_output);
+    output.output_dir.clone_from(if named { &cells.output_dir } else { &call.output_dir });
+    output.in_place = cells.has("in_place") || (call.in_place && !named);
+    output.no_backup = cells.has("no_backup") || call.no_backup;
+    output.force = cells.has("force") || call.force;
+    output.no_note = cells.has("no_note") || call.no_note;
+    Ok(output)
 }

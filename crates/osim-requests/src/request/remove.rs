@@ -1,0 +1,44 @@
+//! Contacts out of models.
+
+use std::path::PathBuf;
+
+use osim_values::path;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::options::{AnswerOptions, ForceOptions, OutputOptions, RunOptions};
+use osim_options::Relation;
+
+/// Takes the foot contacts out of models: forces, the spheres that nothing else uses, and what was made for them.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "clap", derive(clap::Args))]
+#[serde(default)]
+#[non_exhaustive]
+pub struct RemoveRequest {
+    /// Models (.osim), folders, or - for standard input
+    #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]
+    #[serde(with = "path::list")]
+    #[schemars(with = "Vec<path::PathSchema>")]
+    pub models: Vec<PathBuf>,
+    /// Which forces.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub choice: ForceOptions,
+    /// Where results go.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub output: OutputOptions,
+    /// How to go about the work.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub run: RunOptions,
+    /// Answers to questions.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub answers: AnswerOptions,
+}
+
+impl RemoveRequest {
+    pub(crate) const RELATIONS: &'static [&'static [Relation]] =
+        &[&[Relation::Required("models")], OutputOptions::RELATIONS, RunOptions::RELATIONS];
+}
