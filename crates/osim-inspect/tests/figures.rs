@@ -112,13 +112,42 @@ fn every_figure_of_a_foot_on_two_sizes_of_sphere() {
     assert_eq!(spheres.len(), 2);
     for (sphere, expected) in spheres.into_iter().zip([OF_HEEL, OF_TOE]) {
         let listed: Vec<Figure> = expected.iter().map(|(figure, _)| *figure).collect();
-        assert_eq!(listed, Figure::ALL, "every figure of the register is here");
+        // Those at the default pose need a pose: see the next test.
+        let standing = [Figure::StandingIndentation, Figure::StandingIndentationModelLaw];
+        let others: Vec<Figure> = Figure::ALL.iter().copied().filter(|one| !standing.contains(one)).collect();
+        assert_eq!(listed, others, "every figure of the register is here");
+        assert!(standing.iter().all(|&figure| sphere.value(figure).is_none()), "no joint, no pose");
         let distinct: BTreeSet<u64> = expected.iter().map(|(_, value)| value.to_bits()).collect();
         assert_eq!(distinct.len(), expected.len(), "no figure can stand for another");
         assert_figures(sphere, expected);
     }
     assert_eq!((figures.mass_kg, figures.gravity_m_s2), (Some(60.0), Some(10.0)));
     assert!(figures.why_no_body_weight.is_none());
+}
+
+/// The same foot on a joint to ground, its toe 4 mm higher than its heel.
+fn foot_with_a_high_toe() -> String {
+    let joint = "<JointSet><objects><FreeJoint name=\"root\"><socket_parent_frame>/ground</socket_parent_frame>\
+                 <socket_child_frame>/bodyset/foot_r</socket_child_frame></FreeJoint></objects></JointSet></Model>";
+    let text = foot(&[HEEL, TOE]).replace("</Model>", joint);
+    text.replace("<radius>0.03</radius>", "<radius>0.03</radius><location>0 -0.016 0</location>")
+}
+
+#[test]
+fn spheres_of_two_heights_share_the_load_by_how_deep_each_is() {
+    // mpmath 1.3.0, 50 digits: (1) and (C.9) at rest of both spheres, summed to 600 N.
+    let seen = figures(&foot_with_a_high_toe());
+    let expected = [
+        [0.219_221_911_520_665_5, 0.212_312_155_305_137_72],
+        [0.232_036_519_201_109_16, 0.220_520_258_841_896_2],
+    ];
+    for (sphere, [hertz, model_law]) in seen.spheres().zip(expected) {
+        let value = |figure| sphere.value(figure).unwrap();
+        // Heights are differences of coordinates, each with a last bit.
+        let close = |value: f64, expected: f64| (value - expected).abs() <= 1e-12;
+        assert!(close(value(Figure::StandingIndentation), hertz), "{}", sphere.sphere);
+        assert!(close(value(Figure::StandingIndentationModelLaw), model_law), "{}", sphere.sphere);
+    }
 }
 
 #[test]

@@ -38,7 +38,9 @@ fn each_limit_is_compared_with_its_figure() {
     let checks: Vec<LimitCheck> = first(&figures).limits().collect();
     let limited: Vec<&str> = checks.iter().map(|check| check.figure).collect();
     let indentations = Figure::ALL.iter().map(|figure| figure.info().name);
-    let indentations = indentations.filter(|name| name.starts_with("relative_indentation"));
+    // Depths at the default pose say as much about the pose as about the contacts.
+    let contacts = |name: &&str| name.starts_with("relative_indentation") && !name.ends_with("_standing");
+    let indentations = indentations.filter(contacts);
     let others = ["restitution_approximate", "constant_indentation", "transition_width", "touching_share"];
     assert_eq!(limited, indentations.chain(others).collect::<Vec<_>>());
     for (figure, limit, within) in [

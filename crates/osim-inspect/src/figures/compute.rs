@@ -11,6 +11,7 @@ use osim_model::wording::Phrase;
 use osim_model::{CountOf, Fault, GravityFor, Limbs, Mass, Model, Needed, Selected, SphereId};
 use osim_patch::loaded_spheres;
 
+use super::bottoms::Bottoms;
 use super::data::{Figures, LimbFigures};
 use super::limb::LoadedLimb;
 use super::on_floor::Weight;
@@ -44,6 +45,8 @@ impl Figures {
             (_, None) => Some(Needed::Gravity { purpose: GravityFor::Figures }.phrase()),
             _ => None,
         };
+        let bottoms =
+            Bottoms::of(model, standing.as_deref().unwrap_or_default().iter().map(|one| one.sphere));
         let mut limbs = Vec::new();
         let mut all_standing = standing.as_ref().map(|all| by_limb(sharing.limbs(), all));
         for (place, group) in groups(sharing.limbs(), &loads, stance) {
@@ -55,6 +58,7 @@ impl Figures {
                 members: &group.members,
                 standing: all_standing.as_mut().and_then(|all| all.get_mut(place)).map(std::mem::take),
                 count: group.count,
+                bottoms: &bottoms,
                 weight,
                 speed,
             };

@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use contact_scaling::{SharedLoad, Spheres, equilibrium};
 use osim_model::{ForceId, Model};
 
+use super::bottoms::{Bottoms, Stand};
 use super::data::SphereFigures;
 use super::on_floor::{OnFloor, Rest, Weight};
 use super::register::Figure;
@@ -22,6 +23,8 @@ pub(super) struct LoadedLimb<'s> {
     pub(super) standing: Option<Vec<&'s SphereLoads>>,
     /// Spheres that share the weight.
     pub(super) count: Option<f64>,
+    /// Heights of the bottoms of spheres at the default pose, as far as they are known, m.
+    pub(super) bottoms: &'s Bottoms,
     pub(super) weight: Option<Weight>,
     /// Speed before an impact, m/s.
     pub(super) speed: Option<f64>,
@@ -36,13 +39,24 @@ impl LoadedLimb<'_> {
     /// Figures of every sphere. Where a law rests is looked for once: the spheres of a limb are mostly alike.
     pub(super) fn spheres(&self) -> Vec<SphereFigures> {
         let level: Vec<Level> = BODY_WEIGHTS.iter().filter_map(|&weights| self.level(weights)).collect();
+        let stand = self
+            .standing
+            .as_deref()
+            .zip(self.load(1.0))
+            .map(|(all, load)| Stand::of(all, load, self.bottoms));
         let mut known: HashMap<Vec<u64>, Vec<Rest>> = HashMap::new();
         let mut figures = Vec::new();
         for &one in self.members {
             let rests = known
                 .entry(one.key())
                 .or_insert_with(|| level.iter().map(|level| under(one, level)).collect());
-            figures.push(self.sphere(one, rests));
+            let mut rests = rests.clone();
+            if let (Some(stand), Some(rest)) =
+                (&stand, rests.iter_mut().find(|rest| rest.body_weights == 1.0))
+            {
+                (rest.standing_hertz, rest.standing_model_law) = stand.relative(one);
+            }
+            figures.push(self.sphere(one, &rests));
         }
         figures
     }
@@ -108,5 +122,7 @@ fn under(one: &SphereLoads, level: &Level) -> Rest {
         model_law: model_law.and_then(relative),
         level_hertz: level_hertz.and_then(relative),
         level_model_law: level_model_law.and_then(relative),
+        standing_hertz: None,
+        standing_model_law: None,
     }
 }

@@ -1,6 +1,7 @@
 //! What a model's contacts do under its weight, figure by figure.
 
 mod answer;
+mod bottoms;
 mod compute;
 mod data;
 mod limb;

@@ -37,6 +37,9 @@ pub(super) struct Rest {
     /// x̂ with all spheres of the limb level.
     pub(super) level_hertz: Option<f64>,
     pub(super) level_model_law: Option<f64>,
+    /// x̂ with each sphere of the limb at its own height.
+    pub(super) standing_hertz: Option<f64>,
+    pub(super) standing_model_law: Option<f64>,
 }
 
 impl OnFloor<'_> {

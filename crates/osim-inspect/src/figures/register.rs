@@ -23,6 +23,11 @@ const fn indentation(name: &'static str, label: &'static str) -> Quantity {
     Quantity::new(name, label, "").within(&limits::INDENTATION)
 }
 
+/// A relative indentation that follows from the pose, not from the contact alone: no limit is set on it.
+const fn indentation_alone(name: &'static str, label: &'static str) -> Quantity {
+    Quantity::new(name, label, "")
+}
+
 crate::quantities! {
     /// A figure of a sphere that stands, see [`Quantity`].
     Figure: Entry {
@@ -47,6 +52,14 @@ crate::quantities! {
         /// The same by the model's law.
         LevelIndentationModelLaw = indentation("relative_indentation_model_law_level", "  level, the model's law")
             => entry(MixedSmooth, |s| s.one(|rest| rest.level_model_law));
+        /// x̂ of the sphere where the limb, its bodies as they are at the default pose, carries one body weight: each sphere at its
+        /// own height, by the Hertz law. Below 0 where it does not touch; absent where the pose or the spheres are not known.
+        StandingIndentation = indentation_alone("relative_indentation_hertz_standing", "x/R at its own height, Hertz")
+            => entry(Nowhere, |s| s.one(|rest| rest.standing_hertz));
+        /// The same by the model's law.
+        StandingIndentationModelLaw
+            = indentation_alone("relative_indentation_model_law_standing", "x/R at its own height, the model's law")
+            => entry(Nowhere, |s| s.one(|rest| rest.standing_model_law));
         /// x̂ under its share of two body weights, by the Hertz law.
         IndentationAtTwo = indentation("relative_indentation_hertz_at_two", "x/R at 2 BW, Hertz")
             => entry(Always, |s| s.two(|rest| rest.hertz));

@@ -12,8 +12,11 @@ pub(super) fn as_published(inspected: &Inspection, findings: Vec<Finding>) -> Ve
         None => finding,
     };
     let mut judged: Vec<Finding> = findings.into_iter().map(judged).collect();
-    let text =
-        format!("these are the contacts of {}, made for {} kg", known.title, readable(known.made_for_kg));
+    let text = format!(
+        "the contact parameters are those of {}, made for {} kg",
+        known.title,
+        readable(known.made_for_kg)
+    );
     judged.push(Finding::new(FindingCode::KnownContacts, text));
     judged
 }

@@ -1,10 +1,15 @@
 //! Which change puts a finding right.
 
+use std::cell::OnceCell;
+use std::collections::HashSet;
+
 use contact_scaling::limits;
+use osim_feet::{DefaultPose, sphere_pairs};
 use osim_model::files::FileName;
 use osim_model::wording::Verb;
 use osim_model::{
-    Assignment, Model, Property, Remedy, RemedyChange, RemedyDesign, RemedyLoad, Selection, readable,
+    Assignment, FileId, Force, ForceId, ForceKind, Model, Pattern, Property, Remedy, RemedyChange,
+    RemedyDesign, RemedyLoad, Selection, Sphere, readable,
 };
 
 use crate::figures::{Figure, SphereFigures};
@@ -33,6 +38,8 @@ pub(super) struct Remedies<'m> {
     body_kg: Option<f64>,
     /// No other force needs a sphere as it is.
     radii_may_change: bool,
+    /// Forces that can be made one for each sphere, once they are looked for.
+    divisible: OnceCell<HashSet<ForceId>>,
 }
 
 impl<'m> Remedies<'m> {
@@ -58,7 +65,17 @@ impl<'m> Remedies<'m> {
         let counted = inspected.spheres_per_limb.is_some() || stance.spheres.is_some();
         let weighed = inspected.figures.mass_kg.is_some();
         let body_kg = inspected.mass_kg;
-        Self { model, load, options, joined, counted, weighed, body_kg, radii_may_change: true }
+        Self {
+            model,
+            load,
+            options,
+            joined,
+            counted,
+            weighed,
+            body_kg,
+            radii_may_change: true,
+            divisible: OnceCell::new(),
+        }
     }
 
     /// Without such as change radii, unless these `may_change`.
@@ -130,6 +147,21 @@ impl<'m> Remedies<'m> {
             ..RemedyDesign::default()
         };
         self.design(wanted, false)
+    }
+
+    /// One force for each sphere of `force`; of all forces, where all can be divided and nobody chose among them.
+    pub(super) fn one_sphere_each(&self, model: &Model, force: &Force) -> Option<Remedy> {
+        let remedy = self.remedy(RemedyChange::Convert { to: ForceKind::HuntCrossley }, false)?;
+        let divisible = self.divisible.get_or_init(|| divisible(model));
+        if !divisible.contains(&force.id) {
+            return None;
+        }
+        let everything = Selection::default();
+        if self.options.selection == everything && divisible.len() == model.forces().len() {
+            return Some(Remedy { selection: everything, ..remedy });
+        }
+        let select = vec![exactly(&force.name)?];
+        Some(Remedy { selection: Selection { select, ..everything }, ..remedy })
     }
 
     pub(super) fn constant_indentation(&self, constant_indentation: f64) -> Option<Remedy> {
@@ -209,17 +241,47 @@ impl<'m> Remedies<'m> {
         let selection = &self.options.selection;
         // A value that nobody may set is no repair of the other side.
         let can_be_set = values.iter().all(|(property, value)| property.allows(*value));
-        if !can_be_set
-            || !selection.select.is_empty()
-            || force.contains(['*', '?', '[', ']', '{', '}', '\\', '!'])
-        {
+        if !can_be_set || !selection.select.is_empty() {
             return None;
         }
         let assignments = values.iter().map(|(property, value)| (*property, Assignment::Value(*value)));
         let remedy = self.remedy(RemedyChange::Set { assignments: assignments.collect() }, false)?;
-        let select = vec![force.parse().ok()?];
+        let select = vec![exactly(force)?];
         Some(Remedy { selection: Selection { select, ..selection.clone() }, ..remedy })
     }
+}
+
+/// Spheres of one force that are compared with each other to propose a conversion.
+const COMPARED: usize = 100;
+
+/// The HuntCrossleyForces that `convert` makes one for each sphere of: in the model's own file, with one half-space, no sphere that
+/// never meets it, and no spheres that touch each other.
+fn divisible(model: &Model) -> HashSet<ForceId> {
+    let document = model.document();
+    if document.tree().name(document.data_root()) != "Model" {
+        return HashSet::new();
+    }
+    let pose = DefaultPose::of(model);
+    let can_be = |force: &&Force| {
+        let planes: Vec<_> = force.sets.iter().flat_map(|set| model.half_spaces_of(set)).collect();
+        let [plane] = planes.as_slice() else { return false };
+        let mut spheres = force.spheres().into_iter().map(|id| model.sphere(id));
+        let meets = |sphere: Option<&Sphere>| sphere.is_some_and(|one| !one.fixed && one.body != plane.body);
+        force.kind == ForceKind::HuntCrossley
+            && force.spheres().len() <= COMPARED
+            && force.file == FileId::MAIN
+            && spheres.all(meets)
+            && sphere_pairs(model, &pose, force)
+                .iter()
+                .all(|pair| pair.gap_m.as_ref().is_ok_and(|gap| *gap > 0.0))
+    };
+    model.forces().iter().filter(can_be).map(|force| force.id).collect()
+}
+
+/// The pattern that only this name matches; `None` where its letters mean something in patterns.
+fn exactly(name: &str) -> Option<Pattern> {
+    let is_plain = !name.contains(['*', '?', '[', ']', '{', '}', '\\', '!']);
+    if is_plain { name.parse().ok() } else { None }
 }
 
 /// Whether radii are among what `change` writes.
@@ -228,7 +290,7 @@ fn changes_radii(change: &RemedyChange) -> bool {
         RemedyChange::Set { assignments } => {
             assignments.iter().any(|(property, _)| *property == Property::Radius)
         }
-        RemedyChange::Design(_) => false,
+        RemedyChange::Design(_) | RemedyChange::Convert { .. } => false,
         _ => true,
     }
 }

@@ -38,6 +38,11 @@ fn remedy<'m>(
         FindingCode::ZeroConstantContactForce => {
             remedies.constant_indentation(limits::SUGGESTED_CONSTANT_INDENTATION)
         }
+        FindingCode::SeveralSpheres => {
+            let path = finding.place.as_deref()?;
+            let force = model.forces().iter().find(|force| force.path == path)?;
+            remedies.one_sphere_each(model, force)
+        }
         FindingCode::LeftRightDiffer => {
             let left = sides.force(finding.place.as_deref()?)?;
             remedies.copy(&left.name, &differing(model, sides, left, sides.right_of(left)?)?)
