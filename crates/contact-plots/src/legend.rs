@@ -12,7 +12,7 @@ use crate::style::{LIMIT, Look, SHADE, SHADE_OPACITY, TEXT_PT, fitting, stroke, 
 use crate::svg::printable;
 
 const ROW_PT: f64 = 10.0;
-const SAMPLE_PT: f64 = 18.0;
+pub(crate) const SAMPLE_PT: f64 = 18.0;
 const GAP_PT: f64 = 4.0;
 
 /// What is before the name.
@@ -74,14 +74,27 @@ impl Legend {
     pub(crate) fn draw(
         &self,
         area: &DrawingArea<SVGBackend<'_>, Shift>,
+        at_pt: (f64, f64),
+    ) -> Result<(), PlotError> {
+        self.draw_by(area, at_pt, &|index, left, middle| match self.entries.get(index) {
+            Some((sample, _)) => draw_sample(area, *sample, left, middle),
+            None => Ok(()),
+        })
+    }
+
+    /// The same with samples of another kind: `sample` draws that of an entry, with its left end and its middle.
+    pub(crate) fn draw_by(
+        &self,
+        area: &DrawingArea<SVGBackend<'_>, Shift>,
         (left_pt, top_pt): (f64, f64),
+        sample: &dyn Fn(usize, f64, f64) -> Result<(), PlotError>,
     ) -> Result<(), PlotError> {
         let rows = self.entries.len().div_ceil(self.columns);
-        for (index, (sample, label)) in self.entries.iter().enumerate() {
+        for (index, (_, label)) in self.entries.iter().enumerate() {
             // Down the first column, then down the next.
             let left = left_pt + float(index / rows) * self.column_pt;
             let middle = top_pt + GAP_PT + ROW_PT * (float(index % rows) + 0.5);
-            draw_sample(area, *sample, left, middle)?;
+            sample(index, left, middle)?;
             let label = fitting(&printable(label), TEXT_PT, self.column_pt - SAMPLE_PT - 2.0 * GAP_PT);
             let style = text(TEXT_PT).pos(Pos::new(HPos::Left, VPos::Center));
             let at = (units(left + SAMPLE_PT + GAP_PT), units(middle));

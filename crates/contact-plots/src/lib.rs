@@ -42,6 +42,7 @@ mod kinds;
 mod legend;
 #[cfg(feature = "png")]
 mod raster;
+mod scene;
 mod style;
 mod svg;
 mod text;
@@ -58,5 +59,6 @@ pub use kinds::{
 };
 #[cfg(feature = "png")]
 pub use raster::png;
+pub use scene::{Ball, Block, Level, LevelKind, Outline, Scene, SceneNames, Spot, State, View, scene};
 pub use style::{Dash, Look};
 pub use text::text;

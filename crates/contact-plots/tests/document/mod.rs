@@ -17,6 +17,8 @@ pub(crate) struct Svg {
     places: Vec<(f64, f64)>,
     /// Lines with their colours.
     lines: Vec<(String, Vec<(f64, f64)>)>,
+    /// Circles with the colour of their line; filled ones have none.
+    circles: Vec<(Option<String>, Circle)>,
     /// Colours of filled shapes.
     pub(crate) fills: HashSet<String>,
 }
@@ -32,6 +34,7 @@ impl Svg {
             texts: vec![],
             places: vec![],
             lines: vec![],
+            circles: vec![],
             fills: HashSet::new(),
         };
         let mut open: Vec<String> = Vec::new();
@@ -94,6 +97,11 @@ impl Svg {
                 let points = points.map(|(x, y)| (number(x), number(y))).collect();
                 self.lines.push((get("stroke").unwrap(), points));
             }
+            "circle" => {
+                let [x, y, radius] = ["cx", "cy", "r"].map(|key| number(&get(key).unwrap()));
+                let stroke = get("stroke").filter(|stroke| stroke != "none");
+                self.circles.push((stroke, Circle { centre: (x, y), radius }));
+            }
             _ => {}
         }
         if let Some(fill) = get("fill").filter(|_| name(tag) == "rect") {
@@ -125,6 +133,12 @@ impl Svg {
     pub(crate) fn place_of(&self, text: &str) -> (f64, f64) {
         let index = self.texts.iter().position(|known| known == text).unwrap();
         self.places[index]
+    }
+
+    /// Circles with a line of that colour.
+    pub(crate) fn circles(&self, colour: &str) -> Vec<Circle> {
+        let circles = self.circles.iter().filter(|(stroke, _)| stroke.as_deref() == Some(colour));
+        circles.map(|(_, circle)| *circle).collect()
     }
 
     /// The line of that colour with the most points.
@@ -160,6 +174,13 @@ impl Svg {
             .max_by_key(|at| all.iter().filter(|(place, _)| common(*place) == *at).count());
         all.iter().filter(|(p, _)| Some(common(*p)) == row).map(|(p, v)| (along(*p), *v)).collect()
     }
+}
+
+/// A circle on the page.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Circle {
+    pub(crate) centre: (f64, f64),
+    pub(crate) radius: f64,
 }
 
 /// From places on the page to values.

@@ -1,0 +1,172 @@
+//! What a scene is made of.
+
+use crate::error::PlotError;
+use crate::figure::Point;
+
+/// Which state of a thing is drawn, where there are two.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum State {
+    /// The only one, or the later one: in colour, with its name.
+    Now,
+    /// The earlier one: a dashed line below it.
+    Before,
+}
+
+/// The line around something, closed, with a light shade inside.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outline {
+    /// Its corners, in order.
+    pub points: Vec<Point>,
+    /// Which state it shows.
+    pub state: State,
+}
+
+/// A circle in its true size.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ball {
+    /// What is written at it; empty for nothing.
+    pub name: String,
+    /// Its centre.
+    pub centre: Point,
+    /// Its radius, in the units of the axes.
+    pub radius: f64,
+    /// Which state it shows.
+    pub state: State,
+    /// It is outside of what it belongs to: drawn so that nobody overlooks it.
+    pub astray: bool,
+}
+
+/// A point with its name.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Spot {
+    /// What is written at it; empty for nothing.
+    pub name: String,
+    /// Where it is.
+    pub at: Point,
+    /// Which state it shows.
+    pub state: State,
+}
+
+/// What a level line says.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LevelKind {
+    /// The ground: a line with hatching below.
+    Ground,
+    /// The lowest place of what is drawn: a dashed line.
+    Lowest,
+}
+
+/// A horizontal line through a view.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Level {
+    /// What is written at its end; empty for nothing.
+    pub name: String,
+    /// Where it is on the vertical axis.
+    pub at: f64,
+    /// What it is.
+    pub kind: LevelKind,
+}
+
+/// A thing from one side.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct View {
+    /// From where it is seen.
+    pub title: String,
+    /// What is written along the horizontal axis, with its unit.
+    pub x_label: String,
+    /// What is written along the vertical axis, with its unit.
+    pub y_label: String,
+    /// Values of the vertical axis grow downwards.
+    pub y_down: bool,
+    /// Outlines, below everything else.
+    pub outlines: Vec<Outline>,
+    /// Circles.
+    pub balls: Vec<Ball>,
+    /// Points.
+    pub spots: Vec<Spot>,
+    /// Horizontal lines.
+    pub levels: Vec<Level>,
+}
+
+/// A thing from all its sides, one below the other over one horizontal axis.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Block {
+    /// What it is.
+    pub title: String,
+    /// What is said below it, a paragraph each.
+    pub remarks: Vec<String>,
+    /// Its views.
+    pub views: Vec<View>,
+}
+
+/// Names of what is drawn, for the legend.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct SceneNames {
+    /// Of circles, now.
+    pub now: String,
+    /// Of circles of the earlier state.
+    pub before: String,
+    /// Of circles that are astray.
+    pub astray: String,
+    /// Of points.
+    pub spot: String,
+    /// Of outlines.
+    pub outline: String,
+    /// Of the ground.
+    pub ground: String,
+    /// Of the lowest place.
+    pub lowest: String,
+}
+
+/// A figure of things in space.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Scene {
+    /// What it shows.
+    pub title: String,
+    /// The same in full sentences.
+    pub description: String,
+    /// The things, side by side in pairs.
+    pub blocks: Vec<Block>,
+    /// What the legend says of what is drawn; an empty name has no entry.
+    pub names: SceneNames,
+}
+
+impl Scene {
+    /// Refuses what cannot be drawn.
+    pub(super) fn check(&self) -> Result<(), PlotError> {
+        if self.blocks.is_empty() || self.blocks.iter().any(|block| block.views.is_empty()) {
+            return Err(PlotError::Empty { what: "the figure has no view" });
+        }
+        for view in self.blocks.iter().flat_map(|block| &block.views) {
+            view.check()?;
+        }
+        Ok(())
+    }
+}
+
+impl View {
+    fn check(&self) -> Result<(), PlotError> {
+        let finite = |(x, y): Point| x.is_finite() && y.is_finite();
+        let wrong_ball = self.balls.iter().find(|ball| !finite(ball.centre) || !ball.radius.is_finite());
+        let wrong_spot = self.spots.iter().find(|spot| !finite(spot.at));
+        let named = wrong_ball.map(|ball| &ball.name).or(wrong_spot.map(|spot| &spot.name));
+        let outlines = self.outlines.iter().flat_map(|outline| &outline.points).all(|point| finite(*point));
+        match named {
+            Some(name) => Err(PlotError::NotFinite { curve: name.clone() }),
+            None if !outlines || self.levels.iter().any(|level| !level.at.is_finite()) => {
+                Err(PlotError::NotFinite { curve: self.title.clone() })
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// What is drawn, as corners of boxes around it.
+    pub(super) fn corners(&self) -> impl Iterator<Item = Point> + '_ {
+        let balls = self.balls.iter().flat_map(|ball| {
+            let ((x, y), r) = (ball.centre, ball.radius);
+            [(x - r, y - r), (x + r, y + r)]
+        });
+        let outlines = self.outlines.iter().flat_map(|outline| outline.points.iter().copied());
+        balls.chain(outlines).chain(self.spots.iter().map(|spot| spot.at))
+    }
+}

@@ -1,0 +1,186 @@
+//! Drawing a scene.
+
+use plotters::element::{Circle, PathElement, Polygon, Rectangle};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::{Color, FontTransform, RGBColor};
+
+use super::data::{Ball, LevelKind, Scene, State};
+use super::labels::LEADER_PT;
+use super::layout::{LINE_PT, Name, PlacedBlock, PlacedView, SceneLayout, has_outlines};
+use super::marks::{
+    ASTRAY, BONE, BONE_OPACITY, NOW, SPOT_PT, circle, dashed, draw, level, place, rgb, ring, spot,
+};
+use super::samples::{SceneSample, sample};
+use crate::draw::{Area, TICK_PT, document, float};
+use crate::error::PlotError;
+use crate::figure::Point;
+use crate::legend::{Legend, Sample};
+use crate::style::{INK, TEXT_PT, stroke, text, units};
+use crate::svg::printable;
+
+/// Draws things from several sides, as an SVG document: a unit of length is as long in every direction, and circles are
+/// circles.
+///
+/// # Errors
+/// [`PlotError`]: nothing to draw, or a point that is not a finite number.
+pub fn scene(scene: &Scene) -> Result<String, PlotError> {
+    scene.check()?;
+    let entries = entries(scene);
+    let named = entries.iter().map(|(_, name)| (Sample::Blank, name.clone())).collect();
+    let layout = SceneLayout::of(scene, |room| Legend::new(named, room));
+    document(layout.size_pt, &scene.title, &scene.description, |root| {
+        for block in &layout.blocks {
+            draw_block(root, block)?;
+        }
+        layout.legend.draw_by(root, layout.legend_at, &|index, left, middle| match entries.get(index) {
+            Some((shown, _)) => sample(root, *shown, left, middle),
+            None => Ok(()),
+        })
+    })
+}
+
+/// What the legend explains: only what is there.
+fn entries(scene: &Scene) -> Vec<(SceneSample, String)> {
+    let views = || scene.blocks.iter().flat_map(|block| &block.views);
+    let balls = || views().flat_map(|view| &view.balls);
+    let level = |kind| views().any(|view| view.levels.iter().any(|level| level.kind == kind));
+    let names = &scene.names;
+    let found = [
+        (balls().any(|ball| ball.state == State::Now && !ball.astray), SceneSample::Ball, &names.now),
+        (balls().any(|ball| ball.astray), SceneSample::Astray, &names.astray),
+        (balls().any(|ball| ball.state == State::Before), SceneSample::BallBefore, &names.before),
+        (views().any(|view| !view.spots.is_empty()), SceneSample::Spot, &names.spot),
+        (scene.blocks.iter().any(has_outlines), SceneSample::Bone, &names.outline),
+        (level(LevelKind::Lowest), SceneSample::Lowest, &names.lowest),
+        (level(LevelKind::Ground), SceneSample::Ground, &names.ground),
+    ];
+    let there = found.into_iter().filter(|(there, _, name)| *there && !name.is_empty());
+    there.map(|(_, sample, name)| (sample, name.clone())).collect()
+}
+
+fn draw_block(root: &Area<'_>, block: &PlacedBlock<'_>) -> Result<(), PlotError> {
+    let words = |line: &str, at: Point| {
+        let style = text(TEXT_PT).pos(Pos::new(HPos::Left, VPos::Top));
+        root.draw_text(line, &style, (units(at.0), units(at.1))).map_err(PlotError::drawing)
+    };
+    words(&block.title, (block.left, block.top + 2.0))?;
+    for (index, view) in block.views.iter().enumerate() {
+        words(&printable(&view.view.title), (view.left, view.top - LINE_PT))?;
+        draw_view(root, view, index + 1 == block.views.len())?;
+    }
+    for (index, line) in block.remarks.iter().enumerate() {
+        words(line, (block.left, block.remarks_top + LINE_PT * float(index)))?;
+    }
+    Ok(())
+}
+
+fn draw_view(root: &Area<'_>, view: &PlacedView<'_>, is_last: bool) -> Result<(), PlotError> {
+    draw_outlines(root, view)?;
+    for level in &view.view.levels {
+        draw_level(root, view, (view.at((0.0, level.at)).1, level.kind))?;
+    }
+    for ball in &view.view.balls {
+        draw_ball(root, view, ball)?;
+    }
+    draw_axes(root, view, is_last)?;
+    for name in &view.names {
+        draw_leader(root, name)?;
+    }
+    for ball in view.view.balls.iter().filter(|ball| ball.state == State::Now) {
+        let colour = if ball.astray { ASTRAY } else { rgb(NOW) };
+        draw(root, &Circle::new(place(view.at(ball.centre)), units(0.9), colour.filled()))?;
+    }
+    for spot in &view.view.spots {
+        draw_spot(root, view.at(spot.at), spot.state)?;
+    }
+    view.names.iter().chain(&view.level_names).try_for_each(|name| draw_name(root, name))
+}
+
+fn draw_outlines(root: &Area<'_>, view: &PlacedView<'_>) -> Result<(), PlotError> {
+    for outline in &view.view.outlines {
+        let mut points: Vec<(i32, i32)> = outline.points.iter().map(|&point| place(view.at(point))).collect();
+        points.extend(points.first().copied());
+        match outline.state {
+            State::Now => {
+                draw(root, &Polygon::new(points.clone(), BONE.mix(BONE_OPACITY).filled()))?;
+                draw(root, &PathElement::new(points, stroke(BONE, 0.6)))?;
+            }
+            State::Before => draw(root, &dashed(points, BONE, 0.6))?,
+        }
+    }
+    Ok(())
+}
+
+fn draw_ball(root: &Area<'_>, view: &PlacedView<'_>, ball: &Ball) -> Result<(), PlotError> {
+    let (centre, radius) = (view.at(ball.centre), view.length(ball.radius));
+    if ball.state == State::Before {
+        return draw(root, &ring(centre, radius));
+    }
+    circle(root, centre, radius, ball.astray)
+}
+
+fn draw_spot(root: &Area<'_>, at: Point, state: State) -> Result<(), PlotError> {
+    let size = if state == State::Now { SPOT_PT } else { 0.6 * SPOT_PT };
+    spot(root, at, size)
+}
+
+fn draw_level(root: &Area<'_>, view: &PlacedView<'_>, (y, kind): (f64, LevelKind)) -> Result<(), PlotError> {
+    level(root, (view.left, view.left + view.width), y, kind)
+}
+
+/// The line from a name to what it names, where both are apart.
+fn draw_leader(root: &Area<'_>, name: &Name) -> Result<(), PlotError> {
+    let end = name.place.nearest(name.at);
+    let (dx, dy) = (end.0 - name.at.0, end.1 - name.at.1);
+    if dx * dx + dy * dy < LEADER_PT * LEADER_PT {
+        return Ok(());
+    }
+    draw(root, &PathElement::new(vec![place(name.at), place(end)], stroke(INK, 0.4)))
+}
+
+fn draw_name(root: &Area<'_>, name: &Name) -> Result<(), PlotError> {
+    let at = &name.place;
+    let corners = [place((at.left, at.top)), place((at.right, at.bottom))];
+    draw(root, &Rectangle::new(corners, RGBColor(255, 255, 255).mix(0.65).filled()))?;
+    let middle = (f64::midpoint(at.left, at.right), f64::midpoint(at.top, at.bottom));
+    let style = text(TEXT_PT).pos(Pos::new(HPos::Center, VPos::Center));
+    root.draw_text(&name.text, &style, place(middle)).map_err(PlotError::drawing)
+}
+
+fn draw_axes(root: &Area<'_>, view: &PlacedView<'_>, is_last: bool) -> Result<(), PlotError> {
+    let (left, right) = (view.left, view.left + view.width);
+    let (top, bottom) = (view.top, view.top + view.height);
+    let line = stroke(INK, 0.6);
+    draw(
+        root,
+        &PathElement::new(vec![place((left, top)), place((left, bottom)), place((right, bottom))], line),
+    )?;
+    let words = |line: &str, at: Point, style: Pos| {
+        root.draw_text(line, &text(TEXT_PT).pos(style), place(at)).map_err(PlotError::drawing)
+    };
+    let ticks = view.x_ticks();
+    for &value in &ticks.at {
+        let (x, _) = view.at((value, 0.0));
+        draw(root, &PathElement::new(vec![place((x, bottom)), place((x, bottom + TICK_PT))], line))?;
+        if is_last {
+            words(&ticks.label(value), (x, bottom + 2.0 * TICK_PT), Pos::new(HPos::Center, VPos::Top))?;
+        }
+    }
+    let ticks = view.y_ticks();
+    for &value in &ticks.at {
+        let (_, y) = view.at((0.0, value));
+        draw(root, &PathElement::new(vec![place((left - TICK_PT, y)), place((left, y))], line))?;
+        words(&ticks.label(value), (left - 2.0 * TICK_PT, y), Pos::new(HPos::Right, VPos::Center))?;
+    }
+    if is_last {
+        let middle = (f64::midpoint(left, right), bottom + 2.0 * TICK_PT + LINE_PT);
+        words(&printable(&view.view.x_label), middle, Pos::new(HPos::Center, VPos::Top))?;
+    }
+    let style = text(TEXT_PT).transform(FontTransform::Rotate270).pos(Pos::new(HPos::Center, VPos::Top));
+    root.draw_text(
+        &printable(&view.view.y_label),
+        &style,
+        place((left - view.beside, f64::midpoint(top, bottom))),
+    )
+    .map_err(PlotError::drawing)
+}

@@ -1,0 +1,314 @@
+//! Where names go: beside what they name, never over each other.
+//!
+//! Each name is tried around its point, nearer places first. A place costs its distance and whatever the name would hide; the
+//! cheapest is taken. Boxes of names never overlap: there is always room further up or down, and the view grows.
+
+use crate::figure::Point;
+
+/// Directions in which a place is tried, a circle in 16 parts; constants, as a picture is the same on every machine.
+const DIRECTIONS: [(f64, f64); 16] = [
+    (1.0, 0.0),
+    (-1.0, 0.0),
+    (0.0, -1.0),
+    (0.0, 1.0),
+    (0.707, -0.707),
+    (-0.707, -0.707),
+    (0.707, 0.707),
+    (-0.707, 0.707),
+    (0.924, -0.383),
+    (-0.924, -0.383),
+    (0.924, 0.383),
+    (-0.924, 0.383),
+    (0.383, -0.924),
+    (-0.383, -0.924),
+    (0.383, 0.924),
+    (-0.383, 0.924),
+];
+/// From a point to the nearest edge of its name, at least.
+const NEAREST_PT: f64 = 3.0;
+const STEP_PT: f64 = 3.5;
+const STEPS: u32 = 400;
+/// Between the boxes of two names.
+const APART_PT: f64 = 1.0;
+/// A leader that is shorter needs no line.
+pub(super) const LEADER_PT: f64 = 5.0;
+/// How often all names are placed again, now that the others have their places.
+const ROUNDS: usize = 3;
+
+/// What it costs, in points of distance, to hide or cross something.
+const CIRCLE: f64 = 3.0;
+const LEVEL: f64 = 30.0;
+const OTHER_POINT: f64 = 60.0;
+const NEAR_POINT: f64 = 20.0;
+const CROSSING: f64 = 40.0;
+const OVER_NAME: f64 = 120.0;
+
+/// A box on the page, in points; y grows downwards.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Rect {
+    pub left: f64,
+    pub top: f64,
+    pub right: f64,
+    pub bottom: f64,
+}
+
+impl Rect {
+    fn around((x, y): Point, (width, height): (f64, f64)) -> Self {
+        Self {
+            left: x - width / 2.0,
+            right: x + width / 2.0,
+            top: y - height / 2.0,
+            bottom: y + height / 2.0,
+        }
+    }
+
+    pub(super) fn overlaps(&self, other: &Self, apart: f64) -> bool {
+        self.left < other.right + apart
+            && other.left < self.right + apart
+            && self.top < other.bottom + apart
+            && other.top < self.bottom + apart
+    }
+
+    fn holds(&self, (x, y): Point, margin: f64) -> bool {
+        x > self.left - margin && x < self.right + margin && y > self.top - margin && y < self.bottom + margin
+    }
+
+    /// The place of the box that is nearest to `point`.
+    pub(super) fn nearest(&self, (x, y): Point) -> Point {
+        (x.clamp(self.left, self.right), y.clamp(self.top, self.bottom))
+    }
+
+    /// Whether the line between two points passes through the box (Liang and Barsky).
+    fn meets(&self, from: Point, to: Point) -> bool {
+        let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
+        let sides = [
+            (to.0 - from.0, self.left - from.0, self.right - from.0),
+            (to.1 - from.1, self.top - from.1, self.bottom - from.1),
+        ];
+        for (along, low, high) in sides {
+            if along == 0.0 {
+                if low > 0.0 || high < 0.0 {
+                    return false;
+                }
+                continue;
+            }
+            let (first, second) = (low / along, high / along);
+            enter = enter.max(first.min(second));
+            leave = leave.min(first.max(second));
+        }
+        enter < leave
+    }
+}
+
+/// A name that wants a place.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Wanted {
+    /// What is named.
+    pub at: Point,
+    /// Width and height of the name.
+    pub size: (f64, f64),
+}
+
+/// What names should not hide.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(super) struct Obstacles {
+    /// Points with marks.
+    pub points: Vec<Point>,
+    /// Circles: centre and radius.
+    pub circles: Vec<(Point, f64)>,
+    /// Horizontal lines.
+    pub levels: Vec<f64>,
+    /// Boxes of texts that have their places.
+    pub boxes: Vec<Rect>,
+}
+
+/// A box for each name, in their order; from `left` to `right`, as far up and down as it takes.
+pub(super) fn place(wanted: &[Wanted], (left, right): (f64, f64), obstacles: &Obstacles) -> Vec<Rect> {
+    let mut order: Vec<usize> = (0..wanted.len()).collect();
+    let key = |index: usize| wanted.get(index).map_or((0.0, 0.0), |name| name.at);
+    order.sort_by(|&a, &b| key(a).0.total_cmp(&key(b).0).then(key(a).1.total_cmp(&key(b).1)));
+    let mut places: Vec<Option<Rect>> = vec![None; wanted.len()];
+    for round in 0..ROUNDS {
+        for &index in &order {
+            let Some(name) = wanted.get(index) else { continue };
+            let others: Vec<(Point, Rect)> = wanted
+                .iter()
+                .zip(&places)
+                .enumerate()
+                .filter(|(other, _)| *other != index)
+                .filter_map(|(_, (other, place))| Some((other.at, (*place)?)))
+                .collect();
+            let best = Search { name, span: (left, right), obstacles, others: &others }.best();
+            // What is found later is kept only where it is free: it always is.
+            if let Some(place) = places.get_mut(index) {
+                *place = best.or(*place);
+            }
+        }
+        if round > 0 && wanted.len() < 2 {
+            break;
+        }
+    }
+    let fallback = |name: &Wanted| Rect::around(name.at, name.size);
+    wanted.iter().zip(places).map(|(name, place)| place.unwrap_or_else(|| fallback(name))).collect()
+}
+
+struct Search<'s> {
+    name: &'s Wanted,
+    span: (f64, f64),
+    obstacles: &'s Obstacles,
+    others: &'s [(Point, Rect)],
+}
+
+impl Search<'_> {
+    fn best(&self) -> Option<Rect> {
+        let (width, height) = self.name.size;
+        let mut best: Option<(f64, Rect)> = None;
+        for step in 0..STEPS {
+            let distance = NEAREST_PT + STEP_PT * f64::from(step);
+            if best.is_some_and(|(cost, _)| distance >= cost) {
+                break;
+            }
+            for (rank, (x, y)) in DIRECTIONS.into_iter().enumerate() {
+                let middle = (
+                    self.name.at.0 + x * (distance + width / 2.0),
+                    self.name.at.1 + y * (distance + height / 2.0),
+                );
+                let place = self.inside(Rect::around(middle, self.name.size));
+                if self.is_taken(&place) {
+                    continue;
+                }
+                // Among equal places the first direction wins.
+                let cost = distance + self.cost(&place) + 0.01 * f64::from(u32::try_from(rank).unwrap_or(0));
+                if best.is_none_or(|(known, _)| cost < known) {
+                    best = Some((cost, place));
+                }
+            }
+        }
+        best.map(|(_, place)| place)
+    }
+
+    /// The box, moved sideways until it is in the view.
+    fn inside(&self, place: Rect) -> Rect {
+        let by = (self.span.0 - place.left).max(0.0) - (place.right - self.span.1).max(0.0);
+        Rect { left: place.left + by, right: place.right + by, ..place }
+    }
+
+    fn is_taken(&self, place: &Rect) -> bool {
+        let names = self.others.iter().map(|(_, other)| other).chain(&self.obstacles.boxes);
+        names.into_iter().any(|other| place.overlaps(other, APART_PT))
+    }
+
+    fn cost(&self, place: &Rect) -> f64 {
+        let end = place.nearest(self.name.at);
+        let others = |point: &&Point| **point != self.name.at;
+        let points = self.obstacles.points.iter().filter(others).map(|&point| {
+            if place.holds(point, 2.0) {
+                OTHER_POINT
+            } else if distance_to_line(point, self.name.at, end) < 2.5 {
+                NEAR_POINT
+            } else {
+                0.0
+            }
+        });
+        let own = if place.holds(self.name.at, 1.5) { OTHER_POINT } else { 0.0 };
+        let circles = self.obstacles.circles.iter().filter(|circle| crosses(place, circle));
+        let levels = self.obstacles.levels.iter().filter(|&&y| place.holds((place.left, y), 0.5));
+        let names = self.others.iter().map(|(at, other)| {
+            let their_end = other.nearest(*at);
+            let crossing = if segments_cross((self.name.at, end), (*at, their_end)) { CROSSING } else { 0.0 };
+            let over = other.meets(self.name.at, end) || place.meets(*at, their_end);
+            crossing + if over { OVER_NAME } else { 0.0 }
+        });
+        own + points.sum::<f64>()
+            + CIRCLE * float(circles.count())
+            + LEVEL * float(levels.count())
+            + names.sum::<f64>()
+    }
+}
+
+/// Whether the line of a circle passes through a box.
+fn crosses(place: &Rect, &(centre, radius): &(Point, f64)) -> bool {
+    let nearest = place.nearest(centre);
+    let far = |low: f64, high: f64, at: f64| if (at - low).abs() > (high - at).abs() { low } else { high };
+    let farthest = (far(place.left, place.right, centre.0), far(place.top, place.bottom, centre.1));
+    distance(nearest, centre) < radius && radius < distance(farthest, centre)
+}
+
+fn distance(a: Point, b: Point) -> f64 {
+    ((a.0 - b.0) * (a.0 - b.0) + (a.1 - b.1) * (a.1 - b.1)).sqrt()
+}
+
+fn distance_to_line(point: Point, from: Point, to: Point) -> f64 {
+    let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+    let length = dx * dx + dy * dy;
+    let along =
+        if length == 0.0 { 0.0 } else { ((point.0 - from.0) * dx + (point.1 - from.1) * dy) / length };
+    let along = along.clamp(0.0, 1.0);
+    distance(point, (from.0 + along * dx, from.1 + along * dy))
+}
+
+fn segments_cross((a, b): (Point, Point), (c, d): (Point, Point)) -> bool {
+    let side = |p: Point, q: Point, r: Point| (q.0 - p.0) * (r.1 - p.1) - (q.1 - p.1) * (r.0 - p.0);
+    side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
+}
+
+#[expect(clippy::cast_precision_loss, reason = "some circles and lines")]
+fn float(count: usize) -> f64 {
+    count as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(points: &[Point]) -> Vec<Wanted> {
+        points.iter().map(|&at| Wanted { at, size: (40.0, 8.0) }).collect()
+    }
+
+    #[track_caller]
+    fn assert_apart(places: &[Rect]) {
+        for (index, first) in places.iter().enumerate() {
+            assert!(first.left >= -1e-9 && first.right <= 200.0 + 1e-9, "{first:?}");
+            assert!(places[..index].iter().all(|second| !first.overlaps(second, 0.0)), "{places:?}");
+        }
+    }
+
+    #[test]
+    fn a_single_name_is_right_of_its_point() {
+        let places = place(&names(&[(50.0, 50.0)]), (0.0, 200.0), &Obstacles::default());
+        assert_eq!(places, [Rect { left: 53.0, right: 93.0, top: 46.0, bottom: 54.0 }]);
+    }
+
+    #[test]
+    fn names_at_an_edge_stay_inside() {
+        let places = place(&names(&[(199.0, 50.0), (1.0, 50.0)]), (0.0, 200.0), &Obstacles::default());
+        assert_apart(&places);
+    }
+
+    #[test]
+    fn a_hundred_names_of_one_point_have_a_place_each() {
+        assert_apart(&place(&names(&[(100.0, 50.0); 100]), (0.0, 200.0), &Obstacles::default()));
+    }
+
+    #[test]
+    fn names_keep_off_lines_and_other_points() {
+        let obstacles = Obstacles {
+            points: vec![(50.0, 50.0), (60.0, 50.0)],
+            levels: vec![52.0],
+            ..Obstacles::default()
+        };
+        let places = place(&names(&[(50.0, 50.0), (60.0, 50.0)]), (0.0, 200.0), &obstacles);
+        assert_apart(&places);
+        for rect in places {
+            assert!(!rect.holds((rect.left, 52.0), 0.0), "{rect:?}");
+            assert!(obstacles.points.iter().all(|&point| !rect.holds(point, 0.0)), "{rect:?}");
+        }
+    }
+
+    #[test]
+    fn a_line_through_a_corner_is_seen() {
+        let rect = Rect { left: 0.0, right: 10.0, top: 0.0, bottom: 10.0 };
+        assert!(rect.meets((-5.0, 5.0), (15.0, 6.0)) && !rect.meets((-5.0, -1.0), (15.0, -1.0)));
+        assert!(!rect.meets((-5.0, 5.0), (-1.0, 5.0)) && rect.meets((5.0, -3.0), (5.0, 3.0)));
+    }
+}

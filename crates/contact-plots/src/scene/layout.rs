@@ -1,0 +1,364 @@
+//! Where everything of a scene goes: one scale for all, views below each other, names around what they name.
+
+use super::data::{Block, LevelKind, Scene, View};
+use super::labels::{Obstacles, Rect, Wanted, place};
+use super::letters::{cut, lines, width_pt};
+
+use crate::axis::Ticks;
+use crate::draw::{BELOW_PT, MARGIN_PT, NAME_PT, TICK_PT, TITLE_ROW_PT, float};
+use crate::figure::{Point, Width};
+use crate::legend::Legend;
+use crate::style::TEXT_PT;
+use crate::svg::printable;
+
+pub(super) const LINE_PT: f64 = 8.6;
+const GAP_PT: f64 = 10.0;
+/// Between what is drawn and the edge of its view.
+const PAD_PT: f64 = 4.0;
+const NAME_HEIGHT_PT: f64 = 7.6;
+/// The longest name, as a share of a view.
+const LONGEST: f64 = 0.45;
+/// The longest text at a line, which has nothing beside it.
+const LONGEST_AT_LINE: f64 = 0.9;
+/// What is smaller than this part of its block is not seen: 2 points or so.
+const SEEN: f64 = 0.01;
+/// No view is drawn higher than this, without its names.
+const HIGHEST_PT: f64 = 260.0;
+/// Things that are this much larger than others have a scale of their own.
+const ANOTHER_SCALE: f64 = 4.0;
+/// More names than this want a page.
+const CROWDED: usize = 12;
+/// More names than this are left out, all of them: nobody could read them.
+const MOST_NAMES: usize = 80;
+/// How wide a thing is taken to be that has no width.
+const NO_WIDTH: f64 = 1.0;
+
+/// A name and its box on the page.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Name {
+    pub text: String,
+    pub at: Point,
+    pub place: Rect,
+}
+
+/// A view on the page: where its box is and which values are at its edges.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct PlacedView<'s> {
+    pub view: &'s View,
+    pub left: f64,
+    pub top: f64,
+    pub width: f64,
+    pub height: f64,
+    /// Points of the page for each unit of the axes.
+    scale: f64,
+    /// The value at the left edge.
+    x_left: f64,
+    /// Room for the vertical axis' numbers and name.
+    pub beside: f64,
+    /// Where 0 of the vertical axis is, below the top edge; may be outside.
+    zero: f64,
+    /// Names of circles and points, and of lines.
+    pub names: Vec<Name>,
+    pub level_names: Vec<Name>,
+}
+
+impl PlacedView<'_> {
+    pub(super) fn at(&self, (x, y): Point) -> Point {
+        (self.left + (x - self.x_left) * self.scale, self.top + self.zero + self.sign() * y * self.scale)
+    }
+
+    pub(super) fn length(&self, value: f64) -> f64 {
+        value * self.scale
+    }
+
+    fn sign(&self) -> f64 {
+        if self.view.y_down { 1.0 } else { -1.0 }
+    }
+
+    pub(super) fn x_ticks(&self) -> Ticks {
+        ticks((self.x_left, self.x_left + self.width / self.scale), self.width)
+    }
+
+    pub(super) fn y_ticks(&self) -> Ticks {
+        let (a, b) =
+            (self.sign() * -self.zero / self.scale, self.sign() * (self.height - self.zero) / self.scale);
+        ticks((a.min(b), a.max(b)), self.height)
+    }
+
+    /// Names are placed where the view begins at (0, 0); this brings them to where it is.
+    fn moved(mut self, left: f64, top: f64) -> Self {
+        for name in self.names.iter_mut().chain(&mut self.level_names) {
+            name.at = (name.at.0 + left, name.at.1 + top);
+            let Rect { left: l, top: t, right: r, bottom: b } = name.place;
+            name.place = Rect { left: l + left, right: r + left, top: t + top, bottom: b + top };
+        }
+        (self.left, self.top) = (left, top);
+        self
+    }
+
+    /// The same with more room above and below.
+    fn grown(mut self, above: f64, below: f64) -> Self {
+        for name in self.names.iter_mut().chain(&mut self.level_names) {
+            name.at.1 += above;
+            name.place.top += above;
+            name.place.bottom += above;
+        }
+        self.zero += above;
+        self.height += above + below;
+        self
+    }
+}
+
+/// Round values, with room between them; those outside the view are left out.
+fn ticks((low, high): (f64, f64), length_pt: f64) -> Ticks {
+    let count = (2..9).rev().find(|&count| length_pt >= 22.0 * float(count)).unwrap_or(2);
+    let mut ticks = Ticks::linear((low, high), count);
+    ticks.at.retain(|at| (low..=high).contains(at));
+    ticks
+}
+
+/// A block on the page.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct PlacedBlock<'s> {
+    pub title: String,
+    pub left: f64,
+    pub top: f64,
+    pub views: Vec<PlacedView<'s>>,
+    /// Lines of remarks, and where the first begins.
+    pub remarks: Vec<String>,
+    pub remarks_top: f64,
+}
+
+/// Where everything goes.
+pub(super) struct SceneLayout<'s> {
+    pub size_pt: (f64, f64),
+    pub blocks: Vec<PlacedBlock<'s>>,
+    pub legend: Legend,
+    pub legend_at: Point,
+}
+
+impl<'s> SceneLayout<'s> {
+    pub(super) fn of(scene: &'s Scene, legend: impl FnOnce(f64) -> Legend) -> Self {
+        let columns = scene.blocks.len().clamp(1, 2);
+        let named = |block: &Block| block.views.iter().map(named).max().unwrap_or(0);
+        let crowded = scene.blocks.iter().any(|block| named(block) > CROWDED);
+        let width = if columns > 1 || crowded { Width::Page.pt() } else { Width::Column.pt() };
+        let beside = NAME_PT + 3.0 * TICK_PT + longest_tick(scene);
+        let column = (width - 2.0 * MARGIN_PT - GAP_PT * float(columns - 1)) / float(columns);
+        // Room on the right for half of the last tick's label.
+        let plot = column - beside - 5.0;
+        let scales = scales(scene, plot);
+        let mut blocks = Vec::new();
+        let mut top = MARGIN_PT + TITLE_ROW_PT;
+        let rows = scene.blocks.chunks(columns).zip(scales.chunks(columns));
+        for (row, scales) in rows {
+            let views: Vec<Vec<PlacedView<'s>>> = row
+                .iter()
+                .zip(scales)
+                .map(|(block, &(scale, _))| {
+                    block.views.iter().map(|view| placed(view, block, scale, (plot, beside))).collect()
+                })
+                .collect();
+            let mut bottom = top;
+            for (index, ((block, views), &(_, other))) in
+                row.iter().zip(aligned(views)).zip(scales).enumerate()
+            {
+                let left = MARGIN_PT + float(index) * (column + GAP_PT);
+                let mut remarks = block.remarks.clone();
+                if named(block) > MOST_NAMES {
+                    remarks.push(format!("Without names, as there are more than {MOST_NAMES}."));
+                }
+                remarks.extend(other.then(|| "Drawn smaller than the others.".to_owned()));
+                let placed = stacked(block, views, (left, beside, top), (&remarks, column));
+                bottom = bottom.max(placed.remarks_top + LINE_PT * float(placed.remarks.len()));
+                blocks.push(placed);
+            }
+            top = bottom + GAP_PT;
+        }
+        let legend = legend(width - 2.0 * MARGIN_PT - beside);
+        let legend_top = top - GAP_PT;
+        let size_pt = (width, legend_top + legend.height_pt() + MARGIN_PT);
+        Self { size_pt, blocks, legend, legend_at: (MARGIN_PT + beside, legend_top) }
+    }
+}
+
+fn named(view: &View) -> usize {
+    let balls = view.balls.iter().filter(|ball| !ball.name.is_empty()).count();
+    balls + view.spots.iter().filter(|spot| !spot.name.is_empty()).count()
+}
+
+/// The widest number at a vertical axis; names may make views a little higher.
+fn longest_tick(scene: &Scene) -> f64 {
+    let corners = scene.blocks.iter().flat_map(|block| &block.views).flat_map(View::corners);
+    let largest = corners.fold(100.0_f64, |most, (_, y)| most.max(y.abs()));
+    width_pt(&format!("-{:.0}", 1.3 * largest), TEXT_PT)
+}
+
+fn span(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    let (low, high) = values
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+    match high - low {
+        width if width > 0.0 => (low, high),
+        0.0 => (low - NO_WIDTH / 2.0, high + NO_WIDTH / 2.0),
+        _ => (-NO_WIDTH / 2.0, NO_WIDTH / 2.0),
+    }
+}
+
+fn x_span(block: &Block) -> (f64, f64) {
+    span(block.views.iter().flat_map(View::corners).map(|(x, _)| x))
+}
+
+fn y_span(view: &View) -> (f64, f64) {
+    span(view.corners().map(|(_, y)| y).chain(view.levels.iter().map(|level| level.at)))
+}
+
+/// Whether an outline of a block is large enough to be seen.
+pub(super) fn has_outlines(block: &Block) -> bool {
+    let size = |(low, high): (f64, f64)| high - low;
+    let whole = block.views.iter().map(|view| size(y_span(view))).fold(size(x_span(block)), f64::max);
+    let mut outlines = block.views.iter().flat_map(|view| &view.outlines);
+    outlines.any(|outline| {
+        let along = |axis: fn(&Point) -> f64| size(span(outline.points.iter().map(axis)));
+        along(|point| point.0).max(along(|point| point.1)) >= SEEN * whole
+    })
+}
+
+/// The scale of each block, and whether it is smaller than that of the others: things of like size share one.
+fn scales(scene: &Scene, plot: f64) -> Vec<(f64, bool)> {
+    let own = |block: &Block| {
+        let (low, high) = x_span(block);
+        let highest = block.views.iter().map(y_span).map(|(low, high)| high - low).fold(0.0, f64::max);
+        ((plot - 2.0 * PAD_PT) / (high - low)).min(HIGHEST_PT / highest)
+    };
+    let own: Vec<f64> = scene.blocks.iter().map(own).collect();
+    let largest = own.iter().copied().fold(0.0, f64::max);
+    let alike = |scale: &f64| *scale * ANOTHER_SCALE >= largest;
+    let common = own.iter().copied().filter(|scale| alike(scale)).fold(f64::INFINITY, f64::min);
+    own.iter().map(|scale| if alike(scale) { (common, false) } else { (*scale, true) }).collect()
+}
+
+/// A view at (0, 0), as high as its content and its names.
+fn placed<'s>(view: &'s View, block: &Block, scale: f64, (width, beside): (f64, f64)) -> PlacedView<'s> {
+    let (low, high) = x_span(block);
+    let x_left = f64::midpoint(low, high) - width / scale / 2.0;
+    let mut placed = PlacedView {
+        view,
+        left: 0.0,
+        top: 0.0,
+        width,
+        height: 0.0,
+        scale,
+        x_left,
+        beside,
+        zero: 0.0,
+        names: vec![],
+        level_names: vec![],
+    };
+    placed.level_names = level_names(&placed);
+    if named(view) <= MOST_NAMES {
+        placed.names = names(&placed);
+    }
+    let (from, to) = y_span(view);
+    let ends = [placed.at((0.0, from)).1, placed.at((0.0, to)).1];
+    let boxes = placed.names.iter().chain(&placed.level_names).map(|name| name.place);
+    let (top, bottom) = span(ends.into_iter().chain(boxes.flat_map(|place| [place.top, place.bottom])));
+    placed.grown(PAD_PT - top, bottom + PAD_PT)
+}
+
+/// What is written at lines: the ground on the left, the lowest place on the right, so that close lines do not run together.
+fn level_names(placed: &PlacedView<'_>) -> Vec<Name> {
+    let mut names: Vec<Name> = Vec::new();
+    for level in placed.view.levels.iter().filter(|level| !level.name.is_empty()) {
+        let text = cut(&printable(&level.name), TEXT_PT, LONGEST_AT_LINE * placed.width);
+        let width = width_pt(&text, TEXT_PT);
+        let (_, y) = placed.at((0.0, level.at));
+        let (left, top) = match level.kind {
+            LevelKind::Ground => (2.0, y + 4.5),
+            LevelKind::Lowest => {
+                let crossed = placed.view.levels.iter().any(|other| {
+                    let below = placed.at((0.0, other.at)).1 - y;
+                    other.kind == LevelKind::Ground && (-3.0..NAME_HEIGHT_PT + 3.0).contains(&below)
+                });
+                let top = if crossed { y - 1.5 - NAME_HEIGHT_PT } else { y + 1.5 };
+                (placed.width - width - 2.0, top)
+            }
+        };
+        let place = Rect { left, right: left + width, top, bottom: top + NAME_HEIGHT_PT };
+        names.push(Name { text, at: (left, y), place });
+    }
+    names
+}
+
+fn names(placed: &PlacedView<'_>) -> Vec<Name> {
+    let view = placed.view;
+    let balls = view.balls.iter().map(|ball| (&ball.name, ball.centre));
+    let spots = view.spots.iter().map(|spot| (&spot.name, spot.at));
+    let wanted: Vec<(String, Wanted)> = balls
+        .chain(spots)
+        .filter(|(name, _)| !name.is_empty())
+        .map(|(name, at)| {
+            let text = cut(&printable(name), TEXT_PT, LONGEST * placed.width);
+            let size = (width_pt(&text, TEXT_PT) + 1.0, NAME_HEIGHT_PT);
+            (text, Wanted { at: placed.at(at), size })
+        })
+        .collect();
+    let points = view.balls.iter().map(|ball| ball.centre).chain(view.spots.iter().map(|spot| spot.at));
+    let obstacles = Obstacles {
+        points: points.map(|point| placed.at(point)).collect(),
+        circles: view.balls.iter().map(|ball| (placed.at(ball.centre), placed.length(ball.radius))).collect(),
+        levels: view.levels.iter().map(|level| placed.at((0.0, level.at)).1).collect(),
+        boxes: placed.level_names.iter().map(|name| name.place).collect(),
+    };
+    let boxes: Vec<Wanted> = wanted.iter().map(|(_, wanted)| wanted.clone()).collect();
+    let places = place(&boxes, (0.0, placed.width), &obstacles);
+    let named = wanted.into_iter().zip(places);
+    named.map(|((text, wanted), place)| Name { text, at: wanted.at, place }).collect()
+}
+
+/// Views of one row side by side: as high as each other, and on one axis where that takes little more room.
+fn aligned(mut row: Vec<Vec<PlacedView<'_>>>) -> Vec<Vec<PlacedView<'_>>> {
+    let most = row.iter().map(Vec::len).max().unwrap_or(0);
+    for index in 0..most {
+        let views: Vec<&PlacedView<'_>> = row.iter().filter_map(|views| views.get(index)).collect();
+        let highest = views.iter().map(|view| view.height).fold(0.0, f64::max);
+        let above = views.iter().map(|view| view.zero).fold(f64::NEG_INFINITY, f64::max);
+        let below = views.iter().map(|view| view.height - view.zero).fold(f64::NEG_INFINITY, f64::max);
+        let same_scale = views.windows(2).all(|pair| pair[0].scale == pair[1].scale);
+        let on_one_axis = same_scale && above + below <= 1.3 * highest;
+        for views in &mut row {
+            if index >= views.len() {
+                continue;
+            }
+            let view = views.remove(index);
+            let room = if on_one_axis {
+                (above - view.zero, below - (view.height - view.zero))
+            } else {
+                ((highest - view.height) / 2.0, (highest - view.height) / 2.0)
+            };
+            views.insert(index, view.grown(room.0, room.1));
+        }
+    }
+    row
+}
+
+fn stacked<'s>(
+    block: &Block,
+    views: Vec<PlacedView<'s>>,
+    (left, beside, top): (f64, f64, f64),
+    (remarks, column): (&[String], f64),
+) -> PlacedBlock<'s> {
+    let title = cut(&printable(&block.title), TEXT_PT, column - beside);
+    let mut at = top + TITLE_ROW_PT;
+    let last = views.len().saturating_sub(1);
+    let mut placed = Vec::new();
+    for (index, view) in views.into_iter().enumerate() {
+        at += LINE_PT;
+        let height = view.height;
+        placed.push(view.moved(left + beside, at));
+        // Only the last view has numbers below it: all share one horizontal axis.
+        at += height + if index == last { BELOW_PT } else { TICK_PT + PAD_PT };
+    }
+    let text = |remark: &String| lines(&printable(remark), TEXT_PT, column - beside);
+    let remarks = remarks.iter().flat_map(text).collect();
+    PlacedBlock { title, left: left + beside, top, views: placed, remarks, remarks_top: at }
+}
