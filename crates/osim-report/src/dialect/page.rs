@@ -60,6 +60,7 @@ impl RemedyDialect for Page {
             Verb::Rescale => "Scale the contacts",
             Verb::Transfer => "Take the contacts of another model",
             Verb::Design => "Design the contacts",
+            Verb::Convert => "Convert the forces",
             _ => "Set",
         };
         format!("{what}: {}.", wanted.join(", "))

@@ -8,10 +8,11 @@ use osim_requests::Request;
 use serde_json::Value;
 
 /// What comes first where a remedy has it; the rest follows in the order of its request.
-const ORDER: [Input; 19] = [
+const ORDER: [Input; 20] = [
     Input::ContactsMass,
     Input::TargetMass,
     Input::From,
+    Input::To,
     Input::FollowBodies,
     Input::BodyScaleFile,
     Input::MovedSpheres,

@@ -92,6 +92,16 @@ const FILE: &[ErrorCode] = &[
         "the file is UTF-16, or starts with two byte order marks; OpenSim cannot read it",
         "save it as UTF-8. Windows PowerShell makes UTF-16 when you use >; use `output=FILE`",
     ),
+    code(
+        "mesh-missing",
+        "a body shows a mesh that is in none of the folders: the model's own, its Geometry, and that of `geometry_dir`",
+        "copy the file there, or name the folder with `geometry_dir=DIR`",
+    ),
+    code(
+        "bad-mesh",
+        "a mesh that cannot be read, or has fewer than four points or all in a line",
+        "get the file again from where it came, or leave its body out of `feet`",
+    ),
     code("doctype", "a DOCTYPE with a part in [...], which OpenSim cannot read", "delete the DOCTYPE"),
     code(
         "malformed-xml",
@@ -145,6 +155,16 @@ const MODEL: &[ErrorCode] = &[
 
 const QUESTION: &[ErrorCode] = &[
     code(
+        "no-mesh",
+        "a body of `feet` shows no mesh, so nothing says where its sole is",
+        "name another body, or give the places in a table: `contacts=TABLE`",
+    ),
+    code(
+        "unknown-pose",
+        "where a body is at the default pose follows from a joint, a function or a constraint that is not understood",
+        "give the places in the frames of the bodies: `contacts=TABLE` with columns x, y and z",
+    ),
+    code(
         "included-file",
         "the number to change is in another file, which the model names with file=\"...\"",
         "open the model in OpenSim, save it as one file, change that",
@@ -165,6 +185,21 @@ const QUESTION: &[ErrorCode] = &[
         "write it in m; if it is meant as it is, `yes=implausible-radius`",
     ),
     code(
+        "implausible-place",
+        "a place of a table is farther from the joints of its body than 3 times the longest distance between two joints of that body, or of one next to it; or the sole is farther below the bones than the foot is long: they may be in mm or cm",
+        "write places, and `pad`, in m; if they are meant as they are, `yes=implausible-place`",
+    ),
+    code(
+        "implausible-scale",
+        "a body would be more than 50 times as large as the reference's, or less than 1/50: between a mouse and a giraffe it is 38 times; the factor may be in percent",
+        "write 0.95 for 95 %; if it is meant as it is, `yes=implausible-scale`",
+    ),
+    code(
+        "tilted-foot",
+        "a foot is tilted by more than 10 degrees at the default pose, or bones near the ground cover less than 80 % of its length or width there: spheres would be under its heel or one edge only",
+        "give the coordinates that the message names default values at which the foot lies flat, or the places in a table, `contacts=TABLE`; if it is meant, `yes=tilted-foot`",
+    ),
+    code(
         "many-models",
         "a sweep would make more than 10,000 models",
         "give fewer values, or `yes=many-models`",
@@ -178,6 +213,16 @@ const QUESTION: &[ErrorCode] = &[
         "body-scale",
         "how a body was scaled is not in the files, or meshes, or left and right, say different things (`transfer follow_bodies`); or `body_scale_file` belongs to another generic model than `from`",
         "`body_scale=BODY=x,y,z` (or one factor, `body_scale=BODY=f`), or `body_scale_file=FILE`",
+    ),
+    code(
+        "contacts-exist",
+        "a model that is to get contacts has some already",
+        "make them right with `rescale` or `transfer`, or take them out first with `replace`",
+    ),
+    code(
+        "missing-body",
+        "a body that carries spheres in the reference is not in the model, such as toes in a foot of one piece",
+        "`body_map=toes_r=calcn_r` names the body that takes its spheres, once for each",
     ),
     code(
         "moved-spheres",
@@ -241,6 +286,21 @@ const REQUEST: &[ErrorCode] = &[
         "output",
         "the result cannot be written: the file exists already, it is the input itself, the folder cannot be written to, the disk is full",
         "another name with `output` or `output_dir`, or `force`; for the input itself `in_place`. After a full disk make room and go on with `resume` (docs/libraries.md)",
+    ),
+    code(
+        "table",
+        "a table of contacts: a column or a cell is wrong, a name is refused by OpenSim, or a place is given in ground only or twice and differently; the message names the line",
+        "correct what is named; `default_pose` takes places in ground as those of the default pose",
+    ),
+    code(
+        "no-such-body",
+        "the model has no body of a name that `feet` or a table says",
+        "one of the names in the message",
+    ),
+    code(
+        "too-many-spheres",
+        "so many spheres under one foot would be closer than 1 mm",
+        "fewer with `count=N`",
     ),
     code(
         "manifest",

@@ -96,6 +96,16 @@ pub(super) const ALL: &[Trap] = &[
         "below 0 the smoothing alone carries the load: the sphere floats above the ground",
     ),
     trap(
+        "relative_indentation_hertz_standing",
+        &[],
+        "it belongs to the default pose: in another one the bottoms have other heights. Below 0 a sphere does not touch",
+    ),
+    trap(
+        "relative_indentation_model_law_standing",
+        &[],
+        "it belongs to the default pose: in another one the bottoms have other heights. Below 0 the sphere is above the floor",
+    ),
+    trap(
         "relative_indentation_hertz_level",
         &[],
         "the bottoms of the limb's spheres are level in it: large spheres carry more than small ones",

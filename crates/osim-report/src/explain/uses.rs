@@ -15,20 +15,20 @@ fn template(label: &str) -> &'static str {
         "2" => "relative indentation, everywhere",
         "3" => "design: load per sphere; through (11) everywhere",
         "4" | "5" | "6" | "7" => "a step of the derivation of (8)",
-        "8" => "rescale, transfer: isometric radii",
+        "8" => "rescale, transfer, add: isometric radii",
         "9" => "through (10)",
-        "10" => "rescale, transfer, design: stiffness",
+        "10" => "rescale, transfer, add, design: stiffness",
         "11" => {
             "design: stiffness, radius, relative indentation; presets and reports: indentation at body weight"
         }
         "12" => "fit: dissipation; drop-test: force of a HuntCrossleyForce",
         "13" => "design: dissipation for a wanted restitution; inspect, drop-test: restitution",
-        "14" => "rescale, transfer, design: dissipation",
+        "14" => "rescale, transfer, add, design: dissipation",
         "15" => "inspect, design: mean contact stress",
         "Fig. 3" => "design: contact patch diameter",
         "A.1" | "A.5" => "`design young poisson`",
         "A.2" => "the library only: OpenSim mixes by (A.3)",
-        "A.3" => "forces with several ContactParameters: their common modulus",
+        "A.3" => "forces with several ContactParameters: their common modulus, which convert writes",
         "A.4" => "design, fit: the stiffness to write; transfer",
         "Simbody" => "forces with several ContactParameters: their common dissipation",
         "Johnson" => "the library only: sphere on sphere",
@@ -38,25 +38,28 @@ fn template(label: &str) -> &'static str {
         "B.4" => "inspect, design: natural frequency",
         "B.5" => "design: equilibrium frequency",
         "C.1" | "C.4" => "through (C.3)",
-        "C.2" => "rescale, transfer, design: constant_contact_force; inspect: the same over the radius",
+        "C.2" => {
+            "rescale, transfer, add, convert, design: constant_contact_force; inspect: the same over the radius"
+        }
         "C.3" => "through (C.9)",
-        "C.5" => "rescale, transfer, design: hertz_smoothing",
+        "C.5" => "rescale, transfer, add, convert, design: hertz_smoothing",
         "C.6" => "the library only",
         "C.7" => "inspect: width of the contact transition",
         "C.8" => "`design state_width`: hertz_smoothing",
         "C.9" => {
             "drop-test: force of a SmoothSphereHalfSpaceForce; at rest also inspect, plot: indentation, force with the sphere just touching; design: stiffness"
         }
-        "C.10" => "rescale, transfer, design: hunt_crossley_smoothing",
+        "C.10" => "rescale, transfer, add, convert, design: hunt_crossley_smoothing",
         "drop speed" => "inspect, design, drop-test: the speed of an impact where none is given",
         "exact restitution" => "inspect, design, drop-test, transfer: restitution by the exact law",
         "rest by (1)" => "inspect, drop-test: indentation at rest by the Hertz law",
+        "rest at own heights" => "inspect: indentation of each sphere at its own height, at the default pose",
         "rest by (C.9)" => "inspect, drop-test: indentation at rest by the model's law",
         "continuation" => "`sweep ladder`: stiffness of the steps",
         "mixed radii" => "rescale, transfer: one ContactParameters with spheres of several radii",
         "friction" => "`friction`: transition_velocity and viscous_friction",
         "given" => "set, `radius`",
-        "follow" => "`transfer follow_bodies`: radius and centre of spheres",
+        "follow" => "`transfer follow_bodies`, add: radius and centre of spheres",
         "level" => "`level`: centre of spheres",
         "predsim" => "`transfer follow_bodies rule=predsim`: stiffness, dissipation, smoothing",
         _ => "",

@@ -6,6 +6,7 @@
 mod axes;
 mod draw;
 mod drops;
+mod feet;
 mod force;
 mod heat;
 mod limits;
@@ -19,6 +20,7 @@ mod weights;
 pub use axes::{Axes, units};
 pub use draw::draw;
 pub use drops::drops;
+pub use feet::{feet, feet_notes, feet_svg, missing_meshes};
 pub use force::force;
 pub use heat::heat;
 pub use loops::{impact_loops, loops};

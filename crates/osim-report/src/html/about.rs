@@ -29,6 +29,9 @@ impl About {
         let what = match self.verb {
             Verb::Rescale => "Rescaled contacts",
             Verb::Transfer => "Transferred contacts",
+            Verb::Add => "Added contacts",
+            Verb::Convert => "Converted contacts",
+            Verb::Remove => "Removed contacts",
             Verb::Design => "Designed contacts",
             Verb::Note => "Noted contacts",
             Verb::Check => "Check of contacts",

@@ -1,13 +1,12 @@
 //! A model that was changed: from what, to what, by which equation, and what its contacts do before and after.
 
-use std::collections::HashMap;
-
 use maud::{Markup, html};
 use osim_inspect::series::Body;
 use osim_inspect::{CheckResult, Figures, Inspection, ReferenceState};
 use osim_model::readable;
 use osim_model::wording::Dialect;
 use osim_patch::{Change, Move, Plan};
+use osim_requests::ModelFeet;
 
 use super::detail_level::DetailLevel;
 use super::entry::Entry;
@@ -17,8 +16,10 @@ use super::fragment::{Fragment, table};
 use super::run_row::RunRow;
 use super::sphere_figures::{self, State};
 use super::values::{listed, sentence, severity};
-use super::{findings, plots, reference};
-use crate::plan::groups::{groups, whose};
+use super::{feet, findings, plots, reference};
+use crate::plan::groups::{groups, names, several_groups, whose};
+use crate::plan::object_groups::object_groups;
+use crate::plan::table::{centre, is_new, moves_of_others};
 
 /// A change and what it does. What the plan, the inspections and the checks say is taken as it is spelled.
 #[derive(Debug)]
@@ -34,6 +35,8 @@ pub struct Changed<'c> {
     pub after: Option<(&'c Inspection, &'c CheckResult)>,
     /// States of the model to be drawn.
     pub bodies: Vec<Body>,
+    /// The feet of these states, the last with its bones; none where they are not drawn.
+    pub feet: Vec<ModelFeet>,
     /// What the contacts are taken from, where they are another body's.
     pub reference: Option<&'c ReferenceState>,
     /// The new model is in a file.
@@ -54,6 +57,7 @@ impl<'c> Changed<'c> {
             before_under_new_weight: None,
             after: None,
             bodies: Vec::new(),
+            feet: Vec::new(),
             reference: None,
             in_file: false,
             target_gravity_m_s2: None,
@@ -78,6 +82,9 @@ pub fn changed(row: &RunRow, changed: &Changed<'_>, detail: DetailLevel, dialect
     }
     if let Some(reference) = changed.reference {
         reference::section(&mut fragment, reference, &changed.bodies);
+    }
+    if detail.has_plots() {
+        feet::section(&mut fragment, &changed.feet);
     }
     if detail.has_plots() && !changed.bodies.is_empty() {
         let own = changed.bodies.iter();
@@ -120,21 +127,52 @@ fn states<'s>(
         figures: &after.figures,
         is_reference: false,
     }));
+    // Contacts that are new, or that are gone, have one state.
+    if states.iter().any(|state| state.figures.spheres().next().is_some()) {
+        states.retain(|state| state.figures.spheres().next().is_some());
+    }
     states
 }
 
 fn what_changed(fragment: &mut Fragment, plan: &Plan) {
+    let objects = objects(plan);
     let changes = changes(&mut fragment.topics, plan);
-    let moves = moves(&mut fragment.topics, &plan.moves);
+    let spheres = new_spheres(plan);
+    let moves = moves(&mut fragment.topics, &moves_of_others(plan));
     let warnings = warnings(&mut fragment.topics, plan);
     let body = html! {
         p { (sentence(&plan.taken.to_string())) }
         @if plan.is_empty() { p.note { "Nothing had to change." } }
-        (changes) (moves)
+        (objects) (changes) (spheres) (moves)
         @if !plan.remarks.is_empty() { ul { @for remark in &plan.remarks { li { (sentence(&remark.to_string())) } } } }
         (warnings)
     };
     fragment.section("changes", "What changed", &body);
+}
+
+fn objects(plan: &Plan) -> Markup {
+    let rows: Vec<Markup> = object_groups(plan.objects())
+        .iter()
+        .map(|group| {
+            html! {
+                tr {
+                    th scope="row" { code { (group.class) } }
+                    td.words { (group.deed.as_str()) }
+                    td { (group.names.len()) }
+                    td.words { (listed(&group.names)) }
+                }
+            }
+        })
+        .collect();
+    if rows.is_empty() {
+        return html! {};
+    }
+    table(
+        "Objects",
+        "Whole objects that are added or removed.",
+        &["class", " change", "number", " names"],
+        &rows,
+    )
 }
 
 fn changes(topics: &mut Topics, plan: &Plan) -> Markup {
@@ -143,17 +181,16 @@ fn changes(topics: &mut Topics, plan: &Plan) -> Markup {
     }
     let groups = groups(&plan.changes);
     // Twelve spheres with the same numbers need no names; two groups of one property do.
-    let property = |group: &[&Change]| group.first().map(|change| change.property);
-    let mut of_property: HashMap<_, usize> = HashMap::new();
-    groups.iter().for_each(|group| *of_property.entry(property(group)).or_default() += 1);
-    let alone = |group: &[&Change]| of_property.get(&property(group)) == Some(&1);
-    let rows: Vec<Markup> = groups.iter().map(|group| change(topics, group, !alone(group))).collect();
+    let several = several_groups(&groups);
+    let is_named = |group: &[&Change]| group.first().is_some_and(|change| several.contains(&change.property));
+    let rows: Vec<Markup> = groups.iter().map(|group| change(topics, group, is_named(group))).collect();
     let mut caption =
         "Numbers that change, in OpenSim's units, and the equation each follows from.".to_owned();
     if plan.changes.iter().any(|change| change.inserted) {
         caption.push_str(" + was not in the file: OpenSim's default applied, and it is written out now.");
     }
-    let headers = ["property", " of", "before", "after", "factor", "equation"];
+    let before = if is_new(plan) { "from" } else { "before" };
+    let headers = ["property", " of", before, "after", "factor", "equation"];
     table("Numbers that change", &caption, &headers, &rows)
 }
 
@@ -163,7 +200,7 @@ fn change(topics: &mut Topics, group: &[&Change], with_names: bool) -> Markup {
     html! {
         tr {
             th scope="row" { code { (first.property.name()) } @if !unit.is_empty() && unit != "1" { " " span.quiet { (unit) } } }
-            td.words { (whose(group)) @if with_names && group.len() > 1 { br; span.quiet { (names(group)) } } }
+            td.words { (whose(group)) @if with_names && group.len() > 1 { br; span.quiet { (listed(&names(group))) } } }
             td { (readable(first.from)) }
             td { b { (readable(first.to)) } @if first.inserted { " +" } }
             td { @if let Some(factor) = first.factor { "×" (readable(factor)) } }
@@ -172,14 +209,30 @@ fn change(topics: &mut Topics, group: &[&Change], with_names: bool) -> Markup {
     }
 }
 
-/// The first names of a group, and how many more there are.
-fn names(group: &[&Change]) -> String {
-    let names: Vec<&str> =
-        group.iter().filter_map(|change| change.sphere.as_deref().or(change.force.as_deref())).collect();
-    listed(&names)
+/// Spheres that are added, as they are written.
+fn new_spheres(plan: &Plan) -> Markup {
+    let rows: Vec<Markup> = plan
+        .new_spheres()
+        .iter()
+        .map(|sphere| {
+            html! {
+                tr {
+                    th scope="row" { (sphere.name) }
+                    td.words { (sphere.body) }
+                    td { (readable(sphere.radius_m)) }
+                    @for value in sphere.centre_m { td { (centre(value)) } }
+                }
+            }
+        })
+        .collect();
+    if rows.is_empty() {
+        return html! {};
+    }
+    let caption = "New spheres, in m, in the frames of their bodies.";
+    table("New spheres", caption, &["sphere", " on", "radius", "x", "y", "z"], &rows)
 }
 
-fn moves(topics: &mut Topics, moves: &[Move]) -> Markup {
+fn moves(topics: &mut Topics, moves: &[&Move]) -> Markup {
     if moves.is_empty() {
         return html! {};
     }
@@ -189,7 +242,7 @@ fn moves(topics: &mut Topics, moves: &[Move]) -> Markup {
             html! {
                 tr {
                     th scope="row" { (moved.sphere) }
-                    @for value in moved.from.iter().chain(&moved.to) { td { (format!("{value:.5}")) } }
+                    @for value in moved.from.iter().chain(&moved.to) { td { (centre(*value)) } }
                     td { (topics.equations(moved.equation)) }
                 }
             }

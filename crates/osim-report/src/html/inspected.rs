@@ -6,6 +6,7 @@ use osim_inspect::{CheckResult, InspectOptions, Inspection};
 use osim_model::files::OpenModel;
 use osim_model::wording::Dialect;
 use osim_model::{four_significant, readable};
+use osim_requests::ModelFeet;
 
 use super::detail_level::DetailLevel;
 use super::entry::Entry;
@@ -17,7 +18,8 @@ use super::{findings, plots};
 use crate::inspection::force_groups::{described, groups};
 use crate::inspection::lengths;
 
-/// Everything about one model that was inspected with `options`; `files` are those it was read from, the model first.
+/// Everything about one model that was inspected with `options`; `files` are those it was read from, the model
+/// first; `feet` are drawn where there are plots.
 ///
 /// What the inspection and the check say is taken as it is spelled.
 #[must_use]
@@ -26,13 +28,16 @@ pub fn inspected(
     model: &OpenModel,
     (inspected, found): (&Inspection, &CheckResult),
     files: &[NamedDigest],
-    detail: DetailLevel,
+    (detail, feet): (DetailLevel, Option<ModelFeet>),
     dialect: &dyn Dialect,
 ) -> Entry {
     let mut fragment = Fragment::new(detail);
     findings::of_model(&mut fragment, found);
     let failed = |fault| model.failure(fault);
     let body = || Body::inspected(file_name(model.name()).to_owned(), &model.model, options, &failed).ok();
+    if detail.has_plots() {
+        super::feet::section(&mut fragment, feet.as_slice());
+    }
     if let Some(body) = detail.has_plots().then(body).flatten() {
         plots::section(&mut fragment, &[body], false, dialect);
     }

@@ -10,6 +10,7 @@ mod deferred;
 mod detail_level;
 mod entry;
 mod explained;
+mod feet;
 mod files;
 mod findings;
 mod fragment;

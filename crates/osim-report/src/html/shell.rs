@@ -79,6 +79,14 @@ fn purpose(verb: Verb) -> &'static str {
             "The contacts of another model, given to this one at its own mass, radii and number of spheres, so that \
              the contact without dimensions is the reference's."
         }
+        Verb::Add => {
+            "Contacts for a model that had none, at its own size, with numbers made for its mass: those of a reference without \
+             dimensions, or those that were asked for."
+        }
+        Verb::Convert => {
+            "Forces of another class, one for each sphere, with the same stiffness, dissipation and friction."
+        }
+        Verb::Remove => "Contacts taken out of the model. Nothing else was changed.",
         Verb::Design => "Parameters found from what the contacts should do.",
         Verb::Set => "Properties written, or multiplied, as given.",
         Verb::Note => {

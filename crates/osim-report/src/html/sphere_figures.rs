@@ -5,9 +5,10 @@ use std::collections::{HashMap, HashSet};
 use maud::{Markup, html};
 use osim_inspect::{Figure, Figures, SphereFigures};
 
-use super::fragment::{Fragment, boxed};
+use super::fragment::{Fragment, boxed, table};
 use super::values::listed;
 use crate::inspection::rows::{Spheres, heading, key, limit, value};
+use crate::inspection::standing::{CAPTION, equally_deep};
 use crate::layout::OUTSIDE;
 
 const SECTION: (&str, &str) = ("figures", "What the spheres do");
@@ -86,10 +87,34 @@ pub(super) fn section(fragment: &mut Fragment, states: &[State<'_>]) {
             (table)
         };
     }
+    for state in states {
+        body = html! { (body) (standing(state)) };
+    }
     if outside {
         body = html! { (body) p.quiet { (OUTSIDE) " outside the limit; Findings says more." } };
     }
     fragment.section(SECTION.0, SECTION.1, &body);
+}
+
+/// The spheres at their own heights, where these differ.
+fn standing(state: &State<'_>) -> Markup {
+    let rows: Vec<Markup> = equally_deep(state.figures)
+        .iter()
+        .map(|row| {
+            html! {
+                tr {
+                    th scope="row" { (row.limb) }
+                    @for value in &row.indentation { td { (value) } }
+                    td.words { (listed(&row.spheres)) }
+                }
+            }
+        })
+        .collect();
+    if rows.is_empty() {
+        return html! {};
+    }
+    let caption = format!("{}: {CAPTION}.", state.name);
+    table("Spheres at their own heights", &caption, &["limb", "Hertz", "the model's law", " spheres"], &rows)
 }
 
 fn groups<'s>(states: &'s [State<'s>]) -> Vec<Group<'s>> {

@@ -6,22 +6,18 @@ use std::path::Path;
 use maud::{Markup, html};
 use osim_model::Severity;
 
+use crate::layout;
+
 /// How bad something is, as a word with a colour.
 pub(super) fn severity(severity: Severity) -> Markup {
     let word = severity.as_str();
     html! { span class={ "tag " (word) } { (word) } }
 }
 
-/// Names that are listed, before they are counted.
-const NAMED: usize = 8;
-
 /// The first names, and how many more there are.
 pub(super) fn listed(names: &[&str]) -> String {
-    let shown: Vec<&str> = names.iter().take(NAMED).copied().collect();
-    match names.len().saturating_sub(NAMED) {
-        0 => shown.join(", "),
-        more => format!("{} and {more} more", shown.join(", ")),
-    }
+    const NAMED: usize = 8;
+    layout::listed(names, NAMED)
 }
 
 /// A clause as a sentence.

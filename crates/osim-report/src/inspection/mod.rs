@@ -5,6 +5,7 @@ pub(crate) mod force_groups;
 pub(crate) mod lengths;
 pub(crate) mod rows;
 mod sphere_sheet;
+pub(crate) mod standing;
 mod table;
 
 pub use csv_rows::csv_rows;

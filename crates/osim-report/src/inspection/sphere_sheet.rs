@@ -6,6 +6,7 @@ use osim_inspect::{Figure, Inspection, SphereFigures};
 use osim_model::wording::{Dialect, Phrase};
 
 use super::rows::{Spheres, exact_key, heading, key, limit, value};
+use super::standing::{CAPTION, equally_deep};
 use crate::layout::{OUTSIDE, table, wrapped};
 
 /// Figures of more groups of spheres than this go into a further table.
@@ -39,11 +40,27 @@ pub(super) fn text(inspected: &Inspection, dialect: &dyn Dialect) -> String {
         text.push('\n');
         text.push_str(&sheet(inspected, chunk, number * GROUPS_ABREAST));
     }
+    text.push_str(&standing(inspected));
     if text.contains(OUTSIDE) {
         let more = Phrase::template("outside the limit: `check MODEL` says more").spelled(dialect);
         text.push_str(&format!("  ({OUTSIDE} {more})\n"));
     }
     text
+}
+
+/// The spheres at their own heights, where these differ.
+fn standing(inspected: &Inspection) -> String {
+    let rows = equally_deep(&inspected.figures);
+    if rows.is_empty() {
+        return String::new();
+    }
+    let mut table = table(&["limb", "Hertz", "model's law", "spheres"]);
+    for row in rows {
+        let [hertz, model_law] = &row.indentation;
+        table.add_row([row.limb, hertz, model_law, &listed(&row.spheres)]);
+    }
+    table.right_aligned(&[1, 2]);
+    format!("\n{}{}\n", wrapped(&format!("{CAPTION}:"), ""), table.trim_fmt())
 }
 
 fn groups(inspected: &Inspection) -> Vec<Alike<'_>> {

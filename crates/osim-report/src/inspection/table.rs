@@ -51,7 +51,7 @@ fn head(inspected: &Inspection) -> String {
     if let Some(known) = &inspected.known_contacts {
         let made_for = readable(known.made_for_kg);
         text.push_str(&wrapped(
-            &format!("these are the contacts of {}, made for {made_for} kg", known.title),
+            &format!("the contact parameters are those of {}, made for {made_for} kg", known.title),
             "",
         ));
     }

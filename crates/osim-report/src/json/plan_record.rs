@@ -1,11 +1,12 @@
 //! The JSON contract of a change.
 
+use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 
 use osim_inspect::{FindingRecord, SCHEMA_VERSION};
 use osim_model::files::FileName;
 use osim_model::wording::Phrase;
-use osim_patch::{Change, Masses, Move, Plan};
+use osim_patch::{Change, Deed, Masses, Move, NewSphere, ObjectChange, Plan};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -34,6 +35,8 @@ pub struct PlanRecord {
     pub geometry_output_bytes: Option<Vec<u8>>,
     /// The mass that the contacts are made for; null where nobody knows.
     pub contacts_mass_kg: Option<MassesRecord>,
+    /// Whole objects that are added or removed. Numbers of objects that are added change `from` what they are made from.
+    pub objects: Vec<ObjectRecord>,
     /// Numbers that change, then sphere centres that move.
     pub changes: Vec<ChangeRecord>,
     /// Things the user should know.
@@ -53,6 +56,30 @@ pub struct MassesRecord {
     pub source: &'static str,
     /// Afterwards, kg.
     pub to: f64,
+}
+
+/// One object that is added or removed.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct ObjectRecord {
+    /// `added` or `removed`.
+    pub change: &'static str,
+    /// OpenSim's class, such as `ContactSphere`.
+    pub class: &'static str,
+    /// Its name.
+    pub name: String,
+    /// Its component path.
+    pub path: String,
+    /// The body that carries it, or its sphere; null for a floor.
+    pub body: Option<String>,
+    /// Centre of a sphere that is added, in the frame of that body, m; null for all else.
+    #[schemars(with = "Option<[Option<f64>; 3]>")]
+    pub location_m: Option<[f64; 3]>,
+    /// Its radius, m; null for all else.
+    pub radius_m: Option<f64>,
+    /// OpenSim's parameters of a force that `convert` writes, by name and in OpenSim's units; null for all others.
+    pub parameters: Option<BTreeMap<&'static str, f64>>,
 }
 
 /// One number that changes, or one centre that moves.
@@ -113,10 +140,35 @@ impl PlanRecord {
             geometry_output,
             geometry_output_bytes: geometry_output_bytes.flatten(),
             contacts_mass_kg: plan.masses.as_ref().map(MassesRecord::from),
+            objects: ObjectRecord::all(plan),
             changes: numbers.chain(plan.moves.iter().map(ChangeRecord::from)).collect(),
             warnings: plan.warnings.iter().map(FindingRecord::from).collect(),
             notes: plan.remarks.iter().map(Phrase::to_string).collect(),
         }
+    }
+}
+
+impl ObjectRecord {
+    fn all(plan: &Plan) -> Vec<Self> {
+        let new = plan.new_spheres();
+        let new: HashMap<&str, &NewSphere<'_>> = new.iter().map(|sphere| (sphere.path, sphere)).collect();
+        let record = |object: &ObjectChange| {
+            let is_added = object.deed == Deed::Added;
+            let sphere = new.get(object.path.as_str()).filter(|_| is_added);
+            let parameters = object.parameters.iter();
+            let parameters = parameters.map(|(property, value)| (property.name(), *value)).collect();
+            Self {
+                change: object.deed.as_str(),
+                class: object.class,
+                name: object.name.clone(),
+                path: object.path.clone(),
+                body: object.body.clone(),
+                location_m: sphere.map(|sphere| sphere.centre_m),
+                radius_m: sphere.map(|sphere| sphere.radius_m),
+                parameters: (!object.parameters.is_empty()).then_some(parameters),
+            }
+        };
+        plan.objects().iter().map(record).collect()
     }
 }
 

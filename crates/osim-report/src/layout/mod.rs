@@ -11,6 +11,7 @@ pub use columns::{TextTable, table};
 pub use lines::{WIDTH, wrapped};
 pub(crate) use lines::{filled, options, wrapped_with_path};
 pub use names::clipped;
+pub(crate) use names::listed;
 pub use paint::{Colour, OUTSIDE};
 pub(crate) use paint::{painted, severity};
 pub(crate) use sheet::csv_text;

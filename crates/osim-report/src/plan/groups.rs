@@ -1,7 +1,8 @@
 //! Equal changes together, so that twelve spheres are one line.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
+use osim_model::Property;
 use osim_patch::Change;
 
 /// Equal changes together, in the order of the first of each.
@@ -29,4 +30,16 @@ pub(crate) fn whose(group: &[&Change]) -> String {
         (count, true) => format!("{count} spheres"),
         (count, false) => format!("{count} forces"),
     }
+}
+
+/// The properties of which there are several groups, which need names.
+pub(crate) fn several_groups(groups: &[Vec<&Change>]) -> HashSet<Property> {
+    let mut seen = HashSet::new();
+    let properties = groups.iter().filter_map(|group| group.first()).map(|change| change.property);
+    properties.filter(|&property| !seen.insert(property)).collect()
+}
+
+/// The spheres or forces of a group.
+pub(crate) fn names<'c>(group: &[&'c Change]) -> Vec<&'c str> {
+    group.iter().filter_map(|change| change.sphere.as_deref().or(change.force.as_deref())).collect()
 }

@@ -2,7 +2,8 @@
 
 mod diff;
 pub(crate) mod groups;
-mod table;
+pub(crate) mod object_groups;
+pub(crate) mod table;
 
 pub use diff::unified_diff;
 pub use table::{line, text};

@@ -1,11 +1,14 @@
 //! A plan as a table: equal changes share a row.
 
+use std::collections::HashSet;
+
 use osim_model::readable;
 use osim_model::wording::one_line;
-use osim_patch::{Change, Move, Plan};
+use osim_patch::{Change, Deed, Move, ObjectChange, Plan};
 
-use super::groups::{groups, whose};
-use crate::layout::table;
+use super::groups::{groups, names, several_groups, whose};
+use super::object_groups::object_groups;
+use crate::layout::{listed, table};
 use crate::messages::warnings;
 
 /// What was taken, changed and noticed; `output` says the outcome. What the plan says is taken as it is spelled.
@@ -16,7 +19,7 @@ pub fn text(plan: &Plan, model: &str, output: &str) -> String {
         text.push_str("nothing to change\n");
     } else {
         text.push('\n');
-        for table in [changes(&plan.changes), moves(&plan.moves)] {
+        for table in [objects(plan.objects()), changes(plan), new_spheres(plan), moves(plan)] {
             if !table.is_empty() {
                 text.push_str(&format!("{table}\n"));
             }
@@ -40,18 +43,56 @@ pub fn line(plan: &Plan, model: &str, output: &str) -> String {
     let mut codes: Vec<&str> = plan.warnings.iter().map(|warning| warning.code.as_str()).collect();
     codes.dedup();
     let warnings = if codes.is_empty() { String::new() } else { format!(" [{}]", codes.join(", ")) };
-    let changes = plan.changes.len() + plan.moves.len();
-    let line = format!("{model}: {}{changes} changes; {output}{warnings}", masses.unwrap_or_default());
+    let numbers = plan.changes.len() + plan.moves.len();
+    let changes = match (plan.objects().len(), numbers) {
+        (0, _) => format!("{numbers} changes"),
+        (objects, 0) => format!("{objects} objects"),
+        (objects, _) => format!("{objects} objects and {numbers} changes"),
+    };
+    let line = format!("{model}: {}{changes}; {output}{warnings}", masses.unwrap_or_default());
     format!("{}\n", one_line(line))
 }
 
-fn changes(changes: &[Change]) -> String {
+/// Names of objects that are listed, before they are counted: a row is one line.
+const NAMED: usize = 3;
+/// The same in a table that has more columns.
+const NAMED_IN_ROW: usize = 2;
+
+/// Whole objects, one row for each class.
+fn objects(objects: &[ObjectChange]) -> String {
+    if objects.is_empty() {
+        return String::new();
+    }
+    let mut table = table(&["objects", "", "class", "names"]);
+    for group in object_groups(objects) {
+        let count = group.names.len().to_string();
+        table.add_row([group.deed.as_str(), &count, group.class, &listed(&group.names, NAMED)]);
+    }
+    table.right_aligned(&[1]);
+    format!("{}\n", table.trim_fmt())
+}
+
+/// Whether the numbers that change are those of new objects: what they change from is the contact that they are made from.
+pub(crate) fn is_new(plan: &Plan) -> bool {
+    plan.objects().iter().any(|object| object.deed == Deed::Added)
+}
+
+fn changes(plan: &Plan) -> String {
+    let changes: &[Change] = &plan.changes;
     if changes.is_empty() {
         return String::new();
     }
-    let mut table = table(&["property", "of", "now", "new", "factor", "equation"]);
-    for group in groups(changes) {
+    let before = if is_new(plan) { "from" } else { "now" };
+    let mut table = table(&["property", "of", before, "new", "factor", "equation"]);
+    let groups = groups(changes);
+    let several = several_groups(&groups);
+    for group in &groups {
         let Some(first) = group.first() else { continue };
+        let of = if several.contains(&first.property) {
+            listed(&names(group), NAMED_IN_ROW)
+        } else {
+            whose(group)
+        };
         let factor = first.factor.map(|factor| format!("x{}", readable(factor))).unwrap_or_default();
         let equation = if first.equation.starts_with(|c: char| c.is_ascii_digit() || c == 'A' || c == 'C') {
             format!("({})", first.equation)
@@ -65,7 +106,7 @@ fn changes(changes: &[Change]) -> String {
         };
         table.add_row(vec![
             first.property.name().to_owned(),
-            whose(&group),
+            of,
             readable(first.from),
             new,
             factor,
@@ -81,18 +122,47 @@ fn changes(changes: &[Change]) -> String {
     text
 }
 
-/// Sphere centres, one row each: they are rarely alike.
-fn moves(moves: &[Move]) -> String {
+/// Spheres that are added, one row each, as they are written.
+fn new_spheres(plan: &Plan) -> String {
+    let spheres = plan.new_spheres();
+    if spheres.is_empty() {
+        return String::new();
+    }
+    let mut table = table(&["new sphere", "on", "radius", "x", "y", "z"]);
+    for sphere in spheres {
+        let mut cells = vec![sphere.name.to_owned(), sphere.body.to_owned(), readable(sphere.radius_m)];
+        cells.extend(sphere.centre_m.map(centre));
+        table.add_row(cells);
+    }
+    table.right_aligned(&[2, 3, 4, 5]);
+    format!("{}\n  (m, in the frame of the body)\n", table.trim_fmt())
+}
+
+/// Sphere centres that move, one row each: they are rarely alike. Those of new spheres are in a table of their own.
+fn moves(plan: &Plan) -> String {
+    let moves = moves_of_others(plan);
     if moves.is_empty() {
         return String::new();
     }
     let mut table = table(&["centre of", "x", "y", "z", "new x", "new y", "new z", "by"]);
     for moved in moves {
         let mut cells = vec![moved.sphere.clone()];
-        cells.extend(moved.from.iter().chain(&moved.to).map(|value| format!("{value:.5}")));
+        cells.extend(moved.from.iter().chain(&moved.to).copied().map(centre));
         cells.push(moved.equation.to_owned());
         table.add_row(cells);
     }
     table.right_aligned(&[1, 2, 3, 4, 5, 6]);
     format!("{}\n", table.trim_fmt())
+}
+
+/// Centres that move of spheres that were there before.
+pub(crate) fn moves_of_others(plan: &Plan) -> Vec<&Move> {
+    let new = plan.new_spheres();
+    let new: HashSet<&str> = new.iter().map(|sphere| sphere.path).collect();
+    plan.moves.iter().filter(|place| !new.contains(place.path.as_str())).collect()
+}
+
+/// A coordinate of a centre, in metres to a hundredth of a millimetre, and 0 without a minus.
+pub(crate) fn centre(metres: f64) -> String {
+    format!("{:.5}", (metres * 1e5).round() / 1e5 + 0.0)
 }

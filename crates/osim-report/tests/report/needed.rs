@@ -12,7 +12,11 @@ fn examples() -> Vec<Needed> {
         Needed::ModelMass { bodies: 3, kg: 0.0 },
         Needed::MassOfLoop,
         Needed::Followed,
-        Needed::ContactsMass { noted_kg: Some(62.0), doubt: NoteDoubt::ValuesChanged },
+        Needed::ContactsMass {
+            noted_kg: Some(62.0),
+            doubt: NoteDoubt::ValuesChanged,
+            input: Input::ContactsMass,
+        },
         Needed::ContactsGravity { doubt: NoteDoubt::Partial },
         Needed::Selection {
             trees: vec![
@@ -46,6 +50,7 @@ fn examples() -> Vec<Needed> {
             title: "Falisse et al. (2022)".to_owned(),
             made_for_kg: 62.0,
             bodies_kg: 20.0,
+            input: Input::ReferenceMass,
         },
     ]
 }

@@ -8,6 +8,7 @@ use osim_report::html::{
     About, Changed, Columns, DetailLevel, EarlierRun, Entry, Files, InMemory, Page, RowError, RunRow,
     changed, inspected,
 };
+use osim_requests::ModelFeet;
 
 use crate::support::{self, open, rescaled};
 
@@ -31,7 +32,8 @@ fn entry(model: &OpenModel, detail: DetailLevel, front_end: &dyn FrontEnd) -> En
     let options = InspectOptions::default();
     let (seen, found) = support::inspected(&options, model, front_end);
     let files = vec![(model.name().to_string(), "0123".to_owned())];
-    inspected(&options, model, (&seen, &found), &files, detail, front_end)
+    let feet = ModelFeet::for_page(model.name(), model, &options.selection);
+    inspected(&options, model, (&seen, &found), &files, (detail, feet), front_end)
 }
 
 /// Every anchor that is linked is there, and none is there twice.
@@ -56,10 +58,12 @@ fn one_model_has_sections_plots_and_explanations() {
         page(check(Some(model.name())), &CommandLine, [entry(&model, DetailLevel::Alone, &CommandLine)]);
     assert!(text.starts_with("<!DOCTYPE html>\n<html lang=\"en\">"));
     assert!(text.contains("<title>Check of contacts: beyond_hertz.osim</title>"));
-    for section in ["asked", "findings", "plots", "figures", "contacts", "model", "explained", "origin"] {
+    for section in
+        ["asked", "findings", "feet", "plots", "figures", "contacts", "model", "explained", "origin"]
+    {
         assert!(text.contains(&format!("<a href=\"#{section}\">")), "{section}");
     }
-    assert_eq!(text.matches("<svg").count(), 3);
+    assert_eq!(text.matches("<svg").count(), 4);
     assert!(text.contains("SHA-256 <code class=\"digest\">0123</code>"));
     assert_anchors(&text);
 }
@@ -104,7 +108,7 @@ fn the_first_of_many_have_plots_and_the_others_say_how_to_get_them() {
         (0..12).map(|index| entry(&model, DetailLevel::of(index, false), front_end)).collect()
     };
     let text = page(check(None), &CommandLine, entries(&CommandLine));
-    assert_eq!(text.matches("<svg").count(), 3 * 10);
+    assert_eq!(text.matches("<svg").count(), 4 * 10);
     assert!(text.contains("<title>Check of contacts: 12 models</title>"));
     assert_anchors(&text);
     let text = page(check(None), &Python, entries(&Python));

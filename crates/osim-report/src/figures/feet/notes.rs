@@ -1,0 +1,65 @@
+//! What is said beside a picture of feet.
+
+use osim_feet::{FeetFault, FootFrame};
+use osim_model::wording::{Dialect, Input, phrase, shown};
+use osim_requests::ModelFeet;
+
+/// What is drawn of each state, one line each; what was not at hand, and what is wrong with the places of spheres.
+#[must_use]
+pub fn feet_notes(states: &[ModelFeet], dialect: &dyn Dialect) -> String {
+    states.iter().map(|state| of_state(state, dialect)).collect()
+}
+
+fn of_state(state: &ModelFeet, dialect: &dyn Dialect) -> String {
+    let name = &state.name;
+    let spheres: usize = state.feet.iter().map(|foot| foot.spheres.len()).sum();
+    let in_ground = state.feet.iter().all(|foot| foot.frame == FootFrame::Ground);
+    let pose = if in_ground { ", at the default pose" } else { "" };
+    let mut text = format!(
+        "{name}: {}, {}{pose}\n",
+        count(state.feet.len(), "foot", "feet"),
+        count(spheres, "sphere", "spheres")
+    );
+    if let Some(finding) = &state.misplaced {
+        text.push_str(&format!("{name}: {}: {}\n", finding.code.as_str(), finding.message.spelled(dialect)));
+    }
+    if let Some(missing) = missing(state, dialect) {
+        text.push_str(&format!("{name}: {missing}\n"));
+    }
+    text
+}
+
+fn count(number: usize, one: &str, many: &str) -> String {
+    format!("{number} {}", if number == 1 { one } else { many })
+}
+
+/// Bones that are not drawn: meshes that were not found in one sentence, others each with what is wrong.
+fn missing(state: &ModelFeet, dialect: &dyn Dialect) -> Option<String> {
+    let names = missing_meshes(state);
+    let mut reasons: Vec<String> = Vec::new();
+    if !names.is_empty() {
+        let text = phrase![
+            format!("no bones are drawn of {}: name the folder of the meshes with ", names.join(", ")),
+            Input::GeometryDir.like("DIR"),
+        ];
+        reasons.push(text.spelled(dialect));
+    }
+    let others = state.missing.iter().filter(|fault| !matches!(fault, FeetFault::MeshMissing { .. }));
+    reasons.extend(others.map(|fault| shown(&fault.to_string()).to_string()));
+    (!reasons.is_empty()).then(|| reasons.join("; "))
+}
+
+/// Meshes that were not found, each once, as the model spells them.
+#[must_use]
+pub fn missing_meshes(state: &ModelFeet) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for fault in &state.missing {
+        if let FeetFault::MeshMissing { mesh, .. } = fault {
+            let name = shown(mesh).to_string();
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+    }
+    names
+}
