@@ -1,5 +1,6 @@
 //! Standard output and standard error; a reader that has gone away (`… | head`) is no failure.
 
+use std::borrow::Cow;
 use std::io::{self, ErrorKind, IsTerminal, Write};
 
 use osim_model::wording::{harmless, one_line};
@@ -45,9 +46,13 @@ impl Terminal {
         self.write_bytes(harmless(text).as_bytes())
     }
 
-    /// Lines of files: programs that apply a diff need them as they are, and a terminal does not.
+    /// Lines of files: programs that apply a diff need them as they are, and a terminal does not. Control characters are in no file
+    /// that XML allows, and what comes out of a pipe may reach a terminal all the same.
     pub(crate) fn print_diff(&mut self, text: &str) -> io::Result<()> {
-        if io::stdout().is_terminal() { self.print(text) } else { self.write_bytes(text.as_bytes()) }
+        if io::stdout().is_terminal() {
+            return self.print(text);
+        }
+        self.write_bytes(without_controls(text).as_bytes())
     }
 
     /// Results with colours, which reach terminals only.
@@ -107,6 +112,19 @@ impl Terminal {
     pub(crate) fn note_line(&mut self, text: &str) -> io::Result<()> {
         self.note(&format!("note: {}\n", one_line(text.to_owned())))
     }
+}
+
+/// Text whose control characters are written by their numbers; line ends and tabs stay.
+fn without_controls(text: &str) -> Cow<'_, str> {
+    let steers = |letter: char| letter.is_control() && !matches!(letter, '\n' | '\t' | '\r');
+    if !text.contains(steers) {
+        return text.into();
+    }
+    let mut out = String::with_capacity(text.len());
+    for letter in text.chars() {
+        if steers(letter) { out.extend(letter.escape_unicode()) } else { out.push(letter) }
+    }
+    out.into()
 }
 
 /// Text that cannot steer a terminal but for the colours of its letters.

@@ -10,8 +10,9 @@ use clap::{ArgMatches, Command, CommandFactory, Parser, Subcommand};
 use osim_model::wording::Verb;
 use osim_requests::command_line::{check, with_relations};
 use osim_requests::{
-    BatchRequest, CheckRequest, DesignRequest, DropTestRequest, ExplainRequest, FitRequest, InspectRequest,
-    NoteRequest, PlotRequest, PresetsRequest, RequestFault, RescaleRequest, SweepRequest, TransferRequest,
+    AddRequest, BatchRequest, CheckRequest, ConvertRequest, DesignRequest, DropTestRequest, ExplainRequest,
+    FitRequest, InspectRequest, NoteRequest, PlotRequest, PresetsRequest, RemoveRequest, RequestFault,
+    RescaleRequest, SweepRequest, TransferRequest,
 };
 
 use help::in_words_of_the_command;
@@ -52,6 +53,18 @@ pub(crate) enum VerbArgs {
     /// After OpenSim's Scale Tool: check SCALED --from GENERIC says where each sphere belongs, and transfer SCALED --from GENERIC
     /// --follow-bodies -o OUT puts it there and makes the contacts right for the new mass.
     Transfer(Later<TransferRequest>),
+    /// Give a model contacts: of another model, a table, or under its bones
+    ///
+    /// Spheres are placed by the size of this model's own bones, and their numbers made for its mass. remove takes them out again.
+    Add(Later<AddRequest>),
+    /// Take the foot contacts out of a model
+    ///
+    /// After add, also with a rescale in between, the first file is there again, byte for byte.
+    Remove(Later<RemoveRequest>),
+    /// Make forces of one class from those of the other, one for each sphere
+    ///
+    /// Divides a HuntCrossleyForce with several spheres, too, also into its own class.
+    Convert(Later<ConvertRequest>),
     /// Find parameters from what is wanted: indentation, stiffness, restitution
     Design(Later<DesignRequest>),
     /// Set properties to a value, or multiply them by a factor

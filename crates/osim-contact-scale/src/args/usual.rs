@@ -11,7 +11,8 @@ const LAST: usize = 1000;
 fn refused(verb: Verb) -> &'static [Input] {
     match verb {
         Verb::Transfer => &[Input::ContactsMass, Input::ContactsGravity],
-        Verb::Design | Verb::DropTest => &[Input::ContactsMass],
+        Verb::Add | Verb::Design | Verb::DropTest => &[Input::ContactsMass],
+        Verb::Remove | Verb::Convert => &[Input::GeometryOutput],
         Verb::Batch => &[Input::Output, Input::GeometryOutput],
         Verb::Sweep => &[Input::Stiffness],
         _ => &[],
@@ -32,6 +33,16 @@ fn rare(verb: Verb) -> &'static [Input] {
             Input::BodyScale,
             Input::MovedSpheres,
             Input::Rule,
+        ],
+        Verb::Add => &[
+            Input::Diff,
+            Input::StanceLimbs,
+            Input::ReferenceSphere,
+            Input::Young,
+            Input::Poisson,
+            Input::Load,
+            Input::BodyWeights,
+            Input::Gravity,
         ],
         Verb::Design => &[
             Input::Exclude,

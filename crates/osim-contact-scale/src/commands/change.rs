@@ -4,7 +4,10 @@ use anyhow::Result;
 use osim_library::Disk;
 use osim_library::run::RunRequest;
 use osim_requests::options::RunOptions;
-use osim_requests::{Change, DesignRequest, NoteRequest, SetRequest, TransferRequest};
+use osim_requests::{
+    AddRequest, Change, ConvertRequest, DesignRequest, NoteRequest, RemoveRequest, SetRequest,
+    TransferRequest,
+};
 
 use super::run;
 use crate::session::Session;
@@ -29,6 +32,38 @@ pub(super) fn transfer(request: TransferRequest, session: &mut Session) -> Resul
         Ok(prepared) => change(prepared, &options, session),
         Err(error) => session.refuse(error, options.is_json()),
     }
+}
+
+/// `add`.
+///
+/// # Errors
+/// Wrong usage.
+pub(super) fn add(request: AddRequest, session: &mut Session) -> Result<Exit> {
+    let options = request.run.clone();
+    match request.prepare(&Disk) {
+        Ok(prepared) => change(prepared, &options, session),
+        Err(error) => session.refuse(error, options.is_json()),
+    }
+}
+
+/// `remove`.
+///
+/// # Errors
+/// Wrong usage.
+pub(super) fn remove(request: RemoveRequest, session: &mut Session) -> Result<Exit> {
+    let options = request.run.clone();
+    let prepared = request.prepare().map_err(|fault| session.usage(&fault))?;
+    change(prepared, &options, session)
+}
+
+/// `convert`.
+///
+/// # Errors
+/// Wrong usage.
+pub(super) fn convert(request: ConvertRequest, session: &mut Session) -> Result<Exit> {
+    let options = request.run.clone();
+    let prepared = request.prepare().map_err(|fault| session.usage(&fault))?;
+    change(prepared, &options, session)
 }
 
 /// `design` with models.

@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use anyhow::{Result, bail};
-use osim_inspect::series::Body;
 use osim_library::run::PathConflicts;
 use osim_library::{Disk, Mode, Prepared};
 use osim_model::wording::Input;
@@ -33,6 +32,9 @@ pub(super) fn run(request: &PlotRequest, session: &mut Session) -> Result<Exit> 
     }
     let output = Output::of(request, session)?;
     request.check_models().map_err(|fault| session.usage(&fault))?;
+    if request.is_of_feet() {
+        return feet(request, &output, session);
+    }
     let bodies = match request.bodies(&Disk) {
         Ok(bodies) => bodies,
         Err(error) => return session.refuse(error, false),
@@ -46,7 +48,23 @@ pub(super) fn run(request: &PlotRequest, session: &mut Session) -> Result<Exit> 
             session.terminal.note(&mass_mismatch(&body.name, mismatch, session.words))?;
         }
     }
-    output.write(&svg, &bodies, request, session)
+    output.write(&svg, &figures::weights(&bodies, session.words), request, session)
+}
+
+/// Draws and writes a figure of feet.
+///
+/// # Errors
+/// As [`run`].
+fn feet(request: &PlotRequest, output: &Output<'_>, session: &mut Session) -> Result<Exit> {
+    let states = match request.feet(&Disk) {
+        Ok(states) => states,
+        Err(error) => return session.refuse(error, false),
+    };
+    let name = states.first().map(|state| state.name.as_str()).unwrap_or_default();
+    match figures::feet_svg(&states, name, request.title.as_deref()) {
+        Ok(svg) => output.write(&svg, &figures::feet_notes(&states, session.words), request, session),
+        Err(failure) => session.fail(&failure, false),
+    }
 }
 
 /// A file of a format, or standard output.
@@ -89,17 +107,10 @@ impl<'o> Output<'o> {
     ///
     /// # Errors
     /// As [`Prepared::new`].
-    fn write(
-        &self,
-        svg: &str,
-        bodies: &[Body],
-        request: &PlotRequest,
-        session: &mut Session,
-    ) -> Result<Exit> {
-        let weights = figures::weights(bodies, session.words);
+    fn write(&self, svg: &str, notes: &str, request: &PlotRequest, session: &mut Session) -> Result<Exit> {
         let Some(path) = self.path else {
             session.terminal.print(svg)?;
-            session.terminal.note(&weights)?;
+            session.terminal.note(notes)?;
             return Ok(Exit::Done);
         };
         let refused = |fault| session.refused(&fault);
@@ -109,7 +120,7 @@ impl<'o> Output<'o> {
         };
         let mode = if request.force { Mode::Replace } else { Mode::New };
         Prepared::new(path, &bytes, None, mode).and_then(Prepared::commit).map_err(refused)?;
-        session.terminal.print(&format!("{weights}written to {}\n", path.display()))?;
+        session.terminal.print(&format!("{notes}written to {}\n", path.display()))?;
         Ok(Exit::Done)
     }
 }

@@ -1,5 +1,6 @@
 //! What is shown of a model that was changed, made on the thread that changed it.
 
+use osim_library::Disk;
 use osim_library::run::{ChangedModel, Detail, FrontEnd, Record, Written};
 use osim_model::FileId;
 use osim_model::RemedyDialect;
@@ -127,6 +128,10 @@ impl Shower<'_> {
         change.before_under_new_weight = both.before_under_new_weight.as_ref();
         change.after = both.after.as_ref().map(|(after, found)| (after, found));
         change.bodies = both.bodies;
+        change.feet = both.feet;
+        if let Some(feet) = change.feet.last_mut() {
+            feet.add_bones((&changed.opened.model, &changed.task.source.path), None, &Disk);
+        }
         change.reference = both.reference.as_ref();
         change.in_file = !changed.written.paths().is_empty();
         change.target_gravity_m_s2 = both.target_gravity_m_s2;

@@ -3,13 +3,13 @@
 use anyhow::Result;
 use osim_inspect::{CheckResult, Inspection};
 use osim_library::run::PathConflicts;
-use osim_library::{Folders, Loaded, Source, Sources};
+use osim_library::{Disk, Folders, Loaded, Source, Sources};
 use osim_model::Finding;
 use osim_model::files::{Failure, OpenModel};
 use osim_model::wording::Verb;
 use osim_report::html::{self, About, Columns, DetailLevel, Entry};
-use osim_requests::Inspector;
 use osim_requests::options::ReportOptions;
+use osim_requests::{Inspector, ModelFeet};
 
 use super::asked::asked;
 use crate::interrupt;
@@ -82,6 +82,15 @@ impl Survey<'_> {
             seen.opened.files().map(|(name, bytes)| (name.to_owned(), osim_library::sha256(bytes))).collect();
         let both = (&seen.inspection, found);
         let detail = DetailLevel::of(index, alone);
-        html::inspected(self.inspector.options(), &seen.opened, both, &files, detail, self.words)
+        let feet = detail.has_plots().then(|| self.feet(&seen.opened)).flatten();
+        html::inspected(self.inspector.options(), &seen.opened, both, &files, (detail, feet), self.words)
+    }
+
+    /// The feet of a model, with the bones whose meshes are at hand.
+    fn feet(&self, opened: &OpenModel) -> Option<ModelFeet> {
+        let path = opened.name().to_path();
+        let mut feet = ModelFeet::for_page(opened.name(), opened, &self.inspector.options().selection)?;
+        feet.add_bones((&opened.model, &path), None, &Disk);
+        Some(feet)
     }
 }
