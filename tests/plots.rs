@@ -16,6 +16,8 @@
 mod document;
 #[path = "plots/documented.rs"]
 mod documented;
+#[path = "plots/feet.rs"]
+mod feet;
 #[path = "plots/figures.rs"]
 mod figures;
 #[path = "plots/files.rs"]

@@ -433,7 +433,10 @@ fn published_models_and_what_is_known_of_them() {
         let bench = Bench::new();
         bench.write("m.osim", std::fs::read(folder.join(format!("{model}.osim"))).unwrap());
         let out = bench.run("check m.osim --deny warn").done().out();
-        assert!(out.starts_with("m.osim: nothing is wrong; these are the contacts of"), "{model}: {out}");
+        assert!(
+            out.starts_with("m.osim: nothing is wrong; the contact parameters are those of"),
+            "{model}: {out}"
+        );
     }
     let landing = of("v40000_toy_landing");
     assert!(landing.contains("mixed-radii") && !landing.contains("beyond-hertz"));

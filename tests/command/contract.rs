@@ -12,10 +12,33 @@ pub(crate) struct Plan {
     pub(crate) output: Option<String>,
     #[serde(default)]
     pub(crate) geometry_output: Option<String>,
-    pub(crate) contacts_mass_kg: Masses,
+    pub(crate) contacts_mass_kg: Option<Masses>,
+    pub(crate) objects: Vec<Object>,
     pub(crate) changes: Vec<Change>,
     pub(crate) warnings: Vec<Finding>,
     pub(crate) notes: Vec<String>,
+}
+
+impl Plan {
+    /// What the contacts were made for, where that was read, and what they are made for after.
+    #[track_caller]
+    pub(crate) fn masses(&self) -> (f64, &str, f64) {
+        let masses = self.contacts_mass_kg.as_ref().expect("the run tells its masses");
+        (masses.from, masses.source.as_str(), masses.to)
+    }
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Object {
+    pub(crate) change: String,
+    pub(crate) class: String,
+    pub(crate) name: String,
+    pub(crate) path: String,
+    pub(crate) body: Option<String>,
+    pub(crate) location_m: Option<[f64; 3]>,
+    pub(crate) radius_m: Option<f64>,
+    pub(crate) parameters: Option<BTreeMap<String, f64>>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -111,6 +134,8 @@ pub(crate) struct SphereFigures {
     pub(crate) relative_indentation_model_law: Option<f64>,
     pub(crate) relative_indentation_hertz_level: Option<f64>,
     pub(crate) relative_indentation_model_law_level: Option<f64>,
+    pub(crate) relative_indentation_hertz_standing: Option<f64>,
+    pub(crate) relative_indentation_model_law_standing: Option<f64>,
     pub(crate) relative_indentation_hertz_at_two: Option<f64>,
     pub(crate) relative_indentation_model_law_at_two: Option<f64>,
     pub(crate) relative_indentation_hertz_level_at_two: Option<f64>,

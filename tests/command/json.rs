@@ -134,6 +134,8 @@ fn check_figures(sphere: &SphereFigures, weight: bool) {
             sphere.relative_indentation_model_law,
             sphere.relative_indentation_hertz_level,
             sphere.relative_indentation_model_law_level,
+            sphere.relative_indentation_hertz_standing,
+            sphere.relative_indentation_model_law_standing,
             sphere.relative_indentation_hertz_at_two,
             sphere.relative_indentation_model_law_at_two,
             sphere.relative_indentation_hertz_level_at_two,
@@ -210,11 +212,9 @@ fn a_rescaling_lists_every_change() {
         (plan.schema_version, plan.model.as_str(), plan.output.as_deref()),
         (1, "human.osim", Some("human.scaled.osim"))
     );
-    assert_eq!(
-        (plan.contacts_mass_kg.from, plan.contacts_mass_kg.source.as_str(), plan.contacts_mass_kg.to),
-        (62.0, "bodies", 1190.0)
-    );
+    assert_eq!(plan.masses(), (62.0, "bodies", 1190.0));
     assert!(plan.geometry_output.is_none() && plan.warnings.is_empty() && !plan.notes.is_empty());
+    assert!(plan.objects.is_empty());
     // Python 3, decimal, 60 digits, from μ = 1190/62.
     let expected = [
         ("radius", "8", 0.032, 2.677_431_841_571_791, false),
@@ -267,8 +267,9 @@ fn outputs_and_their_absence_are_named() {
     };
     assert_eq!(plan("human.osim --target-mass 5 --format json --dry-run").output, None);
     let same = plan("human.osim --target-mass 62 --format json");
-    assert_eq!((same.output, same.changes.len()), (None, 0));
-    assert_eq!((same.contacts_mass_kg.from, same.contacts_mass_kg.to), (62.0, 62.0));
+    assert_eq!((same.output.as_deref(), same.changes.len()), (None, 0));
+    let (from, _, to) = same.masses();
+    assert_eq!((from, to), (62.0, 62.0));
     assert_eq!(same.warnings[0].code, "already-at-target");
     assert!(same.warnings[0].line.is_none() && same.warnings[0].message.contains("--contacts-mass"));
     assert_eq!(
@@ -279,13 +280,13 @@ fn outputs_and_their_absence_are_named() {
         plan("human.osim --target-mass 5 --format json --in-place").output.as_deref(),
         Some("human.osim")
     );
-    assert_eq!(plan("human.osim --target-mass 6 --format json --dry-run").contacts_mass_kg.source, "note");
+    assert_eq!(plan("human.osim --target-mass 6 --format json --dry-run").masses().1, "note");
     assert_eq!(
-        plan("human.osim --target-mass 6 --contacts-mass 9 --format json --dry-run").contacts_mass_kg.source,
+        plan("human.osim --target-mass 6 --contacts-mass 9 --format json --dry-run").masses().1,
         "contacts-mass"
     );
     let preset = plan("transfer human.osim --from falisse2022 --spheres 3 --format json --dry-run");
-    assert_eq!((preset.contacts_mass_kg.from, preset.contacts_mass_kg.source.as_str()), (62.0, "preset"));
+    assert_eq!((preset.masses().0, preset.masses().1), (62.0, "preset"));
     assert!(preset.changes.iter().all(|change| change.factor.is_none()));
 }
 
@@ -353,4 +354,38 @@ fn json_and_table_show_the_same_run() {
     let plans: Vec<Plan> = lines(&ran);
     assert_eq!(plans.len(), 1);
     assert!(ran.err().contains("@@"));
+}
+
+#[test]
+fn objects_that_come_and_go_are_named_with_their_bodies() {
+    let bench = Bench::with(&[("feet/human_40000.osim", "bare.osim"), ("contact_tables/own.csv", "own.csv")]);
+    let added = bench
+        .run("add bare.osim --from falisse2022 --contacts own.csv -o with.osim --format json")
+        .done()
+        .wrote(&["with.osim"]);
+    let [plan]: [Plan; 1] = lines(&added).try_into().unwrap();
+    let of = |change: &str, class: &str| -> Vec<(String, Option<String>)> {
+        let mine = plan.objects.iter().filter(|object| object.change == change && object.class == class);
+        mine.map(|object| (object.name.clone(), object.body.clone())).collect()
+    };
+    // The rows of own.csv.
+    let expected =
+        [("heel_r", "calcn_r"), ("ball_r", "calcn_r"), ("heel_l", "calcn_l"), ("ball_l", "calcn_l")];
+    let spheres = expected.map(|(name, body)| (name.to_owned(), Some(body.to_owned())));
+    assert_eq!(of("added", "ContactSphere"), spheres);
+    assert_eq!(of("added", "ContactHalfSpace"), [("floor".to_owned(), None)]);
+    assert_eq!(of("added", "SmoothSphereHalfSpaceForce").len(), 4);
+    assert_eq!(plan.objects.len(), 9);
+    // Numbers of what is added are changes.
+    assert!(plan.objects.iter().all(|object| object.parameters.is_none()));
+    let heel = plan.objects.iter().find(|object| object.path == "/contactgeometryset/heel_r").unwrap();
+    assert_eq!((heel.location_m, heel.radius_m), (Some([0.02, 0.01, -0.005]), Some(0.03)));
+    let placed =
+        plan.objects.iter().filter(|object| object.location_m.is_some() || object.radius_m.is_some());
+    assert_eq!(placed.count(), 4);
+
+    let removed = bench.run("remove with.osim -o without.osim --format json").done().wrote(&["without.osim"]);
+    let [plan]: [Plan; 1] = lines(&removed).try_into().unwrap();
+    assert_eq!(plan.objects.len(), 9);
+    assert!(plan.objects.iter().all(|object| object.change == "removed"));
 }

@@ -13,11 +13,14 @@
     reason = "a test fails by panicking and says aloud what it skips"
 )]
 
+mod add_slips;
+mod added;
 mod bad_input;
 mod batch;
 mod bytes;
 mod checked;
 mod contract;
+mod converted;
 mod corpus;
 mod explained;
 mod figures;
@@ -29,6 +32,7 @@ mod meant;
 mod never_lost;
 mod outside_text;
 mod pages;
+mod placed;
 mod recipes;
 mod requested;
 mod scaled_bodies;

@@ -110,6 +110,22 @@ fn names_in_a_model_cannot_steer_a_terminal_or_a_spreadsheet() {
     }
 }
 
+/// A diff may be for a program, which needs line ends, umlauts and blanks as they are; nothing in it moves a cursor.
+#[test]
+fn a_diff_into_a_pipe_does_not_steer_a_terminal() {
+    let bench = Bench::human();
+    bench.write("nasty.osim", renamed("F\u{fc}\u{df}e\u{a0}\u{1b}[2J\u{9b}31m\u{7f}", ""));
+    let ran = bench.run("remove nasty.osim --dry-run --diff").done();
+    let text = ran.out();
+    assert!(text.lines().any(|line| line.starts_with("-\t")), "{text}");
+    assert!(!text.contains(|letter: char| letter.is_control() && !"\t\r\n".contains(letter)), "{text}");
+    assert!(text.contains("F\u{fc}\u{df}e\u{a0}\\u{1b}[2J\\u{9b}31m\\u{7f}"), "{text}");
+    // Carriage returns stay, so that it can be applied.
+    bench.write("crlf.osim", bench.text("human.osim").replace('\n', "\r\n"));
+    let out = bench.run("crlf.osim --target-mass 100 --dry-run --diff").done().out();
+    assert!(out.contains("</radius>\r\n") && !out.contains("\\u{d}"), "{out}");
+}
+
 #[test]
 fn a_name_of_many_letters_is_shown_short() {
     let bench = Bench::human();

@@ -38,7 +38,7 @@ fn a_rescaled_model() {
         .wrote(&["human.scaled.osim", "page.html"]);
     let page = page(&bench, "page.html");
     snapshot("page_rescale", &page.text);
-    assert_eq!(page.plots, 3);
+    assert_eq!(page.plots, 4);
     // The paper's Table 1: R and E1* of the giraffe-heavy human follow M^(1/3), 19.19^(1/3) = 2.677; and Falisse (2022):
     // x/R 0.353 by Hertz, 0.3396 by the file's law, k R n/F 4.246, 7.5 N just touching.
     for number in ["0.3533", "0.3396", "4.246", "7.498", "2.6774318"] {
@@ -56,7 +56,7 @@ fn a_transferred_model_beside_its_reference() {
     bench.run("transfer stiff.osim --from human.osim -o new.osim --report page.html").done();
     let whole = page(&bench, "page.html");
     snapshot("page_transfer", &whole.text);
-    assert_eq!(whole.plots, 3);
+    assert_eq!(whole.plots, 4);
     let now = "The contact is now as that of human.osim: without dimensions all numbers are equal.";
     assert!(whole.text.contains(now), "{}", whole.text);
     // x/R 0.3533 by (11) in the reference and after; a third of it to the power 2/3 before, 0.3533 / 3^(2/3) = 0.1698.
@@ -305,7 +305,7 @@ fn a_large_library_says_what_its_page_leaves_out() {
     }
     bench.run("check lib --report page.html").done();
     let page = page(&bench, "page.html");
-    assert_eq!((page.details, page.plots), (12, 30));
+    assert_eq!((page.details, page.plots), (12, 40));
     assert!(page.text.contains("Only the first 10 models have plots"), "{}", page.text);
 }
 

@@ -3,10 +3,13 @@
 use crate::support::{Bench, HUMAN};
 
 const MOUSE: (&str, &str) = ("table1/mouse_hunt_crossley.osim", "mouse.osim");
-const VERBS: [&str; 18] = [
+const VERBS: [&str; 21] = [
     "",
     "rescale",
     "transfer",
+    "add",
+    "remove",
+    "convert",
     "design",
     "set",
     "note",

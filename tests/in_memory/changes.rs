@@ -150,3 +150,42 @@ fn set() {
         }),
     );
 }
+
+#[test]
+fn contacts_at_places_of_the_models_own() {
+    let bench = Bench::with(&[
+        ("feet/human_40000.osim", "human.osim"),
+        ("feet/Geometry/r_human_foot.vtp", "bones/r_human_foot.vtp"),
+        ("contact_tables/own.csv", "own.csv"),
+        ("contact_tables/bad/no_number.csv", "bad.csv"),
+    ]);
+    same_change(
+        &bench,
+        "add human.osim --contacts own.csv --from falisse2022 --class hunt-crossley",
+        &json!({"verb": "add", "models": "human.osim", "contacts": "own.csv", "from": "falisse2022", "class": "hunt-crossley"}),
+    );
+    // Files beside the model are read through what the front end brings.
+    let words = "add human.osim --feet calcn_r,calcn_l --count 3 --pad 0.01 --geometry-dir bones --radius 0.03 --class smooth \
+                 --indentation 0.2 --dynamic-friction 0.5 --output feet.osim";
+    same_change(
+        &bench,
+        words,
+        &json!({
+            "verb": "add",
+            "models": ["human.osim"],
+            "feet": ["calcn_r", "calcn_l"],
+            "count": 3,
+            "pad": 0.01,
+            "geometry_dir": "bones",
+            "radius": 0.03,
+            "class": "smooth",
+            "indentation": 0.2,
+            "dynamic_friction": 0.5,
+            "output": "feet.osim",
+        }),
+    );
+    let json = json!({"verb": "add", "models": "human.osim", "contacts": "bad.csv", "from": "falisse2022"});
+    let fault = crate::front_end::read(&json).prepare(&crate::front_end::files_of(&bench)).err().unwrap();
+    let osim_requests::RequestError::Failure(failure) = fault else { panic!("{fault:?}") };
+    assert_eq!((failure.code, failure.line, failure.column), ("table", Some(3), Some(4)));
+}

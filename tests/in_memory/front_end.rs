@@ -56,7 +56,7 @@ impl Changed {
     /// Does `change` to the model that is called `path`.
     pub(crate) fn new(change: &Change, path: &Path, files: &InMemory) -> Result<Self, Failure> {
         let opened = change.open(path, files)?;
-        let mut plan = change.plan(&opened)?;
+        let mut plan = change.plan(&opened, files)?;
         plan.spell(&CommandLine);
         let model = &opened.model;
         let output = change.output.output.clone().unwrap_or_else(|| OutputOptions::beside(path));

@@ -8,7 +8,7 @@ use osim_report::dialect::CommandLine;
 use osim_report::html::{
     self, About, Columns, DetailLevel, Entry, Files, InMemory as Kept, NamedDigest, Page, RunRow,
 };
-use osim_requests::{BeforeAfter, open_with};
+use osim_requests::{BeforeAfter, ModelFeet, open_with};
 use serde_json::json;
 use sha2::{Digest, Sha256};
 
@@ -44,12 +44,14 @@ fn of_an_inspection() {
     let mut found = inspector.check(&opened.model, &inspected, None);
     inspected.spell(&CommandLine);
     found.spell(&CommandLine);
+    let mut feet = ModelFeet::of(opened.name(), &opened, &inspector.options().selection).unwrap();
+    feet.add_bones((&opened.model, &request.models[0]), None, &files);
     let entry = html::inspected(
         inspector.options(),
         &opened,
         (&inspected, &found),
         &digests(&opened),
-        DetailLevel::Alone,
+        (DetailLevel::Alone, Some(feet)),
         &CommandLine,
     );
     let words = "inspect human.osim --report page.html";
@@ -88,6 +90,10 @@ fn same_page(bench: &Bench, verb: Verb, words: &str, json: &serde_json::Value) {
     shows.before_under_new_weight = both.before_under_new_weight.as_ref();
     shows.after = both.after.as_ref().map(|(after, found)| (after, found));
     shows.bodies = both.bodies;
+    shows.feet = both.feet;
+    if let Some(feet) = shows.feet.last_mut() {
+        feet.add_bones((&changed.opened.model, path), None, &files);
+    }
     shows.in_file = true;
     shows.target_gravity_m_s2 = both.target_gravity_m_s2;
     let entry = html::changed(&row, &shows, DetailLevel::Alone, &CommandLine);
