@@ -31,6 +31,34 @@ def test_generators_write_what_is_committed(folder, written_anew):
     assert (written_anew / "README.md").read_bytes() == (FIXTURES / "README.md").read_bytes()
 
 
+def test_tables_of_contacts_are_what_their_generator_writes(tmp_path):
+    own = FIXTURES / "contact_tables"
+    sys.path.insert(0, str(own))
+    try:
+        importlib.import_module("make_contact_tables").write_all(tmp_path)
+    finally:
+        sys.path.remove(str(own))
+    committed = [path for kind in ("*.csv", "*.osim") for path in own.rglob(kind)]
+    assert {path.relative_to(own): path.read_bytes() for path in committed} == {
+        path.relative_to(tmp_path): path.read_bytes() for path in tmp_path.rglob("*.*") if path.is_file()
+    }
+
+
+def test_bones_are_what_their_generator_writes(tmp_path):
+    """All but what zlib packs: another version of it packs otherwise."""
+    sys.path.insert(0, str(FIXTURES / "feet"))
+    try:
+        importlib.import_module("make_feet").write_all(tmp_path)
+    finally:
+        sys.path.remove(str(FIXTURES / "feet"))
+    files = {path.relative_to(tmp_path) for path in tmp_path.rglob("*.*") if path.is_file()}
+    committed = {path.relative_to(FIXTURES / "feet") for path in (FIXTURES / "feet").rglob("*.*") if path.is_file()}
+    assert files == {path for path in committed if path.suffix not in (".py", ".pyc")}
+    packed = ("packed", "huge", "lz4")
+    for path in sorted(path for path in files if not any(word in path.name for word in packed)):
+        assert (tmp_path / path).read_bytes() == (FIXTURES / "feet" / path).read_bytes(), path
+
+
 def test_opensim_makes_of_each_what_the_readme_says(readings):
     rows = list(models.readme_rows())
     readings.fetch([FIXTURES / folder / file for folder, file, _ in rows])

@@ -1,0 +1,72 @@
+"""What OpenSim knows of the sizes of models at the default pose: `opensim_anatomy.py < paths.json`
+
+Bodies in ground; meshes with the body that shows them and their scale factors; joints with the bodies at both ends and their
+origins in the frames of these; coordinates; spheres and half-spaces in ground.
+"""
+
+from apart import ask, serve
+from opensim_feet import matrix
+from opensim_reads import downcast_frame
+
+
+def anatomies(paths):
+    """What is known of each model, by its path."""
+    paths = [str(path) for path in paths]
+    return dict(zip(paths, ask(__file__, paths), strict=True))
+
+
+def anatomy_here(path):
+    import opensim
+
+    model = opensim.Model(path)
+    state = model.initSystem()
+    found = {"bodies": {}, "meshes": [], "joints": [], "spheres": [], "half_spaces": []}
+    for body in model.getBodyList():
+        found["bodies"][body.getName()] = matrix(body.getTransformInGround(state))
+    for component in model.getComponentsList():
+        if component.getConcreteClassName() == "Mesh":
+            mesh = opensim.Mesh.safeDownCast(component)
+            factors = mesh.get_scale_factors()
+            body = mesh.getFrame().findBaseFrame().getName()
+            found["meshes"].append([body, mesh.get_mesh_file(), [factors.get(k) for k in range(3)]])
+    for joint in model.getJointList():
+        frames = [joint.getParentFrame(), joint.getChildFrame()]
+        found["joints"].append(
+            {
+                "name": joint.getName(),
+                "bodies": [frame.findBaseFrame().getName() for frame in frames],
+                "places": [origin(matrix(frame.findTransformInBaseFrame())) for frame in frames],
+            }
+        )
+    for component in model.getComponentsList():
+        kind = component.getConcreteClassName()
+        if kind not in ("ContactSphere", "ContactHalfSpace"):
+            continue
+        frame = downcast_frame(component.getConnectee("frame"))
+        geometry = opensim.ContactGeometry.safeDownCast(component)
+        here = {"name": component.getName(), "path": component.getAbsolutePathString()}
+        here["body"] = frame.findBaseFrame().getName()
+        at = frame.getTransformInGround(state).shiftFrameStationToBase(geometry.get_location())
+        here["centre"] = [at.get(k) for k in range(3)]
+        if kind == "ContactSphere":
+            here["radius"] = opensim.ContactSphere.safeDownCast(component).getRadius()
+            found["spheres"].append(here)
+        else:
+            outer, inner = matrix(frame.getTransformInGround(state)), matrix(geometry.getTransform())
+            # Its side of +x.
+            here["solid"] = [sum(row[k] * inner[k][0] for k in range(3)) for row in outer]
+            found["half_spaces"].append(here)
+    gravity = model.get_gravity()
+    found["gravity"] = [gravity.get(k) for k in range(3)]
+    found["mass"] = model.getTotalMass(state)
+    found["coordinates"] = {one.getName(): one.getValue(state) for one in map(model.getCoordinateSet().get, range(model.getNumCoordinates()))}
+    return found
+
+
+def origin(rows):
+    """Where a transform has its origin."""
+    return [row[3] for row in rows]
+
+
+if __name__ == "__main__":
+    serve(anatomy_here)

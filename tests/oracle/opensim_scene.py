@@ -1,0 +1,35 @@
+"""Where OpenSim has spheres, joints and floors at the default pose, as JSON: run as `python opensim_scene.py MODEL`."""
+
+import json
+import sys
+
+
+def vector(vec):
+    """Three numbers of a SimTK::Vec3."""
+    return [vec.get(k) for k in range(3)]
+
+
+def main(path):
+    import opensim
+
+    opensim.Logger.setLevelString("off")
+    model = opensim.Model(path)
+    state = model.initSystem()
+    spheres, floors = [], []
+    geometries = model.getContactGeometrySet()
+    for geometry in (geometries.get(index) for index in range(geometries.getSize())):
+        frame = geometry.getFrame().getTransformInGround(state)
+        at = vector(frame.shiftFrameStationToBase(geometry.get_location()))
+        sphere = opensim.ContactSphere.safeDownCast(geometry)
+        if sphere is not None:
+            spheres.append({"name": sphere.getName(), "centre": at, "radius": sphere.getRadius()})
+        elif opensim.ContactHalfSpace.safeDownCast(geometry) is not None:
+            floors.append({"at": at, "base": geometry.getFrame().findBaseFrame().getName()})
+    joints = {}
+    for joint in model.getJointList():
+        joints[joint.getName()] = vector(joint.getParentFrame().getTransformInGround(state).p())
+    json.dump({"spheres": spheres, "joints": joints, "floors": floors}, sys.stdout)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])

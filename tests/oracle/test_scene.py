@@ -1,0 +1,89 @@
+"""Feet as `plot feet` draws them, against the real OpenSim: places of spheres, joints and floors at the default pose.
+
+The scene is what the example `scene` of osim-feet prints, before anything is drawn.
+"""
+
+import json
+import subprocess
+import sys
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import command
+from models import CORPUS, FIXTURES, NO_CORPUS, animals, corpus, label
+
+PLACE = 1e-9  # m
+HERE = Path(__file__).resolve().parent
+FEET = sorted((FIXTURES / "feet").glob("*.osim")) + sorted((FIXTURES / "drawn_feet").glob("*.osim"))
+MODELS = FEET + animals() + corpus()
+# OpenSim needs a contact mesh that is not here.
+NOT_READ = {"v30517_elastic_foundation_with_sphere.osim"}
+# A constraint may move their bodies: they are drawn in their own frames.
+OWN_FRAME = {"v20303_bouncing_block.osim", "v30000_bouncing_block.osim"}
+
+
+@cache
+def example():
+    """The example `scene` of osim-feet, built once."""
+    cargo = ["cargo", "build", "-p", "osim-feet", "--example", "scene", "--message-format=json"]
+    done = subprocess.run(cargo, cwd=command.ROOT, capture_output=True, text=True, check=True)
+    (path,) = [made for line in done.stdout.splitlines() if (made := json.loads(line).get("executable"))]
+    return path
+
+
+@cache
+def scene(path):
+    """The feet of a model."""
+    run = subprocess.run([example(), str(path)], capture_output=True, text=True, check=False)
+    assert run.returncode == 0, run.stderr
+    return [json.loads(line) for line in run.stdout.splitlines()]
+
+
+@cache
+def opensim(path):
+    """What OpenSim says, from a process of its own."""
+    run = subprocess.run([sys.executable, HERE / "opensim_scene.py", path], capture_output=True, text=True, check=True)
+    return json.loads(run.stdout)
+
+
+@pytest.mark.parametrize("path", MODELS, ids=label)
+def test_spheres_and_joints_are_where_opensim_has_them(path):
+    if path.name in NOT_READ:
+        pytest.skip("OpenSim needs a contact mesh that is not here")
+    known, feet = opensim(path), scene(path)
+    spheres = {sphere["name"]: sphere for sphere in known["spheres"]}
+    for foot in feet:
+        assert foot["in_ground"] == (path.name not in OWN_FRAME)
+        if not foot["in_ground"]:
+            continue
+        bottoms = []
+        for sphere in foot["spheres"]:
+            there = spheres[sphere["name"]]
+            assert np.abs(np.subtract(sphere["centre"], there["centre"])).max() < PLACE, sphere["name"]
+            assert sphere["radius"] == pytest.approx(there["radius"], rel=1e-12)
+            # Gravity points along -y in all of these.
+            bottoms.append(there["centre"][1] - there["radius"])
+        if bottoms:
+            assert foot["lowest"] == pytest.approx(min(bottoms), abs=PLACE)
+        for joint in foot["joints"]:
+            assert np.abs(np.subtract(joint["at"], known["joints"][joint["name"]])).max() < PLACE, joint["name"]
+        if foot["floor"] is not None:
+            heights = [floor["at"][1] for floor in known["floors"] if floor["base"] == "ground"]
+            assert any(abs(height - foot["floor"]) < PLACE for height in heights), heights
+
+
+@pytest.mark.skipif(not CORPUS, reason=NO_CORPUS)
+def test_known_feet_are_found():
+    """Two feet with heel and toes in every model of a person, with or without spheres."""
+    names = {path.name: [(foot["name"], len(foot["spheres"])) for foot in scene(path)] for path in corpus()}
+    assert names["v40000_falisse_2022_human.osim"] == [("calcn_r", 6), ("calcn_l", 6)]
+    assert names["v40000_dhondt_2024_3seg_human.osim"] == [("calcn_r", 5), ("calcn_l", 5)]
+    assert names["v40000_scone_h0914m.osim"] == [("calcn_r", 2), ("calcn_l", 2)]
+    for name in ("v40000_rajagopal_2016_without_contacts.osim", "v10905_gait2354_without_contacts.osim"):
+        feet = scene(Path(CORPUS) / name)
+        joints = [{joint["name"] for joint in foot["joints"]} for foot in feet]
+        assert joints == [{"ankle_r", "subtalar_r", "mtp_r"}, {"ankle_l", "subtalar_l", "mtp_l"}], name
+    assert names["v40000_double_pendulum_no_contacts.osim"] == []
