@@ -59,12 +59,17 @@ def arguments():
 
 
 def write_library(command, library, count):
-    """`count` files, no two alike, of `MEAN_BYTES` in the mean; their bytes in all."""
-    library.mkdir()
+    """`count` files that can be rescaled; their bytes in all."""
     with tempfile.TemporaryDirectory(dir=library.parent) as spare:
         texts = [path.read_bytes() for path in models(command, Path(spare))]
-    small = itertools.cycle(text for text in texts if len(text) < MEAN_BYTES)
-    large = itertools.cycle(text for text in texts if len(text) >= MEAN_BYTES)
+    return write_texts(texts, library, count)
+
+
+def write_texts(texts, library, count):
+    """`count` files, no two alike, of `MEAN_BYTES` in the mean where texts are both below and above; their bytes in all."""
+    library.mkdir()
+    small = itertools.cycle([text for text in texts if len(text) < MEAN_BYTES] or texts)
+    large = itertools.cycle([text for text in texts if len(text) >= MEAN_BYTES] or texts)
     size = 0
     for number in range(count):
         text = next(large if size <= MEAN_BYTES * number else small)
@@ -107,23 +112,28 @@ def warm_memory(size):
 
 
 def by_turns(command, library, runs, rounds):
-    """Wall and processor times of a copy, of the rescaling and of a dry run.
-
-    Every run writes into a folder of its own, and all are removed at the end: file systems are slow to use again what
-    was removed a moment ago. What earlier runs wrote is on the disk before the next begins.
-    """
-    runs.mkdir()
+    """Wall and processor times of a copy, of the rescaling and of a dry run."""
     copy = shutil.which("cp")
     calls = {
         "copy": lambda out: [copy, "-r", "--reflink=never", str(library), str(out)],
         "rescale": lambda out: rescale(command, library, "-d", str(out)),
         "dry run": lambda out: rescale(command, library, "-d", str(out), "--dry-run"),
     }
+    return in_turns(calls, runs, rounds)
+
+
+def in_turns(calls, runs, rounds):
+    """Wall and processor times of each call, which is given the folder to write into.
+
+    Every run writes into a folder of its own, and all are removed at the end: file systems are slow to use again what
+    was removed a moment ago. What earlier runs wrote is on the disk before the next begins.
+    """
+    runs.mkdir()
     times = {name: [] for name in calls}
     # The first round warms up and does not count.
     for turn in range(rounds + 1):
-        names = list(calls)
-        for name in names[turn % 3 :] + names[: turn % 3]:
+        names, first = list(calls), turn % len(calls)
+        for name in names[first:] + names[:first]:
             os.sync()
             measured = run(calls[name](runs / f"{name} {turn}".replace(" ", "-")))
             if turn:

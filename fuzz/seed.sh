@@ -5,7 +5,7 @@ cd "$(dirname "$0")"
 for target in fuzz_targets/*.rs; do
     corpus=corpus/$(basename "$target" .rs)
     mkdir -p "$corpus"
-    find ../fixtures -type f \( -name '*.osim' -o -name '*.xml' \) -size -33k | while read -r file; do
+    find ../fixtures -type f \( -name '*.osim' -o -name '*.xml' -o -name '*.vtp' -o -name '*.stl' -o -name '*.obj' \) -size -33k | while read -r file; do
         name=$(echo "${file#../fixtures/}" | tr / _)
         cp "$file" "$corpus/$name"
     done

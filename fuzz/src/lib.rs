@@ -4,10 +4,12 @@
 //! is rendered here too. Only panics, endless loops and broken promises are findings.
 
 mod checks;
+mod mesh;
 mod mutate;
 mod request;
 
 pub use checks::{edits, inspect, no_edit, roundtrip, scan};
+pub use mesh::mesh;
 pub use mutate::mutate;
 
 use osim_model::Fault;
