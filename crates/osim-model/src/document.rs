@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 use std::collections::HashMap;
+use std::ops::Range;
 use std::sync::OnceLock;
 
 use osim_xml::opensim_text::{NumberFault, flag, number, trimmed, triple};
@@ -56,7 +57,18 @@ impl Document {
     /// # Errors
     /// What is not one well-formed XML document, or not an OpenSim document, with its place.
     pub fn parse(bytes: impl Into<Vec<u8>>) -> Result<Self, Fault> {
-        let tree = Tree::scan(bytes)?;
+        Self::of_tree(Tree::scan(bytes)?)
+    }
+
+    /// The same document after an edit: [`Tree::edited`] says what `edits` are.
+    ///
+    /// # Errors
+    /// As [`Document::parse`].
+    pub fn edited(&self, bytes: impl Into<Vec<u8>>, edits: &[(Range<usize>, usize)]) -> Result<Self, Fault> {
+        Self::of_tree(self.tree.edited(bytes, edits)?)
+    }
+
+    fn of_tree(tree: Tree) -> Result<Self, Fault> {
         let (version, data_root) =
             version_and_data_root(&tree).map_err(|fault| fault.located(tree.bytes()))?;
         let defaults = tree.child(data_root, "defaults");

@@ -1,5 +1,8 @@
 //! Documents → [`Model`].
 
+use std::ops::Range;
+
+use crate::anatomy::Joints;
 use crate::components::{Companion, Components};
 use crate::contacts::ContactReader;
 use crate::document::Document;
@@ -62,6 +65,7 @@ impl Model {
         let mut model = Self {
             components,
             skeleton,
+            joints: Joints::default(),
             spheres,
             forces,
             note_fault: None,
@@ -78,12 +82,13 @@ impl Model {
         Ok(model)
     }
 
-    /// The same model with other bytes of its main file; the files beside it stay.
+    /// The same model with other bytes of its main file, of which `edits` says where they are new, as for [`Document::edited`];
+    /// the files beside it stay.
     ///
     /// # Errors
     /// Those of [`Document::parse`] and of [`Model::read_with`].
-    pub fn rebuilt(&self, bytes: Vec<u8>) -> Result<Self, Fault> {
-        let document = Document::parse(bytes)?;
+    pub fn rebuilt(&self, bytes: Vec<u8>, edits: &[(Range<usize>, usize)]) -> Result<Self, Fault> {
+        let document = self.document().edited(bytes, edits)?;
         let mut named = document.included_files().into_iter();
         let companions = self.components.companions().iter().map(|companion| Companion {
             document: companion.document.clone(),

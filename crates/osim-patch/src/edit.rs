@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use osim_model::{Fault, FaultKind};
+use osim_model::{Fault, FaultKind, Model};
 
 /// Replace these bytes by this text; an empty span inserts. [`splice`] applies edits, [`Patch`] without a copy.
 ///
@@ -87,6 +87,17 @@ impl<'b> Patch<'b> {
 /// As [`Patch::new`].
 pub fn splice(bytes: &[u8], edits: &[Edit]) -> Result<Vec<u8>, Fault> {
     Patch::new(bytes, edits.to_vec()).map(|patch| patch.to_vec())
+}
+
+/// `model` with `edits` in its main file, read again; all or nothing.
+///
+/// # Errors
+/// As [`Patch::new`], and those of [`Model::rebuilt`].
+pub(crate) fn edited(model: &Model, edits: Vec<Edit>) -> Result<Model, Fault> {
+    let patch = Patch::new(model.document().bytes(), edits)?;
+    let places: Vec<(Range<usize>, usize)> =
+        patch.edits.iter().map(|edit| (edit.span.clone(), edit.text.len())).collect();
+    model.rebuilt(patch.to_vec(), &places)
 }
 
 #[cfg(test)]

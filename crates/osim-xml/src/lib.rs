@@ -11,6 +11,7 @@
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 mod decode;
+mod edited;
 mod file_text;
 pub mod opensim_text;
 mod plain;

@@ -105,6 +105,18 @@ impl Tree {
         Self { text, pieces, elements }
     }
 
+    pub(super) fn text(&self) -> &str {
+        self.text.as_str()
+    }
+
+    pub(super) fn stored_pieces(&self) -> &[StoredPiece] {
+        &self.pieces
+    }
+
+    pub(super) fn stored_elements(&self) -> &[StoredElement] {
+        &self.elements
+    }
+
     /// The file, untouched.
     #[must_use]
     pub fn bytes(&self) -> &[u8] {

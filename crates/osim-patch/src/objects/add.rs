@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use osim_model::{Body, Document, Fault, FaultKind, FileId, HalfSpace, Model};
+use osim_model::{Body, Document, Fault, FaultKind, HalfSpace, Model};
 
 use super::floor::floor;
 use super::layout::{Layout, NewContact};
@@ -11,7 +11,7 @@ use super::rebuilt::{Deed, EarlierNote, ObjectChange, Rebuilt};
 use super::sets::{FORCE_SET, GEOMETRY_SET};
 use super::spelling::{self, Carrier, InList, Surfaces};
 use super::whole::refuse_parts;
-use crate::edit::splice;
+use crate::edit::edited;
 use crate::node::Node;
 
 /// A letter in a note's list of what was made: the floor.
@@ -86,8 +86,7 @@ pub fn add_contacts(model: &Model, layout: &mut Layout) -> Result<Rebuilt, Fault
     let mut made: String = made_floor.iter().map(|_| MADE_FLOOR).collect();
     let mut edits = FORCE_SET.add(tree, root, &forces, &mut made);
     edits.extend(GEOMETRY_SET.add(tree, root, &geometry, &mut made));
-    let bytes = splice(model.file(FileId::MAIN).bytes(), &edits)?;
-    let mut rebuilt = Rebuilt::new(model.rebuilt(bytes)?, objects, made);
+    let mut rebuilt = Rebuilt::new(edited(model, edits)?, objects, made);
     if !model.forces().iter().any(|force| model.meets_half_space(force)) {
         rebuilt.earlier_note = EarlierNote::OfOthers;
     }

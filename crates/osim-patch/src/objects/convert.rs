@@ -4,8 +4,7 @@ use std::collections::HashSet;
 
 use contact_scaling::{RatioValues, Ratios, SmoothingValues, falisse2022};
 use osim_model::{
-    ElementId, Fault, FaultKind, FileId, Finding, FindingCode, Force, ForceKind, Model, Property, Selected,
-    Tree,
+    ElementId, Fault, FaultKind, Finding, FindingCode, Force, ForceKind, Model, Property, Selected, Tree,
 };
 
 use super::names::{Names, refuse_misread};
@@ -13,7 +12,7 @@ use super::pairs::{Pair, pairs};
 use super::rebuilt::{Deed, ObjectChange, Rebuilt};
 use super::spelling::{self, InList, Surfaces};
 use super::whole::refuse_parts;
-use crate::edit::{Edit, splice};
+use crate::edit::{Edit, edited};
 use crate::insert::{unit, white_space_before};
 
 /// What only smoothed forces have.
@@ -79,7 +78,7 @@ pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<C
     let tree = document.tree();
     let (mut names, list) = (Names::of(model), InList::of(model));
     let mut made = Converted {
-        rebuilt: Rebuilt::new(model.rebuilt(document.bytes().to_vec())?, Vec::new(), String::new()),
+        rebuilt: Rebuilt::new(edited(model, Vec::new())?, Vec::new(), String::new()),
         warnings: Vec::new(),
         renamed: Vec::new(),
         without_sphere: Vec::new(),
@@ -108,8 +107,7 @@ pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<C
         objects.extend(new);
     }
     edits.extend(renamed_members(tree, document.data_root(), &made.renamed));
-    let bytes = splice(model.file(FileId::MAIN).bytes(), &edits)?;
-    made.rebuilt = Rebuilt::new(model.rebuilt(bytes)?, objects, String::new());
+    made.rebuilt = Rebuilt::new(edited(model, edits)?, objects, String::new());
     Ok(made)
 }
 

@@ -11,7 +11,7 @@ use super::covered::Covered;
 use super::rebuilt::{Deed, EarlierNote, ObjectChange, Rebuilt};
 use super::sets::{FORCE_SET, GEOMETRY_SET, Set};
 use super::whole::refuse_parts;
-use crate::edit::{Edit, splice};
+use crate::edit::{Edit, edited};
 use crate::insert::with_white_space_before;
 
 /// `model` without the forces `selected` and the spheres that only they use; the floor goes where [`add_contacts`] made it and
@@ -64,15 +64,11 @@ pub fn remove(model: &Model, selected: &Selected) -> Result<Rebuilt, Fault> {
         }
     }
     refuse_users(model, &elements, &going_names)?;
-    let bytes = without(model, &elements, &mut made)?;
-    let mut rebuilt = model.rebuilt(bytes)?;
+    let mut rebuilt = edited(model, without(model, &elements, &mut made))?;
     let is_last = !crate::note::has_rest(model, &rebuilt);
     if is_last {
         // Without contacts, a note about contacts would be wrong.
-        let document = rebuilt.document();
-        let edits = crate::note_edits::remove(document);
-        let bytes = splice(document.bytes(), &edits)?;
-        rebuilt = rebuilt.rebuilt(bytes)?;
+        rebuilt = edited(&rebuilt, crate::note_edits::remove(rebuilt.document()))?;
     }
     let made = crate::note_edits::with_letters(&made, "");
     let mut rebuilt = Rebuilt::new(rebuilt, objects, made);
@@ -104,8 +100,8 @@ fn refuse_other_file(model: &Model, file: FileId, path: &str) -> Result<(), Faul
     }
 }
 
-/// The file without `elements`; of a set that loses all members, what was `made` goes, too, and with it the letters for it.
-fn without(model: &Model, elements: &[ElementId], made: &mut String) -> Result<Vec<u8>, Fault> {
+/// Edits that take out `elements`; of a set that loses all members, what was `made` goes, too, and with it the letters for it.
+fn without(model: &Model, elements: &[ElementId], made: &mut String) -> Vec<Edit> {
     let document = model.document();
     let (tree, root) = (document.tree(), document.data_root());
     let going: HashSet<ElementId> = elements.iter().copied().collect();
@@ -124,7 +120,7 @@ fn without(model: &Model, elements: &[ElementId], made: &mut String) -> Result<V
             edits.push(Edit { span, text: String::new() });
         }
     }
-    splice(document.bytes(), &edits)
+    edits
 }
 
 fn is_emptied(tree: &Tree, set: Option<ElementId>, going: &HashSet<ElementId>) -> bool {

@@ -1,0 +1,381 @@
+//! The tree of a file after an edit, without scanning again what stayed.
+
+use std::ops::Range;
+
+use super::file_text::FileText;
+use super::plain::scan_plain;
+use super::scan::{pieces_and_elements, refuse_foreign_encodings};
+use super::syntax::SyntaxError;
+use super::tree::{PieceKind, StoredElement, StoredPiece, Tree};
+
+/// What a text is wrapped in to be scanned by itself.
+const WRAP: (&str, &str) = ("<x>", "</x>");
+
+impl Tree {
+    /// The tree of `bytes`, which are this file's with other bytes in some places: `edits` says, by place, which bytes of this
+    /// file gave way to how many new ones. The same as [`Tree::scan`] of `bytes`, and faster where something was inserted, or
+    /// took the place of `<tag/>`.
+    ///
+    /// ```
+    /// use osim_xml::Tree;
+    ///
+    /// let tree = Tree::scan("<objects><a/></objects>").expect("it is well formed");
+    /// let edited = tree.edited("<objects><a/><b>1</b></objects>", &[(13..13, 8)]).expect("so is this");
+    /// assert_eq!(edited.element_count(), 3);
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Tree::scan`].
+    pub fn edited(
+        &self,
+        bytes: impl Into<Vec<u8>>,
+        edits: &[(Range<usize>, usize)],
+    ) -> Result<Self, SyntaxError> {
+        let file = FileText::new(bytes.into());
+        if refuse_foreign_encodings(file.bytes()).is_ok()
+            && let Some((pieces, elements)) = Splice::of(self, file.as_str(), edits)
+        {
+            debug_assert_eq!(
+                pieces_and_elements(&file).ok().as_ref(),
+                Some(&(pieces.clone(), elements.clone()))
+            );
+            return Ok(Self::new(file, pieces, elements));
+        }
+        Self::scan(file.into_bytes())
+    }
+}
+
+/// A new text in place of old bytes.
+struct New<'t> {
+    /// In the old file: nothing, or a whole `<tag/>`.
+    span: Range<usize>,
+    /// Where it begins in the new file.
+    start: usize,
+    text: &'t str,
+}
+
+/// One text that was inserted, scanned.
+struct Inserted {
+    /// Pieces of the old tree that give way: none, the text that it was inserted into, or a `<tag/>`.
+    replaced: Range<usize>,
+    /// Elements of the old tree that give way: none, or that of a `<tag/>`.
+    gone: usize,
+    /// What takes their place, where it is in the new file.
+    pieces: Vec<StoredPiece>,
+    /// Its elements; `open` and `close` count in `pieces`, and the parent of an outermost one is `None`.
+    elements: Vec<(StoredElement, Option<u32>)>,
+    /// The old element that it is in.
+    parent: usize,
+    /// The first old element after it.
+    next: usize,
+    /// Bytes that the file has more by it.
+    more: usize,
+}
+
+/// Old pieces and elements with what was inserted between them.
+struct Splice<'t> {
+    old: &'t Tree,
+    inserted: Vec<Inserted>,
+}
+
+impl<'t> Splice<'t> {
+    /// The pieces and elements of the new `text`; `None` where that takes a whole scan.
+    fn of(
+        old: &'t Tree,
+        text: &str,
+        edits: &[(Range<usize>, usize)],
+    ) -> Option<(Vec<StoredPiece>, Vec<StoredElement>)> {
+        let mut splice = Self { old, inserted: Vec::new() };
+        let mut shift = 0;
+        for (span, length) in edits {
+            let new = splice.new_text(text, (span, *length), span.start + shift)?;
+            let inserted = splice.inserted(&new)?;
+            // Each has its own pieces to give way, in order.
+            if splice.inserted.last().is_some_and(|last| {
+                last.replaced.end > inserted.replaced.start || last.replaced == inserted.replaced
+            }) {
+                return None;
+            }
+            shift += inserted.more;
+            splice.inserted.push(inserted);
+        }
+        (old.text().len() + shift == text.len()).then(|| (splice.pieces(), splice.elements()))
+    }
+
+    /// What an edit put into `text`, from `start` on. A part of `<tag/>` gave way with the whole tag.
+    fn new_text<'n>(
+        &self,
+        text: &'n str,
+        (span, length): (&Range<usize>, usize),
+        start: usize,
+    ) -> Option<New<'n>> {
+        if span.is_empty() {
+            return Some(New { span: span.clone(), start, text: text.get(start..start + length)? });
+        }
+        let old = self.old.stored_pieces();
+        let tag = old.partition_point(|piece| piece.start as usize <= span.start).checked_sub(1)?;
+        let from = old.get(tag).filter(|piece| piece.kind == PieceKind::Empty)?.start as usize;
+        let to = old.get(tag + 1)?.start as usize;
+        let (before, after) = (span.start - from, to.checked_sub(span.end)?);
+        let start = start.checked_sub(before)?;
+        Some(New { span: from..to, start, text: text.get(start..start + before + length + after)? })
+    }
+
+    fn inserted(&self, new: &New<'_>) -> Option<Inserted> {
+        let &New { ref span, start, text } = new;
+        let (old, at) = (self.old.stored_pieces(), span.start);
+        let (pieces, elements) = scan_plain(&[WRAP.0, text, WRAP.1].concat(), 0)?;
+        let inside = pieces.get(1..pieces.len().checked_sub(1)?)?;
+        // The piece that begins at `at` or is the first after it.
+        let after = old.partition_point(|piece| (piece.start as usize) < at);
+        let gone = usize::from(!span.is_empty());
+        // A tag gives way to elements, and to nothing beside them.
+        let is_tag = |piece: Option<&StoredPiece>| piece.is_some_and(|piece| piece.kind != PieceKind::Text);
+        if gone > 0 && !(is_tag(inside.first()) && is_tag(inside.last()) && elements.len() > 1) {
+            return None;
+        }
+        let is_text = |index: usize| old.get(index).is_some_and(|piece| piece.kind == PieceKind::Text);
+        let is_between = old.get(after).is_some_and(|piece| piece.start as usize == at);
+        let before = after.checked_sub(1)?;
+        if !is_between && !is_text(before) {
+            return None;
+        }
+        // Text beside text is one piece.
+        let joins_before =
+            is_text(before) && inside.first().is_some_and(|piece| piece.kind == PieceKind::Text);
+        let joins_after = inside.last().is_some_and(|piece| piece.kind == PieceKind::Text);
+        let mut own_pieces = Vec::with_capacity(inside.len() + 2);
+        let replaced = match is_between {
+            true => after..after + gone.max(usize::from(joins_after && is_text(after))),
+            false => {
+                let old_start = start.checked_sub(at - old.get(before)?.start as usize)?;
+                own_pieces.push(StoredPiece { start: u32::try_from(old_start).ok()?, kind: PieceKind::Text });
+                before..after
+            }
+        };
+        let lead = own_pieces.len();
+        let dropped = usize::from(joins_before);
+        for piece in inside.iter().skip(dropped) {
+            let start = start + piece.start as usize - WRAP.0.len();
+            own_pieces.push(StoredPiece { start: u32::try_from(start).ok()?, kind: piece.kind });
+        }
+        if !is_between && !joins_after {
+            own_pieces
+                .push(StoredPiece { start: u32::try_from(start + text.len()).ok()?, kind: PieceKind::Text });
+        }
+        let place = |piece: u32| u32::try_from((piece as usize + lead).checked_sub(1 + dropped)?).ok();
+        let mut own = Vec::with_capacity(elements.len());
+        for element in elements.get(1..)? {
+            let (open, close) = (place(element.open)?, place(element.close)?);
+            let subtree_end = element.subtree_end.checked_sub(1)?;
+            own.push((StoredElement { open, close, subtree_end, ..*element }, element.parent.checked_sub(1)));
+        }
+        let (parent, next) = self.place_among_elements(replaced.end)?;
+        let more = text.len().checked_sub(span.len())?;
+        Some(Inserted { replaced, gone, pieces: own_pieces, elements: own, parent, next, more })
+    }
+
+    /// The innermost old element that holds the border before piece `piece`, and the first element after it.
+    fn place_among_elements(&self, piece: usize) -> Option<(usize, usize)> {
+        let elements = self.old.stored_elements();
+        let next = elements.partition_point(|element| (element.open as usize) < piece);
+        let mut parent = next.checked_sub(1)?;
+        loop {
+            let element = elements.get(parent)?;
+            if element.close as usize >= piece {
+                return Some((parent, next));
+            }
+            // The root is its own parent: outside of it nothing is inserted.
+            parent = Some(element.parent as usize).filter(|&above| above != parent)?;
+        }
+    }
+
+    fn pieces(&self) -> Vec<StoredPiece> {
+        let old = self.old.stored_pieces();
+        let more: usize = self.inserted.iter().map(|inserted| inserted.pieces.len()).sum();
+        let mut pieces = Vec::with_capacity(old.len() + more);
+        let (mut from, mut shift) = (0, 0);
+        let kept = |range: Range<usize>, shift: usize| {
+            let kept = old.get(range).unwrap_or_default().iter();
+            kept.map(move |piece| StoredPiece { start: piece.start + small(shift), ..*piece })
+        };
+        for inserted in &self.inserted {
+            pieces.extend(kept(from..inserted.replaced.start, shift));
+            pieces.extend(&inserted.pieces);
+            from = inserted.replaced.end;
+            shift += inserted.more;
+        }
+        pieces.extend(kept(from..old.len(), shift));
+        pieces
+    }
+
+    fn elements(&self) -> Vec<StoredElement> {
+        let old = self.old.stored_elements();
+        let more: usize = self.inserted.iter().map(|inserted| inserted.elements.len()).sum();
+        let mut elements = Vec::with_capacity(old.len() + more);
+        let mut from = 0;
+        for (index, inserted) in self.inserted.iter().enumerate() {
+            self.extend_kept(&mut elements, from..inserted.next - inserted.gone);
+            from = inserted.next;
+            let first = small(elements.len());
+            let tag = old.get(inserted.parent).map_or(0, |parent| parent.open);
+            let parent = small(inserted.parent) + self.before(tag).elements;
+            let earlier = self.inserted.get(..index).unwrap_or_default();
+            let pieces = small(inserted.replaced.start) + Count::of(earlier).pieces;
+            elements.extend(inserted.elements.iter().map(|(element, above)| StoredElement {
+                open: pieces + element.open,
+                close: pieces + element.close,
+                parent: above.map_or(parent, |above| first + above),
+                subtree_end: first + element.subtree_end,
+                name_len: element.name_len,
+            }));
+        }
+        self.extend_kept(&mut elements, from..old.len());
+        elements
+    }
+
+    /// Old elements, counted anew.
+    fn extend_kept(&self, elements: &mut Vec<StoredElement>, range: Range<usize>) {
+        let old = self.old.stored_elements();
+        elements.extend(old.get(range).unwrap_or_default().iter().map(|element| {
+            let (open, close) = (self.before(element.open), self.before(element.close));
+            let parent = old.get(element.parent as usize).map_or(0, |parent| parent.open);
+            StoredElement {
+                open: element.open + open.pieces,
+                close: element.close + close.pieces,
+                parent: element.parent + self.before(parent).elements,
+                // What is inserted before its end tag is in it.
+                subtree_end: element.subtree_end + close.elements,
+                name_len: element.name_len,
+            }
+        }));
+    }
+
+    /// How much was inserted before the old piece `piece`, a tag.
+    fn before(&self, piece: u32) -> Count {
+        let until = self.inserted.partition_point(|inserted| inserted.replaced.end <= piece as usize);
+        Count::of(self.inserted.get(..until).unwrap_or_default())
+    }
+}
+
+/// How many more there are.
+#[derive(Clone, Copy)]
+struct Count {
+    pieces: u32,
+    elements: u32,
+}
+
+impl Count {
+    fn of(inserted: &[Inserted]) -> Self {
+        let mut count = Self { pieces: 0, elements: 0 };
+        for one in inserted {
+            // Text that gives way goes on in what takes its place, and a tag gives way to elements: there are never fewer.
+            count.pieces += small(one.pieces.len().saturating_sub(one.replaced.len()));
+            count.elements += small(one.elements.len().saturating_sub(one.gone));
+        }
+        count
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "files over 4 GiB were refused")]
+fn small(count: usize) -> u32 {
+    count as u32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Both trees, where one is spliced: what is inserted, whether that was possible, and that both are equal.
+    #[track_caller]
+    fn spliced(text: &str, insertions: &[(usize, &str)]) -> bool {
+        let tree = Tree::scan(text).unwrap();
+        let mut new = text.to_owned();
+        for (at, inserted) in insertions.iter().rev() {
+            new.insert_str(*at, inserted);
+        }
+        let edits: Vec<_> = insertions.iter().map(|(at, text)| (*at..*at, text.len())).collect();
+        let found = Splice::of(&tree, &new, &edits);
+        let scanned = Tree::scan(new.as_str());
+        match (&found, &scanned) {
+            (Some((pieces, elements)), Ok(scanned)) => {
+                assert_eq!(
+                    (pieces.as_slice(), elements.as_slice()),
+                    (scanned.stored_pieces(), scanned.stored_elements()),
+                    "{new}"
+                );
+            }
+            (Some(_), Err(_)) => panic!("{new} is not well formed"),
+            (None, _) => {}
+        }
+        assert_eq!(tree.edited(new.as_str(), &edits).is_ok(), scanned.is_ok(), "{new}");
+        found.is_some()
+    }
+
+    const TEXT: &str = "\u{feff}<?xml version='1.0'?>\n<a><b x='1'>\n <c>é</c>\n</b><!-- c --><d/><e></e>text<f> 1 </f></a>\n";
+    const TEXTS: [&str; 6] =
+        ["<n/>", "\n\t<n><m>2</m></n>", "words", "<n>1</n>\n", " <n/> <o y='2'/> ", "<!-- n -->"];
+
+    #[test]
+    fn what_is_inserted_anywhere_is_found_as_by_a_scan() {
+        let mut count = 0;
+        let places: Vec<usize> = (0..=TEXT.len()).filter(|&at| TEXT.is_char_boundary(at)).collect();
+        for &at in &places {
+            for text in TEXTS {
+                count += usize::from(spliced(TEXT, &[(at, text)]));
+                for &other in places.iter().filter(|&&other| other >= at) {
+                    count += usize::from(spliced(TEXT, &[(at, text), (other, "\n<p><q/></p>")]));
+                }
+            }
+        }
+        assert!(count > 1000, "{count}");
+    }
+
+    #[test]
+    fn the_usual_insertions_take_no_scan() {
+        let text = "<s><objects>\n <a/>\n</objects><t/></s>";
+        let end = text.find("\n</objects>").unwrap();
+        assert!(spliced(text, &[(end, "\n <b><c>1</c></b>")]));
+        assert!(spliced(text, &[(end + 1, " <b/>\n"), (text.len() - 4, "<u/>")]));
+    }
+
+    #[test]
+    fn an_empty_tag_gives_way_to_elements() {
+        let text = "<a><b>\n <objects /><c/></b><objects/></a>";
+        let tree = Tree::scan(text).unwrap();
+        let new = "<a><b>\n <objects><d/><e>1</e></objects><c/></b><objects n='1'>2</objects>\n<f/></a>";
+        let first = text.find("<objects />").unwrap();
+        let second = text.find("/></a>").unwrap();
+        let last = text.len() - "</a>".len();
+        let edits = [
+            (first..first + 11, "<objects><d/><e>1</e></objects>".len()),
+            (second..second + 2, " n='1'>2</objects>".len()),
+            (last..last, "\n<f/>".len()),
+        ];
+        let (pieces, elements) = Splice::of(&tree, new, &edits).unwrap();
+        let scanned = Tree::scan(new).unwrap();
+        assert_eq!(
+            (pieces.as_slice(), elements.as_slice()),
+            (scanned.stored_pieces(), scanned.stored_elements())
+        );
+        // Words, nothing, or words beside an element: a whole scan.
+        for words in ["words", "", "<d/>words"] {
+            let new = text.replace("<objects />", words);
+            let edits = [(first..first + 11, words.len())];
+            assert!(Splice::of(&tree, &new, &edits).is_none());
+            assert_eq!(tree.edited(new.as_str(), &edits).unwrap().bytes(), new.as_bytes());
+        }
+    }
+
+    #[test]
+    fn what_is_not_well_formed_stays_refused() {
+        for text in ["<n>", "</a>", "<n></m>", "a < b", "<n x='1' x='2'/>", "&", "]]>"] {
+            spliced(TEXT, &[(TEXT.find("<d/>").unwrap(), text)]);
+        }
+        let tree = Tree::scan("<a>12</a>").unwrap();
+        // Something gave way, or the edit is said wrong: a whole scan.
+        assert_eq!(tree.edited("<a>3</a>", &[(3..5, 1)]).unwrap().bytes(), b"<a>3</a>");
+        assert_eq!(tree.edited("<a>123</a>", &[(5..5, 9)]).unwrap().bytes(), b"<a>123</a>");
+        assert!(tree.edited("<a>12\0</a>", &[(5..5, 1)]).is_err());
+    }
+}
