@@ -15,6 +15,7 @@ mod joints;
 mod pose;
 
 pub use attached::AttachedMesh;
+pub(crate) use joints::Joints;
 pub use joints::{AnatomyJoint, JointCoordinate, ModelJoint};
 
 /// The part of a model that scaling changes (or should have changed), by body name.
@@ -115,7 +116,7 @@ impl Anatomy {
             meshes: BTreeMap::new(),
             offsets: BTreeMap::new(),
             spheres: Vec::new(),
-            joints: joints::read(components),
+            joints: model.joints.between_bodies(components).to_vec(),
             is_fragment: false,
             index: AnatomyIndex::default(),
         };
@@ -316,11 +317,6 @@ pub(crate) fn meshes(components: &Components, body: ComponentId) -> BTreeMap<Str
         meshes.insert(key, factors);
     }
     meshes
-}
-
-/// The joints between the bodies of `model`, in file order.
-pub(crate) fn joints_between_bodies(model: &Model) -> Vec<AnatomyJoint> {
-    joints::read(model.components())
 }
 
 /// The body an offset frame is fixed to directly, and where it is there.

@@ -1,5 +1,6 @@
 //! The typed view of a model: bodies, limbs, contact spheres and contact forces with their effective values.
 
+use crate::anatomy::Joints;
 use crate::components::{Companion, Components};
 use crate::contacts::{Force, ForceId, Sphere, SphereId};
 use crate::document::Document;
@@ -21,6 +22,7 @@ use crate::skeleton::{Body, Skeleton};
 pub struct Model {
     pub(crate) components: Components,
     pub(crate) skeleton: Skeleton,
+    pub(crate) joints: Joints,
     pub(crate) spheres: Vec<Sphere>,
     pub(crate) forces: Vec<Force>,
     /// A comment that begins like the note and cannot be read, or a pair whose notes differ.

@@ -3,7 +3,6 @@
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::anatomy::joints_between_bodies;
 use crate::contacts::Sphere;
 use crate::fault::{MassSlip, NeedsAnswer};
 use crate::mass::{MassRequest, same_mass};
@@ -94,11 +93,11 @@ impl JointDistances {
     pub fn of(model: &Model) -> Self {
         let mut neighbours: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
         let mut places: BTreeMap<String, Vec<[f64; 3]>> = BTreeMap::new();
-        for joint in joints_between_bodies(model) {
+        for joint in model.joints.between_bodies(model.components()) {
             places.entry(joint.parent.clone()).or_default().push(joint.in_parent_m);
             places.entry(joint.child.clone()).or_default().push(joint.in_child_m);
             neighbours.entry(joint.parent.clone()).or_default().insert(joint.child.clone());
-            neighbours.entry(joint.child).or_default().insert(joint.parent);
+            neighbours.entry(joint.child.clone()).or_default().insert(joint.parent.clone());
         }
         let longest = |(body, places): (String, Vec<[f64; 3]>)| Some((body, longest_m(&places)?));
         let longest_m: BTreeMap<String, f64> = places.into_iter().filter_map(longest).collect();

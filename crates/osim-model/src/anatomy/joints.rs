@@ -1,6 +1,7 @@
 //! Joints between bodies: where they are on both, and how the bodies stand to each other at the default pose.
 
 use std::collections::HashSet;
+use std::sync::OnceLock;
 
 use super::functions::numbers;
 use super::pose::motion;
@@ -103,8 +104,8 @@ impl Model {
     #[must_use]
     pub fn joints(&self) -> Vec<ModelJoint> {
         let ignored: HashSet<&ComponentId> = self.skeleton().ignored_joints.iter().collect();
-        let found = ids(self.components()).filter(|id| !ignored.contains(id));
-        let mut joints: Vec<ModelJoint> = found.filter_map(|id| read_one(self.components(), id)).collect();
+        let found = self.joints.read(self.components()).iter().filter(|(id, _)| !ignored.contains(id));
+        let mut joints: Vec<ModelJoint> = found.map(|(_, joint)| joint.clone()).collect();
         for joint in joints.iter_mut().filter(|joint| joint.in_body) {
             joint.in_parent = joint.in_parent.in_six_digits();
             joint.in_child = joint.in_child.in_six_digits();
@@ -113,9 +114,26 @@ impl Model {
     }
 }
 
-/// All joints between bodies of the files. One whose frames lead nowhere is left out: its limb says nothing then.
-pub(super) fn read(components: &Components) -> Vec<AnatomyJoint> {
-    ids(components).filter_map(|id| between_bodies(components, read_one(components, id)?)).collect()
+/// The joints of a model, read when somebody first asks for them: several who plan a change do.
+#[derive(Debug, Default)]
+pub(crate) struct Joints {
+    all: OnceLock<Vec<(ComponentId, ModelJoint)>>,
+    between_bodies: OnceLock<Vec<AnatomyJoint>>,
+}
+
+impl Joints {
+    /// All joints of the files. One whose frames lead nowhere is left out: its limb says nothing then.
+    fn read(&self, components: &Components) -> &[(ComponentId, ModelJoint)] {
+        let joints = components.tree.iter().filter(|(id, _)| components.tag(*id).ends_with("Joint"));
+        self.all.get_or_init(|| joints.filter_map(|(id, _)| Some((id, read_one(components, id)?))).collect())
+    }
+
+    /// Those between bodies.
+    pub(crate) fn between_bodies(&self, components: &Components) -> &[AnatomyJoint] {
+        let all = self.read(components).iter();
+        self.between_bodies
+            .get_or_init(|| all.filter_map(|(_, joint)| between_bodies(components, joint.clone())).collect())
+    }
 }
 
 fn between_bodies(components: &Components, joint: ModelJoint) -> Option<AnatomyJoint> {
@@ -128,11 +146,6 @@ fn between_bodies(components: &Components, joint: ModelJoint) -> Option<AnatomyJ
         in_parent_m: joint.in_parent.translation_m,
         in_child_m: joint.in_child.translation_m,
     })
-}
-
-fn ids(components: &Components) -> impl Iterator<Item = ComponentId> {
-    let joints = components.tree.iter().filter(|(id, _)| components.tag(*id).ends_with("Joint"));
-    joints.map(|(id, _)| id)
 }
 
 fn read_one(components: &Components, joint: ComponentId) -> Option<ModelJoint> {
