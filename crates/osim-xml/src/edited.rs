@@ -14,7 +14,7 @@ const WRAP: (&str, &str) = ("<x>", "</x>");
 impl Tree {
     /// The tree of `bytes`, which are this file's with other bytes in some places: `edits` says, by place, which bytes of this
     /// file gave way to how many new ones. The same as [`Tree::scan`] of `bytes`, and faster where something was inserted, or
-    /// took the place of `<tag/>`.
+    /// took the place of `<tag/>`. That `edits` are those that were made is not looked up, but where debug assertions are on.
     ///
     /// ```
     /// use osim_xml::Tree;
@@ -88,7 +88,7 @@ impl<'t> Splice<'t> {
         let mut splice = Self { old, inserted: Vec::new() };
         let mut shift = 0;
         for (span, length) in edits {
-            let new = splice.new_text(text, (span, *length), span.start + shift)?;
+            let new = splice.new_text(text, (span, *length), span.start.checked_add(shift)?)?;
             let inserted = splice.inserted(&new)?;
             // Each has its own pieces to give way, in order.
             if splice.inserted.last().is_some_and(|last| {
@@ -109,18 +109,21 @@ impl<'t> Splice<'t> {
         (span, length): (&Range<usize>, usize),
         start: usize,
     ) -> Option<New<'n>> {
+        let from = |start: usize, length| text.get(start..start.checked_add(length)?);
         if span.is_empty() {
-            return Some(New { span: span.clone(), start, text: text.get(start..start + length)? });
+            return Some(New { span: span.clone(), start, text: from(start, length)? });
         }
         let old = self.old.stored_pieces();
         let tag = old.partition_point(|piece| piece.start as usize <= span.start).checked_sub(1)?;
-        let from = old.get(tag).filter(|piece| piece.kind == PieceKind::Empty)?.start as usize;
+        let begin = old.get(tag).filter(|piece| piece.kind == PieceKind::Empty)?.start as usize;
         let to = old.get(tag + 1)?.start as usize;
-        let (before, after) = (span.start - from, to.checked_sub(span.end)?);
+        let (before, after) = (span.start - begin, to.checked_sub(span.end)?);
         let start = start.checked_sub(before)?;
-        Some(New { span: from..to, start, text: text.get(start..start + before + length + after)? })
+        let length = before.checked_add(length)?.checked_add(after)?;
+        Some(New { span: begin..to, start, text: from(start, length)? })
     }
 
+    /// A new text, scanned, with its place among the old pieces and elements.
     fn inserted(&self, new: &New<'_>) -> Option<Inserted> {
         let &New { ref span, start, text } = new;
         let (old, at) = (self.old.stored_pieces(), span.start);
@@ -376,6 +379,7 @@ mod tests {
         // Something gave way, or the edit is said wrong: a whole scan.
         assert_eq!(tree.edited("<a>3</a>", &[(3..5, 1)]).unwrap().bytes(), b"<a>3</a>");
         assert_eq!(tree.edited("<a>123</a>", &[(5..5, 9)]).unwrap().bytes(), b"<a>123</a>");
+        assert_eq!(tree.edited("<a>12</a>", &[(5..5, usize::MAX)]).unwrap().bytes(), b"<a>12</a>");
         assert!(tree.edited("<a>12\0</a>", &[(5..5, 1)]).is_err());
     }
 }
