@@ -11,11 +11,11 @@ use osim_xml::opensim_text;
 
 mod attached;
 mod functions;
-mod joints;
+pub(crate) mod joints;
+mod model_joints;
 mod pose;
 
 pub use attached::AttachedMesh;
-pub(crate) use joints::Joints;
 pub use joints::{AnatomyJoint, JointCoordinate, ModelJoint};
 
 /// The part of a model that scaling changes (or should have changed), by body name.

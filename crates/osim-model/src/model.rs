@@ -1,6 +1,6 @@
 //! The typed view of a model: bodies, limbs, contact spheres and contact forces with their effective values.
 
-use crate::anatomy::Joints;
+use crate::anatomy::joints::Joints;
 use crate::components::{Companion, Components};
 use crate::contacts::{Force, ForceId, Sphere, SphereId};
 use crate::document::Document;

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::anatomy::Joints;
+use crate::anatomy::joints::Joints;
 use crate::components::{Companion, Components};
 use crate::contacts::ContactReader;
 use crate::document::Document;

@@ -1,6 +1,5 @@
 //! Joints between bodies: where they are on both, and how the bodies stand to each other at the default pose.
 
-use std::collections::HashSet;
 use std::sync::OnceLock;
 
 use super::functions::numbers;
@@ -8,7 +7,6 @@ use super::pose::motion;
 use crate::components::{ComponentId, Components, MAX_FRAME_CHAIN};
 use crate::document::Document;
 use crate::fault::FileId;
-use crate::model::Model;
 use osim_frames::Placement;
 use osim_xml::ElementId;
 
@@ -82,35 +80,21 @@ impl ModelJoint {
         self.in_parent.translation_m
     }
 
-    /// The child's frame in the parent's where the coordinates have these `values` (rad, m; 0 where there are fewer); `None`
-    /// where a function of the joint, or the joint itself, is not understood.
-    #[must_use]
-    pub fn placement(&self, model: &Model, values: &[f64]) -> Option<Placement> {
-        self.placed(model.file(self.file), values)
-    }
-
-    fn placed(&self, document: &Document, values: &[f64]) -> Option<Placement> {
+    pub(super) fn placed(&self, document: &Document, values: &[f64]) -> Option<Placement> {
         let names = self.coordinates.iter().map(|coordinate| coordinate.name.as_str());
         let values: Vec<(&str, f64)> = names.zip(values.iter().copied()).collect();
         let motion = motion(document, self.element, &values)?;
         let motion = if self.reversed { motion.inverse() } else { motion };
         Some(self.in_parent.then(&motion).then(&self.in_child.inverse()))
     }
-}
 
-impl Model {
-    /// All joints whose frames lead to bodies or to ground, in file order, without those that OpenSim ignores. Frames of joints in
-    /// bodies are as OpenSim converts them, with six digits.
-    #[must_use]
-    pub fn joints(&self) -> Vec<ModelJoint> {
-        let ignored: HashSet<&ComponentId> = self.skeleton().ignored_joints.iter().collect();
-        let found = self.joints.read(self.components()).iter().filter(|(id, _)| !ignored.contains(id));
-        let mut joints: Vec<ModelJoint> = found.map(|(_, joint)| joint.clone()).collect();
-        for joint in joints.iter_mut().filter(|joint| joint.in_body) {
-            joint.in_parent = joint.in_parent.in_six_digits();
-            joint.in_child = joint.in_child.in_six_digits();
+    /// The same with its frames as OpenSim converts those of a joint in a body: with six digits.
+    pub(super) fn converted(mut self) -> Self {
+        if self.in_body {
+            self.in_parent = self.in_parent.in_six_digits();
+            self.in_child = self.in_child.in_six_digits();
         }
-        joints
+        self
     }
 }
 
@@ -123,7 +107,7 @@ pub(crate) struct Joints {
 
 impl Joints {
     /// All joints of the files. One whose frames lead nowhere is left out: its limb says nothing then.
-    fn read(&self, components: &Components) -> &[(ComponentId, ModelJoint)] {
+    pub(super) fn read(&self, components: &Components) -> &[(ComponentId, ModelJoint)] {
         let joints = components.tree.iter().filter(|(id, _)| components.tag(*id).ends_with("Joint"));
         self.all.get_or_init(|| joints.filter_map(|(id, _)| Some((id, read_one(components, id)?))).collect())
     }
