@@ -27,6 +27,7 @@ mod figures;
 mod files;
 mod html;
 mod json;
+mod laid;
 mod masses;
 mod meant;
 mod never_lost;
