@@ -1,6 +1,6 @@
 //! A plain value or factor for a property.
 
-use crate::number::shortest;
+use osim_wording::shortest;
 
 /// What happens to a property.
 ///

@@ -3,9 +3,9 @@
 use crate::fault::{Fault, FaultKind, Needed};
 use crate::finding::{Finding, FindingCode};
 use crate::model::Model;
-use crate::number::readable;
 use crate::pattern::{Pattern, any_matches};
 use crate::wording::{Input, Phrase, phrase};
+use osim_wording::readable;
 
 /// Masses closer than this (relative) count as one: a scale is not read better than to 0.1 %.
 pub const SAME_MASS: f64 = 1e-3;

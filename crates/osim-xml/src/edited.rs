@@ -237,7 +237,7 @@ impl<'t> Splice<'t> {
         elements
     }
 
-    /// Old elements, counted anew.
+    /// Old elements, counted again.
     fn extend_kept(&self, elements: &mut Vec<StoredElement>, range: Range<usize>) {
         let old = self.old.stored_elements();
         elements.extend(old.get(range).unwrap_or_default().iter().map(|element| {

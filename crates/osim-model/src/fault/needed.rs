@@ -3,8 +3,8 @@
 use super::factor_question::FactorQuestion;
 use super::note_doubt::NoteDoubt;
 use super::way_out::{GravityFor, RadiusFrom, contacts_mass, known_contacts_mass, shared_sphere};
-use crate::number::readable;
 use crate::wording::{Input, Phrase, phrase};
+use osim_wording::readable;
 
 /// Something that has to be said, because the files do not say it.
 ///

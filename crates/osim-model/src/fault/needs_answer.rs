@@ -3,8 +3,8 @@
 use std::fmt;
 use std::str::FromStr;
 
-use crate::number::{four_significant, readable};
 use crate::wording::{Input, Phrase, phrase};
+use osim_wording::{four_significant, readable};
 
 /// A question that is answered with yes, by its code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

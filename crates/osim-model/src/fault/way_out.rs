@@ -2,8 +2,8 @@
 //! the mass of contacts that are the model's own or a reference's.
 
 use super::note_doubt::NoteDoubt;
-use crate::number::readable;
 use crate::wording::{Input, Phrase, phrase};
+use osim_wording::readable;
 
 /// What a gravity is needed for that the file does not have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

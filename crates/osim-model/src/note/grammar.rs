@@ -4,7 +4,7 @@
 //! places 0123456789abcdef; made -)]`
 
 use super::data::{BodySize, Note, Scope};
-use crate::number::shortest;
+use osim_wording::shortest;
 
 /// How every note begins.
 pub(super) const BEGINS: &str = "[contacts made for ";
