@@ -29,7 +29,7 @@ GROUPS_KNOWN="rust programs shells oracle browser wasm windows"
 # windows:  the same compiler, a linker for Windows, and Wine, which runs what it links.
 # No tool comes from npm yet. One that does gets a group here, and a package-lock.json that npm ci obeys.
 TOOLS="
-rust      cargo          1.90     rust                cargo --version
+rust      cargo          1.92     rust                cargo --version
 rust      rustfmt        1.8      rust                cargo fmt --version
 rust      clippy         0.1      rust                cargo clippy --version
 rust      cargo-deny     =0.20.2  cargo               cargo deny --version
@@ -50,11 +50,11 @@ browser   python3        3.11     apt:python3-venv    python3 -c 'import ensurep
 browser   chromium       120      apt:chromium        eval chromium --version || chromium-browser --version || google-chrome --version
 browser   chromedriver   120      apt:chromium-driver chromedriver --version
 browser   pdftotext      22       apt:poppler-utils   pdftotext -v
-wasm      rustc-web      1.90     apt:rustc-web       /usr/bin/rustc --version
-wasm      rust-web-src   1.90     apt:rust-web-src    dpkg-query -W rust-web-src
+wasm      rustc-web      1.92     apt:rustc-web       /usr/bin/rustc --version
+wasm      rust-web-src   1.92     apt:rust-web-src    dpkg-query -W rust-web-src
 wasm      wasm-ld-19     19       apt:lld-19          wasm-ld-19 --version
-windows   rustc-web      1.90     apt:rustc-web       /usr/bin/rustc --version
-windows   rust-web-src   1.90     apt:rust-web-src    dpkg-query -W rust-web-src
+windows   rustc-web      1.92     apt:rustc-web       /usr/bin/rustc --version
+windows   rust-web-src   1.92     apt:rust-web-src    dpkg-query -W rust-web-src
 windows   mingw-gcc      12       apt:gcc-mingw-w64-x86-64 dpkg-query -W gcc-mingw-w64-x86-64
 windows   wine           8        apt:wine            wine --version
 "

@@ -5,52 +5,96 @@ use std::ops::Range;
 use plotters::coord::ranged1d::{DefaultFormatting, KeyPointHint, Ranged};
 use plotters::coord::types::RangedCoordf64;
 
+use crate::error::PlotError;
+use crate::letters::width_pt;
+use crate::style::TEXT_PT;
+
 /// An axis.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Axis {
     /// What is written along it, with its unit.
     pub label: String,
     /// What it covers at least; it grows to hold all points.
     pub range: Option<(f64, f64)>,
+    /// What it covers exactly, where that is wanted: what is outside is not drawn.
+    pub limits: Option<(f64, f64)>,
+    /// Equal ratios are equally far apart.
+    pub logarithmic: bool,
 }
 
 impl Axis {
     /// An axis that covers its points.
     #[must_use]
     pub fn new(label: impl Into<String>) -> Self {
-        Self { label: label.into(), range: None }
+        Self { label: label.into(), range: None, limits: None, logarithmic: false }
     }
 
     /// An axis that covers at least this range.
     #[must_use]
     pub fn over(label: impl Into<String>, from: f64, to: f64) -> Self {
-        Self { label: label.into(), range: Some((from, to)) }
+        Self { range: Some((from, to)), ..Self::new(label) }
     }
 
-    /// From where to where it goes: all values and the wanted range. `room` leaves some room above the values.
+    /// A logarithmic axis that covers its points.
+    #[must_use]
+    pub fn logarithmic(label: impl Into<String>) -> Self {
+        Self { logarithmic: true, ..Self::new(label) }
+    }
+
+    /// Where a value is along it: the value, or its decimal logarithm.
+    pub(crate) fn place(&self, value: f64) -> f64 {
+        if self.logarithmic { value.log10() } else { value }
+    }
+
+    /// From where to where it goes, as places: the limits, or all values and the wanted range. `room` leaves some room above
+    /// the values and begins at 0.
     pub(crate) fn span(&self, values: impl Iterator<Item = f64>, room: bool) -> (f64, f64) {
-        let (mut low, mut high) = self.range.unwrap_or((f64::INFINITY, f64::NEG_INFINITY));
-        for value in values {
+        if let Some((from, to)) = self.limits {
+            return (self.place(from), self.place(to));
+        }
+        let range = self.range.map(|(from, to)| (self.place(from), self.place(to)));
+        let (mut low, mut high) = range.unwrap_or((f64::INFINITY, f64::NEG_INFINITY));
+        for value in values.map(|value| self.place(value)) {
             low = low.min(value);
             high = high.max(value);
         }
-        if room {
+        if room && !self.logarithmic {
             // Forces and states begin at 0; a curve that goes a little below keeps its own lowest point.
             low = low.min(0.0);
-            if self.range.is_none_or(|(_, to)| high > to) {
+            if range.is_none_or(|(_, to)| high > to) {
                 high += 0.06 * (high - low);
             }
         }
         if high > low { (low, high) } else { (low - 0.5, low + 0.5) }
     }
+
+    /// About `count` ticks over a span.
+    pub(crate) fn ticks(&self, span: (f64, f64), count: usize) -> Ticks {
+        if self.logarithmic { Ticks::logarithmic(span) } else { Ticks::linear(span, count) }
+    }
+
+    /// Refuses limits that are none, and a logarithmic axis of values that have no logarithm.
+    pub(crate) fn check(&self, mut values: impl Iterator<Item = f64>) -> Result<(), PlotError> {
+        let wrong = |(from, to): (f64, f64)| !from.is_finite() || !to.is_finite() || from >= to;
+        if self.limits.is_some_and(wrong) {
+            return Err(PlotError::Limits { axis: self.label.clone() });
+        }
+        let ends = self.limits.into_iter().chain(self.range).flat_map(|(from, to)| [from, to]);
+        if self.logarithmic && values.by_ref().chain(ends).any(|value| value <= 0.0) {
+            return Err(PlotError::NotPositive { axis: self.label.clone() });
+        }
+        Ok(())
+    }
 }
 
-/// Positions of ticks and what is written at them.
+/// Where ticks are and what is written at them.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Ticks {
-    pub(crate) at: Vec<f64>,
-    decimals: usize,
-    power: i32,
+    /// Places with their labels.
+    pub(crate) marks: Vec<(f64, String)>,
+    /// Places without.
+    pub(crate) minor: Vec<f64>,
 }
 
 impl Ticks {
@@ -60,28 +104,47 @@ impl Ticks {
         let at: Vec<f64> = coord.key_points(count);
         let largest = at.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
         let step = at.windows(2).map(|pair| pair[1] - pair[0]).fold(largest, f64::min);
-        // What rounding leaves of 0 is 0.
-        let at: Vec<f64> =
-            at.into_iter().map(|value| if value.abs() < 1e-9 * step { 0.0 } else { value }).collect();
         let power = if (1e-3..1e5).contains(&largest) || largest == 0.0 { 0 } else { exponent(largest) };
-        Self { decimals: decimals(step / 10_f64.powi(power)), at, power }
+        let decimals = decimals(step / 10_f64.powi(power));
+        let marks = at.into_iter().map(|value| {
+            // What rounding leaves of 0 is 0.
+            let value = if value.abs() < 1e-9 * step { 0.0 } else { value };
+            (value, linear_label(value, power, decimals))
+        });
+        Self { marks: marks.collect(), minor: vec![] }
     }
 
-    pub(crate) fn label(&self, value: f64) -> String {
-        if self.power == 0 || value == 0.0 {
-            return plain(value, if value == 0.0 { 0 } else { self.decimals });
-        }
-        format!("{}×{}", plain(value / 10_f64.powi(self.power), self.decimals), power_of_ten(self.power))
+    /// The ticks of a logarithmic axis, whose places are decimal logarithms.
+    pub(crate) fn logarithmic((low, high): (f64, f64)) -> Self {
+        let (low, high) = (10_f64.powf(low), 10_f64.powf(high));
+        let marks = log_ticks(low, high).into_iter().map(|(at, label)| (at.log10(), label));
+        let minor = minor_log_ticks(low, high).into_iter().map(f64::log10);
+        Self { marks: marks.collect(), minor: minor.collect() }
     }
 
-    /// The widest label, in letters' stead.
-    pub(crate) fn longest(&self) -> String {
-        let labels = self.at.iter().map(|&value| self.label(value));
-        labels.max_by_key(|label| label.chars().count()).unwrap_or_default()
+    /// Places of the ticks with labels.
+    pub(crate) fn at(&self) -> Vec<f64> {
+        self.marks.iter().map(|(at, _)| *at).collect()
+    }
+
+    pub(crate) fn label(&self, at: f64) -> &str {
+        self.marks.iter().find(|(tick, _)| *tick == at).map_or("", |(_, label)| label)
+    }
+
+    /// The width of the widest label.
+    pub(crate) fn width_pt(&self) -> f64 {
+        self.marks.iter().map(|(_, label)| width_pt(label, TEXT_PT)).fold(0.0, f64::max)
     }
 }
 
-/// A linear coordinate with ticks where we want them.
+fn linear_label(value: f64, power: i32, decimals: usize) -> String {
+    if power == 0 || value == 0.0 {
+        return plain(value, if value == 0.0 { 0 } else { decimals });
+    }
+    format!("{}×{}", plain(value / 10_f64.powi(power), decimals), power_of_ten(power))
+}
+
+/// A linear coordinate of places, with ticks where we want them.
 pub(crate) struct Scale {
     coord: RangedCoordf64,
     ticks: Vec<f64>,
@@ -135,7 +198,7 @@ fn plain(value: f64, decimals: usize) -> String {
 }
 
 /// 10 with a raised exponent.
-pub(crate) fn power_of_ten(power: i32) -> String {
+fn power_of_ten(power: i32) -> String {
     let raised = |c: char| match c {
         '-' => '⁻',
         '1' => '¹',
@@ -148,7 +211,7 @@ pub(crate) fn power_of_ten(power: i32) -> String {
 }
 
 /// Ticks of a logarithmic axis: 1, 2 and 5 of each decade where there is room for them, else the decades.
-pub(crate) fn log_ticks(low: f64, high: f64) -> Vec<(f64, String)> {
+fn log_ticks(low: f64, high: f64) -> Vec<(f64, String)> {
     let decades = (high / low).log10();
     let steps: &[f64] = if decades < 1.8 { &[1.0, 2.0, 5.0] } else { &[1.0] };
     let mut ticks = Vec::new();
@@ -172,7 +235,7 @@ fn log_label(step: f64, power: i32) -> String {
 }
 
 /// The unlabelled ticks of a logarithmic axis: 1 to 9 of each decade.
-pub(crate) fn minor_log_ticks(low: f64, high: f64) -> Vec<f64> {
+fn minor_log_ticks(low: f64, high: f64) -> Vec<f64> {
     (exponent(low)..=exponent(high))
         .flat_map(|power| (1..10).map(move |step| f64::from(step) * 10_f64.powi(power)))
         .filter(|at| (low..=high).contains(at))
@@ -185,7 +248,7 @@ mod tests {
 
     fn labels(low: f64, high: f64) -> Vec<String> {
         let ticks = Ticks::linear((low, high), 6);
-        ticks.at.iter().map(|&at| ticks.label(at)).collect()
+        ticks.marks.into_iter().map(|(_, label)| label).collect()
     }
 
     #[test]
@@ -210,5 +273,24 @@ mod tests {
         assert_eq!(Axis::over("x", 0.0, 2.0).span([1.0, 3.0].into_iter(), false), (0.0, 3.0));
         let (low, high) = Axis::new("F").span([2.0, 10.0].into_iter(), true);
         assert!(low == 0.0 && high > 10.0);
+    }
+
+    #[test]
+    fn limits_are_kept_and_must_be_some() {
+        let limited = Axis { limits: Some((0.0, 2.0)), ..Axis::new("F") };
+        assert_eq!(limited.span([1.0, 30.0].into_iter(), true), (0.0, 2.0));
+        assert!(limited.check(std::iter::empty()).is_ok());
+        let empty = Axis { limits: Some((2.0, 2.0)), ..Axis::new("F") };
+        assert!(matches!(empty.check(std::iter::empty()), Err(PlotError::Limits { .. })));
+    }
+
+    #[test]
+    fn places_of_a_logarithmic_axis_are_logarithms() {
+        let axis = Axis::logarithmic("E");
+        assert_eq!(axis.span([10.0, 1000.0].into_iter(), true), (1.0, 3.0));
+        let labels: Vec<String> =
+            axis.ticks((1.0, 3.0), 5).marks.into_iter().map(|(_, label)| label).collect();
+        assert_eq!(labels, ["10", "100", "1000"]);
+        assert!(matches!(axis.check([0.0].into_iter()), Err(PlotError::NotPositive { .. })));
     }
 }

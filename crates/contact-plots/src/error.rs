@@ -30,16 +30,76 @@ pub enum PlotError {
         /// The axis's label.
         axis: String,
     },
+    /// More names than curves.
+    #[error(
+        "{wanted} names were given, and the figure has {} to name{}",
+        counted(.curves.len()),
+        listed(.curves)
+    )]
+    Names {
+        /// How many names there are.
+        wanted: usize,
+        /// What its curves are called.
+        curves: Vec<String>,
+    },
+    /// There is not one axis that could be limited.
+    #[error("the figure has no single {which} axis to limit{}", listed(.found))]
+    NoAxis {
+        /// `horizontal` or `vertical`.
+        which: &'static str,
+        /// What its axes show.
+        found: Vec<String>,
+    },
+    /// The values along an axis of cells do not rise.
+    #[error(
+        "the values along the axis '{axis}' do not rise, expected each once, from the smallest to the largest"
+    )]
+    NotRising {
+        /// The axis's label.
+        axis: String,
+    },
+    /// An axis does not go from a smaller number to a larger one.
+    #[error("the axis '{axis}' has limits that are none, expected a number and a larger one")]
+    Limits {
+        /// The axis's label.
+        axis: String,
+    },
+    /// There is not enough room on the paper.
+    #[error(
+        "{width_mm} mm are too narrow for letters of {text_pt} pt, expected a width of at least {least_mm:.0} mm"
+    )]
+    TooNarrow {
+        /// The width that was wanted.
+        width_mm: f64,
+        /// The size of the letters.
+        text_pt: f64,
+        /// The least width for them.
+        least_mm: f64,
+    },
     /// The plotting library did not get through.
     #[error("the figure could not be drawn: {0}")]
     Drawing(String),
-    /// The pixels could not be made.
+    /// The pixels or the page could not be made.
     #[error("the picture could not be made: {0}")]
-    Raster(String),
+    Picture(String),
 }
 
 impl PlotError {
     pub(crate) fn drawing(error: impl std::fmt::Display) -> Self {
         Self::Drawing(error.to_string())
     }
+}
+
+fn counted(curves: usize) -> String {
+    match curves {
+        0 => "no curve".to_owned(),
+        1 => "1 curve".to_owned(),
+        more => format!("{more} curves"),
+    }
+}
+
+/// Names in quotes after a colon; nothing for none.
+fn listed(names: &[String]) -> String {
+    let quoted: Vec<String> = names.iter().map(|name| format!("'{name}'")).collect();
+    if quoted.is_empty() { String::new() } else { format!(": {}", quoted.join(", ")) }
 }

@@ -97,10 +97,11 @@ impl Panel {
         if self.curves.iter().all(|curve| curve.points.len() < 2) {
             return Err(PlotError::Empty { what: "a panel has no curve of two points" });
         }
-        match self.points().find(|(_, (x, y))| !x.is_finite() || !y.is_finite()) {
-            Some((curve, _)) => Err(PlotError::NotFinite { curve: curve.to_owned() }),
-            None => Ok(()),
+        if let Some((curve, _)) = self.points().find(|(_, (x, y))| !x.is_finite() || !y.is_finite()) {
+            return Err(PlotError::NotFinite { curve: curve.to_owned() });
         }
+        self.x.check(self.points().map(|(_, (x, _))| x))?;
+        self.y.check(self.points().map(|(_, (_, y))| y))
     }
 }
 
@@ -123,10 +124,6 @@ impl Width {
             Self::Column => 90.0,
             Self::Page => 190.0,
         }
-    }
-
-    pub(crate) fn pt(self) -> f64 {
-        self.mm() / 25.4 * 72.0
     }
 }
 

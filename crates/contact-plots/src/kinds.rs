@@ -1,7 +1,6 @@
 //! The kinds of figures: what a contact does, from points somebody else computed.
 
 use crate::axis::Axis;
-use crate::draw::figure;
 use crate::error::PlotError;
 use crate::figure::{Area, Curve, Direction, Figure, Limit, Mark, Panel, Point, Width};
 use crate::style::{Dash, Look};
@@ -95,11 +94,11 @@ pub struct ForceFigure {
     pub limits: Vec<Limit>,
 }
 
-/// Draws force against indentation: Hertz, Hertz with cf and smoothed, as in Fig. C.5.
+/// Force against indentation: Hertz, Hertz with cf and smoothed, as in Fig. C.5.
 ///
 /// # Errors
 /// [`PlotError`]: no body, more than [`Look::MOST_SERIES`], or a point that is not a finite number.
-pub fn force_figure(data: &ForceFigure) -> Result<String, PlotError> {
+pub fn force_figure(data: &ForceFigure) -> Result<Figure, PlotError> {
     let description = match data.bodies.as_slice() {
         [one] if !one.own.is_empty() => format!(
             "Force against indentation of {}: the Hertz law, the Hertz law with the constant indentation, and the \
@@ -108,7 +107,7 @@ pub fn force_figure(data: &ForceFigure) -> Result<String, PlotError> {
         ),
         bodies => format!("Force against indentation of {}.", names(bodies.iter().map(|body| &body.name))),
     };
-    figure(&Figure {
+    Ok(Figure {
         title: data.title.clone(),
         description,
         width: Width::Column,
@@ -177,12 +176,12 @@ pub struct StateFigure {
     pub limits: Vec<Limit>,
 }
 
-/// Draws the contact state (C.4) with the step that it smooths.
+/// The contact state (C.4) with the step that it smooths.
 ///
 /// # Errors
 /// As [`force_figure`].
-pub fn state_figure(data: &StateFigure) -> Result<String, PlotError> {
-    figure(&Figure {
+pub fn state_figure(data: &StateFigure) -> Result<Figure, PlotError> {
+    Ok(Figure {
         title: data.title.clone(),
         description: format!(
             "Contact state, from 0 to 1, against indentation of {}.",
@@ -253,11 +252,11 @@ pub struct LoopFigure {
     pub limits: Vec<Limit>,
 }
 
-/// Draws loops of force against indentation: the area within is the energy lost.
+/// Loops of force against indentation: the area within is the energy lost.
 ///
 /// # Errors
 /// As [`force_figure`].
-pub fn loop_figure(data: &LoopFigure) -> Result<String, PlotError> {
+pub fn loop_figure(data: &LoopFigure) -> Result<Figure, PlotError> {
     check_count(data.loops.len())?;
     let mut panel = Panel::new("", Axis::new(data.indentation.label()), Axis::new(data.force.label()));
     panel.limits.clone_from(&data.limits);
@@ -269,7 +268,7 @@ pub fn loop_figure(data: &LoopFigure) -> Result<String, PlotError> {
         let (label, points) = (one.name.clone(), one.points.clone());
         panel.curves.push(Curve { label, points, look: Look::series(index) });
     }
-    figure(&Figure {
+    Ok(Figure {
         title: data.title.clone(),
         description: format!("Force against indentation while a sphere goes in and out. {}", data.motion),
         width: Width::Column,
@@ -300,13 +299,13 @@ pub struct DropFigure {
     pub bodies: Vec<DropCurve>,
 }
 
-/// Draws the drop test against time and, below, against non-dimensional time, as in Fig. 4.
+/// The drop test against time and, below, against non-dimensional time, as in Fig. 4.
 ///
 /// # Errors
 /// As [`force_figure`].
-pub fn drop_figure(data: &DropFigure) -> Result<String, PlotError> {
+pub fn drop_figure(data: &DropFigure) -> Result<Figure, PlotError> {
     let panel = |time| drop_panel(&data.bodies, time);
-    figure(&Figure {
+    Ok(Figure {
         title: data.title.clone(),
         description: format!(
             "Normal force over body weight of {} in a drop test, against time and against non-dimensional time. {}",

@@ -8,10 +8,14 @@ use plotters::style::{Color, RGBColor, ShapeStyle};
 
 use crate::error::PlotError;
 use crate::figure::{Direction, Figure};
-use crate::style::{LIMIT, Look, SHADE, SHADE_OPACITY, TEXT_PT, fitting, stroke, text, units, width_pt};
+use crate::frame::Frame;
+use crate::letters::{lines, roomy_pt};
+use crate::style::{LIMIT, Look, SHADE, SHADE_OPACITY, TEXT_PT, float, stroke, text, units};
 use crate::svg::printable;
 
 const ROW_PT: f64 = 10.0;
+/// Between lines of one name.
+const LINE_PT: f64 = 8.2;
 pub(crate) const SAMPLE_PT: f64 = 18.0;
 const GAP_PT: f64 = 4.0;
 
@@ -24,15 +28,22 @@ pub(crate) enum Sample {
     Limit,
     Border,
     Cross,
-    Blank,
+    Cell(RGBColor),
 }
 
 /// The entries of a legend and how they are laid out.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Legend {
-    entries: Vec<(Sample, String)>,
+    entries: Vec<Entry>,
     columns: usize,
     column_pt: f64,
+}
+
+/// What is before the name, and the lines of the name.
+#[derive(Debug, Clone, PartialEq)]
+struct Entry {
+    sample: Sample,
+    lines: Vec<String>,
 }
 
 impl Legend {
@@ -40,10 +51,13 @@ impl Legend {
     pub(crate) fn of(figure: &Figure, room_pt: f64) -> Self {
         let mut entries: Vec<(Sample, String)> = Vec::new();
         for panel in &figure.panels {
+            let frame = Frame::of(panel);
             let curves = panel.curves.iter().map(|curve| (Sample::Line(curve.look), &curve.label));
-            let marks = panel.marks.iter().map(|mark| (Sample::Dot(mark.look), &mark.label));
+            let marks = panel.marks.iter().filter(|mark| frame.holds(mark.at));
+            let marks = marks.map(|mark| (Sample::Dot(mark.look), &mark.label));
             let areas = panel.areas.iter().map(|area| (Sample::Shade, &area.label));
             let across = panel.limits.iter().filter(|limit| limit.direction == Direction::Horizontal);
+            let across = across.filter(|limit| frame.limit(limit).is_some());
             let limits = across.map(|limit| (Sample::Limit, &limit.label));
             for (sample, label) in curves.chain(marks).chain(areas).chain(limits) {
                 if !label.is_empty() && !entries.iter().any(|known| *known == (sample, label.clone())) {
@@ -54,20 +68,30 @@ impl Legend {
         Self::new(entries, room_pt)
     }
 
+    /// As many columns as hold every name in one line, else one, in which longer names take several lines: no name is cut.
     pub(crate) fn new(entries: Vec<(Sample, String)>, room_pt: f64) -> Self {
-        let name = |(_, label): &(Sample, String)| width_pt(label, TEXT_PT);
+        let name = |(_, label): &(Sample, String)| roomy_pt(label, TEXT_PT);
         let widest = SAMPLE_PT + 3.0 * GAP_PT + entries.iter().map(name).fold(0.0, f64::max);
         let columns = (1..=entries.len().max(1)).rev().find(|&n| room_pt >= widest * float(n)).unwrap_or(1);
-        Self { column_pt: room_pt / float(columns), entries, columns }
+        let column_pt = room_pt / float(columns);
+        let room = column_pt - SAMPLE_PT - 2.0 * GAP_PT;
+        let entry = |(sample, label): (Sample, String)| Entry {
+            sample,
+            lines: lines(&printable(&label), TEXT_PT, room),
+        };
+        Self { entries: entries.into_iter().map(entry).collect(), columns, column_pt }
+    }
+
+    /// Entries of one column; the last may have fewer.
+    fn rows(&self) -> usize {
+        self.entries.len().div_ceil(self.columns)
     }
 
     /// How much room it takes below the panels.
     pub(crate) fn height_pt(&self) -> f64 {
-        if self.entries.is_empty() {
-            0.0
-        } else {
-            float(self.entries.len().div_ceil(self.columns)) * ROW_PT + GAP_PT
-        }
+        let columns = self.entries.chunks(self.rows().max(1));
+        let highest = columns.map(|column| column.iter().map(Entry::height_pt).sum()).fold(0.0, f64::max);
+        if self.entries.is_empty() { 0.0 } else { highest + GAP_PT }
     }
 
     /// Draws it with its upper left corner at `(left_pt, top_pt)`.
@@ -77,7 +101,7 @@ impl Legend {
         at_pt: (f64, f64),
     ) -> Result<(), PlotError> {
         self.draw_by(area, at_pt, &|index, left, middle| match self.entries.get(index) {
-            Some((sample, _)) => draw_sample(area, *sample, left, middle),
+            Some(entry) => draw_sample(area, entry.sample, left, middle),
             None => Ok(()),
         })
     }
@@ -89,18 +113,28 @@ impl Legend {
         (left_pt, top_pt): (f64, f64),
         sample: &dyn Fn(usize, f64, f64) -> Result<(), PlotError>,
     ) -> Result<(), PlotError> {
-        let rows = self.entries.len().div_ceil(self.columns);
-        for (index, (_, label)) in self.entries.iter().enumerate() {
-            // Down the first column, then down the next.
-            let left = left_pt + float(index / rows) * self.column_pt;
-            let middle = top_pt + GAP_PT + ROW_PT * (float(index % rows) + 0.5);
-            sample(index, left, middle)?;
-            let label = fitting(&printable(label), TEXT_PT, self.column_pt - SAMPLE_PT - 2.0 * GAP_PT);
-            let style = text(TEXT_PT).pos(Pos::new(HPos::Left, VPos::Center));
-            let at = (units(left + SAMPLE_PT + GAP_PT), units(middle));
-            area.draw_text(&label, &style, at).map_err(PlotError::drawing)?;
+        // Down the first column, then down the next.
+        let (mut left, mut top) = (left_pt, top_pt + GAP_PT);
+        for (index, entry) in self.entries.iter().enumerate() {
+            if index > 0 && index % self.rows() == 0 {
+                (left, top) = (left + self.column_pt, top_pt + GAP_PT);
+            }
+            sample(index, left, top + 0.5 * ROW_PT)?;
+            for (row, line) in entry.lines.iter().enumerate() {
+                let style = text(TEXT_PT).pos(Pos::new(HPos::Left, VPos::Center));
+                let middle = top + 0.5 * ROW_PT + LINE_PT * float(row);
+                let at = (units(left + SAMPLE_PT + GAP_PT), units(middle));
+                area.draw_text(line, &style, at).map_err(PlotError::drawing)?;
+            }
+            top += entry.height_pt();
         }
         Ok(())
+    }
+}
+
+impl Entry {
+    fn height_pt(&self) -> f64 {
+        ROW_PT + LINE_PT * float(self.lines.len().saturating_sub(1))
     }
 }
 
@@ -132,8 +166,9 @@ fn draw_sample(
             area.draw(&PathElement::new(line, filling()))
         }
         Sample::Cross => return draw_cross(area, at(SAMPLE_PT / 2.0, 0.0)),
-        Sample::Blank => area
-            .draw(&Rectangle::new([at(0.0, -3.0), at(SAMPLE_PT, 3.0)], RGBColor(0xBB, 0xBB, 0xBB).filled())),
+        Sample::Cell(colour) => {
+            area.draw(&Rectangle::new([at(0.0, -3.0), at(SAMPLE_PT, 3.0)], colour.filled()))
+        }
     }
     .map_err(PlotError::drawing)
 }
@@ -152,9 +187,4 @@ pub(crate) fn draw_cross(area: &DrawingArea<SVGBackend<'_>, Shift>, at: (i32, i3
     let ring = |pt: f64, colour: RGBColor, width: f64| Circle::new(at, units(pt), stroke(colour, width));
     area.draw(&ring(2.6, RGBColor(0, 0, 0), 2.0)).map_err(PlotError::drawing)?;
     area.draw(&ring(2.6, RGBColor(255, 255, 255), 1.0)).map_err(PlotError::drawing)
-}
-
-#[expect(clippy::cast_precision_loss, reason = "entries of a legend")]
-fn float(count: usize) -> f64 {
-    count as f64
 }

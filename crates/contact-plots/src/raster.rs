@@ -1,39 +1,18 @@
-//! PNG from SVG, with a font of its own: the picture is the same on every machine.
+//! PNG from SVG.
 
-use std::sync::{Arc, OnceLock};
-
-use resvg::usvg::fontdb::Database;
-use resvg::{tiny_skia, usvg};
+use resvg::tiny_skia;
 
 use crate::error::PlotError;
-
-/// Arimo (SIL Open Font License 1.1), the letters figures need; `fonts/README.md` says how it was made.
-const FONT: &[u8] = include_bytes!("../fonts/Arimo-subset.ttf");
-const FONT_NAME: &str = "Arimo";
-
-/// The font, read when the first picture is made.
-fn fonts() -> Arc<Database> {
-    static FONTS: OnceLock<Arc<Database>> = OnceLock::new();
-    let read = || {
-        let mut fonts = Database::new();
-        fonts.load_font_data(FONT.to_vec());
-        fonts.set_sans_serif_family(FONT_NAME);
-        Arc::new(fonts)
-    };
-    Arc::clone(FONTS.get_or_init(read))
-}
+use crate::tree::{UNITS_PER_INCH, tree};
 
 /// The picture of a figure, as the bytes of a PNG file: white below, `dpi` pixels to the inch of its size on paper.
 ///
 /// # Errors
-/// [`PlotError::Raster`] where the SVG is none, or the picture would be too large.
+/// [`PlotError::Picture`] where the SVG is none, or the picture would be too large.
 pub fn png(svg: &str, dpi: f32) -> Result<Vec<u8>, PlotError> {
-    let raster = |error: &dyn std::fmt::Display| PlotError::Raster(error.to_string());
-    // usvg counts 96 pixels to the inch.
-    let options =
-        usvg::Options { fontdb: fonts(), font_family: FONT_NAME.to_owned(), ..usvg::Options::default() };
-    let tree = usvg::Tree::from_str(svg, &options).map_err(|error| raster(&error))?;
-    let scale = dpi / 96.0;
+    let raster = |error: &dyn std::fmt::Display| PlotError::Picture(error.to_string());
+    let tree = tree(svg)?;
+    let scale = dpi / UNITS_PER_INCH;
     let size = tree.size().to_int_size().scale_by(scale).ok_or_else(|| raster(&"no size"))?;
     let mut pixels = tiny_skia::Pixmap::new(size.width(), size.height())
         .ok_or_else(|| raster(&"it would be too large"))?;

@@ -12,8 +12,6 @@ pub(crate) const UNITS_PER_PT: f64 = 20.0;
 pub(crate) const TEXT_PT: f64 = 7.0;
 /// Text of titles.
 pub(crate) const TITLE_PT: f64 = 8.0;
-/// Width of a letter over the size of the text, a mean of Arial's.
-const LETTER: f64 = 0.53;
 /// Arial, or a font of the same metrics: Helvetica on macOS, Liberation Sans or Arimo (the PNG's) on Linux.
 pub(crate) const FAMILY: &str = "Arial, Helvetica, 'Liberation Sans', Arimo, sans-serif";
 
@@ -29,28 +27,10 @@ pub(crate) fn units(pt: f64) -> i32 {
     (pt * UNITS_PER_PT).round() as i32
 }
 
-/// The estimated width of a text, in points.
-pub(crate) fn width_pt(text: &str, size_pt: f64) -> f64 {
-    // A combining mark takes no room.
-    let letters = text.chars().filter(|c| !('\u{300}'..='\u{36f}').contains(c)).count();
-    #[expect(clippy::cast_precision_loss, reason = "a label")]
-    let letters = letters as f64;
-    letters * LETTER * size_pt
-}
-
-/// The text, cut with an ellipsis where it would be wider than `most_pt`.
-pub(crate) fn fitting(text: &str, size_pt: f64, most_pt: f64) -> String {
-    if width_pt(text, size_pt) <= most_pt {
-        return text.to_owned();
-    }
-    let mut short = String::new();
-    for letter in text.chars() {
-        if width_pt(&short, size_pt) + 2.0 * LETTER * size_pt > most_pt {
-            break;
-        }
-        short.push(letter);
-    }
-    format!("{}…", short.trim_end_matches(' '))
+/// A count of things on a page.
+#[expect(clippy::cast_precision_loss, reason = "panels, rows, letters")]
+pub(crate) fn float(count: usize) -> f64 {
+    count as f64
 }
 
 /// Text of a size in points; never bold, which the font of PNG pictures does not have.
@@ -156,13 +136,6 @@ mod tests {
                 );
             }
         }
-    }
-
-    #[test]
-    fn long_names_are_cut_and_short_ones_stay() {
-        assert_eq!(fitting("human", 7.0, 100.0), "human");
-        let cut = fitting(&"a very long name ".repeat(9), 7.0, 100.0);
-        assert!(cut.ends_with('…') && width_pt(&cut, 7.0) <= 100.0, "{cut}");
     }
 
     /// Relative luminance and contrast on white, as WCAG 2.1 defines them: thin lines need 3 : 1.

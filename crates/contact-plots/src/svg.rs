@@ -1,14 +1,31 @@
 //! The SVG document around what the plotting library drew: size on paper, title and description.
 
 use crate::error::PlotError;
-use crate::style::UNITS_PER_PT;
 
-/// Gives the library's document its size in millimetres, a role, a title and a description.
+/// What a document is called and shows, for those who do not see it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Names<'n> {
+    pub(crate) title: &'n str,
+    pub(crate) description: &'n str,
+}
+
+impl<'n> Names<'n> {
+    /// The title; of a figure without one the first sentence of its description, as every picture needs a name.
+    fn title(self) -> &'n str {
+        if self.title.chars().any(|letter| !letter.is_whitespace()) {
+            return self.title;
+        }
+        let first = self.description.split_inclusive(". ").next().unwrap_or_default();
+        first.trim_end_matches(' ')
+    }
+}
+
+/// Gives the library's document its width in millimetres, a role, a title and a description.
 pub(crate) fn finished(
     drawn: &str,
     (width, height): (u32, u32),
-    title: &str,
-    description: &str,
+    width_mm: f64,
+    names: Names<'_>,
 ) -> Result<String, PlotError> {
     let body = drawn
         .find('>')
@@ -16,15 +33,21 @@ pub(crate) fn finished(
         .ok_or_else(|| PlotError::Drawing("the library wrote no document".to_owned()))?;
     // An opacity of 1 is what SVG takes anyway; half the size of a figure is attributes.
     let body = joined(&body.replace(" opacity=\"1\"", "").replace(" \"/>", "\"/>"));
-    let mm = |units: u32| format!("{:.1}", f64::from(units) / UNITS_PER_PT / 72.0 * 25.4);
+    // As high as its units are wide: nothing is stretched.
+    let height_mm = width_mm * f64::from(height) / f64::from(width.max(1));
     Ok(format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"{}mm\" height=\"{}mm\" \
          viewBox=\"0 0 {width} {height}\">\n<title>{}</title>\n<desc>{}</desc>{body}",
-        mm(width),
-        mm(height),
-        escaped(title),
-        escaped(description),
+        rounded(width_mm),
+        rounded(height_mm),
+        escaped(names.title()),
+        escaped(names.description),
     ))
+}
+
+/// To a thousandth, without zeros that say nothing.
+fn rounded(mm: f64) -> f64 {
+    (1000.0 * mm).round() / 1000.0
 }
 
 /// Lines of one look that follow each other, as one path: the library draws each dash as an element of its own, which

@@ -1,9 +1,10 @@
 //! A panel in letters, for a terminal: each letter of Braille holds two by four dots.
 
-use crate::axis::Ticks;
-use crate::draw::{float, x_span, y_span};
+use crate::clip;
 use crate::error::PlotError;
 use crate::figure::{Panel, Point};
+use crate::frame::Frame;
+use crate::style::float;
 
 /// The curves of a panel with its axes, in lines of at most `columns` letters, `rows` of them between the axes.
 ///
@@ -24,21 +25,25 @@ use crate::figure::{Panel, Point};
 /// A point is not finite, or no curve has two points.
 pub fn text(panel: &Panel, columns: usize, rows: usize) -> Result<String, PlotError> {
     panel.check()?;
-    let (x, y) = (x_span(panel), y_span(panel));
-    let y_ticks = Ticks::linear(y, rows / 2 + 1);
-    let margin = y_ticks.longest().chars().count() + 1;
+    let frame = Frame::of(panel);
+    let (x, y) = (frame.x, frame.y);
+    let y_ticks = panel.y.ticks(y, rows / 2 + 1);
+    let longest = y_ticks.marks.iter().map(|(_, label)| label.chars().count()).max();
+    let margin = longest.unwrap_or(0) + 1;
     let mut dots = Dots::new(columns.saturating_sub(margin + 1).max(1), rows.max(1));
     let place = |(x_value, y_value): Point| {
         let share = |value: f64, (low, high): (f64, f64)| (value - low) / (high - low);
         (share(x_value, x) * float(dots.across() - 1), share(y_value, (y.1, y.0)) * float(dots.down() - 1))
     };
-    let lines = panel.curves.iter().flat_map(|curve| curve.points.windows(2));
-    let lines: Vec<(Point, Point)> = lines.map(|ends| (place(ends[0]), place(ends[1]))).collect();
+    let parts = panel.curves.iter().flat_map(|curve| clip::line(&frame.places(&curve.points), x, y));
+    let lines: Vec<(Point, Point)> = parts
+        .flat_map(|part| part.windows(2).map(|ends| (place(ends[0]), place(ends[1]))).collect::<Vec<_>>())
+        .collect();
     let y_labels: Vec<(usize, String)> =
-        y_ticks.at.iter().map(|&at| (whole(place((x.0, at)).1) / DOWN, y_ticks.label(at))).collect();
-    let x_ticks = Ticks::linear(x, dots.columns / 10 + 1);
+        y_ticks.marks.into_iter().map(|(at, label)| (whole(place((x.0, at)).1) / DOWN, label)).collect();
+    let x_ticks = panel.x.ticks(x, dots.columns / 10 + 1);
     let x_labels: Vec<(usize, String)> =
-        x_ticks.at.iter().map(|&at| (whole(place((at, y.0)).0) / ACROSS, x_ticks.label(at))).collect();
+        x_ticks.marks.into_iter().map(|(at, label)| (whole(place((at, y.0)).0) / ACROSS, label)).collect();
     lines.into_iter().for_each(|(from, to)| dots.line(from, to));
 
     let mut text = format!("{}\n", panel.y.label);

@@ -6,29 +6,39 @@ use plotters::style::{Color, FontTransform, RGBColor};
 
 use super::data::{Ball, LevelKind, Scene, State};
 use super::labels::LEADER_PT;
-use super::layout::{LINE_PT, Name, PlacedBlock, PlacedView, SceneLayout, has_outlines};
+use super::layout::{LINE_PT, Name, PlacedBlock, PlacedView, RIGHT_PT, SceneLayout, has_outlines};
 use super::marks::{
     ASTRAY, BONE, BONE_OPACITY, NOW, SPOT_PT, circle, dashed, draw, level, place, rgb, ring, spot,
 };
 use super::samples::{SceneSample, sample};
-use crate::draw::{Area, TICK_PT, document, float};
+use crate::document::{Area, MARGIN_PT, Sheet, document};
+use crate::draw::TICK_PT;
 use crate::error::PlotError;
 use crate::figure::Point;
 use crate::legend::{Legend, Sample};
-use crate::style::{INK, TEXT_PT, stroke, text, units};
-use crate::svg::printable;
+use crate::paper::Paper;
+use crate::style::{INK, TEXT_PT, float, stroke, text, units};
+use crate::svg::{Names, printable};
 
 /// Draws things from several sides, as an SVG document: a unit of length is as long in every direction, and circles are
 /// circles.
 ///
 /// # Errors
-/// [`PlotError`]: nothing to draw, or a point that is not a finite number.
-pub fn scene(scene: &Scene) -> Result<String, PlotError> {
+/// [`PlotError`]: nothing to draw, a point that is not a finite number, or too little room on the paper.
+pub fn scene(scene: &Scene, paper: Paper) -> Result<String, PlotError> {
     scene.check()?;
     let entries = entries(scene);
-    let named = entries.iter().map(|(_, name)| (Sample::Blank, name.clone())).collect();
-    let layout = SceneLayout::of(scene, |room| Legend::new(named, room));
-    document(layout.size_pt, &scene.title, &scene.description, |root| {
+    let named = entries.iter().map(|(_, name)| (Sample::Shade, name.clone())).collect();
+    let layout = SceneLayout::of(scene, paper, |room| Legend::new(named, room));
+    paper.check(layout.width, layout.beside + 2.0 * MARGIN_PT + RIGHT_PT)?;
+    let sheet = Sheet {
+        width: layout.width,
+        paper,
+        height_pt: layout.height_pt,
+        title: &layout.title,
+        names: Names { title: &scene.title, description: &scene.description },
+    };
+    document(&sheet, |root| {
         for block in &layout.blocks {
             draw_block(root, block)?;
         }
@@ -159,18 +169,18 @@ fn draw_axes(root: &Area<'_>, view: &PlacedView<'_>, is_last: bool) -> Result<()
         root.draw_text(line, &text(TEXT_PT).pos(style), place(at)).map_err(PlotError::drawing)
     };
     let ticks = view.x_ticks();
-    for &value in &ticks.at {
-        let (x, _) = view.at((value, 0.0));
+    for (value, label) in &ticks.marks {
+        let (x, _) = view.at((*value, 0.0));
         draw(root, &PathElement::new(vec![place((x, bottom)), place((x, bottom + TICK_PT))], line))?;
         if is_last {
-            words(&ticks.label(value), (x, bottom + 2.0 * TICK_PT), Pos::new(HPos::Center, VPos::Top))?;
+            words(label, (x, bottom + 2.0 * TICK_PT), Pos::new(HPos::Center, VPos::Top))?;
         }
     }
     let ticks = view.y_ticks();
-    for &value in &ticks.at {
-        let (_, y) = view.at((0.0, value));
+    for (value, label) in &ticks.marks {
+        let (_, y) = view.at((0.0, *value));
         draw(root, &PathElement::new(vec![place((left - TICK_PT, y)), place((left, y))], line))?;
-        words(&ticks.label(value), (left - 2.0 * TICK_PT, y), Pos::new(HPos::Right, VPos::Center))?;
+        words(label, (left - 2.0 * TICK_PT, y), Pos::new(HPos::Right, VPos::Center))?;
     }
     if is_last {
         let middle = (f64::midpoint(left, right), bottom + 2.0 * TICK_PT + LINE_PT);

@@ -2,17 +2,25 @@
 
 use super::data::{Block, LevelKind, Scene, View};
 use super::labels::{Obstacles, Rect, Wanted, place};
-use super::letters::{cut, lines, width_pt};
 
 use crate::axis::Ticks;
-use crate::draw::{BELOW_PT, MARGIN_PT, NAME_PT, TICK_PT, TITLE_ROW_PT, float};
+use crate::document::{MARGIN_PT, Title};
+use crate::draw::{BELOW_PT, NAME_PT, TICK_PT};
 use crate::figure::{Point, Width};
 use crate::legend::Legend;
-use crate::style::TEXT_PT;
+use crate::letters::{cut, lines, width_pt};
+use crate::paper::Paper;
+use crate::style::{TEXT_PT, float};
 use crate::svg::printable;
 
 pub(super) const LINE_PT: f64 = 8.6;
 const GAP_PT: f64 = 10.0;
+/// The row of the name of a block.
+const BLOCK_TITLE_PT: f64 = 13.0;
+/// Room on the right for half of the last tick's label.
+pub(super) const RIGHT_PT: f64 = 5.0;
+/// Things side by side are no narrower than this between their axes; below each other they are wider.
+const SIDE_BY_SIDE_PT: f64 = 90.0;
 /// Between what is drawn and the edge of its view.
 const PAD_PT: f64 = 4.0;
 const NAME_HEIGHT_PT: f64 = 7.6;
@@ -113,7 +121,7 @@ impl PlacedView<'_> {
 fn ticks((low, high): (f64, f64), length_pt: f64) -> Ticks {
     let count = (2..9).rev().find(|&count| length_pt >= 22.0 * float(count)).unwrap_or(2);
     let mut ticks = Ticks::linear((low, high), count);
-    ticks.at.retain(|at| (low..=high).contains(at));
+    ticks.marks.retain(|(at, _)| (low..=high).contains(at));
     ticks
 }
 
@@ -131,25 +139,34 @@ pub(super) struct PlacedBlock<'s> {
 
 /// Where everything goes.
 pub(super) struct SceneLayout<'s> {
-    pub size_pt: (f64, f64),
+    /// How wide the scene is by itself.
+    pub width: Width,
+    pub title: Title,
+    pub height_pt: f64,
     pub blocks: Vec<PlacedBlock<'s>>,
     pub legend: Legend,
     pub legend_at: Point,
+    /// Room for the numbers and the name of vertical axes.
+    pub beside: f64,
 }
 
 impl<'s> SceneLayout<'s> {
-    pub(super) fn of(scene: &'s Scene, legend: impl FnOnce(f64) -> Legend) -> Self {
-        let columns = scene.blocks.len().clamp(1, 2);
+    pub(super) fn of(scene: &'s Scene, paper: Paper, legend: impl FnOnce(f64) -> Legend) -> Self {
         let named = |block: &Block| block.views.iter().map(named).max().unwrap_or(0);
         let crowded = scene.blocks.iter().any(|block| named(block) > CROWDED);
-        let width = if columns > 1 || crowded { Width::Page.pt() } else { Width::Column.pt() };
+        let page = if scene.blocks.len() > 1 || crowded { Width::Page } else { Width::Column };
+        let width = paper.layout_pt(page);
         let beside = NAME_PT + 3.0 * TICK_PT + longest_tick(scene);
-        let column = (width - 2.0 * MARGIN_PT - GAP_PT * float(columns - 1)) / float(columns);
-        // Room on the right for half of the last tick's label.
-        let plot = column - beside - 5.0;
+        let column =
+            |columns: usize| (width - 2.0 * MARGIN_PT - GAP_PT * float(columns - 1)) / float(columns);
+        let is_wide = column(2) - beside - RIGHT_PT >= SIDE_BY_SIDE_PT;
+        let columns = if scene.blocks.len() > 1 && is_wide { 2 } else { 1 };
+        let column = column(columns);
+        let plot = column - beside - RIGHT_PT;
+        let title = Title::new(&scene.title, width);
         let scales = scales(scene, plot);
         let mut blocks = Vec::new();
-        let mut top = MARGIN_PT + TITLE_ROW_PT;
+        let mut top = title.bottom_pt();
         let rows = scene.blocks.chunks(columns).zip(scales.chunks(columns));
         for (row, scales) in rows {
             let views: Vec<Vec<PlacedView<'s>>> = row
@@ -177,8 +194,9 @@ impl<'s> SceneLayout<'s> {
         }
         let legend = legend(width - 2.0 * MARGIN_PT - beside);
         let legend_top = top - GAP_PT;
-        let size_pt = (width, legend_top + legend.height_pt() + MARGIN_PT);
-        Self { size_pt, blocks, legend, legend_at: (MARGIN_PT + beside, legend_top) }
+        let height_pt = legend_top + legend.height_pt() + MARGIN_PT;
+        let legend_at = (MARGIN_PT + beside, legend_top);
+        Self { width: page, title, height_pt, blocks, legend, legend_at, beside }
     }
 }
 
@@ -348,7 +366,7 @@ fn stacked<'s>(
     (remarks, column): (&[String], f64),
 ) -> PlacedBlock<'s> {
     let title = cut(&printable(&block.title), TEXT_PT, column - beside);
-    let mut at = top + TITLE_ROW_PT;
+    let mut at = top + BLOCK_TITLE_PT;
     let last = views.len().saturating_sub(1);
     let mut placed = Vec::new();
     for (index, view) in views.into_iter().enumerate() {

@@ -4,7 +4,7 @@ use plotters::element::{Circle, DashedPathElement, PathElement, Polygon};
 use plotters::style::{Color, RGBColor};
 
 use super::data::LevelKind;
-use crate::draw::Area;
+use crate::document::Area;
 use crate::error::PlotError;
 use crate::figure::Point;
 use crate::style::{INK, LIMIT, Look, stroke, units};

@@ -4,7 +4,6 @@ mod data;
 mod draw;
 mod labels;
 mod layout;
-mod letters;
 mod marks;
 mod samples;
 

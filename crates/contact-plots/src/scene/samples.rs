@@ -5,7 +5,7 @@ use plotters::style::Color;
 
 use super::data::LevelKind;
 use super::marks::{BONE, BONE_OPACITY, circle, draw, level, place, ring, spot};
-use crate::draw::Area;
+use crate::document::Area;
 use crate::error::PlotError;
 use crate::legend::SAMPLE_PT;
 use crate::style::stroke;

@@ -1,0 +1,229 @@
+//! A figure of any kind, and the numbers in it.
+
+use crate::axis::Axis;
+use crate::draw::{figure, letter};
+use crate::error::PlotError;
+use crate::figure::{Direction, Figure, Panel};
+use crate::heat_map::{HeatMap, heat_map};
+use crate::paper::Paper;
+use crate::scene::{Scene, scene};
+
+/// A figure of any kind, before it is drawn.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Drawing {
+    /// Curves in panels.
+    Panels(Figure),
+    /// A quantity as colours.
+    HeatMap(HeatMap),
+    /// Things in space.
+    Scene(Scene),
+}
+
+/// One number or place of a figure, as a row of a table; what it does not have is empty.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Datum {
+    /// The panel's letter and title, or the view's title.
+    pub panel: String,
+    /// `curve`, `point`, `limit`, `cell`, `outline`, `sphere`, `level`: what it is a part of.
+    pub kind: &'static str,
+    /// The name of that.
+    pub name: String,
+    /// What the horizontal axis shows, with its unit.
+    pub x_axis: String,
+    /// The value along it.
+    pub x: Option<f64>,
+    /// What the vertical axis shows, with its unit.
+    pub y_axis: String,
+    /// The value along it.
+    pub y: Option<f64>,
+    /// What a third number is, with its unit: the quantity of a cell, the radius of a sphere.
+    pub value_name: String,
+    /// That number.
+    pub value: Option<f64>,
+}
+
+impl Drawing {
+    /// What it shows.
+    #[must_use]
+    pub fn title(&self) -> &str {
+        match self {
+            Self::Panels(figure) => &figure.title,
+            Self::HeatMap(map) => &map.title,
+            Self::Scene(scene) => &scene.title,
+        }
+    }
+
+    /// Draws it as an SVG document.
+    ///
+    /// # Errors
+    /// [`PlotError`]: there is nothing to draw, a number is none, or the paper is too narrow.
+    pub fn svg(&self, paper: Paper) -> Result<String, PlotError> {
+        match self {
+            Self::Panels(panels) => figure(panels, paper),
+            Self::HeatMap(map) => heat_map(map, paper),
+            Self::Scene(things) => scene(things, paper),
+        }
+    }
+
+    /// The names of its curves, in the order of the legend; equal names once.
+    #[must_use]
+    pub fn curves(&self) -> Vec<&str> {
+        let Self::Panels(figure) = self else { return Vec::new() };
+        let mut names: Vec<&str> = Vec::new();
+        for curve in figure.panels.iter().flat_map(|panel| &panel.curves) {
+            if !curve.label.is_empty() && !names.contains(&curve.label.as_str()) {
+                names.push(&curve.label);
+            }
+        }
+        names
+    }
+
+    /// Gives curves other names, in the order of the legend; those for which there is none keep theirs.
+    ///
+    /// # Errors
+    /// [`PlotError::Names`]: there are more names than curves.
+    pub fn rename(&mut self, names: &[String]) -> Result<(), PlotError> {
+        let old: Vec<String> = self.curves().into_iter().map(str::to_owned).collect();
+        if names.len() > old.len() {
+            return Err(PlotError::Names { wanted: names.len(), curves: old });
+        }
+        if let Self::Panels(figure) = self {
+            for curve in figure.panels.iter_mut().flat_map(|panel| &mut panel.curves) {
+                let renamed = old.iter().zip(names).find(|(old, _)| **old == curve.label);
+                if let Some((_, new)) = renamed {
+                    curve.label.clone_from(new);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Limits the horizontal axis of all panels.
+    ///
+    /// # Errors
+    /// [`PlotError::NoAxis`]: the panels have several, or it is no figure of curves.
+    pub fn limit_x(&mut self, limits: (f64, f64)) -> Result<(), PlotError> {
+        self.limit(limits, "horizontal", |panel| &mut panel.x)
+    }
+
+    /// Limits the vertical axis of all panels.
+    ///
+    /// # Errors
+    /// As [`limit_x`](Self::limit_x).
+    pub fn limit_y(&mut self, limits: (f64, f64)) -> Result<(), PlotError> {
+        self.limit(limits, "vertical", |panel| &mut panel.y)
+    }
+
+    fn limit(
+        &mut self,
+        limits: (f64, f64),
+        which: &'static str,
+        axis: impl Fn(&mut Panel) -> &mut Axis,
+    ) -> Result<(), PlotError> {
+        let Self::Panels(figure) = self else { return Err(PlotError::NoAxis { which, found: vec![] }) };
+        let mut found: Vec<String> = Vec::new();
+        for axis in figure.panels.iter_mut().map(&axis) {
+            axis.limits = Some(limits);
+            if !found.contains(&axis.label) {
+                found.push(axis.label.clone());
+            }
+        }
+        if found.len() == 1 { Ok(()) } else { Err(PlotError::NoAxis { which, found }) }
+    }
+
+    /// All numbers that are drawn, in the order in which they are; those that limits of an axis hide, too.
+    #[must_use]
+    pub fn data(&self) -> Vec<Datum> {
+        match self {
+            Self::Panels(figure) => panels(figure),
+            Self::HeatMap(map) => cells(map),
+            Self::Scene(scene) => things(scene),
+        }
+    }
+}
+
+impl Datum {
+    fn new(kind: &'static str, panel: &str, name: &str, (x_axis, y_axis): (&str, &str)) -> Self {
+        Self {
+            panel: panel.to_owned(),
+            kind,
+            name: name.to_owned(),
+            x_axis: x_axis.to_owned(),
+            x: None,
+            y_axis: y_axis.to_owned(),
+            y: None,
+            value_name: String::new(),
+            value: None,
+        }
+    }
+
+    fn at(self, (x, y): (f64, f64)) -> Self {
+        Self { x: Some(x), y: Some(y), ..self }
+    }
+
+    fn with(self, value_name: &str, value: Option<f64>) -> Self {
+        Self { value_name: value_name.to_owned(), value, ..self }
+    }
+}
+
+fn panels(figure: &Figure) -> Vec<Datum> {
+    let mut data = Vec::new();
+    for (index, panel) in figure.panels.iter().enumerate() {
+        let name = if figure.panels.len() > 1 {
+            format!("{} {}", letter(index), panel.title).trim_end_matches(' ').to_owned()
+        } else {
+            panel.title.clone()
+        };
+        let row = |kind, label: &str| Datum::new(kind, &name, label, (&panel.x.label, &panel.y.label));
+        for curve in &panel.curves {
+            data.extend(curve.points.iter().map(|&point| row("curve", &curve.label).at(point)));
+        }
+        data.extend(panel.marks.iter().map(|mark| row("point", &mark.label).at(mark.at)));
+        data.extend(panel.limits.iter().map(|limit| match limit.direction {
+            Direction::Vertical => Datum { x: Some(limit.at), ..row("limit", &limit.label) },
+            Direction::Horizontal => Datum { y: Some(limit.at), ..row("limit", &limit.label) },
+        }));
+    }
+    data
+}
+
+fn cells(map: &HeatMap) -> Vec<Datum> {
+    let row = |kind, label: &str| Datum::new(kind, "", label, (&map.x_axis.label, &map.y_axis.label));
+    let mut data = Vec::new();
+    for (values, &y) in map.values.iter().zip(&map.y) {
+        for (value, &x) in values.iter().zip(&map.x) {
+            data.push(row("cell", "").at((x, y)).with(&map.value_axis.label, *value));
+        }
+    }
+    data.extend(map.mark.iter().map(|(label, at)| row("point", label).at(*at)));
+    let limit = map.limit.iter();
+    data.extend(limit.map(|limit| row("limit", &limit.label).with(&map.value_axis.label, Some(limit.at))));
+    data
+}
+
+fn things(scene: &Scene) -> Vec<Datum> {
+    let mut data = Vec::new();
+    for block in &scene.blocks {
+        for view in &block.views {
+            let panel = format!("{}, {}", block.title, view.title);
+            let row = |kind, label: &str| Datum::new(kind, &panel, label, (&view.x_label, &view.y_label));
+            for (index, outline) in view.outlines.iter().enumerate() {
+                // Outlines have no names; their numbers keep their corners apart.
+                let name = format!("outline {}", index + 1);
+                data.extend(outline.points.iter().map(|&point| row("outline", &name).at(point)));
+            }
+            let radius = |label: &str| {
+                label.rsplit_once('(').map_or("radius".to_owned(), |(_, unit)| format!("radius ({unit}"))
+            };
+            data.extend(view.balls.iter().map(|ball| {
+                row("sphere", &ball.name).at(ball.centre).with(&radius(&view.x_label), Some(ball.radius))
+            }));
+            data.extend(view.spots.iter().map(|spot| row("point", &spot.name).at(spot.at)));
+            let levels = view.levels.iter();
+            data.extend(levels.map(|level| Datum { y: Some(level.at), ..row("level", &level.name) }));
+        }
+    }
+    data
+}

@@ -1,0 +1,181 @@
+//! How wide a text is, letter by letter, and how it is broken into lines: names that must not touch, and must not be cut,
+//! need more than an estimate.
+
+use std::sync::OnceLock;
+
+use textwrap::core::Fragment;
+use textwrap::wrap_algorithms::wrap_first_fit;
+use ttf_parser::Face;
+
+use crate::font::FONT;
+
+/// The width of a letter that the font does not have, as a share of the size of the text: no letter of a plain font is wider.
+const WIDEST: f64 = 1.0;
+/// Where a viewer has no Arial, the font in its place may be a little wider.
+const ROOM_FOR_OTHER_FONTS: f64 = 1.06;
+const ELLIPSIS: char = '…';
+/// A word too long for a line is broken after one of these: they part the names of files.
+const AFTER: [char; 6] = ['_', '-', '/', '\\', '.', ','];
+
+/// The width of a text in Arial, or a font of the same metrics, in points.
+pub(crate) fn width_pt(text: &str, size_pt: f64) -> f64 {
+    text.chars().map(share).sum::<f64>() * size_pt
+}
+
+/// The same with room for a font that stands in for Arial.
+pub(crate) fn roomy_pt(text: &str, size_pt: f64) -> f64 {
+    ROOM_FOR_OTHER_FONTS * width_pt(text, size_pt)
+}
+
+fn share(letter: char) -> f64 {
+    // A combining mark takes no room.
+    if ('\u{300}'..='\u{36f}').contains(&letter) {
+        return 0.0;
+    }
+    let advance = || {
+        let face = face()?;
+        let advance = face.glyph_hor_advance(face.glyph_index(letter)?)?;
+        Some(f64::from(advance) / f64::from(face.units_per_em()))
+    };
+    advance().unwrap_or(WIDEST)
+}
+
+/// The font, read when the first text is measured.
+fn face() -> Option<&'static Face<'static>> {
+    static FACE: OnceLock<Option<Face<'static>>> = OnceLock::new();
+    FACE.get_or_init(|| Face::parse(FONT, 0).ok()).as_ref()
+}
+
+/// The text, cut with an ellipsis where it would be wider than `most_pt`.
+pub(crate) fn cut(text: &str, size_pt: f64, most_pt: f64) -> String {
+    if width_pt(text, size_pt) <= most_pt {
+        return text.to_owned();
+    }
+    let room = most_pt - width_pt(&ELLIPSIS.to_string(), size_pt);
+    let mut short = String::new();
+    for letter in text.chars() {
+        short.push(letter);
+        if width_pt(&short, size_pt) > room {
+            short.pop();
+            break;
+        }
+    }
+    short.truncate(short.trim_end_matches(' ').len());
+    short.push(ELLIPSIS);
+    short
+}
+
+/// Lines of at most `most_pt` (but always of one letter), broken at blanks; a longer word is broken where the parts of a name
+/// end, or anywhere. No line for a text without letters.
+pub(crate) fn lines(text: &str, size_pt: f64, most_pt: f64) -> Vec<String> {
+    let words = text.split_ascii_whitespace();
+    let pieces: Vec<Piece<'_>> = words.flat_map(|word| pieces(word, size_pt, most_pt)).collect();
+    let rows = wrap_first_fit(&pieces, &[most_pt]);
+    rows.into_iter().filter(|row| !row.is_empty()).map(joined).collect()
+}
+
+/// A word, or a part of one.
+#[derive(Debug)]
+struct Piece<'t> {
+    text: &'t str,
+    width: f64,
+    /// The blank after it; 0 within a word.
+    blank: f64,
+}
+
+impl Fragment for Piece<'_> {
+    fn width(&self) -> f64 {
+        self.width
+    }
+
+    fn whitespace_width(&self) -> f64 {
+        self.blank
+    }
+
+    fn penalty_width(&self) -> f64 {
+        0.0
+    }
+}
+
+fn joined(row: &[Piece<'_>]) -> String {
+    let mut line = String::new();
+    for piece in row {
+        line.push_str(piece.text);
+        if piece.blank > 0.0 {
+            line.push(' ');
+        }
+    }
+    line.truncate(line.trim_end_matches(' ').len());
+    line
+}
+
+/// A word as pieces that each fit into a line.
+fn pieces(word: &str, size_pt: f64, most_pt: f64) -> Vec<Piece<'_>> {
+    let parts: Vec<&str> = if roomy_pt(word, size_pt) <= most_pt {
+        vec![word]
+    } else {
+        let parts = word.split_inclusive(AFTER);
+        parts.flat_map(|part| letter_by_letter(part, size_pt, most_pt)).collect()
+    };
+    let count = parts.len();
+    let blank = |index: usize| if index + 1 == count { roomy_pt(" ", size_pt) } else { 0.0 };
+    let piece = |(index, text): (usize, &'_ str)| (roomy_pt(text, size_pt), blank(index));
+    parts
+        .into_iter()
+        .enumerate()
+        .map(|(index, text)| {
+            let (width, blank) = piece((index, text));
+            Piece { text, width, blank }
+        })
+        .collect()
+}
+
+/// A part that is too long for a line, cut into as many as are needed.
+fn letter_by_letter(part: &str, size_pt: f64, most_pt: f64) -> Vec<&str> {
+    let (mut cuts, mut width) = (vec![0], 0.0);
+    for (at, letter) in part.char_indices() {
+        let next = roomy_pt(letter.encode_utf8(&mut [0; 4]), size_pt);
+        if width + next > most_pt && width > 0.0 {
+            cuts.push(at);
+            width = 0.0;
+        }
+        width += next;
+    }
+    cuts.push(part.len());
+    cuts.windows(2).filter_map(|pair| part.get(pair[0]..pair[1])).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn widths_are_those_of_arial() {
+        // In thousandths of the size, as in Adobe's tables of Helvetica: W 944, i 222, blank 278, M 833, alpha 578 (Arial).
+        assert!((width_pt("Wi i", 1000.0) - (944.0 + 222.0 + 278.0 + 222.0)).abs() < 2.0);
+        assert!((width_pt("M", 1000.0) - 833.0).abs() < 1.0);
+        assert!((width_pt("x\u{302}", 1000.0) - 500.0).abs() < 1.0, "a mark over a letter takes no room");
+        assert!((width_pt("足", 10.0) - 10.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn long_texts_are_cut() {
+        assert_eq!(cut("toe", 7.0, 40.0), "toe");
+        let short = cut("a name without end", 7.0, 40.0);
+        assert!(short.ends_with('…') && width_pt(&short, 7.0) <= 40.0, "{short}");
+    }
+
+    #[test]
+    fn lines_break_at_blanks_and_then_where_parts_of_names_end() {
+        let broken = lines("one two three", 10.0, roomy_pt("one two", 10.0) + 0.1);
+        assert_eq!(broken, ["one two", "three"]);
+        let name = "gait2392_scaled_by_the_tool";
+        let broken = lines(name, 7.0, 60.0);
+        assert!(broken.len() > 1 && broken.concat() == name, "{broken:?}");
+        assert!(broken.iter().all(|line| width_pt(line, 7.0) <= 60.0), "{broken:?}");
+        assert!(broken.first().is_some_and(|line| line.ends_with('_')), "{broken:?}");
+        let endless = lines("WWWWWWWWWWWWWWWWWWWW", 7.0, 30.0);
+        assert_eq!(endless.concat(), "WWWWWWWWWWWWWWWWWWWW");
+        assert!(lines("  ", 7.0, 30.0).is_empty());
+    }
+}
