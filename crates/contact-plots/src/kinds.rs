@@ -77,6 +77,15 @@ pub struct ForceCurves {
     pub own: Vec<Point>,
     /// Where the body rests on its contacts, if that is known.
     pub rest: Option<Point>,
+    /// What the legend says of the law of the file in brackets; empty for nothing.
+    pub remark: String,
+}
+
+impl ForceCurves {
+    /// The name of the curve that is the law of the file, with what is said of it.
+    fn remarked(&self, label: &str) -> String {
+        if self.remark.is_empty() { label.to_owned() } else { format!("{label} ({})", self.remark) }
+    }
 }
 
 /// Force against indentation.
@@ -88,6 +97,8 @@ pub struct ForceFigure {
     pub indentation: IndentationAxis,
     /// Unit of the vertical axis.
     pub force: ForceAxis,
+    /// Where the vertical axis ends; `None`: it holds all points.
+    pub top: Option<f64>,
     /// One body: its laws, and the force before contact shaded. Several: the law of each.
     pub bodies: Vec<ForceCurves>,
     /// Limits and thresholds, such as x̂ = 0.16.
@@ -124,6 +135,7 @@ pub fn force_panel(data: &ForceFigure) -> Result<Panel, PlotError> {
     check_count(data.bodies.len())?;
     let mut panel = Panel::new("", Axis::new(data.indentation.label()), Axis::new(data.force.label()));
     panel.limits.clone_from(&data.limits);
+    panel.y.limits = data.top.map(|top| (0.0, top));
     for at in data.bodies.iter().filter_map(|body| body.rest) {
         panel.marks.push(Mark { label: "at rest under body weight".to_owned(), at, look: Look::OWN });
     }
@@ -133,12 +145,13 @@ pub fn force_panel(data: &ForceFigure) -> Result<Panel, PlotError> {
             points: points.clone(),
             look,
         };
-        panel.curves.push(curve("Hertz (1)", &one.hertz, Look::HERTZ));
+        let hertz = if one.own.is_empty() { one.remarked("Hertz (1)") } else { "Hertz (1)".to_owned() };
+        panel.curves.push(curve(&hertz, &one.hertz, Look::HERTZ));
         if !one.with_constant.is_empty() {
             panel.curves.push(curve("Hertz with cf (C.1)", &one.with_constant, Look::WITH_CONSTANT));
         }
         if !one.own.is_empty() {
-            panel.curves.push(curve("smoothed, at rest (C.9)", &one.own, Look::OWN));
+            panel.curves.push(curve(&one.remarked("smoothed, at rest (C.9)"), &one.own, Look::OWN));
             panel.areas.push(Area { label: "before contact".to_owned(), points: before(&one.own) });
         }
         return Ok(panel);
@@ -146,7 +159,7 @@ pub fn force_panel(data: &ForceFigure) -> Result<Panel, PlotError> {
     for (index, body) in data.bodies.iter().enumerate() {
         let points = if body.own.is_empty() { &body.hertz } else { &body.own };
         panel.curves.push(Curve {
-            label: body.name.clone(),
+            label: body.remarked(&body.name),
             points: points.clone(),
             look: Look::series(index),
         });
@@ -295,8 +308,19 @@ pub struct DropFigure {
     pub title: String,
     /// From where and for how long they fell, as a full sentence.
     pub conditions: String,
+    /// Where the time axes end; `None`: with the points.
+    pub shown: Option<DropEnd>,
     /// The bodies.
     pub bodies: Vec<DropCurve>,
+}
+
+/// Where the time axes of a drop test end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DropEnd {
+    /// In s.
+    pub seconds: f64,
+    /// In √(R/g).
+    pub dimensionless: f64,
 }
 
 /// The drop test against time and, below, against non-dimensional time, as in Fig. 4.
@@ -304,7 +328,13 @@ pub struct DropFigure {
 /// # Errors
 /// As [`force_figure`].
 pub fn drop_figure(data: &DropFigure) -> Result<Figure, PlotError> {
-    let panel = |time| drop_panel(&data.bodies, time);
+    let shown = |time| {
+        data.shown.map(|shown| match time {
+            TimeAxis::Second => shown.seconds,
+            TimeAxis::Dimensionless => shown.dimensionless,
+        })
+    };
+    let panel = |time| drop_panel(&data.bodies, time, shown(time));
     Ok(Figure {
         title: data.title.clone(),
         description: format!(
@@ -318,25 +348,28 @@ pub fn drop_figure(data: &DropFigure) -> Result<Figure, PlotError> {
     })
 }
 
-/// One panel of a drop test; where several bodies are, it ends with the shortest of them.
+/// One panel of a drop test; its time axis ends where it is `shown`, at the latest with the shortest of several bodies.
 ///
 /// # Errors
 /// As [`force_figure`].
-pub fn drop_panel(bodies: &[DropCurve], time: TimeAxis) -> Result<Panel, PlotError> {
+pub fn drop_panel(bodies: &[DropCurve], time: TimeAxis, shown: Option<f64>) -> Result<Panel, PlotError> {
     check_count(bodies.len())?;
     let unit = |body: &DropCurve| match time {
         TimeAxis::Second => 1.0,
         TimeAxis::Dimensionless => body.time_unit_s,
     };
     let end = |body: &DropCurve| body.points.last().map_or(0.0, |point| point.0 / unit(body));
-    let until = bodies.iter().map(end).fold(f64::INFINITY, f64::min);
+    let until = bodies.iter().map(end).chain(shown).fold(f64::INFINITY, f64::min);
     let mut panel = Panel::new("", Axis::new(time.label()), Axis::new("normal force / body weight (–)"));
     panel.limits.push(Limit { label: "body weight".to_owned(), at: 1.0, direction: Direction::Horizontal });
+    if until > 0.0 && until.is_finite() {
+        panel.x.limits = Some((0.0, until));
+    }
     for (index, body) in bodies.iter().enumerate() {
         let scaled = body.points.iter().map(|&(t, force)| (t / unit(body), force));
         panel.curves.push(Curve {
             label: body.name.clone(),
-            points: scaled.filter(|(t, _)| *t <= until * (1.0 + 1e-9)).collect(),
+            points: scaled.collect(),
             look: Look::series(index),
         });
     }

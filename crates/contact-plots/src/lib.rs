@@ -71,9 +71,9 @@ pub use error::PlotError;
 pub use figure::{Area, Curve, Direction, Figure, Limit, Mark, Panel, Point, Width};
 pub use heat_map::{HeatLimit, HeatMap, heat_map};
 pub use kinds::{
-    DropCurve, DropFigure, ForceAxis, ForceCurves, ForceFigure, IndentationAxis, LoopCurve, LoopFigure,
-    StateCurve, StateFigure, TimeAxis, drop_figure, drop_panel, force_figure, force_panel, loop_figure,
-    state_figure, state_panel,
+    DropCurve, DropEnd, DropFigure, ForceAxis, ForceCurves, ForceFigure, IndentationAxis, LoopCurve,
+    LoopFigure, StateCurve, StateFigure, TimeAxis, drop_figure, drop_panel, force_figure, force_panel,
+    loop_figure, state_figure, state_panel,
 };
 pub use paper::Paper;
 #[cfg(feature = "pdf")]

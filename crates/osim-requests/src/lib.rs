@@ -34,6 +34,7 @@ mod drop_test;
 mod feet;
 mod fit;
 mod gravity;
+mod heat_table;
 mod inspector;
 mod json;
 mod opening;
@@ -54,22 +55,24 @@ pub use calculator::{DesignFigure, DesignLimit, DesignQuantity, DesignSheet};
 pub use drop_test::{ComparedDrop, DropColumn, DropFigure, DropResult, DropRow};
 pub use feet::ModelFeet;
 pub use fit::FitResult;
+pub use heat_table::{HeatTable, TableColumn};
 pub use inspector::Inspector;
 pub use opening::{open_with, scale_file};
 pub use osim_options::{RequestError, RequestFault, options};
 pub use osim_values::sheet::{cell, from_cell, marked, unmarked};
 pub use osim_values::{
     Acceleration, Assignments, Axis, AxisName, BodyMap, BodyScale, ConstantIndentation, ContactOnset, Count,
-    Dpi, Grid, GridValue, Height, Kilograms, Metres, NewRadius, NotNegative, PoissonRatio, Positive, Radius,
-    RelativeIndentation, RestitutionCoefficient, Samples, Shard, SpheresOfFoot, Threshold, assignment,
+    Dpi, FigureWidth, FontSize, Grid, GridValue, Height, Kilograms, Metres, NewRadius, NotNegative,
+    PoissonRatio, Positive, Radius, RelativeIndentation, RestitutionCoefficient, Samples, Shard, Span,
+    SpheresOfFoot, Threshold, assignment,
 };
 pub use planner::{Change, Planner};
 pub use presets::presets;
 pub use request::{
     AddRequest, AxesChoice, BatchRequest, BranchChoice, CheckRequest, ConvertRequest, Deny, DesignRequest,
-    DropTestRequest, ExplainRequest, FitRequest, HeatOptions, InspectRequest, NoteRequest, PlotKind,
-    PlotRequest, PresetsRequest, QuantityChoice, RemoveRequest, Request, RescaleRequest, SeriesFormat,
-    SetRequest, SweepRequest, TransferRequest, schema_of,
+    DropTestRequest, ExplainRequest, FigureOptions, FitRequest, HeatOptions, InspectRequest, NoteRequest,
+    PlotKind, PlotRequest, PresetsRequest, QuantityChoice, RemoveRequest, Request, RescaleRequest,
+    SeriesFormat, SetRequest, SweepRequest, TransferRequest, schema_of,
 };
 pub use subject::may_be_file;
 pub use sweep::{SweepPlan, VariantMade};

@@ -11,6 +11,7 @@ use osim_model::{Fault, MassRequest, readable};
 use osim_values::{Kilograms, Positive};
 
 use crate::feet::ModelFeet;
+use crate::heat_table::HeatTable;
 use crate::request::{PlotKind, PlotRequest};
 use crate::subject::Subject;
 use osim_options::{RequestError, RequestFault};
@@ -33,12 +34,38 @@ impl PlotRequest {
                 Input::TargetMass,
             ]));
         }
+        if self.heat.table.is_some() {
+            return self.check_table();
+        }
         if !self.is_of_paper() && self.models.is_empty() {
             return Err(RequestFault::general(
                 "nothing to draw: name a model, or a preset such as falisse2022",
             ));
         }
         Ok(())
+    }
+
+    /// Refuses what says nothing beside a table.
+    ///
+    /// # Errors
+    /// A model, or a figure that is no heat map.
+    fn check_table(&self) -> Result<(), RequestFault> {
+        if self.kind != Some(PlotKind::Sweep) || !self.models.is_empty() || self.target_mass.is_some() {
+            return Err(RequestFault::refused(
+                Input::Table,
+                "a table is drawn by `plot kind=sweep`, without a model: leave out models and the target mass",
+            ));
+        }
+        Ok(())
+    }
+
+    /// The table of which a column is drawn, where that is wanted.
+    ///
+    /// # Errors
+    /// As [`HeatTable::read`].
+    pub fn table(&self, files: &dyn Files) -> Result<Option<HeatTable>, RequestError> {
+        let Some(path) = self.heat.table.as_deref() else { return Ok(None) };
+        Ok(Some(HeatTable::read(path, &self.heat, files)?))
     }
 
     /// `true` for a figure of feet, which shows where spheres are and not what they do.
@@ -104,7 +131,7 @@ impl PlotRequest {
     pub fn bodies(&self, files: &dyn Files) -> Result<Vec<Body>, RequestError> {
         let mut bodies = Vec::new();
         for path in &self.models {
-            let body = self.body(path, files)?;
+            let body = self.body(path, &self.name_of(path), files)?;
             let scaled = self.target_mass.map(|target| body.scaled(target.get())).transpose()?;
             bodies.push(body);
             bodies.extend(scaled);
@@ -112,7 +139,17 @@ impl PlotRequest {
         Ok(bodies)
     }
 
-    fn body(&self, path: &Path, files: &dyn Files) -> Result<Body, RequestError> {
+    /// A model's name, with its folder where another model has the same.
+    fn name_of(&self, path: &Path) -> String {
+        let name = short_name(path);
+        let alike = self.models.iter().filter(|other| short_name(other) == name).count() > 1;
+        match path.parent().and_then(Path::file_name).filter(|_| alike) {
+            Some(folder) => format!("{}/{name}", folder.to_string_lossy()),
+            None => name,
+        }
+    }
+
+    fn body(&self, path: &Path, name: &str, files: &dyn Files) -> Result<Body, RequestError> {
         let masses = self.masses.request();
         let stance = self.counts.stance(None, self.gravity);
         match Subject::find(path, self.presets.as_deref(), &self.set_files, files)? {
@@ -127,8 +164,7 @@ impl PlotRequest {
                 asked.map_err(|kind| open.failure(Fault::new(kind)))?;
                 let selected = selection.apply(&open.model).map_err(|fault| open.failure(fault))?;
                 let failed = |fault| open.failure(fault);
-                let name = short_name(path);
-                Ok(Body::of_model(name, &open.model, &selected.forces, &masses, &stance, &failed)?)
+                Ok(Body::of_model(name.to_owned(), &open.model, &selected.forces, &masses, &stance, &failed)?)
             }
         }
     }

@@ -22,6 +22,7 @@ mod radius;
 pub mod serial;
 mod shard;
 pub mod sheet;
+mod span;
 pub mod typed;
 mod whole;
 
@@ -34,11 +35,12 @@ pub use height::Height;
 pub use new_radius::NewRadius;
 pub use onset::ContactOnset;
 pub use quantity::{
-    Acceleration, ConstantIndentation, Count, Kilograms, Metres, NotNegative, PoissonRatio, Positive,
-    RelativeIndentation, RestitutionCoefficient, Threshold,
+    Acceleration, ConstantIndentation, Count, FigureWidth, FontSize, Kilograms, Metres, NotNegative,
+    PoissonRatio, Positive, RelativeIndentation, RestitutionCoefficient, Threshold,
 };
 pub use radius::Radius;
 pub use shard::Shard;
+pub use span::Span;
 pub use whole::{Dpi, Samples, SpheresOfFoot};
 
 /// The example of the README compiles.

@@ -133,6 +133,20 @@ quantities! {
         _ => Err("expected a Poisson's ratio above -1, at most 0.5".to_owned()),
     }, {"type": "number", "exclusiveMinimum": -1, "maximum": 0.5};
 
+    /// A width of a figure in mm, 20 to 1000.
+    FigureWidth = |text| {
+        let expected = "a width in mm from 20 to 1000";
+        let width = positive(text, expected, &[("mm", 1.0), ("cm", 10.0)])?;
+        if (20.0..=1000.0).contains(&width) { Ok(width) } else { Err(format!("expected {expected}")) }
+    }, {"type": "number", "minimum": 20, "maximum": 1000};
+
+    /// A size of letters in points of 1/72 inch, 4 to 40.
+    FontSize = |text| {
+        let expected = "a size of letters in points from 4 to 40";
+        let size = positive(text, expected, &[("pt", 1.0)])?;
+        if (4.0..=40.0).contains(&size) { Ok(size) } else { Err(format!("expected {expected}")) }
+    }, {"type": "number", "minimum": 4, "maximum": 40};
+
     /// A number of things, 1 or more.
     Count = |text| match trimmed(text).parse::<u32>() {
         Ok(count) if count >= 1 => Ok(f64::from(count)),
@@ -145,6 +159,13 @@ impl Kilograms {
     #[must_use]
     pub fn with_unit(text: &str) -> Option<Self> {
         converted(text, MASSES).map(Self).or_else(|| text.parse().ok())
+    }
+}
+
+impl Default for FontSize {
+    /// What journals ask for at least.
+    fn default() -> Self {
+        Self(7.0)
     }
 }
 

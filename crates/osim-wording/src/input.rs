@@ -48,6 +48,7 @@ inputs! {
     ContactsGravity = "contacts_gravity", "gravity the contacts were made for";
     ContactsMass = "contacts_mass", "mass the contacts were made for";
     Count = "count", "spheres under each foot";
+    Data = "data", "table of the numbers drawn";
     DefaultPose = "default_pose", "global places are those of the default pose";
     Deny = "deny", "findings that count as a failure";
     Diff = "diff", "unified diff";
@@ -61,6 +62,7 @@ inputs! {
     ExcludeBody = "exclude_body", "bodies to leave out of the sum";
     Feet = "feet", "bodies that touch the ground";
     FollowBodies = "follow_bodies", "spheres follow their bodies";
+    FontSize = "font_size", "size of the letters";
     Force = "force", "replace existing files";
     ForceColumn = "force_column", "column of the force";
     ForceUnit = "force_unit", "unit of the force";
@@ -84,6 +86,7 @@ inputs! {
     Jobs = "jobs", "models to work on at once";
     Keep = "keep", "properties that stay";
     Kind = "kind", "what to draw";
+    Label = "label", "name of a curve";
     Ladder = "ladder", "steps of a ladder";
     Level = "level", "bottoms stay on the sole";
     LevelAxis = "level_axis", "axis that points up";
@@ -130,6 +133,7 @@ inputs! {
     Stiffness = "stiffness", "OpenSim's stiffness";
     Strict = "strict", "refuse instead of warning";
     Summary = "summary", "summary file";
+    Table = "table", "table to draw";
     TargetGravity = "target_gravity", "gravity to scale to";
     TargetMass = "target_mass", "target mass";
     Threshold = "threshold", "threshold that the widths refer to";
@@ -140,6 +144,13 @@ inputs! {
     Topics = "topics", "what to explain";
     TransitionVelocity = "transition_velocity", "transition velocity";
     ViscousFriction = "viscous_friction", "viscous friction";
+    ValueColumn = "value_column", "column of the colours";
+    ValueRange = "value_range", "range of the colours";
+    Width = "width", "width of the figure";
+    XColumn = "x_column", "column of the horizontal axis";
+    XRange = "x_range", "limits of the horizontal axis";
+    YColumn = "y_column", "column of the vertical axis";
+    YRange = "y_range", "limits of the vertical axis";
     Yes = "yes", "questions answered with yes";
     Young = "young", "Young's modulus";
 }

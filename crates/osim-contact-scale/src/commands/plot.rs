@@ -1,8 +1,10 @@
-//! `plot`: what contacts do, as SVG or PNG.
+//! `plot`: what contacts do, as SVG, PDF or PNG, and as numbers.
 
 use std::path::Path;
 
 use anyhow::{Result, bail};
+use contact_plots::Drawing;
+use osim_inspect::series::Body;
 use osim_library::run::PathConflicts;
 use osim_library::{Disk, Mode, Prepared};
 use osim_model::wording::Input;
@@ -16,6 +18,7 @@ use crate::terminal::Exit;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Picture {
     Svg,
+    Pdf,
     Png,
 }
 
@@ -35,12 +38,16 @@ pub(super) fn run(request: &PlotRequest, session: &mut Session) -> Result<Exit> 
     if request.is_of_feet() {
         return feet(request, &output, session);
     }
+    let table = match request.table(&Disk) {
+        Ok(table) => table,
+        Err(error) => return session.refuse(error, false),
+    };
     let bodies = match request.bodies(&Disk) {
         Ok(bodies) => bodies,
         Err(error) => return session.refuse(error, false),
     };
-    let svg = match figures::draw(request, &bodies) {
-        Ok(svg) => svg,
+    let drawing = match figures::draw(request, &bodies, table.as_ref()) {
+        Ok(drawing) => drawing,
         Err(failure) => return session.fail(&failure, false),
     };
     for body in &bodies {
@@ -48,7 +55,8 @@ pub(super) fn run(request: &PlotRequest, session: &mut Session) -> Result<Exit> 
             session.terminal.note(&mass_mismatch(&body.name, mismatch, session.words))?;
         }
     }
-    output.write(&svg, &figures::weights(&bodies, session.words), request, session)
+    let notes = figures::weights(&bodies, session.words);
+    output.write(&drawing, &bodies, &notes, request, session)
 }
 
 /// Draws and writes a figure of feet.
@@ -60,77 +68,133 @@ fn feet(request: &PlotRequest, output: &Output<'_>, session: &mut Session) -> Re
         Ok(states) => states,
         Err(error) => return session.refuse(error, false),
     };
-    let name = states.first().map(|state| state.name.as_str()).unwrap_or_default();
-    match figures::feet_svg(&states, name, request.title.as_deref()) {
-        Ok(svg) => output.write(&svg, &figures::feet_notes(&states, session.words), request, session),
+    match figures::draw_feet(request, &states) {
+        Ok(drawing) => {
+            let notes = figures::feet_notes(&states, session.words);
+            output.write(&drawing, &[], &notes, request, session)
+        }
         Err(failure) => session.fail(&failure, false),
     }
 }
 
-/// A file of a format, or standard output.
+/// A file of a format, or standard output; and a table of the numbers.
 struct Output<'o> {
     /// `None` is standard output.
     path: Option<&'o Path>,
     picture: Picture,
+    data: Option<&'o Path>,
 }
 
 impl<'o> Output<'o> {
     /// What the request says, checked before anything is computed.
     ///
     /// # Errors
-    /// An ending that is neither `.svg` nor `.png`, or a file that is read.
+    /// An ending that is not a picture's or a table's, or a file that is read.
     fn of(request: &'o PlotRequest, session: &Session) -> Result<Self> {
         let Some(path) = request.output.as_deref() else { bail!("no output given") };
+        let data = request.data.as_deref();
+        let mut conflicts = PathConflicts::default();
+        let read = request.models.iter().chain(&request.presets).chain(&request.heat.table);
+        for read in read {
+            conflicts.read(read.as_path());
+        }
+        let is_csv = |path: &Path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
+        if let Some(data) = data {
+            if !is_csv(data) {
+                bail!(
+                    "{} '{}': expected a name that ends in .csv",
+                    session.words.input(Input::Data, None),
+                    data.display()
+                );
+            }
+            conflicts.write(data, "the table of the figure").map_err(|fault| session.refused(&fault))?;
+        }
         if path.as_os_str() == "-" {
-            return Ok(Self { path: None, picture: Picture::Svg });
+            return Ok(Self { path: None, picture: Picture::Svg, data });
         }
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
         let picture = match ending.as_deref() {
             Some("svg") => Picture::Svg,
+            Some("pdf") if cfg!(feature = "pdf") => Picture::Pdf,
             Some("png") if cfg!(feature = "png") => Picture::Png,
-            Some("png") => bail!("this program was built without PNG: write to a name that ends in .svg"),
+            Some(ending @ ("pdf" | "png")) => {
+                bail!("this program was built without {ending}: write to a name that ends in .svg")
+            }
             _ => bail!(
-                "{} '{}': expected a name that ends in .svg or .png",
+                "{} '{}': expected a name that ends in .svg, .pdf or .png",
                 session.words.input(Input::Output, None),
                 path.display()
             ),
         };
-        let mut conflicts = PathConflicts::default();
-        for read in request.models.iter().chain(&request.presets) {
-            conflicts.read(read.as_path());
-        }
         conflicts.write(path, "the figure").map_err(|fault| session.refused(&fault))?;
-        Ok(Self { path: Some(path), picture })
+        Ok(Self { path: Some(path), picture, data })
     }
 
-    /// Writes the figure and says what is on it.
+    /// Writes the figure and its numbers and says what is on it.
     ///
     /// # Errors
     /// As [`Prepared::new`].
-    fn write(&self, svg: &str, notes: &str, request: &PlotRequest, session: &mut Session) -> Result<Exit> {
-        let Some(path) = self.path else {
-            session.terminal.print(svg)?;
-            session.terminal.note(notes)?;
-            return Ok(Exit::Done);
-        };
-        let refused = |fault| session.refused(&fault);
-        let bytes = match self.picture {
-            Picture::Svg => svg.as_bytes().to_vec(),
-            Picture::Png => pixels(svg, request)?,
+    fn write(
+        &self,
+        drawing: &Drawing,
+        bodies: &[Body],
+        notes: &str,
+        request: &PlotRequest,
+        session: &mut Session,
+    ) -> Result<Exit> {
+        let svg = match figures::svg(drawing, figures::paper(&request.looks), bodies) {
+            Ok(svg) => svg,
+            Err(failure) => return session.fail(&failure, false),
         };
         let mode = if request.force { Mode::Replace } else { Mode::New };
-        Prepared::new(path, &bytes, None, mode).and_then(Prepared::commit).map_err(refused)?;
-        session.terminal.print(&format!("{notes}written to {}\n", path.display()))?;
+        let mut files: Vec<(&Path, Vec<u8>)> = Vec::new();
+        if let Some(path) = self.path {
+            let bytes = match self.picture {
+                Picture::Svg => svg.as_bytes().to_vec(),
+                Picture::Pdf => page(&svg, drawing.title())?,
+                Picture::Png => pixels(&svg, request)?,
+            };
+            files.push((path, bytes));
+        }
+        if let Some(path) = self.data {
+            files.push((path, figures::data_csv(drawing)?));
+        }
+        // All are complete before the first gets its name.
+        let mut prepared = Vec::new();
+        for (path, bytes) in &files {
+            prepared.push(Prepared::new(path, bytes, None, mode).map_err(|fault| session.refused(&fault))?);
+        }
+        for one in prepared {
+            one.commit().map_err(|fault| session.refused(&fault))?;
+        }
+        let written: String =
+            files.iter().map(|(path, _)| format!("written to {}\n", path.display())).collect();
+        if self.path.is_some() {
+            session.terminal.print(&format!("{notes}{written}"))?;
+        } else {
+            session.terminal.print(&svg)?;
+            session.terminal.note(&format!("{notes}{written}"))?;
+        }
         Ok(Exit::Done)
     }
 }
 
+#[cfg(feature = "pdf")]
+fn page(svg: &str, title: &str) -> Result<Vec<u8>> {
+    Ok(contact_plots::pdf(svg, title)?)
+}
+
+#[cfg(not(feature = "pdf"))]
+fn page(_svg: &str, title: &str) -> Result<Vec<u8>> {
+    bail!("this program was built without pdf, for '{title}' or any other figure")
+}
+
 #[cfg(feature = "png")]
 fn pixels(svg: &str, request: &PlotRequest) -> Result<Vec<u8>> {
-    Ok(contact_plots::png(svg, f32::from(request.dpi.get()))?)
+    Ok(contact_plots::png(svg, f32::from(request.looks.dpi.get()))?)
 }
 
 #[cfg(not(feature = "png"))]
 fn pixels(_svg: &str, request: &PlotRequest) -> Result<Vec<u8>> {
-    bail!("this program was built without PNG, at {} dpi or any other", request.dpi)
+    bail!("this program was built without png, at {} dpi or any other", request.looks.dpi)
 }

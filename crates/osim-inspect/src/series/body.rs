@@ -9,6 +9,7 @@ use osim_model::files::Failure;
 use osim_model::{CountOf, Fault, ForceId, GravityFor, MassRequest, Model, Needed, readable};
 use osim_patch::loaded_spheres;
 
+use super::names;
 use crate::load_sharing::LoadSharing;
 use crate::mass_mismatch::MassMismatch;
 use crate::options::{InspectOptions, Stance};
@@ -43,7 +44,7 @@ impl Weight {
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct SphereKind {
-    /// Names of its spheres, shortened; empty where all spheres of the body are of this kind.
+    /// Names of its spheres; empty where all spheres of the body are of this kind.
     pub spheres: String,
     /// R, m.
     pub radius_m: f64,
@@ -232,7 +233,7 @@ fn kinds(model: &Model, forces: &[ForceId]) -> Result<Vec<SphereKind>, Fault> {
     }
     let single = kinds.len() == 1;
     let named = kinds.into_iter().map(|(kind, names)| {
-        let spheres = if single { String::new() } else { shortened(&names) };
+        let spheres = if single { String::new() } else { names::spheres(&names) };
         SphereKind { spheres, ..kind }
     });
     Ok(named.collect())
@@ -240,15 +241,6 @@ fn kinds(model: &Model, forces: &[ForceId]) -> Result<Vec<SphereKind>, Fault> {
 
 fn none_applies() -> Fault {
     Fault::refused("none of the chosen forces applies: there is no contact to work with")
-}
-
-/// The first name and how many more there are.
-fn shortened(names: &[String]) -> String {
-    match names {
-        [] => String::new(),
-        [one] => one.clone(),
-        [first, rest @ ..] => format!("{first} + {}", rest.len()),
-    }
 }
 
 fn weight(model: &Model, forces: &[ForceId], masses: &MassRequest, stance: &Stance) -> Result<Weight, Fault> {

@@ -7,6 +7,7 @@ use osim_model::wording::{Input, phrase};
 
 use super::body::{Body, SphereKind};
 use super::curves::impact_speed;
+use super::units::Point;
 use crate::drop_height::DropHeight;
 
 /// What is computed.
@@ -47,7 +48,37 @@ pub struct HeatSeries {
     pub limit: Option<f64>,
     /// The body's own E₁* and α.
     pub now: (f64, f64),
+    /// Where only one of the two changes the quantity: the quantity along it.
+    pub profile: Option<Profile>,
 }
+
+/// Which parameter changes.
+///
+/// Exhaustive: code that draws it needs an axis for each.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Parameter {
+    /// E₁*.
+    Stiffness,
+    /// α.
+    Dissipation,
+}
+
+/// A quantity along the one parameter that changes it.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Profile {
+    /// The parameter.
+    pub along: Parameter,
+    /// The quantity over it, at more values than the grid has.
+    pub points: Vec<Point>,
+    /// The body's own value; `None` where there is no answer.
+    pub now: Option<Point>,
+}
+
+/// Values between two neighbours of a grid along which a curve is drawn.
+const FINER: u32 = 8;
+/// Quantities that differ by less, relative to themselves, are the same.
+const SAME: f64 = 1e-9;
 
 /// The one contact of a body.
 ///
@@ -91,9 +122,35 @@ pub fn heat(
     }
     let swept = Swept::new(body, kind, request)?;
     let row = |dissipation: &f64| x.iter().map(|stiffness| swept.value(*stiffness, *dissipation)).collect();
-    let values = y.iter().map(row).collect();
+    let values: Vec<Vec<Option<f64>>> = y.iter().map(row).collect();
     let limit = swept.limit();
-    Ok(HeatSeries { x, y, values, limit, now })
+    let profile = only_parameter(&values).map(|along| swept.profile(along, (&x, &y), now));
+    Ok(HeatSeries { x, y, values, limit, now, profile })
+}
+
+/// The parameter that alone changes the values; `None` where both do, or none.
+fn only_parameter(values: &[Vec<Option<f64>>]) -> Option<Parameter> {
+    let same = |a: &Option<f64>, b: &Option<f64>| match (a, b) {
+        (Some(a), Some(b)) => (a - b).abs() <= SAME * a.abs(),
+        (None, None) => true,
+        _ => false,
+    };
+    let rows_alike = values.windows(2).all(|rows| rows[0].iter().zip(&rows[1]).all(|(a, b)| same(a, b)));
+    let columns_alike = values.iter().all(|row| row.windows(2).all(|pair| same(&pair[0], &pair[1])));
+    match (rows_alike, columns_alike) {
+        (true, false) => Some(Parameter::Stiffness),
+        (false, true) => Some(Parameter::Dissipation),
+        _ => None,
+    }
+}
+
+/// The values with more between each two neighbours, equally far apart in their logarithms.
+fn finer(values: &[f64]) -> Vec<f64> {
+    let between = values.windows(2).flat_map(|pair| {
+        let ratio = pair[1] / pair[0];
+        (0..FINER).map(move |step| pair[0] * ratio.powf(f64::from(step) / f64::from(FINER)))
+    });
+    between.chain(values.last().copied()).collect()
 }
 
 /// What is computed for each cell.
@@ -150,6 +207,16 @@ impl<'s> Swept<'s> {
                 Some(report.peak_force_bw())
             }
         }
+    }
+
+    /// The quantity along one parameter, the other as the body has it.
+    fn profile(&self, along: Parameter, (x, y): (&[f64], &[f64]), now: (f64, f64)) -> Profile {
+        let (grid, own, value): (_, _, &dyn Fn(f64) -> Option<f64>) = match along {
+            Parameter::Stiffness => (x, now.0, &|stiffness| self.value(stiffness, now.1)),
+            Parameter::Dissipation => (y, now.1, &|dissipation| self.value(now.0, dissipation)),
+        };
+        let point = |at: f64| Some((at, value(at)?));
+        Profile { along, points: finer(grid).into_iter().filter_map(point).collect(), now: point(own) }
     }
 
     /// Where the law ends.

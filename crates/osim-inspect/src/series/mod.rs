@@ -3,12 +3,14 @@
 mod body;
 mod curves;
 mod heat;
+mod names;
+mod sampling;
 mod units;
 
 pub use body::{Body, SphereKind, Weight, standing_spheres};
 pub use curves::{
-    DropSeries, ForceSeries, LoopSeries, StateSeries, depth, dropped, duration, elastic, fall, force,
-    hysteresis, impact_speed, kinds, name_of, state, thresholds,
+    DropSeries, ForceSeries, LoopSeries, dropped, duration, elastic, fall, force, hysteresis, impact_speed,
+    kinds, name_of, reach, state, thresholds,
 };
-pub use heat::{HeatQuantity, HeatRequest, HeatSeries, heat};
+pub use heat::{HeatQuantity, HeatRequest, HeatSeries, Parameter, Profile, heat};
 pub use units::{ForceUnit, IndentationUnit, Point, Units};

@@ -41,4 +41,13 @@ impl Units {
             IndentationUnit::Millimetre => indentation_m * 1e3,
         }
     }
+
+    /// The indentation in m that the axis shows as `value`, of a sphere of radius R.
+    #[must_use]
+    pub fn metres(self, value: f64, radius_m: f64) -> f64 {
+        match self.indentation {
+            IndentationUnit::Relative => value * radius_m,
+            IndentationUnit::Millimetre => value * 1e-3,
+        }
+    }
 }

@@ -1,15 +1,17 @@
 //! A quantity over stiffness and dissipation.
 
-use contact_plots::{HeatLimit, HeatMap};
+use contact_plots::{
+    Axis, Curve, Direction, Drawing, Figure, HeatLimit, HeatMap, Limit, Look, Mark, Panel, Width,
+};
 use contact_scaling::limits;
-use osim_inspect::series::{self, Body, HeatQuantity, HeatRequest};
+use osim_inspect::series::{self, Body, HeatQuantity, HeatRequest, Parameter, Profile};
 use osim_model::files::Failure;
 use osim_model::wording::{Input, phrase};
 
 use super::names::failure;
 
 /// Colours over E₁* and α for the one contact of the one body; `stiffness` and `dissipation` make axes of its own E₁* (N/m²)
-/// and α (s/m).
+/// and α (s/m). Where only one of the two changes the quantity, a curve over that one.
 ///
 /// # Errors
 /// There are several bodies or contacts, the weight is not known, or the contact has no dissipation to multiply.
@@ -19,25 +21,75 @@ pub fn heat(
     stiffness: impl FnOnce(f64) -> Vec<f64>,
     dissipation: impl FnOnce(f64) -> Vec<f64>,
     wanted_title: Option<&str>,
-) -> Result<HeatMap, Failure> {
+) -> Result<Drawing, Failure> {
     let body = only(bodies)?;
     let series = series::heat(body, request, stiffness, dissipation)?;
     let words = Words::of(request.quantity);
-    Ok(HeatMap {
-        title: wanted_title.map_or_else(|| format!("{}: {}", words.title, body.name), str::to_owned),
+    let title = wanted_title.map_or_else(|| format!("{}: {}", words.title, body.name), str::to_owned);
+    let now = format!("{} now", body.name);
+    if let Some(profile) = series.profile {
+        return Ok(Drawing::Panels(curve(profile, series.limit, &words, (title, &body.name, now))));
+    }
+    Ok(Drawing::HeatMap(HeatMap {
+        title,
         description: format!(
             "{} of {} as a colour, over stiffness E₁* and dissipation α, both on logarithmic axes.",
             words.label, body.name
         ),
-        x_label: "stiffness E₁* (N/m²)".to_owned(),
-        y_label: "dissipation α (s/m)".to_owned(),
+        x_axis: Axis::logarithmic(STIFFNESS),
+        y_axis: Axis::logarithmic(DISSIPATION),
+        value_axis: value_axis(words.label, &series.values),
         values: series.values,
         x: series.x,
         y: series.y,
-        value_label: words.label.to_owned(),
         limit: series.limit.map(|at| HeatLimit { label: words.limit.clone(), at }),
-        mark: Some((format!("{} now", body.name), series.now)),
-    })
+        mark: Some((now, series.now)),
+    }))
+}
+
+const STIFFNESS: &str = "stiffness E₁* (N/m²)";
+const DISSIPATION: &str = "dissipation α (s/m)";
+/// Where the largest value is more than so many times the smallest, equal ratios have equal steps of colour: else most of the
+/// map would be of one.
+const WIDE: f64 = 8.0;
+
+/// How a quantity becomes a colour.
+pub(super) fn value_axis(label: &str, values: &[Vec<Option<f64>>]) -> Axis {
+    let values = || values.iter().flatten().flatten().copied();
+    let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
+    if low > 0.0 && high > WIDE * low { Axis::logarithmic(label) } else { Axis::new(label) }
+}
+
+/// The quantity along the one parameter that changes it.
+fn curve(
+    profile: Profile,
+    limit: Option<f64>,
+    words: &Words,
+    (title, body, now): (String, &str, String),
+) -> Figure {
+    let (axis, other) = match profile.along {
+        Parameter::Stiffness => (STIFFNESS, "dissipation α"),
+        Parameter::Dissipation => (DISSIPATION, "stiffness E₁*"),
+    };
+    let mut panel = Panel::new("", Axis::logarithmic(axis), Axis::new(words.label));
+    panel.curves.push(Curve { label: words.curve.to_owned(), points: profile.points, look: Look::HERTZ });
+    panel.marks.extend(profile.now.map(|at| Mark { label: now, at, look: Look::OWN }));
+    panel.limits.extend(limit.map(|at| Limit {
+        label: words.limit.clone(),
+        at,
+        direction: Direction::Horizontal,
+    }));
+    Figure {
+        title,
+        description: format!(
+            "{} of {body} over {axis}, on a logarithmic axis. It does not depend on the {other}, so it is a curve and no \
+             heat map.",
+            words.label
+        ),
+        width: Width::Column,
+        columns: 1,
+        panels: vec![panel],
+    }
 }
 
 /// The one body of a figure that is about one.
@@ -55,6 +107,8 @@ fn only(bodies: &[Body]) -> Result<&Body, Failure> {
 struct Words {
     title: &'static str,
     label: &'static str,
+    /// The curve, in the legend.
+    curve: &'static str,
     limit: String,
 }
 
@@ -64,16 +118,19 @@ impl Words {
             HeatQuantity::Indentation => Self {
                 title: "Indentation at rest",
                 label: "x̂ under body weight, Hertz (–)",
+                curve: "at rest, by (11)",
                 limit: format!("x̂ = {}, limit of the Hertz law", limits::INDENTATION.value),
             },
             HeatQuantity::Restitution => Self {
                 title: "Restitution",
                 label: "coefficient of restitution (–)",
+                curve: "exact, at the impact speed",
                 limit: format!("{} by (13), limit of the Hunt–Crossley law", limits::RESTITUTION.value),
             },
             HeatQuantity::PeakForce => Self {
                 title: "Peak force of the drop",
                 label: "peak force / body weight (–)",
+                curve: "in the drop",
                 limit: String::new(),
             },
         }

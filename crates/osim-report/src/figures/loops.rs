@@ -25,7 +25,10 @@ pub fn loops(
     let only = series::kinds(bodies).count() == 1;
     for (body, kind) in series::kinds(bodies) {
         if !only {
-            loops.push(named(&series::name_of(body, kind), impact(body, kind, units, height)?));
+            loops.push(named(
+                &series::name_of(body, kind, bodies.len() == 1),
+                impact(body, kind, units, height)?,
+            ));
             continue;
         }
         let speed = series::impact_speed(body, kind, height)?;
@@ -44,7 +47,7 @@ pub fn loops(
 }
 
 /// Force against indentation while each kind of sphere of `bodies` goes in and out, beginning with the speed of a fall from
-/// `height`. Names are short: those of bodies only where there are several.
+/// `height`. Names of bodies are there only where there are several.
 ///
 /// # Errors
 /// What a body weighs is not known.
@@ -56,8 +59,9 @@ pub fn impact_loops(
 ) -> Result<LoopFigure, Failure> {
     let mut loops = Vec::new();
     for (body, kind) in series::kinds(bodies) {
-        // A model alone needs no name, which would push the figures out of the legend.
-        let name = if bodies.len() > 1 { series::name_of(body, kind) } else { kind.spheres.clone() };
+        // One curve of one model needs no name.
+        let named_alone = bodies.len() == 1 && kind.spheres.is_empty();
+        let name = if named_alone { String::new() } else { series::name_of(body, kind, bodies.len() == 1) };
         loops.push(named(&name, impact(body, kind, units, height)?));
     }
     let from = match height {

@@ -4,6 +4,7 @@
 //! [`Failure`](osim_model::files::Failure), whose message is not spelled yet.
 
 mod axes;
+mod data;
 mod draw;
 mod drops;
 mod feet;
@@ -14,16 +15,16 @@ mod loops;
 mod names;
 pub mod paper;
 mod state;
-mod svg;
+mod table;
 mod weights;
 
 pub use axes::{Axes, units};
-pub use draw::draw;
+pub use data::data_csv;
+pub use draw::{draw, draw_feet, not_drawn, paper, svg};
 pub use drops::drops;
 pub use feet::{feet, feet_notes, feet_svg, missing_meshes};
 pub use force::force;
 pub use heat::heat;
 pub use loops::{impact_loops, loops};
 pub use state::state;
-pub use svg::svg;
 pub use weights::weights;

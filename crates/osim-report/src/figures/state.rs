@@ -1,7 +1,7 @@
 //! Contact state against indentation.
 
 use contact_plots::{StateCurve, StateFigure};
-use osim_inspect::series::{self, Body, StateSeries, Units};
+use osim_inspect::series::{self, Body, Units};
 use osim_model::files::Failure;
 use osim_model::wording::Phrase;
 
@@ -9,16 +9,26 @@ use super::axes::indentation_axis;
 use super::limits::thresholds;
 use super::names::{failure, title};
 
-/// Contact state against indentation of every kind of sphere of `bodies`, half a radius to either side.
+/// Contact state against indentation of every kind of sphere of `bodies`, half a radius to either side unless the horizontal
+/// axis has `limits`.
 ///
 /// # Errors
 /// No body has a smoothed law.
-pub fn state(bodies: &[Body], units: Units, wanted_title: Option<&str>) -> Result<StateFigure, Failure> {
+pub fn state(
+    bodies: &[Body],
+    units: Units,
+    limits: Option<(f64, f64)>,
+    wanted_title: Option<&str>,
+) -> Result<StateFigure, Failure> {
     let mut curves = Vec::new();
-    let mut limits = Vec::new();
+    let mut marked = Vec::new();
     for (body, kind) in series::kinds(bodies) {
-        curves.extend(series::state(body, kind, units)?.map(curve));
-        limits = thresholds(kind, units);
+        let metres = |(from, to)| (units.metres(from, kind.radius_m), units.metres(to, kind.radius_m));
+        if let Some(points) = series::state(body, kind, units, limits.map(metres))? {
+            let name = series::name_of(body, kind, bodies.len() == 1);
+            curves.push(StateCurve { name, points });
+        }
+        marked = thresholds(kind, units);
     }
     if curves.is_empty() {
         let why = "a HuntCrossleyForce has no contact state to draw: there, contact is a step; `plot kind=force` shows \
@@ -27,16 +37,12 @@ pub fn state(bodies: &[Body], units: Units, wanted_title: Option<&str>) -> Resul
     }
     // Thresholds are a contact's own; several would be a forest of lines.
     if curves.len() > 1 {
-        limits.clear();
+        marked.clear();
     }
     Ok(StateFigure {
         title: title("Contact state", bodies, wanted_title),
         indentation: indentation_axis(units),
         bodies: curves,
-        limits,
+        limits: marked,
     })
-}
-
-pub(super) fn curve(series: StateSeries) -> StateCurve {
-    StateCurve { name: series.name, points: series.points }
 }

@@ -1,6 +1,6 @@
 //! Plots of a page.
 
-use contact_plots::{drop_figure, force_figure, loop_figure};
+use contact_plots::{Drawing, Figure, Paper, PlotError, drop_figure, force_figure, loop_figure};
 use maud::{Markup, PreEscaped, html};
 use osim_inspect::DropHeight;
 use osim_inspect::series::{Body, ForceUnit, IndentationUnit, Units};
@@ -56,13 +56,14 @@ fn plot(what: &str, svg: &str) -> Markup {
 }
 
 /// What was drawn. Which forces are shown was chosen for the whole page, so nothing is said of choosing others.
-fn drawn(bodies: &[Body], svg: Result<String, contact_plots::PlotError>) -> Result<String, Failure> {
+fn drawn(bodies: &[Body], figure: Result<Figure, PlotError>) -> Result<String, Failure> {
     let name = bodies.first().map(|body| body.name.clone()).unwrap_or_default();
+    let svg = figure.and_then(|figure| Drawing::Panels(figure).svg(Paper::default()));
     svg.map_err(|error| Failure::outside(&name, "plot", error.to_string()))
 }
 
 fn force(bodies: &[Body]) -> Result<String, Failure> {
-    let figure = figures::force(bodies, UNITS, Some("Force against indentation"))?;
+    let figure = figures::force(bodies, UNITS, None, Some("Force against indentation"))?;
     drawn(bodies, force_figure(&figure))
 }
 

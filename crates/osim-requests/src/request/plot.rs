@@ -2,11 +2,11 @@
 
 use std::path::PathBuf;
 
-use osim_inspect::series::HeatQuantity;
-use osim_values::{Acceleration, Dpi, Grid, Kilograms, path};
+use osim_values::{Acceleration, Kilograms, path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::figure::{FigureOptions, HeatOptions};
 use crate::options::{AnswerOptions, CountOptions, FallOptions, ForceOptions, MassOptions, SetFiles};
 use osim_options::Relation;
 use osim_options::choices;
@@ -43,56 +43,6 @@ choices! {
     }
 }
 
-choices! {
-    /// What the colours of a heat map show.
-    QuantityChoice: Indentation {
-        /// x̂ at rest.
-        Indentation = "indentation", "Relative indentation at rest under body weight, by the law of the contact's class";
-        /// c_r, exact.
-        Restitution = "restitution", "Coefficient of restitution at the impact speed of the fall, exact";
-        /// Peak force over body weight.
-        PeakForce = "peak-force", "Peak force over body weight in the fall";
-    }
-}
-
-impl QuantityChoice {
-    /// The quantity.
-    #[must_use]
-    pub const fn quantity(self) -> HeatQuantity {
-        match self {
-            Self::Indentation => HeatQuantity::Indentation,
-            Self::Restitution => HeatQuantity::Restitution,
-            Self::PeakForce => HeatQuantity::PeakForce,
-        }
-    }
-}
-
-/// The grid of a heat map.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "The sweep"))]
-#[serde(default)]
-#[non_exhaustive]
-pub struct HeatOptions {
-    /// What the colours show
-    #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]
-    pub quantity: QuantityChoice,
-    /// Values of stiffness: FROM..TO/COUNT in N/m2, or factors like x0.1..x10/25
-    #[cfg_attr(feature = "clap", arg(long, value_name = "GRID", default_value_t = STIFFNESS))]
-    pub stiffness: Grid,
-    /// Values of dissipation: FROM..TO/COUNT in s/m, or factors
-    #[cfg_attr(feature = "clap", arg(long, value_name = "GRID", default_value_t = DISSIPATION))]
-    pub dissipation: Grid,
-}
-
-const STIFFNESS: Grid = Grid::factors(0.1, 10.0, 25);
-const DISSIPATION: Grid = Grid::factors(0.1, 4.0, 25);
-
-impl Default for HeatOptions {
-    fn default() -> Self {
-        Self { quantity: QuantityChoice::Indentation, stiffness: STIFFNESS, dissipation: DISSIPATION }
-    }
-}
-
 /// Draws what contacts do.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
@@ -107,12 +57,17 @@ pub struct PlotRequest {
     #[serde(with = "path::list")]
     #[schemars(with = "Vec<path::PathSchema>")]
     pub models: Vec<PathBuf>,
-    /// Write to this file: .svg or .png (- is SVG on standard output)
+    /// Write to this file: .svg, .pdf or .png (- is SVG on standard output)
     #[cfg_attr(feature = "clap", arg(short, long, value_name = "FILE"))]
     #[serde(with = "path::optional")]
     #[schemars(with = "Option<path::PathSchema>")]
     pub output: Option<PathBuf>,
-    /// Replace an existing file
+    /// Write the numbers that are drawn to this file, too (CSV)
+    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
+    #[serde(with = "path::optional")]
+    #[schemars(with = "Option<path::PathSchema>")]
+    pub data: Option<PathBuf>,
+    /// Replace existing files
     #[cfg_attr(feature = "clap", arg(long))]
     pub force: bool,
     /// Draw each contact also as it is after scaling to this mass, kg
@@ -121,12 +76,6 @@ pub struct PlotRequest {
     /// Units of indentation and force [default: x/R and N; x/R and shares of the weight for several]
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub axes: Option<AxesChoice>,
-    /// Title of the figure
-    #[cfg_attr(feature = "clap", arg(long, value_name = "TEXT"))]
-    pub title: Option<String>,
-    /// Pixels to the inch of a PNG
-    #[cfg_attr(feature = "clap", arg(long, value_name = "N", default_value_t, hide_short_help = true))]
-    pub dpi: Dpi,
     /// Of feet: a folder with the bones' meshes, beside the model's own and its Geometry
     #[cfg_attr(feature = "clap", arg(long, value_name = "DIR"))]
     #[serde(with = "path::optional")]
@@ -148,6 +97,10 @@ pub struct PlotRequest {
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub heat: HeatOptions,
+    /// How the figure looks.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub looks: FigureOptions,
     /// How many spheres share the weight.
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
@@ -171,6 +124,12 @@ pub struct PlotRequest {
 }
 
 impl PlotRequest {
-    pub(crate) const RELATIONS: &'static [&'static [Relation]] =
-        &[&[Relation::Required("kind"), Relation::Required("output")]];
+    pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[&[
+        Relation::Required("kind"),
+        Relation::Required("output"),
+        Relation::Needs("table", "value_column"),
+        Relation::Needs("value_column", "table"),
+        Relation::Needs("x_column", "table"),
+        Relation::Needs("y_column", "table"),
+    ]];
 }

@@ -3,7 +3,7 @@
 mod notes;
 mod views;
 
-use contact_plots::{Block, Scene, SceneNames, scene};
+use contact_plots::{Block, Paper, Scene, SceneNames, scene};
 use osim_feet::{FloorPlace, Foot, FootFrame};
 use osim_model::files::Failure;
 use osim_model::four_significant;
@@ -52,7 +52,7 @@ pub fn feet(states: &[ModelFeet], title: Option<&str>) -> Scene {
 /// It was not drawn: a number is not finite.
 pub fn feet_svg(states: &[ModelFeet], name: &str, title: Option<&str>) -> Result<String, Failure> {
     // Names of spheres are labels: what a picture cannot show would make it unreadable.
-    let drawn = scene(&feet(states, title)).map(|svg| harmless(&svg).into_owned());
+    let drawn = scene(&feet(states, title), Paper::default()).map(|svg| harmless(&svg).into_owned());
     drawn.map_err(|error| Failure::outside(name, "plot", error.to_string()))
 }
 

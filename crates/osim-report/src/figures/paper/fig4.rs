@@ -50,12 +50,8 @@ pub fn fig4(title: Option<&str>) -> Result<Figure, Failure> {
 }
 
 fn panel(title: &str, bodies: &[DropCurve], time: TimeAxis) -> Result<Panel, Failure> {
-    let mut panel = Panel { title: title.to_owned(), ..drop_panel(bodies, time).map_err(failure)? };
-    if time == TimeAxis::Second {
-        for curve in &mut panel.curves {
-            curve.points.retain(|(time, _)| *time <= SHOWN_S);
-        }
-    }
+    let shown = (time == TimeAxis::Second).then_some(SHOWN_S);
+    let mut panel = Panel { title: title.to_owned(), ..drop_panel(bodies, time, shown).map_err(failure)? };
     // One scale for all, so that the eye can compare them.
     panel.y.range = Some((0.0, TOP));
     Ok(panel)

@@ -1,6 +1,6 @@
 //! Fig. C.5: what smoothing does.
 
-use contact_plots::{Figure, ForceFigure, Panel, StateFigure, Width, force_panel, state_panel};
+use contact_plots::{Figure, ForceFigure, Panel, StateCurve, StateFigure, Width, force_panel, state_panel};
 use contact_scaling::{Contact, ContactValues, Scale, SmoothingValues};
 use osim_inspect::series::{self, Body, ForceUnit, IndentationUnit, SphereKind, Units};
 use osim_model::files::Failure;
@@ -9,10 +9,12 @@ use super::animals::{animal, failure, scaled};
 use crate::figures::axes::{force_axis, indentation_axis};
 use crate::figures::force::curves;
 use crate::figures::limits::{hertz_limit, thresholds};
-use crate::figures::state::curve;
 
 /// Whose sphere the figure is taken to show.
 const EMU: &str = "emu";
+
+/// Curves go so many radii to either side.
+const REACH: f64 = 0.5;
 
 const UNITS: Units = Units { indentation: IndentationUnit::Relative, force: ForceUnit::Newton };
 
@@ -61,13 +63,15 @@ fn body(scale: &Scale, contact: Contact) -> Body {
 fn forces(title: &str, body: &Body) -> Result<Panel, Failure> {
     let mut bodies = Vec::new();
     for (body, kind) in series::kinds(std::slice::from_ref(body)) {
-        bodies.push(curves(series::force(body, kind, UNITS, 0.5)?));
+        let reach_m = (-REACH * kind.radius_m, REACH * kind.radius_m);
+        bodies.push(curves(body.name.clone(), series::force(body, kind, UNITS, reach_m)?));
     }
     let figure = ForceFigure {
         title: String::new(),
         indentation: indentation_axis(UNITS),
         force: force_axis(UNITS),
         bodies,
+        top: None,
         limits: hertz_limit(UNITS),
     };
     Ok(Panel { title: title.to_owned(), ..force_panel(&figure).map_err(failure)? })
@@ -77,7 +81,8 @@ fn states(title: &str, body: &Body) -> Result<Panel, Failure> {
     let mut bodies = Vec::new();
     let mut limits = Vec::new();
     for (body, kind) in series::kinds(std::slice::from_ref(body)) {
-        bodies.extend(series::state(body, kind, UNITS)?.map(curve));
+        let points = series::state(body, kind, UNITS, None)?;
+        bodies.extend(points.map(|points| StateCurve { name: body.name.clone(), points }));
         limits.extend(thresholds(kind, UNITS));
     }
     let figure = StateFigure { title: String::new(), indentation: indentation_axis(UNITS), bodies, limits };

@@ -1,0 +1,136 @@
+//! Points where a curve bends, none where it is straight: drawn, nobody sees that it is made of lines.
+
+use super::units::Point;
+
+/// How far a line may be from its curve, as a share of the figure's height or width: a hundredth of a millimetre or so.
+const TOLERANCE: f64 = 2e-4;
+/// How often an interval is halved at most.
+const DEPTH: u32 = 10;
+
+/// Points of a curve for parameters from the first to the last of `breaks`, which rise; the curve is smooth between two
+/// neighbours of them, and each is among the points.
+pub(super) fn sampled(curve: impl Fn(f64) -> Point, breaks: &[f64]) -> Vec<Point> {
+    let knots: Vec<(f64, Point)> = breaks.iter().map(|&at| (at, curve(at))).collect();
+    let size = (extent(knots.iter().map(|(_, p)| p.0)), extent(knots.iter().map(|(_, p)| p.1)));
+    let mut points: Vec<Point> = knots.first().map(|(_, point)| *point).into_iter().collect();
+    for pair in knots.windows(2) {
+        refine(&curve, (pair[0], pair[1]), size, DEPTH, &mut points);
+    }
+    points
+}
+
+/// Adds the points after the first end of an interval, up to its second end.
+fn refine(
+    curve: &impl Fn(f64) -> Point,
+    (from, to): ((f64, Point), (f64, Point)),
+    size: (f64, f64),
+    depth: u32,
+    points: &mut Vec<Point>,
+) {
+    let within = |share: f64| {
+        let at = from.0 + share * (to.0 - from.0);
+        (at, curve(at))
+    };
+    // In the middle alone a curve that bends both ways may cross its line.
+    let inner = [within(0.25), within(0.5), within(0.75)];
+    let bends = inner.iter().any(|(_, point)| distance(*point, (from.1, to.1), size) > TOLERANCE);
+    if depth == 0 || !bends {
+        points.push(to.1);
+        return;
+    }
+    let [_, middle, _] = inner;
+    refine(curve, (from, middle), size, depth - 1, points);
+    refine(curve, (middle, to), size, depth - 1, points);
+}
+
+fn extent(values: impl Iterator<Item = f64>) -> f64 {
+    let (low, high) = values
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+    if high > low { high - low } else { 1.0 }
+}
+
+/// From a point to the line between two, as a share of the figure's size.
+fn distance(point: Point, (from, to): (Point, Point), (width, height): (f64, f64)) -> f64 {
+    let scaled = |(x, y): Point| (x / width, y / height);
+    let ((px, py), (ax, ay), (bx, by)) = (scaled(point), scaled(from), scaled(to));
+    let (dx, dy) = (bx - ax, by - ay);
+    let length = dx * dx + dy * dy;
+    let along = if length > 0.0 { (((px - ax) * dx + (py - ay) * dy) / length).clamp(0.0, 1.0) } else { 0.0 };
+    (px - ax - along * dx).hypot(py - ay - along * dy)
+}
+
+/// `count` equal intervals from `from` to `to`, and `also` where it lies between them.
+pub(super) fn breaks(from: f64, to: f64, count: u32, also: f64) -> Vec<f64> {
+    let equal = (0..=count).map(|step| from + (to - from) * f64::from(step) / f64::from(count));
+    let mut breaks: Vec<f64> = equal.chain((from < also && also < to).then_some(also)).collect();
+    breaks.sort_by(f64::total_cmp);
+    breaks.dedup();
+    breaks
+}
+
+/// The points of a series of many that are needed to draw it: its ends, its turning points, and what lies between them where
+/// it bends.
+pub(super) fn thinned(series: &[Point]) -> Vec<Point> {
+    let value = |at: usize| series.get(at).copied().unwrap_or_default();
+    let last = series.len().saturating_sub(1);
+    let turns = (1..last).filter(|&at| {
+        let (before, here, after) = (value(at - 1).1, value(at).1, value(at + 1).1);
+        (here - before) * (after - here) <= 0.0 && (here != before || here != after)
+    });
+    #[expect(clippy::cast_precision_loss, reason = "some hundred thousand points")]
+    let knots: Vec<f64> =
+        std::iter::once(0).chain(turns).chain((last > 0).then_some(last)).map(|at| at as f64).collect();
+    sampled(|at| between(series, at), &knots)
+}
+
+/// A point of a series at a place between two of its numbers.
+fn between(series: &[Point], at: f64) -> Point {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a place in the series")]
+    let before = at.floor() as usize;
+    let from = series.get(before).or(series.last()).copied().unwrap_or_default();
+    let to = series.get(before + 1).copied().unwrap_or(from);
+    let share = at.fract();
+    (from.0 + share * (to.0 - from.0), from.1 + share * (to.1 - from.1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn farthest(points: &[Point], curve: impl Fn(f64) -> f64) -> f64 {
+        let gaps = points.windows(2).flat_map(|pair| {
+            (0..=20).map(|i| f64::from(i) / 20.0).map(|share| {
+                let x = pair[0].0 + share * (pair[1].0 - pair[0].0);
+                (curve(x) - (pair[0].1 + share * (pair[1].1 - pair[0].1))).abs()
+            })
+        });
+        gaps.collect::<Vec<_>>().into_iter().fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn a_straight_line_has_its_breaks_only() {
+        let points = sampled(|x| (x, 2.0 * x), &breaks(0.0, 1.0, 4, 0.1));
+        assert_eq!(points.iter().map(|p| p.0).collect::<Vec<_>>(), [0.0, 0.1, 0.25, 0.5, 0.75, 1.0]);
+    }
+
+    #[test]
+    fn a_steep_step_is_followed() {
+        let step = |x: f64| 0.5 + 0.5 * (300.0 * x).tanh();
+        let points = sampled(|x| (x, step(x)), &breaks(-0.5, 0.5, 24, 0.0));
+        assert!(farthest(&points, step) < 5e-3, "{}", farthest(&points, step));
+        assert!(points.len() < 200, "{}", points.len());
+        assert!(points.contains(&(0.0, 0.5)));
+    }
+
+    #[test]
+    fn a_thinned_series_keeps_its_peaks() {
+        let wave = |t: f64| (-t).exp() * (9.0 * t).sin();
+        let series: Vec<Point> = (0..=20_000).map(|i| f64::from(i) / 4000.0).map(|t| (t, wave(t))).collect();
+        let points = thinned(&series);
+        assert!(points.len() < 600, "{}", points.len());
+        let top = |points: &[Point]| points.iter().map(|p| p.1).fold(f64::NEG_INFINITY, f64::max);
+        assert_eq!(top(&points), top(&series));
+        assert!(farthest(&points, wave) < 1e-3);
+        assert_eq!((points.first(), points.last()), (series.first(), series.last()));
+    }
+}
