@@ -20,7 +20,8 @@ GROUPS_KNOWN="rust programs shells oracle browser wasm windows"
 #   tells    what prints its version
 #
 # programs: octave runs the recipes of docs/, groff sets the manual, strace sees what reaches the disk, setpriv and
-#           unshare take permissions and make small disks (util-linux), readelf looks into the archive's program, valgrind
+#           unshare take permissions and make small disks (util-linux), readelf looks into the archive's program, pdfinfo reads
+#           figures, valgrind
 #           counts instructions.
 # shells:   each reads the completions made for it.
 # oracle:   Python for the comparison with the real OpenSim. Its packages are in the table further below.
@@ -38,6 +39,7 @@ programs  groff          1.22     apt:groff-base      groff --version
 programs  strace         6        apt:strace          strace --version
 programs  setpriv        2.38     apt:util-linux      setpriv --version
 programs  unshare        2.38     apt:util-linux      unshare --version
+programs  pdfinfo        22       apt:poppler-utils   pdfinfo -v
 programs  readelf        2.40     apt:binutils        readelf --version
 programs  valgrind       3.19     apt:valgrind        valgrind --version
 shells    bash           5        apt:bash            bash --version

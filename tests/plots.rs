@@ -22,6 +22,8 @@ mod feet;
 mod figures;
 #[path = "plots/files.rs"]
 mod files;
+#[path = "plots/printing.rs"]
+mod printing;
 #[path = "command/support.rs"]
 #[allow(dead_code, reason = "shared with the tests of the command, which use all of it")]
 mod support;

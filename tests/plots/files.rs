@@ -51,7 +51,7 @@ fn wrong_usage_says_what_was_expected() {
     let refused = |arguments: &str, words: &[&str]| {
         bench.run(&format!("plot {arguments}")).usage().wrote_nothing().says(words);
     };
-    refused("force human.osim -o figure.pdf", &["expected a name that ends in .svg or .png"]);
+    refused("force human.osim -o figure.jpg", &["expected a name that ends in .svg, .pdf or .png"]);
     refused("force human.osim", &["--output <FILE>"]);
     refused("force -o figure.svg", &["name a model, or a preset"]);
     refused("cake human.osim -o figure.svg", &["cake", "force", "fig-c5"]);

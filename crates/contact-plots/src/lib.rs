@@ -13,7 +13,8 @@
 //!     title: "Contact force of one sphere".to_owned(),
 //!     indentation: IndentationAxis::Relative,
 //!     force: ForceAxis::Newton,
-//!     bodies: vec![ForceCurves { name: "human".to_owned(), hertz, with_constant: vec![], own: vec![], rest: None }],
+//!     top: None,
+//!     bodies: vec![ForceCurves { name: "human".to_owned(), hertz, with_constant: vec![], own: vec![], rest: None, remark: String::new() }],
 //!     limits: vec![],
 //! })?;
 //! let svg = Drawing::Panels(figure).svg(Paper::default())?;

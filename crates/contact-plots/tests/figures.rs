@@ -34,6 +34,7 @@ fn body(name: &str, slope: f64) -> ForceCurves {
         with_constant: line(2.0 * slope),
         own: line(1.5 * slope),
         rest: Some((0.35, slope)),
+        remark: String::new(),
     }
 }
 
@@ -42,6 +43,7 @@ fn force(bodies: Vec<ForceCurves>) -> ForceFigure {
         title: "Contact force".to_owned(),
         indentation: IndentationAxis::Relative,
         force: ForceAxis::Newton,
+        top: None,
         bodies,
         limits: vec![x_limit()],
     }
@@ -154,7 +156,7 @@ fn every_kind_of_figure_is_a_document_with_its_axes() {
         DropCurve { name: "mouse".to_owned(), points: points.clone(), time_unit_s: 0.0143 },
         DropCurve { name: "giraffe".to_owned(), points, time_unit_s: 0.0553 },
     ];
-    let drop = DropFigure { title: "Drop".to_owned(), conditions: "From R/4.".to_owned(), bodies };
+    let drop = DropFigure { title: "Drop".to_owned(), conditions: "From R/4.".to_owned(), shown: None, bodies };
     Svg::read(&drop_svg(&drop).unwrap()).says(&[
         "time t (s)",
         "non-dimensional time t/√(R/g) (–)",
@@ -172,9 +174,8 @@ fn dimensionless_drops_end_with_the_shorter_one() {
     let points: Vec<Point> = (0..=20).map(|i| (f64::from(i) / 10.0, 1.0)).collect();
     let slow = DropCurve { name: "slow".to_owned(), points: points.clone(), time_unit_s: 0.5 };
     let quick = DropCurve { name: "quick".to_owned(), points, time_unit_s: 0.1 };
-    let panel = contact_plots::drop_panel(&[slow, quick], contact_plots::TimeAxis::Dimensionless).unwrap();
-    assert_eq!(panel.curves[0].points.last().unwrap().0, 4.0);
-    assert_eq!(panel.curves[1].points.last().unwrap().0, 4.0);
+    let panel = contact_plots::drop_panel(&[slow, quick], contact_plots::TimeAxis::Dimensionless, None).unwrap();
+    assert_eq!(panel.x.limits, Some((0.0, 4.0)));
 }
 
 #[test]

@@ -6,7 +6,7 @@ use contact_scaling::Ratios;
 use osim_inspect::series::{Body, HeatRequest};
 use osim_inspect::unexplained_slip;
 use osim_model::files::Files;
-use osim_model::wording::{Input, phrase};
+use osim_model::wording::{Input, Phrase, phrase};
 use osim_model::{Fault, MassRequest, readable};
 use osim_values::{Kilograms, Positive};
 
@@ -53,7 +53,9 @@ impl PlotRequest {
         if self.kind != Some(PlotKind::Sweep) || !self.models.is_empty() || self.target_mass.is_some() {
             return Err(RequestFault::refused(
                 Input::Table,
-                "a table is drawn by `plot kind=sweep`, without a model: leave out models and the target mass",
+                Phrase::template(
+                    "a table is drawn by `plot kind=sweep`, without a model: leave out models and the target mass",
+                ),
             ));
         }
         Ok(())
