@@ -32,6 +32,7 @@ pub mod command_line;
 mod dictionary;
 mod drop_test;
 mod feet;
+mod fig1;
 mod fit;
 mod gravity;
 mod inspector;
@@ -53,6 +54,7 @@ pub use before_after::BeforeAfter;
 pub use calculator::{DesignFigure, DesignLimit, DesignQuantity, DesignSheet};
 pub use drop_test::{ComparedDrop, DropColumn, DropFigure, DropResult, DropRow};
 pub use feet::ModelFeet;
+pub use fig1::fig1;
 pub use fit::FitResult;
 pub use inspector::Inspector;
 pub use opening::{open_with, scale_file};
@@ -68,8 +70,8 @@ pub use presets::presets;
 pub use request::{
     AddRequest, AxesChoice, BatchRequest, BranchChoice, CheckRequest, ConvertRequest, Deny, DesignRequest,
     DropTestRequest, ExplainRequest, FitRequest, HeatOptions, InspectRequest, NoteRequest, PlotKind,
-    PlotRequest, PresetsRequest, QuantityChoice, RemoveRequest, Request, RescaleRequest, SeriesFormat,
-    SetRequest, SweepRequest, TransferRequest, schema_of,
+    PlotRequest, PresetsRequest, QuantityChoice, RemoveRequest, ReproduceRequest, Request, RescaleRequest,
+    SeriesFormat, SetRequest, SweepRequest, TransferRequest, schema_of,
 };
 pub use subject::may_be_file;
 pub use sweep::{SweepPlan, VariantMade};

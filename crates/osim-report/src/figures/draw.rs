@@ -3,7 +3,8 @@
 use contact_plots::{drop_figure, figure, force_figure, heat_map, loop_figure, state_figure};
 use osim_inspect::series::Body;
 use osim_model::files::Failure;
-use osim_requests::{AxesChoice, PlotKind, PlotRequest, Positive};
+use osim_model::wording::Phrase;
+use osim_requests::{AxesChoice, PlotKind, PlotRequest, Positive, fig1};
 
 use super::axes::{Axes, units};
 use super::drops::drops;
@@ -40,6 +41,10 @@ pub fn draw(request: &PlotRequest, bodies: &[Body]) -> Result<String, Failure> {
                 title,
             )?;
             heat_map(&map)
+        }
+        Some(PlotKind::Fig1) => {
+            let why = Phrase::joined(fig1(), " ").unwrap_or_default();
+            return Err(Failure::outside("Fig. 1", "plot", why));
         }
         Some(PlotKind::Fig4) => figure(&fig4(title)?),
         Some(PlotKind::FigC5) => figure(&fig_c5(title)?),
