@@ -66,7 +66,11 @@ fn nothing_is_replaced_without_being_asked() {
     let bench = Bench::new();
     // The last one of three: the others are not written either.
     bench.write("paper/fig-c5.svg", "mine");
-    bench.run("reproduce -d paper").usage().wrote_nothing().says(&["fig-c5.svg exists already"]);
+    bench
+        .run("reproduce -d paper")
+        .usage()
+        .wrote_nothing()
+        .says(&["fig-c5.svg exists already: choose another folder with -d"]);
     bench.run("reproduce -d paper --force").done();
     assert!(bench.text("paper/fig-c5.svg").starts_with("<svg") && bench.has("paper/table1.csv"));
     bench.run("reproduce --force").usage().says(&["--force says nothing without -d"]);

@@ -2,9 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::Result;
+use anyhow::{Result, bail};
 use osim_library::{Mode, Prepared, make_folder_of};
 use osim_model::files::Failure;
+use osim_model::wording::Input;
 use osim_report::figures;
 use osim_report::json::line;
 use osim_report::reproduce::{ReproductionRecord, fig1_text, reproduction_csv, reproduction_text};
@@ -62,6 +63,13 @@ fn files(folder: &Path, record: &ReproductionRecord) -> Result<Result<Vec<(PathB
 
 /// Writes all of them, or none where one of them is there already and may not be replaced.
 fn write(files: &[(PathBuf, String)], force: bool, session: &Session) -> Result<()> {
+    if let Some((there, _)) = files.iter().find(|(path, _)| !force && path.exists()) {
+        let [folder, force] = [Input::OutputDir, Input::Force].map(|input| session.words.input(input, None));
+        bail!(
+            "{} exists already: choose another folder with {folder}, or replace it with {force}",
+            there.display()
+        );
+    }
     let refused = |fault| session.refused(&fault);
     let mode = if force { Mode::Replace } else { Mode::New };
     let mut prepared = Vec::new();
