@@ -1,6 +1,6 @@
 //! Table 1 of the paper: what it prints, and the same computed.
 //!
-//! `printed.csv` is typed from the paper, and nothing else in the project is: figures, tests and fixtures read it.
+//! `printed.csv` is typed from the paper. Figures, the models of `fixtures/table1` and the tests of printed numbers read it.
 //!
 //! ```
 //! use contact_scaling::table1;
