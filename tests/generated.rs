@@ -121,9 +121,16 @@ fn figures() -> String {
     let rows = Figure::ALL.iter().map(|figure| {
         let info = figure.info();
         let [unit, equation, limit] = unit_equation_limit(info);
-        vec![format!("`….{}`", info.name), meaning(info), unit, equation, limit]
+        vec![
+            format!("`….{}`", info.name),
+            format!("`{}`", info.column()),
+            meaning(info),
+            unit,
+            equation,
+            limit,
+        ]
     });
-    table(&["field", "meaning", "unit", "equation", "limit"], rows)
+    table(&["field", "column in CSV", "meaning", "unit", "equation", "limit"], rows)
 }
 
 fn meaning(info: &Quantity) -> String {

@@ -10,6 +10,7 @@ use osim_library::run::JsonRecord;
 use osim_model::wording::Verb;
 use osim_report::explain::TopicRecord;
 use osim_report::json::{FailureRecord, PlanRecord};
+use osim_report::reproduce::ReproductionRecord;
 use osim_report::results::{DropRecord, FitRecord, PresetRecord, SweepRecord};
 use osim_requests::{DesignSheet, schema_of};
 use schemars::generate::SchemaSettings;
@@ -33,6 +34,7 @@ fn schemas() -> BTreeMap<String, String> {
         ("results/fit", printed::<FitRecord>("The result of fit")),
         ("results/inspection", printed::<Inspection>("The result of inspect")),
         ("results/preset", printed::<PresetRecord>("The result of presets")),
+        ("results/reproduction", printed::<ReproductionRecord>("The result of reproduce")),
         ("results/summary-line", printed::<JsonRecord>("A line of a summary (NDJSON)")),
         ("results/sweep", printed::<SweepRecord>("The result of sweep")),
     ];

@@ -8,7 +8,7 @@ const MANIFEST: &str = include_str!("../../fixtures/libraries/table1.csv");
 /// Where it is in the project.
 const TABLE_1: &str = "fixtures/libraries/table1.csv";
 /// What the paper prints, row by row as in the manifest.
-const PRINTED: &str = include_str!("../../crates/contact-scaling/tests/data/table1.csv");
+const PRINTED: &str = include_str!("../../crates/contact-scaling/src/table1/printed.csv");
 
 /// The animals of Table 1, every one with the contacts of the 62 kg human.
 fn unscaled_animals() -> Bench {

@@ -106,6 +106,52 @@ fn octave_runs_the_recipes() {
     assert!(bench.has("it's a folder/big one.osim") && bench.has("scaled models/human_1190kg.osim"));
 }
 
+/// The first block of a language on a page of docs/.
+fn block(page: &str, language: &str) -> String {
+    let text = std::fs::read_to_string(root().join("docs").join(page)).unwrap();
+    let opening = format!("\n```{language}\n");
+    let after = text.split_once(&opening).unwrap_or_else(|| panic!("{page} has no {language}")).1;
+    after.split_once("\n```").unwrap().0.to_owned()
+}
+
+/// A folder with the CSV of the seven smoothed animals of Table 1, as docs/libraries.md has it made.
+fn bench_with_table() -> Bench {
+    let bench = bench();
+    for animal in
+        ["human_62kg", "human_500kg", "mouse", "emu_10_spheres", "emu_2_spheres", "horse", "giraffe"]
+    {
+        let name = format!("{animal}_smooth_sphere.osim");
+        bench.write(&format!("my_models/{name}"), crate::support::fixture(&format!("table1/{name}")));
+    }
+    let table = bench.run("inspect my_models --format csv").done().out();
+    bench.write("models.csv", table);
+    bench
+}
+
+#[test]
+fn octave_reads_the_table_of_a_folder() {
+    let bench = bench_with_table();
+    // Octave without a screen draws nothing: what would be drawn is counted.
+    bench.write(
+        "loglog.m",
+        "function loglog(x, y, varargin)\nfprintf('points = %d\\n', sum(x > 0 & y > 0));\nend\n",
+    );
+    for name in ["xlabel", "ylabel"] {
+        bench.write(&format!("{name}.m"), format!("function {name}(varargin)\nend\n"));
+    }
+    let more = "fprintf('mass = %.17g\\n', max(models.mass_kg));\nfprintf('models = %d\\n', numel(unique(models.model_file)));\n\
+                fprintf('deep = %d\\n', numel(unique(models.model_file(deep))));\n";
+    bench.write("look.m", format!("{}\n{more}", block("libraries.md", "matlab")));
+    let options = ["--traditional", "--no-gui", "--norc", "--no-history", "--eval", "look"];
+    let Some((status, text)) = run(&bench, "octave", &options) else { return };
+    assert_eq!(status, Some(0), "{text}");
+    // Table 1: seven models up to 1190 kg. Spheres: 6 and 6 of each human foot, 10 and 2 of each emu's, and on all four limbs of
+    // the quadrupeds 1, 5 and 4 each.
+    let spheres = 2 * (6 + 6 + 10 + 2) + 4 * (1 + 5 + 4);
+    let numbers = ["mass", "models", "deep", "points"].map(|name| number(&text, name));
+    assert_eq!(numbers, [1190.0, 7.0, 7.0, f64::from(spheres)], "{text}");
+}
+
 #[test]
 fn the_recipes_are_matlab_too() {
     for recipe in std::fs::read_dir(root().join("docs/recipes")).unwrap() {

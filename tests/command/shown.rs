@@ -3,7 +3,7 @@
 use crate::support::{Bench, HUMAN};
 
 const MOUSE: (&str, &str) = ("table1/mouse_hunt_crossley.osim", "mouse.osim");
-const VERBS: [&str; 21] = [
+const VERBS: [&str; 22] = [
     "",
     "rescale",
     "transfer",
@@ -20,6 +20,7 @@ const VERBS: [&str; 21] = [
     "drop-test",
     "plot",
     "fit",
+    "reproduce",
     "presets",
     "explain",
     "request",
@@ -135,6 +136,7 @@ fn inspecting() {
     let bench = Bench::with(&[MOUSE, TWO_FEET, ("format/three_materials.osim", "materials.osim")]);
     bench.run("inspect mouse.osim").done().wrote_nothing().looks_like("inspect");
     bench.run("inspect feet.osim materials.osim").done().looks_like("inspect_several");
+    bench.run("inspect feet.osim materials.osim --full").done().looks_like("inspect_several_full");
     let ran = bench.run("inspect feet.osim --format json").done();
     assert!(ran.stdout.ends_with(b"}\n") && ran.stderr.is_empty());
     ran.looks_like("inspect_json");

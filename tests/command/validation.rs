@@ -15,7 +15,7 @@ const INSPECTION: &str = "results/inspection";
 const SUMMARY: &str = "results/summary-line";
 
 /// What each verb prints.
-const RESULTS: [(&str, &[&str]); 13] = [
+const RESULTS: [(&str, &[&str]); 14] = [
     ("rescale", &[CHANGE]),
     ("transfer", &[CHANGE]),
     ("design", &[CHANGE, "results/design"]),
@@ -27,6 +27,7 @@ const RESULTS: [(&str, &[&str]); 13] = [
     ("drop-test", &["results/drop-test"]),
     ("plot", &[]),
     ("fit", &["results/fit"]),
+    ("reproduce", &["results/reproduction"]),
     ("presets", &["results/preset"]),
     ("explain", &["results/explanation"]),
 ];

@@ -40,7 +40,7 @@ fn inspect() {
     let bench = Bench::with(&[HUMAN, ("table1/horse_hunt_crossley.osim", "horse.osim")]);
     same(
         &bench,
-        "inspect human.osim horse.osim --mass 70 --stance-limbs 2",
+        "inspect human.osim horse.osim --mass 70 --stance-limbs 2 --full",
         &json!({"verb": "inspect", "models": ["human.osim", "horse.osim"], "mass": 70, "stance_limbs": 2}),
     );
 }

@@ -4,6 +4,7 @@ use osim_report::dialect::CommandLine;
 use osim_report::explain::{Letters, answer};
 use osim_report::json::{FailureRecord, line};
 use osim_report::messages::mass_mismatch;
+use osim_report::reproduce::{ReproductionRecord, fig1_text, reproduction_text};
 use osim_report::results::{
     DropRecord, FitRecord, PresetRecord, design_sheet_text, drop_csv, drop_text, fit_text, preset_text,
 };
@@ -92,6 +93,16 @@ fn presets() {
     assert_eq!(texts.join("\n"), bench.run("presets --presets lab.toml").done().out());
     let lines: String = presets.iter().map(|preset| line(&PresetRecord::from(preset))).collect();
     assert_eq!(lines, bench.run("presets --presets lab.toml --format json").done().out());
+}
+
+#[test]
+fn reproduce() {
+    let bench = Bench::new();
+    let _ = request!(Reproduce, {"verb": "reproduce"});
+    let record = ReproductionRecord::new(&CommandLine).unwrap();
+    let text = format!("{}\n{}", reproduction_text(&record), fig1_text(&record));
+    assert_eq!(text, bench.run("reproduce").done().out());
+    assert_eq!(line(&record), bench.run("reproduce --format json").done().out());
 }
 
 #[test]

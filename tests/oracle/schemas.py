@@ -14,6 +14,7 @@ RESULTS = {
     "sweep": "sweep",
     "drop-test": "drop-test",
     "fit": "fit",
+    "reproduce": "reproduction",
     "presets": "preset",
     "explain": "explanation",
 }

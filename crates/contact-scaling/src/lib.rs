@@ -57,6 +57,7 @@ pub mod sizing;
 mod smooth;
 pub mod smoothing;
 pub mod stiffness;
+pub mod table1;
 
 pub use contact::{Contact, ContactValues, EQUAL_SURFACES, SmoothingValues};
 pub use dimensionless::DimensionlessContact;

@@ -4,26 +4,15 @@
 
 use contact_scaling::drop_test::{DropReport, DropTest, DropValues, compare};
 use contact_scaling::{
-    Contact, ContactValues, Law, Ratios, Scale, ScaleValues, SmoothingValues, Spheres, restitution,
+    Contact, ContactValues, Law, Ratios, Scale, SmoothingValues, Spheres, restitution, table1,
 };
 
 /// Largest error of the series over its range.
 const SERIES: f64 = 1e-8;
 
-/// M, n and R of Table 1.
-const ANIMALS: [(&str, f64, f64, f64); 7] = [
-    ("human", 62.0, 6.0, 0.032),
-    ("large human", 500.0, 6.0, 0.0637),
-    ("mouse", 0.0209, 2.0, 0.002),
-    ("emu on 10", 37.8, 10.0, 0.015),
-    ("emu on 2", 37.8, 2.0, 0.03),
-    ("horse", 545.0, 10.0, 0.015),
-    ("giraffe", 1190.0, 8.0, 0.03),
-];
-
+/// A row of Table 1.
 fn scale(animal: usize) -> Scale {
-    let (_, mass_kg, sphere_count, radius_m) = ANIMALS[animal];
-    Scale::new(ScaleValues { mass_kg, sphere_count, radius_m, gravity_m_s2: 9.81 }).unwrap()
+    table1::animals().nth(animal).unwrap().scale()
 }
 
 fn contact(plane_strain_modulus: f64, dissipation: f64, smooth: bool) -> Contact {
@@ -80,7 +69,7 @@ fn series_agree_with_another_integrator() {
 
 #[test]
 fn every_animal_of_table_1_comes_to_rest_where_it_should() {
-    for (animal, (name, ..)) in ANIMALS.iter().enumerate() {
+    for (animal, name) in table1::animals().map(|animal| animal.taxon()).enumerate() {
         for all in [true, false] {
             let report = drop(animal, &on(animal, false, all)).run().unwrap();
             let x_hat = report.final_indentation_m / scale(animal).radius_m();
@@ -104,7 +93,7 @@ fn every_animal_of_table_1_comes_to_rest_where_it_should() {
 fn scaled_animals_fall_alike() {
     for smooth in [false, true] {
         let human = drop(0, &on(0, smooth, true));
-        for (animal, (name, ..)) in ANIMALS.iter().enumerate() {
+        for (animal, name) in table1::animals().map(|animal| animal.taxon()).enumerate() {
             let difference = compare(&human, &drop(animal, &on(animal, smooth, true))).unwrap();
             assert!(difference.height < 1e-6, "{name}: {difference:?}");
             assert!(difference.force < 1e-6, "{name}: {difference:?}");

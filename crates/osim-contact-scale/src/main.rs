@@ -23,7 +23,7 @@ use clap::FromArgMatches;
 use clap::error::ErrorKind;
 
 use args::{Cli, check_typed, command, usage_line};
-use meant::{axis_meant, meant};
+use meant::{axis_meant, figure_meant, meant};
 use session::Session;
 use terminal::{Exit, Terminal};
 use words::WORDS;
@@ -77,7 +77,8 @@ fn usage(error: &clap::Error, terminal: &mut Terminal) -> Exit {
                 std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
             let of_words =
                 || Some(kind).filter(|kind| *kind == ErrorKind::UnknownArgument).and_then(|_| instead());
-            let meant = axis_meant(&words, WORDS).or_else(of_words);
+            let of_figure = || figure_meant(&words, WORDS);
+            let meant = axis_meant(&words, WORDS).or_else(of_figure).or_else(of_words);
             let text = meant.unwrap_or_else(|| usage_line(error));
             terminal.error_line(&format!("{text} (see --help)"));
             Exit::Usage

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::{Command, CommandFactory};
 use osim_library::SplitName;
 use osim_model::wording::{Input, Phrase, Verb, phrase};
-use osim_requests::{AxisName, Kilograms};
+use osim_requests::{AxisName, Kilograms, PlotKind, fig1};
 
 use crate::args::Cli;
 use crate::words::Words;
@@ -34,6 +34,14 @@ pub(crate) fn meant(words: &[PathBuf], may_be_mass: bool, terms: Words) -> Optio
         return Some(text.spelled(terms));
     }
     Some(format!("'{}' is neither a verb nor a file: did you mean '{}'?", first.display(), verb?))
+}
+
+/// What is said of a figure that cannot be drawn, whatever else is missing in the call.
+pub(crate) fn figure_meant(words: &[String], terms: Words) -> Option<String> {
+    let [verb, kind, ..] = words else { return None };
+    let is_fig1 = verb == Verb::Plot.name() && kind == PlotKind::Fig1.as_str();
+    let text = Phrase::joined(fig1(), " ").filter(|_| is_fig1)?;
+    Some(text.spelled(terms))
 }
 
 fn help(verb: Option<&PathBuf>) -> String {

@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::io::{self, ErrorKind, IsTerminal, Write};
 
 use osim_model::wording::{harmless, one_line};
+use osim_report::layout::WIDTH;
 
 /// How a run ended, as the exit status.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -88,6 +89,14 @@ impl Terminal {
     /// Whether standard output can show letters beyond ASCII; files and pipes always can.
     pub(crate) fn shows_unicode() -> bool {
         supports_unicode::on(supports_unicode::Stream::Stdout)
+    }
+
+    /// Columns of the terminal on standard output; `None` for files and pipes, whose lines have no end.
+    pub(crate) fn columns() -> Option<usize> {
+        let stdout = io::stdout();
+        let columns = terminal_size::terminal_size_of(&stdout).map(|(width, _)| usize::from(width.0));
+        // A terminal that does not say how wide it is, or says 0, is taken for an old one.
+        stdout.is_terminal().then(|| columns.filter(|&columns| columns > 0).unwrap_or(WIDTH))
     }
 
     /// Things said beside the results, on standard error.

@@ -18,7 +18,8 @@ use osim_model::wording::Phrase;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Quantity {
-    /// Name in JSON and CSV; it ends in the unit, where there is one. What a model has is named as OpenSim names it.
+    /// Name in JSON and in the series of a drop; it ends in the unit, where there is one. What a model has is named as OpenSim
+    /// names it.
     pub name: &'static str,
     /// In tables, without unit and equation.
     pub label: &'static str,
@@ -30,13 +31,15 @@ pub struct Quantity {
     pub limit: Option<&'static Limit>,
     /// What it is, in a sentence.
     meaning: &'static str,
+    /// Name of its column without the unit, where that is not [`name`](Self::name).
+    column: &'static str,
 }
 
 impl Quantity {
     /// A quantity without equation and limit.
     #[must_use]
     pub const fn new(name: &'static str, label: &'static str, unit: &'static str) -> Self {
-        Self { name, label, unit, equation: "", limit: None, meaning: "" }
+        Self { name, label, unit, equation: "", limit: None, meaning: "", column: "" }
     }
 
     /// A number of a model, named as OpenSim names it.
@@ -67,6 +70,27 @@ impl Quantity {
     #[must_use]
     pub const fn meaning_that(self, meaning: &'static str) -> Self {
         Self { meaning, ..self }
+    }
+
+    /// The same, with the name of its column in the tables of models: in words, without the unit.
+    #[must_use]
+    pub const fn in_column(self, column: &'static str) -> Self {
+        Self { column, ..self }
+    }
+
+    /// Name of its column in the tables of models. It ends in the unit as one says it, which no other name has: `load_N`,
+    /// `contact_stiffness_N_per_m`.
+    #[must_use]
+    pub fn column(&self) -> String {
+        let unit = match self.unit.split_once('/') {
+            None => self.unit.to_owned(),
+            Some(("1", per)) => format!("per_{per}"),
+            Some((unit, per)) => format!("{unit}_per_{per}"),
+        };
+        let in_name = self.unit.replace('/', "_").to_ascii_lowercase();
+        let stem = self.name.strip_suffix(in_name.as_str()).and_then(|stem| stem.strip_suffix('_'));
+        let stem = if self.column.is_empty() { stem.unwrap_or(self.name) } else { self.column };
+        if unit.is_empty() { stem.to_owned() } else { format!("{stem}_{unit}") }
     }
 
     /// The label with unit and equation, as the first column of a table has it.
@@ -210,4 +234,24 @@ macro_rules! quantities {
             }
         }
     };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Quantity;
+
+    #[test]
+    fn columns_end_in_their_unit() {
+        for (name, unit, column) in [
+            ("mass_kg", "kg", "mass_kg"),
+            ("load_n", "N", "load_N"),
+            ("contact_stiffness_n_m", "N/m", "contact_stiffness_N_per_m"),
+            ("hertz_smoothing", "1/m", "hertz_smoothing_per_m"),
+            ("constant_contact_force", "m2", "constant_contact_force_m2"),
+            ("touching_share", "", "touching_share"),
+        ] {
+            assert_eq!(Quantity::new(name, "", unit).column(), column);
+        }
+        assert_eq!(Quantity::new("load_n", "", "N").in_column("load_at_rest").column(), "load_at_rest_N");
+    }
 }

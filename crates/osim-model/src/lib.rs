@@ -64,7 +64,7 @@ mod slip;
 mod traps;
 mod value;
 pub use osim_wording as wording;
-pub use osim_wording::{four_significant, readable, shortest};
+pub use osim_wording::{four_significant, readable, shortest, three_significant};
 
 pub use anatomy::{Anatomy, AnatomyJoint, AnatomySphere, AttachedMesh, JointCoordinate, ModelJoint};
 pub use assignment::Assignment;

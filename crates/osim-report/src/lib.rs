@@ -38,4 +38,5 @@ pub mod json;
 pub mod layout;
 pub mod messages;
 pub mod plan;
+pub mod reproduce;
 pub mod results;

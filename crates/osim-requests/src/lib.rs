@@ -32,6 +32,7 @@ pub mod command_line;
 mod dictionary;
 mod drop_test;
 mod feet;
+mod fig1;
 mod fit;
 mod gravity;
 mod heat_table;
@@ -54,6 +55,7 @@ pub use before_after::BeforeAfter;
 pub use calculator::{DesignFigure, DesignLimit, DesignQuantity, DesignSheet};
 pub use drop_test::{ComparedDrop, DropColumn, DropFigure, DropResult, DropRow};
 pub use feet::ModelFeet;
+pub use fig1::fig1;
 pub use fit::FitResult;
 pub use heat_table::{HeatTable, TableColumn};
 pub use inspector::Inspector;
@@ -71,7 +73,7 @@ pub use presets::presets;
 pub use request::{
     AddRequest, AxesChoice, BatchRequest, BranchChoice, CheckRequest, ConvertRequest, Deny, DesignRequest,
     DropTestRequest, ExplainRequest, FigureOptions, FitRequest, HeatOptions, InspectRequest, NoteRequest,
-    PlotKind, PlotRequest, PresetsRequest, QuantityChoice, RemoveRequest, Request, RescaleRequest,
+    PlotKind, PlotRequest, PresetsRequest, QuantityChoice, RemoveRequest, ReproduceRequest, Request, RescaleRequest,
     SeriesFormat, SetRequest, SweepRequest, TransferRequest, schema_of,
 };
 pub use subject::may_be_file;

@@ -11,6 +11,7 @@ use osim_model::{Fault, MassRequest, readable};
 use osim_values::{Kilograms, Positive};
 
 use crate::feet::ModelFeet;
+use crate::fig1::fig1;
 use crate::heat_table::HeatTable;
 use crate::request::{PlotKind, PlotRequest};
 use crate::subject::Subject;
@@ -23,11 +24,14 @@ impl PlotRequest {
         matches!(self.kind, Some(PlotKind::Fig4 | PlotKind::FigC5))
     }
 
-    /// Refuses models too many, or none.
+    /// Refuses models too many, or none, and the figure that cannot be drawn.
     ///
     /// # Errors
     /// They are.
     pub fn check_models(&self) -> Result<(), RequestFault> {
+        if self.kind == Some(PlotKind::Fig1) {
+            return Err(RequestFault::general(Phrase::joined(fig1(), " ").unwrap_or_default()));
+        }
         if self.is_of_paper() && (!self.models.is_empty() || self.target_mass.is_some()) {
             return Err(RequestFault::general(phrase![
                 "fig4 and fig-c5 redraw the paper's own animals: leave out models and ",

@@ -124,6 +124,7 @@ fn every_verb_has_a_schema_that_its_own_requests_fulfil() {
             json!({"kind": "force", "models": ["a.osim"], "output": "a.svg", "stiffness": "1e5..1e6/3"}),
         ),
         (Verb::Fit, json!({"file": "a.csv", "radius": 0.01, "onset": "fit", "indentation_unit": "mm"})),
+        (Verb::Reproduce, json!({"output_dir": "paper", "force": true, "format": "json"})),
         (Verb::Presets, json!({"name": "falisse2022"})),
         (Verb::Explain, json!({"topics": ["10"], "ascii": true})),
     ] {

@@ -69,6 +69,7 @@ inputs! {
     Format = "format", "how to print";
     Friction = "friction", "scale friction speeds too";
     From = "from", "where the contacts come from";
+    Full = "full", "every model in full";
     Geometry = "geometry", "file of the contact geometry set";
     GeometryDir = "geometry_dir", "folder of the bones' meshes";
     GeometryOutput = "geometry_output", "output file of the geometry set";
@@ -170,6 +171,7 @@ impl Input {
                 | Self::FollowBodies
                 | Self::Force
                 | Self::Friction
+                | Self::Full
                 | Self::InPlace
                 | Self::Level
                 | Self::NoBackup
@@ -236,6 +238,8 @@ verbs! {
     Plot = "plot";
     /// Parameters from a measured indentation and force.
     Fit = "fit";
+    /// What the paper prints and draws, computed again.
+    Reproduce = "reproduce";
     /// Published contacts and the user's own.
     Presets = "presets";
     /// What an equation or a code means.

@@ -39,7 +39,18 @@ pub fn readable(value: f64) -> String {
 /// Four significant digits, to compare by eye.
 #[must_use]
 pub fn four_significant(value: f64) -> String {
-    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
+    significant(value, 4)
+}
+
+/// Three significant digits, for columns that are narrow.
+#[must_use]
+pub fn three_significant(value: f64) -> String {
+    significant(value, 3)
+}
+
+fn significant(value: f64, digits: usize) -> String {
+    let decimals = digits.saturating_sub(1);
+    let rounded: f64 = format!("{value:.decimals$e}").parse().unwrap_or(value);
     readable(rounded)
 }
 

@@ -11,8 +11,8 @@ use osim_model::wording::Verb;
 use osim_requests::command_line::{check, with_relations};
 use osim_requests::{
     AddRequest, BatchRequest, CheckRequest, ConvertRequest, DesignRequest, DropTestRequest, ExplainRequest,
-    FitRequest, InspectRequest, NoteRequest, PlotRequest, PresetsRequest, RemoveRequest, RequestFault,
-    RescaleRequest, SweepRequest, TransferRequest,
+    FitRequest, InspectRequest, NoteRequest, PlotRequest, PresetsRequest, RemoveRequest, ReproduceRequest,
+    RequestFault, RescaleRequest, SweepRequest, TransferRequest,
 };
 
 use help::in_words_of_the_command;
@@ -91,6 +91,8 @@ pub(crate) enum VerbArgs {
     Plot(Later<PlotRequest>),
     /// Find contact parameters from a measured indentation and force
     Fit(Later<FitRequest>),
+    /// Compare Table 1 of the paper with what its equations give, and draw its figures
+    Reproduce(Later<ReproduceRequest>),
     /// List presets, or show one
     Presets(Later<PresetsRequest>),
     /// Explain an equation, a quantity, a warning or an error (alone: list them all)

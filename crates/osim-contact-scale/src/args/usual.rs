@@ -22,7 +22,8 @@ fn refused(verb: Verb) -> &'static [Input] {
 /// Options that few calls need.
 fn rare(verb: Verb) -> &'static [Input] {
     match verb {
-        Verb::Rescale | Verb::Set => &[Input::Exclude, Input::Diff, Input::Only, Input::Keep],
+        Verb::Rescale => &[Input::Exclude, Input::Diff, Input::Only, Input::Keep, Input::BodyScaleFile],
+        Verb::Set => &[Input::Exclude, Input::Diff, Input::Only, Input::Keep],
         Verb::Transfer => &[
             Input::Exclude,
             Input::Diff,

@@ -5,7 +5,7 @@ use osim_requests::Request;
 
 use super::{
     batch, change, check, completions, design, drop_test, explain, fit, inspect, manual, plot, presets,
-    request, rescale, sweep,
+    reproduce, request, rescale, sweep,
 };
 use crate::args::{Cli, VerbArgs};
 use crate::session::Session;
@@ -38,6 +38,7 @@ pub(crate) fn call(cli: Cli, session: &mut Session) -> Result<Exit> {
         Some(VerbArgs::DropTest(request)) => Request::DropTest(request.0),
         Some(VerbArgs::Plot(request)) => Request::Plot(request.0),
         Some(VerbArgs::Fit(request)) => Request::Fit(request.0),
+        Some(VerbArgs::Reproduce(request)) => (*request.0).into(),
         Some(VerbArgs::Presets(request)) => (*request.0).into(),
         Some(VerbArgs::Explain(request)) => (*request.0).into(),
     };
@@ -62,6 +63,7 @@ fn ask(request: Request, session: &mut Session) -> Result<Exit> {
         Request::DropTest(request) => drop_test::run(&request, session),
         Request::Plot(request) => plot::run(&request, session),
         Request::Fit(request) => fit::run(&request, session),
+        Request::Reproduce(request) => reproduce::run(&request, session),
         Request::Presets(request) => presets::run(&request, session),
         Request::Explain(request) => explain::run(&request, session),
         _ => anyhow::bail!("this verb takes no request"),

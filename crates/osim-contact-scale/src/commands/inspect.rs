@@ -1,12 +1,12 @@
 //! `inspect`: what contacts a model has, and what they do under its weight.
 
 use anyhow::Result;
-use osim_inspect::Inspection;
-use osim_library::{Disk, Source, Sources, in_order, threads};
+use osim_inspect::{Counts, Inspection};
+use osim_library::{Disk, Folders, Source, Sources, in_order, threads};
 use osim_model::files::Failure;
 use osim_model::wording::{Call, Input, Verb};
 use osim_report::html::Entry;
-use osim_report::inspection;
+use osim_report::inspection::{self, ModelsTable};
 use osim_report::json::line;
 use osim_report::layout::Colour;
 use osim_requests::InspectRequest;
@@ -15,7 +15,7 @@ use osim_requests::options::SheetFormat;
 use super::survey::Survey;
 use crate::report_page::ReportPage;
 use crate::session::Session;
-use crate::terminal::Exit;
+use crate::terminal::{Exit, Terminal};
 
 /// Inspects all models; `hint` where the reader should see what to do next.
 ///
@@ -41,16 +41,31 @@ pub(super) fn run(request: &InspectRequest, hint: bool, session: &mut Session) -
     }
     let (mut first, mut untold) = (true, None);
     let with_page = page.is_some();
+    // One model in full; several as one table, told when all of it is known. Factors of bodies have no room in it.
+    let several = sources.models.len() + sources.failures.len() > 1 && request.from.is_none();
+    let is_table = several && !request.full && request.format == SheetFormat::Table;
+    let mut table = is_table.then(ModelsTable::default);
+    for failure in sources.failures.iter().filter(|_| is_table) {
+        table.iter_mut().for_each(|table| table.add_failed(&failure.model.to_string()));
+    }
+    let folders =
+        is_table.then(|| Folders::list(sources.models.iter().map(|source| source.path.as_path()), false));
     let indexed: Vec<(usize, &Source)> = sources.models.iter().enumerate().collect();
     in_order(
         &indexed,
         threads(None, indexed.len()),
-        |&(index, source)| one(&survey, index, source, with_page),
-        |_, seen| -> Result<(), Stop> {
+        |&(index, source)| one(&survey, folders.as_ref(), index, source, with_page),
+        |&(_, source), seen| -> Result<(), Stop> {
             match seen {
-                Ok((seen, entry)) => {
+                Ok(Inspected { inspection, counts, entry }) => {
                     // What cannot be printed is no reason to leave a page without its models.
-                    let reported = print(&seen, request.format, first, session);
+                    let reported = match table.as_mut().zip(counts) {
+                        Some((table, counts)) => {
+                            table.add(&inspection, counts);
+                            Ok(())
+                        }
+                        None => print(&inspection, request.format, first, session),
+                    };
                     match (reported, &page) {
                         (Err(error), Some(_)) => untold = untold.take().or(Some(error)),
                         (reported, _) => reported.map_err(Stop)?,
@@ -65,6 +80,9 @@ pub(super) fn run(request: &InspectRequest, hint: bool, session: &mut Session) -
                     if let Some(page) = &mut page {
                         page.add(Entry::failed(&failure, words));
                     }
+                    if let Some(table) = &mut table {
+                        table.add_failed(&source.shown());
+                    }
                 }
             }
             Ok(())
@@ -73,6 +91,9 @@ pub(super) fn run(request: &InspectRequest, hint: bool, session: &mut Session) -
     .map_err(|stop| stop.0)?;
     exit = exit.and(ReportPage::end(page, session));
     untold.map_or(Ok(()), Err)?;
+    if let Some(table) = table {
+        session.terminal.print_painted(&table.text(Terminal::columns(), words, Colour::Ansi))?;
+    }
     if hint && !first && request.format == SheetFormat::Table {
         session.terminal.print(&next_steps(session))?;
     }
@@ -88,18 +109,30 @@ impl From<osim_library::LibraryFault> for Stop {
     }
 }
 
-/// A model, and its entry on the page where one is asked for.
+/// A model that was looked at.
+struct Inspected {
+    inspection: Inspection,
+    /// How much is wrong with it, where that is asked for.
+    counts: Option<Counts>,
+    /// Its entry on the page, where there is one.
+    entry: Option<Box<Entry>>,
+}
+
+/// Looks at a model. What is wrong with it is asked for where it goes into a table, for which `folders` is known, or on a page.
 fn one(
     survey: &Survey<'_>,
+    folders: Option<&Folders>,
     index: usize,
     source: &Source,
     with_page: bool,
-) -> Result<(Inspection, Option<Box<Entry>>), Failure> {
+) -> Result<Inspected, Failure> {
     let mut seen = survey.see(source)?;
-    let found = with_page.then(|| survey.check(&mut seen, None));
+    let beside = folders.filter(|_| !source.is_stdin()).and_then(|known| known.compiled_beside(&source.path));
+    let found = (with_page || folders.is_some()).then(|| survey.check(&mut seen, beside.as_ref()));
     seen.inspection.spell(survey.words);
-    let entry = found.map(|found| Box::new(survey.entry(index, &seen, &found)));
-    Ok((seen.inspection, entry))
+    let counts = found.as_ref().map(|found| found.counts);
+    let entry = found.filter(|_| with_page).map(|found| Box::new(survey.entry(index, &seen, &found)));
+    Ok(Inspected { inspection: seen.inspection, counts, entry })
 }
 
 fn print(seen: &Inspection, format: SheetFormat, first: bool, session: &mut Session) -> Result<()> {

@@ -14,6 +14,7 @@ mod inspect;
 mod manual;
 mod plot;
 mod presets;
+mod reproduce;
 mod request;
 mod rescale;
 mod run;

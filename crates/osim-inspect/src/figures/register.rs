@@ -37,41 +37,54 @@ crate::quantities! {
         CompositeModulus = Quantity::COMPOSITE_MODULUS => entry(Nowhere, |s| Answer::Known(s.composite_modulus()));
         /// Dissipation α; absent where forces of different α press the sphere.
         Dissipation = Quantity::new("dissipation_s_m", "dissipation", "s/m")
+            .in_column("dissipation_of_sphere")
             => entry(Nowhere, |s| s.dissipation().into());
         /// The sphere's share of one body weight, W/n.
-        Load = Quantity::new("load_n", "load at 1 BW", "N") => entry(Always, |s| s.one(|rest| Some(rest.load_n)));
+        Load = Quantity::new("load_n", "load at 1 BW", "N")
+            .in_column("load_at_1_body_weight")
+            => entry(Always, |s| s.one(|rest| Some(rest.load_n)));
         /// x̂ under its share of one body weight, by the Hertz law.
         Indentation = Quantity::INDENTATION_HERTZ.labelled("x/R at 1 BW, Hertz")
+            .in_column("indentation_at_rest_over_radius_hertz_law")
             => entry(Always, |s| s.one(|rest| rest.hertz));
         /// The same by the model's law; below 0 where the smoothing alone carries the load.
         IndentationModelLaw = Quantity::INDENTATION_MODEL_LAW.labelled("  by the model's law")
+            .in_column("indentation_at_rest_over_radius_model_law")
             => entry(Smooth, |s| s.one(|rest| rest.model_law));
         /// x̂ with the bottoms of all spheres of the limb level, under one body weight, by the Hertz law.
         LevelIndentation = indentation("relative_indentation_hertz_level", "  level, Hertz")
+            .in_column("indentation_at_rest_over_radius_level_hertz_law")
             => entry(Mixed, |s| s.one(|rest| rest.level_hertz));
         /// The same by the model's law.
         LevelIndentationModelLaw = indentation("relative_indentation_model_law_level", "  level, the model's law")
+            .in_column("indentation_at_rest_over_radius_level_model_law")
             => entry(MixedSmooth, |s| s.one(|rest| rest.level_model_law));
         /// x̂ of the sphere where the limb, its bodies as they are at the default pose, carries one body weight: each sphere at its
         /// own height, by the Hertz law. Below 0 where it does not touch; absent where the pose or the spheres are not known.
         StandingIndentation = indentation_alone("relative_indentation_hertz_standing", "x/R at its own height, Hertz")
+            .in_column("indentation_at_rest_over_radius_default_pose_hertz_law")
             => entry(Nowhere, |s| s.one(|rest| rest.standing_hertz));
         /// The same by the model's law.
         StandingIndentationModelLaw
             = indentation_alone("relative_indentation_model_law_standing", "x/R at its own height, the model's law")
+            .in_column("indentation_at_rest_over_radius_default_pose_model_law")
             => entry(Nowhere, |s| s.one(|rest| rest.standing_model_law));
         /// x̂ under its share of two body weights, by the Hertz law.
         IndentationAtTwo = indentation("relative_indentation_hertz_at_two", "x/R at 2 BW, Hertz")
+            .in_column("indentation_at_2_body_weights_over_radius_hertz_law")
             => entry(Always, |s| s.two(|rest| rest.hertz));
         /// The same by the model's law.
         IndentationModelLawAtTwo = indentation("relative_indentation_model_law_at_two", "  by the model's law")
+            .in_column("indentation_at_2_body_weights_over_radius_model_law")
             => entry(Smooth, |s| s.two(|rest| rest.model_law));
         /// x̂ with the bottoms of all spheres of the limb level, under two body weights, by the Hertz law.
         LevelIndentationAtTwo = indentation("relative_indentation_hertz_level_at_two", "  level, Hertz")
+            .in_column("indentation_at_2_body_weights_over_radius_level_hertz_law")
             => entry(Mixed, |s| s.two(|rest| rest.level_hertz));
         /// The same by the model's law.
         LevelIndentationModelLawAtTwo
             = indentation("relative_indentation_model_law_level_at_two", "  level, the model's law")
+            .in_column("indentation_at_2_body_weights_over_radius_level_model_law")
             => entry(MixedSmooth, |s| s.two(|rest| rest.level_model_law));
         /// Stiffness k of the Hertz law under one body weight.
         ContactStiffness = Quantity::CONTACT_STIFFNESS.labelled("stiffness k")
@@ -92,10 +105,11 @@ crate::quantities! {
             rest.and_then(|(load_n, x_hat)| patch::mean_stress(load_n, s.sphere.radius_m, x_hat).ok()).into()
         });
         /// Restitution c_r of the law at the impact speed.
-        RestitutionExact = Quantity::RESTITUTION_EXACT
+        RestitutionExact = Quantity::RESTITUTION_EXACT.in_column("coefficient_of_restitution_exact")
             => entry(Always, |s| s.impact().and_then(|(alpha, speed)| restitution::exact(alpha, speed).ok()).into());
         /// Restitution by (13); absent where that is below 0.
         RestitutionApproximate = Quantity::RESTITUTION_APPROXIMATE.labelled("  by (13)")
+            .in_column("coefficient_of_restitution_equation_13")
             => entry(Always, |s| match s.impact() {
                 Some((alpha, speed)) => restitution::approximate(alpha, speed).map_or(Answer::Beyond, Answer::Known),
                 None => Answer::Unknown,
@@ -103,12 +117,14 @@ crate::quantities! {
         /// Constant indentation √cf / R; absent for a `HuntCrossleyForce`. Of several forces the largest.
         ConstantIndentation
             = Quantity::new("constant_indentation", "sqrt(cf)/R", "").by("C.2").within(&limits::CONSTANT_INDENTATION)
+            .in_column("constant_indentation_over_radius")
             => entry(Always, |s| {
                 s.most(|values, radius| smoothing::constant_indentation(values.constant_contact_force, radius)).into()
             });
         /// Width Δx̂ over which the contact state goes from 5 % to 95 %, in radii. Of several forces the largest.
         TransitionWidth
             = Quantity::new("transition_width", "transition, in R", "").by("C.7").within(&limits::TRANSITION_WIDTH)
+            .in_column("transition_width_over_radius")
             => entry(Always, |s| {
                 let threshold = limits::TRANSITION_THRESHOLD;
                 s.most(|values, radius| smoothing::transition_width(threshold, values.hertz_smoothing, radius)).into()
@@ -118,6 +134,7 @@ crate::quantities! {
             => entry(Always, |s| s.force_just_touching().into());
         /// The same over the sphere's share of one body weight.
         TouchingShare = Quantity::new("touching_share", "  over the load at 1 BW", "").within(&limits::TOUCHING_SHARE)
+            .in_column("force_just_touching_over_load_at_1_body_weight")
             => entry(Always, |s| {
                 let share = s.force_just_touching().zip(s.load());
                 share.map(|(force, load)| force / load.per_sphere_n()).into()

@@ -43,6 +43,17 @@ pub struct Counts {
 }
 
 impl Counts {
+    /// Those of the worst severity that there is, without the others.
+    #[must_use]
+    pub const fn worst(self) -> Self {
+        let Self { error, warn, info } = self;
+        match (error, warn) {
+            (0, 0) => Self { error, warn, info },
+            (0, _) => Self { error, warn, info: 0 },
+            _ => Self { error, warn: 0, info: 0 },
+        }
+    }
+
     /// "1 error, 2 warnings"; `none` where there is nothing.
     #[must_use]
     pub fn describe(self, none: &str) -> String {

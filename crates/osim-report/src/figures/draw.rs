@@ -4,7 +4,7 @@ use contact_plots::{Drawing, Paper, PlotError, drop_figure, force_figure, loop_f
 use osim_inspect::series::Body;
 use osim_model::files::Failure;
 use osim_model::wording::{Input, Phrase, harmless, phrase};
-use osim_requests::{AxesChoice, FigureOptions, HeatTable, ModelFeet, PlotKind, PlotRequest, Positive, Span};
+use osim_requests::{AxesChoice, FigureOptions, HeatTable, ModelFeet, PlotKind, PlotRequest, Positive, Span, fig1};
 
 use super::axes::{Axes, units};
 use super::drops::drops;
@@ -55,6 +55,10 @@ fn of_bodies(request: &PlotRequest, bodies: &[Body], title: Option<&str>) -> Res
             let (stiffness, dissipation) = (request.heat.stiffness, request.heat.dissipation);
             let values = |grid: osim_requests::Grid| move |now| grid.values(now);
             return heat(bodies, &request.heat_request(), values(stiffness), values(dissipation), title);
+        }
+        Some(PlotKind::Fig1) => {
+            let why = Phrase::joined(fig1(), " ").unwrap_or_default();
+            return Err(Failure::outside("Fig. 1", "plot", why));
         }
         Some(PlotKind::Fig4) => Ok(fig4(title)?),
         Some(PlotKind::FigC5) => Ok(fig_c5(title)?),

@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use osim_inspect::{Figure, InspectedForce, Inspection, LimbFigures, SphereFigures};
+use osim_inspect::{Figure, InspectedForce, Inspection, LimbFigures, Quantity, SphereFigures};
 use osim_model::{Property, shortest};
 
 use crate::layout::csv_text;
@@ -17,55 +17,62 @@ struct Place<'p> {
     warnings: &'p str,
 }
 
-type Column = (&'static str, fn(&Place<'_>) -> String);
-
 fn text(value: Option<f64>) -> String {
     value.map(shortest).unwrap_or_default()
 }
 
-fn parameter(place: &Place<'_>, property: Property) -> String {
-    text(place.force.and_then(|force| force.parameters.get(property)))
-}
+/// What gives a cell.
+type Cell = fn(&Place<'_>) -> String;
 
-/// `docs/json.md` explains the columns; they have the names of the JSON fields.
-const COLUMNS: [Column; 21] = [
-    ("model", |p| p.model.model.clone()),
-    ("name", |p| p.model.name.clone()),
+/// What says which model, limb and sphere a row is about.
+const PLACE: [(&str, Cell); 12] = [
+    ("model_file", |p| p.model.model.clone()),
+    ("model_name", |p| p.model.name.clone()),
     ("mass_kg", |p| text(p.model.mass_kg)),
-    ("contacts_mass_kg", |p| text(p.model.contacts_mass_kg.as_ref().map(|mass| mass.value))),
-    ("gravity_m_s2", |p| text(p.model.gravity_m_s2)),
-    ("impact_speed_m_s", |p| text(p.model.figures.impact_speed_m_s)),
+    ("mass_contacts_were_made_for_kg", |p| text(p.model.contacts_mass_kg.as_ref().map(|mass| mass.value))),
+    ("gravity_m_per_s2", |p| text(p.model.gravity_m_s2)),
+    ("impact_speed_m_per_s", |p| text(p.model.figures.impact_speed_m_s)),
     ("limb", |p| p.limb.limb.clone().unwrap_or_default()),
     ("side", |p| p.limb.side.unwrap_or_default().to_owned()),
-    ("sphere_count", |p| text(p.limb.sphere_count)),
+    ("spheres_sharing_body_weight", |p| text(p.limb.sphere_count)),
     ("sphere", |p| p.sphere.sphere.clone()),
-    ("path", |p| p.sphere.path.clone()),
-    ("forces", |p| p.sphere.forces.join(" ")),
-    ("stiffness", |p| parameter(p, Property::Stiffness)),
-    ("dissipation", |p| parameter(p, Property::Dissipation)),
-    ("static_friction", |p| parameter(p, Property::StaticFriction)),
-    ("dynamic_friction", |p| parameter(p, Property::DynamicFriction)),
-    ("viscous_friction", |p| parameter(p, Property::ViscousFriction)),
-    ("transition_velocity", |p| parameter(p, Property::TransitionVelocity)),
-    ("constant_contact_force", |p| parameter(p, Property::ConstantContactForce)),
-    ("hertz_smoothing", |p| parameter(p, Property::HertzSmoothing)),
-    ("hunt_crossley_smoothing", |p| parameter(p, Property::HuntCrossleySmoothing)),
+    ("sphere_path", |p| p.sphere.path.clone()),
+    ("force_names", |p| p.sphere.forces.join(" ")),
 ];
 
-/// After the figures: the names of those that are beyond their limits, and the codes of warnings.
+/// The parameters of the first force that presses the sphere.
+const PARAMETERS: [Property; 9] = [
+    Property::Stiffness,
+    Property::Dissipation,
+    Property::StaticFriction,
+    Property::DynamicFriction,
+    Property::ViscousFriction,
+    Property::TransitionVelocity,
+    Property::ConstantContactForce,
+    Property::HertzSmoothing,
+    Property::HuntCrossleySmoothing,
+];
+
+/// After the figures: the columns of those that are beyond their limits, and the codes of warnings.
 const LAST: [&str; 2] = ["outside_limits", "warnings"];
 
+/// The names of all columns. `docs/json.md` explains them.
 fn header() -> Vec<String> {
-    let figures = Figure::ALL.iter().map(|figure| figure.info().name);
-    let columns = COLUMNS.iter().map(|(name, _)| *name);
-    columns.chain(figures).chain(LAST).map(str::to_owned).collect()
+    let place = PLACE.iter().map(|(name, _)| (*name).to_owned());
+    let parameters = PARAMETERS.iter().map(|&property| Quantity::property(property).column());
+    let figures = Figure::ALL.iter().map(|figure| figure.info().column());
+    place.chain(parameters).chain(figures).chain(LAST.map(str::to_owned)).collect()
 }
 
 fn cells(place: &Place<'_>) -> Vec<String> {
+    let parameter = |property| text(place.force.and_then(|force| force.parameters.get(property)));
     let figures = Figure::ALL.iter().map(|&figure| text(place.sphere.value(figure)));
-    let outside = place.sphere.limits().filter(|check| !check.within_limit).map(|check| check.figure);
-    let last = [outside.collect::<Vec<_>>().join(" "), place.warnings.to_owned()];
-    COLUMNS.iter().map(|(_, value)| value(place)).chain(figures).chain(last).collect()
+    let is_outside = |figure: &&Figure| place.sphere.is_within(**figure) == Some(false);
+    let outside: Vec<String> =
+        Figure::ALL.iter().filter(is_outside).map(|figure| figure.info().column()).collect();
+    let last = [outside.join(" "), place.warnings.to_owned()];
+    let before = PLACE.iter().map(|(_, cell)| cell(place)).chain(PARAMETERS.map(parameter));
+    before.chain(figures).chain(last).collect()
 }
 
 /// The codes of a model's warnings, each once: every row repeats them.

@@ -3,10 +3,12 @@
 mod csv_rows;
 pub(crate) mod force_groups;
 pub(crate) mod lengths;
+mod models_table;
 pub(crate) mod rows;
 mod sphere_sheet;
 pub(crate) mod standing;
 mod table;
 
 pub use csv_rows::csv_rows;
+pub use models_table::ModelsTable;
 pub use table::text;

@@ -15,6 +15,7 @@ use super::library::{BatchRequest, SweepRequest};
 use super::note::NoteRequest;
 use super::plot::PlotRequest;
 use super::remove::RemoveRequest;
+use super::reproduce::ReproduceRequest;
 use super::rescale::RescaleRequest;
 use super::set::SetRequest;
 use super::transfer::TransferRequest;
@@ -113,6 +114,7 @@ requests! {
     DropTest(DropTestRequest) = DropTestRequest::RELATIONS;
     Plot(PlotRequest) = PlotRequest::RELATIONS;
     Fit(FitRequest) = FitRequest::RELATIONS;
+    Reproduce(ReproduceRequest) = ReproduceRequest::RELATIONS;
     Presets(PresetsRequest) = &[];
     Explain(ExplainRequest) = &[];
 }

@@ -32,6 +32,9 @@ pub struct InspectRequest {
     #[serde(with = "path::optional")]
     #[schemars(with = "Option<path::PathSchema>")]
     pub body_scale_file: Option<PathBuf>,
+    /// Show each of several models in full, not in one row
+    #[cfg_attr(feature = "clap", arg(long))]
+    pub full: bool,
     /// How to print
     #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]
     pub format: SheetFormat,

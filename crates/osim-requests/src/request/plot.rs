@@ -26,6 +26,8 @@ choices! {
         Sweep = "sweep", "A quantity over stiffness and dissipation, as a heat map";
         /// Feet from the side and from above.
         Feet = "feet", "Feet from the side and from above: bones, joints, spheres to scale";
+        /// The paper's Fig. 1, which cannot be drawn.
+        Fig1 = "fig1", "The paper's Fig. 1: not drawn, but what it needs is said";
         /// The paper's Fig. 4.
         Fig4 = "fig4", "The paper's Fig. 4";
         /// The paper's Fig. C.5.

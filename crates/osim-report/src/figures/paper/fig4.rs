@@ -2,14 +2,14 @@
 
 use contact_plots::{DropCurve, Figure, Panel, TimeAxis, Width, drop_panel};
 use contact_scaling::drop_test::{DropTest, DropValues};
-use contact_scaling::{Contact, ContactValues, Scale, falisse2022};
+use contact_scaling::table1::{Animal, HEIGHT_RADII};
+use contact_scaling::{Contact, ContactValues, falisse2022};
 use osim_model::files::Failure;
 use osim_model::readable;
 
-use super::animals::{animal, failure, scaled};
+use super::animals::{animal, failure};
 
-/// Height of the drop, in radii, and its duration for the time axis, in s.
-const HEIGHT_RADII: f64 = 0.25;
+/// How long the drop is followed for the time axis, in s.
 const DURATION_S: f64 = 1.1;
 /// Where the time axis ends, in s: both animals are at rest.
 const SHOWN_S: f64 = 0.5;
@@ -24,9 +24,9 @@ const TOP: f64 = 3.0;
 /// # Errors
 /// None with the numbers of Table 1.
 pub fn fig4(title: Option<&str>) -> Result<Figure, Failure> {
-    let animals = [("mouse", animal(0.0209, 2.0, 0.002)?), ("giraffe", animal(1190.0, 8.0, 0.030)?)];
+    let animals = [animal("mouse")?, animal("giraffe")?];
     let drops = |scale_dissipation: bool| -> Result<Vec<DropCurve>, Failure> {
-        animals.iter().map(|(name, scale)| drop(name, scale, scale_dissipation)).collect()
+        animals.iter().map(|animal| drop(animal, scale_dissipation)).collect()
     };
     let (before, after) = (drops(false)?, drops(true)?);
     let base = falisse2022().contact.dissipation();
@@ -58,17 +58,21 @@ fn panel(title: &str, bodies: &[DropCurve], time: TimeAxis) -> Result<Panel, Fai
 }
 
 /// The drop of one animal by the law that the paper's tests used, which has no smoothing.
-fn drop(name: &str, scale: &Scale, scale_dissipation: bool) -> Result<DropCurve, Failure> {
-    let values = scaled(scale)?.values();
+fn drop(animal: &Animal, scale_dissipation: bool) -> Result<DropCurve, Failure> {
+    let (scale, values) = (animal.scale(), animal.plain_contact().map_err(failure)?.values());
     let dissipation =
         if scale_dissipation { values.dissipation } else { falisse2022().contact.dissipation() };
-    let contact = Contact::new(ContactValues { dissipation, smoothing: None, ..values }).map_err(failure)?;
-    let test = DropTest::of(&contact, scale, HEIGHT_RADII, DURATION_S).map_err(failure)?;
+    let contact = Contact::new(ContactValues { dissipation, ..values }).map_err(failure)?;
+    let test = DropTest::of(&contact, &scale, HEIGHT_RADII, DURATION_S).map_err(failure)?;
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousand points")]
     let samples = (SAMPLES_PER_UNIT * DURATION_S / scale.time_s()) as usize;
     let values = DropValues { samples, ..test.values() };
     let test = DropTest::new(test.spheres().iter().copied(), values).map_err(failure)?;
     let report = test.run().map_err(failure)?;
     let points = report.series.iter().map(|sample| (sample.time_s, sample.force_n / report.body_weight_n));
-    Ok(DropCurve { name: name.to_owned(), points: points.collect(), time_unit_s: report.reference_time_s })
+    Ok(DropCurve {
+        name: animal.taxon().to_owned(),
+        points: points.collect(),
+        time_unit_s: report.reference_time_s,
+    })
 }

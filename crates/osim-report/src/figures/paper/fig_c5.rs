@@ -5,7 +5,7 @@ use contact_scaling::{Contact, ContactValues, Scale, SmoothingValues};
 use osim_inspect::series::{self, Body, ForceUnit, IndentationUnit, SphereKind, Units};
 use osim_model::files::Failure;
 
-use super::animals::{animal, failure, scaled};
+use super::animals::{animal, failure};
 use crate::figures::axes::{force_axis, indentation_axis};
 use crate::figures::force::curves;
 use crate::figures::limits::{hertz_limit, thresholds};
@@ -23,8 +23,8 @@ const UNITS: Units = Units { indentation: IndentationUnit::Relative, force: Forc
 /// # Errors
 /// None with the numbers of Table 1.
 pub fn fig_c5(title: Option<&str>) -> Result<Figure, Failure> {
-    let emu = animal(37.80, 10.0, 0.015)?;
-    let values = scaled(&emu)?.values();
+    let animal = animal(EMU)?;
+    let (emu, values) = (animal.scale(), animal.contact().map_err(failure)?.values());
     let default = ContactValues { smoothing: Some(SmoothingValues::OPENSIM_DEFAULT), ..values };
     let mut bodies = Vec::new();
     for (name, values) in [("default cf, bd", default), ("scaled cf, bd", values)] {
