@@ -150,13 +150,22 @@ impl Bench {
     pub(crate) fn command(&self, arguments: &str) -> std::process::Command {
         let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_osim-contact-scale"));
         command
-            .args(arguments.split_whitespace())
+            .args(words(arguments))
             .current_dir(self.dir.path())
             .stdin(Stdio::null())
             .env("COLUMNS", "100")
             .env_remove("CLICOLOR_FORCE")
             .env("NO_COLOR", "1");
         command
+    }
+}
+
+/// Words as a shell has them where some are quoted; else as they are, for paths of Windows have backslashes.
+fn words(arguments: &str) -> Vec<String> {
+    if arguments.contains('"') {
+        shlex::split(arguments).unwrap()
+    } else {
+        arguments.split_whitespace().map(str::to_owned).collect()
     }
 }
 

@@ -6,7 +6,7 @@ Run: python tests/plots/reference.py (10 s). The output stands in tests/plots.rs
 
 import math
 
-from mpmath import atanh, findroot, mp, mpf, nstr, sqrt, tanh
+from mpmath import atanh, findroot, log, mp, mpf, nstr, sqrt, tanh
 
 mp.dps = 40
 
@@ -43,6 +43,11 @@ show("emu, default: smoothed at 0.5", smoothed(r / 2, r, e, CF, BD))
 show("emu, scaled: smoothed at 0", smoothed(0, r, e, CF * rho**2, BD / rho))
 show("emu, default: threshold", atanh(mpf("0.9")) / (BD * r))
 show("emu, scaled: threshold", atanh(mpf("0.9")) / (BD * R))
+
+# Restitution of an impact without gravity, with the speed of a fall from a quarter of the radius and alpha 2.
+d = mpf(3) / 2 * 2 * sqrt(mpf("9.80665") * mpf("0.032") / 2)
+exact = findroot(lambda c: d - log(1 + d) + c * d + log(1 - c * d), (mpf("0.3"), mpf("0.7")), solver="anderson")
+show("human: restitution", exact)
 
 
 def extremes(mass, count, radius, surface_modulus, dissipation, gravity=9.81, until=0.2):
