@@ -22,6 +22,8 @@ mod feet;
 mod figures;
 #[path = "plots/files.rs"]
 mod files;
+#[path = "plots/gallery.rs"]
+mod gallery;
 #[path = "plots/printing.rs"]
 mod printing;
 #[path = "command/support.rs"]

@@ -30,7 +30,7 @@ pub(crate) const TICK_PT: f64 = 2.2;
 /// Room on the right for half of the last tick's label.
 const RIGHT_PT: f64 = 5.0;
 const GAP_PT: f64 = 8.0;
-/// Panels side by side are no narrower than this between their axes; below each other they are wider.
+/// The least width of panels side by side, between their axes; below each other they are wider.
 const SIDE_BY_SIDE_PT: f64 = 90.0;
 /// Height over width of what is drawn between the axes.
 const ASPECT: f64 = 0.62;

@@ -103,7 +103,7 @@ impl Drawing {
     /// Limits the horizontal axis of all panels.
     ///
     /// # Errors
-    /// [`PlotError::NoAxis`]: the panels have several, or it is no figure of curves.
+    /// [`PlotError::NoAxis`]: the panels have several, or it does not consist of curves.
     pub fn limit_x(&mut self, limits: (f64, f64)) -> Result<(), PlotError> {
         self.limit(limits, "horizontal", |panel| &mut panel.x)
     }

@@ -22,7 +22,7 @@ pub(crate) fn width_pt(text: &str, size_pt: f64) -> f64 {
     text.chars().map(share).sum::<f64>() * size_pt
 }
 
-/// The same with room for a font that stands in for Arial.
+/// The same with room for a font that takes the place of Arial.
 pub(crate) fn roomy_pt(text: &str, size_pt: f64) -> f64 {
     ROOM_FOR_OTHER_FONTS * width_pt(text, size_pt)
 }

@@ -52,7 +52,7 @@ impl PlotRequest {
     /// Refuses what says nothing beside a table.
     ///
     /// # Errors
-    /// A model, or a figure that is no heat map.
+    /// A model, or a figure of another kind.
     fn check_table(&self) -> Result<(), RequestFault> {
         if self.kind != Some(PlotKind::Sweep) || !self.models.is_empty() || self.target_mass.is_some() {
             return Err(RequestFault::refused(

@@ -19,7 +19,7 @@ const GAP_PT: f64 = 10.0;
 const BLOCK_TITLE_PT: f64 = 13.0;
 /// Room on the right for half of the last tick's label.
 pub(super) const RIGHT_PT: f64 = 5.0;
-/// Things side by side are no narrower than this between their axes; below each other they are wider.
+/// The least width of things side by side, between their axes; below each other they are wider.
 const SIDE_BY_SIDE_PT: f64 = 90.0;
 /// Between what is drawn and the edge of its view.
 const PAD_PT: f64 = 4.0;

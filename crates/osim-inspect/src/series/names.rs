@@ -1,6 +1,6 @@
 //! What spheres that are drawn as one curve are called.
 
-/// More names than this are told by their first and their last.
+/// Of more names than this, the first and the last are given.
 const LISTED: usize = 4;
 /// Endings by which models part the sides, and what they mean.
 const SIDES: [(&str, &str); 4] = [("_r", "_l"), ("_R", "_L"), ("R", "L"), ("r", "l")];
