@@ -12,7 +12,7 @@ pub(crate) struct Names<'n> {
 impl<'n> Names<'n> {
     /// The title; of a figure without one the first sentence of its description, as every picture needs a name.
     fn title(self) -> &'n str {
-        if self.title.chars().any(|letter| !letter.is_whitespace()) {
+        if self.title.chars().any(|letter| !letter.is_ascii_whitespace()) {
             return self.title;
         }
         let first = self.description.split_inclusive(". ").next().unwrap_or_default();

@@ -53,8 +53,7 @@ impl HeatTable {
         let (x, y) = match (options.x_column.as_deref(), options.y_column.as_deref()) {
             (Some(x), y) => (x, y),
             (None, y) => match (grid.as_slice(), y) {
-                ([x, rest @ ..], Some(_)) if rest.is_empty() => (*x, y),
-                ([x], None) => (*x, None),
+                ([x], y) => (*x, y),
                 ([x, y], None) => (*x, Some(*y)),
                 _ => {
                     return Err(format!(
