@@ -41,11 +41,10 @@ pub(super) fn run(request: &InspectRequest, hint: bool, session: &mut Session) -
     }
     let (mut first, mut untold) = (true, None);
     let with_page = page.is_some();
-    let indexed: Vec<(usize, &Source)> = sources.models.iter().enumerate().collect();
     in_order(
-        &indexed,
-        threads(None, indexed.len()),
-        |&(index, source)| one(&survey, index, source, with_page),
+        &sources.models,
+        threads(None, sources.models.len()),
+        |source| one(&survey, source, with_page),
         |_, seen| -> Result<(), Stop> {
             match seen {
                 Ok((seen, entry)) => {
@@ -91,14 +90,13 @@ impl From<osim_library::LibraryFault> for Stop {
 /// A model, and its entry on the page where one is asked for.
 fn one(
     survey: &Survey<'_>,
-    index: usize,
     source: &Source,
     with_page: bool,
 ) -> Result<(Inspection, Option<Box<Entry>>), Failure> {
     let mut seen = survey.see(source)?;
     let found = with_page.then(|| survey.check(&mut seen, None));
     seen.inspection.spell(survey.words);
-    let entry = found.map(|found| Box::new(survey.entry(index, &seen, &found)));
+    let entry = found.map(|found| Box::new(survey.entry(&seen, &found)));
     Ok((seen.inspection, entry))
 }
 

@@ -6,8 +6,8 @@ use osim_model::wording::Verb;
 
 const STYLE: &str = include_str!("style.css");
 
-pub(super) const ASKED: (&str, &str) = ("asked", "What was asked");
-pub(super) const ORIGIN: (&str, &str) = ("origin", "Where this comes from");
+pub(super) const ASKED: (&str, &str) = ("asked", "The command of this page");
+pub(super) const ORIGIN: (&str, &str) = ("origin", "Program and citation");
 
 /// By this a page is known for one that was made here; the version follows.
 pub const GENERATOR: &str = "<meta name=\"generator\" content=\"osim-contact-scale ";
