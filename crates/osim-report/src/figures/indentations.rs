@@ -24,8 +24,8 @@ pub fn indentations(states: &[State<'_>]) -> Option<String> {
     let limit = limits::INDENTATION.value;
     let mut panel = Panel::new(
         "",
-        Axis::over("models, from the smallest x̂ to the largest", 0.0, float(models + 1)),
-        Axis::new("relative indentation at rest x̂ = x/R (–)"),
+        Axis::over("models, in order of x̂", 0.0, float(models + 1)),
+        Axis::new("x̂ = x/R at rest (–)"),
     );
     panel.limits.push(Limit {
         label: format!("limit, x̂ = {limit}"),
@@ -45,7 +45,7 @@ pub fn indentations(states: &[State<'_>]) -> Option<String> {
         "Relative indentation at rest of {models} models under body weight, in order, with the limit of {limit} as a line."
     );
     let title = "Relative indentation at rest over the models".to_owned();
-    figure(&Figure { title, description, width: Width::Page, columns: 1, panels: vec![panel] }).ok()
+    figure(&Figure { title, description, width: Width::Column, columns: 1, panels: vec![panel] }).ok()
 }
 
 /// How many values are drawn at the top of the axis because they are above it.

@@ -121,6 +121,7 @@ fn facts(changed: &Changed<'_>) -> Facts {
     let (before, found) = changed.before;
     let (last, found) = changed.after.unwrap_or((before, found));
     let mut facts = Facts::new(&last.figures, found, changed.bodies.last());
+    facts.reference = changed.reference.map(reference::in_words);
     facts.indentation.before = deepest(&before.figures);
     facts.indentation.not_scaled = changed.before_under_new_weight.and_then(deepest);
     facts

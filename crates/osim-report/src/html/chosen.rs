@@ -51,7 +51,7 @@ pub(super) struct Chosen {
     heaviest: Best,
     lightest: Best,
     contacts: HashMap<String, (usize, Rc<Candidate>)>,
-    findings: BTreeMap<FindingCode, (usize, Rc<Candidate>)>,
+    findings: BTreeMap<(FindingCode, Severity), (usize, Rc<Candidate>)>,
 }
 
 impl Chosen {
@@ -78,8 +78,8 @@ impl Chosen {
                 None => {}
             }
         }
-        for &code in &facts.codes {
-            self.findings.entry(code).or_insert_with(|| (0, Rc::clone(&one))).0 += 1;
+        for (code, severity) in &facts.codes {
+            self.findings.entry((*code, *severity)).or_insert_with(|| (0, Rc::clone(&one))).0 += 1;
         }
     }
 
@@ -105,10 +105,14 @@ impl Chosen {
         }
         // A finding that no model has yet that is drawn.
         for severity in [Severity::Error, Severity::Warn, Severity::Info] {
-            for (code, (count, one)) in self.findings.iter().filter(|(code, _)| code.severity() == severity) {
-                let shown = chosen.iter().any(|(other, _)| other.facts.codes.contains(code));
+            let of_severity = self.findings.iter().filter(|((_, how_bad), _)| *how_bad == severity);
+            for ((code, _), (count, one)) in of_severity {
+                let shown = chosen.iter().any(|(other, _)| other.facts.codes.contains_key(code));
                 if !shown && chosen.len() < MOST {
-                    let why = format!("the first of {count} with the finding {}", code.as_str());
+                    let why = match count {
+                        1 => format!("the only one with the finding {}", code.as_str()),
+                        count => format!("the first of {count} with the finding {}", code.as_str()),
+                    };
                     chosen.push((one, vec![why]));
                 }
             }
@@ -200,7 +204,7 @@ mod tests {
         let body = Body::without_weight(format!("model {number}"), Vec::new(), &why);
         let facts = Facts {
             mass_kg: Some(mass_kg),
-            codes: code.into_iter().collect(),
+            codes: code.map(|code| (code, code.severity())).into_iter().collect(),
             contact: Some("x/R = 0.1".to_owned()),
             ..Facts::default()
         };
@@ -219,9 +223,12 @@ mod tests {
         let drawn: Vec<(usize, String)> =
             chosen.choice().into_iter().map(|(one, why)| (one.number, why.join("; "))).collect();
         let expected = [
-            (1, "heaviest (99 kg); the first of 40 with the most common contact without dimensions (x/R = 0.1)"),
+            (
+                1,
+                "heaviest (99 kg); the first of 40 with the most common contact without dimensions (x/R = 0.1)",
+            ),
             (40, "lightest (60 kg)"),
-            (30, "the first of 1 with the finding floats"),
+            (30, "the only one with the finding floats"),
         ];
         assert_eq!(drawn, expected.map(|(number, why)| (number, why.to_owned())));
     }

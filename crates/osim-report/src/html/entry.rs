@@ -25,7 +25,7 @@ const SHOWN: [Property; 3] = [Property::Radius, Property::Stiffness, Property::D
 #[derive(Debug)]
 pub struct Entry {
     pub(super) model: String,
-    /// What became of it, in words.
+    /// The outcome in words.
     pub(super) outcome: String,
     /// An earlier run has done it.
     pub(super) earlier: bool,
@@ -57,8 +57,8 @@ impl Entry {
         cells.extend(SHOWN.map(|property| change(plan, property)));
         cells.push(indentation(facts.indentation));
         cells.push(some(plan.warnings.len()));
-        cells.extend(counts(&facts));
         let found = facts.counts.describe("no findings");
+        cells.push(Cell::of_words(facts.counts.describe("–")));
         let summary = format!("{}; {found} in the new model", row.status);
         Self {
             cells,
@@ -82,7 +82,7 @@ impl Entry {
             inspected.spheres_per_limb.map(|count| count.to_string()).unwrap_or_default().into(),
             indentation(facts.indentation),
         ];
-        cells.extend(counts(&facts));
+        cells.push(Cell::of_words(facts.counts.describe("–")));
         let summary = facts.counts.describe("no findings");
         Self {
             cells,
@@ -185,7 +185,7 @@ fn change(plan: &Plan, property: Property) -> Cell {
     let factor = if ratios.all(same) { format!("×{}", four_significant(first)) } else { UNEQUAL.to_owned() };
     let from = range(changes.iter().map(|change| change.from));
     let to = range(changes.iter().map(|change| change.to));
-    Cell { text: format!("{from} → {to}"), below: factor, outside: false }
+    Cell { text: format!("{from} → {to}"), below: factor, ..Cell::default() }
 }
 
 /// One number, or the smallest and the largest of several.
@@ -207,11 +207,7 @@ fn indentation(indentation: Indentation) -> Cell {
         text.push(' ');
         text.push_str(&OUTSIDE.to_string());
     }
-    Cell { text, below: String::new(), outside }
-}
-
-fn counts(facts: &Facts) -> [Cell; 3] {
-    [facts.counts.error, facts.counts.warn, facts.counts.info].map(some)
+    Cell { text, outside, ..Cell::default() }
 }
 
 fn some(count: usize) -> Cell {

@@ -1,11 +1,11 @@
 //! What a page keeps of every model, to say how many there are of each kind and which are special.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use contact_scaling::limits;
 use osim_inspect::series::Body;
 use osim_inspect::{CheckResult, Counts, Figure, Figures};
-use osim_model::{FindingCode, four_significant};
+use osim_model::{FindingCode, Severity, four_significant};
 
 /// Numbers of one model.
 #[derive(Debug, Clone, Default)]
@@ -15,9 +15,12 @@ pub(super) struct Facts {
     pub(super) indentation: Indentation,
     /// Findings in it; after a change in the new one.
     pub(super) counts: Counts,
-    pub(super) codes: BTreeSet<FindingCode>,
+    /// Each code once, with the worst that is said of it.
+    pub(super) codes: BTreeMap<FindingCode, Severity>,
     /// Its contact without dimensions: models with equal texts have the same contact.
     pub(super) contact: Option<String>,
+    /// What the contacts were taken from, in words.
+    pub(super) reference: Option<String>,
 }
 
 /// x̂ = x/R at rest, by the Hertz law, of the sphere that sinks in most.
@@ -37,10 +40,20 @@ impl Facts {
             mass_kg: figures.mass_kg,
             indentation: Indentation { now: deepest(figures), ..Indentation::default() },
             counts: found.counts,
-            codes: found.findings.iter().map(|finding| finding.code).collect(),
+            codes: worst(found),
             contact: body.and_then(contact),
+            reference: None,
         }
     }
+}
+
+fn worst(found: &CheckResult) -> BTreeMap<FindingCode, Severity> {
+    let mut codes: BTreeMap<FindingCode, Severity> = BTreeMap::new();
+    for finding in &found.findings {
+        let worst = codes.entry(finding.code).or_insert(finding.severity);
+        *worst = finding.severity.max(*worst);
+    }
+    codes
 }
 
 /// x̂ of the sphere that sinks in most under the body weight on one limb.

@@ -1,5 +1,6 @@
 //! Counts and failures: what a reader wants to know first.
 
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 use contact_scaling::limits;
@@ -16,17 +17,22 @@ use crate::figures::{self, Indentations};
 pub(super) const SECTION: (&str, &str) = ("glance", "At a glance");
 pub(super) const CHART: (&str, &str) = ("indentation", "Relative indentation at rest, x̂");
 
+/// References that are named; rows of a manifest may have one each.
+const REFERENCES: usize = 5;
+
 /// The outcome of all models together.
 #[derive(Debug, Default)]
 pub(super) struct Tally {
     models: usize,
     failed: usize,
     earlier: usize,
+    /// Different ones, in the order in which they came; a run has one, a manifest may have many.
+    references: Vec<String>,
     /// Of those that did not fail, in the order in which they came.
     outcomes: Vec<(String, usize)>,
     seen: usize,
     with: [usize; 3],
-    findings: BTreeMap<FindingCode, usize>,
+    findings: BTreeMap<(FindingCode, Severity), usize>,
     before: Vec<f64>,
     not_scaled: Vec<f64>,
     now: Vec<f64>,
@@ -45,10 +51,19 @@ impl Tally {
             None => self.outcomes.push((entry.outcome.clone(), 1)),
         }
         let Some(facts) = &entry.facts else { return };
+        if let Some(reference) = &facts.reference
+            && self.references.len() < REFERENCES
+            && !self.references.contains(reference)
+        {
+            self.references.push(reference.clone());
+        }
         self.seen += 1;
         let counts = [facts.counts.error, facts.counts.warn, facts.counts.info];
         self.with.iter_mut().zip(counts).for_each(|(with, count)| *with += usize::from(count > 0));
-        facts.codes.iter().for_each(|code| *self.findings.entry(*code).or_default() += 1);
+        facts
+            .codes
+            .iter()
+            .for_each(|(code, severity)| *self.findings.entry((*code, *severity)).or_default() += 1);
         let Indentation { before, not_scaled, now } = facts.indentation;
         self.before.extend(before);
         self.not_scaled.extend(not_scaled);
@@ -69,12 +84,11 @@ impl Tally {
     }
 
     /// The counts. Failed models come next.
-    pub(super) fn counts(&self, topics: &mut Topics) -> Markup {
+    pub(super) fn counts(&self) -> Markup {
         let too_deep = self.now.iter().filter(|value| is_too_deep(**value)).count();
-        let rows: Vec<Markup> = self.rows(topics);
         html! {
             ul.counts {
-                li { b { (self.models) } " models" }
+                li { b { (self.models) } (if self.models == 1 { " model" } else { " models" }) }
                 @if self.failed > 0 { li.bad { b { (self.failed) } " failed" } }
                 @for (outcome, count) in &self.outcomes { li { b { (count) } " " (outcome) } }
                 @if self.seen > 0 {
@@ -87,26 +101,31 @@ impl Tally {
                     li { b { (too_deep) " of " (self.now.len()) } " deeper at rest than x̂ = " (limits::INDENTATION.value) }
                 }
             }
+            @for reference in &self.references { p { b { "Reference: " } (reference) "." } }
             @if self.earlier > 0 {
-                p { (self.earlier) " of the models were done by an earlier run of this call; " (EARLIER) " marks them." }
+                p { (counted(self.earlier, "model")) " done by an earlier run of this call, marked with" (EARLIER) "." }
             }
+        }
+    }
+
+    /// The findings, the worst and most frequent first.
+    pub(super) fn findings(&self, topics: &mut Topics) -> Markup {
+        let rows = self.rows(topics);
+        html! {
             @if !rows.is_empty() {
-                (table("Findings by kind", "Findings, and in how many models each is.", &["finding", " how bad", "models"], &rows))
+                h3 { "Findings by kind" }
+                (table("Findings by kind", "In how many models each finding is.", &["finding", " how bad", "models"], &rows))
             }
         }
     }
 
     fn rows(&self, topics: &mut Topics) -> Vec<Markup> {
-        let mut findings: Vec<(FindingCode, usize)> = self.findings.iter().map(|(c, n)| (*c, *n)).collect();
-        let worst = |code: FindingCode| match code.severity() {
-            Severity::Error => 0,
-            Severity::Warn => 1,
-            _ => 2,
-        };
-        findings.sort_by_key(|(code, count)| (worst(*code), std::cmp::Reverse(*count), *code));
-        let row = |(code, count): &(FindingCode, usize)| {
+        let mut findings: Vec<((FindingCode, Severity), usize)> =
+            self.findings.iter().map(|(finding, count)| (*finding, *count)).collect();
+        findings.sort_by_key(|((code, severity), count)| (Reverse((*severity, *count)), *code));
+        let row = |((code, how_bad), count): &((FindingCode, Severity), usize)| {
             html! {
-                tr { th scope="row" { (topics.code(*code)) } td.words { (severity(code.severity())) } td { (count) } }
+                tr { th scope="row" { (topics.code(*code)) } td.words { (severity(*how_bad)) } td { (count) } }
             }
         };
         findings.iter().map(row).collect()
@@ -115,7 +134,8 @@ impl Tally {
     /// The chart of x̂ over the models.
     pub(super) fn chart(&self) -> Markup {
         let (id, title) = CHART;
-        let (now, limit) = (if self.before.is_empty() { "models" } else { "after" }, limits::INDENTATION.value);
+        let (now, limit) =
+            (if self.before.is_empty() { "models" } else { "after" }, limits::INDENTATION.value);
         let states: Vec<Indentations<'_>> =
             [(now, &self.now), ("before", &self.before), ("before, under the new weight", &self.not_scaled)]
                 .into_iter()
@@ -127,12 +147,12 @@ impl Tally {
             section id=(id) aria-labelledby="indentation-title" {
                 h2 id="indentation-title" { (title) }
                 figure {
-                    div.plot.page { (maud::PreEscaped(svg)) }
+                    div.plot { (maud::PreEscaped(svg)) }
                     figcaption {
                         "x̂ = x/R of the sphere that sinks in most under the body weight on one limb, by the Hertz law, which \
                          holds up to " (limit) ". Each curve has an order of its own, from the smallest value to the largest"
-                        @if self.seen > self.now.len() { "; " (self.seen - self.now.len()) " models are left out, whose x̂ is not known" }
-                        @if above > 0 { "; " (above) " values above 1 are drawn at 1" }
+                        @if self.seen > self.now.len() { "; " (counted(self.seen - self.now.len(), "model")) " without a known x̂ left out" }
+                        @if above > 0 { "; " (counted(above, "value")) " above 1 drawn at 1" }
                         "."
                         @if !self.before.is_empty() {
                             " Where the curves before and after are one, scaling kept x̂."
@@ -145,6 +165,11 @@ impl Tally {
             }
         }
     }
+}
+
+/// "1 model", "2 models".
+fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
 /// The section about one model.

@@ -42,9 +42,7 @@ impl Columns {
                 "dissipation, s/m",
                 "x/R at 1 BW",
                 "warned",
-                "errors",
-                "warnings",
-                "remarks",
+                " findings",
             ],
             Self::Inspections => &[
                 " outcome",
@@ -52,9 +50,7 @@ impl Columns {
                 "contacts for, kg",
                 "spheres per limb",
                 "x/R at 1 BW",
-                "errors",
-                "warnings",
-                "remarks",
+                " findings",
             ],
         }
     }
@@ -64,8 +60,7 @@ impl Columns {
             Self::Changes => {
                 "Old → new. Made for: the body mass that the contacts are made for. ×: new over old; “unequal” where it is not \
                  the same everywhere. x/R at 1 BW: x̂ of the sphere that sinks in most under the body weight on one limb, by the \
-                 Hertz law; ! is outside the limit. Warned: warnings of the change. Errors, warnings, remarks: findings in the \
-                 new model."
+                 Hertz law; ! is outside the limit. Warned: warnings of the change. Findings: those in the new model."
             }
             Self::Inspections => {
                 "x/R at 1 BW: x̂, indentation over radius of the sphere that sinks in most under the body weight on one limb, by \
@@ -120,16 +115,19 @@ pub(super) fn row(
 
 fn of_cell(cell: &Cell) -> Markup {
     html! {
-        td.outside[cell.outside] {
-            (cell.text) @if !cell.below.is_empty() { @if !cell.text.is_empty() { br; } span.quiet { (cell.below) } }
+        td class=[cell.class()] {
+            (cell.text) @if !cell.below.is_empty() { @if !cell.text.is_empty() { " " br; } span.quiet { (cell.below) } }
         }
     }
 }
 
-/// The first section as far as the failures; `counts` is HTML.
-pub(super) fn glance_opening(counts: &str) -> String {
+/// The first section as far as the failures.
+pub(super) fn glance_opening(counts: &Markup) -> String {
     let (id, title) = glance::SECTION;
-    format!("<section id=\"{id}\" aria-labelledby=\"glance-title\"><h2 id=\"glance-title\">{title}</h2>{counts}\n")
+    format!(
+        "<section id=\"{id}\" aria-labelledby=\"glance-title\"><h2 id=\"glance-title\">{title}</h2>{}\n",
+        counts.0
+    )
 }
 
 /// The table of failed models as far as its first row.

@@ -126,11 +126,11 @@ impl<'d, S: DeferredText> Page<'d, S> {
         let several = self.about.model.is_none();
         let title = self.about.title(self.tally.models());
         // Codes that are counted are explained.
-        let counts = if several { self.tally.counts(&mut self.topics).0 } else { String::new() };
+        let findings = if several { self.tally.findings(&mut self.topics).0 } else { String::new() };
         let sections = self.all_sections();
         page.write_all(harmless(&shell::opening(&title, self.class(), &sections)).as_bytes())?;
         if several {
-            self.write_library(&counts, page)?;
+            self.write_library(&findings, page)?;
         } else {
             self.kept.rows.pour_into(page)?;
             self.write_asked(page)?;
@@ -142,14 +142,15 @@ impl<'d, S: DeferredText> Page<'d, S> {
         page.write_all(shell::closing().as_bytes())
     }
 
-    fn write_library(&mut self, counts: &str, page: &mut dyn Write) -> io::Result<()> {
+    fn write_library(&mut self, findings: &str, page: &mut dyn Write) -> io::Result<()> {
         let left_out = self.left_out();
-        page.write_all(models::glance_opening(counts).as_bytes())?;
+        page.write_all(models::glance_opening(&self.tally.counts()).as_bytes())?;
         if self.tally.has_failures() {
             page.write_all(models::failures_opening().as_bytes())?;
             self.kept.failures.pour_into(page)?;
             page.write_all(models::FAILURES_END.as_bytes())?;
         }
+        page.write_all(findings.as_bytes())?;
         page.write_all(models::SECTION_END.as_bytes())?;
         self.write_asked(page)?;
         page.write_all(harmless(&self.tally.chart().0).as_bytes())?;
@@ -209,8 +210,10 @@ impl<'d, S: DeferredText> Page<'d, S> {
         if self.chosen.models() > chosen::MOST {
             let plot = Verb::Plot.of_model().saying(Input::Kind, "force").with(Input::Output, "FILE.svg");
             left_out.push(format!(
-                "{} models have plots, chosen as said there. For any other, ask for a page of its own, or for a picture: {}",
+                "At most {} models have plots; “{}” says why each was chosen. For any other, ask for a page of its own, or \
+                 for a picture: {}",
                 chosen::MOST,
+                chosen::SECTION.1,
                 self.dialect.command(&plot)
             ));
         }
