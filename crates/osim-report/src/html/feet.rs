@@ -27,7 +27,7 @@ pub(super) fn figure(states: &[ModelFeet]) -> Option<Markup> {
     }
     let missing = figures::missing_meshes(last);
     Some(html! {
-        figure { div.plot.feet role="region" aria-label="Feet" tabindex="0" { (PreEscaped(svg)) } figcaption { (caption) } }
+        figure { div.plot.feet role="group" aria-label="Feet" tabindex="0" { (PreEscaped(svg)) } figcaption { (caption) } }
         @if !missing.is_empty() {
             p.note { "No bones are drawn of " (missing.join(", ")) ": they are neither beside the model nor in its folder Geometry." }
         }

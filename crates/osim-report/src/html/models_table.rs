@@ -84,7 +84,7 @@ pub(super) fn table_opening(columns: Columns, left_out: &[String]) -> String {
     let (before, head) = (before.0, head.0);
     format!(
         "<section id=\"{id}\" aria-labelledby=\"models-title\">{before}\
-         <div class=\"wide\" role=\"region\" aria-label=\"{title}\" tabindex=\"0\">\
+         <div class=\"wide\" role=\"group\" aria-label=\"{title}\" tabindex=\"0\">\
          <table class=\"models\">{head}<tbody>\n"
     )
 }
@@ -142,7 +142,7 @@ pub(super) fn failures_opening() -> String {
     };
     let (head, table) = (head.0, table.0);
     format!(
-        "{head}<div class=\"wide\" role=\"region\" aria-label=\"{title}\" tabindex=\"0\">\
+        "{head}<div class=\"wide\" role=\"group\" aria-label=\"{title}\" tabindex=\"0\">\
          <table class=\"models failures\">{table}<tbody>\n"
     )
 }
