@@ -122,10 +122,15 @@ class Browser:
         sent = [event["params"] for event in events if event["method"] == "Network.requestWillBeSent"]
         return [one["request"]["url"] for one in sent]
 
-    def picture(self, path):
-        """The whole page as PNG."""
-        picture = self.protocol("Page.captureScreenshot", captureBeyondViewport=True)
-        path.write_bytes(base64.b64decode(picture["data"]))
+    def picture(self, path, first, last):
+        """The page from one element to another as WebP, in which letters may be small and the file all the same."""
+        top, bottom, width = self.run(
+            f"return [document.querySelector('{first}').getBoundingClientRect().top + scrollY,"
+            f"document.querySelector('{last}').getBoundingClientRect().bottom + scrollY, innerWidth]"
+        )
+        clip = {"x": 0, "y": top, "width": width, "height": bottom - top, "scale": 1}
+        options = {"captureBeyondViewport": True, "format": "webp", "quality": 50, "clip": clip}
+        path.write_bytes(base64.b64decode(self.protocol("Page.captureScreenshot", **options)["data"]))
 
     def print(self):
         """The page as PDF, as its style sheet for print wants it."""

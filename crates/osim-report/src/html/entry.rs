@@ -205,7 +205,7 @@ fn indentation(indentation: Indentation) -> Cell {
     };
     if outside {
         text.push(' ');
-        text.push_str(&OUTSIDE.to_string());
+        text.push(OUTSIDE);
     }
     Cell { text, outside, ..Cell::default() }
 }

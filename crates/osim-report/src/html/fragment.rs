@@ -59,5 +59,6 @@ pub(super) fn table(name: &str, caption: &str, headers: &[&str], rows: &[Markup]
 }
 
 pub(super) fn header_cell(header: &str) -> Markup {
-    html! { th.words[header.starts_with(' ')] scope="col" { (header.trim_start_matches(' ')) } }
+    let class = header.starts_with(' ').then_some("words");
+    html! { th class=[class] scope="col" { (header.trim_start_matches(' ')) } }
 }

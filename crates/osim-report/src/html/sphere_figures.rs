@@ -208,7 +208,7 @@ fn line(
     let name = fragment.topics.linked(name.trim_start_matches(' '));
     html! {
         tr {
-            th.part[part] scope="row" { (name) }
+            th class=[part.then_some("part")] scope="row" { (name) }
             td { (limit(figure).replace(">=", "≥").replace("<=", "≤")) }
             @for sphere in groups.iter().flat_map(|group| &group.spheres) { (cell(figure, *sphere, outside)) }
         }
