@@ -201,7 +201,7 @@ def test_keyboard(browser, pages):
 
 def test_a_link_opens_the_model_it_leads_to(browser, pages):
     browser.open(pages / "folder.html", 1280, "light")
-    browser.run("document.querySelector('table.models tbody a').click()")
+    browser.run("document.querySelector('#models tbody a').click()")
     assert browser.run("return document.querySelectorAll('details[open]').length") == 1
 
 
