@@ -45,6 +45,8 @@ pub struct Page<'d, S> {
     tally: Tally,
     chosen: Chosen,
     in_full: usize,
+    /// Some model is a row only, because it is not among the first.
+    rows_only: bool,
     /// The first thing that went wrong.
     broken: Option<io::Error>,
 }
@@ -72,6 +74,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
             tally: Tally::default(),
             chosen: Chosen::default(),
             in_full: 0,
+            rows_only: false,
             broken: None,
         }
     }
@@ -96,6 +99,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
         if let (Some(facts), Some(drawn)) = (&entry.facts, entry.drawn.take()) {
             self.chosen.offer(number, &entry.model, facts, drawn);
         }
+        self.rows_only |= fragment.is_some() && self.in_full >= IN_FULL;
         let fragment = fragment.filter(|_| self.in_full < IN_FULL);
         let place = (number, fragment.is_some());
         self.kept.rows.add(&harmless(&models::row(&entry, self.about.columns, place, &mut self.topics)))?;
@@ -200,10 +204,10 @@ impl<'d, S: DeferredText> Page<'d, S> {
     /// What a large library's page leaves out, and how to get it.
     fn left_out(&self) -> Vec<String> {
         let mut left_out = Vec::new();
-        if self.in_full >= IN_FULL {
+        if self.rows_only {
             let call = Verb::Inspect.of_model().with(Input::Report, "FILE.html");
             left_out.push(format!(
-                "At most {IN_FULL} models are shown in full. For any other, ask for a page of its own: {}",
+                "Only the first {IN_FULL} models are shown in full. For any other, ask for a page of its own: {}",
                 self.dialect.command(&call)
             ));
         }

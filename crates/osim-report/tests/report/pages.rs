@@ -143,6 +143,21 @@ fn special_models_have_plots_and_the_others_say_how_to_get_them() {
 }
 
 #[test]
+fn a_page_says_what_it_leaves_out_only_where_it_does() {
+    let model = open("check/within_limits.osim");
+    let of = |models: usize| {
+        let entries = (0..models).map(|_| entry(&model, DetailLevel::OneOfMany, &CommandLine));
+        page(check(None), &CommandLine, entries)
+    };
+    let text = of(1000);
+    assert_eq!(text.matches("<details>").count(), 1000);
+    assert!(!text.contains("shown in full."));
+    let text = of(1001);
+    assert_eq!(text.matches("<details>").count(), 1000);
+    assert!(text.contains("Only the first 1000 models are shown in full. For any other"), "{text}");
+}
+
+#[test]
 fn names_may_be_broken_at_folders() {
     let row = |name: &str| Entry::of_row(&RunRow::new(name, "unchanged"), None);
     let text = page(changes(None), &CommandLine, [row("a/b<c>.osim"), row(r"C:\models\d.osim")]);
