@@ -30,9 +30,12 @@ pub(super) struct Tally {
     references: Vec<String>,
     /// Of those that did not fail, in the order in which they came.
     outcomes: Vec<(String, usize)>,
+    /// Those that were inspected.
     seen: usize,
+    /// Of these, those with errors, with warnings, with remarks.
     with: [usize; 3],
     findings: BTreeMap<(FindingCode, Severity), usize>,
+    /// x̂ of each model in each state, as far as it is known.
     before: Vec<f64>,
     not_scaled: Vec<f64>,
     now: Vec<f64>,
