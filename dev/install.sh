@@ -25,10 +25,10 @@ GROUPS_KNOWN="rust programs shells oracle browser wasm windows"
 #           counts instructions.
 # shells:   each reads the completions made for it.
 # oracle:   Python for the comparison with the real OpenSim. Its packages are in the table further below.
-# browser:  opens reports; pdftotext reads what they print. The tests run in the oracle's Python.
+# browser:  opens reports; pdftotext reads what they print. The tests run in the oracle's Python. npm brings axe-core, by
+#           tests/browser/package-lock.json.
 # wasm:     a compiler with the sources of its library, for targets that rustup cannot fetch here, and a linker.
 # windows:  the same compiler, a linker for Windows, and Wine, which runs what it links.
-# No tool comes from npm yet. One that does gets a group here, and a package-lock.json that npm ci obeys.
 TOOLS="
 rust      cargo          1.92     rust                cargo --version
 rust      rustfmt        1.8      rust                cargo fmt --version
@@ -51,6 +51,7 @@ oracle    python3        3.11     apt:python3-venv    python3 -c 'import ensurep
 browser   python3        3.11     apt:python3-venv    python3 -c 'import ensurepip, platform; print(platform.python_version())'
 browser   chromium       120      apt:chromium        eval chromium --version || chromium-browser --version || google-chrome --version
 browser   chromedriver   120      apt:chromium-driver chromedriver --version
+browser   npm            9        apt:npm             npm --version
 browser   pdftotext      22       apt:poppler-utils   pdftotext -v
 wasm      rustc-web      1.92     apt:rustc-web       /usr/bin/rustc --version
 wasm      rust-web-src   1.92     apt:rust-web-src    dpkg-query -W rust-web-src
@@ -181,6 +182,18 @@ case " $wanted_groups " in
     ;;
 esac
 
+# Packages from npm: exactly those of the lock file.
+NPM=tests/browser
+AXE=$(sed -n 's/.*"axe-core": "\([0-9.]*\)".*/\1/p' $NPM/package.json)
+axe_version() { sed -n 's/^ *"version": "\([0-9.]*\)".*/\1/p' $NPM/node_modules/axe-core/package.json 2>/dev/null || true; }
+case " $wanted_groups " in
+*" browser "*)
+    if [ "$(axe_version)" != "$AXE" ] && command -v npm >/dev/null; then
+        quietly npm ci --prefix $NPM --ignore-scripts --no-audit --no-fund || problem "$NPM/package-lock.json" "npm could not install it"
+    fi
+    ;;
+esac
+
 row() {
     local state=""
     is_enough "$3" "$4" || { state="missing$5"; [ -z "$4" ] || state="another version"; }
@@ -200,6 +213,7 @@ case " $wanted_groups " in
     fi
     ;;
 esac
+case " $wanted_groups " in *" browser "*) row npm axe-core "=$AXE" "$(axe_version)" "" ;; esac
 if [ -n "$problems" ]; then
     printf 'not installed:\n%s' "$problems" >&2
 fi

@@ -87,17 +87,30 @@ class Browser:
 
     def open(self, path, width, scheme):
         """Opens a file, `width` CSS pixels wide, in the scheme `light` or `dark`."""
+        self.resize(width)
+        self.media("", scheme)
+        self.logs("browser"), self.logs("performance")
+        self._tell("url", {"url": path.resolve().as_uri()})
+
+    def resize(self, width):
+        """Makes the window so wide, in CSS pixels."""
         self.protocol(
             "Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=False
         )
+
+    def media(self, media, scheme):
+        """Shows the page as in `print`, or with "" as the browser does by itself, in the scheme `light` or `dark`."""
         features = [{"name": "prefers-color-scheme", "value": scheme}]
-        self.protocol("Emulation.setEmulatedMedia", features=features)
-        self.logs("browser"), self.logs("performance")
-        self._tell("url", {"url": path.resolve().as_uri()})
+        self.protocol("Emulation.setEmulatedMedia", media=media, features=features)
 
     def run(self, script):
         """The value that a piece of script returns."""
         return self._tell("execute/sync", {"script": script, "args": []})
+
+    def run_async(self, script):
+        """The value with which a piece of script calls `done`."""
+        script = f"const done = arguments[arguments.length - 1]; {script}"
+        return self._tell("execute/async", {"script": script, "args": []})
 
     def logs(self, kind):
         """What was logged since the last time: `browser` for the console, `performance` for events."""
@@ -109,10 +122,15 @@ class Browser:
         sent = [event["params"] for event in events if event["method"] == "Network.requestWillBeSent"]
         return [one["request"]["url"] for one in sent]
 
-    def picture(self, path):
-        """The whole page as PNG."""
-        picture = self.protocol("Page.captureScreenshot", captureBeyondViewport=True)
-        path.write_bytes(base64.b64decode(picture["data"]))
+    def picture(self, path, first, last):
+        """The page from one element to another as WebP, in which letters may be small and the file all the same."""
+        top, bottom, width = self.run(
+            f"return [document.querySelector('{first}').getBoundingClientRect().top + scrollY,"
+            f"document.querySelector('{last}').getBoundingClientRect().bottom + scrollY, innerWidth]"
+        )
+        clip = {"x": 0, "y": top, "width": width, "height": bottom - top, "scale": 1}
+        options = {"captureBeyondViewport": True, "format": "webp", "quality": 50, "clip": clip}
+        path.write_bytes(base64.b64decode(self.protocol("Page.captureScreenshot", **options)["data"]))
 
     def print(self):
         """The page as PDF, as its style sheet for print wants it."""

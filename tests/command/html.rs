@@ -6,7 +6,7 @@ use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 
 /// Elements without an end.
-const VOID: [&str; 2] = ["meta", "br"];
+const VOID: [&str; 3] = ["meta", "br", "wbr"];
 /// Elements that begin a line of their own.
 const BLOCKS: [&str; 18] = [
     "h1",

@@ -6,7 +6,7 @@ use osim_model::files::{Beside, InMemory, ModelFiles, OpenModel};
 use osim_model::wording::Verb;
 use osim_report::dialect::CommandLine;
 use osim_report::html::{
-    self, About, Columns, DetailLevel, Entry, Files, InMemory as Kept, NamedDigest, Page, RunRow,
+    self, About, Columns, DetailLevel, Entry, Files, InMemory as Texts, Kept, NamedDigest, Page, RunRow,
 };
 use osim_requests::{BeforeAfter, ModelFeet, open_with};
 use serde_json::json;
@@ -26,7 +26,7 @@ fn digests(opened: &OpenModel) -> Vec<NamedDigest> {
 /// The page about one model.
 fn page(verb: Verb, model: &str, columns: Columns, words: &str, entry: Entry) -> String {
     let about = About::new(verb, Some(model.to_owned()), columns, format!("osim-contact-scale {words}"));
-    let mut page = Page::new(about, Kept::default(), Kept::default(), &CommandLine);
+    let mut page = Page::new(about, Kept::<Texts>::default(), &CommandLine);
     page.add(entry);
     let mut bytes = Vec::new();
     page.finish(&mut bytes).unwrap();
@@ -96,7 +96,7 @@ fn same_page(bench: &Bench, verb: Verb, words: &str, json: &serde_json::Value) {
     }
     shows.in_file = true;
     shows.target_gravity_m_s2 = both.target_gravity_m_s2;
-    let entry = html::changed(&row, &shows, DetailLevel::Alone, &CommandLine);
+    let entry = html::changed(&row, shows, DetailLevel::Alone, &CommandLine);
 
     let words = format!("{words} --report page.html");
     bench.run(&words).done();

@@ -18,7 +18,8 @@ fn same(words: &str, json: &Value) {
     let request = request!(Plot, json);
     request.check_models().unwrap();
     let bodies = request.bodies(&files_of(&bench)).unwrap();
-    let svg = figures::draw(&request, &bodies).unwrap();
+    let drawing = figures::draw(&request, &bodies, None).unwrap();
+    let svg = figures::svg(&drawing, figures::paper(&request.looks), &bodies).unwrap();
 
     let said = figures::weights(&bodies, &CommandLine);
     let ran = bench.run(&format!("plot {words} -o figure.svg")).done().wrote(&["figure.svg"]);
@@ -27,7 +28,7 @@ fn same(words: &str, json: &Value) {
 
     #[cfg(feature = "png")]
     {
-        let png = contact_plots::png(&svg, f32::from(request.dpi.get())).unwrap();
+        let png = contact_plots::png(&svg, f32::from(request.looks.dpi.get())).unwrap();
         bench.run(&format!("plot {words} -o figure.png")).done().wrote(&["figure.png"]);
         assert!(bench.read("figure.png") == png, "{words}");
     }
@@ -50,13 +51,17 @@ fn force() {
 #[test]
 fn one_drop() {
     same(
-        "drop human.osim --height x0.1 --dpi 72",
+        "drop human.osim --height x0.1 --dpi 72 --width 120 --font-size 8 --y-range 0..2 --label one",
         &json!({
             "verb": "plot",
             "kind": "drop",
             "models": "human.osim",
             "height": "x0.1",
             "dpi": 72,
+            "width": 120,
+            "font_size": 8,
+            "y_range": "0..2",
+            "label": "one",
             "output": "-",
         }),
     );

@@ -123,12 +123,14 @@ fn reports_show_the_feet() {
         bench.text(page)
     };
     let changed = page("rescale six.osim --target-mass 80 -o out.osim", "changed.html");
-    for words in ["The feet", "sphere, before", "sphere, after", "heel_r", "r_human_foot.vtp"] {
+    for words in
+        ["Feet from the side and from above", "sphere, before", "sphere, after", "heel_r", "r_human_foot.vtp"]
+    {
         assert!(changed.contains(words), "{words}");
     }
     bench.run("inspect six.osim --report inspected.html").done();
     let inspected = bench.text("inspected.html");
-    assert!(inspected.contains("The feet") && !inspected.contains("sphere, before"));
+    assert!(inspected.contains("Feet from the side and from above") && !inspected.contains("sphere, before"));
     bench.run("check six.osim --report checked.html");
-    assert!(bench.text("checked.html").contains("The feet"));
+    assert!(bench.text("checked.html").contains("Feet from the side and from above"));
 }

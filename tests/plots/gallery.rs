@@ -29,7 +29,9 @@ fn pictures(page: &str) -> Vec<Picture<'_>> {
         if let Some(text) = line.strip_prefix("## ").or(line.strip_prefix("### ")) {
             heading = text;
         }
-        if let Some((alt, path)) = line.strip_prefix("![").and_then(|rest| rest.strip_suffix(')')?.split_once("](")) {
+        if let Some((alt, path)) =
+            line.strip_prefix("![").and_then(|rest| rest.strip_suffix(')')?.split_once("]("))
+        {
             pictures.push(Picture { alt, path, heading });
         }
     }
@@ -51,9 +53,12 @@ fn gallery() -> String {
         let found = pictures(&content);
         assert!(!found.is_empty(), "docs/{page} has no picture");
         for Picture { alt, path, heading } in found {
-            let link = if heading.is_empty() { page.to_owned() } else { format!("{page}#{}", anchor(heading)) };
+            let link =
+                if heading.is_empty() { page.to_owned() } else { format!("{page}#{}", anchor(heading)) };
             assert!(root().join("docs").join(path).is_file(), "docs/{path}");
-            text.push_str(&format!("[{alt}]({link}):\n\n[<img src=\"{path}\" width=\"480\" alt=\"{alt}\">]({link})\n\n"));
+            text.push_str(&format!(
+                "[{alt}]({link}):\n\n[<img src=\"{path}\" width=\"480\" alt=\"{alt}\">]({link})\n\n"
+            ));
         }
     }
     format!("{}\n", text.trim_end())
@@ -83,6 +88,9 @@ fn every_kind_of_plot_is_drawn_by_a_command_of_the_documentation() {
     let page = std::fs::read_to_string(root().join("docs/plots.md")).unwrap();
     for kind in ["force", "state", "loop", "drop", "sweep", "feet", "fig4", "fig-c5"] {
         assert!(kinds.contains(&format!("\"{kind}\"")), "{kind} is a kind no more");
-        assert!(page.contains(&format!("$ osim-contact-scale plot {kind} ")), "docs/plots.md does not draw {kind}");
+        assert!(
+            page.contains(&format!("$ osim-contact-scale plot {kind} ")),
+            "docs/plots.md does not draw {kind}"
+        );
     }
 }

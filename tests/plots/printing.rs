@@ -128,9 +128,10 @@ fn peaks_of_a_drop_are_peaks_and_no_corners() {
 
 fn find(json: &serde_json::Value, name: &str) -> Option<f64> {
     match json {
-        serde_json::Value::Object(fields) => {
-            fields.get(name).and_then(serde_json::Value::as_f64).or_else(|| fields.values().find_map(|one| find(one, name)))
-        }
+        serde_json::Value::Object(fields) => fields
+            .get(name)
+            .and_then(serde_json::Value::as_f64)
+            .or_else(|| fields.values().find_map(|one| find(one, name))),
         serde_json::Value::Array(items) => items.iter().find_map(|one| find(one, name)),
         _ => None,
     }

@@ -156,7 +156,8 @@ fn every_kind_of_figure_is_a_document_with_its_axes() {
         DropCurve { name: "mouse".to_owned(), points: points.clone(), time_unit_s: 0.0143 },
         DropCurve { name: "giraffe".to_owned(), points, time_unit_s: 0.0553 },
     ];
-    let drop = DropFigure { title: "Drop".to_owned(), conditions: "From R/4.".to_owned(), shown: None, bodies };
+    let drop =
+        DropFigure { title: "Drop".to_owned(), conditions: "From R/4.".to_owned(), shown: None, bodies };
     Svg::read(&drop_svg(&drop).unwrap()).says(&[
         "time t (s)",
         "non-dimensional time t/√(R/g) (–)",
@@ -174,7 +175,8 @@ fn dimensionless_drops_end_with_the_shorter_one() {
     let points: Vec<Point> = (0..=20).map(|i| (f64::from(i) / 10.0, 1.0)).collect();
     let slow = DropCurve { name: "slow".to_owned(), points: points.clone(), time_unit_s: 0.5 };
     let quick = DropCurve { name: "quick".to_owned(), points, time_unit_s: 0.1 };
-    let panel = contact_plots::drop_panel(&[slow, quick], contact_plots::TimeAxis::Dimensionless, None).unwrap();
+    let panel =
+        contact_plots::drop_panel(&[slow, quick], contact_plots::TimeAxis::Dimensionless, None).unwrap();
     assert_eq!(panel.x.limits, Some((0.0, 4.0)));
 }
 

@@ -7,7 +7,7 @@ use std::path::Path;
 use anyhow::{Context, Result, anyhow, bail};
 use osim_library::{Mode, Prepared, folder_of, head, make_folder_of, reason, resolved};
 use osim_model::wording::Input;
-use osim_report::html::{About, DeferredText, Entry, GENERATOR, Page};
+use osim_report::html::{About, DeferredText, Entry, GENERATOR, Kept, Page};
 
 use crate::session::Session;
 use crate::terminal::Exit;
@@ -59,8 +59,12 @@ impl ReportPage {
         make_folder_of(path).map_err(refused)?;
         let mode = if replaces { Mode::Replace } else { Mode::New };
         let prepared = Prepared::begin(path, None, mode).map_err(refused)?;
-        let (rows, details) = (NamelessFile::beside(path)?, NamelessFile::beside(path)?);
-        Ok(Self { prepared, page: Page::new(about, rows, details, words) })
+        let kept = Kept {
+            failures: NamelessFile::beside(path)?,
+            rows: NamelessFile::beside(path)?,
+            details: NamelessFile::beside(path)?,
+        };
+        Ok(Self { prepared, page: Page::new(about, kept, words) })
     }
 
     /// The next model.

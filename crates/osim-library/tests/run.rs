@@ -56,7 +56,7 @@ impl FrontEnd for Watch {
         &Words
     }
 
-    fn detail(&self, _index: usize) -> Detail {
+    fn detail(&self) -> Detail {
         Detail::Result
     }
 

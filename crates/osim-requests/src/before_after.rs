@@ -22,7 +22,7 @@ pub struct BeforeAfter {
     pub before_under_new_weight: Option<Figures>,
     /// The model as it is written; none where nothing changes.
     pub after: Option<(Inspection, CheckResult)>,
-    /// Both states, where they are to be drawn.
+    /// Both states, to be drawn.
     pub bodies: Vec<Body>,
     /// The feet of both states without their bones, where they are to be drawn; of one where the spheres stay as they are.
     pub feet: Vec<ModelFeet>,
@@ -34,7 +34,7 @@ pub struct BeforeAfter {
 
 impl BeforeAfter {
     /// Both states of a model for which `planner` has made `plan`. `changed` gives its files as they will be, under their
-    /// names; it is asked only where something changes. `bodies` are kept for plots only where that is said.
+    /// names; it is asked only where something changes. `feet` are kept only where that is said.
     ///
     /// # Errors
     /// The new model cannot be read, which would be a defect: it is not to be written then.
@@ -43,7 +43,7 @@ impl BeforeAfter {
         opened: &OpenModel,
         plan: &Plan,
         changed: impl FnOnce() -> ModelFiles,
-        (dialect, bodies): (&dyn RemedyDialect, bool),
+        (dialect, with_feet): (&dyn RemedyDialect, bool),
     ) -> Result<Self, Failure> {
         let before = planner.inspection().inspect_options();
         // The new model has the same elements: what can be changed in one can be changed in the other.
@@ -70,16 +70,14 @@ impl BeforeAfter {
             both.before_under_new_weight = Some(heavier.inspect(opened.name(), &opened.model, None).figures);
         }
         let feet = |name: &str, opened: &OpenModel| {
-            bodies.then(|| ModelFeet::for_page(name, opened, &before.selection)).flatten()
+            with_feet.then(|| ModelFeet::for_page(name, opened, &before.selection)).flatten()
         };
         both.feet.extend(feet("before", opened));
-        // A reference is compared with, whether or not it is drawn.
-        let bodies = bodies || both.reference.is_some();
-        both.bodies.extend(body("before", &before, opened).filter(|_| bodies));
+        both.bodies.extend(body("before", &before, opened));
         if !plan.is_empty() {
             let written = changed().open()?;
             both.after = Some(seen(&after, &written, changes));
-            both.bodies.extend(body("after", &after, &written).filter(|_| bodies));
+            both.bodies.extend(body("after", &after, &written));
             let changed = |after: &ModelFeet| both.feet.iter().any(|before| !before.has_same_spheres(after));
             both.feet.extend(feet("after", &written).filter(changed));
         }

@@ -73,8 +73,8 @@ pub use presets::presets;
 pub use request::{
     AddRequest, AxesChoice, BatchRequest, BranchChoice, CheckRequest, ConvertRequest, Deny, DesignRequest,
     DropTestRequest, ExplainRequest, FigureOptions, FitRequest, HeatOptions, InspectRequest, NoteRequest,
-    PlotKind, PlotRequest, PresetsRequest, QuantityChoice, RemoveRequest, ReproduceRequest, Request, RescaleRequest,
-    SeriesFormat, SetRequest, SweepRequest, TransferRequest, schema_of,
+    PlotKind, PlotRequest, PresetsRequest, QuantityChoice, RemoveRequest, ReproduceRequest, Request,
+    RescaleRequest, SeriesFormat, SetRequest, SweepRequest, TransferRequest, schema_of,
 };
 pub use subject::may_be_file;
 pub use sweep::{SweepPlan, VariantMade};

@@ -44,12 +44,11 @@ pub(super) fn run(request: &CheckRequest, session: &mut Session) -> Result<Exit>
     let mut library = (sources.models.len() > 1).then(check::LibraryTable::default);
     let (mut without_contacts, mut first, mut untold) = (0, true, None);
     let with_page = page.is_some();
-    let indexed: Vec<(usize, &Source)> = sources.models.iter().enumerate().collect();
     in_order(
-        &indexed,
-        threads(None, indexed.len()),
-        |&(index, source)| one(&survey, &folders, index, source, with_page),
-        |&(_, source), found| -> Result<(), Stop> {
+        &sources.models,
+        threads(None, sources.models.len()),
+        |source| one(&survey, &folders, source, with_page),
+        |source, found| -> Result<(), Stop> {
             match found {
                 Ok((found, entry)) => {
                     if let Some((page, entry)) = page.as_mut().zip(entry) {
@@ -118,7 +117,6 @@ fn print(found: &CheckResult, format: SheetFormat, first: bool, session: &mut Se
 fn one(
     survey: &Survey<'_>,
     folders: &Folders,
-    index: usize,
     source: &Source,
     with_page: bool,
 ) -> Result<(CheckResult, Option<Box<Entry>>), Failure> {
@@ -128,7 +126,7 @@ fn one(
     let found = survey.check(&mut seen, beside.as_ref());
     let entry = with_page.then(|| {
         seen.inspection.spell(survey.words);
-        Box::new(survey.entry(index, &seen, &found))
+        Box::new(survey.entry(&seen, &found))
     });
     Ok((found, entry))
 }

@@ -50,12 +50,11 @@ pub(super) fn run(request: &InspectRequest, hint: bool, session: &mut Session) -
     }
     let folders =
         is_table.then(|| Folders::list(sources.models.iter().map(|source| source.path.as_path()), false));
-    let indexed: Vec<(usize, &Source)> = sources.models.iter().enumerate().collect();
     in_order(
-        &indexed,
-        threads(None, indexed.len()),
-        |&(index, source)| one(&survey, folders.as_ref(), index, source, with_page),
-        |&(_, source), seen| -> Result<(), Stop> {
+        &sources.models,
+        threads(None, sources.models.len()),
+        |source| one(&survey, folders.as_ref(), source, with_page),
+        |source, seen| -> Result<(), Stop> {
             match seen {
                 Ok(Inspected { inspection, counts, entry }) => {
                     // What cannot be printed is no reason to leave a page without its models.
@@ -122,7 +121,6 @@ struct Inspected {
 fn one(
     survey: &Survey<'_>,
     folders: Option<&Folders>,
-    index: usize,
     source: &Source,
     with_page: bool,
 ) -> Result<Inspected, Failure> {
@@ -131,7 +129,7 @@ fn one(
     let found = (with_page || folders.is_some()).then(|| survey.check(&mut seen, beside.as_ref()));
     seen.inspection.spell(survey.words);
     let counts = found.as_ref().map(|found| found.counts);
-    let entry = found.filter(|_| with_page).map(|found| Box::new(survey.entry(index, &seen, &found)));
+    let entry = found.filter(|_| with_page).map(|found| Box::new(survey.entry(&seen, &found)));
     Ok(Inspected { inspection: seen.inspection, counts, entry })
 }
 

@@ -5,7 +5,7 @@ use osim_library::LibraryFault;
 use osim_library::run::{Counts, Outcome, Run, RunRequest, Task};
 use osim_model::files::Failure;
 use osim_model::wording::{Input, Verb};
-use osim_report::html::{About, Columns, Entry};
+use osim_report::html::{About, Columns, DetailLevel, Entry};
 use osim_report::json::{FailureRecord, line};
 use osim_requests::options::{RunFormat, RunOptions};
 
@@ -76,7 +76,7 @@ fn work_off(
         words: session.words,
         options,
         format,
-        alone: run.request().is_one(),
+        detail: DetailLevel::of(tasks + run.request().failures.len()),
         progress: Progress::begin(tasks, options.quiet),
     };
     let mut untold = false;

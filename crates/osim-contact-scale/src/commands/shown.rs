@@ -39,8 +39,8 @@ pub(super) struct Shower<'s> {
     pub words: Words,
     pub options: &'s RunOptions,
     pub format: RunFormat,
-    /// One model in all: its page is about it alone.
-    pub alone: bool,
+    /// How much of each model a page shows.
+    pub detail: DetailLevel,
     pub progress: Progress,
 }
 
@@ -52,9 +52,9 @@ impl FrontEnd for Shower<'_> {
         self.words
     }
 
-    fn detail(&self, index: usize) -> Detail {
+    fn detail(&self) -> Detail {
         match self.options.report {
-            Some(_) => Detail::BeforeAfter { bodies: DetailLevel::of(index, self.alone).has_plots() },
+            Some(_) => Detail::BeforeAfter { feet: self.detail.has_feet() },
             None => Detail::Result,
         }
     }
@@ -120,7 +120,7 @@ impl Shower<'_> {
         let paths = changed.written.paths().iter().map(|path| path.display().to_string());
         let outputs: Vec<(String, String)> = paths.zip(digests.into_iter().flatten().cloned()).collect();
         let result = match changed.earlier {
-            true => format!("done by an earlier run: {}", record.status.describe()),
+            true => record.status.describe().to_owned(),
             false => changed.written.describe(),
         };
         let files = Files { inputs: inputs.collect(), result, outputs };
@@ -135,8 +135,7 @@ impl Shower<'_> {
         change.reference = both.reference.as_ref();
         change.in_file = !changed.written.paths().is_empty();
         change.target_gravity_m_s2 = both.target_gravity_m_s2;
-        let detail = DetailLevel::of(changed.index, self.alone);
-        let entry = html::changed(&row(record), &change, detail, self.words);
+        let entry = html::changed(&row(record), change, self.detail, self.words);
         if changed.earlier { entry.of_earlier_run() } else { entry }
     }
 }

@@ -76,13 +76,12 @@ impl Survey<'_> {
     }
 
     /// The model on the page, where one is asked for.
-    pub(super) fn entry(&self, index: usize, seen: &Seen, found: &CheckResult) -> Entry {
-        let alone = self.sources.models.len() + self.sources.failures.len() == 1;
+    pub(super) fn entry(&self, seen: &Seen, found: &CheckResult) -> Entry {
         let files: Vec<(String, String)> =
             seen.opened.files().map(|(name, bytes)| (name.to_owned(), osim_library::sha256(bytes))).collect();
         let both = (&seen.inspection, found);
-        let detail = DetailLevel::of(index, alone);
-        let feet = detail.has_plots().then(|| self.feet(&seen.opened)).flatten();
+        let detail = DetailLevel::of(self.sources.models.len() + self.sources.failures.len());
+        let feet = detail.has_feet().then(|| self.feet(&seen.opened)).flatten();
         html::inspected(self.inspector.options(), &seen.opened, both, &files, (detail, feet), self.words)
     }
 

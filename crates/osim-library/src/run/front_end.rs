@@ -17,8 +17,8 @@ pub enum Detail {
     Result,
     /// Figures and findings of both states.
     BeforeAfter {
-        /// With what plots are drawn from.
-        bodies: bool,
+        /// With the feet of both.
+        feet: bool,
     },
 }
 
@@ -30,8 +30,8 @@ pub trait FrontEnd: Sync {
     /// The words of all messages.
     fn dialect(&self) -> &dyn RemedyDialect;
 
-    /// What is wanted of task number `index`, from 0.
-    fn detail(&self, index: usize) -> Detail;
+    /// What is wanted of each model.
+    fn detail(&self) -> Detail;
 
     /// What is shown of a model that was changed.
     fn show(&self, changed: ChangedModel<'_>) -> Self::Shown;
@@ -46,8 +46,6 @@ pub trait FrontEnd: Sync {
 /// A model that was changed, with everything about it.
 #[non_exhaustive]
 pub struct ChangedModel<'c> {
-    /// Its number in the run, from 0.
-    pub index: usize,
     /// The model and where its result goes.
     pub task: &'c Task,
     /// The model as it was.

@@ -23,7 +23,6 @@ use crate::write::other_names;
 pub(super) struct ModelJob<'j, F> {
     pub(super) context: &'j Context<'j>,
     pub(super) front_end: &'j F,
-    pub(super) index: usize,
     pub(super) task: &'j Task,
 }
 
@@ -47,7 +46,7 @@ impl<F: FrontEnd> ModelJob<'_, F> {
 
     fn attempt(&self, record: &mut Record) -> Result<Outcome<F::Shown>, Failure> {
         let task = self.task;
-        let detail = self.front_end.detail(self.index);
+        let detail = self.front_end.detail();
         let loaded = Loaded::read(&task.source, &task.settings.set_files)?;
         let mut force = task.settings.force;
         // A digest costs more than a plan: each is made once, for the journal and for the page.
@@ -87,7 +86,6 @@ impl<F: FrontEnd> ModelJob<'_, F> {
             .write(&opened, &origin, &plan, &results, (force, record))
             .map_err(|fault| fault.of_model(opened.name(), "output"))?;
         let shown = self.front_end.show(ChangedModel {
-            index: self.index,
             task,
             opened: &opened,
             inputs: &inputs,
@@ -122,7 +120,6 @@ impl<F: FrontEnd> ModelJob<'_, F> {
         let wrote = record.status == Status::Written;
         let paths: Vec<PathBuf> = outputs.filter(|_| wrote).map(Path::to_owned).collect();
         Some(self.front_end.show(ChangedModel {
-            index: self.index,
             task,
             opened: &opened,
             inputs,
@@ -144,8 +141,8 @@ impl<F: FrontEnd> ModelJob<'_, F> {
         detail: Detail,
     ) -> Result<Option<BeforeAfter>, Failure> {
         match (files, detail) {
-            (Some(files), Detail::BeforeAfter { bodies }) => {
-                let how = (self.front_end.dialect(), bodies);
+            (Some(files), Detail::BeforeAfter { feet }) => {
+                let how = (self.front_end.dialect(), feet);
                 let changed = || changed(self.task, files, results);
                 BeforeAfter::of(self.task.settings.planner(), opened, plan, changed, how).map(Some)
             }

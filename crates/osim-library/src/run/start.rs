@@ -105,7 +105,7 @@ impl<'r> Run<'r> {
         let indices: Vec<usize> = (0..tasks.len()).collect();
         let mut counts = Counts { failed: self.request.failures.len(), ..Counts::default() };
         let work = |&index: &usize| {
-            let outcome = tasks.get(index).map(|task| self.one(front_end, index, task));
+            let outcome = tasks.get(index).map(|task| self.one(front_end, task));
             let failed = outcome.as_ref().is_some_and(|outcome| outcome.record.status == Status::Failed);
             front_end.done(failed);
             outcome
@@ -122,13 +122,13 @@ impl<'r> Run<'r> {
         Ok(counts)
     }
 
-    fn one<F: FrontEnd>(&self, front_end: &F, index: usize, task: &Task) -> Outcome<F::Shown> {
+    fn one<F: FrontEnd>(&self, front_end: &F, task: &Task) -> Outcome<F::Shown> {
         if front_end.is_interrupted() {
             let mut outcome = Outcome::not_begun(task);
             self.context.previous.left_behind(&mut outcome.record);
             return outcome;
         }
-        ModelJob { context: &self.context, front_end, index, task }.run()
+        ModelJob { context: &self.context, front_end, task }.run()
     }
 
     /// Ends the summary, where one is asked for.

@@ -4,7 +4,9 @@ use contact_plots::{Drawing, Paper, PlotError, drop_figure, force_figure, loop_f
 use osim_inspect::series::Body;
 use osim_model::files::Failure;
 use osim_model::wording::{Input, Phrase, harmless, phrase};
-use osim_requests::{AxesChoice, FigureOptions, HeatTable, ModelFeet, PlotKind, PlotRequest, Positive, Span, fig1};
+use osim_requests::{
+    AxesChoice, FigureOptions, HeatTable, ModelFeet, PlotKind, PlotRequest, Positive, Span, fig1,
+};
 
 use super::axes::{Axes, units};
 use super::drops::drops;

@@ -8,9 +8,11 @@ use osim_model::wording::Dialect;
 use osim_patch::{Change, Move, Plan};
 use osim_requests::ModelFeet;
 
+use super::chosen::Drawn;
 use super::detail_level::DetailLevel;
 use super::entry::Entry;
 use super::explained::Topics;
+use super::facts::{Facts, deepest};
 use super::files::{self, Files};
 use super::fragment::{Fragment, table};
 use super::run_row::RunRow;
@@ -68,7 +70,7 @@ impl<'c> Changed<'c> {
 
 /// Everything about one model that was changed; `row` is in the table of models.
 #[must_use]
-pub fn changed(row: &RunRow, changed: &Changed<'_>, detail: DetailLevel, dialect: &dyn Dialect) -> Entry {
+pub fn changed(row: &RunRow, changed: Changed<'_>, detail: DetailLevel, dialect: &dyn Dialect) -> Entry {
     let mut fragment = Fragment::new(detail);
     what_changed(&mut fragment, changed.plan);
     let (before, found_before) = changed.before;
@@ -83,22 +85,46 @@ pub fn changed(row: &RunRow, changed: &Changed<'_>, detail: DetailLevel, dialect
     if let Some(reference) = changed.reference {
         reference::section(&mut fragment, reference, &changed.bodies);
     }
-    if detail.has_plots() {
-        feet::section(&mut fragment, &changed.feet);
+    let facts = facts(&changed);
+    let Changed { before_under_new_weight, after, reference, .. } = changed;
+    let files = files::of_change(&changed.files);
+    let plan = changed.plan;
+    let drawn = drawn(changed);
+    if detail.is_alone() {
+        feet::section(&mut fragment, &drawn.feet);
+        if !drawn.bodies.is_empty() {
+            plots::section(&mut fragment, &drawn.bodies, drawn.has_reference, dialect);
+        }
     }
-    if detail.has_plots() && !changed.bodies.is_empty() {
-        let own = changed.bodies.iter();
-        let bodies: Vec<Body> = own.chain(changed.reference.and_then(|r| r.body.as_ref())).cloned().collect();
-        plots::section(&mut fragment, &bodies, changed.reference.is_some(), dialect);
-    }
-    let after = changed.after.map(|(after, _)| after);
-    let mut states = states(before, changed.before_under_new_weight, after);
-    let there = changed.reference.and_then(|reference| reference.figures.as_ref());
+    let after = after.map(|(after, _)| after);
+    let mut states = states(before, before_under_new_weight, after);
+    let there = reference.and_then(|reference| reference.figures.as_ref());
     states.extend(there.map(|figures| State { name: "reference".to_owned(), figures, is_reference: true }));
     sphere_figures::section(&mut fragment, &states);
-    fragment.section("files", "The files", &files::of_change(&changed.files));
-    let counts = changed.after.map_or(found_before.counts, |(_, found)| found.counts);
-    Entry::of_change(row, changed.plan, counts, fragment)
+    fragment.section("files", "Files read and written", &files);
+    Entry::of_change(row, plan, (facts, drawn), fragment)
+}
+
+/// What is drawn: the states of the model, and the reference where there are any.
+fn drawn(changed: Changed<'_>) -> Drawn {
+    let reference = changed.reference.and_then(|reference| reference.body.clone());
+    let mut drawn =
+        Drawn { bodies: changed.bodies, has_reference: changed.reference.is_some(), feet: changed.feet };
+    if !drawn.bodies.is_empty() {
+        drawn.bodies.extend(reference);
+    }
+    drawn
+}
+
+/// What the page counts.
+fn facts(changed: &Changed<'_>) -> Facts {
+    let (before, found) = changed.before;
+    let (last, found) = changed.after.unwrap_or((before, found));
+    let mut facts = Facts::new(&last.figures, found, changed.bodies.last());
+    facts.reference = changed.reference.map(reference::in_words);
+    facts.indentation.before = deepest(&before.figures);
+    facts.indentation.not_scaled = changed.before_under_new_weight.and_then(deepest);
+    facts
 }
 
 fn states<'s>(

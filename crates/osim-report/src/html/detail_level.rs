@@ -1,7 +1,7 @@
 //! How much of a model a page shows.
 
-/// Models of a library that get plots, which are most of a page.
-pub(super) const WITH_PLOTS: usize = 10;
+/// Models of a library whose feet may be drawn: bones take most of the time and the room of a page.
+const FEW: usize = 20;
 
 /// How much of a model a page shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -9,27 +9,27 @@ pub(super) const WITH_PLOTS: usize = 10;
 pub enum DetailLevel {
     /// The page is about this model alone.
     Alone,
-    /// One of many, with plots.
-    WithPlots,
-    /// One of many, without plots.
-    WithoutPlots,
+    /// One of few: its feet may be drawn.
+    OneOfFew,
+    /// One of many.
+    OneOfMany,
 }
 
 impl DetailLevel {
-    /// That of the model at `index`, from 0: the first of many have plots.
+    /// That of each model on a page about so many.
     #[must_use]
-    pub const fn of(index: usize, alone: bool) -> Self {
-        match (alone, index < WITH_PLOTS) {
-            (true, _) => Self::Alone,
-            (false, true) => Self::WithPlots,
-            (false, false) => Self::WithoutPlots,
+    pub const fn of(models: usize) -> Self {
+        match models {
+            0 | 1 => Self::Alone,
+            2..=FEW => Self::OneOfFew,
+            _ => Self::OneOfMany,
         }
     }
 
-    /// Whether there are plots.
+    /// Whether feet may be drawn.
     #[must_use]
-    pub const fn has_plots(self) -> bool {
-        !matches!(self, Self::WithoutPlots)
+    pub const fn has_feet(self) -> bool {
+        !matches!(self, Self::OneOfMany)
     }
 
     pub(super) const fn is_alone(self) -> bool {

@@ -110,7 +110,7 @@ pub(super) fn section(topics: &Topics, dialect: &dyn Dialect) -> String {
             h2 id="explained-title" { (title) }
             @if !equations.is_empty() {
                 h3 { "Equations" }
-                p { "Numbers are those of the paper (see " a href="#origin" { "Where this comes from" } ")." }
+                p { "Numbers are those of the paper (see " a href="#origin" { "Program and citation" } ")." }
                 @for equation in equations { (of_equation(equation, dialect)) }
             }
             @if !topics.codes.is_empty() {

@@ -43,7 +43,7 @@ impl Fragment {
 
 /// A table in a box of its own, which scrolls where the page is too narrow; `name` says what it is to those who hear it.
 pub(super) fn boxed(name: &str, table: &Markup) -> Markup {
-    html! { div.wide role="region" aria-label=(name) tabindex="0" { (table) } }
+    html! { div.wide role="group" aria-label=(name) tabindex="0" { (table) } }
 }
 
 /// A table under `caption` with one row of headers; those that begin with a blank stand above words, not numbers.
@@ -59,5 +59,6 @@ pub(super) fn table(name: &str, caption: &str, headers: &[&str], rows: &[Markup]
 }
 
 pub(super) fn header_cell(header: &str) -> Markup {
-    html! { th.words[header.starts_with(' ')] scope="col" { (header.trim_start_matches(' ')) } }
+    let class = header.starts_with(' ').then_some("words");
+    html! { th class=[class] scope="col" { (header.trim_start_matches(' ')) } }
 }

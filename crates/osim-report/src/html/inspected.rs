@@ -8,8 +8,10 @@ use osim_model::wording::Dialect;
 use osim_model::{four_significant, readable};
 use osim_requests::ModelFeet;
 
+use super::chosen::Drawn;
 use super::detail_level::DetailLevel;
 use super::entry::Entry;
+use super::facts::Facts;
 use super::files::{self, NamedDigest};
 use super::fragment::{Fragment, table};
 use super::sphere_figures::{self, State};
@@ -35,20 +37,26 @@ pub fn inspected(
     findings::of_model(&mut fragment, found);
     let failed = |fault| model.failure(fault);
     let body = || Body::inspected(file_name(model.name()).to_owned(), &model.model, options, &failed).ok();
-    if detail.has_plots() {
-        super::feet::section(&mut fragment, feet.as_slice());
-    }
-    if let Some(body) = detail.has_plots().then(body).flatten() {
-        plots::section(&mut fragment, &[body], false, dialect);
+    let drawn = Drawn {
+        bodies: body().into_iter().collect(),
+        has_reference: false,
+        feet: feet.into_iter().collect(),
+    };
+    if detail.is_alone() {
+        super::feet::section(&mut fragment, &drawn.feet);
+        if !drawn.bodies.is_empty() {
+            plots::section(&mut fragment, &drawn.bodies, false, dialect);
+        }
     }
     sphere_figures::section(
         &mut fragment,
         &[State { name: String::new(), figures: &inspected.figures, is_reference: false }],
     );
     let body = html! { (forces(inspected)) (spheres(inspected)) (factors(inspected)) };
-    fragment.section("contacts", "The contacts", &body);
-    fragment.section("model", "The model", &the_model(inspected, files));
-    Entry::of_inspection(inspected, found.counts, fragment)
+    fragment.section("contacts", "Forces and spheres of the model", &body);
+    fragment.section("model", "The model and its files", &the_model(inspected, files));
+    let facts = Facts::new(&inspected.figures, found, drawn.bodies.first());
+    Entry::of_inspection(inspected, (facts, drawn), fragment)
 }
 
 fn forces(inspected: &Inspection) -> Markup {

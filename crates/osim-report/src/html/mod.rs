@@ -5,15 +5,19 @@
 //! stay flat however many models there are.
 
 mod about;
+mod cell;
 mod change;
+mod chosen;
 mod deferred;
 mod detail_level;
 mod entry;
 mod explained;
+mod facts;
 mod feet;
 mod files;
 mod findings;
 mod fragment;
+mod glance;
 mod inspected;
 mod models_table;
 mod page;
@@ -32,6 +36,6 @@ pub use entry::Entry;
 pub use files::{Files, NamedDigest};
 pub use inspected::inspected;
 pub use models_table::Columns;
-pub use page::Page;
+pub use page::{Kept, Page};
 pub use run_row::{EarlierRun, RowError, RunRow};
 pub use shell::GENERATOR;

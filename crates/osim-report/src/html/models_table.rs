@@ -2,17 +2,22 @@
 
 use maud::{Markup, html};
 
-use super::entry::Entry;
+use super::cell::Cell;
+use super::entry::{EARLIER, Entry};
 use super::explained::Topics;
 use super::fragment::header_cell;
+use super::glance;
+use super::values::broken_at_folders;
 
 pub(super) const MODELS: (&str, &str) = ("models", "Models");
 pub(super) const IN_FULL: (&str, &str) = ("in-full", "Each model in full");
 
+pub(super) const FAILURES_END: &str = "</tbody></table></div>\n";
 pub(super) const TABLE_END: &str = "</tbody></table></div></section>\n";
 pub(super) const DETAILS_BEGIN: &str = "<section id=\"in-full\" aria-labelledby=\"in-full-title\">\
                                         <h2 id=\"in-full-title\">Each model in full</h2>\n";
-pub(super) const DETAILS_END: &str = "</section>\n";
+/// The end of any section.
+pub(super) const SECTION_END: &str = "</section>\n";
 
 /// Which table the models are in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,26 +35,22 @@ impl Columns {
         match self {
             Self::Changes => &[
                 " outcome",
-                "from, kg",
-                "to, kg",
-                "changes",
-                "radius ×",
-                "stiffness ×",
-                "dissipation ×",
+                "made for, kg",
+                "numbers changed",
+                "radius, m",
+                "stiffness, N/m²",
+                "dissipation, s/m",
+                "x/R at 1 BW",
                 "warned",
-                "errors",
-                "warnings",
-                "remarks",
+                " findings",
             ],
             Self::Inspections => &[
                 " outcome",
                 "weighs, kg",
                 "contacts for, kg",
                 "spheres per limb",
-                "deepest x/R at 1 BW",
-                "errors",
-                "warnings",
-                "remarks",
+                "x/R at 1 BW",
+                " findings",
             ],
         }
     }
@@ -57,12 +58,13 @@ impl Columns {
     fn explained(self) -> &'static str {
         match self {
             Self::Changes => {
-                "From and to: the body mass that the contacts are made for. ×: new over old; “unequal” where it is not \
-                 the same everywhere. Warned: warnings of the change. Errors, warnings, remarks: findings in the new model."
+                "Old → new. Made for: the body mass that the contacts are made for. ×: new over old; “unequal” where it is not \
+                 the same everywhere. x/R at 1 BW: x̂ of the sphere that sinks in most under the body weight on one limb, by the \
+                 Hertz law; ! is outside the limit. Warned: warnings of the change. Findings: those in the new model."
             }
             Self::Inspections => {
-                "Deepest x/R: indentation over radius of the sphere that sinks in most under the body weight on one \
-                 limb, by the Hertz law."
+                "x/R at 1 BW: x̂, indentation over radius of the sphere that sinks in most under the body weight on one limb, by \
+                 the Hertz law; ! is outside the limit."
             }
         }
     }
@@ -82,7 +84,7 @@ pub(super) fn table_opening(columns: Columns, left_out: &[String]) -> String {
     let (before, head) = (before.0, head.0);
     format!(
         "<section id=\"{id}\" aria-labelledby=\"models-title\">{before}\
-         <div class=\"wide\" role=\"region\" aria-label=\"{title}\" tabindex=\"0\">\
+         <div class=\"wide\" role=\"group\" aria-label=\"{title}\" tabindex=\"0\">\
          <table class=\"models\">{head}<tbody>\n"
     )
 }
@@ -94,16 +96,64 @@ pub(super) fn row(
     (number, in_full): (usize, bool),
     topics: &mut Topics,
 ) -> String {
-    let missing = columns.headers().len().saturating_sub(entry.cells.len());
+    let name = broken_at_folders(&entry.model);
+    let empty = columns.headers().len().saturating_sub(1 + entry.cells.len());
     let row = html! {
         tr {
-            th scope="row" {
-                @if in_full { a href={ "#model-" (number) } { (entry.model) } } @else { (entry.model) }
+            th scope="row" { @if in_full { a href={ "#model-" (number) } { (name) } } @else { (name) } }
+            @if entry.cells.is_empty() {
+                td.words colspan=(columns.headers().len()) { (entry.outcome) (code(entry, topics)) }
+            } @else {
+                td.words { (entry.outcome) @if entry.earlier { (EARLIER) } }
+                @for cell in &entry.cells { (of_cell(cell)) }
+                @if empty > 0 { td colspan=(empty) {} }
             }
-            @for (index, cell) in entry.cells.iter().enumerate() {
-                @if index == 0 { td.words { (cell) (code(entry, topics)) } } @else { td { (cell) } }
-            }
-            @for _ in 0..missing { td {} }
+        }
+    };
+    format!("{}\n", row.0)
+}
+
+fn of_cell(cell: &Cell) -> Markup {
+    html! {
+        td class=[cell.class()] {
+            (cell.text) @if !cell.below.is_empty() { @if !cell.text.is_empty() { " " br; } span.quiet { (cell.below) } }
+        }
+    }
+}
+
+/// The first section as far as the failures.
+pub(super) fn glance_opening(counts: &Markup) -> String {
+    let (id, title) = glance::SECTION;
+    format!(
+        "<section id=\"{id}\" aria-labelledby=\"glance-title\"><h2 id=\"glance-title\">{title}</h2>{}\n",
+        counts.0
+    )
+}
+
+/// The table of failed models as far as its first row.
+pub(super) fn failures_opening() -> String {
+    let title = "Failed models";
+    let head = html! {
+        h3 { (title) }
+    };
+    let table = html! {
+        caption { span { "Nothing was written for these models. Codes are explained below." } }
+        thead { tr { th scope="col" { "model" } (header_cell(" what is wrong")) (header_cell(" code")) } }
+    };
+    let (head, table) = (head.0, table.0);
+    format!(
+        "{head}<div class=\"wide\" role=\"group\" aria-label=\"{title}\" tabindex=\"0\">\
+         <table class=\"models failures\">{table}<tbody>\n"
+    )
+}
+
+/// The row of a failed model.
+pub(super) fn failure(entry: &Entry, topics: &mut Topics) -> String {
+    let row = html! {
+        tr {
+            th scope="row" { (broken_at_folders(&entry.model)) }
+            td.words { (entry.outcome) }
+            td.words { @if let Some(error) = entry.error { (topics.error(error)) } }
         }
     };
     format!("{}\n", row.0)
@@ -113,19 +163,17 @@ pub(super) fn row(
 ///
 /// The anchor is inside: a browser that follows a link into closed details opens them.
 pub(super) fn details(entry: &Entry, number: usize, inside: &str) -> String {
-    let summary = html! { h3 { (entry.model) } " " span.quiet { (entry.summary) } };
+    let summary = html! {
+        h3 { (broken_at_folders(&entry.model)) } " "
+        span.quiet { (entry.summary) @if entry.earlier { (EARLIER) } }
+    };
     format!(
         "<details><summary>{}</summary><div class=\"model\" id=\"model-{number}\">{inside}</div></details>\n",
         summary.0
     )
 }
 
-/// The one model of a page, where there is nothing to show of it.
-pub(super) fn alone(entry: &Entry, topics: &mut Topics) -> String {
-    html! { p.note { b { (entry.model) } ": " (entry.summary) (code(entry, topics)) } }.0
-}
-
 /// The code of what was wrong, linked to its explanation.
-fn code(entry: &Entry, topics: &mut Topics) -> Markup {
+pub(super) fn code(entry: &Entry, topics: &mut Topics) -> Markup {
     html! { @if let Some(error) = entry.error { " [" (topics.error(error)) "]" } }
 }

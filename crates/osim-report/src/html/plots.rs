@@ -8,9 +8,9 @@ use osim_model::files::Failure;
 use osim_model::wording::Dialect;
 
 use super::fragment::Fragment;
-use crate::figures;
+use crate::figures as draw;
 
-const SECTION: (&str, &str) = ("plots", "Plots");
+const SECTION: (&str, &str) = ("plots", "Plots of force, dissipation and a drop test");
 /// Shares of the weight of one sphere against x/R: bodies of all sizes fit into one figure.
 const UNITS: Units = Units { indentation: IndentationUnit::Relative, force: ForceUnit::WeightShare };
 /// A fall from a quarter of the radius, as in the paper's drop tests.
@@ -20,6 +20,11 @@ const HEIGHT: DropHeight = DropHeight::Radii(0.25);
 ///
 /// `has_reference`: the last one is another body.
 pub(super) fn section(fragment: &mut Fragment, bodies: &[Body], has_reference: bool, dialect: &dyn Dialect) {
+    fragment.section(SECTION.0, SECTION.1, &figures(bodies, has_reference, dialect));
+}
+
+/// The figures with their captions, and why one is not there.
+pub(super) fn figures(bodies: &[Body], has_reference: bool, dialect: &dyn Dialect) -> Markup {
     let pressed = if has_reference {
         "Force of a sphere that is pressed into the ground, before and after the change, and of the reference. The curve \
          after the change and that of the reference lie on each other where the contact without dimensions is the same; the \
@@ -44,11 +49,10 @@ pub(super) fn section(fragment: &mut Fragment, bodies: &[Body], has_reference: b
     let mut reasons: Vec<String> =
         drawn.iter().filter_map(|(_, drawn)| Some(drawn.as_ref().err()?.message.spelled(dialect))).collect();
     reasons.dedup();
-    let body = html! {
+    html! {
         div.plots { @for (what, drawn) in &drawn { @if let Ok(svg) = drawn { (plot(what, svg)) } } }
         @for reason in reasons { p.note { "Not drawn: " (reason) "." } }
-    };
-    fragment.section(SECTION.0, SECTION.1, &body);
+    }
 }
 
 fn plot(what: &str, svg: &str) -> Markup {
@@ -63,17 +67,17 @@ fn drawn(bodies: &[Body], figure: Result<Figure, PlotError>) -> Result<String, F
 }
 
 fn force(bodies: &[Body]) -> Result<String, Failure> {
-    let figure = figures::force(bodies, UNITS, None, Some("Force against indentation"))?;
+    let figure = draw::force(bodies, UNITS, None, Some("Force against indentation"))?;
     drawn(bodies, force_figure(&figure))
 }
 
 fn loops(bodies: &[Body]) -> Result<String, Failure> {
-    let figure = figures::impact_loops(bodies, UNITS, HEIGHT, Some("Dissipation"))?;
+    let figure = draw::impact_loops(bodies, UNITS, HEIGHT, Some("Dissipation"))?;
     drawn(bodies, loop_figure(&figure))
 }
 
 fn drops(bodies: &[Body]) -> Result<String, Failure> {
-    let figure = figures::drops(bodies, HEIGHT, None, Some("Drop test"))?;
+    let figure = draw::drops(bodies, HEIGHT, None, Some("Drop test"))?;
     let conditions = "They fall from a quarter of the sphere radius.".to_owned();
     drawn(bodies, drop_figure(&contact_plots::DropFigure { conditions, ..figure }))
 }

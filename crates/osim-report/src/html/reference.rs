@@ -8,7 +8,7 @@ use osim_model::{four_significant, readable};
 
 use super::fragment::{Fragment, table};
 
-const SECTION: (&str, &str) = ("reference", "Beside the reference");
+const SECTION: (&str, &str) = ("reference", "The contact beside that of the reference");
 /// Contacts whose numbers differ by less (relative) are one.
 const SAME: f64 = 1e-9;
 
@@ -44,8 +44,81 @@ pub(super) fn section(fragment: &mut Fragment, reference: &ReferenceState, bodie
     let body = html! {
         p { (verdict(&name, equal(shown), states.len() > 1)) }
         (table("Contacts beside the reference's", caption, &headers, &rows))
+        (parameters(own, bodies))
     };
     fragment.section(SECTION.0, SECTION.1, &body);
+}
+
+/// The reference in one clause, for a page about many models.
+pub(super) fn in_words(reference: &ReferenceState) -> String {
+    let Some(own) = &reference.body else { return reference.name.clone() };
+    let weight = own
+        .weight()
+        .ok()
+        .map(|weight| format!(" ({} kg, n = {})", readable(weight.mass_kg), readable(weight.sphere_count)));
+    let contacts = own.dimensionless().unwrap_or_default();
+    let kinds = contacts.iter().map(|(kind, contact)| {
+        let (modulus, damping) = (kind.contact.plane_strain_modulus(), kind.contact.dissipation());
+        format!(
+            "R = {} m, E₁* = {} N/m², α = {} s/m, x/R = {}",
+            readable(kind.radius_m),
+            readable(modulus),
+            readable(damping),
+            four_significant(contact.relative_indentation())
+        )
+    });
+    let kinds: Vec<String> = kinds.collect();
+    format!("{}{}: {}", reference.name, weight.unwrap_or_default(), kinds.join("; "))
+}
+
+/// The numbers of both models as their files have them.
+fn parameters(reference: &Body, bodies: &[Body]) -> Markup {
+    let named =
+        std::iter::once(("reference", reference)).chain(bodies.iter().map(|body| (body.name.as_str(), body)));
+    let rows: Vec<Markup> = named
+        .flat_map(|(state, body)| body.kinds.iter().map(move |kind| of_kind(state, body, kind)))
+        .collect();
+    let caption = "The same contacts with dimensions: body mass, n (spheres that share the weight), R, and the properties of the \
+                   force. They differ from the reference's as the bodies do.";
+    let headers = [
+        "contact",
+        " spheres",
+        "mass, kg",
+        "n",
+        "R, m",
+        "E₁*, N/m²",
+        "α, s/m",
+        "cf, m²",
+        "bd, 1/m",
+        "bv, s/m",
+    ];
+    table("Parameters beside the reference's", caption, &headers, &rows)
+}
+
+fn of_kind(state: &str, body: &Body, kind: &SphereKind) -> Markup {
+    let weight = body.weight().ok();
+    let (contact, smoothing) = (kind.contact.values(), kind.contact.smoothing());
+    let numbers = [
+        weight.map(|weight| weight.mass_kg),
+        weight.map(|weight| weight.sphere_count),
+        Some(kind.radius_m),
+        Some(contact.plane_strain_modulus),
+        Some(contact.dissipation),
+        smoothing.map(|smoothing| smoothing.constant_contact_force),
+        smoothing.map(|smoothing| smoothing.hertz_smoothing),
+        smoothing.map(|smoothing| smoothing.hunt_crossley_smoothing),
+    ];
+    html! {
+        tr {
+            th scope="row" { (state) }
+            td.words { (of_spheres(kind)) }
+            @for number in numbers { td { (number.map_or_else(|| "–".to_owned(), readable)) } }
+        }
+    }
+}
+
+fn of_spheres(kind: &SphereKind) -> &str {
+    if kind.spheres.is_empty() { "all" } else { &kind.spheres }
 }
 
 /// The same body under another gravity.
@@ -91,12 +164,11 @@ fn agree(one: &DimensionlessContact, other: &DimensionlessContact) -> bool {
 }
 
 fn row(state: &str, (kind, contact): &(&SphereKind, DimensionlessContact)) -> Markup {
-    let spheres = if kind.spheres.is_empty() { "all" } else { kind.spheres.as_str() };
     let four = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), four_significant);
     html! {
         tr {
             th scope="row" { (state) }
-            td.words { (spheres) }
+            td.words { (of_spheres(kind)) }
             td { (readable(kind.radius_m)) }
             td { (four(Some(contact.relative_indentation()))) }
             td { (four(Some(contact.dissipation()))) }

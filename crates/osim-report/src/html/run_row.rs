@@ -2,6 +2,8 @@
 
 use osim_model::readable;
 
+use super::cell::Cell;
+
 /// The outcome for one model in a run.
 #[derive(Debug, Clone, Default, PartialEq)]
 #[non_exhaustive]
@@ -67,15 +69,13 @@ impl RunRow {
         }
     }
 
-    /// The cells that any change has: the outcome, both masses, and how many changes.
-    pub(super) fn cells(&self, became: &str) -> Vec<String> {
-        let mass = |kg: Option<f64>| kg.map(readable).unwrap_or_default();
-        vec![
-            became.to_owned(),
-            mass(self.contacts_mass_from_kg),
-            mass(self.contacts_mass_to_kg),
-            self.changes.to_string(),
-        ]
+    /// The cells that any change has: both masses, and how many changes.
+    pub(super) fn cells(&self) -> Vec<Cell> {
+        let masses = match (self.contacts_mass_from_kg, self.contacts_mass_to_kg) {
+            (Some(from), Some(to)) => format!("{} → {}", readable(from), readable(to)),
+            (from, to) => from.or(to).map(readable).unwrap_or_default(),
+        };
+        vec![masses.into(), self.changes.to_string().into()]
     }
 }
 

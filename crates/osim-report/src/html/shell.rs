@@ -6,8 +6,8 @@ use osim_model::wording::Verb;
 
 const STYLE: &str = include_str!("style.css");
 
-pub(super) const ASKED: (&str, &str) = ("asked", "What was asked");
-pub(super) const ORIGIN: (&str, &str) = ("origin", "Where this comes from");
+pub(super) const ASKED: (&str, &str) = ("asked", "The command of this page");
+pub(super) const ORIGIN: (&str, &str) = ("origin", "Program and citation");
 
 /// By this a page is known for one that was made here; the version follows.
 pub const GENERATOR: &str = "<meta name=\"generator\" content=\"osim-contact-scale ";
@@ -126,10 +126,37 @@ fn software() -> Markup {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use contact_plots::{Axis, Curve, Direction, Figure, Limit, Look, Panel, Width, figure};
 
     /// CITATION.cff folds its texts over lines.
     fn flat(text: &str) -> String {
         text.split_ascii_whitespace().collect::<Vec<_>>().join(" ")
+    }
+
+    /// A colour without a rule for the dark mode would be drawn as on white.
+    #[test]
+    fn every_colour_of_a_plot_has_a_dark_one() {
+        let looks = (0..Look::MOST_SERIES).map(Look::series);
+        let mut colours: Vec<String> = looks
+            .chain([Look::HERTZ, Look::WITH_CONSTANT, Look::OWN])
+            .map(|look| format!("{:02X}{:02X}{:02X}", look.colour.0, look.colour.1, look.colour.2))
+            .collect();
+        let curve = Curve { label: "a".to_owned(), points: vec![(0.0, 0.0), (1.0, 1.0)], look: Look::OWN };
+        let mut panel = Panel::new("", Axis::new("x"), Axis::new("y"));
+        panel.curves.push(curve);
+        let limit = Limit { label: "limit".to_owned(), at: 0.5, direction: Direction::Vertical };
+        panel.limits.push(limit);
+        let (title, description) = ("a".to_owned(), String::new());
+        let drawn =
+            figure(&Figure { title, description, width: Width::Column, columns: 1, panels: vec![panel] })
+                .unwrap();
+        colours.extend(drawn.split("=\"#").skip(1).filter_map(|rest| Some(rest.get(..6)?.to_owned())));
+        for colour in colours {
+            for attribute in ["fill", "stroke"] {
+                let rule = format!(".plot [{attribute}=\"#{colour}\"]{{{attribute}:");
+                assert!(STYLE.contains(&rule), "{rule}");
+            }
+        }
     }
 
     #[test]

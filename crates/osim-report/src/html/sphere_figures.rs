@@ -11,7 +11,7 @@ use crate::inspection::rows::{Spheres, heading, key, limit, value};
 use crate::inspection::standing::{CAPTION, equally_deep};
 use crate::layout::OUTSIDE;
 
-const SECTION: (&str, &str) = ("figures", "What the spheres do");
+const SECTION: (&str, &str) = ("figures", "Load, indentation and restitution of the spheres");
 /// Columns of numbers in one table.
 const ABREAST: usize = 6;
 
@@ -208,7 +208,7 @@ fn line(
     let name = fragment.topics.linked(name.trim_start_matches(' '));
     html! {
         tr {
-            th.part[part] scope="row" { (name) }
+            th class=[part.then_some("part")] scope="row" { (name) }
             td { (limit(figure).replace(">=", "≥").replace("<=", "≤")) }
             @for sphere in groups.iter().flat_map(|group| &group.spheres) { (cell(figure, *sphere, outside)) }
         }

@@ -20,6 +20,11 @@ pub(super) fn listed(names: &[&str]) -> String {
     layout::listed(names, NAMED)
 }
 
+/// A path that may be broken after each folder, so that long ones leave room for what is beside them.
+pub(super) fn broken_at_folders(path: &str) -> Markup {
+    html! { @for part in path.split_inclusive(['/', '\\']) { (part) @if part.ends_with(['/', '\\']) { wbr; } } }
+}
+
 /// A clause as a sentence.
 pub(super) fn sentence(clause: &str) -> String {
     let mut letters = clause.chars();

@@ -37,8 +37,12 @@ fn one_contact_is_drawn_in_newtons_and_several_in_shares_of_the_weight() {
 fn thresholds_are_drawn_for_one_contact_only() {
     let one = [body("mouse_smooth_sphere")];
     let units = figures::units(&one, None);
-    let labels: Vec<String> =
-        figures::state(&one, units, None, None).unwrap().limits.into_iter().map(|limit| limit.label).collect();
+    let labels: Vec<String> = figures::state(&one, units, None, None)
+        .unwrap()
+        .limits
+        .into_iter()
+        .map(|limit| limit.label)
+        .collect();
     assert_eq!(labels, ["state 0.05", "state 0.95"]);
     let two = [body("mouse_smooth_sphere"), body("horse_smooth_sphere")];
     assert!(figures::state(&two, figures::units(&two, None), None, None).unwrap().limits.is_empty());

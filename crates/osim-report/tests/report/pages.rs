@@ -5,7 +5,7 @@ use osim_model::files::{Failure, OpenModel};
 use osim_model::wording::Verb;
 use osim_report::dialect::{CommandLine, FrontEnd, Python};
 use osim_report::html::{
-    About, Changed, Columns, DetailLevel, EarlierRun, Entry, Files, InMemory, Page, RowError, RunRow,
+    About, Changed, Columns, DetailLevel, EarlierRun, Entry, Files, InMemory, Kept, Page, RowError, RunRow,
     changed, inspected,
 };
 use osim_requests::ModelFeet;
@@ -13,7 +13,7 @@ use osim_requests::ModelFeet;
 use crate::support::{self, open, rescaled};
 
 fn page(about: About, front_end: &dyn FrontEnd, entries: impl IntoIterator<Item = Entry>) -> String {
-    let mut page = Page::new(about, InMemory::default(), InMemory::default(), front_end);
+    let mut page = Page::new(about, Kept::<InMemory>::default(), front_end);
     entries.into_iter().for_each(|entry| page.add(entry));
     let mut bytes = Vec::new();
     page.finish(&mut bytes).unwrap();
@@ -58,9 +58,18 @@ fn one_model_has_sections_plots_and_explanations() {
         page(check(Some(model.name())), &CommandLine, [entry(&model, DetailLevel::Alone, &CommandLine)]);
     assert!(text.starts_with("<!DOCTYPE html>\n<html lang=\"en\">"));
     assert!(text.contains("<title>Check of contacts: beyond_hertz.osim</title>"));
-    for section in
-        ["asked", "findings", "feet", "plots", "figures", "contacts", "model", "explained", "origin"]
-    {
+    for section in [
+        "glance",
+        "asked",
+        "findings",
+        "feet",
+        "plots",
+        "figures",
+        "contacts",
+        "model",
+        "explained",
+        "origin",
+    ] {
         assert!(text.contains(&format!("<a href=\"#{section}\">")), "{section}");
     }
     assert_eq!(text.matches("<svg").count(), 4);
@@ -88,32 +97,73 @@ fn a_change_is_shown_before_and_after() {
     row.contacts_mass_from_kg = Some(62.0);
     row.contacts_mass_to_kg = Some(500.0);
     row.changes = plan.changes.len();
-    let change = Changed::new(&plan, (&before, &found), Files::default());
-    let one = changed(&row, &change, DetailLevel::Alone, &CommandLine);
+    let change = || Changed::new(&plan, (&before, &found), Files::default());
+    let one = changed(&row, change(), DetailLevel::Alone, &CommandLine);
     let text = page(changes(Some(model.name())), &CommandLine, [one]);
     assert!(text.contains("<h2 id=\"changes-title\">What changed</h2>"));
     assert!(text.contains("<code>stiffness</code>"), "{text}");
     assert_anchors(&text);
-    let one = changed(&row, &change, DetailLevel::WithoutPlots, &CommandLine);
+    let one = changed(&row, change(), DetailLevel::OneOfMany, &CommandLine);
     let text = page(changes(None), &CommandLine, [one]);
-    assert!(text.contains("<td>62</td><td>500</td>") && !text.contains("<svg"));
-    assert!(text.contains("picture: osim-contact-scale plot force MODEL -o FILE.svg"));
+    assert!(text.contains(">62 → 500</td>") && !text.contains("<svg"), "{text}");
+    // R follows M^(1/3): 0.032 m × (500/62)^(1/3) = 0.06417 m; E1* likewise, from 1e6 N/m².
+    assert!(text.contains("0.032 → 0.06417 <br><span class=\"quiet\">×2.005</span>"), "{text}");
+    assert!(text.contains("1000000 → 2005000"), "{text}");
     assert_anchors(&text);
 }
 
 #[test]
-fn the_first_of_many_have_plots_and_the_others_say_how_to_get_them() {
-    let model = open("table1/mouse_hunt_crossley.osim");
-    let entries = |front_end: &dyn FrontEnd| -> Vec<Entry> {
-        (0..12).map(|index| entry(&model, DetailLevel::of(index, false), front_end)).collect()
+fn special_models_have_plots_and_the_others_say_how_to_get_them() {
+    let models = ["table1/human_62kg_smooth_sphere.osim", "table1/mouse_hunt_crossley.osim"];
+    let models: Vec<OpenModel> = models.iter().chain(&[models[1]; 10]).map(|name| open(name)).collect();
+    let entries = |front_end: &dyn FrontEnd, detail: DetailLevel| -> Vec<Entry> {
+        models.iter().map(|model| entry(model, detail, front_end)).collect()
     };
-    let text = page(check(None), &CommandLine, entries(&CommandLine));
-    assert_eq!(text.matches("<svg").count(), 4 * 10);
+    let text = page(check(None), &CommandLine, entries(&CommandLine, DetailLevel::OneOfFew));
+    // Two bodies, each with three plots and its feet; and the chart of all models.
+    assert_eq!(text.matches("<svg").count(), 2 * 4 + 1);
+    // Table 1: the mouse's sphere sinks in by 0.56 of its radius, the human's by 0.35.
+    let why = [
+        "heaviest (62 kg)",
+        "lightest (0.0209 kg)",
+        "deepest at rest (x̂ = 0.56",
+        "the first of 11 with the most common",
+    ];
+    for why in why {
+        assert!(text.contains(why), "{why}");
+    }
     assert!(text.contains("<title>Check of contacts: 12 models</title>"));
+    assert!(text.contains("<b>12 of 12</b> deeper at rest than x̂ = 0.16"), "{text}");
+    assert!(text.contains("limit, x̂ = 0.16"));
     assert_anchors(&text);
-    let text = page(check(None), &Python, entries(&Python));
+    let text = page(check(None), &Python, entries(&Python, DetailLevel::OneOfMany));
     assert!(
         text.contains("ocs.plot(&quot;force&quot;, &quot;model.osim&quot;, output=&quot;FILE.svg&quot;)")
+    );
+}
+
+#[test]
+fn a_page_says_what_it_leaves_out_only_where_it_does() {
+    let model = open("check/within_limits.osim");
+    let of = |models: usize| {
+        let entries = (0..models).map(|_| entry(&model, DetailLevel::OneOfMany, &CommandLine));
+        page(check(None), &CommandLine, entries)
+    };
+    let text = of(1000);
+    assert_eq!(text.matches("<details>").count(), 1000);
+    assert!(!text.contains("shown in full."));
+    let text = of(1001);
+    assert_eq!(text.matches("<details>").count(), 1000);
+    assert!(text.contains("Only the first 1000 models are shown in full. For any other"), "{text}");
+}
+
+#[test]
+fn names_may_be_broken_at_folders() {
+    let row = |name: &str| Entry::of_row(&RunRow::new(name, "unchanged"), None);
+    let text = page(changes(None), &CommandLine, [row("a/b<c>.osim"), row(r"C:\models\d.osim")]);
+    assert!(
+        text.contains("a/<wbr>b&lt;c&gt;.osim") && text.contains(r"C:\<wbr>models\<wbr>d.osim"),
+        "{text}"
     );
 }
 
@@ -135,11 +185,14 @@ fn rows_say_what_became_of_models_that_are_not_shown() {
     let text = page(changes(None), &CommandLine, entries);
     assert!(text.contains("row 3: a.osim → b.osim"));
     assert!(text.contains(
-        "done by an earlier run: written</td><td></td><td></td><td>0</td><td>unequal</td><td>2</td>"
+        "written †</td><td></td><td>0</td><td><span class=\"quiet\">unequal</span></td><td><span class=\"quiet\">×2</span></td>"
     ));
+    assert!(text.contains("1 model done by an earlier run of this call, marked with †."));
     assert!(text.contains(
-        "failed: line 4, column 2: body 'a' has no mass [<a class=\"code\" href=\"#error-no-mass\">"
+        "failed: line 4, column 2: body 'a' has no mass</td><td class=\"words\"><a class=\"code\" href=\"#error-no-mass\">"
     ));
+    // Failures come before everything else.
+    assert!(text.find("c.osim").unwrap() < text.find("The command of this page</h2>").unwrap());
     assert!(text.contains("not begun: the run was stopped") && text.contains("skipped: no contacts"));
     assert_anchors(&text);
 }
@@ -158,7 +211,7 @@ fn a_page_that_cannot_be_kept_says_so_at_the_end() {
         }
     }
 
-    let mut page = Page::new(check(None), Full, Full, &CommandLine);
+    let mut page = Page::new(check(None), Kept { failures: Full, rows: Full, details: Full }, &CommandLine);
     page.add(Entry::without_contacts("a.osim"));
     page.add(Entry::without_contacts("b.osim"));
     let error = page.finish(&mut Vec::new()).unwrap_err();
