@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 TARGET=wasm32-unknown-unknown
 # Default features: contact-plots makes its PNG pictures there, too.
 LIBRARIES=(--package contact-scaling --package contact-plots --package osim-frames --package osim-wording --package osim-xml --package osim-model --package osim-feet --package osim-patch --package osim-inspect
-    --package osim-values --package osim-options --package osim-remarks --package osim-requests --package osim-report)
+    --package osim-values --package osim-options --package osim-remarks --package osim-requests --package osim-figures --package osim-report)
 OPTIONS=(--locked --target "$TARGET")
 # Not among what another compiler built.
 OPTIONS+=(--target-dir "${CARGO_TARGET_DIR:-target}/wasm")

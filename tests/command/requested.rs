@@ -80,8 +80,8 @@ fn a_wrong_request_is_refused_with_a_way_out() {
         (r#"{"verb": "rescale", "models": ["human.osim"], "target_mass": "5,5"}"#, "`target_mass`"),
         (r#"{"verb": "rescale", "models": ["-"], "target_mass": 5}"#, "put the request into a file"),
         (
-            r#"{"verb": "plot", "kind": "force", "models": ["human.osim"], "output": "a.pdf"}"#,
-            "`output` 'a.pdf': expected",
+            r#"{"verb": "plot", "kind": "force", "models": ["human.osim"], "output": "a.jpg"}"#,
+            "`output` 'a.jpg': expected",
         ),
         (r#"{"verb": "set", "models": ["human.osim"], "set": {}}"#, "`set` is missing"),
         (r#"{"verb": "inspect", "models": [""]}"#, "expected the name of a file"),

@@ -1,7 +1,7 @@
 //! Figures: SVG and PNG as bytes, and what is said beside them.
 
+use osim_figures as figures;
 use osim_report::dialect::CommandLine;
-use osim_report::figures;
 use serde_json::{Value, json};
 
 use crate::front_end::{files_of, request};

@@ -1,8 +1,8 @@
 //! What is known of the contacts of an OpenSim model, for people and for scripts.
 //!
-//! Data goes in, text comes out: [`inspection`], [`check`] and [`plan`] make tables, [`json`] records, [`figures`] what
-//! `contact_plots` draws, [`explain`] what an equation or a code means, and [`html`] one page about a run. What the reader can
-//! say or do is spelled by a [`dialect`].
+//! Data goes in, text comes out: [`inspection`], [`check`] and [`plan`] make tables, [`json`] records, [`explain`] what an equation
+//! or a code means, and [`html`] one page about a run, with the figures of `osim_figures`. What the reader can say or do is
+//! spelled by a [`dialect`].
 //!
 //! ```
 //! use osim_inspect::InspectOptions;
@@ -31,7 +31,6 @@
 pub mod check;
 pub mod dialect;
 pub mod explain;
-pub mod figures;
 pub mod html;
 pub mod inspection;
 pub mod json;

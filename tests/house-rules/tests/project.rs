@@ -24,6 +24,7 @@ const LAYERS: &[&[&str]] = &[
     &["osim-options"],
     &["osim-remarks"],
     &["osim-requests"],
+    &["osim-figures"],
     &["osim-library", "osim-report"],
     &["osim-contact-scale"],
 ];
@@ -33,6 +34,7 @@ const LIBRARIES: &[&str] = &[
     "contact-plots",
     "contact-scaling",
     "osim-feet",
+    "osim-figures",
     "osim-frames",
     "osim-inspect",
     "osim-library",
@@ -96,6 +98,7 @@ const BANS: &[Ban<'_>] = &[
     Ban { in_crate: "osim-options", dependencies: &["maud", "quick-xml", "walkdir"], paths: OUTSIDE },
     Ban { in_crate: "osim-remarks", dependencies: &["clap", "maud", "quick-xml", "walkdir"], paths: OUTSIDE },
     Ban { in_crate: "osim-requests", dependencies: &["maud", "quick-xml", "walkdir"], paths: OUTSIDE },
+    Ban { in_crate: "osim-figures", dependencies: &["clap", "maud", "quick-xml", "walkdir"], paths: OUTSIDE },
     Ban { in_crate: "osim-report", dependencies: &["clap", "quick-xml", "toml", "walkdir"], paths: OUTSIDE },
     Ban { in_crate: "osim-library", dependencies: &["clap", "maud", "quick-xml"], paths: TERMINAL },
     Ban {

@@ -78,9 +78,15 @@ fn rare(verb: Verb) -> &'static [Input] {
             &[Input::Exclude, Input::StanceLimbs, Input::ImpactSpeed, Input::Gravity, Input::BodyScaleFile]
         }
         Verb::DropTest => &[Input::Exclude, Input::StanceLimbs, Input::Samples, Input::CompareSpheres],
-        Verb::Plot => {
-            &[Input::Exclude, Input::StanceLimbs, Input::Duration, Input::Title, Input::ContactsMass]
-        }
+        Verb::Plot => &[
+            Input::Exclude,
+            Input::StanceLimbs,
+            Input::Duration,
+            Input::ContactsMass,
+            Input::XColumn,
+            Input::YColumn,
+            Input::ValueRange,
+        ],
         Verb::Fit => &[Input::SpeedUnit, Input::TimeUnit],
         _ => &[],
     }

@@ -4,11 +4,11 @@ use std::path::Path;
 
 use anyhow::{Result, bail};
 use contact_plots::Drawing;
+use osim_figures as figures;
 use osim_inspect::series::Body;
 use osim_library::run::PathConflicts;
 use osim_library::{Disk, Mode, Prepared};
 use osim_model::wording::Input;
-use osim_report::figures;
 use osim_report::messages::mass_mismatch;
 use osim_requests::PlotRequest;
 

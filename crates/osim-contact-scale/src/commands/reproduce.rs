@@ -4,10 +4,10 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail};
 use contact_plots::Paper;
+use osim_figures as figures;
 use osim_library::{Mode, Prepared, make_folder_of};
 use osim_model::files::Failure;
 use osim_model::wording::Input;
-use osim_report::figures;
 use osim_report::json::line;
 use osim_report::reproduce::{ReproductionRecord, fig1_text, reproduction_csv, reproduction_text};
 use osim_requests::options::Format;

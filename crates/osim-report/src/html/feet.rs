@@ -4,7 +4,7 @@ use maud::{Markup, PreEscaped, html};
 use osim_requests::ModelFeet;
 
 use super::fragment::Fragment;
-use crate::figures;
+use osim_figures as figures;
 
 const SECTION: (&str, &str) = ("feet", "Feet from the side and from above");
 

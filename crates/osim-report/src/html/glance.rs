@@ -12,7 +12,7 @@ use super::explained::Topics;
 use super::facts::{Indentation, is_too_deep};
 use super::fragment::table;
 use super::values::severity;
-use crate::figures::{self, Indentations};
+use osim_figures::{self as figures, Indentations};
 
 pub(super) const SECTION: (&str, &str) = ("glance", "At a glance");
 pub(super) const CHART: (&str, &str) = ("indentation", "Relative indentation at rest, x̂");

@@ -8,7 +8,7 @@ use osim_model::files::Failure;
 use osim_model::wording::Dialect;
 
 use super::fragment::Fragment;
-use crate::figures as draw;
+use osim_figures as draw;
 
 const SECTION: (&str, &str) = ("plots", "Plots of force, dissipation and a drop test");
 /// Shares of the weight of one sphere against x/R: bodies of all sizes fit into one figure.

@@ -126,7 +126,7 @@ fn software() -> Markup {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use contact_plots::{Axis, Curve, Direction, Figure, Limit, Look, Panel, Width, figure};
+    use contact_plots::{Axis, Curve, Direction, Figure, Limit, Look, Panel, Paper, Width, figure};
 
     /// CITATION.cff folds its texts over lines.
     fn flat(text: &str) -> String {
@@ -147,9 +147,11 @@ mod tests {
         let limit = Limit { label: "limit".to_owned(), at: 0.5, direction: Direction::Vertical };
         panel.limits.push(limit);
         let (title, description) = ("a".to_owned(), String::new());
-        let drawn =
-            figure(&Figure { title, description, width: Width::Column, columns: 1, panels: vec![panel] })
-                .unwrap();
+        let drawn = figure(
+            &Figure { title, description, width: Width::Column, columns: 1, panels: vec![panel] },
+            Paper::default(),
+        )
+        .unwrap();
         colours.extend(drawn.split("=\"#").skip(1).filter_map(|rest| Some(rest.get(..6)?.to_owned())));
         for colour in colours {
             for attribute in ["fill", "stroke"] {

@@ -1,10 +1,10 @@
 //! Figures: titles, units, limits, and what is said where nothing can be drawn.
 
 use contact_plots::{Drawing, ForceAxis, IndentationAxis, Paper, figure, force_figure};
+use osim_figures::{self as figures, Axes};
 use osim_inspect::series::{Body, HeatQuantity, HeatRequest};
 use osim_inspect::{DropHeight, InspectOptions};
 use osim_report::dialect::{CommandLine, Python};
-use osim_report::figures::{self, Axes};
 
 use crate::support::open;
 

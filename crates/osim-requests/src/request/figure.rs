@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use osim_inspect::series::HeatQuantity;
 use osim_options::choices;
-use osim_values::{Dpi, FigureWidth, FontSize, Grid, Span, path};
+use osim_values::{Dpi, FigureWidth, FontSize, Grid, Span, path, serial};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -19,6 +19,7 @@ pub struct FigureOptions {
     pub title: Option<String>,
     /// Name of a curve, in the order of the legend; once for each
     #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]
+    #[serde(deserialize_with = "serial::from_texts")]
     pub label: Vec<String>,
     /// Width on paper, mm [default: 90, one column of a journal; 190 for several panels side by side]
     #[cfg_attr(feature = "clap", arg(long, value_name = "MM"))]

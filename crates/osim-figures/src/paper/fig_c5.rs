@@ -6,9 +6,9 @@ use osim_inspect::series::{self, Body, ForceUnit, IndentationUnit, SphereKind, U
 use osim_model::files::Failure;
 
 use super::animals::{animal, failure};
-use crate::figures::axes::{force_axis, indentation_axis};
-use crate::figures::force::curves;
-use crate::figures::limits::{hertz_limit, thresholds};
+use crate::axes::{force_axis, indentation_axis};
+use crate::force::curves;
+use crate::limits::{hertz_limit, thresholds};
 
 /// Whose sphere the figure is taken to show.
 const EMU: &str = "emu";

@@ -3,6 +3,8 @@
 //! [`osim_inspect::series`] computes the points; here they get titles, labels and limits. What goes wrong is a
 //! [`Failure`](osim_model::files::Failure), whose message is not spelled yet.
 
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
 mod axes;
 mod data;
 mod draw;
@@ -30,3 +32,8 @@ pub use indentations::{State as Indentations, above_the_axis, indentations};
 pub use loops::{impact_loops, loops};
 pub use state::state;
 pub use weights::weights;
+
+/// The example of the README compiles.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
