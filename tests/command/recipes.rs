@@ -152,6 +152,23 @@ fn octave_reads_the_table_of_a_folder() {
     assert_eq!(numbers, [1190.0, 7.0, 7.0, f64::from(spheres)], "{text}");
 }
 
+/// `--data` of a figure, as docs/plots.md reads it.
+#[test]
+fn octave_reads_the_numbers_of_a_figure() {
+    let bench = bench();
+    bench.run("plot force falisse2022 --target-mass 1190 --label Human --label Giraffe -o a.svg --data print.csv").done();
+    bench.write(
+        "plot.m",
+        "function plot(x, y)\nfprintf('from = %.17g\\nto = %.17g\\n', min(x), max(x));\nend\n",
+    );
+    bench.write("look.m", block("plots.md", "matlab"));
+    let options = ["--traditional", "--no-gui", "--norc", "--no-history", "--eval", "look"];
+    let Some((status, text)) = run(&bench, "octave", &options) else { return };
+    assert_eq!(status, Some(0), "{text}");
+    // From half a radius above the ground to half a radius in it: it rests at 0.339, and 1.25 times that is less.
+    assert_eq!(["from", "to"].map(|name| number(&text, name)), [-0.5, 0.5], "{text}");
+}
+
 #[test]
 fn the_recipes_are_matlab_too() {
     for recipe in std::fs::read_dir(root().join("docs/recipes")).unwrap() {

@@ -1,4 +1,4 @@
-"""The Python of docs/libraries.md: pandas reads the CSV of `inspect`, selects and draws."""
+"""The Python of docs/libraries.md and docs/plots.md: pandas reads the CSV of `inspect` and the numbers of a figure."""
 
 import subprocess
 import sys
@@ -6,7 +6,31 @@ import sys
 import command
 import models
 
-PAGE = models.FIXTURES.parent / "docs" / "libraries.md"
+DOCS = models.FIXTURES.parent / "docs"
+
+
+def look(page, folder):
+    """What the first Python of a page prints in a folder."""
+    code = (DOCS / page).read_text("utf-8").split("```python\n")[1].split("```")[0]
+    (folder / "look.py").write_text(code, encoding="utf-8")
+    return subprocess.run(
+        [sys.executable, "look.py"],
+        cwd=folder,
+        env={"MPLBACKEND": "Agg", "MPLCONFIGDIR": str(folder)},
+        capture_output=True,
+        text=True,
+        check=True,
+    ).stdout
+
+
+def test_pandas_reads_the_numbers_of_a_figure(tmp_path):
+    call = "plot force falisse2022 --target-mass 1190 --label Human --label Giraffe -o a.svg --data print.csv"
+    subprocess.run([str(command.BINARY), *call.split()], cwd=tmp_path, check=True, capture_output=True)
+    lines = look("plots.md", tmp_path).splitlines()
+    assert [line.split()[0] for line in lines] == ["Giraffe", "Human"]
+    # Scaled contacts without dimensions are one curve.
+    highest = [float(line.split()[2]) for line in lines]
+    assert abs(highest[0] / highest[1] - 1) < 1e-9
 
 
 def test_pandas_reads_the_table_of_a_folder(tmp_path):
@@ -14,16 +38,7 @@ def test_pandas_reads_the_table_of_a_folder(tmp_path):
         [str(command.BINARY), "inspect", str(models.FIXTURES / "table1"), "--format", "csv"], capture_output=True, check=True
     )
     (tmp_path / "models.csv").write_bytes(ran.stdout)
-    code = PAGE.read_text("utf-8").split("```python\n")[1].split("```")[0]
-    (tmp_path / "look.py").write_text(code, encoding="utf-8")
-    shown = subprocess.run(
-        [sys.executable, "look.py"],
-        cwd=tmp_path,
-        env={"MPLBACKEND": "Agg", "MPLCONFIGDIR": str(tmp_path)},
-        capture_output=True,
-        text=True,
-        check=True,
-    ).stdout
+    shown = look("libraries.md", tmp_path)
     # All fourteen animals of Table 1 sink in deeper than 0.16; bipeds on one foot by 0.353, as printed.
     assert shown.count(".osim") == 14
     assert "human_62kg_hunt_crossley.osim" in shown and "0.3533" in shown

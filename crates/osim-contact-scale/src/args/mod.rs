@@ -87,7 +87,7 @@ pub(crate) enum VerbArgs {
     Check(Later<CheckRequest>),
     /// Let a model fall on its contacts and see what they do
     DropTest(Later<DropTestRequest>),
-    /// Draw what contacts do, as SVG or PNG
+    /// Draw what contacts do, as SVG, PDF or PNG
     Plot(Later<PlotRequest>),
     /// Find contact parameters from a measured indentation and force
     Fit(Later<FitRequest>),
