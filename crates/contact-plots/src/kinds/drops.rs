@@ -43,7 +43,7 @@ pub struct DropEnd {
 /// The drop test against time and, below, against non-dimensional time, as in Fig. 4.
 ///
 /// # Errors
-/// As [`force_figure`].
+/// As [`force_figure`](super::force_figure).
 pub fn drop_figure(data: &DropFigure) -> Result<Figure, PlotError> {
     let shown = |time| {
         data.shown.map(|shown| match time {
@@ -68,7 +68,7 @@ pub fn drop_figure(data: &DropFigure) -> Result<Figure, PlotError> {
 /// One panel of a drop test; its time axis ends where it is `shown`, at the latest with the shortest of several bodies.
 ///
 /// # Errors
-/// As [`force_figure`].
+/// As [`force_figure`](super::force_figure).
 pub fn drop_panel(bodies: &[DropCurve], time: TimeAxis, shown: Option<f64>) -> Result<Panel, PlotError> {
     check_count(bodies.len())?;
     let unit = |body: &DropCurve| match time {

@@ -38,7 +38,7 @@ pub struct LoopFigure {
 /// Loops of force against indentation: the area within is the energy lost.
 ///
 /// # Errors
-/// As [`force_figure`].
+/// As [`force_figure`](super::force_figure).
 pub fn loop_figure(data: &LoopFigure) -> Result<Figure, PlotError> {
     check_count(data.loops.len())?;
     let mut panel = Panel::new("", Axis::new(data.indentation.label()), Axis::new(data.force.label()));

@@ -32,7 +32,7 @@ pub struct StateFigure {
 /// The contact state (C.4) with the step that it smooths.
 ///
 /// # Errors
-/// As [`force_figure`].
+/// As [`force_figure`](super::force_figure).
 pub fn state_figure(data: &StateFigure) -> Result<Figure, PlotError> {
     Ok(Figure {
         title: data.title.clone(),
@@ -49,7 +49,7 @@ pub fn state_figure(data: &StateFigure) -> Result<Figure, PlotError> {
 /// The panel of a [`StateFigure`], its title left empty.
 ///
 /// # Errors
-/// As [`force_figure`].
+/// As [`force_figure`](super::force_figure).
 pub fn state_panel(data: &StateFigure) -> Result<Panel, PlotError> {
     check_count(data.bodies.len())?;
     let mut panel =
