@@ -204,7 +204,8 @@ fn indentation(indentation: Indentation) -> Cell {
         None => four_significant(now),
     };
     if outside {
-        text.push(' ');
+        // A sign alone on a line of its own says nothing.
+        text.push('\u{a0}');
         text.push(OUTSIDE);
     }
     Cell { text, outside, ..Cell::default() }

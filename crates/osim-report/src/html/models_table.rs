@@ -55,6 +55,13 @@ impl Columns {
         }
     }
 
+    fn of_failures(self) -> &'static str {
+        match self {
+            Self::Changes => "Nothing was written for these models. Codes are explained below.",
+            Self::Inspections => "Nothing is known of these models. Codes are explained below.",
+        }
+    }
+
     fn explained(self) -> &'static str {
         match self {
             Self::Changes => {
@@ -131,13 +138,13 @@ pub(super) fn glance_opening(counts: &Markup) -> String {
 }
 
 /// The table of failed models as far as its first row.
-pub(super) fn failures_opening() -> String {
+pub(super) fn failures_opening(columns: Columns) -> String {
     let title = "Failed models";
     let head = html! {
         h3 { (title) }
     };
     let table = html! {
-        caption { span { "Nothing was written for these models. Codes are explained below." } }
+        caption { span { (columns.of_failures()) } }
         thead { tr { th scope="col" { "model" } (header_cell(" what is wrong")) (header_cell(" code")) } }
     };
     let (head, table) = (head.0, table.0);

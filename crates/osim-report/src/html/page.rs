@@ -150,7 +150,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
         let left_out = self.left_out();
         page.write_all(models::glance_opening(&self.tally.counts()).as_bytes())?;
         if self.tally.has_failures() {
-            page.write_all(models::failures_opening().as_bytes())?;
+            page.write_all(models::failures_opening(self.about.columns).as_bytes())?;
             self.kept.failures.pour_into(page)?;
             page.write_all(models::FAILURES_END.as_bytes())?;
         }
