@@ -8,11 +8,11 @@ use std::path::{Path, PathBuf};
 
 use contact_scaling::limits;
 use osim_inspect::{Figure, Quantity};
-use osim_model::wording::{Call, Dialect, Example, Input, Phrase};
+use osim_model::wording::{Call, Dialect, Example, Input, Phrase, Verb};
 use osim_model::{FindingCode, Repair, Seen, Severity};
 use osim_report::dialect::CommandLine;
 use osim_report::explain::ErrorGroup;
-use osim_requests::{DesignQuantity, DropColumn, DropFigure, DropRow};
+use osim_requests::{DesignQuantity, DropColumn, DropFigure, DropRow, schema_of};
 
 /// The words of the command line, marked as code.
 struct Markdown;
@@ -195,6 +195,12 @@ fn errors(group: ErrorGroup) -> String {
     table(&header, rows)
 }
 
+/// docs/requests.md: the verbs that take a request, each with its schema.
+fn verbs() -> String {
+    let asked = Verb::ALL.iter().filter(|verb| schema_of(**verb).is_some()).map(|verb| verb.name());
+    asked.map(|name| format!("- [`{name}`](../schemas/requests/{name}.schema.json)\n")).collect()
+}
+
 /// Each part: its page, its name, its text.
 fn parts() -> Vec<(&'static str, &'static str, String)> {
     vec![
@@ -207,6 +213,7 @@ fn parts() -> Vec<(&'static str, &'static str, String)> {
         ("json.md", "drop-figures", drop_figures()),
         ("json.md", "drop-series", drop_series()),
         ("drop-test.md", "drop-test-figures", drop_rows()),
+        ("requests.md", "verbs", verbs()),
         ("errors.md", "errors-file", errors(ErrorGroup::File)),
         ("errors.md", "errors-model", errors(ErrorGroup::Model)),
         ("errors.md", "errors-question", errors(ErrorGroup::Question)),
