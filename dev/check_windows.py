@@ -52,13 +52,29 @@ def build_dll(folder):
     subprocess.run(call, check=True)
 
 
+def wine_environment(prefix):
+    return dict(os.environ, LC_ALL="C.UTF-8", NO_COLOR="1", WINEPREFIX=str(prefix), WINEDEBUG="-all",
+                WINEDLLOVERRIDES="mscoree,mshtml=")
+
+
+def boot(folder):
+    """Wine's own files, made before the first check: a program that makes them along sometimes ends with 1 and no word."""
+    for number in range(3):
+        prefix = pathlib.Path(folder) / f"prefix{number}"
+        environment = wine_environment(prefix)
+        if subprocess.run(["wineboot", "--init"], env=environment, check=False, timeout=180).returncode == 0:
+            subprocess.run(["wineserver", "--wait"], env=environment, check=True, timeout=180)
+            return prefix
+        print(f"wineboot failed, try {number + 1} of 3", flush=True)
+    sys.exit("error: Wine cannot be started")
+
+
 class Bench:
     """A folder with models, and the two programs."""
 
     def __init__(self, folder, prefix, program, native):
         self.folder, self.program, self.native = folder, program, native
-        debug = {"WINEPREFIX": str(prefix), "WINEDEBUG": "-all", "WINEDLLOVERRIDES": "mscoree,mshtml="}
-        self.environment = dict(os.environ, LC_ALL="C.UTF-8", NO_COLOR="1", **debug)
+        self.environment = wine_environment(prefix)
 
     def run(self, *words, program=None, stdin=subprocess.DEVNULL, seconds=60):
         call = [program] if program else ["wine", str(self.program)]
@@ -102,6 +118,10 @@ class Bench:
 
     def windows(self, path):
         return "Z:" + str(path).replace("/", "\\")
+
+
+def starts(bench):
+    print(bench.done("--version", seconds=180))
 
 
 def blanks_and_umlauts(bench):
@@ -247,8 +267,8 @@ def unit_tests(bench):
     bench.done("wine", tests, "--test-threads=1", program="env", seconds=300)
 
 
-CHECKS = [blanks_and_umlauts, servers_and_long_names, in_place, folders_and_leftovers, sweeps, goes_on, one_summary_for_two_runs,
-          tables, devices, unit_tests]
+CHECKS = [starts, blanks_and_umlauts, servers_and_long_names, in_place, folders_and_leftovers, sweeps, goes_on,
+          one_summary_for_two_runs, tables, devices, unit_tests]
 
 
 def run_under_wine(program):
@@ -257,19 +277,18 @@ def run_under_wine(program):
     if native is None:
         print("skipped: comparison with this system's program: it is not built")
     failed = []
-    with tempfile.TemporaryDirectory(prefix="wine-") as prefix:
+    with tempfile.TemporaryDirectory(prefix="wine-") as place:
+        prefix = boot(place)
         for check in CHECKS:
             with tempfile.TemporaryDirectory(prefix="windows-") as folder:
-                bench = Bench(pathlib.Path(folder), pathlib.Path(prefix) / "prefix", program, native)
+                bench = Bench(pathlib.Path(folder), prefix, program, native)
                 try:
-                    if check is CHECKS[0]:
-                        print(bench.done("--version", seconds=180))
                     check(bench)
                     print(f"{check.__name__}: ok", flush=True)
                 except (AssertionError, subprocess.TimeoutExpired) as error:
                     failed.append(check.__name__)
                     print(f"{check.__name__}: FAILED: {error}", flush=True)
-        subprocess.run(["wineserver", "-k"], env=dict(os.environ, WINEPREFIX=f"{prefix}/prefix"), check=False)
+        subprocess.run(["wineserver", "-k"], env=wine_environment(prefix), check=False)
     print(f"{len(CHECKS) - len(failed)} passed, {len(failed)} failed")
     return not failed
 
