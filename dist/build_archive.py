@@ -1,6 +1,6 @@
 """Builds the archive that people download: the program, its pages, completions, manual and licences.
 
-    python3 dist/build_archive.py [--target TRIPLE] [--out FOLDER]
+    python3 dist/build_archive.py [--target TRIPLE] [--out FOLDER] [--program FOLDER]
 
 On Linux and Windows the program is static: it needs no library that may be missing or of another version. The same
 sources, compiler and target give the same archive, byte for byte: names are sorted, owners and times are fixed.
@@ -14,6 +14,7 @@ import io
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tarfile
@@ -150,6 +151,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--target", help="what to build for [default: this machine]")
     parser.add_argument("--out", type=Path, default=ROOT / "target/dist", help="folder [default: target/dist]")
+    parser.add_argument("--program", type=Path, help="folder that gets the program as well, as it is in the archive")
     arguments = parser.parse_args()
     target = arguments.target or host()
     metadata = json.loads(output_of("cargo", "metadata", "--format-version", "1", "--locked", "--filter-platform", target))
@@ -157,7 +159,8 @@ def main():
     folder = f"{COMMAND}-{version}-{target}"
     # The time of the sources, not of the build.
     when = int(os.environ.get("SOURCE_DATE_EPOCH") or output_of("git", "log", "-1", "--format=%ct"))
-    files = contents(build(target, metadata), target, metadata)
+    program = build(target, metadata)
+    files = contents(program, target, metadata)
     windows = "windows" in target
     archive = arguments.out / f"{folder}{'.zip' if windows else '.tar.gz'}"
     data = (zipped if windows else tar_gz)(files, folder, when)
@@ -166,6 +169,11 @@ def main():
     digest = hashlib.sha256(data).hexdigest()
     # Bytes, not text: sha256sum reads a carriage return as part of the name.
     archive.with_name(archive.name + ".sha256").write_bytes(f"{digest}  {archive.name}\n".encode())
+    if arguments.program:
+        arguments.program.mkdir(parents=True, exist_ok=True)
+        # Cargo links the name there to its own copy, which is not to be changed along.
+        (arguments.program / program.name).unlink(missing_ok=True)
+        shutil.copy2(program, arguments.program)
     print(f"{archive}: {len(files)} files, {len(data)} bytes, SHA-256 {digest}")
 
 
