@@ -97,7 +97,7 @@ fn between(series: &[Point], at: f64) -> Point {
 mod tests {
     use super::*;
 
-    /// From a curve to the lines that stand for it, at right angles, in a figure of this width and height.
+    /// From a curve to the lines that are drawn for it, at right angles, in a figure of this width and height.
     fn farthest(points: &[Point], curve: impl Fn(f64) -> f64, (width, height): (f64, f64)) -> f64 {
         let mut farthest = 0.0_f64;
         for pair in points.windows(2) {

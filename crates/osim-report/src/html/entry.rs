@@ -11,8 +11,8 @@ use super::chosen::Drawn;
 use super::facts::{Facts, Indentation, is_too_deep};
 use super::fragment::Fragment;
 use super::run_row::{EarlierRun, RowError, RunRow};
+use super::values::marked_outside;
 use crate::explain::{ErrorCode, error};
-use crate::layout::OUTSIDE;
 
 /// Marks models that an earlier run has done.
 pub(super) const EARLIER: &str = " †";
@@ -204,9 +204,7 @@ fn indentation(indentation: Indentation) -> Cell {
         None => four_significant(now),
     };
     if outside {
-        // A sign alone on a line of its own says nothing.
-        text.push('\u{a0}');
-        text.push(OUTSIDE);
+        text = marked_outside(&text);
     }
     Cell { text, outside, ..Cell::default() }
 }

@@ -11,7 +11,7 @@ use super::entry::{EARLIER, Entry};
 use super::explained::Topics;
 use super::facts::{Indentation, is_too_deep};
 use super::fragment::table;
-use super::values::severity;
+use super::values::{marked_outside, severity};
 use osim_figures::{self as figures, Indentations};
 
 pub(super) const SECTION: (&str, &str) = ("glance", "At a glance");
@@ -197,9 +197,11 @@ fn depth(indentation: Indentation) -> Markup {
     let Indentation { before, not_scaled, now } = indentation;
     let Some(now) = now else { return html! {} };
     let which = if before.is_some() { "after" } else { "at rest" };
+    let shown = four_significant(now);
+    let shown = if is_too_deep(now) { marked_outside(&shown) } else { shown };
     html! {
         li {
-            "x̂ of the deepest sphere " (which) ": " b { (four_significant(now)) @if is_too_deep(now) { " !" } }
+            "x̂ of the deepest sphere " (which) ": " b { (shown) }
             @if let Some(before) = before { "; before: " (four_significant(before)) }
             @if let Some(not_scaled) = not_scaled { "; before, under the new weight: " (four_significant(not_scaled)) }
             "; limit " (limits::INDENTATION.value)

@@ -58,7 +58,7 @@ impl Columns {
     fn of_failures(self) -> &'static str {
         match self {
             Self::Changes => "Nothing was written for these models. Codes are explained below.",
-            Self::Inspections => "Nothing is known of these models. Codes are explained below.",
+            Self::Inspections => "These models could not be read or checked. Codes are explained below.",
         }
     }
 

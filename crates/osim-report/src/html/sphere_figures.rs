@@ -6,7 +6,7 @@ use maud::{Markup, html};
 use osim_inspect::{Figure, Figures, SphereFigures};
 
 use super::fragment::{Fragment, boxed, table};
-use super::values::listed;
+use super::values::{listed, marked_outside};
 use crate::inspection::rows::{Spheres, heading, key, limit, value};
 use crate::inspection::standing::{CAPTION, equally_deep};
 use crate::layout::OUTSIDE;
@@ -221,7 +221,7 @@ fn cell(figure: Figure, sphere: Option<&SphereFigures>, outside: &mut bool) -> M
         Some((text, true)) => html! { td { (text) } },
         Some((text, false)) => {
             *outside = true;
-            html! { td.outside { (text) " " (OUTSIDE) } }
+            html! { td.outside { (marked_outside(&text)) } }
         }
     }
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 use maud::{Markup, html};
 use osim_model::Severity;
 
-use crate::layout;
+use crate::layout::{self, OUTSIDE};
 
 /// How bad something is, as a word with a colour.
 pub(super) fn severity(severity: Severity) -> Markup {
@@ -23,6 +23,11 @@ pub(super) fn listed(names: &[&str]) -> String {
 /// A path that may be broken after each folder, so that long ones leave room for what is beside them.
 pub(super) fn broken_at_folders(path: &str) -> Markup {
     html! { @for part in path.split_inclusive(['/', '\\']) { (part) @if part.ends_with(['/', '\\']) { wbr; } } }
+}
+
+/// A figure outside of its limit. The sign alone on a line of its own would say nothing.
+pub(super) fn marked_outside(figure: &str) -> String {
+    format!("{figure}\u{a0}{OUTSIDE}")
 }
 
 /// A clause as a sentence.
