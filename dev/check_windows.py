@@ -62,10 +62,13 @@ def boot(folder):
     for number in range(3):
         prefix = pathlib.Path(folder) / f"prefix{number}"
         environment = wine_environment(prefix)
-        if subprocess.run(["wineboot", "--init"], env=environment, check=False, timeout=180).returncode == 0:
-            subprocess.run(["wineserver", "--wait"], env=environment, check=True, timeout=180)
+        try:
+            for call in (["wineboot", "--init"], ["wineserver", "--wait"]):
+                subprocess.run(call, env=environment, check=True, timeout=180)
             return prefix
-        print(f"wineboot failed, try {number + 1} of 3", flush=True)
+        except subprocess.SubprocessError as error:
+            print(f"try {number + 1} of 3: {error}", flush=True)
+            subprocess.run(["wineserver", "--kill"], env=environment, check=False)
     sys.exit("error: Wine cannot be started")
 
 
