@@ -194,6 +194,19 @@ fn a_failed_model_says_where_and_its_code_is_explained() {
 }
 
 #[test]
+fn what_is_said_of_failed_models_fits_the_verb() {
+    let bench = Bench::with(&[HUMAN]);
+    bench.write("broken.osim", "<OpenSimDocument>");
+    let says = |words: &str, what: &str| {
+        bench.run(&format!("{words} human.osim broken.osim --report page.html --force")).failed();
+        let text = page(&bench, "page.html").text;
+        assert!(text.contains("Failed models") && text.contains(what), "{words}: {text}");
+    };
+    says("rescale --target-mass 100 -d out", "Nothing was written for these models.");
+    says("check", "These models could not be read or checked.");
+}
+
+#[test]
 fn a_run_that_goes_on_shows_what_was_done_before() {
     let bench = library();
     let call = "lib --target-mass 100 -d out --summary done.csv --report page.html";
