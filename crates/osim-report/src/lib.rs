@@ -39,3 +39,4 @@ pub mod messages;
 pub mod plan;
 pub mod reproduce;
 pub mod results;
+mod special;

@@ -8,11 +8,9 @@ use osim_model::wording::Dialect;
 use osim_patch::{Change, Move, Plan};
 use osim_requests::ModelFeet;
 
-use super::chosen::Drawn;
 use super::detail_level::DetailLevel;
 use super::entry::Entry;
 use super::explained::Topics;
-use super::facts::{Facts, deepest};
 use super::files::{self, Files};
 use super::fragment::{Fragment, table};
 use super::run_row::RunRow;
@@ -22,6 +20,7 @@ use super::{feet, findings, plots, reference};
 use crate::plan::groups::{groups, names, several_groups, whose};
 use crate::plan::object_groups::object_groups;
 use crate::plan::table::{centre, is_new, moves_of_others};
+use crate::special::{Drawn, Facts, deepest};
 
 /// A change and what it does. What the plan, the inspections and the checks say is taken as it is spelled.
 #[derive(Debug)]

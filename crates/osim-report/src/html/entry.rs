@@ -7,12 +7,11 @@ use osim_model::{Property, four_significant, readable};
 use osim_patch::{Change, Plan};
 
 use super::cell::Cell;
-use super::chosen::Drawn;
-use super::facts::{Facts, Indentation, is_too_deep};
 use super::fragment::Fragment;
 use super::run_row::{EarlierRun, RowError, RunRow};
 use super::values::marked_outside;
 use crate::explain::{ErrorCode, error};
+use crate::special::{Drawn, Facts, Indentation, is_too_deep};
 
 /// Marks models that an earlier run has done.
 pub(super) const EARLIER: &str = " †";

@@ -9,9 +9,9 @@ use osim_model::{FindingCode, Severity, four_significant};
 
 use super::entry::{EARLIER, Entry};
 use super::explained::Topics;
-use super::facts::{Indentation, is_too_deep};
 use super::fragment::table;
 use super::values::{marked_outside, severity};
+use crate::special::{Indentation, is_too_deep};
 use osim_figures::{self as figures, Indentations};
 
 pub(super) const SECTION: (&str, &str) = ("glance", "At a glance");

@@ -8,10 +8,8 @@ use osim_model::wording::Dialect;
 use osim_model::{four_significant, readable};
 use osim_requests::ModelFeet;
 
-use super::chosen::Drawn;
 use super::detail_level::DetailLevel;
 use super::entry::Entry;
-use super::facts::Facts;
 use super::files::{self, NamedDigest};
 use super::fragment::{Fragment, table};
 use super::sphere_figures::{self, State};
@@ -19,6 +17,7 @@ use super::values::file_name;
 use super::{findings, plots};
 use crate::inspection::force_groups::{described, groups};
 use crate::inspection::lengths;
+use crate::special::{Drawn, Facts};
 
 /// Everything about one model that was inspected with `options`; `files` are those it was read from, the model
 /// first; `feet` are drawn where there are plots.

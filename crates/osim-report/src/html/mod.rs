@@ -12,7 +12,6 @@ mod deferred;
 mod detail_level;
 mod entry;
 mod explained;
-mod facts;
 mod feet;
 mod files;
 mod findings;

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use osim_model::wording::{Input, Verb, harmless};
 
 use super::about::About;
-use super::chosen::{self, Chosen};
+use super::chosen;
 use super::deferred::DeferredText;
 use super::entry::Entry;
 use super::explained::{self, Topics};
@@ -14,6 +14,7 @@ use super::glance::{self, Tally};
 use super::models_table as models;
 use super::shell;
 use crate::dialect::FrontEnd;
+use crate::special::{Chosen, MOST};
 
 /// Models of a library that are shown in full; the others are rows of the table.
 const IN_FULL: usize = 1000;
@@ -162,7 +163,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
         self.kept.rows.pour_into(page)?;
         page.write_all(models::TABLE_END.as_bytes())?;
         if !self.chosen.is_empty() {
-            page.write_all(harmless(&self.chosen.section(self.dialect).0).as_bytes())?;
+            page.write_all(harmless(&chosen::section(&self.chosen, self.dialect).0).as_bytes())?;
         }
         if self.in_full > 0 {
             page.write_all(models::DETAILS_BEGIN.as_bytes())?;
@@ -211,12 +212,12 @@ impl<'d, S: DeferredText> Page<'d, S> {
                 self.dialect.command(&call)
             ));
         }
-        if self.chosen.models() > chosen::MOST {
+        if self.chosen.models() > MOST {
             let plot = Verb::Plot.of_model().saying(Input::Kind, "force").with(Input::Output, "FILE.svg");
             left_out.push(format!(
                 "At most {} models have plots; “{}” says why each was chosen. For any other, ask for a page of its own, or \
                  for a picture: {}",
-                chosen::MOST,
+                MOST,
                 chosen::SECTION.1,
                 self.dialect.command(&plot)
             ));

@@ -9,33 +9,33 @@ use osim_model::{FindingCode, Severity, four_significant};
 
 /// Numbers of one model.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Facts {
+pub(crate) struct Facts {
     /// What it weighs, kg; after a change the mass that the new contacts carry.
-    pub(super) mass_kg: Option<f64>,
-    pub(super) indentation: Indentation,
+    pub(crate) mass_kg: Option<f64>,
+    pub(crate) indentation: Indentation,
     /// Findings in it; after a change in the new one.
-    pub(super) counts: Counts,
+    pub(crate) counts: Counts,
     /// Each code once, with the worst that is said of it.
-    pub(super) codes: BTreeMap<FindingCode, Severity>,
+    pub(crate) codes: BTreeMap<FindingCode, Severity>,
     /// Its contact without dimensions: models with equal texts have the same contact.
-    pub(super) contact: Option<String>,
+    pub(crate) contact: Option<String>,
     /// What the contacts were taken from, in words.
-    pub(super) reference: Option<String>,
+    pub(crate) reference: Option<String>,
 }
 
 /// x̂ = x/R at rest, by the Hertz law, of the sphere that sinks in most.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Indentation {
+pub(crate) struct Indentation {
     /// Before a change.
-    pub(super) before: Option<f64>,
+    pub(crate) before: Option<f64>,
     /// The old contacts under the new weight, where that is another one.
-    pub(super) not_scaled: Option<f64>,
+    pub(crate) not_scaled: Option<f64>,
     /// After a change; of a model that was only read, as it is.
-    pub(super) now: Option<f64>,
+    pub(crate) now: Option<f64>,
 }
 
 impl Facts {
-    pub(super) fn new(figures: &Figures, found: &CheckResult, body: Option<&Body>) -> Self {
+    pub(crate) fn new(figures: &Figures, found: &CheckResult, body: Option<&Body>) -> Self {
         Self {
             mass_kg: figures.mass_kg,
             indentation: Indentation { now: deepest(figures), ..Indentation::default() },
@@ -57,12 +57,12 @@ fn worst(found: &CheckResult) -> BTreeMap<FindingCode, Severity> {
 }
 
 /// x̂ of the sphere that sinks in most under the body weight on one limb.
-pub(super) fn deepest(figures: &Figures) -> Option<f64> {
+pub(crate) fn deepest(figures: &Figures) -> Option<f64> {
     figures.spheres().filter_map(|sphere| sphere.value(Figure::Indentation)).reduce(f64::max)
 }
 
 /// Whether x̂ is outside the limit of the Hertz law.
-pub(super) fn is_too_deep(indentation: f64) -> bool {
+pub(crate) fn is_too_deep(indentation: f64) -> bool {
     !limits::INDENTATION.admits(indentation)
 }
 
