@@ -19,8 +19,8 @@ mod register;
 mod smooth;
 mod stiffness;
 mod surfaces;
-mod symbols;
+pub mod symbols;
 
 pub use equation::{Equation, Form};
-pub use register::{all, find};
+pub use register::{all, find, reference};
 pub use symbols::Symbol;

@@ -17,6 +17,18 @@ pub fn find(name: &str) -> Option<&'static Equation> {
     })
 }
 
+/// How a text refers to the equation of this label: numbers of the paper are in brackets, as there.
+///
+/// ```
+/// use contact_scaling::equations::reference;
+/// assert_eq!([reference("C.5"), reference("Fig. 3")], ["(C.5)", "Fig. 3"]);
+/// ```
+#[must_use]
+pub fn reference(label: &str) -> String {
+    let is_number = label.ends_with(|c: char| c.is_ascii_digit()) && !label.contains(' ');
+    if is_number { format!("({label})") } else { label.to_owned() }
+}
+
 /// A name without brackets, blanks, full stops and the word "equation"; a hyphen stays, for codes of warnings have one.
 fn plain(name: &str) -> String {
     let plain: String = name.to_lowercase().chars().filter(|&c| c.is_alphanumeric() || c == '-').collect();

@@ -1,6 +1,7 @@
 //! Explanations for people, 80 columns wide.
 
 use contact_scaling::Equation;
+use contact_scaling::equations::reference;
 use osim_model::FindingCode;
 use osim_model::wording::{Dialect, Phrase};
 
@@ -24,7 +25,7 @@ pub fn text(topic: Topic, dialect: &dyn Dialect, letters: Letters) -> String {
 
 fn of_equation(equation: &Equation, dialect: &dyn Dialect, letters: Letters) -> String {
     let spelled = |template: &'static str| letters.spelled(&Phrase::template(template).spelled(dialect));
-    let mut text = format!("{}  {}\n\n", shown(equation.label), equation.title);
+    let mut text = format!("{}  {}\n\n", reference(equation.label), equation.title);
     for form in equation.forms {
         let note = if form.note.is_empty() { String::new() } else { format!("    ({})", form.note) };
         text.push_str(&letters.spelled(&format!("    {}{note}\n", form.formula)));
@@ -49,7 +50,7 @@ fn of_quantity(quantity: &QuantityTopic, dialect: &dyn Dialect, letters: Letters
         parts.push(("Also:  ", quantity.symbols.join(", ")));
     }
     if !quantity.equation.is_empty() {
-        parts.push(("By:    ", shown(quantity.equation)));
+        parts.push(("By:    ", reference(quantity.equation)));
     }
     parts.extend(quantity.limit.clone().map(|limit| ("Limit: ", limit)));
     parts.push(("Trap:  ", quantity.trap().spelled(dialect)));
@@ -86,7 +87,7 @@ pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: Letters) -> String
     for topic in topics {
         match topic {
             Topic::Equation(equation) => {
-                equations.add_row(vec![shown(equation.label), letters.spelled(equation.title)]);
+                equations.add_row(vec![reference(equation.label), letters.spelled(equation.title)]);
             }
             Topic::Quantity(quantity) => {
                 let what = letters.spelled(&quantity.what().spelled(dialect));
@@ -104,15 +105,6 @@ pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: Letters) -> String
     // A name that is broken cannot be copied.
     quantities.unbroken(0);
     [equations, quantities, findings, errors].map(|table| format!("{}\n", table.fitted())).join("\n")
-}
-
-/// Numbers of the paper are in brackets, as there.
-fn shown(label: &str) -> String {
-    if label.ends_with(|c: char| c.is_ascii_digit()) && !label.contains(' ') {
-        format!("({label})")
-    } else {
-        label.to_owned()
-    }
 }
 
 fn paragraph(label: &str, body: &str) -> String {

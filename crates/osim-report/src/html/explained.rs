@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use contact_scaling::Equation;
+use contact_scaling::equations::reference;
 use maud::{Markup, html};
 use osim_model::FindingCode;
 use osim_model::wording::{Dialect, Phrase};
@@ -34,7 +35,8 @@ impl Topics {
 
     /// The column "equation" of a change, each equation linked to its explanation.
     pub(super) fn equations(&mut self, named: &str) -> Markup {
-        let parts: Vec<Markup> = named.split(", ").map(|name| self.equation(name, &shown(name))).collect();
+        let parts: Vec<Markup> =
+            named.split(", ").map(|name| self.equation(name, &reference(name))).collect();
         html! { @for (index, part) in parts.iter().enumerate() { @if index > 0 { ", " } (part) } }
     }
 
@@ -89,12 +91,6 @@ fn bracketed(text: &str) -> Option<(&str, &str, &str)> {
     }
 }
 
-/// Numbers of the paper are in brackets, as there.
-fn shown(label: &str) -> String {
-    let number = label.ends_with(|c: char| c.is_ascii_digit()) && !label.contains(' ');
-    if number { format!("({label})") } else { label.to_owned() }
-}
-
 fn anchor(kind: &str, name: &str) -> String {
     let plain = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '-' };
     format!("{kind}-{}", name.chars().map(plain).collect::<String>())
@@ -130,7 +126,7 @@ fn of_equation(equation: &Equation, dialect: &dyn Dialect) -> Markup {
     let spelled = |template: &'static str| Phrase::template(template).spelled(dialect);
     html! {
         div.explained id=(anchor("equation", equation.label)) {
-            h4 { (shown(equation.label)) " " (equation.title) }
+            h4 { (reference(equation.label)) " " (equation.title) }
             @for form in equation.forms {
                 p.formula { code { (form.formula) } @if !form.note.is_empty() { " " span.quiet { (form.note) } } }
             }
