@@ -76,6 +76,19 @@ pub enum PlotError {
         /// The least width for them.
         least_mm: f64,
     },
+    /// So many pixels that the memory may not hold them.
+    #[error(
+        "{width} × {height} pixels are more than the {} million that a picture may have: say a smaller dpi or width",
+        .most / 1_000_000
+    )]
+    TooManyPixels {
+        /// Pixels from left to right.
+        width: u32,
+        /// Pixels from top to bottom.
+        height: u32,
+        /// How many there may be.
+        most: u64,
+    },
     /// The plotting library did not get through.
     #[error("the figure could not be drawn: {0}")]
     Drawing(String),

@@ -5,17 +5,23 @@ use resvg::tiny_skia;
 use crate::error::PlotError;
 use crate::tree::{UNITS_PER_INCH, tree};
 
+/// Pixels of the largest picture. Making one takes 7 bytes a pixel.
+const MOST_PIXELS: u64 = 100_000_000;
+
 /// The picture of a figure, as the bytes of a PNG file: white below, `dpi` pixels to the inch of its size on paper.
 ///
 /// # Errors
-/// [`PlotError::Picture`] where the SVG is none, or the picture would be too large.
+/// [`PlotError::Picture`] where the SVG is none, [`PlotError::TooManyPixels`] where the picture would be too large.
 pub fn png(svg: &str, dpi: f32) -> Result<Vec<u8>, PlotError> {
     let raster = |error: &dyn std::fmt::Display| PlotError::Picture(error.to_string());
     let tree = tree(svg)?;
     let scale = dpi / UNITS_PER_INCH;
     let size = tree.size().to_int_size().scale_by(scale).ok_or_else(|| raster(&"no size"))?;
-    let mut pixels = tiny_skia::Pixmap::new(size.width(), size.height())
-        .ok_or_else(|| raster(&"it would be too large"))?;
+    let (width, height) = (size.width(), size.height());
+    if u64::from(width) * u64::from(height) > MOST_PIXELS {
+        return Err(PlotError::TooManyPixels { width, height, most: MOST_PIXELS });
+    }
+    let mut pixels = tiny_skia::Pixmap::new(width, height).ok_or_else(|| raster(&"it has no pixels"))?;
     pixels.fill(tiny_skia::Color::WHITE);
     resvg::render(&tree, tiny_skia::Transform::from_scale(scale, scale), &mut pixels.as_mut());
     encoded(&pixels, dpi).map_err(|error| raster(&error))

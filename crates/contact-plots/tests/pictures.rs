@@ -49,6 +49,20 @@ fn a_png_has_the_size_of_the_figure_and_something_on_it() {
     assert!(contact_plots::png("no picture", 300.0).is_err());
 }
 
+/// 1 m at 2400 pixels to the inch: 94,488 pixels to the side, far more than any memory holds.
+#[cfg(feature = "png")]
+#[test]
+fn a_picture_of_too_many_pixels_is_refused_before_memory_is_asked_for() {
+    let error = contact_plots::png(&svg(1000.0), 2400.0).unwrap_err();
+    assert!(
+        matches!(error, contact_plots::PlotError::TooManyPixels { width: 94_400..94_600, .. }),
+        "{error:?}"
+    );
+    assert!(error.to_string().ends_with(
+        "pixels are more than the 100 million that a picture may have: say a smaller dpi or width"
+    ));
+}
+
 /// Readers of PDF look at the page in tests/plots; here, that it is a document, and of the size of the figure.
 #[cfg(feature = "pdf")]
 #[test]
