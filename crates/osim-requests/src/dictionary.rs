@@ -110,11 +110,11 @@ fn bad_value<T: DeserializeOwned>(fields: &Map<String, Value>, error: &serde_jso
 
 /// The first item of a list that cannot be taken, and why.
 fn bad_item<'v, T: DeserializeOwned>(name: &str, value: &'v Value) -> Option<(&'v Value, String)> {
-    value.as_array()?.iter().find_map(|item| {
-        let alone = Map::from_iter([(name.to_owned(), Value::Array(vec![item.clone()]))]);
-        let error = serde_json::from_value::<T>(Value::Object(alone)).err()?;
-        Some((item, error.to_string()))
-    })
+    let read = |list| serde_json::from_value::<T>(Value::Object(Map::from_iter([(name.to_owned(), list)])));
+    // Where no list can be taken, the list is what is wrong.
+    read(Value::Array(Vec::new())).ok()?;
+    let wrong = |item: &Value| Some(read(Value::Array(vec![item.clone()])).err()?.to_string());
+    value.as_array()?.iter().find_map(|item| Some((item, wrong(item)?)))
 }
 
 /// The field that was probably meant.

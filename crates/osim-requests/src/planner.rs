@@ -1,6 +1,7 @@
 //! What a request plans for each of its models.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use osim_inspect::ReferenceState;
 use osim_model::files::{Failure, Files, OpenModel};
@@ -106,7 +107,7 @@ pub struct Change {
     /// Files of a standalone set.
     pub set_files: SetFiles,
     /// What is planned for each model.
-    pub planner: Box<dyn Planner>,
+    pub planner: Arc<dyn Planner>,
 }
 
 impl Change {
@@ -116,7 +117,7 @@ impl Change {
         set_files: SetFiles,
         planner: impl Planner + 'static,
     ) -> Self {
-        Self { models, output, set_files, planner: Box::new(planner) }
+        Self { models, output, set_files, planner: Arc::new(planner) }
     }
 
     /// Opens one of its models, with the files of a standalone set.

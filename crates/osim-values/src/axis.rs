@@ -68,7 +68,7 @@ impl FromStr for AxisName {
             other => other
                 .parse()
                 .map(Self::Property)
-                .map_err(|why: String| format!("{why}; or indentation, restitution, target-mass")),
+                .map_err(|why: String| format!("{why}; or indentation, restitution, target_mass")),
         }
     }
 }

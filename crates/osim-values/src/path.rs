@@ -53,8 +53,8 @@ impl Written {
 
     fn path(self) -> Result<PathBuf, &'static str> {
         match self {
-            Self::Text(text) if text.is_empty() => Err(EXPECTED),
-            Self::Bytes { bytes } if bytes.is_empty() => Err(EXPECTED),
+            Self::Text(text) if text.is_empty() => Err(EMPTY),
+            Self::Bytes { bytes } if bytes.is_empty() => Err(EMPTY),
             Self::Text(text) => Ok(text.into()),
             Self::Bytes { bytes } => of_bytes(bytes).map(PathBuf::from),
         }
@@ -76,6 +76,9 @@ fn of_bytes(bytes: Vec<u8>) -> Result<OsString, &'static str> {
 
 /// What is expected, whatever is there instead.
 const EXPECTED: &str = "expected the name of a file, as text or as {\"bytes\": [...]}";
+
+/// What is wrong with a name of no letters.
+const EMPTY: &str = "it is empty, expected the name of a file";
 
 /// A path as a value.
 pub fn to_value(path: &Path) -> serde_json::Value {

@@ -2,10 +2,11 @@
 
 use std::fmt::Display;
 use std::marker::PhantomData;
+use std::num::NonZeroUsize;
 use std::str::FromStr;
 
 use osim_model::shortest;
-use serde::de::{Error, Visitor};
+use serde::de::{Error, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serializer};
 use serde_json::Value;
 
@@ -20,7 +21,7 @@ where
 {
     struct Text<T>(PhantomData<T>);
 
-    impl<T: FromStr<Err: Display>> Visitor<'_> for Text<T> {
+    impl<'s, T: FromStr<Err: Display>> Visitor<'s> for Text<T> {
         type Value = T;
 
         fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -29,6 +30,18 @@ where
 
         fn visit_str<E: Error>(self, text: &str) -> Result<T, E> {
             text.parse().map_err(E::custom)
+        }
+
+        fn visit_seq<A: SeqAccess<'s>>(self, _: A) -> Result<T, A::Error> {
+            Err(A::Error::custom("a list, expected one number or one text"))
+        }
+
+        fn visit_map<A: MapAccess<'s>>(self, _: A) -> Result<T, A::Error> {
+            Err(A::Error::custom("names with values, expected one number or one text"))
+        }
+
+        fn visit_bool<E: Error>(self, _: bool) -> Result<T, E> {
+            Err(E::custom("expected a number or a text"))
         }
 
         fn visit_f64<E: Error>(self, value: f64) -> Result<T, E> {
@@ -60,6 +73,15 @@ where
         None => Ok(None),
         Some(value) => from_text(value).map(Some).map_err(D::Error::custom),
     }
+}
+
+/// Reads a number of things, which may be absent.
+///
+/// # Errors
+/// It is not a whole number, or less than 1.
+pub fn optional_count<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Option<NonZeroUsize>, D::Error> {
+    let expected = |_| D::Error::custom("expected a whole number, 1 or more");
+    optional_from_text(deserializer).map_err(expected)
 }
 
 /// Reads a list of such values, or one alone in its place.

@@ -105,7 +105,8 @@ pub fn is_seen(letter: char) -> bool {
     !escaped || format!("a{letter}").escape_debug().count() == 2
 }
 
-/// Text that is printed, of many lines: what it has from outside cannot steer a terminal. Line ends and tabs stay.
+/// Text that is printed, of many lines: what it has from outside cannot steer a terminal. Line ends, tabs and no-break
+/// spaces stay.
 ///
 /// Names are shown by [`shown`] already; this is the last door, for texts in which that was forgotten.
 ///
@@ -124,7 +125,7 @@ pub fn harmless(text: &str) -> Cow<'_, str> {
     let mut letters = text.chars().peekable();
     while let Some(letter) = letters.next() {
         let ends_line = letter == '\r' && letters.peek() == Some(&'\n');
-        if ends_line || matches!(letter, '\n' | '\t') || is_seen(letter) {
+        if ends_line || matches!(letter, '\n' | '\t' | '\u{a0}') || is_seen(letter) {
             out.push(letter);
         } else {
             out.extend(letter.escape_debug());
@@ -155,6 +156,13 @@ mod tests {
             assert!(printed.bytes().all(|byte| matches!(byte, b' '..=b'~')), "{printed:?}");
         }
         assert_eq!(harmless(hostile).matches(|letter: char| !matches!(letter, ' '..='~')).count(), 2);
+    }
+
+    /// Our own pages keep a figure and its mark together with it. In a name it would look like a blank, and be none.
+    #[test]
+    fn a_no_break_space_stays_in_text_and_is_seen_in_a_name() {
+        assert_eq!(harmless("0.3533\u{a0}!"), "0.3533\u{a0}!");
+        assert_eq!(shown("heel\u{a0}r").to_string(), r"heel\u{a0}r");
     }
 
     #[test]

@@ -78,7 +78,7 @@ pub struct RunOptions {
     pub report: Option<PathBuf>,
     /// Models to work on at once [default: one per processor]
     #[cfg_attr(feature = "clap", arg(long, value_name = "N", hide_short_help = true))]
-    #[serde(deserialize_with = "serial::optional_from_text")]
+    #[serde(deserialize_with = "serial::optional_count")]
     pub jobs: Option<NonZeroUsize>,
     /// Keep a line per model in this file (.csv or .ndjson)
     #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", hide_short_help = true))]

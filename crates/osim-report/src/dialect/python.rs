@@ -83,7 +83,7 @@ fn is_positional(input: Input) -> bool {
 /// The keyword; a word that Python reserves gets a line after it.
 fn name(input: Input) -> String {
     match input.name() {
-        "from" => "from_".to_owned(),
+        name @ ("class" | "from") => format!("{name}_"),
         name => name.to_owned(),
     }
 }

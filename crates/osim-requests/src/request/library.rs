@@ -98,7 +98,7 @@ pub struct SweepRequest {
         feature = "clap",
         arg(long, value_name = "N", help_heading = "Output", hide_short_help = true)
     )]
-    #[serde(deserialize_with = "serial::optional_from_text")]
+    #[serde(deserialize_with = "serial::optional_count")]
     pub jobs: Option<NonZeroUsize>,
     /// What is wanted at every point.
     #[cfg_attr(feature = "clap", command(flatten))]

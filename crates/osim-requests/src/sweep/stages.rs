@@ -1,5 +1,7 @@
 //! What is done to the model at a point: rescaled, then set, then designed, as far as the point asks.
 
+use std::sync::Arc;
+
 use osim_model::Assignment;
 use osim_model::wording::{Input, Phrase, phrase};
 use osim_model::{Property, shortest};
@@ -11,7 +13,7 @@ use crate::request::{DesignRequest, RescaleRequest, SetRequest, SweepRequest};
 use osim_options::RequestFault;
 
 /// The plans that lead to a point, one after the other.
-pub(super) type Stages = Vec<Box<dyn Planner>>;
+pub(super) type Stages = Vec<Arc<dyn Planner>>;
 
 /// The stages of a point of a grid.
 ///
@@ -95,7 +97,7 @@ pub(super) fn design(
     request: &SweepRequest,
     indentation: Option<f64>,
     restitution: Option<f64>,
-) -> Result<Box<dyn Planner>, RequestFault> {
+) -> Result<Arc<dyn Planner>, RequestFault> {
     let refused = |name: AxisName, number: f64| {
         move |why: String| {
             let value = format!(" {}={}: {why}", name.as_str(), shortest(number));
@@ -127,7 +129,7 @@ pub(super) fn design(
 pub(super) fn set(
     request: &SweepRequest,
     assignments: Vec<(Property, Assignment)>,
-) -> Result<Box<dyn Planner>, RequestFault> {
+) -> Result<Arc<dyn Planner>, RequestFault> {
     let set = SetRequest {
         models: request.model.iter().cloned().collect(),
         set: assignments.into_iter().collect(),
@@ -139,7 +141,7 @@ pub(super) fn set(
     set.prepare().map(|change| change.planner)
 }
 
-fn rescale(request: &SweepRequest, target_mass: f64) -> Result<Box<dyn Planner>, RequestFault> {
+fn rescale(request: &SweepRequest, target_mass: f64) -> Result<Arc<dyn Planner>, RequestFault> {
     let target_mass =
         Kilograms::new(target_mass).map_err(|why| RequestFault::refused(Input::TargetMass, why))?;
     let rescale = RescaleRequest {

@@ -121,7 +121,7 @@ fn verb(row: &Row, columns: &Columns) -> Result<Verb, RowFault> {
     if has(Kind::Value, "target_mass").is_some() {
         return Ok(Verb::Rescale);
     }
-    let message = "what to do is missing: fill in target-mass (rescale), from (transfer), set, or verb";
+    let message = "what to do is missing: fill in a target mass (rescale), from (transfer), set, or verb";
     Err(RowFault::general(message))
 }
 

@@ -139,7 +139,7 @@ fn column(cell: &str, known: &BTreeMap<String, Kind>) -> Result<Column, Phrase> 
                 return Err(format!(
                     "the column '{cell}' is not an option of {} (remarks begin with #){}",
                     changing_verbs(),
-                    nearest(name, known)
+                    nearest(cell, name, known)
                 )
                 .into());
             }
@@ -157,14 +157,14 @@ fn of_the_run(cell: &str, field: &str) -> Phrase {
 }
 
 /// The field that was probably meant.
-fn nearest(name: &str, known: &BTreeMap<String, Kind>) -> String {
+fn nearest(cell: &str, name: &str, known: &BTreeMap<String, Kind>) -> String {
     let flat = |text: &str| text.replace('_', "");
     let close = known.keys().find(|field| {
         let (a, b) = (flat(field), flat(name));
         a.starts_with(&b) || b.starts_with(&a) || strsim::osa_distance(&a, &b) <= 2
     });
     match close {
-        // As the first row of a table has it.
+        Some(field) if cell.contains('_') => format!(": did you mean '{field}'?"),
         Some(field) => format!(": did you mean '{}'?", field.replace('_', "-")),
         None => String::new(),
     }
@@ -210,6 +210,9 @@ mod tests {
     fn a_column_that_is_misspelled_is_pointed_out() {
         let columns = Columns::of(&["model".to_owned(), "target-mas".to_owned()]);
         assert!(columns.unwrap_err().to_string().contains("did you mean 'target-mass'?"));
+        // As the reader writes names.
+        let columns = Columns::of(&["model".to_owned(), "target_mas".to_owned()]);
+        assert!(columns.unwrap_err().to_string().contains("did you mean 'target_mass'?"));
     }
 
     #[test]
