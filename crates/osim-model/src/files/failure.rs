@@ -1,7 +1,7 @@
 //! What went wrong with one file, by its name.
 
 use super::file_name::FileName;
-use crate::fault::{Excerpt, Fault};
+use crate::fault::{Excerpt, Fault, FaultKind};
 use crate::wording::Phrase;
 
 /// One model that could not be read or changed, or a file that it needs.
@@ -20,6 +20,8 @@ pub struct Failure {
     pub column: Option<usize>,
     /// The line itself.
     pub excerpt: Option<Excerpt>,
+    /// It could be done if something were said that must not be guessed.
+    pub needs_answer: bool,
 }
 
 impl Failure {
@@ -32,12 +34,21 @@ impl Failure {
             message: fault.phrase(),
             line: fault.position.map(|position| position.line),
             column: fault.position.map(|position| position.column),
+            needs_answer: matches!(fault.kind, FaultKind::Needed(_) | FaultKind::NeedsAnswer(_)),
             excerpt: fault.excerpt,
         }
     }
 
     /// Something outside the contents of the file: folders, permissions, other files.
     pub fn outside(model: impl Into<FileName>, code: &'static str, message: impl Into<Phrase>) -> Self {
-        Self { model: model.into(), code, message: message.into(), line: None, column: None, excerpt: None }
+        Self {
+            model: model.into(),
+            code,
+            message: message.into(),
+            line: None,
+            column: None,
+            excerpt: None,
+            needs_answer: false,
+        }
     }
 }

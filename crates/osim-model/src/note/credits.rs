@@ -59,6 +59,12 @@ impl<'d> Credits<'d> {
         Ok(Some(Self { element, span, raw, text }))
     }
 
+    /// The text as OpenSim reads it: entities resolved, white space condensed.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
     /// The note that ends the text, if something in it begins like one.
     pub(super) fn note(&self) -> Option<Result<Note, Unreadable>> {
         let at = self.text.rfind(BEGINS)?;
