@@ -35,7 +35,6 @@ mod never_lost;
 mod outside_text;
 mod pages;
 mod placed;
-mod recipes;
 mod reproduced;
 mod requested;
 mod scaled_bodies;

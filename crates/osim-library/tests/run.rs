@@ -12,12 +12,14 @@
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use osim_library::run::{ChangedModel, Counts, Detail, FrontEnd, Record, Run, RunRequest, Status};
+use osim_library::run::{
+    ChangedModel, Counts, Detail, FrontEnd, Record, RowReader, Rows, Run, RunRequest, Status,
+};
 use osim_library::{LibraryFault, sha256};
 use osim_model::wording::{Call, Dialect, Example, Input, Plain};
 use osim_model::{Remedy, RemedyDialect};
-use osim_requests::Request;
 use osim_requests::options::RunOptions;
+use osim_requests::{BatchRequest, Request};
 use tempfile::TempDir;
 
 /// 10 kg on one sphere of 0.03 m with a stiffness of 1e6 N/m².
@@ -203,4 +205,97 @@ fn no_model_is_written_over() {
     assert_eq!((ran.counts.written, ran.counts.failed), (0, 1));
     assert_eq!(std::fs::read_to_string(&there).unwrap(), "something else");
     assert_eq!(files(&models), before);
+}
+
+/// The rows of a table in memory, whose paths begin in `folder`.
+fn rows(request: &BatchRequest, table: &str, folder: &Path) -> Result<Rows, LibraryFault> {
+    RowReader::new(request)?.read(table.as_bytes(), "table", folder)
+}
+
+/// What `rows` finds wrong with rows: line, column and message of each.
+fn wrong(request: &BatchRequest, table: &str, folder: &Path) -> Vec<(Option<usize>, Option<usize>, String)> {
+    let Rows::Wrong(wrong) = rows(request, table, folder).unwrap() else { panic!("nothing is wrong") };
+    assert!(wrong.iter().all(|failure| failure.model.to_string() == "table"), "{wrong:?}");
+    wrong.into_iter().map(|failure| (failure.line, failure.column, failure.message.to_string())).collect()
+}
+
+/// The stiffness in a model of [`ONE_FOOT`]'s kind.
+fn stiffness(model: &Path) -> f64 {
+    let text = std::fs::read_to_string(model).unwrap();
+    let (_, rest) = text.split_once("<stiffness>").unwrap();
+    rest.split_once('<').unwrap().0.trim().parse().unwrap()
+}
+
+#[test]
+fn a_table_needs_no_file() {
+    let (folder, models) = three_models();
+    let table = "model,target_mass,output,#site\na.osim,80,../a80.osim,north\nc.osim,6,../c6.osim,south\n";
+    let mut request = BatchRequest::default();
+    request.allow_outside = true;
+    let Rows::Run(rows) = rows(&request, table, &models).unwrap() else { panic!() };
+    assert!(rows.reads.is_empty(), "{:?}", rows.reads);
+    let options = RunOptions::default();
+    let mut run = Run::new(rows, &options).unwrap();
+    run.begin().unwrap();
+    let mut remarks = Vec::new();
+    let counts = run
+        .work_off(&Watch::default(), |task, outcome| {
+            assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
+            remarks.push((task.row, outcome.record.remarks));
+            Ok::<(), LibraryFault>(())
+        })
+        .unwrap();
+    run.finish().unwrap();
+    assert_eq!(counts.written, 2);
+    let site = |text: &str| vec![("#site".to_owned(), text.to_owned())];
+    assert_eq!(remarks, [(Some(2), site("north")), (Some(3), site("south"))]);
+    // (10) with radii that follow the masses' cube root: E* grows like M^(1/3); 10 kg had 1e6 N/m².
+    for (name, mass) in [("a80.osim", 80.0_f64), ("c6.osim", 6.0)] {
+        let expected = 1e6 * (mass / 10.0).cbrt();
+        let found = stiffness(&folder.path().join(name));
+        assert!((found / expected - 1.0).abs() < 1e-12, "{name}: {found}, expected {expected}");
+    }
+}
+
+#[test]
+fn all_wrong_rows_of_a_table_are_found_at_once() {
+    let (folder, models) = three_models();
+    let request = BatchRequest::default();
+    let table = "model,target_mass,output\nmissing.osim,80,\na.osim,-1,\n.,80,\nc.osim,80,../outside.osim\n";
+    let before = files(&models);
+    let found = wrong(&request, table, &models);
+    let places: Vec<_> = found.iter().map(|(line, column, _)| (*line, *column)).collect();
+    assert_eq!(
+        places,
+        [(Some(2), Some(1)), (Some(3), Some(2)), (Some(4), Some(1)), (Some(5), Some(3))],
+        "{found:?}"
+    );
+    for ((_, _, message), part) in found.iter().zip([
+        "row 2, column 'model': there is no such file: ",
+        "row 3, column 'target_mass': '-1': ",
+        "row 4, column 'model': a folder, expected one model per row",
+        "is outside the folder ",
+    ]) {
+        assert!(message.contains(part), "{message}");
+    }
+    assert_eq!(files(&models), before);
+    assert!(!folder.path().join("outside.osim").exists());
+}
+
+#[test]
+fn what_is_no_table_or_for_one_model_only_is_refused() {
+    let (_folder, models) = three_models();
+    let refused = |request: &BatchRequest, table: &str| match rows(request, table, &models) {
+        Err(fault) => fault.to_string(),
+        Ok(_) => panic!("{table:?} is read"),
+    };
+    let request = BatchRequest::default();
+    assert_eq!(
+        refused(&request, "model,target_mass\n"),
+        "table: no rows below the first one, which names the columns"
+    );
+    assert!(refused(&request, "mass\n62\n").starts_with("table: "));
+    let output = serde_json::json!({"verb": "batch", "manifest": "-", "output": "one.osim"}).to_string();
+    let Request::Batch(output) = Request::from_json(output.as_bytes()).unwrap() else { panic!() };
+    assert!(refused(&output, "model,target_mass\na.osim,80\n").contains("is for one model"));
 }

@@ -13,10 +13,12 @@ use osim_report::json::line;
 use osim_report::layout::Colour;
 use osim_requests::CheckRequest;
 use osim_requests::options::SheetFormat;
+use osim_runs::Survey;
 
+use super::asked::asked;
 use super::inspect::Stop;
-use super::survey::Survey;
-use crate::report_page::ReportPage;
+use super::page::end_page;
+use crate::interrupt;
 use crate::session::Session;
 use crate::terminal::Exit;
 
@@ -29,7 +31,8 @@ pub(super) fn run(request: &CheckRequest, session: &mut Session) -> Result<Exit>
     let inspector = request.inspector(&Disk);
     let (words, report) = (session.words, &request.report);
     let survey = Survey { verb: Verb::Check, sources: &sources, inspector: &inspector, report, words };
-    let mut page = survey.begin_page(session)?;
+    interrupt::outlive_size_limit();
+    let mut page = survey.begin_page(asked()).map_err(|fault| session.refused(&fault))?;
     let json = request.format == SheetFormat::Json;
     let mut exit = Exit::Done;
     for failure in &sources.failures {
@@ -92,7 +95,7 @@ pub(super) fn run(request: &CheckRequest, session: &mut Session) -> Result<Exit>
         },
     )
     .map_err(|stop| stop.0)?;
-    exit = exit.and(ReportPage::end(page, session));
+    exit = exit.and(end_page(page, session));
     untold.map_or(Ok(()), Err)?;
     if let Some(library) = library.filter(|_| request.format == SheetFormat::Table) {
         let whole_names = !std::io::stdout().is_terminal();
@@ -120,7 +123,7 @@ fn one(
     source: &Source,
     with_page: bool,
 ) -> Result<(CheckResult, Option<Box<Entry>>), Failure> {
-    let mut seen = survey.see(source)?;
+    let mut seen = survey.inspect(source)?;
     survey.inspector.refuse_without_contacts(&seen.opened, &seen.inspection)?;
     let beside = (!source.is_stdin()).then(|| folders.compiled_beside(&source.path)).flatten();
     let found = survey.check(&mut seen, beside.as_ref());

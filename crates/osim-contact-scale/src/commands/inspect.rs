@@ -11,9 +11,11 @@ use osim_report::json::line;
 use osim_report::layout::Colour;
 use osim_requests::InspectRequest;
 use osim_requests::options::SheetFormat;
+use osim_runs::Survey;
 
-use super::survey::Survey;
-use crate::report_page::ReportPage;
+use super::asked::asked;
+use super::page::end_page;
+use crate::interrupt;
 use crate::session::Session;
 use crate::terminal::{Exit, Terminal};
 
@@ -32,7 +34,8 @@ pub(super) fn run(request: &InspectRequest, hint: bool, session: &mut Session) -
     let (words, report) = (session.words, &request.report);
     let mut exit = Exit::Done;
     let survey = Survey { verb: Verb::Inspect, sources: &sources, inspector: &inspector, report, words };
-    let mut page = survey.begin_page(session)?;
+    interrupt::outlive_size_limit();
+    let mut page = survey.begin_page(asked()).map_err(|fault| session.refused(&fault))?;
     for failure in &sources.failures {
         exit = exit.and(session.fail(failure, json)?);
     }
@@ -88,7 +91,7 @@ pub(super) fn run(request: &InspectRequest, hint: bool, session: &mut Session) -
         },
     )
     .map_err(|stop| stop.0)?;
-    exit = exit.and(ReportPage::end(page, session));
+    exit = exit.and(end_page(page, session));
     untold.map_or(Ok(()), Err)?;
     if let Some(table) = table {
         session.terminal.print_painted(&table.text(Terminal::columns(), words, Colour::Ansi))?;
@@ -124,7 +127,7 @@ fn one(
     source: &Source,
     with_page: bool,
 ) -> Result<Inspected, Failure> {
-    let mut seen = survey.see(source)?;
+    let mut seen = survey.inspect(source)?;
     let beside = folders.filter(|_| !source.is_stdin()).and_then(|known| known.compiled_beside(&source.path));
     let found = (with_page || folders.is_some()).then(|| survey.check(&mut seen, beside.as_ref()));
     seen.inspection.spell(survey.words);

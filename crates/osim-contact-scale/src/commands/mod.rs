@@ -12,6 +12,7 @@ mod explain;
 mod fit;
 mod inspect;
 mod manual;
+mod page;
 mod plot;
 mod presets;
 mod reproduce;
@@ -19,7 +20,6 @@ mod request;
 mod rescale;
 mod run;
 mod shown;
-mod survey;
 mod sweep;
 
 pub(crate) use dispatch::call;

@@ -4,15 +4,16 @@ use anyhow::Result;
 use osim_library::LibraryFault;
 use osim_library::run::{Counts, Outcome, Run, RunRequest, Task};
 use osim_model::files::Failure;
-use osim_model::wording::{Input, Verb};
-use osim_report::html::{About, Columns, DetailLevel, Entry};
+use osim_model::wording::Input;
+use osim_report::html::DetailLevel;
 use osim_report::json::{FailureRecord, line};
 use osim_requests::options::{RunFormat, RunOptions};
+use osim_runs::{ReportPage, bare_entry};
 
 use super::asked::asked;
-use super::shown::{Output, Shower, Shown, bare_entry};
+use super::page::end_page;
+use super::shown::{Output, Shower, Shown};
 use crate::progress::Progress;
-use crate::report_page::{Replace, ReportPage};
 use crate::session::Session;
 use crate::terminal::Exit;
 use crate::words::Words;
@@ -39,7 +40,8 @@ pub(super) fn run(request: RunRequest, options: &RunOptions, session: &mut Sessi
         session.terminal.note_line(remark)?;
     }
     run.read_previous().map_err(|fault| session.refused(&fault))?;
-    let mut page = begin_page(&run, options, session)?;
+    let mut page =
+        ReportPage::of_run(&run, options, asked(), session.words).map_err(|fault| session.refused(&fault))?;
     run.begin().map_err(|fault| session.refused(&fault))?;
     for kept in run.kept() {
         session.terminal.note_line(kept)?;
@@ -50,7 +52,7 @@ pub(super) fn run(request: RunRequest, options: &RunOptions, session: &mut Sessi
         session.terminal.error_line(&fault.spelled(session.words));
         exit = exit.and(Exit::Failed);
     }
-    exit = exit.and(ReportPage::end(page, session));
+    exit = exit.and(end_page(page, session));
     let (counts, untold) = counts;
     if !options.quiet && several {
         session.terminal.note(&summary(&counts, options, session.words))?;
@@ -103,26 +105,6 @@ fn work_off(
         Ok(counts) => Ok((counts, untold)),
         Err(fault) => Err(anyhow::anyhow!(fault.spelled(shower.words))),
     }
-}
-
-fn begin_page(run: &Run<'_>, options: &RunOptions, session: &Session) -> Result<Option<ReportPage>> {
-    let Some(path) = &options.report else { return Ok(None) };
-    let request = run.request();
-    let shown = || match (request.tasks.first(), request.failures.first()) {
-        (Some(task), _) => task.source.shown(),
-        (None, failure) => failure.map(|failure| failure.model.to_string()).unwrap_or_default(),
-    };
-    let verb = Verb::ALL.iter().copied().find(|verb| verb.name() == request.verb).unwrap_or(Verb::Set);
-    let about = About::new(verb, request.is_one().then(shown), Columns::Changes, asked());
-    let replace = match (request.force, run.goes_on()) {
-        (true, _) => Replace::Files,
-        // A run that goes on writes its page anew, as it does its summary.
-        (false, true) => Replace::Pages,
-        (false, false) => Replace::Never,
-    };
-    let mut page = ReportPage::begin(path, replace, about, session)?;
-    request.failures.iter().for_each(|failure| page.add(Entry::failed(failure, session.words)));
-    Ok(Some(page))
 }
 
 fn tell_failure(failure: &Failure, format: RunFormat, session: &mut Session) -> Exit {

@@ -90,11 +90,12 @@ fn make(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Session) -> 
     interrupt::outlive_size_limit();
     let watch = Watch(Progress::begin(sweep.count(), request.quiet));
     let json = request.format == Format::Json;
-    let failed = |failure: Failure| {
+    let report = |failure: Option<Failure>| {
+        let Some(failure) = failure else { return Ok(()) };
         let reported = watch.0.suspended(|| session.fail(&failure, json));
         reported.map(|_| ()).map_err(Stop::Reported)
     };
-    let end = sweep.run(&watch, failed);
+    let end = sweep.run(&watch, report);
     watch.0.end();
     end.map_err(|stop| match stop {
         Stop::Refused(fault) => session.refused(&fault),

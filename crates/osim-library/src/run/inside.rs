@@ -12,7 +12,7 @@ use crate::paths::resolved;
 /// The folder that the rows of a table may write into. A table comes from somebody else more often than a call does, and its cells
 /// must not reach every file of the reader's.
 #[derive(Debug)]
-pub struct Inside {
+pub(super) struct Inside {
     folder: PathBuf,
     /// Without links, `.` and `..`.
     real: PathBuf,
@@ -20,8 +20,7 @@ pub struct Inside {
 
 impl Inside {
     /// Everything below `folder`.
-    #[must_use]
-    pub fn of(folder: &Path) -> Self {
+    pub(super) fn of(folder: &Path) -> Self {
         Self { folder: folder.to_owned(), real: resolved(folder) }
     }
 
@@ -30,7 +29,7 @@ impl Inside {
     ///
     /// # Errors
     /// The first that lies elsewhere, by its column.
-    pub fn check(
+    pub(super) fn check(
         &self,
         task: &Task,
         row: &OutputOptions,

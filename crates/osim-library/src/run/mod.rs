@@ -1,6 +1,6 @@
 //! One run of a changing verb over any number of models: compare all files, then load, plan, write and report each.
 //!
-//! A [`Task`] is one model with its [`JobSettings`]; tasks are independent of each other, so threads share them. What a task
+//! A [`Task`] is one model with its `JobSettings`; tasks are independent of each other, so threads share them. What a task
 //! did is an [`Outcome`], reported in the order in which the models were named.
 
 mod changed;
@@ -13,10 +13,12 @@ mod inside;
 mod journal;
 mod model_job;
 mod outcome;
+mod planned;
 mod previous;
 mod previous_lines;
 mod record;
 mod request;
+mod rows;
 mod settings;
 mod start;
 mod task;
@@ -25,11 +27,11 @@ mod writing;
 pub use conflicts::{PathConflicts, PathOwner};
 pub use destination::Destination;
 pub use front_end::{ChangedModel, Detail, FrontEnd};
-pub use inside::Inside;
 pub use outcome::{Counts, Outcome};
+pub use planned::PlannedModel;
 pub use record::{JsonRecord, Record, Status};
-pub use request::RunRequest;
-pub use settings::JobSettings;
+pub use request::{RunRequest, run_options};
+pub use rows::{RowReader, Rows};
 pub use start::Run;
 pub use task::Task;
 pub use writing::{GeometryResult, Results, Written};

@@ -219,7 +219,7 @@ impl<F: FrontEnd> ModelJob<'_, F> {
 }
 
 /// The model as it will be, with the geometry set that goes with it.
-fn changed(task: &Task, files: &ModelFiles, results: &Results<'_>) -> ModelFiles {
+pub(super) fn changed(task: &Task, files: &ModelFiles, results: &Results<'_>) -> ModelFiles {
     let mut changed = files.with_bytes(results.model.to_vec());
     if let Some(path) = task.output() {
         changed = changed.named(path.display().to_string());

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use osim_model::files::Failure;
 use osim_model::wording::{Input, phrase};
-use osim_requests::Change;
 use osim_requests::options::{OutputOptions, RunFormat, RunOptions};
+use osim_requests::{Change, Request};
 
 use super::conflicts::{PathConflicts, PathOwner};
 use super::settings::JobSettings;
@@ -60,10 +60,9 @@ impl RunRequest {
         })
     }
 
-    /// The tasks of a table's rows.
-    #[must_use]
-    pub fn of_rows(verb: &'static str, tasks: Vec<Task>, table: PathBuf, force: bool) -> Self {
-        Self { verb, tasks, reads: vec![table], force, ..Self::default() }
+    /// The tasks of a table's rows; `table` where it is a file.
+    pub(super) fn of_rows(verb: &'static str, tasks: Vec<Task>, table: Option<PathBuf>, force: bool) -> Self {
+        Self { verb, tasks, reads: table.into_iter().collect(), force, ..Self::default() }
     }
 
     /// `true` where the run is about one model.
@@ -106,6 +105,22 @@ impl RunRequest {
         }
         run.summary.as_ref().map_or(Ok(()), |path| conflicts.write(path, "the summary"))
     }
+}
+
+/// How the run of a request that changes models goes about its work; `None` for other verbs.
+#[must_use]
+pub fn run_options(request: &Request) -> Option<&RunOptions> {
+    Some(match request {
+        Request::Rescale(request) => &request.run,
+        Request::Design(request) => &request.run,
+        Request::Set(request) => &request.run,
+        Request::Note(request) => &request.run,
+        Request::Add(request) => &request.run,
+        Request::Convert(request) => &request.run,
+        Request::Remove(request) => &request.run,
+        Request::Transfer(request) => &request.run,
+        _ => return None,
+    })
 }
 
 fn check_usage(

@@ -1,7 +1,7 @@
 //! What is done with a model, apart from the model.
 
 use std::path::PathBuf;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use osim_model::files::Files;
 use osim_requests::Planner;
@@ -11,8 +11,8 @@ use crate::digest::sha256;
 use crate::source::OrdinaryFiles;
 
 /// What is done with a model: shared by all models of a call, or by like rows of a manifest.
-pub struct JobSettings {
-    planner: Box<dyn Planner>,
+pub(super) struct JobSettings {
+    planner: Arc<dyn Planner>,
     pub(super) set_files: SetFiles,
     pub(super) in_place: bool,
     pub(super) no_backup: bool,
@@ -23,8 +23,7 @@ pub struct JobSettings {
 
 impl JobSettings {
     /// What `planner` plans, written as `output` says.
-    #[must_use]
-    pub fn new(planner: Box<dyn Planner>, set_files: SetFiles, output: &OutputOptions) -> Self {
+    pub(super) fn new(planner: Arc<dyn Planner>, set_files: SetFiles, output: &OutputOptions) -> Self {
         Self {
             planner,
             set_files,

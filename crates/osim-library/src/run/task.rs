@@ -30,8 +30,7 @@ pub struct Task {
 
 impl Task {
     /// A model that is done by these settings.
-    #[must_use]
-    pub fn new(source: Source, output: &OutputOptions, settings: Arc<JobSettings>) -> Self {
+    pub(super) fn new(source: Source, output: &OutputOptions, settings: Arc<JobSettings>) -> Self {
         let geometry = settings.set_files.geometry.as_deref();
         Self {
             destination: Destination::of(&source, output),
@@ -45,14 +44,12 @@ impl Task {
     }
 
     /// The same, as row `row` of a manifest.
-    #[must_use]
-    pub fn of_row(self, row: usize) -> Self {
+    pub(super) fn of_row(self, row: usize) -> Self {
         Self { row: Some(row), ..self }
     }
 
     /// The same with columns of the user's own, which a summary copies.
-    #[must_use]
-    pub fn with_remarks(self, remarks: Vec<(String, String)>) -> Self {
+    pub(super) fn with_remarks(self, remarks: Vec<(String, String)>) -> Self {
         Self { remarks, ..self }
     }
 

@@ -1,6 +1,6 @@
 //! A model with all the files that belong to it, from the disk.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::path::{Path, PathBuf};
 
 use osim_model::FileId;
@@ -28,7 +28,7 @@ pub struct Loaded {
 #[derive(Debug)]
 pub struct Origin {
     path: PathBuf,
-    /// Files as they were when they were read; standard input is none.
+    /// Files as they were when they were read; standard input and a model in memory are none.
     stamps: HashMap<PathBuf, Stamp>,
     /// The other files.
     companions: HashMap<FileId, PathBuf>,
@@ -42,15 +42,46 @@ impl Loaded {
     /// # Errors
     /// One of them cannot be read.
     pub fn read(source: &Source, set_files: &SetFiles) -> Result<Self, Failure> {
-        let disk = StampedDisk::new(if source.named { Kinds::Streams } else { Kinds::Ordinary });
+        Self::read_beside(source, set_files, &BTreeMap::new())
+    }
+
+    /// Reads `source` and the files that belong to it. Those that are in `memory` are taken from there, also where the disk has
+    /// others of the same name.
+    ///
+    /// # Errors
+    /// One of them cannot be read.
+    pub fn read_beside(
+        source: &Source,
+        set_files: &SetFiles,
+        memory: &BTreeMap<PathBuf, Vec<u8>>,
+    ) -> Result<Self, Failure> {
+        let stamped = StampedDisk::new(if source.named { Kinds::Streams } else { Kinds::Ordinary });
+        let disk = MemoryFirst { memory, disk: &stamped };
         let unreadable =
             |error: FileError| Failure::outside(source.path.as_path(), "unreadable", error.to_string());
         let bytes = disk.read(&source.path).map_err(unreadable)?;
         let files = ModelFiles::read(&source.path, bytes, set_files.beside(), &disk)?;
+        Ok(Self::of(&source.path, files, stamped.into_stamps()))
+    }
+
+    /// A model whose bytes are known, at `path`, with the files that `files` has beside it.
+    ///
+    /// # Errors
+    /// One of those cannot be read.
+    pub fn in_memory(
+        path: &Path,
+        bytes: Vec<u8>,
+        set_files: &SetFiles,
+        files: &dyn Files,
+    ) -> Result<Self, Failure> {
+        Ok(Self::of(path, ModelFiles::read(path, bytes, set_files.beside(), files)?, HashMap::new()))
+    }
+
+    fn of(path: &Path, files: ModelFiles, stamps: HashMap<PathBuf, Stamp>) -> Self {
         let included = files.included().map(str::to_owned).collect();
         let companions = files.companions().map(|(file, path, _)| (file, path.to_owned())).collect();
-        let origin = Origin { path: source.path.clone(), stamps: disk.into_stamps(), companions, included };
-        Ok(Self { files, origin })
+        let origin = Origin { path: path.to_owned(), stamps, companions, included };
+        Self { files, origin }
     }
 
     /// SHA-256 of each file, the model first, in the order of [`OpenModel::files`](osim_model::files::OpenModel::files).
@@ -61,12 +92,37 @@ impl Loaded {
     }
 }
 
+/// Files in memory, then those of the disk.
+struct MemoryFirst<'m> {
+    memory: &'m BTreeMap<PathBuf, Vec<u8>>,
+    disk: &'m StampedDisk,
+}
+
+impl Files for MemoryFirst<'_> {
+    fn read(&self, path: &Path) -> Result<Vec<u8>, FileError> {
+        self.memory.get(path).map_or_else(|| self.disk.read(path), |bytes| Ok(bytes.clone()))
+    }
+
+    fn read_included(&self, path: &Path) -> Result<Vec<u8>, FileError> {
+        self.memory.get(path).map_or_else(|| self.disk.read_included(path), |bytes| Ok(bytes.clone()))
+    }
+
+    fn exists(&self, path: &Path) -> bool {
+        self.memory.contains_key(path) || self.disk.exists(path)
+    }
+}
+
 impl Origin {
     /// A file of the model as it was when it was read; none for standard input.
     #[must_use]
     pub fn stamp_of(&self, file: FileId) -> Option<&Stamp> {
         let path = if file == FileId::MAIN { &self.path } else { self.companions.get(&file)? };
         self.stamps.get(path)
+    }
+
+    /// Which of the model's files is at `path`.
+    pub(crate) fn file_at(&self, path: &Path) -> Option<FileId> {
+        self.companions.iter().find(|(_, companion)| *companion == path).map(|(&file, _)| file)
     }
 
     /// Refuses to write the model where OpenSim would not find the files that it includes.

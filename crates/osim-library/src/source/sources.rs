@@ -35,8 +35,7 @@ impl Source {
     }
 
     /// A model that a table names.
-    #[must_use]
-    pub fn in_table(path: &Path) -> Self {
+    pub(crate) fn in_table(path: &Path) -> Self {
         Self { named: false, ..Self::file(path) }
     }
 

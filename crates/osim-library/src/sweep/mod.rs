@@ -119,14 +119,14 @@ impl<'s> SweepRun<'s> {
         self.plan.check_ends()
     }
 
-    /// Makes all variants; `failed` gets each that could not be made, in order, on this thread.
+    /// Makes all variants; `report` is called for each, in order, on this thread, with what went wrong where it could not be made.
     ///
     /// # Errors
-    /// Something is there already, the table cannot be written, or the first error of `failed`.
+    /// Something is there already, the table cannot be written, or the first error of `report`.
     pub fn run<F: SweepFrontEnd, E: From<LibraryFault>>(
         &self,
         front_end: &F,
-        mut failed: impl FnMut(Failure) -> Result<(), E>,
+        mut report: impl FnMut(Option<Failure>) -> Result<(), E>,
     ) -> Result<SweepEnd, E> {
         let manifest = self.folder.join(self.plan.table_name());
         self.check_new(&manifest)?;
@@ -144,11 +144,12 @@ impl<'s> SweepRun<'s> {
         let each = |_: &usize, made: Made| match made {
             Made::Row(row, earlier) => {
                 *if earlier { &mut end.earlier } else { &mut end.made } += 1;
-                table.add(&row).map_err(E::from)
+                table.add(&row)?;
+                report(None)
             }
             Made::Failed(failure) => {
                 end.failed += 1;
-                failed(failure)
+                report(Some(failure))
             }
             Made::NotBegun => {
                 end.not_begun += 1;

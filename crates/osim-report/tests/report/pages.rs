@@ -51,6 +51,18 @@ fn assert_anchors(page: &str) {
     }
 }
 
+/// x/R of this model is 0.3533 (Falisse 2022, Hertz), beyond the limit of 0.16.
+#[test]
+fn a_figure_and_its_mark_stay_together_and_nothing_is_shown_as_an_escape() {
+    let model = open("table1/human_62kg_smooth_sphere.osim");
+    let detail = DetailLevel::Alone;
+    for name in [Some(&**model.name()), None] {
+        let text = page(check(name), &CommandLine, [entry(&model, detail, &CommandLine)]);
+        assert!(text.contains("0.3533\u{a0}!"), "{name:?}");
+        assert!(!text.contains("\\u{"), "{name:?}");
+    }
+}
+
 #[test]
 fn one_model_has_sections_plots_and_explanations() {
     let model = open("check/beyond_hertz.osim");

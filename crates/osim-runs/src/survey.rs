@@ -1,9 +1,8 @@
-//! Models looked at, on all processors: what `inspect` and `check` share.
+//! Models inspected and checked one by one, with their entry on a page.
 
-use anyhow::Result;
 use osim_inspect::{CheckResult, Inspection};
 use osim_library::run::PathConflicts;
-use osim_library::{Disk, Folders, Loaded, Source, Sources};
+use osim_library::{Disk, Folders, LibraryFault, Loaded, Source, Sources};
 use osim_model::Finding;
 use osim_model::files::{Failure, OpenModel};
 use osim_model::wording::Verb;
@@ -11,48 +10,51 @@ use osim_report::html::{self, About, Columns, DetailLevel, Entry};
 use osim_requests::options::ReportOptions;
 use osim_requests::{Inspector, ModelFeet};
 
-use super::asked::asked;
-use crate::interrupt;
 use crate::report_page::{Replace, ReportPage};
-use crate::session::Session;
 use crate::words::Words;
 
 /// Models and how they are looked at.
-pub(super) struct Survey<'s> {
+pub struct Survey<'s> {
+    /// `inspect` or `check`.
     pub verb: Verb,
+    /// The models.
     pub sources: &'s Sources,
+    /// How they are inspected.
     pub inspector: &'s Inspector,
+    /// The page that is asked for.
     pub report: &'s ReportOptions,
+    /// The words of messages.
     pub words: Words,
 }
 
-/// A model that was looked at.
-pub(super) struct Seen {
+/// A model that was inspected.
+pub struct Inspected {
+    /// The model.
     pub opened: OpenModel,
+    /// What is known of it, not spelled yet.
     pub inspection: Inspection,
 }
 
 impl Survey<'_> {
-    /// The page, if one is asked for; what could not even be listed is on it already.
+    /// The page, if one is asked for, about the call `asked`; what could not even be listed is on it already.
     ///
     /// # Errors
     /// Its name, a file that is there already, or a file that is read has that name.
-    pub(super) fn begin_page(&self, session: &Session) -> Result<Option<ReportPage>> {
+    pub fn begin_page(&self, asked: String) -> Result<Option<ReportPage>, LibraryFault> {
         let Some(path) = &self.report.report else { return Ok(None) };
         let mut conflicts = PathConflicts::default();
         self.sources.models.iter().for_each(|source| conflicts.read(source.path.as_path()));
         self.inspector.reads().iter().for_each(|path| conflicts.read(path.as_path()));
-        conflicts.write(path, "the report").map_err(|fault| session.refused(&fault))?;
+        conflicts.write(path, "the report")?;
         let shown = match (self.sources.models.as_slice(), self.sources.failures.as_slice()) {
             ([source], []) => Some(source.shown()),
             ([], [failure]) => Some(failure.model.to_string()),
             _ => None,
         };
-        let about = About::new(self.verb, shown, Columns::Inspections, asked());
+        let about = About::new(self.verb, shown, Columns::Inspections, asked);
         let replace = if self.report.force { Replace::Files } else { Replace::Never };
-        interrupt::outlive_size_limit();
         Folders::list(std::iter::once(path.as_path()), true);
-        let mut page = ReportPage::begin(path, replace, about, session)?;
+        let mut page = ReportPage::begin(path, replace, about, self.words)?;
         self.sources.failures.iter().for_each(|failure| page.add(Entry::failed(failure, self.words)));
         Ok(Some(page))
     }
@@ -61,28 +63,38 @@ impl Survey<'_> {
     ///
     /// # Errors
     /// It cannot be read.
-    pub(super) fn see(&self, source: &Source) -> Result<Seen, Failure> {
-        let loaded = Loaded::read(source, self.inspector.set_files())?;
+    pub fn inspect(&self, source: &Source) -> Result<Inspected, Failure> {
+        self.inspect_loaded(Loaded::read(source, self.inspector.set_files())?)
+    }
+
+    /// Inspects a model that was loaded.
+    ///
+    /// # Errors
+    /// It cannot be read.
+    pub fn inspect_loaded(&self, loaded: Loaded) -> Result<Inspected, Failure> {
         let opened = loaded.files.open()?;
         let inspection = self.inspector.inspect(&opened)?;
-        Ok(Seen { opened, inspection })
+        Ok(Inspected { opened, inspection })
     }
 
     /// What is wrong with it, spelled.
-    pub(super) fn check(&self, seen: &mut Seen, compiled: Option<&Finding>) -> CheckResult {
-        let mut found = self.inspector.check(&seen.opened.model, &seen.inspection, compiled);
+    pub fn check(&self, inspected: &mut Inspected, compiled: Option<&Finding>) -> CheckResult {
+        let mut found = self.inspector.check(&inspected.opened.model, &inspected.inspection, compiled);
         found.spell(self.words);
         found
     }
 
     /// The model on the page, where one is asked for.
-    pub(super) fn entry(&self, seen: &Seen, found: &CheckResult) -> Entry {
-        let files: Vec<(String, String)> =
-            seen.opened.files().map(|(name, bytes)| (name.to_owned(), osim_library::sha256(bytes))).collect();
-        let both = (&seen.inspection, found);
+    pub fn entry(&self, inspected: &Inspected, found: &CheckResult) -> Entry {
+        let files: Vec<(String, String)> = inspected
+            .opened
+            .files()
+            .map(|(name, bytes)| (name.to_owned(), osim_library::sha256(bytes)))
+            .collect();
+        let both = (&inspected.inspection, found);
         let detail = DetailLevel::of(self.sources.models.len() + self.sources.failures.len());
-        let feet = detail.has_feet().then(|| self.feet(&seen.opened)).flatten();
-        html::inspected(self.inspector.options(), &seen.opened, both, &files, (detail, feet), self.words)
+        let feet = detail.has_feet().then(|| self.feet(&inspected.opened)).flatten();
+        html::inspected(self.inspector.options(), &inspected.opened, both, &files, (detail, feet), self.words)
     }
 
     /// The feet of a model, with the bones whose meshes are at hand.

@@ -1,0 +1,87 @@
+//! The command `osim-contact-scale`: words, terminal and exit status around the libraries.
+//!
+//! Exit status: 0 all done, 1 a model failed or needs an answer, 2 wrong usage, 130 stopped by Ctrl-C.
+
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
+mod args;
+mod commands;
+mod failure;
+mod interrupt;
+mod meant;
+mod progress;
+mod session;
+mod terminal;
+mod window;
+mod words;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::FromArgMatches;
+use clap::error::ErrorKind;
+
+use args::{Cli, check_typed, command, usage_line};
+use meant::{axis_meant, figure_meant, meant};
+use session::Session;
+use terminal::{Exit, Terminal};
+use words::WORDS;
+
+/// Does what the words of the command line say.
+pub fn main() -> ExitCode {
+    let mut session = Session { terminal: Terminal::default(), words: WORDS };
+    let parsed = command()
+        .try_get_matches()
+        .and_then(|matches| Cli::from_arg_matches(&matches).map(|cli| (cli, check_typed(&matches))));
+    let exit = match parsed {
+        Ok((cli, typed)) => {
+            let done = match typed {
+                Ok(()) => commands::call(cli, &mut session),
+                Err(fault) => Err(session.usage(&fault)),
+            };
+            done.unwrap_or_else(|error| {
+                session.terminal.error_line(&format!("{error:#}"));
+                Exit::Usage
+            })
+        }
+        Err(error) => usage(&error, &mut session.terminal),
+    };
+    window::keep_open(&mut session.terminal);
+    ExitCode::from(exit.code())
+}
+
+/// What was probably meant by the words of this call, where those are what an unknown argument comes from.
+fn instead() -> Option<String> {
+    let words: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
+    let is_option = |word: &PathBuf| word.as_os_str().as_encoded_bytes().starts_with(b"-");
+    let is_verb =
+        |word: &PathBuf| word.to_str().is_some_and(|word| command().find_subcommand(word).is_some());
+    let after_verb = usize::from(words.first().is_some_and(is_verb));
+    let words = words.get(after_verb..)?;
+    let plain = words.iter().position(is_option).unwrap_or(words.len());
+    meant(words.get(..plain)?, false, WORDS).filter(|_| plain > 0 && (after_verb == 0 || plain > 1))
+}
+
+/// Help and version go to standard output; anything else is one line.
+fn usage(error: &clap::Error, terminal: &mut Terminal) -> Exit {
+    match error.kind() {
+        ErrorKind::DisplayHelp
+        | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand
+        | ErrorKind::DisplayVersion => {
+            // Nobody is left to tell if this fails.
+            let _ = error.print();
+            if error.use_stderr() { Exit::Usage } else { Exit::Done }
+        }
+        kind => {
+            let words: Vec<String> =
+                std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
+            let of_words =
+                || Some(kind).filter(|kind| *kind == ErrorKind::UnknownArgument).and_then(|_| instead());
+            let of_figure = || figure_meant(&words, WORDS);
+            let meant = axis_meant(&words, WORDS).or_else(of_figure).or_else(of_words);
+            let text = meant.unwrap_or_else(|| usage_line(error));
+            terminal.error_line(&format!("{text} (see --help)"));
+            Exit::Usage
+        }
+    }
+}

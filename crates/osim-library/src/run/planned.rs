@@ -1,0 +1,180 @@
+//! One model that is planned now and may be written later, or never: what people do who look at a change first.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use osim_model::files::{Failure, Files, ModelFiles, OpenModel};
+use osim_model::wording::{Input, phrase};
+use osim_model::{FileId, RemedyDialect};
+use osim_patch::Plan;
+use osim_requests::options::{OutputOptions, RunOptions, SetFiles};
+use osim_requests::{BeforeAfter, Change, Planner};
+
+use super::destination::Destination;
+use super::front_end::ChangedModel;
+use super::model_job::changed;
+use super::record::{Record, Status};
+use super::request::RunRequest;
+use super::settings::JobSettings;
+use super::task::Task;
+use super::writing::{PreparedFiles, Results, Written};
+use crate::digest::sha256;
+use crate::door;
+use crate::fault::{Context, LibraryFault};
+use crate::folders::Folders;
+use crate::source::{Loaded, Origin, Source};
+use crate::write::other_names;
+
+/// A model with the change that is planned for it.
+pub struct PlannedModel {
+    source: Source,
+    /// Its files, but for its own bytes.
+    files: ModelFiles,
+    opened: OpenModel,
+    origin: Origin,
+    plan: Plan,
+    planner: Arc<dyn Planner>,
+    set_files: SetFiles,
+}
+
+impl PlannedModel {
+    /// Plans `change` for the model at `path`, which was loaded; `files` has everything beside it. The plan is spelled in the words of
+    /// `dialect`. Nothing is written.
+    ///
+    /// # Errors
+    /// Those of [`Planner::plan_opened`].
+    pub fn new(
+        path: &Path,
+        loaded: Loaded,
+        change: &Change,
+        files: &dyn Files,
+        dialect: &dyn RemedyDialect,
+    ) -> Result<Self, Failure> {
+        let Loaded { files: model, origin } = loaded;
+        let kept = model.with_bytes(Vec::new());
+        let opened = model.open()?;
+        let mut plan = change.plan(&opened, files)?;
+        plan.spell(dialect);
+        Ok(Self {
+            source: Source::file(path),
+            files: kept,
+            opened,
+            origin,
+            plan,
+            planner: Arc::clone(&change.planner),
+            set_files: change.set_files.clone(),
+        })
+    }
+
+    /// The model as it is.
+    #[must_use]
+    pub fn opened(&self) -> &OpenModel {
+        &self.opened
+    }
+
+    /// What changes, spelled.
+    #[must_use]
+    pub fn plan(&self) -> &Plan {
+        &self.plan
+    }
+
+    /// The bytes of each of its files that change, the model first.
+    ///
+    /// # Errors
+    /// Edits that overlap, which would be a defect.
+    pub fn results(&self) -> Result<Vec<(FileId, Vec<u8>)>, Failure> {
+        let model = &self.opened.model;
+        let bytes = |file| Ok((file, self.plan.patched(model, file)?));
+        let all: Result<_, _> = self.plan.files(model).map(bytes).collect();
+        all.map_err(|fault| self.opened.failure(fault))
+    }
+
+    /// Shows it with both of its states, as a run shows a model that it has not written; `feet` where those are to be drawn.
+    ///
+    /// # Errors
+    /// The new model cannot be read, which would be a defect.
+    pub fn shown<T>(
+        &self,
+        (dialect, feet): (&dyn RemedyDialect, bool),
+        show: impl FnOnce(ChangedModel<'_>) -> T,
+    ) -> Result<T, Failure> {
+        let task = self.task(&OutputOptions::default());
+        let results =
+            Results::of(&task, &self.plan, &self.opened.model).map_err(|fault| self.opened.failure(fault))?;
+        let new = || changed(&task, &self.files, &results);
+        let both = BeforeAfter::of(&*self.planner, &self.opened, &self.plan, new, (dialect, feet))?;
+        let mut record = Record { status: Status::DryRun, ..Record::of_task(&task) };
+        record.planned(&self.plan);
+        let inputs: Vec<String> = self.opened.files().map(|(_, bytes)| sha256(bytes)).collect();
+        Ok(show(ChangedModel {
+            task: &task,
+            opened: &self.opened,
+            inputs: &inputs,
+            plan: &self.plan,
+            results: &results,
+            written: &Written::Nothing("planned: nothing written yet"),
+            record: &record,
+            before_after: Some(both),
+            earlier: false,
+        }))
+    }
+
+    /// Writes what was planned, as `output` says; nothing where nothing changes and no output is named. With what is to be
+    /// said of the files there.
+    ///
+    /// # Errors
+    /// An output that is standard output or one of the inputs, something there that may not be replaced, a model that changed
+    /// since it was planned and is to be changed itself, or a disk that refuses: nothing is written then.
+    pub fn write(&self, output: &OutputOptions) -> Result<(Written, Vec<String>), LibraryFault> {
+        let task = self.task(output);
+        if task.destination == Destination::Stdout {
+            return Err(LibraryFault::new(phrase![
+                "this model cannot go to standard output: name a file with ",
+                Input::Output,
+            ]));
+        }
+        let mut request = RunRequest::default();
+        request.tasks.push(task);
+        request.check_files(&RunOptions::default())?;
+        let nothing = Written::Nothing("nothing written");
+        let Some(task) = request.tasks.first() else { return Ok((nothing, Vec::new())) };
+        let outputs = task.output().into_iter().chain(task.geometry_output.as_deref());
+        let mut folders = Folders::list(outputs, true);
+        let mut remarks = folders.settle_replaced();
+        if self.plan.is_empty() && !task.asked {
+            return Ok((nothing, remarks));
+        }
+        let compiled = task.output().and_then(|path| folders.compiled_beside(path));
+        let linked = task.output().filter(|_| output.in_place).and_then(other_names);
+        remarks.extend(compiled.into_iter().chain(linked).map(|finding| finding.message.to_string()));
+        if output.in_place {
+            self.check_unchanged()?;
+        }
+        let results = Results::of(task, &self.plan, &self.opened.model)
+            .map_err(|fault| LibraryFault::new(self.opened.failure(fault).message))?;
+        let files = PreparedFiles::new(task, &self.opened, &self.origin, &results, output.force)?;
+        Ok((files.commit(&results)?, remarks))
+    }
+
+    /// A plan may be old when it is written: a model that is changed itself must still be what was planned for.
+    fn check_unchanged(&self) -> Result<(), LibraryFault> {
+        let model = (FileId::MAIN, self.source.path.as_path());
+        let geometry = self.set_files.geometry.as_deref();
+        let geometry = geometry.and_then(|path| Some((self.origin.file_at(path)?, path)));
+        std::iter::once(model).chain(geometry).try_for_each(|(file, path)| {
+            let there = door::ordinary(path).context(|| path.display())?;
+            if there == self.opened.model.file(file).bytes() {
+                return Ok(());
+            }
+            Err(LibraryFault::new(format!(
+                "{} is not what it was when this change was planned, so nothing was written: plan again",
+                path.display()
+            )))
+        })
+    }
+
+    fn task(&self, output: &OutputOptions) -> Task {
+        let settings = JobSettings::new(Arc::clone(&self.planner), self.set_files.clone(), output);
+        Task::new(self.source.clone(), output, Arc::new(settings))
+    }
+}

@@ -1,0 +1,141 @@
+//! The rows of a table as the tasks of one run.
+//!
+//! All rows are read before the first file is written, and everything that is wrong is reported at once.
+
+use std::collections::HashMap;
+use std::path::Path;
+use std::sync::Arc;
+
+use osim_model::files::Failure;
+use osim_model::wording::{Input, phrase};
+use osim_requests::options::OutputOptions;
+use osim_requests::{BatchRequest, RowFault, RowRequest, Table};
+
+use super::inside::Inside;
+use super::request::RunRequest;
+use super::settings::JobSettings;
+use super::task::Task;
+use crate::fault::LibraryFault;
+use crate::source::{OrdinaryFiles, Source};
+
+/// What the rows of a table come to.
+pub enum Rows {
+    /// Every row can be done.
+    Run(RunRequest),
+    /// These rows are wrong, so none is done.
+    Wrong(Vec<Failure>),
+}
+
+/// Reads the rows of tables, from wherever their bytes are.
+pub struct RowReader<'r> {
+    request: &'r BatchRequest,
+}
+
+impl<'r> RowReader<'r> {
+    /// A reader of rows that are done as `request` says.
+    ///
+    /// # Errors
+    /// What is asked for all rows makes sense for one model only.
+    pub fn new(request: &'r BatchRequest) -> Result<Self, LibraryFault> {
+        if request.output.output.is_some() || request.output.geometry_output.is_some() {
+            return Err(LibraryFault::new(phrase![
+                Input::Output,
+                " is for one model: give the rows a column 'output', or write all into a folder with ",
+                Input::OutputDir.like("DIR"),
+            ]));
+        }
+        Ok(Self { request })
+    }
+
+    /// Reads all rows of `table` (CSV), which messages call `name`; its paths begin in `folder`. Models are not opened yet.
+    ///
+    /// No result may replace the file that is the `manifest` of the request: `None` for a table in memory.
+    ///
+    /// # Errors
+    /// It is not a table with a column `model`, or it has no rows.
+    pub fn read(&self, table: &[u8], name: &str, folder: &Path) -> Result<Rows, LibraryFault> {
+        let Self { request } = *self;
+        // `.` in front of every path would only be in the way.
+        let folder = if folder == Path::new(".") { Path::new("") } else { folder };
+        let table = Table::read(table, folder).map_err(|fault| LibraryFault::new(fault).within(name))?;
+        let rows = TableRows {
+            table: table.answering(request.answers.yes.clone()),
+            call: &request.output,
+            inside: (!request.allow_outside)
+                .then(|| Inside::of(request.output.output_dir.as_deref().unwrap_or(folder))),
+        };
+        let (tasks, wrong) = rows.tasks(name);
+        if !wrong.is_empty() {
+            return Ok(Rows::Wrong(wrong));
+        }
+        if tasks.is_empty() {
+            return Err(LibraryFault::new(format!(
+                "{name}: no rows below the first one, which names the columns"
+            )));
+        }
+        let manifest = request.manifest.clone();
+        Ok(Rows::Run(RunRequest::of_rows("batch", tasks, manifest, request.output.force)))
+    }
+}
+
+/// Rows that only differ in model and output share what is to be done.
+type Known = HashMap<String, Arc<JobSettings>>;
+
+/// The rows of one table, and what is asked for all of them.
+struct TableRows<'r> {
+    table: Table,
+    /// Where results go, for rows that do not say.
+    call: &'r OutputOptions,
+    /// The folder that rows may write into; `None` is anywhere.
+    inside: Option<Inside>,
+}
+
+impl TableRows<'_> {
+    /// A task for each row, and what is wrong with the others of the table `name`.
+    fn tasks(&self, name: &str) -> (Vec<Task>, Vec<Failure>) {
+        let (mut tasks, mut wrong, mut known) = (Vec::new(), Vec::new(), Known::new());
+        for (row, read) in self.table.requests(self.call, &OrdinaryFiles) {
+            match read.and_then(|read| self.task(&read, &mut known)) {
+                Ok(task) => tasks.push(task),
+                Err(fault) => wrong.push(self.table.failure(name, row, &fault)),
+            }
+        }
+        (tasks, wrong)
+    }
+
+    fn task(&self, row: &RowRequest, known: &mut Known) -> Result<Task, RowFault> {
+        let column = self.table.model_column();
+        if row.model.is_dir() {
+            return Err(RowFault::of(column, "a folder, expected one model per row"));
+        }
+        if !row.model.is_file() {
+            let why =
+                if row.model.exists() { "this is not an ordinary file" } else { "there is no such file" };
+            let message = format!("{why}: {}", row.model.display());
+            return Err(RowFault::of(column, message));
+        }
+        let settings = self.settings(row, known)?;
+        let task =
+            Task::new(Source::in_table(&row.model), &row.output, settings).with_remarks(row.remarks.clone());
+        let checked =
+            self.inside.as_ref().map_or(Ok(()), |inside| inside.check(&task, &row.output, self.call));
+        checked.map_err(|(input, message)| {
+            RowFault::of(self.table.header_of(input).unwrap_or(column), message)
+        })?;
+        Ok(match usize::try_from(row.line) {
+            Ok(line) => task.of_row(line),
+            Err(_) => task,
+        })
+    }
+
+    fn settings(&self, row: &RowRequest, known: &mut Known) -> Result<Arc<JobSettings>, RowFault> {
+        let key = row.settings();
+        if let Some(settings) = known.get(&key) {
+            return Ok(Arc::clone(settings));
+        }
+        let change = self.table.prepare(row, &OrdinaryFiles)?;
+        let settings = Arc::new(JobSettings::new(change.planner, change.set_files, &row.output));
+        known.insert(key, Arc::clone(&settings));
+        Ok(settings)
+    }
+}

@@ -1,0 +1,66 @@
+//! What a page shows of one model of a run.
+
+use osim_library::Disk;
+use osim_library::run::{ChangedModel, Record};
+use osim_report::html::{self, Changed, DetailLevel, EarlierRun, Entry, Files, RowError, RunRow};
+use osim_requests::BeforeAfter;
+
+use crate::words::Words;
+
+/// What a page shows of a model that was changed, of both its states.
+#[must_use]
+pub fn entry(changed: &ChangedModel<'_>, both: BeforeAfter, detail: DetailLevel, words: Words) -> Entry {
+    let record = changed.record;
+    let names = changed.opened.files().map(|(name, _)| name.to_owned());
+    let inputs = names.zip(changed.inputs.iter().cloned());
+    let digests = [&record.sha256_output, &record.sha256_geometry_output];
+    let paths = changed.written.paths().iter().map(|path| path.display().to_string());
+    let outputs: Vec<(String, String)> = paths.zip(digests.into_iter().flatten().cloned()).collect();
+    let result = match changed.earlier {
+        true => record.status.describe().to_owned(),
+        false => changed.written.describe(),
+    };
+    let files = Files { inputs: inputs.collect(), result, outputs };
+    let mut change = Changed::new(changed.plan, (&both.before.0, &both.before.1), files);
+    change.before_under_new_weight = both.before_under_new_weight.as_ref();
+    change.after = both.after.as_ref().map(|(after, found)| (after, found));
+    change.bodies = both.bodies;
+    change.feet = both.feet;
+    if let Some(feet) = change.feet.last_mut() {
+        feet.add_bones((&changed.opened.model, &changed.task.source.path), None, &Disk);
+    }
+    change.reference = both.reference.as_ref();
+    change.in_file = !changed.written.paths().is_empty();
+    change.target_gravity_m_s2 = both.target_gravity_m_s2;
+    let entry = html::changed(&row(record), change, detail, words);
+    if changed.earlier { entry.of_earlier_run() } else { entry }
+}
+
+/// A model of which there is nothing but its line in the summary.
+#[must_use]
+pub fn bare_entry(record: &Record, earlier: bool) -> Entry {
+    if !earlier {
+        let error = record.error_code.as_ref().zip(record.error.as_ref());
+        let error = error.map(|(code, message)| {
+            RowError::new(code.as_str(), message.as_str()).at(record.line, record.column)
+        });
+        return Entry::of_row(&row(record), error.as_ref());
+    }
+    let mut left = EarlierRun::default();
+    left.radius_factor = record.radius_factor;
+    left.stiffness_factor = record.stiffness_factor;
+    left.dissipation_factor = record.dissipation_factor;
+    left.unequal_factors = record.unequal_factors.split(' ').map(str::to_owned).collect();
+    left.warnings = record.warnings.split_ascii_whitespace().count();
+    Entry::left_by_earlier_run(&row(record), &left)
+}
+
+fn row(record: &Record) -> RunRow {
+    let mut row = RunRow::new(record.model.as_str(), record.status.describe());
+    row.row = record.row;
+    row.output.clone_from(&record.output);
+    row.contacts_mass_from_kg = record.contacts_mass_from_kg;
+    row.contacts_mass_to_kg = record.contacts_mass_to_kg;
+    row.changes = record.changes;
+    row
+}
