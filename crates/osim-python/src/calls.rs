@@ -1,0 +1,116 @@
+//! Verbs that compute and change nothing.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use osim_model::Property;
+use osim_report::dialect::Python as PythonWords;
+use osim_report::explain::{Letters, answer};
+use osim_report::messages::mass_mismatch;
+use osim_report::reproduce::{ReproductionRecord, fig1_text, reproduction_text};
+use osim_report::results::{
+    DropRecord, FitRecord, PresetRecord, design_sheet_text, drop_text, fit_text, preset_text,
+};
+use osim_requests::Request;
+use pyo3::prelude::*;
+use pyo3::pybacked::PyBackedBytes;
+use pyo3::types::PyDict;
+use serde_json::{Map, Value};
+
+use crate::files::RequestFiles;
+use crate::guard::{dictionary, fields_of, guarded};
+use crate::problem::Problem;
+
+/// A record and its text.
+type Answer<'py> = (Bound<'py, PyAny>, String);
+
+/// The request of one verb.
+macro_rules! request {
+    ($verb:ident, $fields:expr) => {
+        match Request::from_map($fields)? {
+            Request::$verb(request) => *request,
+            other => return Err(unexpected(&other)),
+        }
+    };
+}
+
+fn unexpected(request: &Request) -> Problem {
+    Problem::defect(format!("a request for {} came where none is taken", request.verb().name()))
+}
+
+/// `design` without a model: the quantities, and their text.
+#[pyfunction]
+pub(crate) fn calculate<'py>(py: Python<'py>, fields: &Bound<'py, PyDict>) -> PyResult<Answer<'py>> {
+    let fields = fields_of(fields)?;
+    let sheet = guarded(py, || Ok(request!(Design, fields).calculate()?))?;
+    Ok((dictionary(py, &sheet)?, design_sheet_text(&sheet)))
+}
+
+/// `drop-test`: the drop, its text, and what is to be said of masses.
+#[pyfunction]
+pub(crate) fn drop_test<'py>(
+    py: Python<'py>,
+    fields: &Bound<'py, PyDict>,
+    memory: BTreeMap<PathBuf, PyBackedBytes>,
+) -> PyResult<(Bound<'py, PyAny>, String, Vec<String>)> {
+    let fields = fields_of(fields)?;
+    let drop = guarded(py, || Ok(request!(DropTest, fields).run(&RequestFiles::given(&memory, true))?))?;
+    let mismatches = drop.mismatches.iter();
+    let remarks = mismatches.map(|(name, mismatch)| mass_mismatch(name, mismatch, &PythonWords)).collect();
+    Ok((dictionary(py, &DropRecord::from(&drop))?, drop_text(&drop), remarks))
+}
+
+/// `fit`: the parameters found, and their text.
+#[pyfunction]
+pub(crate) fn fit<'py>(
+    py: Python<'py>,
+    fields: &Bound<'py, PyDict>,
+    memory: BTreeMap<PathBuf, PyBackedBytes>,
+) -> PyResult<Answer<'py>> {
+    let fields = fields_of(fields)?;
+    let fit = guarded(py, || Ok(request!(Fit, fields).run(&RequestFiles::given(&memory, true))?))?;
+    Ok((dictionary(py, &FitRecord::from(&fit))?, fit_text(&fit, &PythonWords)))
+}
+
+/// `presets`: each with its text.
+#[pyfunction]
+pub(crate) fn presets<'py>(py: Python<'py>, fields: &Bound<'py, PyDict>) -> PyResult<Vec<Answer<'py>>> {
+    let fields = fields_of(fields)?;
+    let presets =
+        guarded(py, || Ok(request!(Presets, fields).find(&RequestFiles::given(&BTreeMap::new(), true))?))?;
+    presets
+        .iter()
+        .map(|preset| Ok((dictionary(py, &PresetRecord::from(preset))?, preset_text(preset))))
+        .collect()
+}
+
+/// `explain`: the text, and one JSON object per line with the same.
+#[pyfunction]
+pub(crate) fn explain(py: Python<'_>, fields: &Bound<'_, PyDict>) -> PyResult<(String, String)> {
+    let fields = fields_of(fields)?;
+    guarded(py, || {
+        let said = |format: Option<&str>| {
+            let mut fields: Map<String, Value> = fields.clone();
+            fields.extend(format.map(|format| ("format".to_owned(), format.into())));
+            let request = request!(Explain, fields);
+            answer(&request, Letters::Unicode, &PythonWords)
+                .map_err(|unknown| Problem::general("RequestError", "usage", unknown.message(&PythonWords)))
+        };
+        Ok((said(None)?, said(Some("json"))?))
+    })
+}
+
+/// `reproduce`: what the paper prints and what its equations give, and its text.
+#[pyfunction]
+pub(crate) fn reproduce<'py>(py: Python<'py>) -> PyResult<Answer<'py>> {
+    let record = guarded(py, || Ok(ReproductionRecord::new(&PythonWords)?))?;
+    let text = format!("{}\n{}", reproduction_text(&record), fig1_text(&record));
+    Ok((dictionary(py, &record)?, text))
+}
+
+/// The SI unit of each property by OpenSim's name, and of `location`; "" where it has none.
+#[pyfunction]
+pub(crate) fn units() -> BTreeMap<&'static str, &'static str> {
+    let own = Property::ALL.iter().map(|property| (property.name(), property.unit()));
+    own.chain([("location", "m")]).collect()
+}

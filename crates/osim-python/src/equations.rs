@@ -1,0 +1,152 @@
+//! The equations for arrays: Python broadcasts, and hands over the bytes of its numbers.
+
+use pyo3::exceptions::PyOverflowError;
+use pyo3::prelude::*;
+use pyo3::pybacked::PyBackedBytes;
+use pyo3::types::PyByteArray;
+
+use crate::guard::guarded;
+use crate::problem::Problem;
+use crate::scaling::{
+    Failure, MEAN_SQUARE_RADIUS, OF_SPHERES, Parameter, RULES, all, continuation_steps, rule,
+};
+
+/// Where the place of an element goes in a message; only Python knows the shapes of its arrays.
+const PLACE: &str = "{}";
+
+/// A refusal: the argument, the element of the flattened array, and the message with `{}` for its place.
+type Refusal = (Option<&'static str>, Option<usize>, String);
+
+/// A function: its name, what it takes (`numbers`, `list`, `spheres`), its arguments with their defaults, whether it takes a rule, and
+/// its docstring.
+type Described = (&'static str, &'static str, Vec<(&'static str, Option<f64>)>, bool, String);
+
+/// Every function of `osim_contact_scale.scaling`, in the order of the paper.
+#[pyfunction]
+pub(crate) fn equations() -> Vec<Described> {
+    let named =
+        |parameters: &[Parameter]| parameters.iter().map(|one| (one.name, one.default)).collect::<Vec<_>>();
+    let mut described: Vec<Described> = all()
+        .map(|one| (one.name, "numbers", named(one.parameters), one.takes_rule(), one.docstring()))
+        .collect();
+    let list = MEAN_SQUARE_RADIUS;
+    described.push((list.name, "list", named(&[list.parameter]), false, list.docstring()));
+    let spheres = OF_SPHERES.iter();
+    described.extend(spheres.map(|one| (one.name, "spheres", named(one.spheres), false, one.docstring())));
+    described
+}
+
+/// The names of the rules for the modulus of two surfaces; the first is the usual one.
+#[pyfunction]
+pub(crate) fn mixing_rules() -> Vec<&'static str> {
+    RULES.iter().map(|(name, _)| *name).collect()
+}
+
+/// What an equation gives, or why it gives nothing.
+type Given<T> = (Option<T>, Option<Refusal>);
+
+/// The values of an equation for rows of arguments, as bytes of float64.
+#[pyfunction]
+pub(crate) fn equation<'py>(
+    py: Python<'py>,
+    name: &str,
+    rule_name: Option<&str>,
+    columns: Vec<PyBackedBytes>,
+) -> PyResult<Given<Bound<'py, PyByteArray>>> {
+    let values = guarded(py, || {
+        let Some(function) = all().find(|one| one.name == name) else { return Err(unknown(name)) };
+        let Some(rule) = rule(rule_name.unwrap_or(OPENSIM)) else { return Err(no_rule(rule_name)) };
+        let columns: Vec<Vec<f64>> = columns.iter().map(|column| floats(column)).collect();
+        let columns: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
+        Ok(function.values(rule, &columns))
+    })?;
+    Ok(match values {
+        Ok(values) => (Some(bytes(py, &values)), None),
+        Err(failure) => (None, Some(refusal(&failure))),
+    })
+}
+
+/// The value of an equation over spheres: a list for each argument, and their heights where they are not level. Of one over a list
+/// alone there is no load.
+#[pyfunction]
+pub(crate) fn equation_of_list(
+    py: Python<'_>,
+    name: &str,
+    columns: Vec<PyBackedBytes>,
+    heights: Option<PyBackedBytes>,
+    load: f64,
+) -> PyResult<Given<f64>> {
+    let value = guarded(py, || {
+        let columns: Vec<Vec<f64>> = columns.iter().map(|column| floats(column)).collect();
+        let columns: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
+        if name == MEAN_SQUARE_RADIUS.name {
+            return Ok(MEAN_SQUARE_RADIUS.value(columns.first().copied().unwrap_or_default()));
+        }
+        let Some(function) = OF_SPHERES.iter().find(|one| one.name == name) else {
+            return Err(unknown(name));
+        };
+        Ok(function.value(&columns, heights.as_ref().map(|heights| floats(heights)).as_deref(), load))
+    })?;
+    Ok(match value {
+        Ok(value) => (Some(value), None),
+        Err(failure) => (None, Some(refusal(&failure))),
+    })
+}
+
+/// Dimensionless stiffness, factor of the modulus, factor of the dissipation.
+type Columns = (Vec<f64>, Vec<f64>, Vec<f64>);
+
+/// Steps that are worked out at most. Each of them is an optimisation: nobody runs more.
+const MOST_STEPS: u32 = 10_000;
+
+/// The steps from soft contacts to stiff ones.
+#[pyfunction]
+pub(crate) fn steps(
+    py: Python<'_>,
+    first: f64,
+    last: f64,
+    dissipation_ratio: f64,
+    count: &Bound<'_, PyAny>,
+) -> PyResult<Given<Columns>> {
+    let count = match count.extract::<u32>() {
+        Ok(count) if count <= MOST_STEPS => count,
+        Err(error) if !error.is_instance_of::<PyOverflowError>(py) => return Err(error),
+        _ => {
+            let message = format!("count is out of range, expected a whole number from 2 to {MOST_STEPS}");
+            return Ok((None, Some((Some("count"), None, message))));
+        }
+    };
+    Ok(match guarded(py, || Ok(continuation_steps(first, last, dissipation_ratio, count)))? {
+        Ok(ladder) => {
+            let columns = (ladder.dimensionless_stiffness, ladder.modulus_factor, ladder.dissipation_factor);
+            (Some(columns), None)
+        }
+        Err(failure) => (None, Some(refusal(&failure))),
+    })
+}
+
+/// The rule that OpenSim has, where none is named.
+const OPENSIM: &str = RULES[0].0;
+
+fn no_rule(name: Option<&str>) -> Problem {
+    let message =
+        format!("rule={:?}: expected one of {}", name.unwrap_or_default(), mixing_rules().join(", "));
+    Problem::general("RequestError", "usage", message)
+}
+
+fn unknown(name: &str) -> Problem {
+    Problem::defect(format!("there is no equation {name}"))
+}
+
+fn refusal(failure: &Failure) -> Refusal {
+    (failure.parameter, failure.index, failure.message(if failure.index.is_some() { PLACE } else { "" }))
+}
+
+fn floats(bytes: &[u8]) -> Vec<f64> {
+    let (numbers, _) = bytes.as_chunks::<8>();
+    numbers.iter().map(|number| f64::from_ne_bytes(*number)).collect()
+}
+
+fn bytes<'py>(py: Python<'py>, values: &[f64]) -> Bound<'py, PyByteArray> {
+    PyByteArray::new(py, &values.iter().flat_map(|value| value.to_ne_bytes()).collect::<Vec<u8>>())
+}

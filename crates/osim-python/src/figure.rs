@@ -1,0 +1,97 @@
+//! `plot`: a figure as SVG, PDF or PNG, and its numbers.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use contact_plots::{Drawing, PlotError};
+use osim_figures as figures;
+use osim_inspect::series::Body;
+use osim_model::wording::Input;
+use osim_report::dialect::Python as PythonWords;
+use osim_requests::{PlotRequest, Request, RequestFault};
+use pyo3::prelude::*;
+use pyo3::pybacked::PyBackedBytes;
+use pyo3::types::PyDict;
+
+use crate::files::RequestFiles;
+use crate::guard::{fields_of, guarded};
+use crate::problem::Problem;
+
+/// A figure.
+#[pyclass(frozen, module = "osim_contact_scale._native")]
+pub(crate) struct Figure {
+    /// The figure as an SVG document.
+    #[pyo3(get)]
+    svg: String,
+    /// What is to be said beside it.
+    #[pyo3(get)]
+    notes: String,
+    title: String,
+    /// The numbers that are drawn, as CSV.
+    #[pyo3(get)]
+    csv: String,
+    dpi: f32,
+}
+
+/// Draws the figure of a request.
+#[pyfunction]
+pub(crate) fn plot(
+    py: Python<'_>,
+    fields: &Bound<'_, PyDict>,
+    memory: BTreeMap<PathBuf, PyBackedBytes>,
+) -> PyResult<Figure> {
+    let fields = fields_of(fields)?;
+    guarded(py, move || {
+        let files = RequestFiles::given(&memory, true);
+        let Request::Plot(request) = Request::from_map(fields)? else {
+            return Err(Problem::defect("a request for another verb".to_owned()));
+        };
+        request.check_models()?;
+        let (drawing, bodies, notes) = drawn(&request, &files)?;
+        let svg = figures::svg(&drawing, figures::paper(&request.looks), &bodies)?;
+        let csv = figures::data_csv(&drawing).map_err(|error| Problem::defect(error.to_string()))?;
+        let csv = String::from_utf8(csv).map_err(|error| Problem::defect(error.to_string()))?;
+        Ok(Figure {
+            svg,
+            notes,
+            title: drawing.title().to_owned(),
+            csv,
+            dpi: f32::from(request.looks.dpi.get()),
+        })
+    })
+}
+
+fn drawn(request: &PlotRequest, files: &RequestFiles) -> Result<(Drawing, Vec<Body>, String), Problem> {
+    if request.is_of_feet() {
+        let states = request.feet(files)?;
+        let drawing = figures::draw_feet(request, &states)?;
+        return Ok((drawing, Vec::new(), figures::feet_notes(&states, &PythonWords)));
+    }
+    let table = request.table(files)?;
+    let bodies = request.bodies(files)?;
+    let drawing = figures::draw(request, &bodies, table.as_ref())?;
+    let notes = figures::weights(&bodies, &PythonWords);
+    Ok((drawing, bodies, notes))
+}
+
+#[pymethods]
+impl Figure {
+    /// The figure as a PDF document.
+    fn pdf(&self, py: Python<'_>) -> PyResult<Vec<u8>> {
+        guarded(py, || {
+            contact_plots::pdf(&self.svg, &self.title).map_err(|error| Problem::defect(error.to_string()))
+        })
+    }
+
+    /// The figure as a PNG picture, with so many pixels to the inch as the request says.
+    fn png(&self, py: Python<'_>) -> PyResult<Vec<u8>> {
+        guarded(py, || {
+            contact_plots::png(&self.svg, self.dpi).map_err(|error| match error {
+                PlotError::TooManyPixels { .. } => {
+                    RequestFault::refused(Input::Dpi, error.to_string()).into()
+                }
+                error => Problem::defect(error.to_string()),
+            })
+        })
+    }
+}

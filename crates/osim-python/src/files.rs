@@ -1,0 +1,79 @@
+//! Files of a request: models in memory, then the disk; what was read is kept, so that a result can travel without its disk.
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use osim_library::Disk;
+use osim_model::files::{FileError, Files};
+use pyo3::pybacked::PyBackedBytes;
+
+/// Bytes by their names.
+pub(crate) type Memory = BTreeMap<PathBuf, Vec<u8>>;
+
+/// Memory first, then the disk where that is allowed.
+#[derive(Debug)]
+pub(crate) struct RequestFiles {
+    memory: Memory,
+    with_disk: bool,
+    read: RefCell<Memory>,
+}
+
+impl RequestFiles {
+    pub(crate) fn new(memory: Memory, with_disk: bool) -> Self {
+        Self { memory, with_disk, read: RefCell::default() }
+    }
+
+    /// Files that Python gave, by name; what is not among them is on the disk, if `with_disk`.
+    pub(crate) fn given(memory: &BTreeMap<PathBuf, PyBackedBytes>, with_disk: bool) -> Self {
+        Self::new(memory.iter().map(|(path, bytes)| (path.clone(), bytes.to_vec())).collect(), with_disk)
+    }
+
+    /// A file in memory.
+    pub(crate) fn in_memory(&self, path: &Path) -> Option<&Vec<u8>> {
+        self.memory.get(path)
+    }
+
+    /// All files in memory.
+    pub(crate) fn memory(&self) -> &Memory {
+        &self.memory
+    }
+
+    /// Everything that was read.
+    pub(crate) fn into_read(self) -> Memory {
+        self.read.into_inner()
+    }
+
+    fn kept(&self, path: &Path, bytes: Vec<u8>) -> Vec<u8> {
+        self.read.borrow_mut().insert(path.to_owned(), bytes.clone());
+        bytes
+    }
+
+    fn remembered(&self, path: &Path) -> Option<Result<Vec<u8>, FileError>> {
+        match self.memory.get(path) {
+            Some(bytes) => Some(Ok(self.kept(path, bytes.clone()))),
+            None if path.as_os_str() == "-" => {
+                let message = "a Python program has no model on its standard input: give a path, bytes or an opensim.Model";
+                Some(Err(FileError::new(message)))
+            }
+            None if !self.with_disk => {
+                Some(Err(FileError::new(format!("{} did not come along", path.display()))))
+            }
+            None => None,
+        }
+    }
+}
+
+impl Files for RequestFiles {
+    fn read(&self, path: &Path) -> Result<Vec<u8>, FileError> {
+        self.remembered(path).unwrap_or_else(|| Disk.read(path).map(|bytes| self.kept(path, bytes)))
+    }
+
+    fn read_included(&self, path: &Path) -> Result<Vec<u8>, FileError> {
+        self.remembered(path).unwrap_or_else(|| Disk.read_included(path).map(|bytes| self.kept(path, bytes)))
+    }
+
+    fn exists(&self, path: &Path) -> bool {
+        self.memory.contains_key(path) || self.with_disk && Disk.exists(path)
+    }
+}

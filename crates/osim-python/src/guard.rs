@@ -1,0 +1,75 @@
+//! From Python into Rust and back: without the GIL, and without ending the interpreter.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use osim_requests::RequestFault;
+use pyo3::exceptions::{PyException, PyOverflowError};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+use crate::problem::Problem;
+
+/// Does `work` while other threads of Python run. A panic, which would be a defect, is an exception like any other.
+///
+/// # Errors
+/// What went wrong, or Ctrl-C.
+pub(crate) fn guarded<T: Send>(
+    py: Python<'_>,
+    work: impl FnOnce() -> Result<T, Problem> + Send,
+) -> PyResult<T> {
+    let done = py.detach(|| catch_unwind(AssertUnwindSafe(work)));
+    let done = done.unwrap_or_else(|panic| {
+        let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
+        let text = text.or_else(|| panic.downcast_ref::<String>().cloned());
+        Err(Problem::defect(text.unwrap_or_else(|| "no message".to_owned())))
+    });
+    // Ctrl-C that came meanwhile goes before any result.
+    py.check_signals()?;
+    done.map_err(|problem| problem.into_error(py))
+}
+
+/// The fields of a request.
+///
+/// # Errors
+/// A value that no request can hold, such as a number that is too large.
+pub(crate) fn fields_of(fields: &Bound<'_, PyDict>) -> PyResult<Map<String, Value>> {
+    let mut all = Map::new();
+    for (name, value) in fields {
+        let name: String = name.extract()?;
+        let value = pythonize::depythonize(&value).map_err(|error| not_taken(&name, &value, error.into()))?;
+        all.insert(name, value);
+    }
+    Ok(all)
+}
+
+/// Why no request can hold `value`.
+fn not_taken(name: &str, value: &Bound<'_, PyAny>, error: PyErr) -> PyErr {
+    let py = value.py();
+    if !error.is_instance_of::<PyException>(py) {
+        return error;
+    }
+    let text = error.value(py).to_string();
+    let too_large = error.is_instance_of::<PyOverflowError>(py) || text.contains("out of range");
+    let reason =
+        if too_large { "a whole number is too large, expected less than 1e19".to_owned() } else { text };
+    // The digits of a large number would say nothing, and Python refuses to write thousands of them.
+    let value = if too_large { "...".to_owned() } else { value.to_string() };
+    Problem::from(RequestFault::BadValue { field: name.to_owned(), value, reason }).into_error(py)
+}
+
+/// A record as a dictionary: every number is the float that the JSON has.
+///
+/// # Errors
+/// None in practice: records are made of texts, numbers and lists.
+pub(crate) fn dictionary<'py>(py: Python<'py>, record: &impl Serialize) -> PyResult<Bound<'py, PyAny>> {
+    Ok(pythonize::pythonize(py, record)?)
+}
+
+/// A panic, for the test that no panic ends an interpreter.
+#[pyfunction]
+#[allow(clippy::panic, reason = "that is what it is for")]
+pub(crate) fn defect(py: Python<'_>) -> PyResult<()> {
+    guarded(py, || panic!("asked for by a test"))
+}

@@ -1,0 +1,57 @@
+//! What is Rust of the Python package `osim_contact_scale`: its module `_native`.
+//!
+//! It binds and computes nothing itself. Requests come in as dictionaries, results go out as dictionaries in which every number
+//! is the float that the command writes. While Rust works, other threads of Python run.
+//!
+//! # What it will not do
+//!
+//! It knows no pandas, no notebook and no opensim: those are Python's, in `python/osim_contact_scale/`.
+
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+#![allow(clippy::needless_pass_by_value, reason = "arguments from Python come by value")]
+
+mod calls;
+mod equations;
+mod figure;
+mod files;
+mod guard;
+mod outputs;
+mod planned;
+mod problem;
+mod progress;
+mod runs;
+mod scaling;
+mod surveyed;
+mod sweeps;
+
+use pyo3::prelude::*;
+
+/// The Rust half of `osim_contact_scale`.
+#[pymodule(gil_used = false)]
+mod _native {
+    use pyo3::prelude::*;
+
+    #[pymodule_export]
+    use crate::calls::{calculate, drop_test, explain, fit, presets, reproduce, units};
+    #[pymodule_export]
+    use crate::equations::{equation, equation_of_list, equations, mixing_rules, steps};
+    #[pymodule_export]
+    use crate::figure::{Figure, plot};
+    #[pymodule_export]
+    use crate::guard::defect;
+    #[pymodule_export]
+    use crate::outputs::write_file;
+    #[pymodule_export]
+    use crate::planned::{Planned, plan};
+    #[pymodule_export]
+    use crate::runs::{change_many, rescale_many};
+    #[pymodule_export]
+    use crate::surveyed::survey;
+    #[pymodule_export]
+    use crate::sweeps::sweep;
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("VERSION", env!("CARGO_PKG_VERSION"))
+    }
+}

@@ -1,0 +1,224 @@
+//! One model with the change that is planned for it.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use osim_library::Loaded;
+use osim_library::Source;
+use osim_library::run::{PlannedModel, Written};
+use osim_model::wording::Verb;
+use osim_model::{Credits, Document, FileId};
+use osim_report::dialect::{JsonRequest, Python as PythonWords};
+use osim_report::html::{About, Columns, DetailLevel, InMemory, Kept, Page};
+use osim_report::json::PlanRecord;
+use osim_report::plan as plan_text;
+use osim_requests::options::OutputOptions;
+use osim_requests::{Change, Request};
+use osim_runs::{Words, entry};
+use pyo3::prelude::*;
+use pyo3::pybacked::PyBackedBytes;
+use pyo3::types::{PyBytes, PyDict, PyList};
+use serde_json::{Map, Value};
+
+use crate::files::{Memory, RequestFiles};
+use crate::guard::{dictionary, fields_of, guarded};
+use crate::problem::Problem;
+
+/// The words of all messages.
+pub(crate) static WORDS: Words = &PythonWords;
+
+/// What `check` finds in a state of a model, and the request that puts each finding right.
+type Checked<'py> = (Bound<'py, PyAny>, Vec<Option<String>>);
+
+/// A model with the change that is planned for it: everything that is known of it, and its writing.
+#[pyclass(frozen, module = "osim_contact_scale._native")]
+pub(crate) struct Planned {
+    model: PlannedModel,
+    path: PathBuf,
+    /// The request.
+    fields: Map<String, Value>,
+    /// Files that were read beside the model.
+    beside: Memory,
+}
+
+/// Plans a change of one model. `fields` are those of its request; `memory` has the bytes of what has no file, by name.
+#[pyfunction]
+pub(crate) fn plan(
+    py: Python<'_>,
+    fields: &Bound<'_, PyDict>,
+    memory: BTreeMap<PathBuf, PyBackedBytes>,
+    with_disk: bool,
+) -> PyResult<Planned> {
+    let fields = fields_of(fields)?;
+    guarded(py, move || {
+        let files = RequestFiles::given(&memory, with_disk);
+        let change = Request::from_map(fields.clone())?.prepare(&files)?;
+        let [path] = change.models.as_slice() else {
+            return Err(Problem::general("RequestError", "usage", "expected one model"));
+        };
+        let path = path.clone();
+        let loaded = load(&path, &change, &files)?;
+        let model = PlannedModel::new(&path, loaded, &change, &files, &PythonWords)?;
+        Ok(Planned { model, path, fields, beside: files.into_read() })
+    })
+}
+
+/// Where results go, checked as a part of a request that says nothing else.
+fn checked_output(mut fields: Map<String, Value>) -> Result<OutputOptions, Problem> {
+    fields.insert("models".to_owned(), "model.osim".into());
+    match Request::read(Verb::Remove, fields)? {
+        Request::Remove(request) => Ok(request.output),
+        other => Err(Problem::defect(format!("a request for {}", other.verb().name()))),
+    }
+}
+
+impl Planned {
+    /// A model that is changed itself may not take the same factor twice, which its plan did not know.
+    fn check_in_place(&self, output: &OutputOptions) -> Result<(), Problem> {
+        if !output.in_place || output.force {
+            return Ok(());
+        }
+        let mut fields = self.fields.clone();
+        fields.insert("in_place".to_owned(), true.into());
+        let files = RequestFiles::new(self.beside.clone(), false);
+        let change = Request::from_map(fields)?.prepare(&files)?;
+        Ok(change.plan(self.model.opened(), &files).map(|_| ())?)
+    }
+}
+
+/// A model from memory, or from the disk as it is there now.
+fn load(path: &Path, change: &Change, files: &RequestFiles) -> Result<Loaded, Problem> {
+    Ok(match files.in_memory(path) {
+        Some(bytes) => Loaded::in_memory(path, bytes.clone(), &change.set_files, files)?,
+        None if path.is_dir() => {
+            let folder = path.display();
+            let message = format!(
+                "{folder} is a folder: name one model, or change all in it by ocs.many(\"rescale\", folder, ...)"
+            );
+            return Err(Problem::general("RequestError", "usage", message));
+        }
+        None => Loaded::read_beside(&Source::file(path), &change.set_files, files.memory())?,
+    })
+}
+
+#[pymethods]
+impl Planned {
+    /// What changes, as the JSON of the command has it.
+    fn record<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        dictionary(py, &PlanRecord::new(self.model.plan(), &self.path, None, None))
+    }
+
+    /// What changes, as the command prints it.
+    fn text(&self) -> String {
+        plan_text::text(self.model.plan(), self.model.opened().name(), "nothing written yet")
+    }
+
+    /// The changes as a unified diff; `output` is how the new model is called in it.
+    fn diff(&self, py: Python<'_>, output: Option<String>) -> PyResult<String> {
+        guarded(py, || {
+            let opened = self.model.opened();
+            let each = self.model.results()?.into_iter().map(|(file, bytes)| {
+                let old_name = opened.name_of(file);
+                let new_name = output.as_deref().filter(|_| file == FileId::MAIN).unwrap_or(old_name);
+                plan_text::unified_diff(opened.model.file(file).bytes(), &bytes, old_name, new_name)
+            });
+            Ok(each.collect())
+        })
+    }
+
+    /// The bytes of each file that changes, the model first, with its name.
+    fn results<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
+        let results = guarded(py, || Ok(self.model.results()?))?;
+        let opened = self.model.opened();
+        let each = results.iter().map(|(file, bytes)| (opened.name_of(*file), PyBytes::new(py, bytes)));
+        PyList::new(py, each.collect::<Vec<_>>())
+    }
+
+    /// The bytes of the model as it is.
+    fn old<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
+        PyBytes::new(py, self.model.opened().model.file(FileId::MAIN).bytes())
+    }
+
+    /// The bytes of every file that was read, by name: from these the same plan can be made without a disk.
+    fn read<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let files = PyDict::new(py);
+        for (path, bytes) in &self.beside {
+            files.set_item(path, PyBytes::new(py, bytes))?;
+        }
+        let opened = self.model.opened();
+        let companions = opened.files().skip(1).map(|(name, bytes)| (Path::new(name), bytes));
+        for (path, bytes) in
+            companions.chain(opened.files().take(1).map(|(_, bytes)| (self.path.as_path(), bytes)))
+        {
+            files.set_item(path, PyBytes::new(py, bytes))?;
+        }
+        Ok(files)
+    }
+
+    /// The credits of the new model, as OpenSim reads them; none where it has none.
+    fn credits(&self, py: Python<'_>) -> PyResult<Option<String>> {
+        guarded(py, || {
+            let Some((_, bytes)) = self.model.results()?.into_iter().next() else { return Ok(None) };
+            let document = Document::parse(bytes).map_err(|fault| self.model.opened().failure(fault))?;
+            let credits = Credits::of(&document).map_err(|fault| self.model.opened().failure(fault))?;
+            Ok(credits.map(|credits| credits.text().to_owned()))
+        })
+    }
+
+    /// What `check` finds in the model before and after: two results, each as the JSON of the command has it, and the requests
+    /// that put the findings right.
+    fn checked<'py>(&self, py: Python<'py>) -> PyResult<Vec<Checked<'py>>> {
+        let both = guarded(py, || {
+            let both = self.model.shown((&PythonWords, false), |changed| changed.before_after)?;
+            let Some(both) = both else { return Ok(Vec::new()) };
+            let after = both.after.map(|(_, found)| found);
+            Ok(std::iter::once(both.before.1).chain(after).collect::<Vec<_>>())
+        })?;
+        both.into_iter()
+            .map(|found| {
+                let record = dictionary(py, &found)?;
+                let mut as_requests = found;
+                as_requests.spell(&JsonRequest);
+                let requests = as_requests.findings.into_iter().map(|finding| finding.command).collect();
+                Ok((record, requests))
+            })
+            .collect()
+    }
+
+    /// The page of a report about this change, as HTML; `call` is what was called, for those who want to do it again.
+    fn page(&self, py: Python<'_>, verb: &str, call: String) -> PyResult<String> {
+        guarded(py, || {
+            let detail = DetailLevel::of(1);
+            let entry = self.model.shown((&PythonWords, detail.has_feet()), |mut changed| {
+                let both = changed.before_after.take();
+                both.map(|both| entry(&changed, both, detail, WORDS))
+            })?;
+            let verb = Verb::ALL.iter().copied().find(|known| known.name() == verb).unwrap_or(Verb::Set);
+            let name = self.model.opened().name().to_string();
+            let about = About::new(verb, Some(name), Columns::Changes, call);
+            let mut page = Page::new(about, Kept::<InMemory>::default(), WORDS);
+            entry.into_iter().for_each(|entry| page.add(entry));
+            let mut bytes = Vec::new();
+            page.finish(&mut bytes).map_err(|error| Problem::defect(error.to_string()))?;
+            String::from_utf8(bytes).map_err(|error| Problem::defect(error.to_string()))
+        })
+    }
+
+    /// Writes the files, as the fields of an output say: their names, and what is to be said of them.
+    fn write(
+        &self,
+        py: Python<'_>,
+        fields: &Bound<'_, PyDict>,
+    ) -> PyResult<(Vec<PathBuf>, Vec<PathBuf>, Vec<String>)> {
+        let output = fields_of(fields)?;
+        guarded(py, || {
+            let output = checked_output(output)?;
+            self.check_in_place(&output)?;
+            let (written, remarks) = self.model.write(&output)?;
+            Ok(match written {
+                Written::Files { paths, kept } => (paths, kept, remarks),
+                _ => (Vec::new(), Vec::new(), remarks),
+            })
+        })
+    }
+}

@@ -1,0 +1,161 @@
+//! What went wrong, as an exception of Python's.
+
+use std::ffi::OsString;
+
+use osim_library::LibraryFault;
+use osim_model::files::Failure;
+use osim_model::wording::{Dialect, Input, Part, Phrase, Verb, phrase};
+use osim_report::dialect::Python as PythonWords;
+use osim_requests::{RequestError, RequestFault};
+use pyo3::exceptions::{PyException, PyRuntimeError};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// The module with the classes of exceptions.
+const MODULE: &str = "osim_contact_scale._errors";
+
+/// What went wrong, before it is an exception.
+#[derive(Debug)]
+pub(crate) struct Problem {
+    class: &'static str,
+    code: &'static str,
+    message: String,
+    /// The file, as it was named.
+    path: Option<OsString>,
+    line: Option<usize>,
+    column: Option<usize>,
+    /// The line of the file.
+    excerpt: Option<String>,
+    /// Keywords that the message names, in its order.
+    keywords: Vec<String>,
+    /// An exception that was there already.
+    raised: Option<PyErr>,
+}
+
+impl Problem {
+    /// Something of no model.
+    pub(crate) fn general(class: &'static str, code: &'static str, message: impl Into<Phrase>) -> Self {
+        let message = message.into();
+        Self {
+            class,
+            code,
+            message: message.spelled(&PythonWords),
+            path: None,
+            line: None,
+            column: None,
+            excerpt: None,
+            keywords: keywords(&message),
+            raised: None,
+        }
+    }
+
+    /// A defect of this program.
+    pub(crate) fn defect(message: String) -> Self {
+        let text = format!("this is a defect of osim-contact-scale, please report it: {message}");
+        Self { message: text, ..Self::general("ContactScaleError", "internal", "") }
+    }
+
+    /// Rows of a table that are wrong: nothing was written.
+    pub(crate) fn rows(wrong: &[Failure]) -> Self {
+        const SHOWN: usize = 20;
+        let line =
+            |failure: &Failure| format!("{}: {}", failure.model, failure.message.spelled(&PythonWords));
+        let mut lines: Vec<String> = wrong.iter().take(SHOWN).map(line).collect();
+        if wrong.len() > SHOWN {
+            lines.push(format!("and {} more", wrong.len() - SHOWN));
+        }
+        let rows = if wrong.len() == 1 { "1 row is".to_owned() } else { format!("{} rows are", wrong.len()) };
+        // Each line is harmless by itself; as one text, their ends would be shown as numbers.
+        let message = format!("{rows} wrong, so nothing was written:\n{}", lines.join("\n"));
+        Self { message, ..Self::general("RequestError", "usage", "") }
+    }
+
+    /// An exception that was there already.
+    pub(crate) fn raised(error: PyErr) -> Self {
+        Self { raised: Some(error), ..Self::general("ContactScaleError", "raised", "") }
+    }
+
+    /// The exception.
+    pub(crate) fn into_error(mut self, py: Python<'_>) -> PyErr {
+        if let Some(raised) = self.raised.take() {
+            return raised;
+        }
+        let made = || -> PyResult<PyErr> {
+            let class = py.import(MODULE)?.getattr(self.class)?;
+            let fields = PyDict::new(py);
+            fields.set_item("path", &self.path)?;
+            fields.set_item("line", self.line)?;
+            fields.set_item("column", self.column)?;
+            fields.set_item("excerpt", &self.excerpt)?;
+            fields.set_item("keywords", &self.keywords)?;
+            let error = class.call((self.code, &self.message), Some(&fields))?;
+            Ok(PyErr::from_value(error))
+        };
+        // Python runs while the exception is made. A Ctrl-C that comes up there must not get lost.
+        made().unwrap_or_else(|error| match error.is_instance_of::<PyException>(py) {
+            true => PyRuntimeError::new_err(self.message.clone()),
+            false => error,
+        })
+    }
+}
+
+/// What the reader can say, as Python names it.
+fn keywords(message: &Phrase) -> Vec<String> {
+    let named = |input| PythonWords.input(input, None);
+    let name = |text: String| text.split('=').next().unwrap_or_default().to_owned();
+    let mut all: Vec<String> = message.inputs().into_iter().map(|input| name(named(input))).collect();
+    all.dedup();
+    all
+}
+
+impl From<Failure> for Problem {
+    fn from(failure: Failure) -> Self {
+        let class = if failure.needs_answer { "NeedsAnswer" } else { "ModelError" };
+        let mut problem = Self::general(class, failure.code, &failure.message);
+        // A question is answered by `yes`; what else the message names is what was said.
+        problem.keywords.sort_by_key(|keyword| keyword != Input::Yes.name());
+        Self {
+            path: Some(failure.model.to_path().into_os_string()),
+            line: failure.line,
+            column: failure.column,
+            excerpt: failure.excerpt.as_ref().map(|excerpt| excerpt.text.clone()),
+            ..problem
+        }
+    }
+}
+
+impl From<RequestFault> for Problem {
+    fn from(fault: RequestFault) -> Self {
+        // In Python every property is a keyword of its own.
+        if matches!(fault, RequestFault::Missing { field: "set" }) {
+            let example = Verb::Set.of_model().saying(Input::Stiffness, "x2");
+            return Self::general("RequestError", "usage", phrase!["say what to set, as in ", example]);
+        }
+        let mut problem = Self::general("RequestError", "usage", fault.phrase());
+        if let Some(field) = fault.field() {
+            let own = if field == "from" { "from_" } else { field };
+            problem.keywords.retain(|keyword| keyword != own);
+            problem.keywords.insert(0, own.to_owned());
+        }
+        problem
+    }
+}
+
+impl From<LibraryFault> for Problem {
+    fn from(fault: LibraryFault) -> Self {
+        // A message that begins with a keyword is about what was said there.
+        match fault.phrase().parts().first() {
+            Some(Part::Input(..)) => Self::general("RequestError", "usage", fault.phrase()),
+            _ => Self::general("OutputError", "output", fault.phrase()),
+        }
+    }
+}
+
+impl From<RequestError> for Problem {
+    fn from(error: RequestError) -> Self {
+        match error {
+            RequestError::Fault(fault) => fault.into(),
+            RequestError::Failure(failure) => failure.into(),
+        }
+    }
+}

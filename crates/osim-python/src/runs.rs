@@ -1,0 +1,170 @@
+//! Many models in one run: a change of all of them, or the rows of a table.
+
+use std::path::PathBuf;
+
+use osim_library::run::{
+    ChangedModel, Detail, FrontEnd, JsonRecord, Outcome, Record, RowReader, Rows, Run, RunRequest, Task,
+    run_options,
+};
+use osim_library::{LibraryFault, folder_of};
+use osim_model::RemedyDialect;
+use osim_model::files::{Failure, Files};
+use osim_report::html::{DetailLevel, Entry};
+use osim_requests::Request;
+use osim_requests::options::RunOptions;
+use osim_runs::{ReportPage, bare_entry, entry};
+use pyo3::prelude::*;
+use pyo3::pybacked::PyBackedBytes;
+use pyo3::types::PyDict;
+use serde_json::{Map, Value};
+
+use crate::files::RequestFiles;
+use crate::guard::{dictionary, fields_of, guarded};
+use crate::planned::WORDS;
+use crate::problem::Problem;
+use crate::progress::{Stop, Watch};
+
+/// What a run shows of its models: their entries on a page, where one is asked for.
+struct Reporter<'r> {
+    watch: &'r Watch,
+    detail: Option<DetailLevel>,
+}
+
+impl FrontEnd for Reporter<'_> {
+    type Shown = Option<Entry>;
+
+    fn dialect(&self) -> &dyn RemedyDialect {
+        WORDS
+    }
+
+    fn detail(&self) -> Detail {
+        self.detail.map_or(Detail::Result, |detail| Detail::BeforeAfter { feet: detail.has_feet() })
+    }
+
+    fn show(&self, mut changed: ChangedModel<'_>) -> Option<Entry> {
+        let both = changed.before_after.take()?;
+        Some(entry(&changed, both, self.detail?, WORDS))
+    }
+
+    fn is_interrupted(&self) -> bool {
+        self.watch.is_stopped()
+    }
+
+    fn done(&self, _failed: bool) {
+        // Called on the threads that do the work, where Python must not be called: it would hold all of them up.
+    }
+}
+
+/// The lines of a run's summary, and what is to be said of it.
+type Lines<'py> = (Vec<Bound<'py, PyAny>>, Vec<String>);
+
+/// Changes all models of a request: a line of a summary for each.
+#[pyfunction]
+pub(crate) fn change_many<'py>(
+    py: Python<'py>,
+    fields: &Bound<'py, PyDict>,
+    call: String,
+    callback: Option<Py<PyAny>>,
+) -> PyResult<Lines<'py>> {
+    let fields = fields_of(fields)?;
+    let (records, remarks) = guarded(py, || {
+        let request = Request::from_map(fields)?;
+        let options = run_options(&request).cloned().unwrap_or_default();
+        let change = request.prepare(&RequestFiles::new([].into(), true))?;
+        let request = RunRequest::of_change(change, &options)?;
+        run(request, &options, call, &Watch::new(callback))
+    })?;
+    lines(py, records, remarks)
+}
+
+/// Does the rows of a table, given as CSV in memory, whose paths begin in the current folder; or those of the table that the
+/// request names. A line of a summary for each.
+#[pyfunction]
+pub(crate) fn rescale_many<'py>(
+    py: Python<'py>,
+    fields: &Bound<'py, PyDict>,
+    table: Option<PyBackedBytes>,
+    call: String,
+    callback: Option<Py<PyAny>>,
+) -> PyResult<Lines<'py>> {
+    let fields = fields_of(fields)?;
+    let (records, remarks) = guarded(py, || {
+        let request = match table {
+            // The request needs a name there; none of a file that is read.
+            Some(_) => Request::from_map(with_name(fields))?,
+            None => Request::from_map(fields)?,
+        };
+        let Request::Batch(mut request) = request else {
+            return Err(Problem::defect("a request for another verb".to_owned()));
+        };
+        let (bytes, name, folder) = match table {
+            Some(table) => {
+                request.manifest = None;
+                (table.to_vec(), TABLE.to_owned(), PathBuf::new())
+            }
+            None => {
+                let path = request.manifest.clone().unwrap_or_default();
+                let name = path.display().to_string();
+                let bytes = RequestFiles::new([].into(), true)
+                    .read(&path)
+                    .map_err(|error| Failure::outside(path.as_path(), "unreadable", error.to_string()))?;
+                (bytes, name, folder_of(&path).to_owned())
+            }
+        };
+        // A table that cannot be read is a wrong call; no file was to be written yet.
+        let wrong = |fault: LibraryFault| Problem::general("RequestError", "usage", fault.phrase());
+        match RowReader::new(&request)?.read(&bytes, &name, &folder).map_err(wrong)? {
+            Rows::Run(rows) => run(rows, &request.run, call, &Watch::new(callback)),
+            Rows::Wrong(wrong) => Err(Problem::rows(&wrong)),
+        }
+    })?;
+    lines(py, records, remarks)
+}
+
+/// How messages call a table without a file.
+const TABLE: &str = "table";
+
+fn with_name(mut fields: Map<String, Value>) -> Map<String, Value> {
+    fields.insert("manifest".to_owned(), TABLE.into());
+    fields
+}
+
+/// Does a run.
+pub(crate) fn run(
+    request: RunRequest,
+    options: &RunOptions,
+    call: String,
+    watch: &Watch,
+) -> Result<(Vec<JsonRecord>, Vec<String>), Problem> {
+    let mut run = Run::new(request, options)?;
+    run.read_previous()?;
+    let detail = DetailLevel::of(run.request().tasks.len() + run.request().failures.len());
+    let mut page = ReportPage::of_run(&run, options, call, WORDS)?;
+    run.begin()?;
+    let mut remarks = run.request().remarks.clone();
+    remarks.extend(run.kept().iter().cloned());
+    let mut records: Vec<JsonRecord> =
+        run.failures().iter().map(|failure| Record::of_failure(failure).into()).collect();
+    let reporter = Reporter { watch, detail: options.report.as_ref().map(|_| detail) };
+    let report = |_: &Task, outcome: Outcome<Option<Entry>>| -> Result<(), Stop> {
+        let failed = outcome.failure.is_some();
+        if let Some(page) = &mut page {
+            let shown = outcome.shown.flatten();
+            page.add(shown.unwrap_or_else(|| bare_entry(&outcome.record, outcome.earlier)));
+        }
+        records.push(outcome.record.into());
+        watch.one_more(failed)
+    };
+    // What was done before Ctrl-C stays in the summary, so that a run can go on.
+    let worked = run.work_off(&reporter, report);
+    run.finish()?;
+    worked?;
+    page.map_or(Ok(()), ReportPage::finish)?;
+    Ok((records, remarks))
+}
+
+/// The lines for Python.
+pub(crate) fn lines(py: Python<'_>, records: Vec<JsonRecord>, remarks: Vec<String>) -> PyResult<Lines<'_>> {
+    let records = records.iter().map(|record| dictionary(py, record)).collect::<PyResult<_>>()?;
+    Ok((records, remarks))
+}

@@ -1,0 +1,133 @@
+//! Why an equation has no value: which argument, which of its elements, and what was expected.
+
+use std::fmt;
+
+use contact_scaling::DomainError;
+
+/// What is refused of a list that is too long or too short.
+const ELEMENTS: &str = "the number of elements";
+
+/// Why an equation has no value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Failure {
+    /// The argument that was refused; `None` where it is about several together.
+    pub parameter: Option<&'static str>,
+    /// What was refused, in words.
+    pub quantity: &'static str,
+    /// The value that it had, in SI units.
+    pub value: f64,
+    /// The values that are allowed, in words.
+    pub expected: &'static str,
+    /// Which element of a list or of a flattened array it is, from 0; `None` where the argument is one number.
+    pub index: Option<usize>,
+}
+
+impl Failure {
+    /// # Errors
+    /// The first argument without a finite value: a gap in an array, or the result of a division by 0.
+    pub(super) fn unless_finite(
+        mut arguments: impl Iterator<Item = (&'static str, f64)>,
+    ) -> Result<(), Self> {
+        let Some((name, value)) = arguments.find(|(_, value)| !value.is_finite()) else { return Ok(()) };
+        Err(Self { parameter: Some(name), quantity: name, value, expected: "a finite number", index: None })
+    }
+
+    /// A result that is too large for a float, although every argument is allowed.
+    pub(super) fn result(value: f64) -> Self {
+        let expected = "a finite number: an argument is far too large or too small";
+        Self { parameter: None, quantity: "the result", value, expected, index: None }
+    }
+
+    /// An equation that got `found` arguments, and takes another number of them.
+    pub(super) fn arguments(found: usize) -> Self {
+        let expected = "a number for each argument of the equation";
+        Self {
+            parameter: None,
+            quantity: "the number of arguments",
+            value: count(found),
+            expected,
+            index: None,
+        }
+    }
+
+    /// A body without spheres rests on nothing.
+    pub(super) fn no_sphere() -> Self {
+        let quantity = "the number of spheres";
+        Self { parameter: None, quantity, value: 0.0, expected: "1 or more", index: None }
+    }
+
+    /// Heights of spheres that are not measured from the lowest of them.
+    pub(super) fn lowest(parameter: &'static str, value: f64) -> Self {
+        let quantity = "height of the lowest sphere";
+        let expected = "0 for the lowest sphere: heights are above that one";
+        Self { parameter: Some(parameter), quantity, value, expected, index: None }
+    }
+
+    /// A list that has neither one element nor as many as the others.
+    pub(super) fn length(parameter: &'static str, found: usize) -> Self {
+        Self {
+            parameter: Some(parameter),
+            quantity: ELEMENTS,
+            value: count(found),
+            expected: "one, or as many as the other arguments have",
+            index: None,
+        }
+    }
+
+    /// The same, with the argument it is about: the one that has this value, and whose name says the same or ends alike.
+    pub(super) fn with_argument<'a>(
+        self,
+        arguments: impl Iterator<Item = (&'static str, f64)> + Clone + 'a,
+    ) -> Self {
+        if self.parameter.is_some() {
+            return self;
+        }
+        let quantity = self.quantity.replace('\'', "");
+        let last = quantity.rsplit(' ').next().unwrap_or_default();
+        let mut alike = arguments.filter(|(_, value)| *value == self.value);
+        let same = alike.clone().find(|(name, _)| name.replace('_', " ") == quantity);
+        let found = same.or_else(|| alike.find(|(name, _)| name.rsplit('_').next() == Some(last)));
+        Self { parameter: found.map(|(name, _)| name), ..self }
+    }
+
+    /// The same, at an element.
+    pub(super) fn at(self, index: usize) -> Self {
+        Self { index: Some(index), ..self }
+    }
+
+    /// What is wrong, in one sentence; `place` says which element it is, such as `[2, 0]`, or is empty.
+    pub(crate) fn message(&self, place: &str) -> String {
+        let Self { parameter, quantity, value, expected, .. } = *self;
+        match parameter {
+            Some(name) if quantity == ELEMENTS => {
+                format!("{name}: {quantity} is {value}, expected {expected}")
+            }
+            Some(name) => format!("{name}{place} is {value:?}, expected {expected}"),
+            None if place.is_empty() => format!("{quantity} is {value:?}, expected {expected}"),
+            None => format!("{quantity} at {place} is {value:?}, expected {expected}"),
+        }
+    }
+}
+
+impl From<DomainError> for Failure {
+    fn from(error: DomainError) -> Self {
+        Self {
+            parameter: None,
+            quantity: error.quantity(),
+            value: error.value(),
+            expected: error.expected(),
+            index: None,
+        }
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message(&self.index.map(|index| format!("[{index}]")).unwrap_or_default()))
+    }
+}
+
+/// A number of things, as errors have it.
+fn count(things: usize) -> f64 {
+    u32::try_from(things).map_or(f64::INFINITY, f64::from)
+}

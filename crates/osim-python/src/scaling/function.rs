@@ -1,0 +1,85 @@
+//! One equation as a function of plain numbers, and over arrays of them.
+
+use contact_scaling::equations::{self, Equation, Form};
+use contact_scaling::modulus::MixingRule;
+
+use super::columns::Columns;
+use super::failure::Failure;
+use super::parameter::{Parameter, Returns};
+use super::text::{Argument, docstring};
+
+/// One equation with plain numbers in and one number out, all in SI units.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Function {
+    /// As Python calls it.
+    pub name: &'static str,
+    /// The function of `contact-scaling`, by which the register has its equation: `Hertz::force`.
+    pub computes: &'static str,
+    /// Its arguments in order; those with a default are last.
+    pub parameters: &'static [Parameter],
+    /// What it gives.
+    pub returns: Returns,
+    /// What computes it.
+    pub call: Call,
+}
+
+/// What computes a function.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Call {
+    /// From numbers alone.
+    Numbers(fn(&[f64]) -> Result<f64, Failure>),
+    /// From numbers, by one of two rules for the modulus of two surfaces: Python's keyword `rule`.
+    WithRule(fn(MixingRule, &[f64]) -> Result<f64, Failure>),
+}
+
+impl Function {
+    /// The value for these arguments, one for each parameter; `rule` matters where the function takes one.
+    ///
+    /// # Errors
+    /// An argument lies outside of the equation's domain, or is not finite; or the result is not finite.
+    pub(crate) fn value(&self, rule: MixingRule, arguments: &[f64]) -> Result<f64, Failure> {
+        if arguments.len() != self.parameters.len() {
+            return Err(Failure::arguments(arguments.len()));
+        }
+        let named = self.parameters.iter().map(|parameter| parameter.name).zip(arguments.iter().copied());
+        Failure::unless_finite(named.clone())?;
+        let value = match self.call {
+            Call::Numbers(call) => call(arguments),
+            Call::WithRule(call) => call(rule, arguments),
+        };
+        let value = value.map_err(|failure| failure.with_argument(named))?;
+        if value.is_finite() { Ok(value) } else { Err(Failure::result(value)) }
+    }
+
+    /// The values for rows of arguments: `columns` has a list for each parameter, either of one element or as long as the others.
+    ///
+    /// # Errors
+    /// As [`Function::value`], with the row where it is; lists that differ in length.
+    pub(crate) fn values(&self, rule: MixingRule, columns: &[&[f64]]) -> Result<Vec<f64>, Failure> {
+        let names = self.parameters.iter().map(|parameter| parameter.name);
+        Columns::new(names, columns)?.each(|arguments| self.value(rule, arguments))
+    }
+
+    /// Whether it takes the keyword `rule`.
+    pub(crate) fn takes_rule(&self) -> bool {
+        matches!(self.call, Call::WithRule(_))
+    }
+
+    /// Every form of every equation that it computes: (8), (9) and (10) are one function.
+    pub(crate) fn forms(&self) -> impl Iterator<Item = (&'static Equation, &'static Form)> {
+        forms(self.computes)
+    }
+
+    /// Its text in Python.
+    pub(crate) fn docstring(&self) -> String {
+        let arguments = self.parameters.iter().map(|&parameter| Argument::of_array(parameter));
+        docstring(self.forms(), arguments.chain(self.takes_rule().then(Argument::rule)), self.returns)
+    }
+}
+
+/// Every form in the register that this function of `contact-scaling` computes.
+pub(super) fn forms(computes: &str) -> impl Iterator<Item = (&'static Equation, &'static Form)> {
+    equations::all().flat_map(move |equation| {
+        equation.forms.iter().filter(move |form| form.function == computes).map(move |form| (equation, form))
+    })
+}

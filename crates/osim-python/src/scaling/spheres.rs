@@ -1,0 +1,137 @@
+//! Where a body rests on several spheres: functions of lists of spheres.
+
+use contact_scaling::equations::symbols::X;
+use contact_scaling::equilibrium::{self, Raised};
+use contact_scaling::{DomainError, Hertz, HuntCrossley, Law, SmoothSphere, SmoothingValues, Spheres};
+
+use super::columns::Columns;
+use super::define::parameter;
+use super::failure::Failure;
+use super::function::forms;
+use super::parameter::{Parameter, Returns};
+use super::text::{Argument, docstring};
+
+/// An equation over spheres, whose bottoms are level or each at its own height.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct OfSpheres {
+    /// As Python calls it.
+    pub name: &'static str,
+    /// The function of `contact-scaling` for spheres whose bottoms are level.
+    pub level: &'static str,
+    /// The same for spheres at their own heights.
+    pub raised: &'static str,
+    /// What is said of each sphere, beside its height.
+    pub spheres: &'static [Parameter],
+    /// What it gives.
+    pub returns: Returns,
+    alike: fn(&[f64]) -> Result<Spheres, Failure>,
+    rest_level: fn(&[Spheres], f64) -> Result<f64, DomainError>,
+    rest_raised: fn(&[Raised], f64) -> Result<f64, DomainError>,
+}
+
+/// Height of a sphere's bottom: left out where all are level.
+pub(crate) const HEIGHT: Parameter = parameter!(height: H_I);
+/// The load on all spheres together.
+pub(crate) const LOAD: Parameter = parameter!(load: F_LOAD);
+
+/// Both laws.
+pub(crate) const OF_SPHERES: [OfSpheres; 2] = [
+    OfSpheres {
+        name: "hertz_rest_indentation",
+        level: "equilibrium::hertz_indentation",
+        raised: "equilibrium::hertz_indentation_of_lowest",
+        spheres: &[
+            parameter!(composite_modulus: E_I),
+            parameter!(radius: R_I),
+            parameter!(number_of_spheres: N_I = 1.0),
+        ],
+        returns: Returns::Value(X),
+        alike: |values| {
+            let &[modulus, radius, number] = values else { return Err(Failure::arguments(values.len())) };
+            let law = HuntCrossley::new(Hertz::sphere(modulus, radius)?, 0.0)?;
+            Ok(Spheres::new(Law::HuntCrossley(law), number)?)
+        },
+        rest_level: equilibrium::hertz_indentation,
+        rest_raised: equilibrium::hertz_indentation_of_lowest,
+    },
+    OfSpheres {
+        name: "smooth_rest_indentation",
+        level: "equilibrium::indentation",
+        raised: "equilibrium::indentation_of_lowest",
+        spheres: &[
+            parameter!(composite_modulus: E_I),
+            parameter!(radius: R_I),
+            parameter!(dissipation: ALPHA),
+            parameter!(constant_contact_force: CF),
+            parameter!(hertz_smoothing: BD),
+            parameter!(hunt_crossley_smoothing: BV),
+            parameter!(number_of_spheres: N_I = 1.0),
+        ],
+        returns: Returns::Value(X),
+        alike: |values| {
+            let &[modulus, radius, dissipation, cf, bd, bv, number] = values else {
+                return Err(Failure::arguments(values.len()));
+            };
+            let smoothing = SmoothingValues {
+                constant_contact_force: cf,
+                hertz_smoothing: bd,
+                hunt_crossley_smoothing: bv,
+            };
+            let law = SmoothSphere::new(Hertz::sphere(modulus, radius)?, dissipation, smoothing)?;
+            Ok(Spheres::new(Law::Smooth(law), number)?)
+        },
+        rest_level: equilibrium::indentation,
+        rest_raised: equilibrium::indentation_of_lowest,
+    },
+];
+
+impl OfSpheres {
+    /// How deep the lowest sphere is (m) where a body rests. `columns` has a list for each parameter of a sphere, of one element
+    /// where all spheres have the same; `heights` (m) are those of their bottoms above the lowest.
+    ///
+    /// # Errors
+    /// A value outside of the domain, with its sphere; lists that differ in length; no sphere.
+    pub(crate) fn value(
+        &self,
+        columns: &[&[f64]],
+        heights: Option<&[f64]>,
+        load_n: f64,
+    ) -> Result<f64, Failure> {
+        Failure::unless_finite(std::iter::once((LOAD.name, load_n)))?;
+        let lists: Vec<&[f64]> = columns.iter().copied().chain([heights.unwrap_or(&[0.0])]).collect();
+        let names = || self.spheres.iter().chain([&HEIGHT]).map(|parameter| parameter.name);
+        let spheres = Columns::new(names(), &lists)?.each(|row| {
+            let named = names().zip(row.iter().copied());
+            Failure::unless_finite(named.clone())?;
+            self.raised(row).map_err(|failure| failure.with_argument(named))
+        })?;
+        if spheres.is_empty() {
+            return Err(Failure::no_sphere());
+        }
+        let lowest = spheres.iter().map(|raised| raised.height_m).fold(f64::INFINITY, f64::min);
+        if lowest > 0.0 {
+            return Err(Failure::lowest(HEIGHT.name, lowest));
+        }
+        let rest = if heights.is_some() {
+            (self.rest_raised)(&spheres, load_n)
+        } else {
+            (self.rest_level)(&spheres.iter().map(|raised| raised.spheres).collect::<Vec<_>>(), load_n)
+        };
+        rest.map_err(|error| Failure::from(error).with_argument(std::iter::once((LOAD.name, load_n))))
+    }
+
+    fn raised(&self, row: &[f64]) -> Result<Raised, Failure> {
+        let Some((&height, values)) = row.split_last() else { return Err(Failure::arguments(0)) };
+        Ok(Raised::new((self.alike)(values)?, height)?)
+    }
+
+    /// Its text in Python.
+    pub(crate) fn docstring(&self) -> String {
+        let spheres = self.spheres.iter().map(|&parameter| Argument::of_list(parameter));
+        let arguments = [Argument::of_number(LOAD)]
+            .into_iter()
+            .chain(spheres)
+            .chain([Argument::of_optional_list(HEIGHT)]);
+        docstring(forms(self.level).chain(forms(self.raised)), arguments, self.returns)
+    }
+}

@@ -1,0 +1,139 @@
+//! The text of an equation in Python, as NumPy lays its texts out: made from the register, nothing is written twice.
+
+use contact_scaling::equations::symbols::{P, Symbol};
+use contact_scaling::equations::{Equation, Form, reference};
+
+use super::parameter::{Parameter, Returns};
+use super::rule::RULES;
+
+/// What an array is called that may also be one number.
+const ARRAY: &str = "float or array_like";
+
+/// An argument, with what can be given for it.
+pub(super) struct Argument {
+    name: &'static str,
+    kind: String,
+    symbol: Symbol,
+}
+
+impl Argument {
+    /// A number, or an array of numbers.
+    pub(super) fn of_array(parameter: Parameter) -> Self {
+        Self::new(parameter, ARRAY)
+    }
+
+    /// A list of numbers.
+    pub(super) fn of_list(parameter: Parameter) -> Self {
+        Self::new(parameter, "sequence of float")
+    }
+
+    /// A list of numbers that may be left out.
+    pub(super) fn of_optional_list(parameter: Parameter) -> Self {
+        Self::new(parameter, "sequence of float, optional")
+    }
+
+    /// A number.
+    pub(super) fn of_number(parameter: Parameter) -> Self {
+        Self::new(parameter, "float")
+    }
+
+    /// The rule by which two surfaces make one modulus.
+    pub(super) fn rule() -> Self {
+        let names = RULES.map(|(name, _)| format!("\"{name}\""));
+        let [first, ..] = &names;
+        Self { name: "rule", kind: format!("{{{}}}, default {first}", names.join(", ")), symbol: P }
+    }
+
+    fn new(parameter: Parameter, kind: &str) -> Self {
+        let default = parameter.default.map(|value| format!(", default {value}")).unwrap_or_default();
+        Self { name: parameter.name, kind: format!("{kind}{default}"), symbol: parameter.symbol }
+    }
+}
+
+/// What an equation says, its formulas with their numbers, its arguments, what it gives, and where it comes from.
+pub(super) fn docstring(
+    forms: impl Iterator<Item = (&'static Equation, &'static Form)>,
+    arguments: impl Iterator<Item = Argument>,
+    returns: Returns,
+) -> String {
+    let forms: Vec<_> = forms.collect();
+    let arguments: Vec<_> = arguments.collect();
+    let mut text = format!("{}\n\n", summary(&forms));
+    for (equation, form) in &forms {
+        text.push_str(&format!("    {}    {}\n", form.formula, reference(equation.label)));
+    }
+    text.push_str(&other_symbols(&forms, &arguments, returns));
+    text.push_str("\nParameters\n----------\n");
+    for Argument { name, kind, symbol } in &arguments {
+        text.push_str(&format!("{name} : {kind}\n    {}.\n", meaning(symbol, symbol.unit)));
+    }
+    let is_array = arguments.iter().any(|argument| argument.kind.starts_with(ARRAY));
+    let kind = if is_array { "float or numpy.ndarray" } else { "float" };
+    text.push_str(&format!("\nReturns\n-------\n{kind}\n    {}.\n", given(&forms, returns)));
+    text.push_str("\nReferences\n----------\n");
+    for (index, (equation, _)) in forms.iter().enumerate() {
+        // One function may compute several forms of an equation.
+        if forms.iter().position(|(other, _)| other == equation) == Some(index) {
+            text.push_str(&format!("{}: {}.\n", reference(equation.label), equation.source));
+        }
+    }
+    text
+}
+
+/// Symbols of the formulas that are neither arguments nor what is computed.
+fn other_symbols(
+    forms: &[(&'static Equation, &'static Form)],
+    arguments: &[Argument],
+    returns: Returns,
+) -> String {
+    let mut known: Vec<Symbol> = arguments.iter().map(|argument| argument.symbol).collect();
+    known.push(returns.symbol());
+    let mut text = String::new();
+    for (equation, form) in forms {
+        for symbol in equation.symbols.iter().filter(|symbol| stands_in(symbol.symbol, form.formula)) {
+            if !known.contains(symbol) {
+                known.push(*symbol);
+                text.push_str(&format!("    {}\n", meaning(symbol, symbol.unit)));
+            }
+        }
+    }
+    if text.is_empty() { text } else { format!("\nwhere\n\n{text}") }
+}
+
+/// What is computed.
+fn given(forms: &[(&'static Equation, &'static Form)], returns: Returns) -> String {
+    let unit = forms.first().map_or("", |(_, form)| form.unit);
+    match returns {
+        Returns::Value(symbol) => meaning(&symbol, unit),
+        Returns::Factor(symbol) => {
+            format!("The factor, without unit, of {}: {}", symbol.symbol, symbol.meaning)
+        }
+    }
+}
+
+/// What it says, in a line.
+fn summary(forms: &[(&'static Equation, &'static Form)]) -> String {
+    let Some((equation, form)) = forms.first() else { return String::new() };
+    let title = equation.title;
+    match form.note {
+        "" => format!("{title}."),
+        "a to b" => format!("{title}, from a to b."),
+        note if note.starts_with("for ") => format!("{title}, solved {note}."),
+        note => format!("{title}, {note}."),
+    }
+}
+
+fn meaning(symbol: &Symbol, unit: &str) -> String {
+    let unit = if unit == "1" { "without unit".to_owned() } else { format!("in {unit}") };
+    format!("{}: {}; {unit}", symbol.symbol, symbol.meaning)
+}
+
+/// Whether a symbol is in a formula, on its own and not as the beginning of another one: x is not in x̂, nor E* in E*_i.
+fn stands_in(symbol: &str, formula: &str) -> bool {
+    formula.match_indices(symbol).any(|(start, _)| {
+        let before = formula.get(..start).and_then(|before| before.chars().next_back());
+        let after = formula.get(start + symbol.len()..).and_then(|after| after.chars().next());
+        let goes_on = |c: char| c.is_alphanumeric() || "_*₁₂\u{302}".contains(c);
+        !before.is_some_and(|c| c.is_alphabetic() || c == '_') && !after.is_some_and(goes_on)
+    })
+}

@@ -1,0 +1,219 @@
+//! `inspect` and `check`: many models, on all processors.
+
+use std::collections::BTreeMap;
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+use std::sync::Mutex;
+
+use osim_inspect::{CheckResult, Inspection};
+use osim_library::{Folders, Loaded, Source, Sources, in_order, threads};
+use osim_model::files::Failure;
+use osim_model::wording::Verb;
+use osim_report::dialect::JsonRequest;
+use osim_report::html::Entry;
+use osim_report::json::FailureRecord;
+use osim_requests::options::ReportOptions;
+use osim_requests::{Inspector, Request};
+use osim_runs::Survey;
+use pyo3::prelude::*;
+use pyo3::pybacked::PyBackedBytes;
+use pyo3::types::PyDict;
+
+use crate::files::{Memory, RequestFiles};
+use crate::guard::{dictionary, fields_of, guarded};
+use crate::planned::WORDS;
+use crate::problem::Problem;
+use crate::progress::{Stop, Watch};
+
+/// What is known of a model; its findings also as requests that put them right.
+enum Seen {
+    Inspected(Box<Inspection>),
+    Checked(Box<CheckResult>, Vec<Option<String>>),
+    /// A folder's model without contacts: a library may have such.
+    WithoutContacts,
+    Failed(Box<Failure>),
+}
+
+/// A record, the requests of its findings, and the exception where there is no record.
+type Row<'py> = (Option<Bound<'py, PyAny>>, Vec<Option<String>>, Option<Bound<'py, PyAny>>);
+
+/// Inspects or checks the models of a request: a row for each, and what is to be said before them.
+#[pyfunction]
+pub(crate) fn survey<'py>(
+    py: Python<'py>,
+    fields: &Bound<'py, PyDict>,
+    memory: BTreeMap<PathBuf, PyBackedBytes>,
+    jobs: Option<usize>,
+    call: String,
+    callback: Option<Py<PyAny>>,
+) -> PyResult<(Vec<Row<'py>>, Vec<String>)> {
+    let fields = fields_of(fields)?;
+    let (rows, remarks) = guarded(py, || {
+        let files = RequestFiles::given(&memory, true);
+        let (verb, models, inspector, report) = match Request::from_map(fields)? {
+            Request::Inspect(request) => {
+                (Verb::Inspect, request.models.clone(), request.inspector(&files), request.report.clone())
+            }
+            Request::Check(request) => {
+                (Verb::Check, request.models.clone(), request.inspector(&files), request.report.clone())
+            }
+            other => return Err(Problem::defect(format!("a survey for {}", other.verb().name()))),
+        };
+        if let Some(failure) = inspector.generic_failure() {
+            return Err(failure.clone().into());
+        }
+        let work = Work { verb, models: &models, inspector: &inspector, report: &report, files: &files };
+        work.done(jobs.and_then(NonZeroUsize::new), call, &Watch::new(callback))
+    })?;
+    let rows = rows.into_iter().map(|seen| row(py, seen)).collect::<PyResult<_>>()?;
+    Ok((rows, remarks))
+}
+
+struct Work<'w> {
+    verb: Verb,
+    models: &'w [PathBuf],
+    inspector: &'w Inspector,
+    report: &'w ReportOptions,
+    files: &'w RequestFiles,
+}
+
+impl Work<'_> {
+    /// All models, in the order in which they were named.
+    fn done(
+        &self,
+        jobs: Option<NonZeroUsize>,
+        call: String,
+        watch: &Watch,
+    ) -> Result<(Vec<Seen>, Vec<String>), Problem> {
+        let (mut sources, mut first) = (Sources::default(), Vec::new());
+        for path in self.models {
+            if self.files.in_memory(path).is_some() {
+                sources.models.push(Source::file(path));
+            } else {
+                let mut found = Sources::find(std::slice::from_ref(path), None);
+                sources.models.append(&mut found.models);
+                sources.failures.append(&mut found.failures);
+                sources.remarks.append(&mut found.remarks);
+            }
+        }
+        for failure in &sources.failures {
+            first.push(Seen::Failed(Box::new(failure.clone())));
+        }
+        let survey = Survey {
+            verb: self.verb,
+            sources: &sources,
+            inspector: self.inspector,
+            report: self.report,
+            words: WORDS,
+        };
+        let mut page = survey.begin_page(call)?;
+        let with_page = page.is_some();
+        // What is in memory is loaded here and taken by the thread that works on it.
+        let loaded = |source: &Source| {
+            let bytes = self.files.in_memory(&source.path)?;
+            Some(Loaded::in_memory(&source.path, bytes.clone(), self.inspector.set_files(), self.files))
+        };
+        let item = |source| Item { source, loaded: Mutex::new(loaded(source)) };
+        let items: Vec<Item<'_>> = sources.models.iter().map(item).collect();
+        let folders = Folders::list(sources.models.iter().map(|source| source.path.as_path()), false);
+        let mut rows = first;
+        let how = How {
+            verb: self.verb,
+            inspector: self.inspector,
+            survey: &survey,
+            folders: &folders,
+            memory: self.files.memory(),
+            with_page,
+        };
+        let one = |item: &Item<'_>| {
+            let loaded = item.loaded.lock().ok().and_then(|mut loaded| loaded.take());
+            (!watch.is_stopped()).then(|| how.one(item.source, loaded))
+        };
+        let each = |item: &Item<'_>, seen: Option<(Seen, Option<Box<Entry>>)>| -> Result<(), Stop> {
+            let Some((seen, entry)) = seen else { return Ok(()) };
+            if let Some(page) = &mut page {
+                page.add(match (&seen, entry) {
+                    (_, Some(entry)) => *entry,
+                    (Seen::Failed(failure), None) => Entry::failed(failure, WORDS),
+                    _ => Entry::without_contacts(&item.source.shown()),
+                });
+            }
+            let failed = matches!(seen, Seen::Failed(_));
+            rows.push(seen);
+            watch.one_more(failed)
+        };
+        in_order(&items, threads(jobs, items.len()), one, each)?;
+        page.map_or(Ok(()), osim_runs::ReportPage::finish)?;
+        Ok((rows, sources.remarks))
+    }
+}
+
+/// A model, and its files where they are in memory.
+struct Item<'i> {
+    source: &'i Source,
+    loaded: Mutex<Option<Result<Loaded, Failure>>>,
+}
+
+/// How each model is inspected, on any thread.
+struct How<'h> {
+    verb: Verb,
+    inspector: &'h Inspector,
+    survey: &'h Survey<'h>,
+    folders: &'h Folders,
+    /// What is not read from the disk.
+    memory: &'h Memory,
+    with_page: bool,
+}
+
+impl How<'_> {
+    fn one(&self, source: &Source, loaded: Option<Result<Loaded, Failure>>) -> (Seen, Option<Box<Entry>>) {
+        let is_check = self.verb == Verb::Check;
+        let from_disk = loaded.is_none();
+        let set_files = self.inspector.set_files();
+        let loaded = loaded.unwrap_or_else(|| Loaded::read_beside(source, set_files, self.memory));
+        let inspected = loaded.and_then(|loaded| self.survey.inspect_loaded(loaded));
+        let inspected = inspected.and_then(|inspected| {
+            if is_check {
+                self.inspector.refuse_without_contacts(&inspected.opened, &inspected.inspection)?;
+            }
+            Ok(inspected)
+        });
+        let mut inspected = match inspected {
+            Ok(inspected) => inspected,
+            Err(failure) if is_check && failure.code == "no-contacts" && source.folder.is_some() => {
+                return (Seen::WithoutContacts, None);
+            }
+            Err(failure) => return (Seen::Failed(Box::new(failure)), None),
+        };
+        let beside = from_disk.then(|| self.folders.compiled_beside(&source.path)).flatten();
+        let found = (is_check || self.with_page).then(|| self.survey.check(&mut inspected, beside.as_ref()));
+        inspected.inspection.spell(WORDS);
+        let entry = found
+            .as_ref()
+            .filter(|_| self.with_page)
+            .map(|found| Box::new(self.survey.entry(&inspected, found)));
+        let seen = match found.filter(|_| is_check) {
+            Some(found) => {
+                let mut requests = found.clone();
+                requests.spell(&JsonRequest);
+                let requests = requests.findings.into_iter().map(|finding| finding.command).collect();
+                Seen::Checked(Box::new(found), requests)
+            }
+            None => Seen::Inspected(Box::new(inspected.inspection)),
+        };
+        (seen, entry)
+    }
+}
+
+fn row(py: Python<'_>, seen: Seen) -> PyResult<Row<'_>> {
+    Ok(match seen {
+        Seen::Inspected(inspection) => (Some(dictionary(py, &*inspection)?), Vec::new(), None),
+        Seen::Checked(found, requests) => (Some(dictionary(py, &*found)?), requests, None),
+        Seen::WithoutContacts => (None, Vec::new(), None),
+        Seen::Failed(failure) => {
+            let record = dictionary(py, &FailureRecord::new(&failure, WORDS))?;
+            let error = Problem::from(*failure).into_error(py);
+            (Some(record), Vec::new(), Some(error.into_value(py).into_bound(py).into_any()))
+        }
+    })
+}

@@ -1,0 +1,85 @@
+"""Builds the package: maturin, and beside its module the command, which goes into the wheel's scripts.
+
+A command that starts through Python would need 50 ms for that alone, so the wheel has the program itself.
+"""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tarfile
+from pathlib import Path
+
+import maturin
+
+TOP = Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(TOP / "dist"))
+
+import building  # noqa: E402
+from licences import licences  # noqa: E402
+
+# Where maturin looks for what goes beside the modules: tool.maturin.data in pyproject.toml.
+DATA = TOP / "target" / "wheel-data"
+# The licences of all libraries and of the font: project.license-files in pyproject.toml.
+LICENCES = TOP / "target" / "wheel-licences" / "LICENSES-OF-LIBRARIES.txt"
+# A program that was built already, such as that of the archives, which needs no library of the system.
+GIVEN = os.environ.get("OSIM_WHEEL_PROGRAM")
+TARGET = os.environ.get("CARGO_BUILD_TARGET") or building.host()
+
+get_requires_for_build_wheel = maturin.get_requires_for_build_wheel
+get_requires_for_build_sdist = maturin.get_requires_for_build_sdist
+
+
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    """The metadata alone (PEP 517)."""
+    _write_licences()
+    return maturin.prepare_metadata_for_build_wheel(metadata_directory, config_settings)
+
+
+def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
+    """A wheel with the module and the command (PEP 517)."""
+    _prepare()
+    return maturin.build_wheel(wheel_directory, config_settings, metadata_directory)
+
+
+def build_editable(wheel_directory, config_settings=None, metadata_directory=None):
+    """The same for those who work on it: Python's files stay where they are (PEP 660)."""
+    _prepare()
+    return maturin.build_editable(wheel_directory, config_settings, metadata_directory)
+
+
+def build_sdist(sdist_directory, config_settings=None):
+    """Everything that is under version control: the crates, and what tests them."""
+    metadata = Path(sdist_directory) / "metadata"
+    folder = prepare_metadata_for_build_wheel(str(metadata), config_settings)
+    name = folder.removesuffix(".dist-info")
+    listed = subprocess.run(["git", "ls-files", "-z"], cwd=TOP, check=True, capture_output=True).stdout
+    files = sorted(file for file in listed.decode().split("\0") if file)
+    with tarfile.open(Path(sdist_directory) / f"{name}.tar.gz", "w:gz", format=tarfile.PAX_FORMAT) as archive:
+        archive.add(metadata / folder / "METADATA", f"{name}/PKG-INFO")
+        for file in files:
+            archive.add(TOP / file, f"{name}/{file}", recursive=False)
+    shutil.rmtree(metadata)
+    return f"{name}.tar.gz"
+
+
+def _prepare():
+    """Everything that maturin puts beside the module, and the variables under which it builds that."""
+    os.environ.update(building.environment(TARGET))
+    _write_licences()
+    scripts = DATA / "scripts"
+    shutil.rmtree(scripts, ignore_errors=True)
+    scripts.mkdir(parents=True)
+    program = GIVEN or building.program(TARGET, os.environ.get("CARGO_TARGET_DIR", TOP / "target"), static=False)
+    shutil.copy2(program, scripts / Path(program).name)
+
+
+def _write_licences():
+    """Writes the licences of everything in the wheel to where maturin takes them from."""
+    # maturin wants this folder to be there, also where it only looks at names.
+    DATA.mkdir(parents=True, exist_ok=True)
+    command = ["cargo", "metadata", "--format-version", "1", "--locked", "--filter-platform", TARGET]
+    metadata = json.loads(subprocess.run(command, cwd=TOP, check=True, capture_output=True).stdout)
+    LICENCES.parent.mkdir(parents=True, exist_ok=True)
+    LICENCES.write_bytes(licences(metadata, "osim-python", TARGET))

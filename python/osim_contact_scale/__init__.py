@@ -1,0 +1,107 @@
+"""Contact parameters of OpenSim models, right at every body size.
+
+    import osim_contact_scale as ocs
+
+    result = ocs.rescale("human.osim", target_mass=1190)
+    result.changes                 # every number that changes, with its equation
+    result.write("giraffe.osim")
+
+Every verb of the command `osim-contact-scale` is a function here, with the same options as keywords. The equations are those of
+P. A. van Bijlert (2026), "Scaling contact force parameters across body size, limb count, and number of contact spheres",
+Journal of Biomechanics; each is a function in `osim_contact_scale.scaling`.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from . import _native
+from ._answers import Answer, DesignSheet, DropTest, Explanation, Fit, Preset, Reproduction
+from ._errors import ContactScaleError, ModelError, NeedsAnswer, OutputError, RequestError
+from ._figure import Figure
+from ._finding import Finding, Findings, Remedy
+from ._many import many
+from ._result import Result
+from ._survey import Check, Inspection
+from ._sweep import Sweep
+from ._threads import set_threads
+from ._verbs import (
+    add,
+    check,
+    convert,
+    design,
+    drop_test,
+    explain,
+    fit,
+    inspect,
+    note,
+    plot,
+    presets,
+    remove,
+    reproduce,
+    rescale,
+    rescale_many,
+    set,
+    sweep,
+    transfer,
+)
+
+if TYPE_CHECKING:
+    from . import scaling
+
+__version__ = _native.VERSION
+"""Version of the package, and of the command that comes with it."""
+
+__all__ = [
+    "Answer",
+    "Check",
+    "ContactScaleError",
+    "DesignSheet",
+    "DropTest",
+    "Explanation",
+    "Figure",
+    "Finding",
+    "Findings",
+    "Fit",
+    "Inspection",
+    "ModelError",
+    "NeedsAnswer",
+    "OutputError",
+    "Preset",
+    "Remedy",
+    "Reproduction",
+    "RequestError",
+    "Result",
+    "Sweep",
+    "__version__",
+    "add",
+    "check",
+    "convert",
+    "design",
+    "drop_test",
+    "explain",
+    "fit",
+    "inspect",
+    "many",
+    "note",
+    "plot",
+    "presets",
+    "remove",
+    "reproduce",
+    "rescale",
+    "rescale_many",
+    "scaling",
+    "set",
+    "set_threads",
+    "sweep",
+    "transfer",
+]
+
+
+def __getattr__(name: str) -> Any:
+    # NumPy takes longer to import than everything else here: only those wait for it who calculate with it.
+    if name == "scaling":
+        import importlib
+
+        return importlib.import_module(f"{__name__}.scaling")
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -1,0 +1,91 @@
+"""What can go wrong, as exceptions."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ._text import printable
+
+
+class ContactScaleError(Exception):
+    """Something could not be done; nothing was changed by it.
+
+    Attributes
+    ----------
+    code : str
+        Stable short name, which `explain` explains.
+    message : str
+        What is wrong, what was expected, and a way out.
+    path : str or None
+        The file, as it was named.
+    line, column : int or None
+        The place in that file, from 1.
+    excerpt : str or None
+        The line of the file.
+    keywords : tuple of str
+        Keywords that the message names, in its order.
+    """
+
+    def __init__(
+        self,
+        code: str,
+        message: str,
+        *,
+        path: str | None = None,
+        line: int | None = None,
+        column: int | None = None,
+        excerpt: str | None = None,
+        keywords: Any = (),
+    ) -> None:
+        name = "" if path is None else printable(path)
+        place = f"{name}: " if name else ""
+        if name and line is not None and column is not None:
+            place = f"{name}:{line}:{column}: "
+        # A message about a file that it names itself does not name it twice.
+        text = message if name and message.startswith(name) else place + message
+        shown = "" if excerpt is None else f"\n{line or '':>6} | {printable(excerpt.expandtabs(2))}"
+        super().__init__(text + shown)
+        self.code = code
+        self.message = message
+        self.path = path
+        self.line = line
+        self.column = column
+        self.excerpt = excerpt
+        self.keywords = tuple(keywords)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (type(self), self.code, self.message, self.__dict__)
+
+
+def _restored(kind: type[ContactScaleError], code: str, message: str, state: dict[str, Any]) -> ContactScaleError:
+    names = ("path", "line", "column", "excerpt", "keywords")
+    return kind(code, message, **{name: state[name] for name in names})
+
+
+class ModelError(ContactScaleError):
+    """A model, or a file that it needs, cannot be used."""
+
+
+class NeedsAnswer(ContactScaleError):
+    """Something has to be said before this can be done, because it must not be guessed.
+
+    `keywords` names what to say: pass the first of them, or one of the others.
+    """
+
+    @property
+    def keyword(self) -> str | None:
+        """The keyword that answers, where the message names one."""
+        return self.keywords[0] if self.keywords else None
+
+
+class RequestError(ContactScaleError, ValueError):
+    """The call itself is wrong: a value, or keywords that do not go together."""
+
+    @property
+    def keyword(self) -> str | None:
+        """The keyword that is wrong, where it is one."""
+        return self.keywords[0] if self.keywords else None
+
+
+class OutputError(ContactScaleError):
+    """A file cannot be written: something is there, the folder is read-only, the disk is full. No file is half written."""

@@ -1,0 +1,101 @@
+"""Models that are alive in memory: `opensim.Model` in, and changes applied to one.
+
+opensim is imported only where somebody brings one of its models.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import sys
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from ._errors import ContactScaleError
+from ._live_objects import component, exchange
+
+
+def is_model(source: Any) -> bool:
+    """Whether it is an `opensim.Model`."""
+    opensim = sys.modules.get("opensim")
+    return opensim is not None and isinstance(source, opensim.Model)
+
+
+def to_bytes(model: Any) -> tuple[str | None, bytes]:
+    """The name of a live model's file, if it has one, and the model as XML, as OpenSim prints it now.
+
+    All values are spelled out. OpenSim leaves out those that are defaults, and the defaults are then those of files that this process
+    has read before, too, which no other program knows.
+    """
+    import opensim
+
+    name = str(model.getInputFileName())
+    file = None if name in ("", "Unassigned") else name
+    spelled_out = opensim.OpenSimObject.getSerializeAllDefaults()
+    opensim.OpenSimObject.setSerializeAllDefaults(True)
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "model.osim")
+            if not model.printToXML(path):
+                raise ContactScaleError("unreadable", "opensim could not print this model", path=file)
+            return file, Path(path).read_bytes()
+    finally:
+        opensim.OpenSimObject.setSerializeAllDefaults(spelled_out)
+
+
+def apply(record: dict[str, Any], new: bytes, credit: str | None, model: Any) -> None:
+    """Applies the changes of a plan, and the credits with its note, to a live model: it then equals the `new` file.
+
+    Raises
+    ------
+    ContactScaleError
+        Something is not as it was planned for, because this is another model or was changed since. Nothing was changed then.
+    """
+    if not is_model(model):
+        raise TypeError(f"expected an opensim.Model, not {type(model).__name__}")
+    import opensim
+
+    # All places are found before anything changes. Objects that are added come with their numbers.
+    added = {change["path"] for change in record["objects"] if change["change"] == "added"}
+    edits = [_edit(opensim, model, change) for change in record["changes"] if change["path"] not in added]
+    if record["objects"]:
+        edits += exchange(opensim, model, record["objects"], new)
+    for edit in edits:
+        edit()
+    if credit is not None:
+        model.set_credits(credit)
+    model.finalizeFromProperties()
+
+
+def _edit(opensim: Any, model: Any, change: dict[str, Any]) -> Callable[[], object]:
+    """What sets one property, once it is called."""
+    owner = component(model, change["path"])
+    name, value = change["property"], change["to"]
+    if name == "location":
+        geometry = opensim.ContactGeometry.safeDownCast(owner)
+        now = geometry.get_location()
+        _compare(change, [now.get(axis) for axis in range(3)])
+        vector = opensim.Vec3(*value)
+        return lambda: geometry.set_location(vector)
+    if change["set"] is not None:
+        sets = owner.updPropertyByName("contact_parameters").updValueAsObject()
+        owner = sets.updPropertyByName("objects").updValueAsObject(change["set"])
+    if not owner.hasProperty(name):
+        raise ContactScaleError("live-model", f"{change['path']} has no {name}: this is another model")
+    prop = owner.updPropertyByName(name)
+    _compare(change, [opensim.PropertyHelper.getValueDouble(prop)])
+    return lambda: opensim.PropertyHelper.setValueDouble(value, prop)
+
+
+def _compare(change: dict[str, Any], now: list[float]) -> None:
+    """Refuses to change what is neither as it was planned for, nor changed already."""
+    for state in ("from", "to"):
+        planned = change[state] if isinstance(change[state], (list, tuple)) else [change[state]]
+        # OpenSim prints a live model with fewer digits than its numbers have.
+        if all(value is None or math.isclose(value, own, rel_tol=1e-9) for value, own in zip(planned, now)):
+            return
+    shown = " ".join(map(str, now))
+    message = f"{change['property']} of {change['path']} is {shown}, not {change['from']} as it was when this change was planned"
+    raise ContactScaleError("live-model", f"{message}: plan it again for the model as it is now")

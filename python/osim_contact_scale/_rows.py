@@ -1,0 +1,221 @@
+"""Tables that come in: rows of whatever kind, and the CSV of them that the Rust half reads."""
+
+from __future__ import annotations
+
+import numbers
+import os
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any
+
+from ._cells import steers, to_cell
+from ._errors import RequestError
+from ._request import PATHS
+
+
+def rows_of(data: Any) -> list[dict[str, Any]]:
+    """The rows of a DataFrame, of a dictionary of columns, or of a list of dictionaries.
+
+    Raises
+    ------
+    TypeError
+        It is none of these.
+    RequestError
+        Two columns have one name.
+    """
+    if hasattr(data, "to_dict") and hasattr(data, "columns"):
+        _refuse_same_names([str(name) for name in data.columns])
+        rows = data.to_dict("records")
+    elif isinstance(data, Mapping):
+        columns = {name: _column(name, values) for name, values in data.items()}
+        count = max((len(column) for column in columns.values()), default=0)
+        if any(len(column) != count for column in columns.values()):
+            raise ValueError("the columns of this table are not equally long")
+        rows = [{name: column[index] for name, column in columns.items()} for index in range(count)]
+    elif isinstance(data, Iterable) and not isinstance(data, (str, bytes, os.PathLike)):
+        rows = list(data)
+        if not all(isinstance(row, Mapping) for row in rows):
+            raise TypeError("expected a DataFrame, a dictionary of columns or a list of dictionaries")
+    else:
+        raise TypeError(f"expected a table, not {type(data).__name__}")
+    for row in rows:
+        _refuse_same_names([str(name) for name in row])
+    return [{str(key): value for key, value in row.items()} for row in rows]
+
+
+def _column(name: Any, values: Any) -> list[Any]:
+    if isinstance(values, (str, bytes, os.PathLike, Mapping)) or not isinstance(values, Iterable):
+        raise TypeError(
+            f"column {str(name)!r}: expected a list with a value for each row; a single row is a list with one dictionary"
+        )
+    return list(values)
+
+
+def _refuse_same_names(names: Sequence[str]) -> None:
+    if len(set(names)) < len(names):
+        twice = next(name for name in names if names.count(name) > 1)
+        raise RequestError("usage", f"the column {twice!r} appears twice, expected one")
+
+
+def _is_missing(value: Any) -> bool:
+    # NaN, NaT and pandas.NA are all unlike themselves, or not to be compared.
+    try:
+        return value is None or bool(value != value)
+    except (TypeError, ValueError):
+        return type(value).__name__ == "NAType"
+
+
+def csv_of(rows: Sequence[Mapping[str, Any]], text_of: Callable[[str, Any], str] | None = None) -> bytes:
+    """Rows as CSV: numbers in full, texts as Rust reads them back, one line for each row.
+
+    `text_of` says how a value is written in the column of that name. Missing values are empty cells; a column of them is left out.
+
+    Raises
+    ------
+    RequestError
+        A name or a value that a table cannot hold.
+    TypeError
+        A value that is neither a number nor a text.
+    """
+    import csv
+    import io
+
+    names: dict[str, None] = {}
+    for row in rows:
+        names.update(dict.fromkeys(name for name, value in row.items() if not _is_missing(value)))
+    for name in names:
+        # The first line shows what separates the cells, and it has no other meaning for these characters.
+        if any(letter in ";\t" or steers(letter) for letter in name):
+            raise RequestError(
+                "usage", f"the column {name!r}: its name must not contain a semicolon, a tab or a line end"
+            )
+    text = io.StringIO()
+    # All cells are quoted: whatever they hold, the first one of a line ends only where the next one begins.
+    writer = csv.writer(text, lineterminator="\n", quoting=csv.QUOTE_ALL)
+    writer.writerow(names)
+    # Rows are counted as in a spreadsheet, and as Rust does: the names of the columns are row 1.
+    for number, row in enumerate(rows, 2):
+        cells = []
+        for name in names:
+            value = row.get(name)
+            try:
+                cells.append("" if _is_missing(value) else to_cell((text_of or _plain_text)(name, value)))
+            except (RequestError, TypeError) as error:
+                message = f"table: row {number}, column {name!r}: {error}"
+                raise (
+                    RequestError("usage", message) if isinstance(error, RequestError) else TypeError(message)
+                ) from None
+        writer.writerow(cells)
+    try:
+        return text.getvalue().encode("utf-8")
+    except UnicodeEncodeError:
+        raise RequestError("usage", "a table takes texts in Unicode only: this one has other bytes in a name") from None
+
+
+def _plain_text(name: str, value: Any) -> str:
+    return text_of_value(value)
+
+
+def text_of_value(value: Any) -> str:
+    """A number or a text as a cell has it.
+
+    Whole numbers have no decimal point: where a column has a gap, pandas makes floats of 1 and of True, and both are `1` here. A number
+    with three decimals gets a fourth one, because `1.125` may be 1125 in tables of some countries.
+
+    Raises
+    ------
+    TypeError
+        It is neither.
+    """
+    if hasattr(value, "tolist"):  # NumPy's numbers.
+        value = value.tolist()
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, float):
+        if value.is_integer() and abs(value) < 1e15:
+            return str(int(value))
+        text = repr(value)
+        return text + "0" if re.fullmatch(r"-?\d{1,3}\.\d{3}", text) else text
+    if isinstance(value, (str, numbers.Number)):
+        return str(value)
+    if isinstance(value, os.PathLike):
+        return os.fsdecode(value)
+    raise TypeError(f"expected a number or a text, not {type(value).__name__}")
+
+
+#: What separates the items of a list in a cell of these columns; a semicolon in all others (docs/batch.md).
+_SEPARATORS = {"only": ",", "keep": ",", "set": " "}
+
+
+def models_csv(rows: Sequence[Mapping[str, Any]]) -> bytes:
+    """Rows of a table of models as CSV. Its columns may be written like keywords: `from_` is `from`.
+
+    Raises
+    ------
+    RequestError
+        A name or a value that a table cannot hold.
+    TypeError
+        A value that is not of a kind that tables have.
+    """
+    renamed = []
+    for row in rows:
+        names = [name if name.startswith("#") else name.rstrip("_") for name in row]
+        _refuse_same_names(names)
+        renamed.append(dict(zip(names, row.values())))
+    return csv_of(renamed, _text_in_column)
+
+
+def _text_in_column(name: str, value: Any) -> str:
+    """A value as a cell has it in a table of models."""
+    if name.startswith("#"):
+        return str(value)
+    field = name.strip().lower().replace("-", "_").lstrip("_")
+    if field in PATHS:
+        return _path_in_cell(value)
+    if isinstance(value, Mapping):
+        return _joined([_named(key, item) for key, item in value.items()], _SEPARATORS.get(field, ";"))
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, (list, tuple, set, frozenset)):
+        return _joined([_item(item) for item in value], _SEPARATORS.get(field, ";"))
+    return text_of_value(value)
+
+
+def _path_in_cell(value: Any) -> str:
+    if not isinstance(value, (str, os.PathLike)):
+        raise TypeError(f"a table takes paths of files, not {type(value).__name__}: write it to a file first")
+    path = os.path.expanduser(os.fsdecode(value))
+    if path != path.strip():
+        raise RequestError("usage", f"{path!r}: a path in a table must not begin or end with a blank")
+    return path
+
+
+def _item(value: Any) -> str:
+    if _is_missing(value):
+        raise RequestError("usage", "an item of the list is missing")
+    return text_of_value(value)
+
+
+def _named(name: Any, value: Any) -> str:
+    """`BODY=f`, or `BODY=x,y,z` of a list."""
+    if "=" in str(name):
+        raise RequestError("usage", f"{name!r}: a name in a table must not contain =")
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    items = value if isinstance(value, (list, tuple)) else [value]
+    return f"{name}={_joined([_item(item) for item in items], ',')}"
+
+
+def _joined(items: Sequence[str], separator: str) -> str:
+    """Items that can be separated again.
+
+    Raises
+    ------
+    RequestError
+        An item that cannot.
+    """
+    for item in items:
+        if separator in item or not item or item != item.strip():
+            message = "an item of a list in a table must not be empty, begin or end with a blank, or contain"
+            raise RequestError("usage", f"{item!r}: {message} {separator!r}")
+    return separator.join(items)

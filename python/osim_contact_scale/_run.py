@@ -1,0 +1,121 @@
+"""What the functions of the verbs call."""
+
+from __future__ import annotations
+
+import json
+import logging
+import os
+from collections.abc import Mapping
+from typing import Any
+
+from . import _changes, _native, _survey, _sweep
+from ._answers import DesignSheet, DropTest, Explanation, Fit, Preset, Reproduction
+from ._figure import Figure
+from ._progress import Progress
+from ._request import Memory, Source, fields_of, model_of, models_of, with_own_files
+from ._result import plan
+from ._rows import csv_of, rows_of
+
+log = logging.getLogger("osim_contact_scale")
+
+__all__ = [
+    "assignments", "batch", "design", "drop_test", "explain", "fit", "plan", "plot", "presets", "reproduce", "survey", "sweep",
+]  # fmt: skip
+
+survey = _survey.survey
+
+#: How a table is called that has no file.
+_TABLE = "table.csv"
+
+
+def assignments(given: Mapping[str, Any]) -> dict[str, Any]:
+    """The properties that are set."""
+    return {name: value for name, value in given.items() if value is not None}
+
+
+def design(source: Source | None, keywords: Mapping[str, Any]) -> Any:
+    """A plan for a model, or a calculator without one."""
+    if source is not None:
+        return plan("design", source, keywords)
+    record, text = _native.calculate(fields_of("design", keywords))
+    return DesignSheet(record, text)
+
+
+def drop_test(subject: Source | None, keywords: Mapping[str, Any]) -> DropTest:
+    memory = Memory()
+    model = None if subject is None else model_of(subject, memory)
+    fields = fields_of("drop-test", with_own_files(subject, keywords, memory), memory)
+    if model is not None:
+        fields["subject"] = model
+    record, text, remarks = _native.drop_test(fields, memory)
+    for remark in remarks:
+        log.warning("%s", remark.strip())
+    return DropTest(record, text)
+
+
+def fit(measured: Any, keywords: Mapping[str, Any]) -> Fit:
+    memory = Memory()
+    fields = fields_of("fit", keywords)
+    if isinstance(measured, (str, os.PathLike)):
+        fields["file"] = model_of(measured, memory)
+    else:
+        memory[_TABLE] = csv_of(rows_of(measured))
+        fields["file"] = _TABLE
+    record, text = _native.fit(fields, memory)
+    return Fit(record, text)
+
+
+def plot(kind: str, models: tuple[Source, ...], keywords: Mapping[str, Any]) -> Figure:
+    memory = Memory()
+    keywords = dict(keywords)
+    of_table = keywords.pop("table", None)
+    named = models_of(models, memory)
+    fields = fields_of("plot", keywords, memory)
+    fields.update(kind=kind, output="-", models=named)
+    if isinstance(of_table, (str, os.PathLike)):
+        fields["table"] = model_of(of_table, memory)
+    elif of_table is not None:
+        memory[_TABLE] = csv_of(rows_of(of_table))
+        fields["table"] = _TABLE
+    figure = Figure(_native.plot(fields, memory))
+    log.info("%s", figure.notes.strip())
+    return figure
+
+
+def presets(name: str | None, keywords: Mapping[str, Any]) -> list[Preset]:
+    fields = fields_of("presets", {"name": name, **keywords})
+    return [Preset(record, text) for record, text in _native.presets(fields)]
+
+
+def explain(topics: tuple[str, ...], keywords: Mapping[str, Any]) -> list[Explanation]:
+    """Explains each topic in words of its own; without topics, all that there are."""
+    records = _explained(topics, keywords)[1]
+    if len(topics) == 1 or (topics and len(records) == 1):
+        alone = [topics]
+    elif topics:
+        alone = [(topic,) for topic in topics]
+    else:
+        alone = [(record.get("label") or record.get("code") or record["name"],) for record in records]
+    answers = {words: _explained(words, keywords) for words in alone}
+    if topics:
+        return [Explanation(record, answers[words][0]) for words in alone for record in answers[words][1]]
+    return [Explanation(record, answers[words][0]) for words, record in zip(alone, records)]
+
+
+def _explained(topics: tuple[str, ...], keywords: Mapping[str, Any]) -> tuple[str, list[dict[str, Any]]]:
+    """The text and the records of these topics."""
+    text, lines = _native.explain(fields_of("explain", {"topics": list(topics), **keywords}))
+    return text, [json.loads(line) for line in lines.splitlines()]
+
+
+def reproduce() -> Reproduction:
+    return Reproduction(*_native.reproduce())
+
+
+def sweep(source: Source, keywords: Mapping[str, Any], progress: Progress) -> _sweep.Sweep:
+    made: _sweep.Sweep = _sweep.sweep(source, keywords, progress)
+    return made
+
+
+def batch(table: Any, keywords: Mapping[str, Any], progress: Progress) -> Any:
+    return _changes.batch(table, keywords, progress)

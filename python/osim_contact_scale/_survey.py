@@ -1,0 +1,231 @@
+"""Models that are looked at: inspected and checked."""
+
+from __future__ import annotations
+
+import logging
+import os
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Any
+
+from . import _live, _native
+from ._errors import ContactScaleError
+from ._finding import COLUMNS, Findings
+from ._html import html_table
+from ._progress import Progress, following
+from ._request import MODELS, InMemory, Memory, Source, fields_of, is_path, models_of, with_own_files
+from ._tables import columns_of, table
+from ._threads import jobs_of
+
+log = logging.getLogger("osim_contact_scale")
+
+#: One model or several: paths, folders, bytes, results or live models.
+Sources = Source | Iterable[Source]
+
+#: Columns of the table of models.
+_MODEL = (
+    "model",
+    "name",
+    "document_version",
+    "mass_kg",
+    "gravity_m_s2",
+    "contacts_mass_kg",
+    "contacts_mass_source",
+    "spheres_per_limb",
+)
+
+
+def survey(verb: str, sources: Sources, keywords: Mapping[str, Any], jobs: int | None, progress: Progress) -> Any:
+    """Inspects or checks models.
+
+    Raises
+    ------
+    ContactScaleError
+        The call is wrong, or there is one model and it cannot be read. Of several models those that fail are in `errors`.
+    """
+    count = jobs_of(jobs)
+    memory = Memory()
+    named = listed(sources)
+    models = models_of(named, memory)
+    if len(named) == 1:
+        keywords = with_own_files(named[0], keywords, memory)
+    fields = fields_of(verb, keywords, memory)
+    fields["models"] = models
+    call = f"ocs.{verb}(...)"
+    with following(progress, verb) as callback:
+        rows, remarks = _native.survey(fields, memory, count, call, callback)
+    for remark in remarks:
+        log.info("%s", remark)
+    alone = len(rows) == 1 and not any(os.path.isdir(os.path.expanduser(source)) for source in named if is_path(source))
+    errors = [error for _, _, error in rows if error is not None]
+    if alone and errors:
+        raise errors[0]
+    for error in errors:
+        log.error("%s", error)
+    good = [(record, requests) for record, requests, error in rows if error is None and record is not None]
+    given = [
+        *zip(models, named),
+        *((fields[name], keywords[name]) for name in MODELS if keywords.get(name) is not None),
+    ]
+    by_name = {name: _kept(name, source, memory) for name, source in given if isinstance(name, str)}
+    return (Inspection if verb == "inspect" else Check)(good, errors, by_name)
+
+
+def listed(sources: Any) -> list[Any]:
+    """The models of a call: one, or all of a list or of another iterable of them.
+
+    Raises
+    ------
+    TypeError
+        A table.
+    """
+    if hasattr(sources, "columns") or isinstance(sources, Mapping):
+        kind = type(sources).__name__
+        raise TypeError(f'expected models, not a {kind}: name its column of paths, as in table["model"]')
+    is_one = is_path(sources) or isinstance(sources, (bytes, bytearray, memoryview)) or _live.is_model(sources)
+    return [sources] if is_one or not isinstance(sources, Iterable) else list(sources)
+
+
+def _kept(name: str, source: Any, memory: Mapping[str, bytes]) -> Any:
+    """A model for later calls. A live model is kept as its bytes: it may change, and it cannot go to another process."""
+    return InMemory(name, memory[name]) if _live.is_model(source) else source
+
+
+class Survey(Sequence[dict[str, Any]]):
+    """Models that were looked at: a record for each, as the command's JSON has it.
+
+    Attributes
+    ----------
+    records : list of dict
+        One for each model that could be read.
+    errors : list of ContactScaleError
+        One for each that could not.
+    """
+
+    def __init__(self, good: list[Any], errors: list[ContactScaleError], sources: dict[str, Any]) -> None:
+        self.records: list[dict[str, Any]] = [record for record, _ in good]
+        self.errors = errors
+        self._requests = [requests for _, requests in good]
+        self._sources = sources
+
+    def __getitem__(self, index: Any) -> Any:
+        return self.records[index]
+
+    def __len__(self) -> int:
+        return len(self.records)
+
+    def __iter__(self) -> Iterator[dict[str, Any]]:
+        return iter(self.records)
+
+    def __repr__(self) -> str:
+        failed = f", {len(self.errors)} failed" if self.errors else ""
+        return f"<{type(self).__name__} of {len(self.records)} models{failed}>"
+
+
+class Inspection(Survey):
+    """What contacts models have and what they do under the weight: one row per model, sphere or force."""
+
+    @property
+    def models(self) -> Any:
+        """A row for each model: masses, gravity, limbs, how many spheres and forces."""
+        rows = []
+        for record in self.records:
+            contacts = record["contacts_mass_kg"] or {}
+            own = {**record, "contacts_mass_kg": contacts.get("value"), "contacts_mass_source": contacts.get("source")}
+            counts = {"sphere_count": len(record["spheres"]), "force_count": len(record["forces"])}
+            rows.append({name: own.get(name) for name in _MODEL} | counts | _scalars(record["figures"], _MODEL))
+        return table(rows, columns_of(_MODEL, rows))
+
+    @property
+    def spheres(self) -> Any:
+        """A row for each sphere: radius, place, limb, and what it does under the weight, each figure by its name."""
+        first = (
+            "model",
+            "name",
+            "path",
+            "radius_m",
+            "location_x_m",
+            "location_y_m",
+            "location_z_m",
+            "frame",
+            "body",
+            "limb",
+            "line",
+        )
+        rows = []
+        for record in self.records:
+            figures = {
+                sphere["path"]: {"side": limb["side"], **_scalars(sphere, ("sphere", "path", "radius_m"))}
+                for limb in record["figures"]["limbs"] or ()
+                for sphere in limb["spheres"]
+            }
+            for sphere in record["spheres"]:
+                place = sphere["location_m"] or (None, None, None)
+                axes = {f"location_{axis}_m": value for axis, value in zip("xyz", place)}
+                rows.append({"model": record["model"], **_scalars(sphere), **axes, **figures.get(sphere["path"], {})})
+        return table(rows, columns_of(first, rows))
+
+    @property
+    def forces(self) -> Any:
+        """A row for each force, or each ContactParameters of one: its parameters by OpenSim's names, and without dimensions."""
+        first = ("model", "name", "path", "type", "set", "spheres", "applies", "selected")
+        rows = []
+        for record in self.records:
+            for force in record["forces"]:
+                free = {f"dimensionless_{name}": value for name, value in (force["dimensionless"] or {}).items()}
+                spheres = {"spheres": " ".join(force["spheres"])}
+                rows.append({"model": record["model"], **_scalars(force), **spheres, **force["parameters"], **free})
+        return table(rows, columns_of(first, rows))
+
+    def _repr_html_(self) -> str:
+        columns = ("model", "mass_kg", "contacts_mass_kg", "spheres_per_limb")
+        rows = []
+        for record in self.records:
+            contacts = (record["contacts_mass_kg"] or {}).get("value")
+            rows.append([record["model"], record["mass_kg"], contacts, record["spheres_per_limb"]])
+        return html_table(columns, rows)
+
+
+class Check(Survey):
+    """What the limits of the paper and the traps of the format say about models."""
+
+    @property
+    def findings(self) -> Findings:
+        """All findings, model by model, from the worst to the least."""
+        return Findings(finding for index in range(len(self.records)) for finding in self.of(index))
+
+    def of(self, index: int) -> Findings:
+        """The findings of one model, by its number from 0."""
+        record = self.records[index]
+        return Findings._of(
+            record["findings"], self._requests[index], self._sources.get(record["model"]), self._sources
+        )
+
+    @property
+    def models(self) -> Any:
+        """A row for each model: how many findings of each severity."""
+        rows = [{"model": record["model"], **record["counts"]} for record in self.records]
+        return table(rows, ("model", "error", "warn", "info"))
+
+    @property
+    def table(self) -> Any:
+        """A row for each finding."""
+        rows = []
+        for record in self.records:
+            for finding in record["findings"]:
+                rows.append({"model": record["model"], **finding, "spheres": " ".join(finding["spheres"])})
+        return table(rows, ("model", *COLUMNS))
+
+    def _repr_html_(self) -> str:
+        columns = ("model", "severity", "code", "message")
+        rows = [
+            [record["model"], *(finding[name] for name in columns[1:])]
+            for record in self.records
+            for finding in record["findings"]
+        ]
+        return html_table(columns, rows)
+
+
+def _scalars(record: Mapping[str, Any], without: Sequence[str] = ()) -> dict[str, Any]:
+    """What fits into a cell."""
+    plain = {name: value for name, value in record.items() if not isinstance(value, (list, dict, tuple))}
+    return {name: value for name, value in plain.items() if name not in without}

@@ -1,0 +1,2570 @@
+# Written by dev/generate_scaling.py: do not edit.
+"""Every equation of the paper as a function of NumPy arrays.
+
+All arguments have names, so that no order can be mixed up; all numbers are in SI units. Arrays are broadcast against each other; the
+result is an array of float64, or a float where every argument is a number. A value outside of the domain of an equation is a
+`osim_contact_scale.RequestError` (which is a ValueError) that names the argument and the element. NaN and infinity are such
+values, too: fill or drop gaps first.
+
+A name without "for" is what the name says. A property of OpenSim alone, such as `dissipation`, is the factor by which it grows from
+one animal to another; `dissipation_for_restitution` is its value for what is wanted. Moduli are E* of both surfaces unless the name
+says plane strain: OpenSim's `stiffness` is a plane strain modulus.
+
+    >>> from osim_contact_scale import scaling
+    >>> scaling.dissipation(radius_ratio=4)
+    0.5
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Literal
+
+from ._arrays import Number, NumberList, Steps, call, call_of_list, call_of_steps
+
+if TYPE_CHECKING:
+    from ._arrays import Values
+
+__all__ = [
+    "approximate_restitution",
+    "composite_modulus_by_johnson",
+    "composite_modulus_by_sherman",
+    "composite_modulus_for_indentation",
+    "composite_modulus_for_stiffness",
+    "composite_modulus_of_equal_surfaces",
+    "composite_radius",
+    "constant_contact_force",
+    "constant_contact_force_for_indentation",
+    "constant_indentation_force",
+    "constant_relative_indentation",
+    "contact_state",
+    "continuation_steps",
+    "dimensionless_hertz_stiffness",
+    "dimensionless_stiffness",
+    "dissipation",
+    "dissipation_by_mass",
+    "dissipation_for_exact_restitution",
+    "dissipation_for_restitution",
+    "drop_speed",
+    "equilibrium_frequency",
+    "exact_restitution",
+    "hertz_force",
+    "hertz_force_at_relative_indentation",
+    "hertz_indentation",
+    "hertz_rest_indentation",
+    "hertz_smoothing",
+    "hertz_smoothing_for_radius",
+    "hertz_smoothing_for_width",
+    "hertz_stiffness",
+    "hertz_stiffness_at_relative_indentation",
+    "hunt_crossley_dissipative_force",
+    "hunt_crossley_force",
+    "hunt_crossley_smoothing",
+    "hunt_crossley_smoothing_for_radius",
+    "hunt_crossley_smoothing_for_reduced_width",
+    "hunt_crossley_smoothing_for_speed_width",
+    "indentation",
+    "mean_square_radius",
+    "mean_stress",
+    "mixed_dissipation",
+    "modulus_ratio",
+    "natural_frequency",
+    "patch_diameter",
+    "patch_radius",
+    "plane_strain_modulus",
+    "plane_strain_modulus_of_equal_surfaces",
+    "plane_strain_modulus_of_material",
+    "radius_for_stiffness",
+    "relative_indentation",
+    "relative_indentation_under_load",
+    "relative_patch_radius",
+    "smooth_elastic_force",
+    "smooth_elastic_stiffness",
+    "smooth_force",
+    "smooth_rest_force",
+    "smooth_rest_indentation",
+    "smooth_rest_stiffness",
+    "speed_state",
+    "speed_state_at_rest",
+    "stiffness_on_rigid_ground",
+    "threshold_indentation",
+    "transition_velocity",
+    "transition_width",
+    "viscous_friction",
+]
+
+
+def hertz_force(
+    *,
+    composite_modulus: Number,
+    radius: Number,
+    indentation: Number,
+    shape_factor: Number = 1.0,
+) -> Values:
+    """Hertz force of one sphere.
+
+        F_e = 4/3 η √R E* x^(3/2)    (1)
+
+    Parameters
+    ----------
+    composite_modulus : float or array_like
+        E*: composite plane strain modulus of the contact; in N/m².
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+    indentation : float or array_like
+        x: indentation: how far sphere and ground overlap; in m.
+    shape_factor : float or array_like, default 1
+        η: shape factor, 1 for spheres; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        F_e: elastic force of one sphere; in N.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (1): Van Bijlert (2026), section 2; Hertz's law as in Johnson (1985) and Sherman et al. (2011).
+    """
+    return call("hertz_force", {"composite_modulus": composite_modulus, "radius": radius, "indentation": indentation, "shape_factor": shape_factor})
+
+
+def hertz_indentation(
+    *,
+    composite_modulus: Number,
+    radius: Number,
+    force: Number,
+    shape_factor: Number = 1.0,
+) -> Values:
+    """Hertz force of one sphere, solved for x.
+
+        x = (F_e / (4/3 η √R E*))^(2/3)    (1)
+
+    Parameters
+    ----------
+    composite_modulus : float or array_like
+        E*: composite plane strain modulus of the contact; in N/m².
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+    force : float or array_like
+        F_e: elastic force of one sphere; in N.
+    shape_factor : float or array_like, default 1
+        η: shape factor, 1 for spheres; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        x: indentation: how far sphere and ground overlap; in m.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (1): Van Bijlert (2026), section 2; Hertz's law as in Johnson (1985) and Sherman et al. (2011).
+    """
+    return call("hertz_indentation", {"composite_modulus": composite_modulus, "radius": radius, "force": force, "shape_factor": shape_factor})
+
+
+def relative_indentation(
+    *,
+    indentation: Number,
+    radius: Number,
+) -> Values:
+    """Relative indentation.
+
+        x̂ = x / R    (2)
+
+    Parameters
+    ----------
+    indentation : float or array_like
+        x: indentation: how far sphere and ground overlap; in m.
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        x̂: relative indentation, x / R; without unit.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (2): Van Bijlert (2026), section 2.
+    """
+    return call("relative_indentation", {"indentation": indentation, "radius": radius})
+
+
+def indentation(
+    *,
+    relative_indentation: Number,
+    radius: Number,
+) -> Values:
+    """Relative indentation, solved for x.
+
+        x = x̂ R    (2)
+
+    Parameters
+    ----------
+    relative_indentation : float or array_like
+        x̂: relative indentation, x / R; without unit.
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        x: indentation: how far sphere and ground overlap; in m.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (2): Van Bijlert (2026), section 2.
+    """
+    return call("indentation", {"relative_indentation": relative_indentation, "radius": radius})
+
+
+def hertz_force_at_relative_indentation(
+    *,
+    composite_modulus: Number,
+    radius: Number,
+    relative_indentation: Number,
+    shape_factor: Number = 1.0,
+) -> Values:
+    """Hertz force by relative indentation.
+
+        F_e = 4/3 η R² E* x̂^(3/2)    (3)
+
+    Parameters
+    ----------
+    composite_modulus : float or array_like
+        E*: composite plane strain modulus of the contact; in N/m².
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+    relative_indentation : float or array_like
+        x̂: relative indentation, x / R; without unit.
+    shape_factor : float or array_like, default 1
+        η: shape factor, 1 for spheres; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        F_e: elastic force of one sphere; in N.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (3): Van Bijlert (2026), section 2; it is (1) with (2).
+    """
+    return call("hertz_force_at_relative_indentation", {"composite_modulus": composite_modulus, "radius": radius, "relative_indentation": relative_indentation, "shape_factor": shape_factor})
+
+
+def hunt_crossley_dissipative_force(
+    *,
+    composite_modulus: Number,
+    radius: Number,
+    dissipation: Number,
+    indentation: Number,
+    speed: Number,
+    shape_factor: Number = 1.0,
+) -> Values:
+    """Hunt–Crossley dissipation.
+
+        F_d = 3/2 F_e α ẋ    (12)
+
+    where
+
+        F_e: elastic force of one sphere; in N
+
+    Parameters
+    ----------
+    composite_modulus : float or array_like
+        E*: composite plane strain modulus of the contact; in N/m².
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+    dissipation : float or array_like
+        α: Hunt–Crossley dissipation (OpenSim: dissipation); in s/m.
+    indentation : float or array_like
+        x: indentation: how far sphere and ground overlap; in m.
+    speed : float or array_like
+        ẋ: rate of indentation, above 0 while the sphere sinks in; in m/s.
+    shape_factor : float or array_like, default 1
+        η: shape factor, 1 for spheres; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        F_d: dissipative force of one sphere; in N.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (12): Van Bijlert (2026), section 2.3; Hunt and Crossley (1975).
+    """
+    return call("hunt_crossley_dissipative_force", {"composite_modulus": composite_modulus, "radius": radius, "dissipation": dissipation, "indentation": indentation, "speed": speed, "shape_factor": shape_factor})
+
+
+def hunt_crossley_force(
+    *,
+    composite_modulus: Number,
+    radius: Number,
+    dissipation: Number,
+    indentation: Number,
+    speed: Number,
+    shape_factor: Number = 1.0,
+) -> Values:
+    """Hunt–Crossley dissipation, the sum.
+
+        F_c = F_e (1 + 3/2 α ẋ)    (12)
+
+    where
+
+        F_e: elastic force of one sphere; in N
+
+    Parameters
+    ----------
+    composite_modulus : float or array_like
+        E*: composite plane strain modulus of the contact; in N/m².
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+    dissipation : float or array_like
+        α: Hunt–Crossley dissipation (OpenSim: dissipation); in s/m.
+    indentation : float or array_like
+        x: indentation: how far sphere and ground overlap; in m.
+    speed : float or array_like
+        ẋ: rate of indentation, above 0 while the sphere sinks in; in m/s.
+    shape_factor : float or array_like, default 1
+        η: shape factor, 1 for spheres; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        F_c: contact force of one sphere, elastic and dissipative; in N.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (12): Van Bijlert (2026), section 2.3; Hunt and Crossley (1975).
+    """
+    return call("hunt_crossley_force", {"composite_modulus": composite_modulus, "radius": radius, "dissipation": dissipation, "indentation": indentation, "speed": speed, "shape_factor": shape_factor})
+
+
+def mean_stress(
+    *,
+    force: Number,
+    radius: Number,
+    relative_indentation: Number,
+) -> Values:
+    """Mean stress on the contact patch.
+
+        σ = F_c / (π R² x̂)    (15)
+
+    Parameters
+    ----------
+    force : float or array_like
+        F_c: contact force of one sphere, elastic and dissipative; in N.
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+    relative_indentation : float or array_like
+        x̂: relative indentation, x / R; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        σ: mean stress on the contact patch; in N/m².
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (15): Van Bijlert (2026), section 4.3; the patch is the circle of Fig. 3.
+    """
+    return call("mean_stress", {"force": force, "radius": radius, "relative_indentation": relative_indentation})
+
+
+def patch_radius(
+    *,
+    indentation: Number,
+    radius: Number,
+) -> Values:
+    """Size of the contact patch.
+
+        patch radius √(x R)    Fig. 3
+
+    Parameters
+    ----------
+    indentation : float or array_like
+        x: indentation: how far sphere and ground overlap; in m.
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        patch radius: radius of the circle on which sphere and ground touch; in m.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    Fig. 3: Van Bijlert (2026), Fig. 3; for small x.
+    """
+    return call("patch_radius", {"indentation": indentation, "radius": radius})
+
+
+def patch_diameter(
+    *,
+    indentation: Number,
+    radius: Number,
+) -> Values:
+    """Size of the contact patch.
+
+        patch diameter 2 √(x R)    Fig. 3
+
+    Parameters
+    ----------
+    indentation : float or array_like
+        x: indentation: how far sphere and ground overlap; in m.
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        patch diameter: diameter of the circle on which sphere and ground touch; in m.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    Fig. 3: Van Bijlert (2026), Fig. 3; for small x.
+    """
+    return call("patch_diameter", {"indentation": indentation, "radius": radius})
+
+
+def relative_patch_radius(
+    *,
+    relative_indentation: Number,
+) -> Values:
+    """Size of the contact patch.
+
+        patch radius / R = √x̂    Fig. 3
+
+    where
+
+        R: radius of the sphere (OpenSim: radius); in m
+
+    Parameters
+    ----------
+    relative_indentation : float or array_like
+        x̂: relative indentation, x / R; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        patch radius / R: patch radius by the radius of the sphere; without unit.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    Fig. 3: Van Bijlert (2026), Fig. 3; for small x.
+    """
+    return call("relative_patch_radius", {"relative_indentation": relative_indentation})
+
+
+def hertz_stiffness(
+    *,
+    composite_modulus: Number,
+    radius: Number,
+    indentation: Number,
+    shape_factor: Number = 1.0,
+) -> Values:
+    """Contact stiffness of one sphere.
+
+        k = 2 η √R E* √x    (B.1)
+
+    Parameters
+    ----------
+    composite_modulus : float or array_like
+        E*: composite plane strain modulus of the contact; in N/m².
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+    indentation : float or array_like
+        x: indentation: how far sphere and ground overlap; in m.
+    shape_factor : float or array_like, default 1
+        η: shape factor, 1 for spheres; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        k: contact stiffness of one sphere, the slope of its force; in N/m.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (B.1): Van Bijlert (2026), appendix B; the slope of (1).
+    """
+    return call("hertz_stiffness", {"composite_modulus": composite_modulus, "radius": radius, "indentation": indentation, "shape_factor": shape_factor})
+
+
+def hertz_stiffness_at_relative_indentation(
+    *,
+    composite_modulus: Number,
+    radius: Number,
+    relative_indentation: Number,
+    shape_factor: Number = 1.0,
+) -> Values:
+    """Contact stiffness by relative indentation.
+
+        k = 2 η R E* √x̂    (B.2)
+
+    Parameters
+    ----------
+    composite_modulus : float or array_like
+        E*: composite plane strain modulus of the contact; in N/m².
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+    relative_indentation : float or array_like
+        x̂: relative indentation, x / R; without unit.
+    shape_factor : float or array_like, default 1
+        η: shape factor, 1 for spheres; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        k: contact stiffness of one sphere, the slope of its force; in N/m.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (B.2): Van Bijlert (2026), appendix B; (B.1) with (2).
+    """
+    return call("hertz_stiffness_at_relative_indentation", {"composite_modulus": composite_modulus, "radius": radius, "relative_indentation": relative_indentation, "shape_factor": shape_factor})
+
+
+def approximate_restitution(
+    *,
+    dissipation: Number,
+    impact_speed: Number,
+) -> Values:
+    """Coefficient of restitution, approximate.
+
+        c_r = 1 − α ẋ⁻    (13)
+
+    Parameters
+    ----------
+    dissipation : float or array_like
+        α: Hunt–Crossley dissipation (OpenSim: dissipation); in s/m.
+    impact_speed : float or array_like
+        ẋ⁻: speed just before impact; in m/s.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        c_r: coefficient of restitution, by the approximation; without unit.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (13): Van Bijlert (2026), section 2.3; Hunt and Crossley (1975). Accurate for c_r of about 0.8 and above; refused where it is negative.
+    """
+    return call("approximate_restitution", {"dissipation": dissipation, "impact_speed": impact_speed})
+
+
+def dissipation_for_restitution(
+    *,
+    restitution: Number,
+    impact_speed: Number,
+) -> Values:
+    """Coefficient of restitution, approximate, solved for α.
+
+        α = (1 − c_r) / ẋ⁻    (13)
+
+    Parameters
+    ----------
+    restitution : float or array_like
+        c_r: coefficient of restitution, by the approximation; without unit.
+    impact_speed : float or array_like
+        ẋ⁻: speed just before impact; in m/s.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        α: Hunt–Crossley dissipation (OpenSim: dissipation); in s/m.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (13): Van Bijlert (2026), section 2.3; Hunt and Crossley (1975). Accurate for c_r of about 0.8 and above; refused where it is negative.
+    """
+    return call("dissipation_for_restitution", {"restitution": restitution, "impact_speed": impact_speed})
+
+
+def exact_restitution(
+    *,
+    dissipation: Number,
+    impact_speed: Number,
+) -> Values:
+    """Coefficient of restitution, exact.
+
+        d − ln(1 + d) = −c d − ln(1 − c d), d = 3/2 α ẋ⁻    exact restitution
+
+    where
+
+        d: 3/2 α ẋ⁻; without unit
+
+    Parameters
+    ----------
+    dissipation : float or array_like
+        α: Hunt–Crossley dissipation (OpenSim: dissipation); in s/m.
+    impact_speed : float or array_like
+        ẋ⁻: speed just before impact; in m/s.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        c: coefficient of restitution, exact; without unit.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    exact restitution: beyond the paper: the integral of (12) over an impact without gravity.
+    """
+    return call("exact_restitution", {"dissipation": dissipation, "impact_speed": impact_speed})
+
+
+def dissipation_for_exact_restitution(
+    *,
+    restitution: Number,
+    impact_speed: Number,
+) -> Values:
+    """Coefficient of restitution, exact, solved for α.
+
+        the same, solved for d    exact restitution
+
+    where
+
+        d: 3/2 α ẋ⁻; without unit
+
+    Parameters
+    ----------
+    restitution : float or array_like
+        c: coefficient of restitution, exact; without unit.
+    impact_speed : float or array_like
+        ẋ⁻: speed just before impact; in m/s.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        α: Hunt–Crossley dissipation (OpenSim: dissipation); in s/m.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    exact restitution: beyond the paper: the integral of (12) over an impact without gravity.
+    """
+    return call("dissipation_for_exact_restitution", {"restitution": restitution, "impact_speed": impact_speed})
+
+
+def drop_speed(
+    *,
+    gravity: Number,
+    radius: Number,
+) -> Values:
+    """Impact speed of the paper's drop.
+
+        ẋ⁻ = √(2 g · R/4) = √(g R / 2)    drop speed
+
+    Parameters
+    ----------
+    gravity : float or array_like
+        g: gravity; in m/s².
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        ẋ⁻: speed just before impact; in m/s.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    drop speed: the drops of Table 1: a fall from a quarter of the radius.
+    """
+    return call("drop_speed", {"gravity": gravity, "radius": radius})
+
+
+def plane_strain_modulus_of_material(
+    *,
+    youngs_modulus: Number,
+    poissons_ratio: Number,
+) -> Values:
+    """Plane strain modulus from Young's modulus.
+
+        E₁* = E₁ / (1 − ν₁²)    (A.1)
+
+    Parameters
+    ----------
+    youngs_modulus : float or array_like
+        E₁: Young's modulus of the material; in N/m².
+    poissons_ratio : float or array_like
+        ν₁: Poisson's ratio of the material; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        E₁*: plane strain modulus of one of the two surfaces (OpenSim: stiffness); in N/m².
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (A.1): Van Bijlert (2026), appendix A; Johnson (1985).
+    """
+    return call("plane_strain_modulus_of_material", {"youngs_modulus": youngs_modulus, "poissons_ratio": poissons_ratio})
+
+
+def composite_modulus_by_johnson(
+    *,
+    first_modulus: Number,
+    second_modulus: Number,
+) -> Values:
+    """Composite modulus, Johnson's rule.
+
+        E* = E₁* E₂* / (E₁* + E₂*)    (A.2)
+
+    Parameters
+    ----------
+    first_modulus : float or array_like
+        E₁*: plane strain modulus of one of the two surfaces (OpenSim: stiffness); in N/m².
+    second_modulus : float or array_like
+        E₂*: plane strain modulus of the other surface; in N/m².
+
+    Returns
+    -------
+    float or numpy.ndarray
+        E*: composite plane strain modulus of the contact; in N/m².
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (A.2): Van Bijlert (2026), appendix A; Johnson (1985). OpenSim uses (A.3).
+    """
+    return call("composite_modulus_by_johnson", {"first_modulus": first_modulus, "second_modulus": second_modulus})
+
+
+def composite_modulus_by_sherman(
+    *,
+    first_modulus: Number,
+    second_modulus: Number,
+) -> Values:
+    """Composite modulus, the rule of Simbody and OpenSim.
+
+        E* = (E₁*^(2/3) E₂*^(2/3) / (E₁*^(2/3) + E₂*^(2/3)))^(3/2)    (A.3)
+
+    Parameters
+    ----------
+    first_modulus : float or array_like
+        E₁*: plane strain modulus of one of the two surfaces (OpenSim: stiffness); in N/m².
+    second_modulus : float or array_like
+        E₂*: plane strain modulus of the other surface; in N/m².
+
+    Returns
+    -------
+    float or numpy.ndarray
+        E*: composite plane strain modulus of the contact; in N/m².
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (A.3): Van Bijlert (2026), appendix A; Sherman et al. (2011).
+    """
+    return call("composite_modulus_by_sherman", {"first_modulus": first_modulus, "second_modulus": second_modulus})
+
+
+def plane_strain_modulus_of_equal_surfaces(
+    *,
+    composite_modulus: Number,
+    rule: Literal["sherman", "johnson"] = "sherman",
+) -> Values:
+    """Modulus of one of two equal surfaces.
+
+        E₁* = 2^p E*    (A.4)
+
+    Parameters
+    ----------
+    composite_modulus : float or array_like
+        E*: composite plane strain modulus of the contact; in N/m².
+    rule : {"sherman", "johnson"}, default "sherman"
+        p: 1 with (A.2), 3/2 with (A.3) as in OpenSim (the paper's n here); without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        E₁*: plane strain modulus of one of the two surfaces (OpenSim: stiffness); in N/m².
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (A.4): Van Bijlert (2026), appendix A. OpenSim's stiffness is E₁*: 2^(3/2) times what the contact feels.
+    """
+    return call("plane_strain_modulus_of_equal_surfaces", {"composite_modulus": composite_modulus}, rule)
+
+
+def composite_modulus_of_equal_surfaces(
+    *,
+    plane_strain_modulus: Number,
+    rule: Literal["sherman", "johnson"] = "sherman",
+) -> Values:
+    """Modulus of one of two equal surfaces, solved for E*.
+
+        E* = E₁* / 2^p    (A.4)
+
+    Parameters
+    ----------
+    plane_strain_modulus : float or array_like
+        E₁*: plane strain modulus of one of the two surfaces (OpenSim: stiffness); in N/m².
+    rule : {"sherman", "johnson"}, default "sherman"
+        p: 1 with (A.2), 3/2 with (A.3) as in OpenSim (the paper's n here); without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        E*: composite plane strain modulus of the contact; in N/m².
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (A.4): Van Bijlert (2026), appendix A. OpenSim's stiffness is E₁*: 2^(3/2) times what the contact feels.
+    """
+    return call("composite_modulus_of_equal_surfaces", {"plane_strain_modulus": plane_strain_modulus}, rule)
+
+
+def stiffness_on_rigid_ground(
+    *,
+    youngs_modulus: Number,
+    poissons_ratio: Number,
+) -> Values:
+    """A soft body on rigid ground.
+
+        E* → E₁* for E₂* → ∞    (A.5)
+        stiffness = 2^(3/2) E₁ / (1 − ν₁²)    (A.5)
+
+    where
+
+        E*: composite plane strain modulus of the contact; in N/m²
+        E₂*: plane strain modulus of the other surface; in N/m²
+
+    Parameters
+    ----------
+    youngs_modulus : float or array_like
+        E₁: Young's modulus of the material; in N/m².
+    poissons_ratio : float or array_like
+        ν₁: Poisson's ratio of the material; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        E₁*: plane strain modulus of one of the two surfaces (OpenSim: stiffness); in N/m².
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (A.5): Van Bijlert (2026), appendix A; with (A.1) and (A.4) it gives the stiffness to write in OpenSim.
+    """
+    return call("stiffness_on_rigid_ground", {"youngs_modulus": youngs_modulus, "poissons_ratio": poissons_ratio})
+
+
+def mixed_dissipation(
+    *,
+    first_modulus: Number,
+    first_dissipation: Number,
+    second_modulus: Number,
+    second_dissipation: Number,
+) -> Values:
+    """Dissipation of two unlike surfaces.
+
+        α = α₁ s₁ + α₂ (1 − s₁), s₁ = E₂*^(2/3) / (E₁*^(2/3) + E₂*^(2/3))    Simbody
+
+    where
+
+        s₁: share of the indentation that the first surface takes; without unit
+
+    Parameters
+    ----------
+    first_modulus : float or array_like
+        E₁*: plane strain modulus of one of the two surfaces (OpenSim: stiffness); in N/m².
+    first_dissipation : float or array_like
+        α₁: dissipation of one surface; in s/m.
+    second_modulus : float or array_like
+        E₂*: plane strain modulus of the other surface; in N/m².
+    second_dissipation : float or array_like
+        α₂: dissipation of the other surface; in s/m.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        α: Hunt–Crossley dissipation (OpenSim: dissipation); in s/m.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    Simbody: not numbered in the paper: Simbody's HuntCrossleyForce (Sherman et al. 2011).
+    """
+    return call("mixed_dissipation", {"first_modulus": first_modulus, "first_dissipation": first_dissipation, "second_modulus": second_modulus, "second_dissipation": second_dissipation})
+
+
+def composite_radius(
+    *,
+    first_radius: Number,
+    second_radius: Number,
+) -> Values:
+    """Composite radius of two spheres.
+
+        R = R₁ R₂ / (R₁ + R₂)    Johnson
+
+    Parameters
+    ----------
+    first_radius : float or array_like
+        R₁: radius of the first sphere; in m.
+    second_radius : float or array_like
+        R₂: radius of the second sphere; in m.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        R: composite radius of two spheres; in m.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    Johnson: not numbered in the paper: Johnson (1985), as in section 2.
+    """
+    return call("composite_radius", {"first_radius": first_radius, "second_radius": second_radius})
+
+
+def composite_modulus_for_indentation(
+    *,
+    relative_indentation: Number,
+    radius: Number,
+    load: Number,
+    sphere_count: Number,
+) -> Values:
+    """The modulus for a wanted relative indentation under a known load.
+
+        E* = 3 F / (4 η R² x̂^(3/2) n)    (11)
+
+    where
+
+        η: shape factor, 1 for spheres; without unit
+
+    Parameters
+    ----------
+    relative_indentation : float or array_like
+        x̂: relative indentation, x / R; without unit.
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+    load : float or array_like
+        F: expected load on all n spheres together; in N.
+    sphere_count : float or array_like
+        n: spheres that share the load; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        E*: composite plane strain modulus of the contact; in N/m².
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (11): Van Bijlert (2026), section 2.2. Multiply by 2^(3/2) (A.4) to get OpenSim's stiffness.
+    """
+    return call("composite_modulus_for_indentation", {"relative_indentation": relative_indentation, "radius": radius, "load": load, "sphere_count": sphere_count})
+
+
+def relative_indentation_under_load(
+    *,
+    composite_modulus: Number,
+    radius: Number,
+    load: Number,
+    sphere_count: Number,
+) -> Values:
+    """The modulus for a wanted relative indentation under a known load, solved for x̂.
+
+        x̂ = (3 F / (4 η E* R² n))^(2/3)    (11)
+
+    where
+
+        η: shape factor, 1 for spheres; without unit
+
+    Parameters
+    ----------
+    composite_modulus : float or array_like
+        E*: composite plane strain modulus of the contact; in N/m².
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+    load : float or array_like
+        F: expected load on all n spheres together; in N.
+    sphere_count : float or array_like
+        n: spheres that share the load; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        x̂: relative indentation, x / R; without unit.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (11): Van Bijlert (2026), section 2.2. Multiply by 2^(3/2) (A.4) to get OpenSim's stiffness.
+    """
+    return call("relative_indentation_under_load", {"composite_modulus": composite_modulus, "radius": radius, "load": load, "sphere_count": sphere_count})
+
+
+def composite_modulus_for_stiffness(
+    *,
+    stiffness: Number,
+    radius: Number,
+    relative_indentation: Number,
+) -> Values:
+    """Contact stiffness by relative indentation, solved for E*.
+
+        E* = k / (2 η R √x̂)    (B.2)
+
+    where
+
+        η: shape factor, 1 for spheres; without unit
+
+    Parameters
+    ----------
+    stiffness : float or array_like
+        k: contact stiffness of one sphere, the slope of its force; in N/m.
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+    relative_indentation : float or array_like
+        x̂: relative indentation, x / R; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        E*: composite plane strain modulus of the contact; in N/m².
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (B.2): Van Bijlert (2026), appendix B; (B.1) with (2).
+    """
+    return call("composite_modulus_for_stiffness", {"stiffness": stiffness, "radius": radius, "relative_indentation": relative_indentation})
+
+
+def radius_for_stiffness(
+    *,
+    stiffness: Number,
+    relative_indentation: Number,
+    load: Number,
+    sphere_count: Number,
+) -> Values:
+    """Contact stiffness by relative indentation, with (11).
+
+        R = 3 F / (2 k x̂ n)    (B.2)
+
+    Parameters
+    ----------
+    stiffness : float or array_like
+        k: contact stiffness of one sphere, the slope of its force; in N/m.
+    relative_indentation : float or array_like
+        x̂: relative indentation, x / R; without unit.
+    load : float or array_like
+        F: expected load on all n spheres together; in N.
+    sphere_count : float or array_like
+        n: spheres that share the load; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        R: radius of the sphere (OpenSim: radius); in m.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (B.2): Van Bijlert (2026), appendix B; (B.1) with (2).
+    """
+    return call("radius_for_stiffness", {"stiffness": stiffness, "relative_indentation": relative_indentation, "load": load, "sphere_count": sphere_count})
+
+
+def dimensionless_stiffness(
+    *,
+    stiffness: Number,
+    radius: Number,
+    load: Number,
+    sphere_count: Number,
+) -> Values:
+    """Dimensionless stiffness.
+
+        k̂ = k R n / F_c    (B.3)
+
+    Parameters
+    ----------
+    stiffness : float or array_like
+        k: contact stiffness of one sphere, the slope of its force; in N/m.
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+    load : float or array_like
+        F_c: contact force of all n spheres together; in N.
+    sphere_count : float or array_like
+        n: spheres that share the load; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        k̂: dimensionless stiffness; without unit.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (B.3): Van Bijlert (2026), appendix B; Alexander et al. (1986). The second form follows from (B.2) and (3).
+    """
+    return call("dimensionless_stiffness", {"stiffness": stiffness, "radius": radius, "load": load, "sphere_count": sphere_count})
+
+
+def dimensionless_hertz_stiffness(
+    *,
+    relative_indentation: Number,
+) -> Values:
+    """Dimensionless stiffness, Hertz.
+
+        k̂ = 3 / (2 x̂)    (B.3)
+
+    Parameters
+    ----------
+    relative_indentation : float or array_like
+        x̂: relative indentation, x / R; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        k̂: dimensionless stiffness; without unit.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (B.3): Van Bijlert (2026), appendix B; Alexander et al. (1986). The second form follows from (B.2) and (3).
+    """
+    return call("dimensionless_hertz_stiffness", {"relative_indentation": relative_indentation})
+
+
+def natural_frequency(
+    *,
+    stiffness: Number,
+    mass_on_sphere: Number,
+) -> Values:
+    """Natural frequency of one loaded sphere.
+
+        f_n = √(k / M) / (2π)    (B.4)
+
+    Parameters
+    ----------
+    stiffness : float or array_like
+        k: contact stiffness of one sphere, the slope of its force; in N/m.
+    mass_on_sphere : float or array_like
+        M: mass on that sphere, body mass / n; in kg.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        f_n: natural frequency of small oscillations; in Hz.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (B.4): Van Bijlert (2026), appendix B; for small oscillations without damping.
+    """
+    return call("natural_frequency", {"stiffness": stiffness, "mass_on_sphere": mass_on_sphere})
+
+
+def equilibrium_frequency(
+    *,
+    relative_indentation: Number,
+    radius: Number,
+    gravity: Number,
+) -> Values:
+    """Natural frequency at rest under body weight.
+
+        f_n,eq = √(3/2 · g / (x̂_eq R)) / (2π)    (B.5)
+
+    Parameters
+    ----------
+    relative_indentation : float or array_like
+        x̂_eq: relative indentation at rest under body weight; without unit.
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+    gravity : float or array_like
+        g: gravity; in m/s².
+
+    Returns
+    -------
+    float or numpy.ndarray
+        f_n,eq: natural frequency at rest under body weight; in Hz.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (B.5): Van Bijlert (2026), appendix B; (B.4) with (B.2) and (3).
+    """
+    return call("equilibrium_frequency", {"relative_indentation": relative_indentation, "radius": radius, "gravity": gravity})
+
+
+def modulus_ratio(
+    *,
+    first_dimensionless_stiffness: Number,
+    second_dimensionless_stiffness: Number,
+) -> Values:
+    """Modulus for a dimensionless stiffness.
+
+        E*_a / E*_b = (k̂_a / k̂_b)^(3/2)    continuation
+
+    where
+
+        E*_a: composite plane strain modulus of a, the reference; in N/m²
+        E*_b: composite plane strain modulus of b, the model; in N/m²
+
+    Parameters
+    ----------
+    first_dimensionless_stiffness : float or array_like
+        k̂_a: dimensionless stiffness with E*_a; without unit.
+    second_dimensionless_stiffness : float or array_like
+        k̂_b: dimensionless stiffness with E*_b; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        The factor, without unit, of E*: composite plane strain modulus of the contact.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    continuation: (11) and (B.3) at one load; the steps of section 4.3.
+    """
+    return call("modulus_ratio", {"first_dimensionless_stiffness": first_dimensionless_stiffness, "second_dimensionless_stiffness": second_dimensionless_stiffness})
+
+
+def constant_indentation_force(
+    *,
+    composite_modulus: Number,
+    radius: Number,
+    constant_contact_force: Number,
+    indentation: Number,
+    shape_factor: Number = 1.0,
+) -> Values:
+    """Hertz force with a constant indentation.
+
+        F_cf = 4/3 η √R E* (x² + cf)^(3/4)    (C.1)
+
+    Parameters
+    ----------
+    composite_modulus : float or array_like
+        E*: composite plane strain modulus of the contact; in N/m².
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+    constant_contact_force : float or array_like
+        cf: a squared indentation, in spite of its name in OpenSim: constant_contact_force; in m².
+    indentation : float or array_like
+        x: indentation: how far sphere and ground overlap; in m.
+    shape_factor : float or array_like, default 1
+        η: shape factor, 1 for spheres; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        F_cf: elastic force with the constant indentation; in N.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (C.1): Van Bijlert (2026), appendix C.1, printed there as √(x² + cf)^(3/2).
+    """
+    return call("constant_indentation_force", {"composite_modulus": composite_modulus, "radius": radius, "constant_contact_force": constant_contact_force, "indentation": indentation, "shape_factor": shape_factor})
+
+
+def smooth_elastic_force(
+    *,
+    composite_modulus: Number,
+    radius: Number,
+    constant_contact_force: Number,
+    hertz_smoothing: Number,
+    indentation: Number,
+    shape_factor: Number = 1.0,
+) -> Values:
+    """Smoothed elastic force.
+
+        F_s = F_cf s_c(x)    (C.3)
+
+    where
+
+        F_cf: elastic force with the constant indentation; in N
+        s_c: contact state: 0 is none, 1 is full contact; without unit
+
+    Parameters
+    ----------
+    composite_modulus : float or array_like
+        E*: composite plane strain modulus of the contact; in N/m².
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+    constant_contact_force : float or array_like
+        cf: a squared indentation, in spite of its name in OpenSim: constant_contact_force; in m².
+    hertz_smoothing : float or array_like
+        bd: how sharply contact sets in (OpenSim: hertz_smoothing); in 1/m.
+    indentation : float or array_like
+        x: indentation: how far sphere and ground overlap; in m.
+    shape_factor : float or array_like, default 1
+        η: shape factor, 1 for spheres; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        F_s: smoothed elastic force; in N.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (C.3): Van Bijlert (2026), appendix C.2.
+    """
+    return call("smooth_elastic_force", {"composite_modulus": composite_modulus, "radius": radius, "constant_contact_force": constant_contact_force, "hertz_smoothing": hertz_smoothing, "indentation": indentation, "shape_factor": shape_factor})
+
+
+def smooth_elastic_stiffness(
+    *,
+    composite_modulus: Number,
+    radius: Number,
+    constant_contact_force: Number,
+    hertz_smoothing: Number,
+    indentation: Number,
+    shape_factor: Number = 1.0,
+) -> Values:
+    """Smoothed elastic force, its slope.
+
+        ∂F_s / ∂x    (C.3)
+
+    where
+
+        F_s: smoothed elastic force; in N
+
+    Parameters
+    ----------
+    composite_modulus : float or array_like
+        E*: composite plane strain modulus of the contact; in N/m².
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+    constant_contact_force : float or array_like
+        cf: a squared indentation, in spite of its name in OpenSim: constant_contact_force; in m².
+    hertz_smoothing : float or array_like
+        bd: how sharply contact sets in (OpenSim: hertz_smoothing); in 1/m.
+    indentation : float or array_like
+        x: indentation: how far sphere and ground overlap; in m.
+    shape_factor : float or array_like, default 1
+        η: shape factor, 1 for spheres; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        k: contact stiffness of one sphere, the slope of its force; in N/m.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (C.3): Van Bijlert (2026), appendix C.2.
+    """
+    return call("smooth_elastic_stiffness", {"composite_modulus": composite_modulus, "radius": radius, "constant_contact_force": constant_contact_force, "hertz_smoothing": hertz_smoothing, "indentation": indentation, "shape_factor": shape_factor})
+
+
+def contact_state(
+    *,
+    hertz_smoothing: Number,
+    indentation: Number,
+) -> Values:
+    """Contact state, a smoothed step.
+
+        s_c = ½ + ½ tanh(bd x)    (C.4)
+
+    Parameters
+    ----------
+    hertz_smoothing : float or array_like
+        bd: how sharply contact sets in (OpenSim: hertz_smoothing); in 1/m.
+    indentation : float or array_like
+        x: indentation: how far sphere and ground overlap; in m.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        s_c: contact state: 0 is none, 1 is full contact; without unit.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (C.4): Van Bijlert (2026), appendix C.2.
+    """
+    return call("contact_state", {"hertz_smoothing": hertz_smoothing, "indentation": indentation})
+
+
+def smooth_force(
+    *,
+    composite_modulus: Number,
+    radius: Number,
+    dissipation: Number,
+    constant_contact_force: Number,
+    hertz_smoothing: Number,
+    hunt_crossley_smoothing: Number,
+    indentation: Number,
+    speed: Number,
+    shape_factor: Number = 1.0,
+) -> Values:
+    """Force of SmoothSphereHalfSpaceForce.
+
+        F = (F_s + 3/2 F_s α ẋ)(½ + ½ tanh(bv (ẋ + 2/(3α))))    (C.9)
+
+    where
+
+        F_s: smoothed elastic force; in N
+
+    Parameters
+    ----------
+    composite_modulus : float or array_like
+        E*: composite plane strain modulus of the contact; in N/m².
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+    dissipation : float or array_like
+        α: Hunt–Crossley dissipation (OpenSim: dissipation); in s/m.
+    constant_contact_force : float or array_like
+        cf: a squared indentation, in spite of its name in OpenSim: constant_contact_force; in m².
+    hertz_smoothing : float or array_like
+        bd: how sharply contact sets in (OpenSim: hertz_smoothing); in 1/m.
+    hunt_crossley_smoothing : float or array_like
+        bv: how sharply the force is cut off (OpenSim: hunt_crossley_smoothing); in s/m.
+    indentation : float or array_like
+        x: indentation: how far sphere and ground overlap; in m.
+    speed : float or array_like
+        ẋ: rate of indentation, above 0 while the sphere sinks in; in m/s.
+    shape_factor : float or array_like, default 1
+        η: shape factor, 1 for spheres; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        F: smoothed contact force of one sphere; in N.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (C.9): Van Bijlert (2026), appendix C.2. With α = 0 the second factor is 1. At rest (ẋ = 0) it is below 1: by 3e-15 at α = 2 s/m and bv = 50 s/m, by 3.4 % at α = 20.
+    """
+    return call("smooth_force", {"composite_modulus": composite_modulus, "radius": radius, "dissipation": dissipation, "constant_contact_force": constant_contact_force, "hertz_smoothing": hertz_smoothing, "hunt_crossley_smoothing": hunt_crossley_smoothing, "indentation": indentation, "speed": speed, "shape_factor": shape_factor})
+
+
+def speed_state(
+    *,
+    dissipation: Number,
+    hunt_crossley_smoothing: Number,
+    speed: Number,
+) -> Values:
+    """Force of SmoothSphereHalfSpaceForce, second factor.
+
+        ½ + ½ tanh(bv (ẋ + 2/(3α)))    (C.9)
+
+    Parameters
+    ----------
+    dissipation : float or array_like
+        α: Hunt–Crossley dissipation (OpenSim: dissipation); in s/m.
+    hunt_crossley_smoothing : float or array_like
+        bv: how sharply the force is cut off (OpenSim: hunt_crossley_smoothing); in s/m.
+    speed : float or array_like
+        ẋ: rate of indentation, above 0 while the sphere sinks in; in m/s.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        second factor: speed state: 0 is where the force would pull, 1 is where it pushes; without unit.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (C.9): Van Bijlert (2026), appendix C.2. With α = 0 the second factor is 1. At rest (ẋ = 0) it is below 1: by 3e-15 at α = 2 s/m and bv = 50 s/m, by 3.4 % at α = 20.
+    """
+    return call("speed_state", {"dissipation": dissipation, "hunt_crossley_smoothing": hunt_crossley_smoothing, "speed": speed})
+
+
+def speed_state_at_rest(
+    *,
+    dissipation: Number,
+    hunt_crossley_smoothing: Number,
+) -> Values:
+    """Force of SmoothSphereHalfSpaceForce, second factor at rest.
+
+        ½ + ½ tanh(2 bv/(3α))    (C.9)
+
+    Parameters
+    ----------
+    dissipation : float or array_like
+        α: Hunt–Crossley dissipation (OpenSim: dissipation); in s/m.
+    hunt_crossley_smoothing : float or array_like
+        bv: how sharply the force is cut off (OpenSim: hunt_crossley_smoothing); in s/m.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        second factor: speed state: 0 is where the force would pull, 1 is where it pushes; without unit.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (C.9): Van Bijlert (2026), appendix C.2. With α = 0 the second factor is 1. At rest (ẋ = 0) it is below 1: by 3e-15 at α = 2 s/m and bv = 50 s/m, by 3.4 % at α = 20.
+    """
+    return call("speed_state_at_rest", {"dissipation": dissipation, "hunt_crossley_smoothing": hunt_crossley_smoothing})
+
+
+def smooth_rest_force(
+    *,
+    composite_modulus: Number,
+    radius: Number,
+    dissipation: Number,
+    constant_contact_force: Number,
+    hertz_smoothing: Number,
+    hunt_crossley_smoothing: Number,
+    indentation: Number,
+    shape_factor: Number = 1.0,
+) -> Values:
+    """Force of SmoothSphereHalfSpaceForce, at rest.
+
+        F = F_s (½ + ½ tanh(2 bv/(3α)))    (C.9)
+
+    where
+
+        F_s: smoothed elastic force; in N
+
+    Parameters
+    ----------
+    composite_modulus : float or array_like
+        E*: composite plane strain modulus of the contact; in N/m².
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+    dissipation : float or array_like
+        α: Hunt–Crossley dissipation (OpenSim: dissipation); in s/m.
+    constant_contact_force : float or array_like
+        cf: a squared indentation, in spite of its name in OpenSim: constant_contact_force; in m².
+    hertz_smoothing : float or array_like
+        bd: how sharply contact sets in (OpenSim: hertz_smoothing); in 1/m.
+    hunt_crossley_smoothing : float or array_like
+        bv: how sharply the force is cut off (OpenSim: hunt_crossley_smoothing); in s/m.
+    indentation : float or array_like
+        x: indentation: how far sphere and ground overlap; in m.
+    shape_factor : float or array_like, default 1
+        η: shape factor, 1 for spheres; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        F: smoothed contact force of one sphere; in N.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (C.9): Van Bijlert (2026), appendix C.2. With α = 0 the second factor is 1. At rest (ẋ = 0) it is below 1: by 3e-15 at α = 2 s/m and bv = 50 s/m, by 3.4 % at α = 20.
+    """
+    return call("smooth_rest_force", {"composite_modulus": composite_modulus, "radius": radius, "dissipation": dissipation, "constant_contact_force": constant_contact_force, "hertz_smoothing": hertz_smoothing, "hunt_crossley_smoothing": hunt_crossley_smoothing, "indentation": indentation, "shape_factor": shape_factor})
+
+
+def smooth_rest_stiffness(
+    *,
+    composite_modulus: Number,
+    radius: Number,
+    dissipation: Number,
+    constant_contact_force: Number,
+    hertz_smoothing: Number,
+    hunt_crossley_smoothing: Number,
+    indentation: Number,
+    shape_factor: Number = 1.0,
+) -> Values:
+    """Force of SmoothSphereHalfSpaceForce, its slope at rest.
+
+        ∂F / ∂x at ẋ = 0    (C.9)
+
+    where
+
+        F: smoothed contact force of one sphere; in N
+        ẋ: rate of indentation, above 0 while the sphere sinks in; in m/s
+
+    Parameters
+    ----------
+    composite_modulus : float or array_like
+        E*: composite plane strain modulus of the contact; in N/m².
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+    dissipation : float or array_like
+        α: Hunt–Crossley dissipation (OpenSim: dissipation); in s/m.
+    constant_contact_force : float or array_like
+        cf: a squared indentation, in spite of its name in OpenSim: constant_contact_force; in m².
+    hertz_smoothing : float or array_like
+        bd: how sharply contact sets in (OpenSim: hertz_smoothing); in 1/m.
+    hunt_crossley_smoothing : float or array_like
+        bv: how sharply the force is cut off (OpenSim: hunt_crossley_smoothing); in s/m.
+    indentation : float or array_like
+        x: indentation: how far sphere and ground overlap; in m.
+    shape_factor : float or array_like, default 1
+        η: shape factor, 1 for spheres; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        k: contact stiffness of one sphere, the slope of its force; in N/m.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (C.9): Van Bijlert (2026), appendix C.2. With α = 0 the second factor is 1. At rest (ẋ = 0) it is below 1: by 3e-15 at α = 2 s/m and bv = 50 s/m, by 3.4 % at α = 20.
+    """
+    return call("smooth_rest_stiffness", {"composite_modulus": composite_modulus, "radius": radius, "dissipation": dissipation, "constant_contact_force": constant_contact_force, "hertz_smoothing": hertz_smoothing, "hunt_crossley_smoothing": hunt_crossley_smoothing, "indentation": indentation, "shape_factor": shape_factor})
+
+
+def constant_contact_force_for_indentation(
+    *,
+    constant_relative_indentation: Number,
+    radius: Number,
+) -> Values:
+    """cf for a wanted constant relative indentation.
+
+        cf = (R x̂_c)²    (C.2)
+
+    Parameters
+    ----------
+    constant_relative_indentation : float or array_like
+        x̂_c: constant relative indentation; without unit.
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        cf: a squared indentation, in spite of its name in OpenSim: constant_contact_force; in m².
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (C.2): Van Bijlert (2026), appendix C.1. A start: x̂_c = 0.1, or 0.05 where x̂ below 0.16 is wanted.
+    """
+    return call("constant_contact_force_for_indentation", {"constant_relative_indentation": constant_relative_indentation, "radius": radius})
+
+
+def constant_relative_indentation(
+    *,
+    constant_contact_force: Number,
+    radius: Number,
+) -> Values:
+    """cf for a wanted constant relative indentation, solved for x̂_c.
+
+        x̂_c = √cf / R    (C.2)
+
+    Parameters
+    ----------
+    constant_contact_force : float or array_like
+        cf: a squared indentation, in spite of its name in OpenSim: constant_contact_force; in m².
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        x̂_c: constant relative indentation; without unit.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (C.2): Van Bijlert (2026), appendix C.1. A start: x̂_c = 0.1, or 0.05 where x̂ below 0.16 is wanted.
+    """
+    return call("constant_relative_indentation", {"constant_contact_force": constant_contact_force, "radius": radius})
+
+
+def hertz_smoothing_for_radius(
+    *,
+    dimensionless_hertz_smoothing: Number,
+    radius: Number,
+) -> Values:
+    """bd from a pure number.
+
+        bd = b_x̂ / R    (C.5)
+
+    Parameters
+    ----------
+    dimensionless_hertz_smoothing : float or array_like
+        b_x̂: bd without dimension, bd R; without unit.
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        bd: how sharply contact sets in (OpenSim: hertz_smoothing); in 1/m.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (C.5): Van Bijlert (2026), appendix C.2. A start: b_x̂ = 10.
+    """
+    return call("hertz_smoothing_for_radius", {"dimensionless_hertz_smoothing": dimensionless_hertz_smoothing, "radius": radius})
+
+
+def threshold_indentation(
+    *,
+    threshold: Number,
+    hertz_smoothing: Number,
+    radius: Number,
+) -> Values:
+    """Indentation at which the contact state reaches a threshold.
+
+        x̂_t = atanh(1 − 2 t) / (bd R)    (C.6)
+
+    Parameters
+    ----------
+    threshold : float or array_like
+        t: threshold on a smoothed step, such as 0.05; without unit.
+    hertz_smoothing : float or array_like
+        bd: how sharply contact sets in (OpenSim: hertz_smoothing); in 1/m.
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        x̂_t: relative indentation at which s_c is 1 − t; without unit.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (C.6): Van Bijlert (2026), appendix C.2; (C.4) solved for x̂.
+    """
+    return call("threshold_indentation", {"threshold": threshold, "hertz_smoothing": hertz_smoothing, "radius": radius})
+
+
+def transition_width(
+    *,
+    threshold: Number,
+    hertz_smoothing: Number,
+    radius: Number,
+) -> Values:
+    """Width of the contact transition.
+
+        Δx̂ = 2 atanh(1 − 2 t) / (bd R)    (C.7)
+
+    Parameters
+    ----------
+    threshold : float or array_like
+        t: threshold on a smoothed step, such as 0.05; without unit.
+    hertz_smoothing : float or array_like
+        bd: how sharply contact sets in (OpenSim: hertz_smoothing); in 1/m.
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        Δx̂: relative indentation from s_c = t to s_c = 1 − t; without unit.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (C.7): Van Bijlert (2026), appendix C.2; twice (C.6).
+    """
+    return call("transition_width", {"threshold": threshold, "hertz_smoothing": hertz_smoothing, "radius": radius})
+
+
+def hertz_smoothing_for_width(
+    *,
+    threshold: Number,
+    transition_width: Number,
+    radius: Number,
+) -> Values:
+    """bd for a wanted width of the contact transition.
+
+        bd = 2 atanh(1 − 2 t) / (Δx̂ R)    (C.8)
+
+    Parameters
+    ----------
+    threshold : float or array_like
+        t: threshold on a smoothed step, such as 0.05; without unit.
+    transition_width : float or array_like
+        Δx̂: relative indentation from s_c = t to s_c = 1 − t; without unit.
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        bd: how sharply contact sets in (OpenSim: hertz_smoothing); in 1/m.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (C.8): Van Bijlert (2026), appendix C.2; (C.7) solved for bd.
+    """
+    return call("hertz_smoothing_for_width", {"threshold": threshold, "transition_width": transition_width, "radius": radius})
+
+
+def hunt_crossley_smoothing_for_radius(
+    *,
+    reduced_hunt_crossley_smoothing: Number,
+    radius: Number,
+) -> Values:
+    """bv from the sphere's radius, or for a wanted width.
+
+        bv = b_ẋ / √R    (C.10)
+
+    Parameters
+    ----------
+    reduced_hunt_crossley_smoothing : float or array_like
+        b_ẋ: bv with only the radius taken out, bv √R; in s/√m.
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        bv: how sharply the force is cut off (OpenSim: hunt_crossley_smoothing); in s/m.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (C.10): Van Bijlert (2026), appendix C.2. A start: b_ẋ = 9. The printed form takes Δv / √R, not a speed. With another gravity also × (g_b / g_a)^(−1/2) (an extension).
+    """
+    return call("hunt_crossley_smoothing_for_radius", {"reduced_hunt_crossley_smoothing": reduced_hunt_crossley_smoothing, "radius": radius})
+
+
+def hunt_crossley_smoothing_for_speed_width(
+    *,
+    threshold: Number,
+    speed_width: Number,
+) -> Values:
+    """bv from the sphere's radius, or for a wanted width, from a speed.
+
+        bv = 2 atanh(1 − 2 t) / Δv    (C.10)
+
+    Parameters
+    ----------
+    threshold : float or array_like
+        t: threshold on a smoothed step, such as 0.05; without unit.
+    speed_width : float or array_like
+        Δv: speed over which the step goes from t to 1 − t; in m/s.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        bv: how sharply the force is cut off (OpenSim: hunt_crossley_smoothing); in s/m.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (C.10): Van Bijlert (2026), appendix C.2. A start: b_ẋ = 9. The printed form takes Δv / √R, not a speed. With another gravity also × (g_b / g_a)^(−1/2) (an extension).
+    """
+    return call("hunt_crossley_smoothing_for_speed_width", {"threshold": threshold, "speed_width": speed_width})
+
+
+def hunt_crossley_smoothing_for_reduced_width(
+    *,
+    threshold: Number,
+    reduced_speed_width: Number,
+    radius: Number,
+) -> Values:
+    """bv from the sphere's radius, or for a wanted width, as printed.
+
+        bv = 2 atanh(1 − 2 t) / (Δẋ √R)    (C.10)
+
+    Parameters
+    ----------
+    threshold : float or array_like
+        t: threshold on a smoothed step, such as 0.05; without unit.
+    reduced_speed_width : float or array_like
+        Δẋ: Δv / √R; in √m/s.
+    radius : float or array_like
+        R: radius of the sphere (OpenSim: radius); in m.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        bv: how sharply the force is cut off (OpenSim: hunt_crossley_smoothing); in s/m.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (C.10): Van Bijlert (2026), appendix C.2. A start: b_ẋ = 9. The printed form takes Δv / √R, not a speed. With another gravity also × (g_b / g_a)^(−1/2) (an extension).
+    """
+    return call("hunt_crossley_smoothing_for_reduced_width", {"threshold": threshold, "reduced_speed_width": reduced_speed_width, "radius": radius})
+
+
+def plane_strain_modulus(
+    *,
+    mass_ratio: Number,
+    sphere_count_ratio: Number,
+    radius_ratio: Number,
+    gravity_ratio: Number = 1.0,
+) -> Values:
+    """How the modulus grows with body size at the same relative indentation.
+
+        E* ∝ M / (n R²)    (8)
+        E*_b / E*_a = (M_b / M_a) (n_a / n_b) (R_a² / R_b²)    (9)
+        E*_b = (M_b / M_a) (n_a / n_b) (R_a² / R_b²) E*_a    (10)
+
+    where
+
+        M: body mass; in kg
+        n: spheres that share the load; without unit
+        E*_b: composite plane strain modulus of b, the model; in N/m²
+        E*_a: composite plane strain modulus of a, the reference; in N/m²
+        M_b: body mass of b, the model; in kg
+        M_a: body mass of a, the reference; in kg
+        n_a: spheres that share the load of a, the reference; without unit
+        n_b: spheres that share the load of b, the model; without unit
+
+    Parameters
+    ----------
+    mass_ratio : float or array_like
+        M_b / M_a: body mass of b, the model, divided by that of a, the reference; without unit.
+    sphere_count_ratio : float or array_like
+        n_b / n_a: spheres that share the load of b, the model, divided by those of a, the reference; without unit.
+    radius_ratio : float or array_like
+        R_b / R_a: radius of the spheres of b, the model, divided by that of a, the reference; without unit.
+    gravity_ratio : float or array_like, default 1
+        g_b / g_a: gravity where b, the model, lives, divided by that of a, the reference; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        The factor, without unit, of E*: composite plane strain modulus of the contact.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (8): Van Bijlert (2026), section 2. With geometric similarity R ∝ M^(1/3), so E* ∝ M^(1/3) too: this is what sets isometric radii.
+    (9): Van Bijlert (2026), section 2.1; it is (8) for a and b.
+    (10): Van Bijlert (2026), section 2.1. It holds for E₁* (OpenSim's stiffness) as well, since both surfaces are equal (A.4). With another gravity also × g_b / g_a (an extension).
+    """
+    return call("plane_strain_modulus", {"mass_ratio": mass_ratio, "sphere_count_ratio": sphere_count_ratio, "radius_ratio": radius_ratio, "gravity_ratio": gravity_ratio})
+
+
+def dissipation(
+    *,
+    radius_ratio: Number,
+    gravity_ratio: Number = 1.0,
+) -> Values:
+    """How dissipation follows body size at the same restitution.
+
+        α ∝ R^(−1/2)    (14)
+
+    where
+
+        R: radius of the sphere (OpenSim: radius); in m
+
+    Parameters
+    ----------
+    radius_ratio : float or array_like
+        R_b / R_a: radius of the spheres of b, the model, divided by that of a, the reference; without unit.
+    gravity_ratio : float or array_like, default 1
+        g_b / g_a: gravity where b, the model, lives, divided by that of a, the reference; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        The factor, without unit, of α: Hunt–Crossley dissipation (OpenSim: dissipation).
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (14): Van Bijlert (2026), section 2.3. With another gravity also × (g_b / g_a)^(−1/2) (an extension).
+    """
+    return call("dissipation", {"radius_ratio": radius_ratio, "gravity_ratio": gravity_ratio})
+
+
+def dissipation_by_mass(
+    *,
+    mass_ratio: Number,
+    gravity_ratio: Number = 1.0,
+) -> Values:
+    """How dissipation follows body size at the same restitution, by mass.
+
+        α ∝ M^(−1/6)    (14)
+
+    where
+
+        M: body mass; in kg
+
+    Parameters
+    ----------
+    mass_ratio : float or array_like
+        M_b / M_a: body mass of b, the model, divided by that of a, the reference; without unit.
+    gravity_ratio : float or array_like, default 1
+        g_b / g_a: gravity where b, the model, lives, divided by that of a, the reference; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        The factor, without unit, of α: Hunt–Crossley dissipation (OpenSim: dissipation).
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (14): Van Bijlert (2026), section 2.3. With another gravity also × (g_b / g_a)^(−1/2) (an extension).
+    """
+    return call("dissipation_by_mass", {"mass_ratio": mass_ratio, "gravity_ratio": gravity_ratio})
+
+
+def constant_contact_force(
+    *,
+    radius_ratio: Number,
+) -> Values:
+    """cf for a wanted constant relative indentation, from a to b.
+
+        cf ∝ R²    (C.2)
+
+    Parameters
+    ----------
+    radius_ratio : float or array_like
+        R_b / R_a: radius of the spheres of b, the model, divided by that of a, the reference; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        The factor, without unit, of cf: a squared indentation, in spite of its name in OpenSim: constant_contact_force.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (C.2): Van Bijlert (2026), appendix C.1. A start: x̂_c = 0.1, or 0.05 where x̂ below 0.16 is wanted.
+    """
+    return call("constant_contact_force", {"radius_ratio": radius_ratio})
+
+
+def hertz_smoothing(
+    *,
+    radius_ratio: Number,
+) -> Values:
+    """bd from a pure number, from a to b.
+
+        bd ∝ 1/R    (C.5)
+
+    where
+
+        R: radius of the sphere (OpenSim: radius); in m
+
+    Parameters
+    ----------
+    radius_ratio : float or array_like
+        R_b / R_a: radius of the spheres of b, the model, divided by that of a, the reference; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        The factor, without unit, of bd: how sharply contact sets in (OpenSim: hertz_smoothing).
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (C.5): Van Bijlert (2026), appendix C.2. A start: b_x̂ = 10.
+    """
+    return call("hertz_smoothing", {"radius_ratio": radius_ratio})
+
+
+def hunt_crossley_smoothing(
+    *,
+    radius_ratio: Number,
+    gravity_ratio: Number = 1.0,
+) -> Values:
+    """bv from the sphere's radius, or for a wanted width, from a to b.
+
+        bv ∝ R^(−1/2)    (C.10)
+
+    where
+
+        R: radius of the sphere (OpenSim: radius); in m
+
+    Parameters
+    ----------
+    radius_ratio : float or array_like
+        R_b / R_a: radius of the spheres of b, the model, divided by that of a, the reference; without unit.
+    gravity_ratio : float or array_like, default 1
+        g_b / g_a: gravity where b, the model, lives, divided by that of a, the reference; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        The factor, without unit, of bv: how sharply the force is cut off (OpenSim: hunt_crossley_smoothing).
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    (C.10): Van Bijlert (2026), appendix C.2. A start: b_ẋ = 9. The printed form takes Δv / √R, not a speed. With another gravity also × (g_b / g_a)^(−1/2) (an extension).
+    """
+    return call("hunt_crossley_smoothing", {"radius_ratio": radius_ratio, "gravity_ratio": gravity_ratio})
+
+
+def transition_velocity(
+    *,
+    radius_ratio: Number,
+    gravity_ratio: Number = 1.0,
+) -> Values:
+    """How friction speeds follow body size.
+
+        transition_velocity ∝ √(g R)    friction
+
+    where
+
+        g: gravity; in m/s²
+        R: radius of the sphere (OpenSim: radius); in m
+
+    Parameters
+    ----------
+    radius_ratio : float or array_like
+        R_b / R_a: radius of the spheres of b, the model, divided by that of a, the reference; without unit.
+    gravity_ratio : float or array_like, default 1
+        g_b / g_a: gravity where b, the model, lives, divided by that of a, the reference; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        The factor, without unit, of transition_velocity: slip speed at which friction is fully there.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    friction: beyond the paper: speeds grow as √(g R). The friction coefficients have no size and stay. The friction of SmoothSphereHalfSpaceForce is similar only in part.
+    """
+    return call("transition_velocity", {"radius_ratio": radius_ratio, "gravity_ratio": gravity_ratio})
+
+
+def viscous_friction(
+    *,
+    radius_ratio: Number,
+    gravity_ratio: Number = 1.0,
+) -> Values:
+    """How friction speeds follow body size.
+
+        viscous_friction ∝ 1/√(g R)    friction
+
+    where
+
+        g: gravity; in m/s²
+        R: radius of the sphere (OpenSim: radius); in m
+
+    Parameters
+    ----------
+    radius_ratio : float or array_like
+        R_b / R_a: radius of the spheres of b, the model, divided by that of a, the reference; without unit.
+    gravity_ratio : float or array_like, default 1
+        g_b / g_a: gravity where b, the model, lives, divided by that of a, the reference; without unit.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        The factor, without unit, of viscous_friction: friction that grows with slip speed.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    friction: beyond the paper: speeds grow as √(g R). The friction coefficients have no size and stay. The friction of SmoothSphereHalfSpaceForce is similar only in part.
+    """
+    return call("viscous_friction", {"radius_ratio": radius_ratio, "gravity_ratio": gravity_ratio})
+
+
+def mean_square_radius(
+    *,
+    radius: NumberList,
+) -> float:
+    """One radius for spheres of different size.
+
+        R² = Σ R_i² / n    mixed radii
+
+    where
+
+        n: spheres that share the load; without unit
+
+    Parameters
+    ----------
+    radius : sequence of float
+        R_i: radius of sphere i; in m.
+
+    Returns
+    -------
+    float
+        R²: square of one radius in the place of all n; in m².
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    mixed radii: beyond the paper: (3) summed over spheres of equal x̂ and E*.
+    """
+    return call_of_list("mean_square_radius", {"radius": radius})
+
+
+def hertz_rest_indentation(
+    *,
+    load: float,
+    composite_modulus: float | NumberList,
+    radius: float | NumberList,
+    number_of_spheres: float | NumberList = 1.0,
+    height: NumberList | None = None,
+) -> float:
+    """Indentation at rest by the Hertz law.
+
+        Σ 4/3 E*_i √R_i x^(3/2) = F    rest by (1)
+        Σ 4/3 E*_i √R_i max(0, x − h_i)^(3/2) = F    rest at own heights
+
+    Parameters
+    ----------
+    load : float
+        F: load on all spheres together; in N.
+    composite_modulus : sequence of float
+        E*_i: composite plane strain modulus of sphere i; in N/m².
+    radius : sequence of float
+        R_i: radius of sphere i; in m.
+    number_of_spheres : sequence of float, default 1
+        n_i: how many spheres are like sphere i, itself included; without unit.
+    height : sequence of float, optional
+        h_i: height of the bottom of sphere i above the lowest; in m.
+
+    Returns
+    -------
+    float
+        x: indentation: how far sphere and ground overlap; in m.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    rest by (1): beyond the paper: (1) summed over spheres whose bottoms are level.
+    rest at own heights: beyond the paper: (1) and (C.9) summed over spheres whose bottoms are h_i above the lowest, as at the default pose.
+    """
+    return call_of_list("hertz_rest_indentation", {"composite_modulus": composite_modulus, "radius": radius, "number_of_spheres": number_of_spheres}, height, load)
+
+
+def smooth_rest_indentation(
+    *,
+    load: float,
+    composite_modulus: float | NumberList,
+    radius: float | NumberList,
+    dissipation: float | NumberList,
+    constant_contact_force: float | NumberList,
+    hertz_smoothing: float | NumberList,
+    hunt_crossley_smoothing: float | NumberList,
+    number_of_spheres: float | NumberList = 1.0,
+    height: NumberList | None = None,
+) -> float:
+    """Indentation at rest by the file's law.
+
+        Σ F_i(x, ẋ = 0) = F    rest by (C.9)
+        Σ F_i(x − h_i, ẋ = 0) = F    rest at own heights
+
+    where
+
+        F_i: smoothed contact force of sphere i; in N
+        ẋ: rate of indentation, above 0 while the sphere sinks in; in m/s
+
+    Parameters
+    ----------
+    load : float
+        F: load on all spheres together; in N.
+    composite_modulus : sequence of float
+        E*_i: composite plane strain modulus of sphere i; in N/m².
+    radius : sequence of float
+        R_i: radius of sphere i; in m.
+    dissipation : sequence of float
+        α: Hunt–Crossley dissipation (OpenSim: dissipation); in s/m.
+    constant_contact_force : sequence of float
+        cf: a squared indentation, in spite of its name in OpenSim: constant_contact_force; in m².
+    hertz_smoothing : sequence of float
+        bd: how sharply contact sets in (OpenSim: hertz_smoothing); in 1/m.
+    hunt_crossley_smoothing : sequence of float
+        bv: how sharply the force is cut off (OpenSim: hunt_crossley_smoothing); in s/m.
+    number_of_spheres : sequence of float, default 1
+        n_i: how many spheres are like sphere i, itself included; without unit.
+    height : sequence of float, optional
+        h_i: height of the bottom of sphere i above the lowest; in m.
+
+    Returns
+    -------
+    float
+        x: indentation: how far sphere and ground overlap; in m.
+
+    Raises
+    ------
+    RequestError
+        A value outside of the domain, by its argument and element.
+
+    References
+    ----------
+    rest by (C.9): beyond the paper: (C.9) at ẋ = 0 summed over spheres whose bottoms are level.
+    rest at own heights: beyond the paper: (1) and (C.9) summed over spheres whose bottoms are h_i above the lowest, as at the default pose.
+    """
+    return call_of_list("smooth_rest_indentation", {"composite_modulus": composite_modulus, "radius": radius, "dissipation": dissipation, "constant_contact_force": constant_contact_force, "hertz_smoothing": hertz_smoothing, "hunt_crossley_smoothing": hunt_crossley_smoothing, "number_of_spheres": number_of_spheres}, height, load)
+
+
+def continuation_steps(
+    *, first: float, last: float, dissipation_ratio: float = 1.0, count: int = 5
+) -> Steps:
+    """Steps from soft contacts to those that are wanted, for a ladder of optimisations (section 4.3 of the paper).
+
+    Parameters
+    ----------
+    first, last : float
+        Dimensionless stiffness k̂ (B.3) at the load of the first and the last step; without unit.
+    dissipation_ratio : float, default 1
+        What α begins with, over its last value; without unit.
+    count : int, default 5
+        How many steps, the last one included.
+
+    Returns
+    -------
+    Steps
+        Arrays of float64: `dimensionless_stiffness`, and what E* and α of the last step are multiplied by, `modulus_factor` and
+        `dissipation_factor`; without unit.
+    """
+    return call_of_steps(first, last, dissipation_ratio, count)

@@ -1,0 +1,145 @@
+"""What goes wrong is an exception with all that is known of it, and never the end of Python."""
+
+import os
+import pickle
+import subprocess
+import sys
+
+import numpy as np
+import osim_contact_scale as ocs
+import pytest
+from conftest import FIXTURES, HUMAN
+
+
+def test_line_and_column():
+    with pytest.raises(ocs.ModelError) as caught:
+        ocs.rescale(FIXTURES / "bad" / "tags_crossed.osim", target_mass=80)
+    error = caught.value
+    assert (error.code, error.line, error.column) == ("malformed-xml", 30, 26)
+    assert error.excerpt is not None and "</dissipation>" in error.excerpt
+    assert str(error).startswith(f"{error.path}:30:26: ")
+    back = pickle.loads(pickle.dumps(error))
+    assert (type(back), str(back), back.__dict__) == (type(error), str(error), error.__dict__)
+
+
+def test_what_has_to_be_said_is_named():
+    with pytest.raises(ocs.NeedsAnswer) as caught:
+        ocs.rescale(HUMAN, target_mass=62_000)
+    assert caught.value.code == "implausible-mass"
+    assert caught.value.keyword == "yes"
+    assert ocs.rescale(HUMAN, target_mass=62_000, radius="keep", yes=caught.value.code).changes is not None
+    massless = FIXTURES / "format" / "standalone_ForceSet.xml"
+    with pytest.raises(ocs.NeedsAnswer) as caught:
+        ocs.design(massless, geometry=FIXTURES / "format" / "standalone_ContactGeometrySet.xml", indentation=0.1)
+    assert caught.value.keyword == "spheres"
+
+
+@pytest.mark.parametrize(
+    ("keywords", "keyword"),
+    [
+        ({"target_mass": float("nan")}, "target_mass"),
+        ({"target_mass": np.inf}, "target_mass"),
+        ({"target_mass": -1}, "target_mass"),
+        ({"target_mass": 80, "radius": "big"}, "radius"),
+        ({"target_mass": 80, "level_axis": "y"}, "level_axis"),
+        ({}, "target_mass"),
+    ],
+)
+def test_a_wrong_call_names_its_keyword(keywords, keyword):
+    with pytest.raises(ocs.RequestError) as caught:
+        ocs.rescale(HUMAN, **keywords)
+    assert caught.value.keyword == keyword
+    assert isinstance(caught.value, ValueError)
+
+
+def test_a_keyword_that_there_is_not_is_a_type_error():
+    with pytest.raises(TypeError, match="taget_mass"):
+        ocs.rescale(HUMAN, taget_mass=80)
+
+
+@pytest.mark.parametrize("source", ["-", ["a.osim"], 12, None, FIXTURES])
+def test_what_is_no_model_is_refused_with_a_sentence(source):
+    with pytest.raises((ocs.RequestError, TypeError), match=r"standard input|expected|folder"):
+        ocs.rescale(source, target_mass=80)
+
+
+def test_standard_input_is_not_waited_for():
+    code = (
+        "import osim_contact_scale as ocs\ntry: ocs.inspect('-')\nexcept ocs.ContactScaleError as error: print(error)"
+    )
+    ran = subprocess.run(
+        [sys.executable, "-c", code], stdin=subprocess.PIPE, capture_output=True, text=True, timeout=60
+    )
+    assert "no model on its standard input" in ran.stdout
+
+
+def test_a_panic_is_an_exception():
+    with pytest.raises(ocs.ContactScaleError) as caught:
+        ocs._native.defect()
+    assert caught.value.code == "internal" and isinstance(caught.value, Exception)
+    assert len(ocs.rescale(HUMAN, target_mass=80).changes) > 0
+
+
+@pytest.mark.parametrize("name", ["two words", "Mäuse & Füße", 'it\'s "quoted"', "d" * 120 + os.sep + "e" * 120])
+def test_names_of_folders(name, tmp_path):
+    if os.name == "nt" and '"' in name:
+        pytest.skip("Windows has no quotation marks in names of files")
+    folder = tmp_path / name
+    folder.mkdir(parents=True)
+    path = folder / "Läufer 1.osim"
+    path.write_bytes(HUMAN.read_bytes())
+    assert len(str(path)) > 40
+    (written,) = ocs.rescale(path, target_mass=80).write()
+    assert written.parent == folder
+    # A folder's results are no models of its own.
+    assert [record["model"] for record in ocs.inspect(folder)] == [str(path)]
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no names that are not text")
+def test_a_name_that_is_no_text(tmp_path):
+    path = os.fsencode(tmp_path) + b"/m\xe4use.osim"
+    with open(path, "wb") as file:
+        file.write(HUMAN.read_bytes())
+    (written,) = ocs.rescale(os.fsdecode(path), target_mass=80).write()
+    assert os.fsencode(written).endswith(b"m\xe4use.scaled.osim")
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such names of files")
+def test_an_error_has_the_name_of_its_file_and_shows_a_harmless_one(tmp_path):
+    path = tmp_path / "a\x1b[31m\n.osim"
+    path.write_text("no model", encoding="utf-8")
+    with pytest.raises(ocs.ModelError) as caught:
+        ocs.inspect(path)
+    assert caught.value.path == str(path)
+    assert "\x1b" not in str(caught.value) and str(caught.value).count(r"a\u{1b}[31m\n.osim") == 1
+
+
+def test_wrong_rows_have_a_line_each():
+    rows = [{"model": HUMAN, "target_mass": "x"}, {"model": "nowhere.osim", "target_mass": 70}]
+    with pytest.raises(ocs.RequestError) as caught:
+        ocs.rescale_many(rows, dry_run=True)
+    assert [line.split(":")[1].split(",")[0] for line in str(caught.value).splitlines()[1:]] == [" row 2", " row 3"]
+
+
+def test_the_home_folder(tmp_path, monkeypatch):
+    monkeypatch.setenv("HOME", str(tmp_path))
+    monkeypatch.setenv("USERPROFILE", str(tmp_path))
+    (tmp_path / "human.osim").write_bytes(HUMAN.read_bytes())
+    assert ocs.rescale("~/human.osim", target_mass=80).write("~/new.osim") == [tmp_path / "new.osim"]
+
+
+def test_a_read_only_folder(tmp_path):
+    code = "import os\nos.setuid(65534)\n" if hasattr(os, "geteuid") and os.geteuid() == 0 else ""
+    folder = tmp_path / "closed"
+    folder.mkdir()
+    for path in (tmp_path, *tmp_path.parents[:2]):
+        os.chmod(path, 0o755)
+    path = folder / "human.osim"
+    path.write_bytes(HUMAN.read_bytes())
+    os.chmod(folder, 0o555)
+    planned = f"import osim_contact_scale as ocs\nresult = ocs.rescale({str(path)!r}, target_mass=80)\n"
+    tried = "try: result.write()\nexcept ocs.OutputError as error: print('refused:', error)\n"
+    ran = subprocess.run([sys.executable, "-c", planned + code + tried], capture_output=True, text=True)
+    os.chmod(folder, 0o755)
+    assert ran.stdout.startswith("refused:"), ran
+    assert [entry.name for entry in folder.iterdir()] == ["human.osim"]

@@ -1,0 +1,73 @@
+"""What is made from Rust is up to date, and every function has all that is said of it."""
+
+import inspect
+import subprocess
+import sys
+
+import osim_contact_scale as ocs
+import pytest
+from conftest import TOP
+
+
+@pytest.mark.parametrize("script", ["generate_python.py", "generate_scaling.py"])
+def test_generated_code_is_up_to_date(script):
+    ran = subprocess.run([sys.executable, TOP / "dev" / script, "--check"], capture_output=True, text=True)
+    assert ran.returncode == 0, ran.stdout + ran.stderr
+
+
+def test_a_new_option_is_noticed(tmp_path):
+    """The check fails for an option that the schemas have and the functions have not."""
+    import json
+    import shutil
+
+    shutil.copytree(TOP / "schemas", tmp_path / "schemas")
+    shutil.copytree(TOP / "dev", tmp_path / "dev", ignore=shutil.ignore_patterns("__pycache__", "compare_programs"))
+    shutil.copytree(TOP / "python" / "osim_contact_scale", tmp_path / "python" / "osim_contact_scale")
+    path = tmp_path / "schemas" / "requests" / "rescale.schema.json"
+    schema = json.loads(path.read_text(encoding="utf-8"))
+    schema["properties"]["spring"] = {"description": "A new option", "type": ["number", "null"], "default": None}
+    path.write_text(json.dumps(schema), encoding="utf-8")
+    command = [sys.executable, tmp_path / "dev" / "generate_python.py", "--check"]
+    ran = subprocess.run(command, capture_output=True, text=True)
+    assert ran.returncode == 1 and "spring" in ran.stdout
+
+
+def test_all_names_of_files_are_known(monkeypatch):
+    """In them, and nowhere else, `~` is the home folder."""
+    from osim_contact_scale._request import PATHS
+
+    monkeypatch.syspath_prepend(TOP / "dev")
+    import request_schemas
+
+    assert {field.name for verb in request_schemas.verbs() for field in verb.fields if "path" in field.kinds} == PATHS
+
+
+def test_the_stub_of_the_native_half_has_what_it_has():
+    stub = (TOP / "python" / "osim_contact_scale" / "_native.pyi").read_text(encoding="utf-8")
+    for name, value in vars(ocs._native).items():
+        if name.startswith("__"):
+            continue
+        assert f"def {name}(" in stub or f"class {name}:" in stub or f"{name}:" in stub, name
+        for method in vars(value) if inspect.isclass(value) else ():
+            assert method.startswith("__") or f"{method}" in stub, (name, method)
+
+
+def test_everything_public_has_a_docstring_and_is_exported():
+    for name in ocs.__all__:
+        value = getattr(ocs, name)
+        assert name == "__version__" or inspect.getdoc(value), name
+    assert {"rescale", "transfer", "add", "remove", "convert", "design", "set", "note", "inspect", "check"} <= {
+        *ocs.__all__
+    }
+
+
+def test_the_versions_are_one():
+    from importlib.metadata import version
+
+    assert ocs.__version__ == version("osim-contact-scale")
+
+
+def test_importing_waits_for_neither_numpy_nor_pandas():
+    code = "import osim_contact_scale, sys; print([name for name in ('numpy', 'pandas', 'opensim') if name in sys.modules])"
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert ran.stdout == "[]\n"
