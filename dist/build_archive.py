@@ -22,76 +22,16 @@ import time
 import zipfile
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
-COMMAND = "osim-contact-scale"
+import building
+from building import COMMAND, ROOT
+from licences import licences
+
 SHELLS = {"bash": f"{COMMAND}.bash", "zsh": f"_{COMMAND}", "fish": f"{COMMAND}.fish",
           "powershell": f"{COMMAND}.ps1", "elvish": f"{COMMAND}.elv"}
-LICENCE_FILES = re.compile(r"(LICEN[CS]E|COPYING|COPYRIGHT|NOTICE|UNLICENSE)", re.IGNORECASE)
 
 
 def output_of(*command, **options):
     return subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.PIPE, **options).stdout
-
-
-def host():
-    lines = output_of("rustc", "-vV").decode().splitlines()
-    return next(line.removeprefix("host: ") for line in lines if line.startswith("host: "))
-
-
-def build(target, metadata):
-    """Builds the program for `target`; returns its path."""
-    flags = []
-    if "linux" in target or "windows" in target:
-        flags += ["-C", "target-feature=+crt-static"]
-    # Where this machine keeps its sources is nobody's business, and would differ from machine to machine.
-    cargo = os.environ.get("CARGO_HOME") or Path.home() / ".cargo"
-    flags += [f"--remap-path-prefix={ROOT}=.", f"--remap-path-prefix={cargo}=cargo"]
-    environment = os.environ | {"CARGO_ENCODED_RUSTFLAGS": "\x1f".join(flags)}
-    # With --target the flags are for the program alone, not for what runs while it is built.
-    command = ["cargo", "build", "--release", "--locked", "--package", COMMAND, "--target", target]
-    subprocess.run(command, cwd=ROOT, check=True, env=environment)
-    suffix = ".exe" if "windows" in target else ""
-    return Path(metadata["target_directory"]) / target / "release" / f"{COMMAND}{suffix}"
-
-
-def linked(metadata):
-    """Packages of other people that the program is built from, sorted by name."""
-    nodes = {node["id"]: node for node in metadata["resolve"]["nodes"]}
-    packages = {package["id"]: package for package in metadata["packages"]}
-    ours = next(p["id"] for p in packages.values() if p["name"] == COMMAND)
-    seen, todo = set(), [ours]
-    while todo:
-        node = nodes[todo.pop()]
-        if node["id"] not in seen:
-            seen.add(node["id"])
-            todo += [d["pkg"] for d in node["deps"] if any(k["kind"] is None for k in d["dep_kinds"])]
-    foreign = [packages[i] for i in seen if packages[i]["source"]]
-    return sorted(foreign, key=lambda package: (package["name"], package["version"]))
-
-
-def licences(metadata, target):
-    """Names, licences and licence texts of everything in the program; a text that is the same stands once."""
-    texts, head = {}, ["The program contains these libraries. Their licence texts follow.\n"]
-    for package in linked(metadata):
-        name = f"{package['name']} {package['version']}"
-        head.append(f"{name}: {package['license']}")
-        for file in sorted(Path(package["manifest_path"]).parent.iterdir()):
-            if file.is_file() and LICENCE_FILES.match(file.name):
-                text = file.read_text(encoding="utf-8", errors="replace").strip()
-                texts.setdefault(text, []).append(f"{name} ({file.name})")
-    # The font of PNG pictures is compiled in, but is no library.
-    font = ROOT / "crates/contact-plots/fonts/OFL.txt"
-    head.append("Arimo 1.33: OFL-1.1")
-    texts.setdefault(font.read_text(encoding="utf-8").strip(), []).append("Arimo 1.33 (OFL.txt)")
-    head.append("\nThe standard library of Rust: MIT OR Apache-2.0 (https://www.rust-lang.org).")
-    if target.endswith("linux-gnu"):
-        head.append("The GNU C Library: LGPL-2.1-or-later (https://www.gnu.org/software/libc). The program's sources are\n"
-                    "open: dist/build_archive.py links them with any other version of it.")
-    if target.endswith("linux-musl"):
-        head.append("musl: MIT (https://musl.libc.org).")
-    parts = ["\n".join(head)]
-    parts += ["\n".join(names) + "\n\n" + text for text, names in texts.items()]
-    return ("\n\n" + "=" * 80 + "\n\n").join(parts).encode() + b"\n"
 
 
 def contents(program, target, metadata):
@@ -103,14 +43,14 @@ def contents(program, target, metadata):
 
     for name in ["README.md", "CHANGELOG.md", "CITATION.cff", "LICENSE-MIT", "LICENSE-APACHE"]:
         add(name, (ROOT / name).read_bytes())
-    # The pages, and the schemas of the JSON that they describe.
-    tracked = output_of("git", "ls-files", "-z", "docs", "schemas").decode().split("\0")
+    # The pages, the schemas of the JSON that they describe, and the package for MATLAB, which finds the program beside itself.
+    tracked = output_of("git", "ls-files", "-z", "docs", "schemas", "matlab").decode().split("\0")
     for name in filter(None, tracked):
         add(name, (ROOT / name).read_bytes())
     # The model of README's examples, so that they can be tried.
     example = "fixtures/table1/human_62kg_smooth_sphere.osim"
     add(example, (ROOT / example).read_bytes())
-    add("LICENSES-OF-LIBRARIES.txt", licences(metadata, target))
+    add("LICENSES-OF-LIBRARIES.txt", licences(metadata, COMMAND, target))
     for shell, name in SHELLS.items():
         add(f"completions/{name}", output_of(str(program), "completions", shell))
     if "windows" in target:
@@ -153,13 +93,13 @@ def main():
     parser.add_argument("--out", type=Path, default=ROOT / "target/dist", help="folder [default: target/dist]")
     parser.add_argument("--program", type=Path, help="folder that gets the program as well, as it is in the archive")
     arguments = parser.parse_args()
-    target = arguments.target or host()
+    target = arguments.target or building.host()
     metadata = json.loads(output_of("cargo", "metadata", "--format-version", "1", "--locked", "--filter-platform", target))
     version = next(p["version"] for p in metadata["packages"] if p["name"] == COMMAND)
     folder = f"{COMMAND}-{version}-{target}"
     # The time of the sources, not of the build.
     when = int(os.environ.get("SOURCE_DATE_EPOCH") or output_of("git", "log", "-1", "--format=%ct"))
-    program = build(target, metadata)
+    program = building.program(target, metadata["target_directory"], static=True)
     files = contents(program, target, metadata)
     windows = "windows" in target
     archive = arguments.out / f"{folder}{'.zip' if windows else '.tar.gz'}"

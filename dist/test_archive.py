@@ -22,7 +22,7 @@ from pathlib import Path
 COMMAND = "osim-contact-scale"
 MODEL = "human_62kg_smooth_sphere.osim"
 EXPECTED = ["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE", "LICENSES-OF-LIBRARIES.txt", "docs/README.md",
-            "docs/install.md", "schemas/README.md", f"completions/{COMMAND}.bash", f"completions/_{COMMAND}"]
+            "docs/install.md", "schemas/README.md", "matlab/+osimcontact/rescale.m", f"completions/{COMMAND}.bash", f"completions/_{COMMAND}"]
 
 
 def unpack(archive, into):
@@ -130,7 +130,9 @@ def test(archive):
 
 
 def archives_of(folder):
-    return [path for path in sorted(folder.iterdir()) if path.name.endswith((".tar.gz", ".zip"))]
+    # The package for MATLAB holds no program: dist/test_matlab.py tests it.
+    found = [path for path in sorted(folder.iterdir()) if path.name.endswith((".tar.gz", ".zip"))]
+    return [path for path in found if not path.name.startswith(f"{COMMAND}-matlab-")]
 
 
 if __name__ == "__main__":

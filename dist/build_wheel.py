@@ -1,0 +1,61 @@
+"""Builds the wheel that people install with pip, with the program of the archive in its scripts; or the sdist.
+
+    python3 dist/build_wheel.py --program PATH [--target TRIPLE] [--out FOLDER]
+    python3 dist/build_wheel.py --sdist [--out FOLDER]
+
+On Linux the module runs wherever glibc is 2.17 or later (manylinux2014): zig links it. Writes NAME and NAME.sha256.
+Needs Python 3.10, pip and Rust.
+"""
+
+import argparse
+import hashlib
+import os
+import subprocess
+import sys
+import tempfile
+import venv
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+MATURIN = "maturin==1.16.0"
+ZIG = "ziglang==0.15.2"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--program", type=Path, help="the program of the archive, for the wheel's scripts")
+    parser.add_argument("--target", help="what to build for [default: this machine]")
+    parser.add_argument("--sdist", action="store_true", help="the sources instead")
+    parser.add_argument("--out", type=Path, default=ROOT / "target/dist", help="folder [default: target/dist]")
+    arguments = parser.parse_args()
+    if bool(arguments.program) == arguments.sdist:
+        parser.error("say either --program PATH or --sdist")
+    arguments.out.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory() as folder:
+        venv.create(folder, with_pip=True)
+        scripts = Path(folder) / ("Scripts" if os.name == "nt" else "bin")
+        python = scripts / "python"
+        environment = os.environ | {"PATH": f"{scripts}{os.pathsep}{os.environ['PATH']}"}
+        linux = sys.platform == "linux" and not arguments.sdist
+        subprocess.run([python, "-m", "pip", "install", "--quiet", MATURIN, "build==1.6.1", *([ZIG] if linux else [])], check=True)
+        if arguments.target:
+            environment["CARGO_BUILD_TARGET"] = arguments.target
+        if arguments.program:
+            environment["OSIM_WHEEL_PROGRAM"] = str(arguments.program.resolve())
+        settings = ["--config-setting=build-args=--zig --compatibility manylinux2014"] if linux else []
+        kind = "--sdist" if arguments.sdist else "--wheel"
+        with tempfile.TemporaryDirectory() as made:
+            command = [python, "-m", "build", "--no-isolation", kind, *settings, "--outdir", made, ROOT]
+            subprocess.run(command, check=True, env=environment)
+            (path,) = Path(made).iterdir()
+            data = path.read_bytes()
+    built = arguments.out / path.name
+    built.write_bytes(data)
+    digest = hashlib.sha256(data).hexdigest()
+    # Bytes, not text: sha256sum reads a carriage return as part of the name.
+    built.with_name(built.name + ".sha256").write_bytes(f"{digest}  {built.name}\n".encode())
+    print(f"{built}: {len(data)} bytes, SHA-256 {digest}")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,40 @@
+"""How the command is built for what people download: archives and wheels share what the compiler makes."""
+
+import os
+import subprocess
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+COMMAND = "osim-contact-scale"
+
+
+def host():
+    """The target of this machine, as Rust calls it."""
+    try:
+        lines = subprocess.run(["rustc", "-vV"], check=True, capture_output=True, text=True).stdout.splitlines()
+    except FileNotFoundError:
+        raise SystemExit("this is compiled with Rust, which is not on the PATH: see https://rustup.rs") from None
+    return next(line.removeprefix("host: ") for line in lines if line.startswith("host: "))
+
+
+def environment(target):
+    """The variables under which Cargo builds for `target`.
+
+    Where this machine keeps its sources is nobody's business, and would differ from machine to machine.
+    """
+    cargo = os.environ.get("CARGO_HOME") or Path.home() / ".cargo"
+    flags = [f"--remap-path-prefix={ROOT}=.", f"--remap-path-prefix={cargo}=cargo"]
+    # With a target the flags are for what is built, not for what runs while it is built.
+    return os.environ | {"CARGO_ENCODED_RUSTFLAGS": "\x1f".join(flags), "CARGO_BUILD_TARGET": target}
+
+
+def program(target, target_directory, *, static):
+    """Builds the command in the release profile; returns its path.
+
+    It is built with the Python package's own libraries, so that they are compiled once. A `static` program needs no library of the
+    system, and only its last step is another one: the libraries of Linux and Windows are chosen there.
+    """
+    command = ["cargo", "rustc", "--release", "--locked", "--package", COMMAND, "--bin", COMMAND]
+    flags = ["-C", "target-feature=+crt-static"] if static and ("linux" in target or "windows" in target) else []
+    subprocess.run([*command, "--", *flags], cwd=ROOT, check=True, env=environment(target))
+    return Path(target_directory) / target / "release" / (COMMAND + (".exe" if "windows" in target else ""))
