@@ -1,0 +1,123 @@
+"""What dev/generate_matlab.py says of the verbs beside what the schemas say: how they are called from MATLAB."""
+
+# What comes before the options, without a name; the first ones must be given where the request needs them.
+POSITIONAL = {
+    "add": ["models"],
+    "batch": ["manifest"],
+    "check": ["models"],
+    "convert": ["models"],
+    "design": ["models"],
+    "drop-test": ["subject"],
+    "explain": ["topics"],
+    "fit": ["file"],
+    "inspect": ["models"],
+    "note": ["models"],
+    "plot": ["kind", "models"],
+    "presets": ["name"],
+    "remove": ["models"],
+    "rescale": ["models"],
+    "set": ["models"],
+    "sweep": ["model"],
+    "transfer": ["models"],
+}
+
+# The schema in schemas/results/ of what a verb gives; None: it gives no JSON.
+RESULTS = {
+    "rescale": "change",
+    "transfer": "change",
+    "add": "change",
+    "remove": "change",
+    "convert": "change",
+    "design": "change",
+    "set": "change",
+    "note": "change",
+    "batch": "change",
+    "sweep": "sweep",
+    "inspect": "inspection",
+    "check": "check",
+    "drop-test": "drop-test",
+    "plot": None,
+    "fit": "fit",
+    "reproduce": "reproduction",
+    "presets": "preset",
+    "explain": "explanation",
+}
+
+# Verbs that may be called without a model, and what they give then.
+WITHOUT_MODELS = {"design": "design"}
+
+# Options that have no use in MATLAB, and why.
+LEFT_OUT = {
+    "format": "results are data",
+    "quiet": "nothing is printed",
+    "diff": "it is text for a terminal; results have every number that changes",
+    "full": "it is about a printed table",
+    "ascii": "results have both spellings",
+    "deny": "it decides the exit status; results have the number of findings of each severity",
+}
+
+# Words of descriptions that hold for a terminal only, and what stands there instead.
+NO_STANDARD_STREAMS = {
+    ", or - for standard input": "",
+    "; - is standard input": "",
+    " (- is SVG on standard output)": "",
+    "Write to this file, or - [default": "Write to this file [default",
+    "; may be repeated": "",
+    "; once for each": "; one for each",
+    " (or one, BODY=f)": "",
+}
+
+# Run as they stand by tests/matlab/run_tests.m, in a folder with models of these names.
+EXAMPLES = {
+    "add": """
+done = osimcontact.add('no contacts.osim', 'from', 'human.osim', 'output', 'with contacts.osim');
+{done.objects.name}""",
+    "batch": """
+done = osimcontact.batch('masses.csv', 'output_dir', 'scaled');
+{done.output}""",
+    "check": """
+seen = osimcontact.check({'human.osim', 'emu.osim'});
+for finding = seen(1).findings', disp(finding.message), end""",
+    "convert": """
+done = osimcontact.convert('human.osim', 'to', 'hunt-crossley', 'output', 'converted.osim');""",
+    "design": """
+sheet = osimcontact.design('radius', 0.032, 'indentation', 0.16, 'mass', 62, 'spheres', 6);
+for figure = sheet.figures', fprintf('%s: %g %s\\n', figure.name, figure.value, figure.unit), end""",
+    "drop-test": """
+fall = osimcontact.drop_test('falisse2022', 'height', 'x0.5');
+plot(fall.series.time_s, fall.series.force_bw)""",
+    "explain": """
+known = osimcontact.explain({'C.2', 'stiffness'});
+known(1).formulas.formula""",
+    "fit": """
+found = osimcontact.fit('measured.csv', 'radius', 0.01);
+found.stiffness.value""",
+    "inspect": """
+seen = osimcontact.inspect({'human.osim', 'emu.osim'});
+[seen.mass_kg]
+seen(1).forces(1).parameters.stiffness""",
+    "note": """
+done = osimcontact.note('human.osim', 'contacts_mass', 62, 'output', 'noted.osim');""",
+    "plot": """
+done = osimcontact.plot('force', {'human.osim', 'emu.osim'}, 'output', 'force.pdf');""",
+    "presets": """
+preset = osimcontact.presets('falisse2022');
+preset.stiffness""",
+    "remove": """
+done = osimcontact.remove('human.osim', 'output', 'bare.osim');""",
+    "reproduce": """
+paper = osimcontact.reproduce();
+fprintf('%d of %d numbers agree\\n', paper.within_last_digit, paper.numbers)""",
+    "rescale": """
+done = osimcontact.rescale('human.osim', 'TargetMass', 500, 'output', 'giant.osim');
+[done.changes.factor]""",
+    "set": """
+factors = struct('stiffness', 'x2', 'dissipation', 1.5);
+done = osimcontact.set('human.osim', 'set', factors, 'output', 'stiffer.osim');""",
+    "sweep": """
+grid = struct('stiffness', 'x0.1..x10/5', 'dissipation', [0.5 1 2]);
+made = osimcontact.sweep('human.osim', 'grid', grid, 'output_dir', 'variants');
+made.models""",
+    "transfer": """
+done = osimcontact.transfer('emu.osim', 'from', 'falisse2022', 'output', 'emu as human.osim');""",
+}

@@ -1,0 +1,59 @@
+function [status, out, said] = call_program(request)
+%CALL_PROGRAM Hand a request (JSON) to the program; its exit status, and what it wrote to both of its streams.
+%   Nothing of the request is on the command line, so no shell sees a name of a file or a quotation mark of yours. What
+%   comes back goes through files, too: MATLAB mixes both streams, and on Windows takes them for text in another encoding.
+
+    base = tempname();
+    files = struct('request', [base '.request.json'], 'out', [base '.out.txt'], 'said', [base '.said.txt']);
+    cleaner = onCleanup(@() remove(struct2cell(files)));
+    write(files.request, request);
+
+    command = sprintf('%s request %s > %s 2> %s', quoted(osimcontact.internal.find_program()), quoted(files.request), ...
+        quoted(files.out), quoted(files.said));
+    if ispc
+        % cmd.exe takes the outer quotation marks away from a line that begins with one.
+        command = ['@' command ' < NUL'];
+    else
+        command = [command ' < /dev/null'];
+    end
+    % With two outputs MATLAB shows nothing of it.
+    [status, shell] = system(command);
+    out = text_of(files.out);
+    % The name of the request's file says nothing to anybody.
+    said = strtrim(strrep([text_of(files.said) shell], [files.request ': '], ''));
+end
+
+function word = quoted(path)
+    if ispc
+        word = ['"' path '"'];
+    else
+        word = ['''' strrep(path, '''', '''\''''') ''''];
+    end
+end
+
+function write(path, text)
+    [file, problem] = fopen(path, 'w');
+    if file < 0
+        error('osimcontact:temporaryFile', 'cannot write the request to %s: %s', path, problem);
+    end
+    closer = onCleanup(@() fclose(file));
+    fwrite(file, unicode2native(text, 'UTF-8'), 'uint8');
+end
+
+function text = text_of(path)
+    file = fopen(path, 'r');
+    if file < 0
+        text = '';
+        return
+    end
+    closer = onCleanup(@() fclose(file));
+    text = native2unicode(fread(file, Inf, '*uint8')', 'UTF-8');
+end
+
+function remove(paths)
+    for i = 1:numel(paths)
+        if exist(paths{i}, 'file')
+            delete(paths{i});
+        end
+    end
+end

@@ -1,0 +1,188 @@
+function verb = declared(name)
+%DECLARED What a function of this package takes and gives: options, what comes before them, results.
+
+% Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.
+    switch name
+        case 'add'
+            verb.verb = 'add';
+            verb.positional = {'models'};
+            verb.required = 1;
+            verb.result = 'change';
+            verb.without_models = '';
+            verb.options = {'models', 'from', 'contacts', 'default_pose', 'feet', 'count', 'pad', 'geometry_dir', 'mirror', ...
+                'class', 'radius', 'body_scale', 'body_map', 'replace', 'select', 'exclude', 'skip_disabled', ...
+                'indentation', 'young', 'poisson', 'restitution', 'impact_speed', 'constant_indentation', ...
+                'state_width', 'speed_width', 'threshold', 'static_friction', 'dynamic_friction', ...
+                'viscous_friction', 'transition_velocity', 'load', 'body_weights', 'gravity', 'spheres', ...
+                'stance_limbs', 'reference_mass', 'reference_spheres', 'reference_gravity', 'reference_select', ...
+                'reference_sphere', 'contacts_mass', 'mass', 'exclude_body', 'output', 'geometry_output', ...
+                'output_dir', 'in_place', 'no_backup', 'force', 'no_note', 'dry_run', 'report', 'jobs', 'summary', ...
+                'resume', 'shard', 'yes', 'as_table'};
+        case 'batch'
+            verb.verb = 'batch';
+            verb.positional = {'manifest'};
+            verb.required = 1;
+            verb.result = 'change';
+            verb.without_models = '';
+            verb.options = {'manifest', 'output', 'geometry_output', 'output_dir', 'in_place', 'no_backup', 'force', 'no_note', ...
+                'allow_outside', 'dry_run', 'report', 'jobs', 'summary', 'resume', 'shard', 'yes', 'as_table'};
+        case 'check'
+            verb.verb = 'check';
+            verb.positional = {'models'};
+            verb.required = 1;
+            verb.result = 'check';
+            verb.without_models = '';
+            verb.options = {'models', 'from', 'body_scale_file', 'report', 'force', 'spheres', 'stance_limbs', 'impact_speed', ...
+                'gravity', 'contacts_mass', 'mass', 'exclude_body', 'select', 'exclude', 'skip_disabled', ...
+                'geometry', 'model', 'yes', 'as_table'};
+        case 'convert'
+            verb.verb = 'convert';
+            verb.positional = {'models'};
+            verb.required = 1;
+            verb.result = 'change';
+            verb.without_models = '';
+            verb.options = {'models', 'to', 'constant_contact_force', 'hertz_smoothing', 'hunt_crossley_smoothing', 'strict', ...
+                'select', 'exclude', 'skip_disabled', 'output', 'geometry_output', 'output_dir', 'in_place', ...
+                'no_backup', 'force', 'no_note', 'dry_run', 'report', 'jobs', 'summary', 'resume', 'shard', 'yes', ...
+                'as_table'};
+        case 'design'
+            verb.verb = 'design';
+            verb.positional = {'models'};
+            verb.required = 0;
+            verb.result = 'change';
+            verb.without_models = 'design';
+            verb.options = {'models', 'radius', 'indentation', 'contact_stiffness', 'young', 'poisson', 'stiffness', ...
+                'restitution', 'impact_speed', 'constant_indentation', 'state_width', 'speed_width', 'threshold', ...
+                'load', 'body_weights', 'gravity', 'contacts_mass', 'mass', 'exclude_body', 'spheres', ...
+                'stance_limbs', 'select', 'exclude', 'skip_disabled', 'output', 'geometry_output', 'output_dir', ...
+                'in_place', 'no_backup', 'force', 'no_note', 'dry_run', 'report', 'jobs', 'summary', 'resume', ...
+                'shard', 'yes', 'geometry', 'model', 'as_table'};
+        case 'drop_test'
+            verb.verb = 'drop-test';
+            verb.positional = {'subject'};
+            verb.required = 0;
+            verb.result = 'drop-test';
+            verb.without_models = '';
+            verb.options = {'subject', 'height', 'duration', 'samples', 'compare', 'compare_spheres', 'presets', 'radius', ...
+                'stiffness', 'dissipation', 'constant_contact_force', 'hertz_smoothing', 'hunt_crossley_smoothing', ...
+                'gravity', 'spheres', 'stance_limbs', 'contacts_mass', 'mass', 'exclude_body', 'select', 'exclude', ...
+                'skip_disabled', 'geometry', 'model', 'yes', 'as_table'};
+        case 'explain'
+            verb.verb = 'explain';
+            verb.positional = {'topics'};
+            verb.required = 0;
+            verb.result = 'explanation';
+            verb.without_models = '';
+            verb.options = {'topics', 'as_table'};
+        case 'fit'
+            verb.verb = 'fit';
+            verb.positional = {'file'};
+            verb.required = 1;
+            verb.result = 'fit';
+            verb.without_models = '';
+            verb.options = {'file', 'radius', 'spheres', 'onset', 'branch', 'indentation_column', 'force_column', ...
+                'speed_column', 'time_column', 'indentation_unit', 'force_unit', 'speed_unit', 'time_unit', ...
+                'as_table'};
+        case 'inspect'
+            verb.verb = 'inspect';
+            verb.positional = {'models'};
+            verb.required = 1;
+            verb.result = 'inspection';
+            verb.without_models = '';
+            verb.options = {'models', 'from', 'body_scale_file', 'report', 'force', 'spheres', 'stance_limbs', 'impact_speed', ...
+                'gravity', 'contacts_mass', 'mass', 'exclude_body', 'select', 'exclude', 'skip_disabled', ...
+                'geometry', 'model', 'yes', 'as_table'};
+        case 'note'
+            verb.verb = 'note';
+            verb.positional = {'models'};
+            verb.required = 1;
+            verb.result = 'change';
+            verb.without_models = '';
+            verb.options = {'models', 'contacts_mass', 'contacts_gravity', 'output', 'geometry_output', 'output_dir', ...
+                'in_place', 'no_backup', 'force', 'no_note', 'dry_run', 'report', 'jobs', 'summary', 'resume', ...
+                'shard', 'yes', 'geometry', 'model', 'as_table'};
+        case 'plot'
+            verb.verb = 'plot';
+            verb.positional = {'kind', 'models'};
+            verb.required = 1;
+            verb.result = '';
+            verb.without_models = '';
+            verb.options = {'kind', 'models', 'output', 'data', 'force', 'target_mass', 'axes', 'geometry_dir', 'presets', ...
+                'gravity', 'height', 'duration', 'quantity', 'stiffness', 'dissipation', 'table', 'value_column', ...
+                'x_column', 'y_column', 'value_range', 'title', 'label', 'width', 'font_size', 'x_range', 'y_range', ...
+                'dpi', 'spheres', 'stance_limbs', 'contacts_mass', 'mass', 'exclude_body', 'select', 'exclude', ...
+                'skip_disabled', 'geometry', 'model', 'yes', 'as_table'};
+        case 'presets'
+            verb.verb = 'presets';
+            verb.positional = {'name'};
+            verb.required = 0;
+            verb.result = 'preset';
+            verb.without_models = '';
+            verb.options = {'name', 'presets', 'as_table'};
+        case 'remove'
+            verb.verb = 'remove';
+            verb.positional = {'models'};
+            verb.required = 1;
+            verb.result = 'change';
+            verb.without_models = '';
+            verb.options = {'models', 'select', 'exclude', 'skip_disabled', 'output', 'geometry_output', 'output_dir', ...
+                'in_place', 'no_backup', 'force', 'no_note', 'dry_run', 'report', 'jobs', 'summary', 'resume', ...
+                'shard', 'yes', 'as_table'};
+        case 'reproduce'
+            verb.verb = 'reproduce';
+            verb.positional = {};
+            verb.required = 0;
+            verb.result = 'reproduction';
+            verb.without_models = '';
+            verb.options = {'output_dir', 'force', 'as_table'};
+        case 'rescale'
+            verb.verb = 'rescale';
+            verb.positional = {'models'};
+            verb.required = 1;
+            verb.result = 'change';
+            verb.without_models = '';
+            verb.options = {'models', 'target_mass', 'contacts_mass', 'mass', 'exclude_body', 'radius', 'level', 'level_axis', ...
+                'only', 'keep', 'dissipation_by', 'friction', 'contacts_gravity', 'target_gravity', ...
+                'body_scale_file', 'follow_bodies', 'select', 'exclude', 'skip_disabled', 'output', ...
+                'geometry_output', 'output_dir', 'in_place', 'no_backup', 'force', 'no_note', 'dry_run', 'report', ...
+                'jobs', 'summary', 'resume', 'shard', 'yes', 'geometry', 'model', 'as_table'};
+        case 'set'
+            verb.verb = 'set';
+            verb.positional = {'models'};
+            verb.required = 1;
+            verb.result = 'change';
+            verb.without_models = '';
+            verb.options = {'models', 'set', 'contacts_mass', 'mass', 'exclude_body', 'select', 'exclude', 'skip_disabled', ...
+                'output', 'geometry_output', 'output_dir', 'in_place', 'no_backup', 'force', 'no_note', 'dry_run', ...
+                'report', 'jobs', 'summary', 'resume', 'shard', 'yes', 'geometry', 'model', 'as_table'};
+        case 'sweep'
+            verb.verb = 'sweep';
+            verb.positional = {'model'};
+            verb.required = 1;
+            verb.result = 'sweep';
+            verb.without_models = '';
+            verb.options = {'model', 'grid', 'ladder', 'soft', 'output_dir', 'force', 'resume', 'no_note', 'dry_run', 'jobs', ...
+                'radius', 'indentation', 'contact_stiffness', 'young', 'poisson', 'stiffness', 'restitution', ...
+                'impact_speed', 'constant_indentation', 'state_width', 'speed_width', 'threshold', 'load', ...
+                'body_weights', 'gravity', 'contacts_mass', 'mass', 'exclude_body', 'spheres', 'stance_limbs', ...
+                'select', 'exclude', 'skip_disabled', 'yes', 'as_table'};
+        case 'transfer'
+            verb.verb = 'transfer';
+            verb.positional = {'models'};
+            verb.required = 1;
+            verb.result = 'change';
+            verb.without_models = '';
+            verb.options = {'models', 'from', 'presets', 'spheres', 'stance_limbs', 'reference_mass', 'reference_spheres', ...
+                'reference_gravity', 'reference_select', 'reference_sphere', 'follow_bodies', 'body_scale_file', ...
+                'body_scale', 'radius_axis', 'moved_spheres', 'strict', 'rule', 'height_ratio', 'contacts_mass', ...
+                'mass', 'exclude_body', 'radius', 'level', 'level_axis', 'only', 'keep', 'dissipation_by', ...
+                'friction', 'contacts_gravity', 'target_gravity', 'select', 'exclude', 'skip_disabled', 'output', ...
+                'geometry_output', 'output_dir', 'in_place', 'no_backup', 'force', 'no_note', 'dry_run', 'report', ...
+                'jobs', 'summary', 'resume', 'shard', 'yes', 'geometry', 'model', 'as_table'};
+        otherwise
+            error('osimcontact:usage', 'there is no verb ''%s''', name);
+    end
+    verb.name = name;
+    verb.gives_json = ~isempty(verb.result);
+    verb.left_out = {'format', 'quiet', 'diff', 'full', 'ascii', 'deny'};
+end

@@ -1,0 +1,70 @@
+function results = run_verb(verb, arguments)
+%RUN_VERB Do what a function of this package is asked for: the request, the call, its results or its error.
+
+    declared = osimcontact.internal.declared(verb);
+    [request, as_table] = osimcontact.internal.request_of(declared, arguments);
+    [status, out, said] = osimcontact.internal.call_program(request.text);
+
+    records = {};
+    if declared.gives_json
+        lines = strsplit(out, sprintf('\n'));
+        lines = lines(strncmp(lines, '{', 1));
+        records = cellfun(@osimcontact.internal.json_value, lines, 'UniformOutput', false);
+    end
+    has_failed = cellfun(@(record) isfield(record, 'error'), records);
+    osimcontact.internal.throw_failures(status, said, records, has_failed);
+
+    if ~declared.gives_json
+        results = struct('output', char(request.fields.output), 'text', strtrim(out));
+        shape = struct('output', 'text', 'text', 'text');
+    else
+        result = declared.result;
+        if ~isempty(declared.without_models) && ~isfield(request.fields, 'models')
+            result = declared.without_models;
+        end
+        [results, shape] = results_of(records, osimcontact.internal.shapes(result));
+        say_warnings(verb, results);
+    end
+    if ~isequal(as_table, false)
+        results = osimcontact.internal.table_of(results, shape, as_table);
+    end
+end
+
+function [results, shape] = results_of(records, shape)
+    if isfield(shape, 'model')
+        failure = osimcontact.internal.shapes('failure');
+        shape.error = {failure.error};
+        for i = find(cellfun(@(record) isfield(record, 'error'), records))
+            records{i}.error = {records{i}.error};
+        end
+    end
+    results = osimcontact.internal.completed(records(:), {shape});
+end
+
+function say_warnings(verb, results)
+    % What changes a model, or finds parameters, says what is to be known of it: once for each code, however many models.
+    % Findings of inspect and check are what was asked for.
+    if strcmp(verb, 'inspect') || ~isfield(results, 'warnings')
+        return
+    end
+    codes = {};
+    messages = {};
+    for i = 1:numel(results)
+        for j = 1:numel(results(i).warnings)
+            found = results(i).warnings(j);
+            codes{end + 1} = found.code; %#ok<AGROW>
+            messages{end + 1} = found.message; %#ok<AGROW>
+            if isfield(results, 'model')
+                messages{end} = [results(i).model ': ' messages{end}];
+            end
+        end
+    end
+    for code = unique(codes, 'stable')
+        of_code = messages(strcmp(codes, code{1}));
+        more = '';
+        if numel(of_code) > 1
+            more = sprintf(' (and %d more: see the field warnings)', numel(of_code) - 1);
+        end
+        warning(osimcontact.internal.identifier(code{1}), '%s%s', of_code{1}, more);
+    end
+end

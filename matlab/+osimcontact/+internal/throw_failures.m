@@ -1,0 +1,27 @@
+function throw_failures(status, said, records, has_failed)
+%THROW_FAILURES The error for a call that gave nothing; a warning where some models failed and others did not.
+
+    failures = records(has_failed);
+    if status == 2 || (numel(records) == 1 && has_failed)
+        if isempty(failures)
+            error('osimcontact:usage', '%s', strrep(said, 'error: ', ''));
+        end
+        messages = cellfun(@in_words, failures, 'UniformOutput', false);
+        error(osimcontact.internal.identifier(failures{1}.error.code), '%s', strjoin(messages, sprintf('\n')));
+    elseif status == 1 && isempty(records) && ~isempty(said)
+        error('osimcontact:failed', '%s', strrep(said, 'error: ', ''));
+    elseif status ~= 0 && (status ~= 1 || isempty(records))
+        error('osimcontact:programFailed', 'the program ended with status %d: %s', status, said);
+    elseif any(has_failed)
+        warning('osimcontact:someFailed', '%d of %d failed, first %s (the field error says it of each)', ...
+            numel(failures), numel(records), in_words(failures{1}));
+    end
+end
+
+function text = in_words(record)
+    place = '';
+    if ~isempty(record.error.line)
+        place = sprintf(':%d', [record.error.line, record.error.column]);
+    end
+    text = [record.model place ': ' record.error.message];
+end

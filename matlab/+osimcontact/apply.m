@@ -1,0 +1,68 @@
+function apply(model, changes)
+%APPLY Make the changes of a plan in a live model of OpenSim's own bindings.
+%   osimcontact.apply(MODEL, CHANGES) sets every number of CHANGES in MODEL, an org.opensim.modeling.Model: CHANGES is the
+%   field 'changes' of what rescale, transfer, design, set or a row of batch gave. Plan with 'dry_run', and no file is
+%   written. Call MODEL.initSystem() again before you simulate, and model.print(FILE) to keep the result.
+%
+%   Nothing is set before every component and every value is looked at: is one not there, or is it not what the plan has
+%   read, it is an error (osimcontact:noComponent, osimcontact:notAsPlanned) and the model is as it was. Whole contacts, which
+%   add, remove and convert make, are not CHANGES: let these write a file, and open it.
+%
+%   Example (needs OpenSim's bindings for MATLAB):
+%       import org.opensim.modeling.*
+%       model = Model('human.osim');
+%       done = osimcontact.rescale('human.osim', 'TargetMass', 500, 'DryRun', true);
+%       osimcontact.apply(model, done.changes);
+%       model.initSystem();
+%
+%   See also osimcontact.rescale, osimcontact.transfer, osimcontact.design, osimcontact.set.
+
+    properties = cell(1, numel(changes));
+    for i = 1:numel(changes)
+        properties{i} = property_of(model, changes(i));
+        now = value_of(properties{i}, numel(changes(i).to));
+        if any(abs(now - changes(i).from(:)) > 1e-9 * abs(changes(i).from(:))) || any(isnan([now; changes(i).to(:)]))
+            error('osimcontact:notAsPlanned', '%s: %s is %s in the model, but the plan is for %s. Nothing was changed', ...
+                changes(i).path, changes(i).property, mat2str(now', 17), mat2str(changes(i).from(:)', 17));
+        end
+    end
+    for i = 1:numel(changes)
+        set_value(properties{i}, changes(i).to);
+    end
+end
+
+function property = property_of(model, change)
+    try
+        holder = model.getComponent(change.path);
+        if ~isnan(change.set)
+            % The parameters of a HuntCrossleyForce are in a list of its own; the plan counts it from 0, as OpenSim does.
+            sets = holder.updPropertyByName('contact_parameters').updValueAsObject(0);
+            holder = sets.updPropertyByName('objects').updValueAsObject(change.set);
+        end
+        property = holder.updPropertyByName(change.property);
+    catch problem
+        error('osimcontact:noComponent', '%s with %s is not in the model: %s. Nothing was changed', change.path, ...
+            change.property, problem.message);
+    end
+end
+
+function value = value_of(property, count)
+    if count == 3
+        value = zeros(3, 1);
+        for i = 1:3
+            value(i) = org.opensim.modeling.PropertyHelper.getValueVec3(property, i - 1);
+        end
+    else
+        value = org.opensim.modeling.PropertyHelper.getValueDouble(property);
+    end
+end
+
+function set_value(property, value)
+    if numel(value) == 3
+        for i = 1:3
+            org.opensim.modeling.PropertyHelper.setValueVec3(value(i), property, i - 1);
+        end
+    else
+        org.opensim.modeling.PropertyHelper.setValueDouble(value, property);
+    end
+end

@@ -1,0 +1,46 @@
+function results = note(varargin)
+%NOTE Writes into models which mass their contacts were made for; no number changes.
+%   RESULTS = osimcontact.note(MODELS, NAME, VALUE, ...)
+%
+%   MODELS: Models (.osim), a ForceSet (.xml) with geometry, folders. Takes a text or a cell array of
+%       texts.
+%
+%   Options, each a NAME and a VALUE (target_mass and TargetMass are the same):
+%     contacts_mass: Mass the contacts in the file were made for, kg. Takes a number. Must be given.
+%     contacts_gravity: Gravity the contacts in the file were made for, m/s2 [default: the model's].
+%         Takes a number.
+%     output: Write to this file [default: NAME.scaled.osim beside it]. Takes a text.
+%     geometry_output: Write the changed ContactGeometrySet of a standalone ForceSet to this file. Takes
+%         a text.
+%     output_dir: Write into this folder. Takes a text.
+%     in_place: Change the model itself and keep the old one as NAME.osim.bak. Takes true or false.
+%     no_backup: With in_place: keep no backup. Takes true or false.
+%     force: Replace existing files. Takes true or false.
+%     no_note: Leave no note (in the credits) in the model. Takes true or false.
+%     dry_run: Write nothing, only say what would change. Takes true or false.
+%     report: Write a page for browsers too (.html): tables, plots, findings. Takes a text.
+%     jobs: Models to work on at once [default: one per processor]. Takes a whole number.
+%     summary: Keep a line per model in this file (.csv or .ndjson). Takes a text.
+%     resume: Skip models that summary says are done, if nothing has changed since. Takes true or false.
+%     shard: Only share I of N of the models, for job arrays. Takes a text.
+%     yes: Go on where a number looks like a slip: the code of the error that asks. Takes a text or a
+%         cell array of texts.
+%     geometry: The ContactGeometrySet (or model) that holds the spheres of a standalone ForceSet. Takes
+%         a text.
+%     model: The model a standalone ForceSet belongs to, for its masses and joints. Takes a text.
+%     AsTable: true gives a table of MATLAB with a row for each result; the name of a list in the
+%         results, such as 'warnings', one with a row for each of its entries. Not in GNU Octave.
+%
+%   RESULTS: an array of structs with the fields model, output, geometry_output, contacts_mass_kg,
+%   objects, changes, warnings, notes. docs/json.md says what each holds; what is missing is NaN, '' or
+%   empty.
+%
+%   Example:
+%       done = osimcontact.note('human.osim', 'contacts_mass', 62, 'output', 'noted.osim');
+%
+%   See also osimcontact.rescale, osimcontact.transfer, osimcontact.add, osimcontact.remove,
+%   osimcontact.convert, osimcontact.design, osimcontact.set, osimcontact.batch, osimcontact.program.
+
+% Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.
+    results = osimcontact.internal.run_verb('note', varargin);
+end

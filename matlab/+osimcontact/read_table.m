@@ -1,0 +1,70 @@
+function columns = read_table(file)
+%READ_TABLE Read a table (CSV) that the program wrote, as a struct of columns.
+%   COLUMNS = osimcontact.read_table(FILE) has a field for each column of the file: a column of numbers, with NaN where a cell
+%   is empty, or, where one cell is not a number, a cell array of texts. For the tables of 'inspect --format csv', the numbers of a
+%   figure ('data'), summaries and the tables of sweeps. In MATLAB, struct2table(COLUMNS) makes a table of it. MATLAB's readtable
+%   reads these files, too; GNU Octave has none.
+%
+%   Example:
+%       done = osimcontact.plot('force', 'human.osim', 'output', 'force.svg', 'data', 'force.csv');
+%       columns = osimcontact.read_table('force.csv');
+%       fieldnames(columns)
+%
+%   See also osimcontact.inspect, osimcontact.plot, osimcontact.sweep.
+
+    stream = fopen(char(file), 'r');
+    if stream < 0
+        error('osimcontact:unreadable', 'cannot open %s', char(file));
+    end
+    closer = onCleanup(@() fclose(stream));
+    text = native2unicode(fread(stream, Inf, '*uint8')', 'UTF-8');
+    rows = rows_of(text);
+    widths = cellfun(@numel, rows);
+    if isempty(rows) || any(widths ~= widths(1))
+        error('osimcontact:unreadable', '%s is not a table: line %d has %d cells, the first has %d', char(file), ...
+            [find(widths ~= widths(1), 1), widths(find(widths ~= widths(1), 1)), widths(1:min(end, 1))]);
+    end
+    cells = vertcat(rows{:});
+    names = matlab_names(cells(1, :));
+    columns = struct();
+    for i = 1:numel(names)
+        texts = cells(2:end, i);
+        numbers = str2double(texts);
+        if any(isnan(numbers) & ~cellfun(@isempty, texts))
+            columns.(names{i}) = texts;
+        else
+            columns.(names{i}) = numbers;
+        end
+    end
+end
+
+function rows = rows_of(text)
+    % A comma or a line end between quotation marks is part of a cell: both are looked for outside of them.
+    text = strrep(text, sprintf('\r\n'), sprintf('\n'));
+    if ~isempty(text) && text(end) ~= sprintf('\n')
+        text(end + 1) = sprintf('\n');
+    end
+    is_outside = mod(cumsum(text == '"'), 2) == 0;
+    line_ends = find(is_outside & text == sprintf('\n'));
+    rows = cell(numel(line_ends), 1);
+    begin = 1;
+    for i = 1:numel(line_ends)
+        line = begin:line_ends(i) - 1;
+        commas = line(is_outside(line) & text(line) == ',');
+        bounds = [begin - 1, commas, line_ends(i)];
+        cells = cell(1, numel(bounds) - 1);
+        for j = 1:numel(cells)
+            cells{j} = text(bounds(j) + 1:bounds(j + 1) - 1);
+        end
+        cells = regexprep(cells, '^"(.*)"$', '$1');
+        rows{i} = strrep(cells, '""', '"');
+        begin = line_ends(i) + 1;
+    end
+end
+
+function names = matlab_names(names)
+    names = regexprep(names, '[^A-Za-z0-9_]', '_');
+    for i = find(~cellfun(@isvarname, names))
+        names{i} = ['x' names{i}];
+    end
+end

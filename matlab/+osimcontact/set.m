@@ -1,0 +1,54 @@
+function results = set(varargin)
+%SET Sets properties to a value, or multiplies them by a factor.
+%   RESULTS = osimcontact.set(MODELS, NAME, VALUE, ...)
+%
+%   MODELS: Models (.osim), a ForceSet (.xml) with geometry, folders. Takes a text or a cell array of
+%       texts.
+%
+%   Options, each a NAME and a VALUE (target_mass and TargetMass are the same):
+%     set: Properties by OpenSim's names, each with its value, or with a factor such as "x2". Takes a
+%         struct or containers.Map or a text. Must be given.
+%     contacts_mass: Mass the contacts are made for now, kg [default: the note, else mass]. Takes a
+%         number.
+%     mass: What this model weighs, kg [default: the sum of its bodies]. Takes a number.
+%     exclude_body: Leave these bodies out of the sum (props, platforms). Takes a text or a cell array
+%         of texts.
+%     select: Only forces with such a name. Takes a text or a cell array of texts.
+%     exclude: No forces with such a name. Takes a text or a cell array of texts.
+%     skip_disabled: Leave out forces that are switched off. Takes true or false.
+%     output: Write to this file [default: NAME.scaled.osim beside it]. Takes a text.
+%     geometry_output: Write the changed ContactGeometrySet of a standalone ForceSet to this file. Takes
+%         a text.
+%     output_dir: Write into this folder. Takes a text.
+%     in_place: Change the model itself and keep the old one as NAME.osim.bak. Takes true or false.
+%     no_backup: With in_place: keep no backup. Takes true or false.
+%     force: Replace existing files. Takes true or false.
+%     no_note: Leave no note (in the credits) in the model. Takes true or false.
+%     dry_run: Write nothing, only say what would change. Takes true or false.
+%     report: Write a page for browsers too (.html): tables, plots, findings. Takes a text.
+%     jobs: Models to work on at once [default: one per processor]. Takes a whole number.
+%     summary: Keep a line per model in this file (.csv or .ndjson). Takes a text.
+%     resume: Skip models that summary says are done, if nothing has changed since. Takes true or false.
+%     shard: Only share I of N of the models, for job arrays. Takes a text.
+%     yes: Go on where a number looks like a slip: the code of the error that asks. Takes a text or a
+%         cell array of texts.
+%     geometry: The ContactGeometrySet (or model) that holds the spheres of a standalone ForceSet. Takes
+%         a text.
+%     model: The model a standalone ForceSet belongs to, for its masses and joints. Takes a text.
+%     AsTable: true gives a table of MATLAB with a row for each result; the name of a list in the
+%         results, such as 'warnings', one with a row for each of its entries. Not in GNU Octave.
+%
+%   RESULTS: an array of structs with the fields model, output, geometry_output, contacts_mass_kg,
+%   objects, changes, warnings, notes. docs/json.md says what each holds; what is missing is NaN, '' or
+%   empty.
+%
+%   Example:
+%       factors = struct('stiffness', 'x2', 'dissipation', 1.5);
+%       done = osimcontact.set('human.osim', 'set', factors, 'output', 'stiffer.osim');
+%
+%   See also osimcontact.rescale, osimcontact.transfer, osimcontact.add, osimcontact.remove,
+%   osimcontact.convert, osimcontact.design, osimcontact.note, osimcontact.batch, osimcontact.program.
+
+% Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.
+    results = osimcontact.internal.run_verb('set', varargin);
+end

@@ -1,0 +1,91 @@
+function tests = test_apply()
+%TEST_APPLY osimcontact.apply with a stand-in for OpenSim's bindings: the calls of it that apply makes, and nothing else.
+%   tests/oracle/test_live_model.py makes the same calls of OpenSim itself, in Python.
+    tests = {@every_change_is_made, @places_have_three_numbers, @nothing_is_changed_where_the_model_is_another_one, ...
+        @a_component_that_is_not_there};
+end
+
+function every_change_is_made()
+    state = warning('off', 'all');
+    back = onCleanup(@() warning(state));
+    for name = {'human.osim', 'horse.osim'}
+        planned = osimcontact.rescale(name{1}, 'target_mass', 200, 'dry_run', true, 'friction', true);
+        [model, values] = live(planned.changes);
+        osimcontact.apply(model, planned.changes);
+        for change = planned.changes'
+            must(isequal(values(key_of(change)), change.to), '%s of %s is not set', change.property, change.path);
+        end
+    end
+end
+
+function places_have_three_numbers()
+    planned = osimcontact.rescale('human.osim', 'target_mass', 200, 'dry_run', true, 'level', true);
+    places = planned.changes(strcmp({planned.changes.property}, 'location'));
+    must(numel(places) == 12 && isequal(size(places(1).to), [3 1]), 'there are other places');
+    [model, values] = live(planned.changes);
+    osimcontact.apply(model, planned.changes);
+    must(isequal(values(key_of(places(1))), places(1).to), 'the place is not set');
+end
+
+function nothing_is_changed_where_the_model_is_another_one()
+    planned = osimcontact.rescale('human.osim', 'target_mass', 200, 'dry_run', true);
+    [model, values] = live(planned.changes);
+    last = key_of(planned.changes(end));
+    values(last) = values(last) * 1.001; %#ok<NASGU>
+    message = must_throw('osimcontact:notAsPlanned', @() osimcontact.apply(model, planned.changes));
+    must(~isempty(strfind(message, planned.changes(end).path)), 'the force is not named: %s', message);
+    first = planned.changes(1);
+    must(isequal(values(key_of(first)), first.from), 'the first was changed');
+end
+
+function a_component_that_is_not_there()
+    planned = osimcontact.rescale('human.osim', 'target_mass', 200, 'dry_run', true);
+    [model, values] = live(planned.changes(1:end - 1));
+    must_throw('osimcontact:noComponent', @() osimcontact.apply(model, planned.changes));
+    first = planned.changes(1);
+    must(isequal(values(key_of(first)), first.from), 'the first was changed');
+end
+
+function [model, values] = live(changes)
+    % A model that has what a plan has read, in a map that all of it shares.
+    values = containers.Map('KeyType', 'char', 'ValueType', 'any');
+    for change = changes'
+        values(key_of(change)) = change.from;
+    end
+    model.getComponent = @(path) component(values, path);
+end
+
+function held = component(values, path)
+    known = strncmp(values.keys(), [path '|'], numel(path) + 1);
+    must(any(known), 'OpenSim: there is no component %s', path);
+    held.updPropertyByName = @(name) property(values, path, NaN, name);
+end
+
+function held = property(values, path, set, name)
+    if strcmp(name, 'contact_parameters') || strcmp(name, 'objects')
+        % The set of a HuntCrossleyForce, then its list.
+        held.updValueAsObject = @(index) object(values, path, index, name);
+        return
+    end
+    key = sprintf('%s|%g|%s', path, set, name);
+    must(values.isKey(key), 'OpenSim: there is no property %s', key);
+    held.get = @() values(key);
+    held.set = @(value) put(values, key, value);
+end
+
+function held = object(values, path, index, name)
+    if strcmp(name, 'contact_parameters')
+        must(index == 0, 'OpenSim: there is one set');
+        held.updPropertyByName = @(inner) property(values, path, NaN, inner);
+    else
+        held.updPropertyByName = @(inner) property(values, path, index, inner);
+    end
+end
+
+function put(values, key, value)
+    values(key) = value; %#ok<NASGU>
+end
+
+function key = key_of(change)
+    key = sprintf('%s|%g|%s', change.path, change.set, change.property);
+end

@@ -1,0 +1,156 @@
+function tests = test_results()
+%TEST_RESULTS What comes back: the right values, and the same fields in every element.
+    tests = {@rescaling_follows_the_paper, @all_elements_have_the_same_fields, @missing_numbers_are_nan, ...
+        @some_models_fail, @explanations_of_all_kinds, @series_are_columns, @columns_of_results, @tables_are_made_of_columns, ...
+        @warnings_are_said_once, @tables_of_the_program, @texts_of_json, @real_models};
+end
+
+function rescaling_follows_the_paper()
+    done = osimcontact.rescale('human.osim', 'TargetMass', 500, 'output', 'out.osim');
+    must(strcmp(done.output, 'out.osim') && numel(dir('out.osim')) == 1, 'nothing was written to out.osim');
+    ratio = 500 / 62;
+    % Equations (8), (10) and (14): radius and stiffness as M^(1/3), dissipation as R^(-1/2).
+    expected = struct('radius', 0.032 * ratio ^ (1 / 3), 'stiffness', 1e6 * ratio ^ (1 / 3), 'dissipation', 2 * ratio ^ (-1 / 6));
+    for name = fieldnames(expected)'
+        is_this = strcmp({done.changes.property}, name{1});
+        to = [done.changes(is_this).to];
+        must(numel(to) == 12 && all(abs(to / expected.(name{1}) - 1) < 1e-14), '%s is %.17g', name{1}, to(1));
+    end
+    must(isempty(done.error) && isempty(done.objects) && iscellstr(done.notes), 'fields are of other kinds');
+end
+
+function all_elements_have_the_same_fields()
+    % A human of the smooth class, and a horse with Hunt-Crossley forces.
+    seen = osimcontact.inspect({'human.osim', 'horse.osim'});
+    must(isequal(size(seen), [2 1]) && isequal([seen.mass_kg], [62 545]), 'masses are %s', mat2str([seen.mass_kg]));
+    must(isstruct(seen(1).known_contacts) && isstruct(seen(2).known_contacts), 'known_contacts is not a struct');
+    must(isnan(seen(2).forces(1).dimensionless.hertz_smoothing), 'a Hunt-Crossley force has no hertz_smoothing');
+    must(isempty([seen.body_factors]) && isfield(seen(1).body_factors, 'factors'), 'an empty list has no fields');
+    must(numel(vertcat(seen.spheres)) == 12 + 20, 'there are other spheres');
+    must(isequal(size(seen(1).spheres(1).location_m), [3 1]), 'a place is not a column');
+end
+
+function missing_numbers_are_nan()
+    value = osimcontact.internal.json_value('{"model":"m","mass_kg":null,"limbs":null,"forces":[{"parameters":{"a":1},"set":null},{"parameters":{"b":null}}]}');
+    full = osimcontact.internal.completed({value}, {osimcontact.internal.shapes('inspection')});
+    must(isnan(full.mass_kg) && isnan(full.gravity_m_s2) && isnan(full.contacts_mass_kg.value), 'numbers are not NaN');
+    must(ischar(full.name) && isempty(full.name) && strcmp(full.model, 'm'), 'texts are not empty');
+    must(isstruct(full.limbs) && isempty(full.limbs) && isfield(full.limbs, 'side'), 'a list has lost its fields');
+    must(isnan(full.forces(1).set) && full.forces(1).parameters.a == 1 && isnan(full.forces(1).parameters.b), 'parameters differ');
+    must(isnan(full.forces(2).parameters.a), 'the second force has no a');
+end
+
+function some_models_fail()
+    state = warning('off', 'osimcontact:someFailed');
+    back = onCleanup(@() warning(state));
+    done = osimcontact.rescale({'human.osim', 'decimal comma.osim', 'gone.osim'}, 'target_mass', 500, 'output_dir', 'out');
+    must(numel(done) == 3 && isempty(done(1).error) && numel(done(1).changes) == 72, 'the first is not done');
+    must(strcmp(done(2).error.code, 'not-a-number') && isequal([done(2).error.line done(2).error.column], [30 17]), ...
+        'the error of the second is another one');
+    must(strcmp(done(3).error.code, 'unreadable') && isnan(done(3).error.line), 'the error of the third is another one');
+    must(isempty(done(3).changes) && isfield(done(3).changes, 'factor') && isnan(done(3).contacts_mass_kg.to), ...
+        'a failed model has not the fields of the others');
+end
+
+function explanations_of_all_kinds()
+    known = osimcontact.explain({'C.2', 'stiffness', 'floats', 'no-contacts'});
+    must(isequal({known.kind}, {'equation', 'quantity', 'finding', 'error'}), 'kinds differ');
+    must(strcmp(known(1).formulas(1).formula(1:2), 'cf') && isempty(known(2).formulas), 'formulas differ');
+    must(numel(osimcontact.explain()) > 100, 'without a name it is everything');
+end
+
+function series_are_columns()
+    fall = osimcontact.drop_test('falisse2022', 'samples', 101);
+    must(isequal(size(fall.series.time_s), [101 1]) && fall.series.time_s(1) == 0, 'the series differs');
+    must(isnan(fall.compare.force_bw), 'nothing was compared');
+    found = osimcontact.fit('measured.csv', 'radius', 0.01);
+    count = numel(found.parameters);
+    must(isequal(size(found.covariance), [count count]) && isequal(found.covariance, found.covariance'), ...
+        'the covariance is not a symmetric matrix');
+end
+
+function columns_of_results()
+    seen = osimcontact.inspect({'human.osim', 'horse.osim'});
+    shape = osimcontact.internal.shapes('inspection');
+    columns = osimcontact.internal.as_columns(seen, shape);
+    must(isequal(columns.mass_kg, [62; 545]) && isequal(columns.contacts_mass_kg_source, {'bodies'; 'bodies'}), 'columns differ');
+    must(isequal(columns.spheres, [12; 20]), 'a list is not its number of entries');
+    columns = osimcontact.internal.as_columns(seen, shape, 'spheres');
+    must(isequal(size(columns.radius_m), [32 1]) && strcmp(columns.model{13}, 'horse.osim'), 'rows of spheres differ');
+    must(isequal(size(columns.location_m), [32 3]), 'a place is not three columns');
+    columns = osimcontact.internal.as_columns(seen, shape, 'forces');
+    must(iscellstr(columns.spheres) && isequal(size(columns.parameters_stiffness), [numel(columns.model) 1]), 'forces differ');
+    must_throw('osimcontact:usage', @() osimcontact.internal.as_columns(seen, shape, 'nothing'));
+    % One model that failed, and two that have one warning each: a list of one is a list.
+    full = {osimcontact.internal.json_value('{"model":"a","warnings":[{"code":"floats"}]}'); ...
+        osimcontact.internal.json_value('{"model":"b","warnings":[{"code":"floats"}],"error":[{"code":"x","line":3}]}')};
+    failure = osimcontact.internal.shapes('failure');
+    shape = osimcontact.internal.shapes('change');
+    shape.error = {failure.error};
+    columns = osimcontact.internal.as_columns(osimcontact.internal.completed(full, {shape}), shape);
+    must(isequal(columns.warnings, [1; 1]) && isequal(columns.error_code, {''; 'x'}), 'warnings and errors differ');
+    must(isnan(columns.error_line(1)) && columns.error_line(2) == 3, 'lines differ');
+end
+
+function tables_are_made_of_columns()
+    if ~exist('OCTAVE_VERSION', 'builtin')
+        seen = osimcontact.inspect({'human.osim', 'horse.osim'}, 'AsTable', true);
+        must(istable(seen) && isequal(seen.mass_kg, [62; 545]), 'it is not a table');
+        return
+    end
+    message = must_throw('osimcontact:noTable', @() osimcontact.inspect('human.osim', 'AsTable', true));
+    must(~isempty(strfind(message, 'Octave')), 'it does not say why: %s', message);
+end
+
+function warnings_are_said_once()
+    lastwarn('', '');
+    % Both have two feet with one force for several spheres.
+    evalc('osimcontact.rescale({''one force.osim'', ''one force too.osim''}, ''target_mass'', 500, ''dry_run'', true);');
+    [message, identifier] = lastwarn();
+    must(strcmp(identifier, 'osimcontact:several_spheres_one_force') && ~isempty(strfind(message, '(and 3 more')), ...
+        '%s: %s', identifier, message);
+end
+
+function tables_of_the_program()
+    [status, ~] = system(['"' osimcontact.program() '" inspect human.osim horse.osim --format csv > all.csv']);
+    columns = osimcontact.read_table('all.csv');
+    must(status == 0 && isequal(unique(columns.mass_kg), [62; 545]) && numel(columns.sphere) == 32, 'columns differ');
+    seen = osimcontact.inspect('human.osim');
+    of_human = [seen.figures.limbs(1).spheres.load_n]';
+    must(isequal(columns.load_at_1_body_weight_N(1:numel(of_human)), of_human), 'loads have other bits');
+    file = fopen('odd.csv', 'w');
+    fprintf(file, 'a,"b ""c"", d",1e\r\n1,"x,\ny",\n2.5,,3\n');
+    fclose(file);
+    columns = osimcontact.read_table('odd.csv');
+    must(isequal(columns.a, [1; 2.5]) && isequal(columns.b__c___d, {sprintf('x,\ny'); ''}), 'cells differ');
+    must(isnan(columns.x1e(1)) && columns.x1e(2) == 3, 'an empty cell is not NaN');
+    file = fopen('short.csv', 'w');
+    fprintf(file, 'a,b\n1,2\n3\n');
+    fclose(file);
+    must_throw('osimcontact:unreadable', @() osimcontact.read_table('short.csv'));
+    must_throw('osimcontact:unreadable', @() osimcontact.read_table('gone.csv'));
+end
+
+function texts_of_json()
+    text = ['"x\"y\\z\/\u0007\ud83d\ude00' native2unicode(uint8([195 169]), 'UTF-8') '"'];
+    value = osimcontact.internal.json_value(text);
+    % U+1F600 is F0 9F 98 80 in UTF-8.
+    must(isequal(unicode2native(value, 'UTF-8'), uint8([double('x"y\z/') 7 240 159 152 128 195 169])), 'another text');
+    for broken = {'{"a":1', '[1,', '', '{"a":1}}', 'nonsense', '{"a":[true}'}
+        must_throw('osimcontact:programFailed', @() osimcontact.internal.json_value(broken{1}));
+    end
+end
+
+function real_models()
+    corpus = getenv('OSIM_CORPUS');
+    if isempty(corpus)
+        error('test:skipped', 'published models in Octave: models of other people are not part of the project');
+    end
+    state = warning('off', 'all');
+    back = onCleanup(@() warning(state));
+    seen = osimcontact.inspect(corpus);
+    must(numel(seen) > 20 && all(strcmp(class([seen.mass_kg]), 'double')), 'there are %d models', numel(seen));
+    must(numel([seen.mass_kg]) == numel(seen), 'a mass was lost');
+    columns = osimcontact.internal.as_columns(seen, osimcontact.internal.shapes('inspection'), 'forces');
+    must(numel(columns.model) == numel(vertcat(seen.forces)), 'a force was lost');
+end

@@ -1,0 +1,110 @@
+function tests = test_verbs()
+%TEST_VERBS Every verb: its function, its help, and the example in it.
+    tests = {@every_verb_has_a_function, @helps_name_every_option, @examples_run_as_they_stand, @names_in_every_spelling, ...
+        @arguments_before_the_options, @objects_as_structs_and_maps};
+end
+
+function every_verb_has_a_function()
+    schemas = dir(fullfile(root(), 'schemas', 'requests', '*.schema.json'));
+    must(numel(schemas) > 15, 'there are %d schemas', numel(schemas));
+    for i = 1:numel(schemas)
+        verb = strrep(strrep(schemas(i).name, '.schema.json', ''), '-', '_');
+        must(numel(dir(fullfile(package(), [verb '.m']))) == 1, 'there is no osimcontact.%s', verb);
+    end
+end
+
+function helps_name_every_option()
+    functions = functions_of_verbs();
+    for i = 1:numel(functions)
+        schema = jsondecode(fileread(fullfile(root(), 'schemas', 'requests', [strrep(functions{i}, '_', '-') '.schema.json'])));
+        text = help_of(functions{i});
+        must(strncmp(text, upper(functions{i}), numel(functions{i})), 'the help of %s begins otherwise', functions{i});
+        must(~isempty(strfind(text, 'See also osimcontact.')), 'the help of %s names no other', functions{i});
+        left_out = {'verb', 'format', 'quiet', 'diff', 'full', 'ascii', 'deny'};
+        for name = setdiff(fieldnames(schema.properties), left_out)'
+            named = ~isempty(regexp(text, ['^ *' name{1} ': '], 'once', 'lineanchors')) || ~isempty(strfind(text, [upper(name{1}) ': ']));
+            must(named, 'the help of %s does not name %s', functions{i}, name{1});
+        end
+        for foreign = {'standard input', 'may be repeated', '--', '`', ' or - '}
+            must(isempty(strfind(text, foreign{1})), 'the help of %s is about a terminal: %s', functions{i}, foreign{1});
+        end
+    end
+end
+
+function examples_run_as_they_stand()
+    functions = functions_of_verbs();
+    for i = 1:numel(functions)
+        example = regexp(help_of(functions{i}), 'Example:\n(.*?)\n *\n', 'tokens', 'once');
+        must(~isempty(strfind(example{1}, ['osimcontact.' functions{i} '('])), 'the example of %s is of another one', functions{i});
+        run_example(functions{i}, strrep(example{1}, 'plot(fall', 'isequal(fall'));
+    end
+end
+
+function run_example(name, code)
+    % In a function of its own, so that names of examples hide nothing here.
+    state = warning('off', 'all');
+    back = onCleanup(@() warning(state));
+    try
+        evalc(code);
+    catch problem
+        error('test:failed', 'the example of %s: %s', name, problem.message);
+    end
+end
+
+function names_in_every_spelling()
+    for name = {'target_mass', 'TargetMass', 'targetmass', 'TARGET_MASS', 'Target_Mass'}
+        done = osimcontact.rescale('human.osim', name{1}, 500, 'DryRun', true);
+        must(done.contacts_mass_kg.to == 500 && isempty(done.output), '%s is not heeded', name{1});
+    end
+end
+
+function arguments_before_the_options()
+    one = osimcontact.presets('falisse2022');
+    must(strcmp(one.name, 'falisse2022'), 'a name alone');
+    all = osimcontact.presets();
+    must(numel(all) >= 1, 'no argument at all');
+    own = osimcontact.presets('presets', fullfile(root(), 'fixtures', 'presets', 'lab.toml'));
+    must(numel(own) > numel(all), 'an option alone');
+    sheet = osimcontact.design('radius', 0.032, 'indentation', 0.16, 'load', 100, 'spheres', 6);
+    must(isfield(sheet, 'figures') && ~isfield(sheet, 'changes'), 'design without a model is a calculator');
+    done = osimcontact.design('human.osim', 'indentation', 0.1, 'dry_run', true);
+    must(isfield(done, 'changes'), 'design with a model is a change');
+    done = osimcontact.plot('fig4', 'output', 'fig4.svg');
+    must(strcmp(done.output, 'fig4.svg') && numel(dir('fig4.svg')) == 1, 'a figure without models');
+    osimcontact.plot('force', 'human.osim', 'output', 'force.svg');
+    must(numel(dir('force.svg')) == 1, 'a figure with a model');
+    for call = {@() osimcontact.inspect(), @() osimcontact.rescale('human.osim', 'target_mass'), @() osimcontact.plot()}
+        must_throw('osimcontact:usage', call{1});
+    end
+end
+
+function objects_as_structs_and_maps()
+    map = containers.Map({'stiffness', 'dissipation'}, {'x2', 1.5});
+    for value = {struct('stiffness', 'x2', 'dissipation', 1.5), map}
+        done = osimcontact.set('human.osim', 'set', value{1}, 'select', {'*_r'}, 'dry_run', true);
+        is_stiffness = strcmp({done.changes.property}, 'stiffness');
+        must(sum(is_stiffness) == 6 && all([done.changes(is_stiffness).to] == 2e6), 'stiffness is another one');
+        must(all([done.changes(~is_stiffness).to] == 1.5), 'dissipation is another one');
+    end
+end
+
+function functions = functions_of_verbs()
+    files = dir(fullfile(package(), '*.m'));
+    functions = cellfun(@(name) name(1:end - 2), {files.name}, 'UniformOutput', false);
+    functions = setdiff(functions, {'Contents', 'apply', 'program', 'read_table'});
+end
+
+function text = help_of(name)
+    % As help prints it: the lines of the comment, without the percent sign.
+    text = fileread(fullfile(package(), [name '.m']));
+    comment = regexp(text, '^%.*?\n(?=[^%])', 'match', 'once', 'lineanchors');
+    text = [regexprep(comment, '^%', '', 'lineanchors') sprintf('\n')];
+end
+
+function folder = package()
+    folder = fileparts(which('osimcontact.program'));
+end
+
+function folder = root()
+    folder = fileparts(fileparts(fileparts(mfilename('fullpath'))));
+end
