@@ -1,16 +1,20 @@
 #!/usr/bin/env bash
 # Installs what the checks need beside Rust. Nothing else in the project installs anything.
 #
-#     dev/install.sh [GROUP...]     one or more of: rust programs shells oracle browser wasm windows; all without arguments
+#     dev/install.sh [GROUP...]     one or more of: rust programs shells oracle browser python book wasm windows; all without arguments
 #
 # Quick, and silent but for the table at its end, where everything is there. What it cannot install (no root, no
 # Debian, no such package) it names, and goes on: tests that need it say that they were skipped.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-# Where the oracle's Python packages go, by the versions in tests/oracle/requirements.txt.
-VENV=target/oracle-venv
-GROUPS_KNOWN="rust programs shells oracle browser wasm windows"
+# Environments of Python: which groups use it, where it is, and the list of its packages with their versions.
+ENVIRONMENTS="
+oracle,browser  target/oracle-venv  tests/oracle/requirements.txt
+python          target/python-venv  tests/python/requirements.txt
+book            target/book-venv    docs/requirements.txt
+"
+GROUPS_KNOWN="rust programs shells oracle browser python book wasm windows"
 
 # One tool a line:
 #   group
@@ -19,7 +23,7 @@ GROUPS_KNOWN="rust programs shells oracle browser wasm windows"
 #   from     apt:PACKAGE of Debian; cargo, built from crates.io; rust, comes with Rust; none, cannot be had
 #   tells    what prints its version
 #
-# programs: octave runs the recipes of docs/, groff sets the manual, strace sees what reaches the disk, setpriv and
+# programs: octave runs the package for MATLAB, groff sets the manual, strace sees what reaches the disk, setpriv and
 #           unshare take permissions and make small disks (util-linux), readelf looks into the archive's program, pdfinfo reads
 #           figures, valgrind
 #           counts instructions.
@@ -27,6 +31,8 @@ GROUPS_KNOWN="rust programs shells oracle browser wasm windows"
 # oracle:   Python for the comparison with the real OpenSim. Its packages are in the table further below.
 # browser:  opens reports; pdftotext reads what they print. The tests run in the oracle's Python. npm brings axe-core, by
 #           tests/browser/package-lock.json.
+# python:   what tests the Python package, which is installed beside it by pip.
+# book:     makes the pages of docs/ a book, with the reference of the Python package.
 # wasm:     a compiler with the sources of its library, for targets that rustup cannot fetch here, and a linker.
 # windows:  the same compiler, a linker for Windows, and Wine, which runs what it links.
 TOOLS="
@@ -53,6 +59,8 @@ browser   chromium       120      apt:chromium        eval chromium --version ||
 browser   chromedriver   120      apt:chromium-driver chromedriver --version
 browser   npm            9        apt:npm             npm --version
 browser   pdftotext      22       apt:poppler-utils   pdftotext -v
+python    python3        3.11     apt:python3-venv    python3 -c 'import ensurepip, platform; print(platform.python_version())'
+book      python3        3.11     apt:python3-venv    python3 -c 'import ensurepip, platform; print(platform.python_version())'
 wasm      rustc-web      1.92     apt:rustc-web       /usr/bin/rustc --version
 wasm      rust-web-src   1.92     apt:rust-web-src    dpkg-query -W rust-web-src
 wasm      wasm-ld-19     19       apt:lld-19          wasm-ld-19 --version
@@ -149,9 +157,9 @@ done <<<"$(chosen)"
 # shellcheck disable=SC2086
 [ -z "$missing_packages" ] || install_packages $missing_packages
 
-# Python packages: exactly those of the list. Two groups use them.
+# Python packages: exactly those of the list $2, in the environment $1.
 python_packages() {
-    "$VENV/bin/python" - tests/oracle/requirements.txt "$1" <<'END'
+    "$1/bin/python" - "$2" "$3" <<'END'
 import sys
 from importlib import metadata
 
@@ -170,17 +178,24 @@ for line in open(sys.argv[1]):
 sys.exit(0 if right or sys.argv[2] == "table" else 1)
 END
 }
-case " $wanted_groups " in
-*" oracle "* | *" browser "*)
-    if [ ! -x "$VENV/bin/python" ]; then
-        quietly python3 -m venv "$VENV" || problem "$VENV" "python3 -m venv failed"
+# The environments that the wanted groups use.
+environments() {
+    local groups venv list group
+    while read -r groups venv list; do
+        for group in ${groups//,/ }; do
+            case " $wanted_groups " in *" $group "*) printf '%s %s\n' "$venv" "$list"; break ;; esac
+        done
+    done <<<"$(grep -v '^$' <<<"$ENVIRONMENTS")"
+}
+while read -r venv list; do
+    [ -n "$venv" ] || continue
+    if [ ! -x "$venv/bin/python" ]; then
+        quietly python3 -m venv "$venv" || problem "$venv" "python3 -m venv failed"
     fi
-    if [ -x "$VENV/bin/python" ] && ! python_packages check; then
-        quietly "$VENV/bin/python" -m pip install --disable-pip-version-check -r tests/oracle/requirements.txt \
-            || problem "tests/oracle/requirements.txt" "pip could not install it"
+    if [ -x "$venv/bin/python" ] && ! python_packages "$venv" "$list" check </dev/null; then
+        quietly "$venv/bin/python" -m pip install --disable-pip-version-check -r "$list" || problem "$list" "pip could not install it"
     fi
-    ;;
-esac
+done <<<"$(environments)"
 
 # Packages from npm: exactly those of the lock file.
 NPM=tests/browser
@@ -206,13 +221,10 @@ while read -r group tool wanted from tells; do
     case $from in none) why=": neither Debian nor npm nor crates.io has it" ;; *) why="" ;; esac
     row "$group" "$tool" "$wanted" "$(version_of "$tells")" "$why"
 done <<<"$(chosen)"
-case " $wanted_groups " in
-*" oracle "* | *" browser "*)
-    if [ -x "$VENV/bin/python" ]; then
-        while read -r name wanted found; do row python "$name" "$wanted" "$found" ""; done <<<"$(python_packages table)"
-    fi
-    ;;
-esac
+while read -r venv list; do
+    [ -n "$venv" ] && [ -x "$venv/bin/python" ] || continue
+    while read -r name wanted found; do row python "$name" "$wanted" "$found" ""; done <<<"$(python_packages "$venv" "$list" table)"
+done <<<"$(environments)"
 case " $wanted_groups " in *" browser "*) row npm axe-core "=$AXE" "$(axe_version)" "" ;; esac
 if [ -n "$problems" ]; then
     printf 'not installed:\n%s' "$problems" >&2

@@ -24,7 +24,7 @@ HOLDS = {
 # Tests in Rust and scripts say it themselves, pytest says it with -rs --no-fold-skipped. Where tests run one after the
 # other, the line of the test in Rust is not at its end yet.
 SAID = re.compile(r"^(?:test .* \.\.\. )?skipped: (?P<test>.+?): (?P<why>.+)$")
-SAID_BY_PYTEST = re.compile(r"^SKIPPED (?P<test>\S+::.+?) - (?:Skipped: )?(?P<why>.+)$")
+SAID_BY_PYTEST = re.compile(r"^SKIPPED (?P<test>\S+?\.py(?:::.+?)?) - (?:Skipped: )?(?P<why>.+)$")
 
 
 def skipped(log):
@@ -34,6 +34,8 @@ def skipped(log):
     [("zsh's completion", 'zsh: not found')]
     >>> list(skipped("SKIPPED tests/test_a.py::test_b[c: d] - Skipped: no floor\\n2 passed, 1 skipped in 0.1s"))
     [('tests/test_a.py::test_b[c: d]', 'no floor')]
+    >>> list(skipped("SKIPPED tests/test_a.py - Skipped: no pandas"))
+    [('tests/test_a.py', 'no pandas')]
     """
     for line in log.splitlines():
         said = SAID.match(line) or SAID_BY_PYTEST.match(line)

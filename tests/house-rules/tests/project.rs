@@ -26,10 +26,12 @@ const LAYERS: &[&[&str]] = &[
     &["osim-requests"],
     &["osim-figures"],
     &["osim-library", "osim-report"],
+    &["osim-runs"],
     &["osim-contact-scale"],
+    &["osim-python"],
 ];
 
-/// Crates below the command.
+/// Crates that do not know the command line.
 const LIBRARIES: &[&str] = &[
     "contact-plots",
     "contact-scaling",
@@ -41,9 +43,11 @@ const LIBRARIES: &[&str] = &[
     "osim-model",
     "osim-options",
     "osim-patch",
+    "osim-python",
     "osim-remarks",
     "osim-report",
     "osim-requests",
+    "osim-runs",
     "osim-values",
     "osim-wording",
     "osim-xml",
@@ -101,6 +105,12 @@ const BANS: &[Ban<'_>] = &[
     Ban { in_crate: "osim-figures", dependencies: &["clap", "maud", "quick-xml", "walkdir"], paths: OUTSIDE },
     Ban { in_crate: "osim-report", dependencies: &["clap", "quick-xml", "toml", "walkdir"], paths: OUTSIDE },
     Ban { in_crate: "osim-library", dependencies: &["clap", "maud", "quick-xml"], paths: TERMINAL },
+    Ban { in_crate: "osim-runs", dependencies: &["clap", "maud", "quick-xml"], paths: TERMINAL },
+    Ban {
+        in_crate: "osim-python",
+        dependencies: &["clap", "maud", "quick-xml", "rayon", "toml", "walkdir"],
+        paths: OUTSIDE,
+    },
     Ban {
         in_crate: "osim-contact-scale",
         dependencies: &["contact-scaling", "quick-xml", "rayon", "walkdir"],
