@@ -42,6 +42,11 @@ def name_of(path):
     return Path(path).relative_to(FIXTURES if FIXTURES in Path(path).parents else path.parent).as_posix()
 
 
+def kind_of(path):
+    """The folder of `fixtures/` that a model is in; none for models by other people. Folders above the project may have any name."""
+    return path.relative_to(FIXTURES).parts[0] if FIXTURES in path.parents else None
+
+
 needs_corpus = pytest.mark.skipif(not corpus(), reason="OSIM_CORPUS is not set: models by other people are not at hand")
 
 

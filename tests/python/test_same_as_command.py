@@ -4,9 +4,9 @@ import math
 
 import osim_contact_scale as ocs
 import pytest
-from conftest import FIXTURES, HUMAN, asked, corpus, fixtures, name_of, needs_corpus, unspelled
+from conftest import FIXTURES, HUMAN, asked, corpus, fixtures, kind_of, name_of, needs_corpus, unspelled
 
-MODELS = [path for path in fixtures() if "bad" not in path.parts]
+MODELS = [path for path in fixtures() if kind_of(path) != "bad"]
 
 # Each changing verb, as Python and the command are asked.
 CHANGES = {
