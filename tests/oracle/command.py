@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 import schemas
@@ -45,6 +46,16 @@ def run(*arguments):
 def not_json(token):
     """Refuse the `NaN` and `Infinity` that Python would let through."""
     raise ValueError(f"{token} is not JSON")
+
+
+@cache
+def example(name):
+    """The example `name` of one of the libraries, built: from what the tests in Rust compiled, where they ran before."""
+    cargo = ["cargo", "build", "--workspace", "--example", name, "--message-format=json"]
+    done = subprocess.run(cargo, cwd=ROOT, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    (path,) = [made for line in done.stdout.splitlines() if (made := json.loads(line).get("executable"))]
+    return path
 
 
 def inspect(model, *more):

@@ -33,18 +33,9 @@ REFUSED = {
 NOT_READ = {"v30517_elastic_foundation_with_sphere.osim"}
 
 
-@cache
-def example():
-    """The example `feet` of osim-feet, built once."""
-    cargo = ["cargo", "build", "-p", "osim-feet", "--example", "feet", "--message-format=json"]
-    done = subprocess.run(cargo, cwd=command.ROOT, capture_output=True, text=True, check=True)
-    (path,) = [made for line in done.stdout.splitlines() if (made := json.loads(line).get("executable"))]
-    return path
-
-
 def ours(*arguments):
     """The lines of JSON that the example prints."""
-    run = subprocess.run([example(), *map(str, arguments)], capture_output=True, text=True, check=False)
+    run = subprocess.run([command.example("feet"), *map(str, arguments)], capture_output=True, text=True, check=False)
     assert run.returncode == 0, run.stderr
     return [json.loads(line) for line in run.stdout.splitlines()]
 

@@ -7,7 +7,6 @@ rounded on the way: the joint's angle is 0, the floor's frame is turned by a qua
 lengths of 0, and the height goes through the joint unchanged.
 """
 
-import json
 import subprocess
 import sys
 from dataclasses import dataclass, field
@@ -173,21 +172,10 @@ def force(contact, name, sphere, other):
     )
 
 
-@pytest.fixture(scope="session")
-def example():
-    """The example `forces` of contact-scaling, built."""
-    cargo = ["cargo", "build", "--release", "-p", "contact-scaling", "--example", "forces", "--message-format=json"]
-    done = subprocess.run(cargo, cwd=command.ROOT, capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
-    messages = [json.loads(line) for line in done.stdout.splitlines()]
-    (path,) = [made for message in messages if (made := message.get("executable"))]
-    return path
-
-
-def ours(example, cases):
+def ours(cases):
     """Our forces: one for each `(contact, x, rate)`."""
     lines = "".join(contact.line(x, rate) + "\n" for contact, x, rate in cases)
-    done = subprocess.run([example], input=lines, capture_output=True, text=True)
+    done = subprocess.run([command.example("forces")], input=lines, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
     return [float(line) for line in done.stdout.splitlines()]
 
@@ -201,7 +189,7 @@ def apart(case, our, their):
 
 
 @pytest.mark.parametrize("group", CONTACTS)
-def test_normal_force_is_opensims(group, example, tmp_path):
+def test_normal_force_is_opensims(group, tmp_path):
     contacts = CONTACTS[group]
     path = tmp_path / "contacts.osim"
     path.write_text(model(contacts), encoding="utf-8")
@@ -210,7 +198,7 @@ def test_normal_force_is_opensims(group, example, tmp_path):
     theirs = forces(path, [[(height, rate) for height, _, rate in moment] for moment in moments])
     theirs = [value for moment in theirs for value in moment]
     cases = [(contact, x, rate) for moment in moments for contact, (_, x, rate) in zip(contacts, moment)]
-    found = [apart(*all_three) for all_three in zip(cases, ours(example, cases), theirs, strict=True)]
+    found = [apart(*all_three) for all_three in zip(cases, ours(cases), theirs, strict=True)]
     worst = int(np.argmax(found))  # a NaN, if there is one
     assert found[worst] <= TOLERANCE, (found[worst], cases[worst])
     assert sum(their > 0 for their in theirs) > len(theirs) / 4, "hardly any contact in the grid"

@@ -26,18 +26,9 @@ OWN_FRAME = {"v20303_bouncing_block.osim", "v30000_bouncing_block.osim"}
 
 
 @cache
-def example():
-    """The example `scene` of osim-feet, built once."""
-    cargo = ["cargo", "build", "-p", "osim-feet", "--example", "scene", "--message-format=json"]
-    done = subprocess.run(cargo, cwd=command.ROOT, capture_output=True, text=True, check=True)
-    (path,) = [made for line in done.stdout.splitlines() if (made := json.loads(line).get("executable"))]
-    return path
-
-
-@cache
 def scene(path):
     """The feet of a model."""
-    run = subprocess.run([example(), str(path)], capture_output=True, text=True, check=False)
+    run = subprocess.run([command.example("scene"), str(path)], capture_output=True, text=True, check=False)
     assert run.returncode == 0, run.stderr
     return [json.loads(line) for line in run.stdout.splitlines()]
 
