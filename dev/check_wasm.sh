@@ -13,8 +13,6 @@ LIBRARIES=(--package contact-scaling --package contact-plots --package osim-fram
 OPTIONS=(--locked --target "$TARGET")
 # Not among what another compiler built.
 OPTIONS+=(--target-dir "${CARGO_TARGET_DIR:-target}/wasm")
-# Nothing is run here but what builds: optimising that takes longer than it saves.
-OPTIONS+=(--config 'profile.dev.package."*".opt-level=0')
 DEBIAN=/usr/bin/rustc
 
 run() {
