@@ -2,6 +2,7 @@
 
 use std::collections::VecDeque;
 use std::num::NonZeroUsize;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::mpsc;
 use std::thread::available_parallelism;
 
@@ -20,6 +21,8 @@ pub fn threads(asked: Option<NonZeroUsize>, items: usize) -> usize {
 }
 
 /// Does `work` for every item on `threads` threads and hands the results to `each` in the order of the items.
+///
+/// A panic of `work` goes on on the thread that called: it would be a defect, and nobody must wait for a result that never comes.
 ///
 /// # Errors
 /// The first error of `each`: no further item is begun. Or the threads cannot be started.
@@ -42,7 +45,8 @@ pub fn in_order<T: Sync, R: Send, E: From<LibraryFault>>(
             while let Some(item) = items.get(begun).filter(|_| waiting.len() < WINDOW) {
                 let (sender, index) = (sender.clone(), begun);
                 // Nobody listens any more only after an error of `each`; the result is of no use then.
-                scope.spawn_fifo(move |_| drop(sender.send((index, work(item)))));
+                let caught = move || catch_unwind(AssertUnwindSafe(|| work(item)));
+                scope.spawn_fifo(move |_| drop(sender.send((index, caught()))));
                 waiting.push_back(None);
                 begun += 1;
             }
@@ -51,6 +55,7 @@ pub fn in_order<T: Sync, R: Send, E: From<LibraryFault>>(
                 return Ok(());
             }
             let (index, result) = receiver.recv().context(|| "a thread ended without a result")?;
+            let result = result.unwrap_or_else(|panic| resume_unwind(panic));
             if let Some(place) = waiting.get_mut(index - first) {
                 *place = Some(result);
             }
@@ -87,6 +92,17 @@ mod tests {
             })
             .unwrap();
             assert_eq!(reported, items.iter().map(|&item| (item, item * 2)).collect::<Vec<_>>());
+        }
+    }
+
+    #[test]
+    fn a_panic_goes_on_where_the_work_was_asked_for() {
+        let items: Vec<usize> = (0..10).collect();
+        for threads in [1, 2] {
+            let work = |&item: &usize| assert_ne!(item, 7, "the seventh");
+            let ended = catch_unwind(|| in_order(&items, threads, work, |_, ()| Ok::<(), LibraryFault>(())));
+            let panic = ended.unwrap_err();
+            assert!(panic.downcast_ref::<String>().unwrap().contains("the seventh"), "{threads} threads");
         }
     }
 

@@ -2,6 +2,7 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use osim_library::{LibraryFault, in_order};
 use osim_requests::RequestFault;
 use pyo3::exceptions::{PyException, PyOverflowError};
 use pyo3::prelude::*;
@@ -67,9 +68,10 @@ pub(crate) fn dictionary<'py>(py: Python<'py>, record: &impl Serialize) -> PyRes
     Ok(pythonize::pythonize(py, record)?)
 }
 
-/// A panic, for the test that no panic ends an interpreter.
+/// A panic on one of `threads` threads, for the test that no panic ends an interpreter or makes it wait for ever.
 #[pyfunction]
 #[allow(clippy::panic, reason = "that is what it is for")]
-pub(crate) fn defect(py: Python<'_>) -> PyResult<()> {
-    guarded(py, || panic!("asked for by a test"))
+pub(crate) fn defect(py: Python<'_>, threads: usize) -> PyResult<()> {
+    let work = |_: &usize| panic!("asked for by a test");
+    guarded(py, || Ok(in_order(&[0; 10], threads, work, |_, ()| Ok::<(), LibraryFault>(()))?))
 }
