@@ -127,6 +127,34 @@ def test_an_exception_of_the_callback_ends_the_run(lab, tmp_path):
     assert len(list((tmp_path / "new").iterdir())) == 1
 
 
+@pytest.mark.parametrize("jobs", [1, 4])
+def test_a_run_that_was_stopped_goes_on(lab, tmp_path, jobs):
+    # Many more than threads have begun when the first is reported.
+    for number in range(11, 301):
+        shutil.copy(HUMAN, tmp_path / f"subject {number}.osim")
+    models = [tmp_path / f"subject {number}.osim" for number in range(1, 301)]
+    table = [{"model": model, "target_mass": 50 + number / 100} for number, model in enumerate(models)]
+    options = {"output_dir": tmp_path / "new", "summary": tmp_path / "lab.csv", "jobs": jobs}
+    count = []
+
+    def stop(*_):
+        count.append(1)
+        if len(count) == 20:
+            raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        ocs.rescale_many(table, **options, progress=stop)
+    first = set(os.listdir(tmp_path / "new"))
+    assert 20 <= len(first) < 300
+    # Stopped once more: what the first run did is not forgotten.
+    count.clear()
+    with pytest.raises(RuntimeError, match="enough"):
+        ocs.rescale_many(table, **options, resume=True, progress=stop)
+    done = ocs.rescale_many(table, **options, resume=True)
+    assert list(done["status"]) == ["written"] * 300
+    assert len(os.listdir(tmp_path / "new")) == 300
+
+
 def test_a_folder_as_data_frames(tmp_path):
     inspection = ocs.inspect(FIXTURES / "table1")
     assert len(inspection.models) == len(inspection) > 10

@@ -102,7 +102,6 @@ fn rescale(models: &Path, field: &str, output: &Path, options: &RunOptions) -> R
     let counts = run.work_off(&watch, |_, outcome| {
         records.push(outcome.record);
         written.extend(outcome.shown.unwrap_or_default());
-        Ok::<(), LibraryFault>(())
     })?;
     run.finish()?;
     Ok(Ran { watch, counts, failures, records, written })
@@ -242,7 +241,6 @@ fn a_table_needs_no_file() {
         .work_off(&Watch::default(), |task, outcome| {
             assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
             remarks.push((task.row, outcome.record.remarks));
-            Ok::<(), LibraryFault>(())
         })
         .unwrap();
     run.finish().unwrap();

@@ -1,8 +1,8 @@
 //! How far a long call is, and Ctrl-C.
 
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
 
-use osim_library::LibraryFault;
 use pyo3::prelude::*;
 
 use crate::problem::Problem;
@@ -11,34 +11,14 @@ use crate::problem::Problem;
 pub(crate) struct Watch {
     callback: Option<Py<PyAny>>,
     stopped: AtomicBool,
-}
-
-/// Why a long call ended early.
-pub(crate) enum Stop {
-    Fault(LibraryFault),
-    /// An exception of Python's: of the callback, or Ctrl-C.
-    Raised(PyErr),
-}
-
-impl From<LibraryFault> for Stop {
-    fn from(fault: LibraryFault) -> Self {
-        Self::Fault(fault)
-    }
-}
-
-impl From<Stop> for Problem {
-    fn from(stop: Stop) -> Self {
-        match stop {
-            Stop::Fault(fault) => fault.into(),
-            Stop::Raised(error) => Self::raised(error),
-        }
-    }
+    /// Why no further model should be begun: an exception of the callback, or Ctrl-C.
+    raised: Mutex<Option<PyErr>>,
 }
 
 impl Watch {
     /// `callback` is called with 1 for each model that is done, and whether it failed.
     pub(crate) fn new(callback: Option<Py<PyAny>>) -> Self {
-        Self { callback, stopped: AtomicBool::new(false) }
+        Self { callback, stopped: AtomicBool::new(false), raised: Mutex::default() }
     }
 
     /// Whether no further model should be begun.
@@ -46,18 +26,28 @@ impl Watch {
         self.stopped.load(Ordering::Relaxed)
     }
 
-    /// One more is done. To be called on the thread that Python called.
-    ///
-    /// # Errors
-    /// Ctrl-C, or an exception of the callback: no further model is begun then.
-    pub(crate) fn one_more(&self, failed: bool) -> Result<(), Stop> {
+    /// One more is done. To be called on the thread that Python called. An exception waits for [`ended`](Self::ended), so that
+    /// what other threads have done meanwhile is still written down.
+    pub(crate) fn one_more(&self, failed: bool) {
+        if self.is_stopped() {
+            return;
+        }
         let said = Python::attach(|py| {
             py.check_signals()?;
             self.callback.as_ref().map_or(Ok(()), |callback| callback.call1(py, (1, failed)).map(|_| ()))
         });
-        said.map_err(|error| {
+        if let Err(error) = said {
             self.stopped.store(true, Ordering::Relaxed);
-            Stop::Raised(error)
-        })
+            *self.raised.lock().unwrap_or_else(PoisonError::into_inner) = Some(error);
+        }
+    }
+
+    /// What ended the work early, if anything did. To be asked when all that was done is written down.
+    ///
+    /// # Errors
+    /// Ctrl-C, or the exception of the callback.
+    pub(crate) fn ended(&self) -> Result<(), Problem> {
+        let raised = self.raised.lock().unwrap_or_else(PoisonError::into_inner).take();
+        raised.map_or(Ok(()), |error| Err(Problem::raised(error)))
     }
 }

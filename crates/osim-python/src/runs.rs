@@ -22,7 +22,7 @@ use crate::files::RequestFiles;
 use crate::guard::{dictionary, fields_of, guarded};
 use crate::planned::WORDS;
 use crate::problem::Problem;
-use crate::progress::{Stop, Watch};
+use crate::progress::Watch;
 
 /// What a run shows of its models: their entries on a page, where one is asked for.
 struct Reporter<'r> {
@@ -146,19 +146,21 @@ pub(crate) fn run(
     let mut records: Vec<JsonRecord> =
         run.failures().iter().map(|failure| Record::of_failure(failure).into()).collect();
     let reporter = Reporter { watch, detail: options.report.as_ref().map(|_| detail) };
-    let report = |_: &Task, outcome: Outcome<Option<Entry>>| -> Result<(), Stop> {
+    let report = |_: &Task, outcome: Outcome<Option<Entry>>| {
         let failed = outcome.failure.is_some();
         if let Some(page) = &mut page {
             let shown = outcome.shown.flatten();
             page.add(shown.unwrap_or_else(|| bare_entry(&outcome.record, outcome.earlier)));
         }
         records.push(outcome.record.into());
-        watch.one_more(failed)
+        watch.one_more(failed);
     };
-    // What was done before Ctrl-C stays in the summary, so that a run can go on.
     let worked = run.work_off(&reporter, report);
-    run.finish()?;
+    // What was done before Ctrl-C is in the summary, so that a run can go on. A summary that cannot be written does not hide Ctrl-C.
+    let finished = run.finish();
+    watch.ended()?;
     worked?;
+    finished?;
     page.map_or(Ok(()), ReportPage::finish)?;
     Ok((records, remarks))
 }

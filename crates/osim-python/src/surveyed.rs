@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::sync::Mutex;
 
 use osim_inspect::{CheckResult, Inspection};
-use osim_library::{Folders, Loaded, Source, Sources, in_order, threads};
+use osim_library::{Folders, LibraryFault, Loaded, Source, Sources, in_order, threads};
 use osim_model::files::Failure;
 use osim_model::wording::Verb;
 use osim_report::dialect::JsonRequest;
@@ -23,7 +23,7 @@ use crate::files::{Memory, RequestFiles};
 use crate::guard::{dictionary, fields_of, guarded};
 use crate::planned::WORDS;
 use crate::problem::Problem;
-use crate::progress::{Stop, Watch};
+use crate::progress::Watch;
 
 /// What is known of a model; its findings also as requests that put them right.
 enum Seen {
@@ -129,7 +129,7 @@ impl Work<'_> {
             let loaded = item.loaded.lock().ok().and_then(|mut loaded| loaded.take());
             (!watch.is_stopped()).then(|| how.one(item.source, loaded))
         };
-        let each = |item: &Item<'_>, seen: Option<(Seen, Option<Box<Entry>>)>| -> Result<(), Stop> {
+        let each = |item: &Item<'_>, seen: Option<(Seen, Option<Box<Entry>>)>| -> Result<(), LibraryFault> {
             let Some((seen, entry)) = seen else { return Ok(()) };
             if let Some(page) = &mut page {
                 page.add(match (&seen, entry) {
@@ -140,9 +140,11 @@ impl Work<'_> {
             }
             let failed = matches!(seen, Seen::Failed(_));
             rows.push(seen);
-            watch.one_more(failed)
+            watch.one_more(failed);
+            Ok(())
         };
         in_order(&items, threads(jobs, items.len()), one, each)?;
+        watch.ended()?;
         page.map_or(Ok(()), osim_runs::ReportPage::finish)?;
         Ok((rows, sources.remarks))
     }

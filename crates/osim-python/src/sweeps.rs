@@ -13,7 +13,7 @@ use pyo3::types::PyDict;
 use crate::guard::{dictionary, fields_of, guarded};
 use crate::planned::WORDS;
 use crate::problem::Problem;
-use crate::progress::{Stop, Watch};
+use crate::progress::Watch;
 
 impl SweepFrontEnd for Watch {
     fn is_interrupted(&self) -> bool {
@@ -48,11 +48,13 @@ pub(crate) fn sweep<'py>(
             return Ok(((serde_json::to_value(&record), None), failures));
         }
         let watch = Watch::new(callback);
-        let end = sweep.run(&watch, |failure| -> Result<(), Stop> {
+        let end = sweep.run(&watch, |failure| {
             let failed = failure.is_some();
             failures.extend(failure);
-            watch.one_more(failed)
-        })?;
+            watch.one_more(failed);
+        });
+        watch.ended()?;
+        let end = end?;
         let record = SweepRecord::new(sweep.model(), sweep.folder(), end.manifest.as_deref());
         let record = record.counted(end.made + end.earlier, end.failed).of_which_before(end.earlier);
         Ok(((serde_json::to_value(&record), end.manifest), failures))

@@ -1,7 +1,6 @@
 //! One run of a changing verb: what is reported of it, and in which order.
 
 use anyhow::Result;
-use osim_library::LibraryFault;
 use osim_library::run::{Counts, Outcome, Run, RunRequest, Task};
 use osim_model::files::Failure;
 use osim_model::wording::Input;
@@ -97,7 +96,6 @@ fn work_off(
             session.terminal.error_line(&format!("cannot write to standard output: {error:#}"));
             untold = true;
         }
-        Ok::<(), LibraryFault>(())
     };
     let counts = run.work_off(&shower, report);
     shower.progress.end();

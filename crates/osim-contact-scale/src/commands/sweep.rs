@@ -3,7 +3,7 @@
 //! Count and size are reported first; then each variant is made, written, and read again from its own bytes for the table.
 
 use anyhow::Result;
-use osim_library::{LibraryFault, SweepEnd, SweepFrontEnd, SweepRun};
+use osim_library::{SweepEnd, SweepFrontEnd, SweepRun};
 use osim_model::Question;
 use osim_model::files::Failure;
 use osim_model::wording::Input;
@@ -27,18 +27,6 @@ impl SweepFrontEnd for Watch {
 
     fn done(&self, failed: bool) {
         self.0.done(failed);
-    }
-}
-
-/// Why a sweep ended early.
-enum Stop {
-    Refused(LibraryFault),
-    Reported(anyhow::Error),
-}
-
-impl From<LibraryFault> for Stop {
-    fn from(fault: LibraryFault) -> Self {
-        Self::Refused(fault)
     }
 }
 
@@ -90,17 +78,18 @@ fn make(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Session) -> 
     interrupt::outlive_size_limit();
     let watch = Watch(Progress::begin(sweep.count(), request.quiet));
     let json = request.format == Format::Json;
+    // What cannot be shown is no reason to leave the other variants undone.
+    let mut untold = None;
     let report = |failure: Option<Failure>| {
-        let Some(failure) = failure else { return Ok(()) };
-        let reported = watch.0.suspended(|| session.fail(&failure, json));
-        reported.map(|_| ()).map_err(Stop::Reported)
+        let reported = failure.map(|failure| watch.0.suspended(|| session.fail(&failure, json)));
+        if let Some(Err(error)) = reported {
+            untold.get_or_insert(error);
+        }
     };
     let end = sweep.run(&watch, report);
     watch.0.end();
-    end.map_err(|stop| match stop {
-        Stop::Refused(fault) => session.refused(&fault),
-        Stop::Reported(error) => error,
-    })
+    let end = end.map_err(|fault| session.refused(&fault))?;
+    untold.map_or(Ok(end), Err)
 }
 
 /// How many models of which size will be made: shown before anything is made.

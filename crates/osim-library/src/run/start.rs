@@ -94,13 +94,16 @@ impl<'r> Run<'r> {
 
     /// Does all tasks on as many threads as there are processors; `report` gets each in the order of the tasks, on this thread.
     ///
+    /// Every task is reported and has its line in the summary, also those that were not begun: who wants to end a run early says so
+    /// by [`FrontEnd::is_interrupted`]. So a run that was stopped can go on.
+    ///
     /// # Errors
-    /// Threads cannot be started, or the first error of `report`.
-    pub fn work_off<F: FrontEnd, E: From<LibraryFault>>(
+    /// Threads cannot be started.
+    pub fn work_off<F: FrontEnd>(
         &self,
         front_end: &F,
-        mut report: impl FnMut(&Task, Outcome<F::Shown>) -> Result<(), E>,
-    ) -> Result<Counts, E> {
+        mut report: impl FnMut(&Task, Outcome<F::Shown>),
+    ) -> Result<Counts, LibraryFault> {
         let tasks = &self.request.tasks;
         let indices: Vec<usize> = (0..tasks.len()).collect();
         let mut counts = Counts { failed: self.request.failures.len(), ..Counts::default() };
@@ -111,12 +114,14 @@ impl<'r> Run<'r> {
             outcome
         };
         let each = |&index: &usize, outcome: Option<Outcome<F::Shown>>| {
-            let (Some(task), Some(outcome)) = (tasks.get(index), outcome) else { return Ok(()) };
-            counts.add(&outcome);
-            if let Some(journal) = &self.context.journal {
-                journal.add(&outcome.record);
+            if let (Some(task), Some(outcome)) = (tasks.get(index), outcome) {
+                counts.add(&outcome);
+                if let Some(journal) = &self.context.journal {
+                    journal.add(&outcome.record);
+                }
+                report(task, outcome);
             }
-            report(task, outcome)
+            Ok::<(), LibraryFault>(())
         };
         in_order(&indices, threads(self.context.run.jobs, tasks.len()), work, each)?;
         Ok(counts)

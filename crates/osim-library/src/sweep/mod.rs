@@ -120,14 +120,15 @@ impl<'s> SweepRun<'s> {
     }
 
     /// Makes all variants; `report` is called for each, in order, on this thread, with what went wrong where it could not be made.
+    /// Who wants to end it early says so by [`SweepFrontEnd::is_interrupted`].
     ///
     /// # Errors
-    /// Something is there already, the table cannot be written, or the first error of `report`.
-    pub fn run<F: SweepFrontEnd, E: From<LibraryFault>>(
+    /// Something is there already, or the table cannot be written.
+    pub fn run<F: SweepFrontEnd>(
         &self,
         front_end: &F,
-        mut report: impl FnMut(Option<Failure>) -> Result<(), E>,
-    ) -> Result<SweepEnd, E> {
+        mut report: impl FnMut(Option<Failure>),
+    ) -> Result<SweepEnd, LibraryFault> {
         let manifest = self.folder.join(self.plan.table_name());
         self.check_new(&manifest)?;
         let files = MadeFiles::begin(&manifest, self.request.resume)?;
@@ -141,20 +142,20 @@ impl<'s> SweepRun<'s> {
             front_end.done(matches!(made, Made::Failed(_)));
             made
         };
-        let each = |_: &usize, made: Made| match made {
-            Made::Row(row, earlier) => {
-                *if earlier { &mut end.earlier } else { &mut end.made } += 1;
-                table.add(&row)?;
-                report(None)
+        let each = |_: &usize, made: Made| -> Result<(), LibraryFault> {
+            match made {
+                Made::Row(row, earlier) => {
+                    *if earlier { &mut end.earlier } else { &mut end.made } += 1;
+                    table.add(&row)?;
+                    report(None);
+                }
+                Made::Failed(failure) => {
+                    end.failed += 1;
+                    report(Some(failure));
+                }
+                Made::NotBegun => end.not_begun += 1,
             }
-            Made::Failed(failure) => {
-                end.failed += 1;
-                report(Some(failure))
-            }
-            Made::NotBegun => {
-                end.not_begun += 1;
-                Ok(())
-            }
+            Ok(())
         };
         let indices: Vec<usize> = (0..self.count()).collect();
         in_order(&indices, threads(self.request.jobs, self.count()), work, each)?;
