@@ -1,22 +1,31 @@
-function apply(model, changes)
+function apply(model, planned)
 %APPLY Make the changes of a plan in a live model of OpenSim's own bindings.
-%   osimcontact.apply(MODEL, CHANGES) sets every number of CHANGES in MODEL, an org.opensim.modeling.Model: CHANGES is the
-%   field 'changes' of what rescale, transfer, design, set or a row of batch gave. Plan with 'dry_run', and no file is
-%   written. Call MODEL.initSystem() again before you simulate, and model.print(FILE) to keep the result.
+%   osimcontact.apply(MODEL, PLANNED) sets every number that changes in MODEL, an org.opensim.modeling.Model, and the note in its
+%   credits, which says what the contacts are made for now. PLANNED is what rescale, transfer, design, set, note or a row of
+%   batch gave for this model. Plan with 'dry_run', and no file is written. Call MODEL.initSystem() again before you simulate,
+%   and model.print(FILE) to keep the result.
 %
 %   Nothing is set before every component and every value is looked at: is one not there, or is it not what the plan has
 %   read, it is an error (osimcontact:noComponent, osimcontact:notAsPlanned) and the model is as it was. Whole contacts, which
-%   add, remove and convert make, are not CHANGES: let these write a file, and open it.
+%   add, remove and convert make, cannot be made so (osimcontact:wholeObjects): let these write a file, and open it.
 %
 %   Example (needs OpenSim's bindings for MATLAB):
 %       import org.opensim.modeling.*
 %       model = Model('human.osim');
 %       done = osimcontact.rescale('human.osim', 'TargetMass', 500, 'DryRun', true);
-%       osimcontact.apply(model, done.changes);
+%       osimcontact.apply(model, done);
 %       model.initSystem();
 %
 %   See also osimcontact.rescale, osimcontact.transfer, osimcontact.design, osimcontact.set.
 
+    if ~isstruct(planned) || ~isscalar(planned) || ~all(isfield(planned, {'changes', 'objects', 'credits'}))
+        error('osimcontact:usage', 'expected what rescale, transfer, design or set gave for this one model, with all of its fields');
+    end
+    if ~isempty(planned.objects)
+        error('osimcontact:wholeObjects', '%s would be %s: let a file be written, and open it. Nothing was changed', ...
+            planned.objects(1).path, planned.objects(1).change);
+    end
+    changes = planned.changes;
     properties = cell(1, numel(changes));
     for i = 1:numel(changes)
         properties{i} = property_of(model, changes(i));
@@ -28,6 +37,13 @@ function apply(model, changes)
     end
     for i = 1:numel(changes)
         set_value(properties{i}, changes(i).to);
+    end
+    if ~isempty(planned.credits)
+        model.set_credits(planned.credits);
+    elseif ~isempty(changes)
+        % Of a file without credits, such as one whose note went, OpenSim reads its own.
+        new = org.opensim.modeling.Model();
+        model.set_credits(new.getCredits());
     end
 end
 

@@ -45,7 +45,7 @@ def to_bytes(model: Any) -> tuple[str | None, bytes]:
         opensim.OpenSimObject.setSerializeAllDefaults(spelled_out)
 
 
-def apply(record: dict[str, Any], new: bytes, credit: str | None, model: Any) -> None:
+def apply(record: dict[str, Any], new: bytes, model: Any) -> None:
     """Applies the changes of a plan, and the credits with its note, to a live model: it then equals the `new` file.
 
     Raises
@@ -64,6 +64,10 @@ def apply(record: dict[str, Any], new: bytes, credit: str | None, model: Any) ->
         edits += exchange(opensim, model, record["objects"], new)
     for edit in edits:
         edit()
+    credit = record["credits"]
+    if credit is None and edits:
+        # Of a file without credits, such as one whose note went, OpenSim reads its own.
+        credit = opensim.Model().getCredits()
     if credit is not None:
         model.set_credits(credit)
     model.finalizeFromProperties()

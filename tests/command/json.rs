@@ -215,6 +215,7 @@ fn a_rescaling_lists_every_change() {
     assert_eq!(plan.masses(), (62.0, "bodies", 1190.0));
     assert!(plan.geometry_output.is_none() && plan.warnings.is_empty() && !plan.notes.is_empty());
     assert!(plan.objects.is_empty());
+    assert!(plan.credits.unwrap().contains("[contacts made for 1190 kg at 9.81 m/s2 (osim-contact-scale "));
     // Python 3, decimal, 60 digits, from μ = 1190/62.
     let expected = [
         ("radius", "8", 0.032, 2.677_431_841_571_791, false),

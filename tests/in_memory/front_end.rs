@@ -116,7 +116,11 @@ pub(crate) fn same_change(bench: &Bench, words: &str, json: &Value) -> Changed {
     let changed = Changed::new(&change, path, &files).unwrap();
 
     let shown = bench.run(&format!("{words} --dry-run --format json")).done();
-    assert_eq!(line(&PlanRecord::new(&changed.plan, path, None, None)), shown.out(), "{words}");
+    assert_eq!(
+        line(&PlanRecord::new(&changed.plan, &changed.opened.model, path, None, None)),
+        shown.out(),
+        "{words}"
+    );
     let shown = bench.run(&format!("{words} --dry-run --quiet --diff")).done();
     assert_eq!(changed.diff(), shown.out(), "{words}");
 

@@ -39,6 +39,7 @@ fn batch() {
         let changed = Changed::new(&change, &row.model, &files).unwrap();
         lines.push_str(&line(&PlanRecord::new(
             &changed.plan,
+            &changed.opened.model,
             &row.model,
             change.output.output.as_deref(),
             None,

@@ -12,6 +12,7 @@ import command
 import models
 
 CALLS = opensim.PropertyHelper
+CREDITS = sorted((models.FIXTURES / "format").glob("credits_*.osim"))
 NAMES = ("human_62kg_smooth_sphere", "horse_hunt_crossley", "human_500kg_hunt_crossley")
 
 
@@ -51,6 +52,7 @@ def test_a_plan_is_made_in_a_live_model(name, tmp_path):
         held = property_of(live, change)
         assert value_of(held, count_of(change["from"])) == change["from"], change
         set_value(held, change["to"])
+    live.set_credits(done.report["credits"])
     live.initSystem()
     written = opensim.Model(str(output))
     written.initSystem()
@@ -60,6 +62,17 @@ def test_a_plan_is_made_in_a_live_model(name, tmp_path):
         count = count_of(change["to"])
         values = [value_of(property_of(model, change), count) for model in (live, written)]
         assert values[0] == values[1] == change["to"], change
+    assert live.getCredits() == written.getCredits() and "[contacts made for 200 kg" in live.getCredits()
     # Of the force, of its list of parameters, of the sphere, and a place.
     expected = {("radius", True), ("location", True), ("transition_velocity", True), ("stiffness", "smooth" in name)}
     assert expected <= kinds
+
+
+@pytest.mark.parametrize("path", CREDITS, ids=lambda path: path.stem)
+def test_credits_are_those_that_opensim_reads(path, tmp_path):
+    for verb in (["rescale", path, "--target-mass", "70", "--contacts-mass", "62"], ["remove", path]):
+        output = tmp_path / f"{verb[0]}.osim"
+        done = command.run(*verb, "-o", output, *command.YES)
+        # Of a file without credits OpenSim reads its own.
+        expected = opensim.Model().getCredits() if done.report["credits"] is None else done.report["credits"]
+        assert opensim.Model(str(output)).getCredits() == expected, verb[0]

@@ -14,9 +14,10 @@ UNREADABLE = {"moco_sphere_in_force.osim"}
 FOLDERS = {"table1", "format", "walks", "scale_tool", "check"}
 MODELS = [path for path in fixtures() if kind_of(path) in FOLDERS and path.name not in UNREADABLE] + corpus()
 
+MEANT = ("implausible-mass", "implausible-radius")
 CHANGES = {
-    "rescale": lambda model: ocs.rescale(model, target_mass=500.5, friction=True, level=True),
-    "rescale a few": lambda model: ocs.rescale(model, target_mass=500.5, only=["stiffness"]),
+    "rescale": lambda model: ocs.rescale(model, target_mass=500.5, friction=True, level=True, yes=MEANT),
+    "rescale a few": lambda model: ocs.rescale(model, target_mass=500.5, only=["stiffness"], yes=MEANT),
     "set": lambda model: ocs.set(model, stiffness="x1.1", dissipation=1.25, transition_velocity=0.123),
     "design": lambda model: ocs.design(model, indentation=0.13),
     "convert to smooth": lambda model: ocs.convert(model, to="smooth"),
@@ -25,6 +26,14 @@ CHANGES = {
     "add": lambda model: ocs.add(model, from_="falisse2022"),
     "add again": lambda model: ocs.add(model, from_="falisse2022", replace=True),
     "note": lambda model: ocs.note(model, contacts_mass=61.9),
+    "transfer": lambda model: ocs.transfer(model, from_="falisse2022", spheres=6, radius="isometric", level=True),
+    "transfer from another model": lambda model: ocs.transfer(model, from_=HUMAN),
+    "follow": lambda model: ocs.transfer(model, from_=ORIGINALS[model.name], follow_bodies=True, level=True),
+}
+
+#: Models that the Scale Tool made, and what they were made from.
+ORIGINALS = {
+    f"scaled_{kind}.osim": FIXTURES / "scale_tool" / f"generic_{kind}.osim" for kind in ("smooth", "hunt_crossley")
 }
 
 
@@ -89,8 +98,10 @@ def printed(model, folder):
 
 @pytest.mark.parametrize("path", MODELS, ids=name_of)
 def test_apply_equals_writing_and_loading(path, tmp_path):
-    count = 0
+    done = set()
     for name, change in CHANGES.items():
+        if name == "follow" and path.name not in ORIGINALS:
+            continue
         try:
             result = change(path)
         except ocs.ContactScaleError:
@@ -110,9 +121,14 @@ def test_apply_equals_writing_and_loading(path, tmp_path):
         live = loaded(str(path))
         result.apply(live)
         assert printed(live, tmp_path) == printed(loaded(str(new)), tmp_path), name
-        count += 1
-    if kind_of(path) == "table1" or (path in corpus() and ocs.inspect(path)[0]["forces"]):
-        assert count > 0
+        done.add(name)
+    if kind_of(path) == "table1":
+        # They have contacts, and were not made by the Scale Tool.
+        assert CHANGES.keys() - done <= {"add", "add again", "follow"}
+    elif path.name in ORIGINALS:
+        assert "follow" in done
+    elif path in corpus() and ocs.inspect(path)[0]["forces"]:
+        assert done
 
 
 def test_a_live_model_is_a_model(tmp_path):
@@ -164,6 +180,17 @@ def test_the_note_survives_opensim(tmp_path):
     model.printToXML(str(tmp_path / "saved.osim"))
     assert ocs.inspect(tmp_path / "saved.osim")[0]["contacts_mass_kg"] == {"value": 500.0, "source": "note"}
     assert re.search("osim-contact-scale", model.getCredits())
+
+
+def test_a_note_that_goes_leaves_a_live_model_too(tmp_path):
+    noted, without = tmp_path / "noted.osim", tmp_path / "without.osim"
+    ocs.note(HUMAN, contacts_mass=62).write(noted)
+    model = loaded(str(noted))
+    result = ocs.set(noted, stiffness="x2", no_note=True)
+    result.write(without)
+    result.apply(model)
+    assert "contacts made for" not in model.getCredits()
+    assert printed(model, tmp_path) == printed(loaded(str(without)), tmp_path)
 
 
 def test_a_model_that_was_changed_since_is_refused(tmp_path):

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use osim_model::{BodySize, Credits, Document, ElementId, Force, Model, Note, PieceKind, SphereId, Tree};
 
-use crate::edit::Edit;
+use crate::edit::{Edit, splice};
 use crate::insert::{insert, insert_first, with_white_space_before};
 use crate::node::Node;
 
@@ -157,6 +157,40 @@ pub(crate) fn remove(document: &Document) -> Vec<Edit> {
         }
     }
     edits
+}
+
+/// The credits of the new model as OpenSim reads them, once `edits` are made in `document`; `None` where it has none then.
+pub(crate) fn credits_after(document: &Document, edits: &[Edit]) -> Option<String> {
+    if !document.is_model() {
+        return None;
+    }
+    let element = match Credits::of(document).ok()? {
+        Some(credits) => with_edits(document, document.tree().span(credits.element), edits)?,
+        // Only a note is inserted there.
+        None => {
+            edits.iter().map(|edit| &edit.text).find(|text| text.contains("<credits>"))?.clone().into_bytes()
+        }
+    };
+    let around = ("<OpenSimDocument Version=\"40000\"><Model>", "</Model></OpenSimDocument>");
+    let alone = Document::parse([around.0.as_bytes(), &element, around.1.as_bytes()].concat()).ok()?;
+    Credits::of(&alone).ok()?.map(|credits| credits.text().to_owned())
+}
+
+/// The bytes of `span` with the edits that are in it; `None` where they take all of it out.
+fn with_edits(document: &Document, span: Range<usize>, edits: &[Edit]) -> Option<Vec<u8>> {
+    let holds =
+        |outer: &Range<usize>, inner: &Range<usize>| outer.start <= inner.start && inner.end <= outer.end;
+    if edits.iter().any(|edit| edit.text.is_empty() && holds(&edit.span, &span)) {
+        return None;
+    }
+    // What is inserted beside the element is another one.
+    let beside = |edit: &Edit| edit.span.end == span.start || edit.span.start == span.end;
+    let within = edits.iter().filter(|edit| holds(&span, &edit.span) && !beside(edit));
+    let shifted = within.map(|edit| Edit {
+        span: edit.span.start - span.start..edit.span.end - span.start,
+        text: edit.text.clone(),
+    });
+    splice(document.bytes().get(span.clone())?, &shifted.collect::<Vec<_>>()).ok()
 }
 
 /// `credits` with these edits of its text.

@@ -266,6 +266,15 @@ impl Plan {
         self.note().is_some() && note_edits::adds_credits(self.ground(model).document())
     }
 
+    /// The credits of the new model as OpenSim reads them, with the note in them; `None` where it has none, or where the file is a set
+    /// by itself. Who changes a model in memory puts them there, too: without the note, the next change would begin with the mass of
+    /// before.
+    #[must_use]
+    pub fn credits(&self, model: &Model) -> Option<String> {
+        let document = self.ground(model).document();
+        note_edits::credits_after(document, &self.edits(model, FileId::MAIN))
+    }
+
     /// The files that result: the model's own, and the geometry set of a standalone force set where that changes, too.
     pub fn files<'m>(&'m self, model: &'m Model) -> impl Iterator<Item = FileId> {
         let model = self.ground(model);

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use osim_library::Loaded;
 use osim_library::Source;
 use osim_library::run::{PlannedModel, Written};
+use osim_model::FileId;
 use osim_model::wording::Verb;
-use osim_model::{Credits, Document, FileId};
 use osim_report::dialect::{JsonRequest, Python as PythonWords};
 use osim_report::html::{About, Columns, DetailLevel, InMemory, Kept, Page};
 use osim_report::json::PlanRecord;
@@ -105,7 +105,10 @@ fn load(path: &Path, change: &Change, files: &RequestFiles) -> Result<Loaded, Pr
 impl Planned {
     /// What changes, as the JSON of the command has it.
     fn record<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        dictionary(py, &PlanRecord::new(self.model.plan(), &self.path, None, None))
+        dictionary(
+            py,
+            &PlanRecord::new(self.model.plan(), &self.model.opened().model, &self.path, None, None),
+        )
     }
 
     /// What changes, as the command prints it.
@@ -153,16 +156,6 @@ impl Planned {
             files.set_item(path, PyBytes::new(py, bytes))?;
         }
         Ok(files)
-    }
-
-    /// The credits of the new model, as OpenSim reads them; none where it has none.
-    fn credits(&self, py: Python<'_>) -> PyResult<Option<String>> {
-        guarded(py, || {
-            let Some((_, bytes)) = self.model.results()?.into_iter().next() else { return Ok(None) };
-            let document = Document::parse(bytes).map_err(|fault| self.model.opened().failure(fault))?;
-            let credits = Credits::of(&document).map_err(|fault| self.model.opened().failure(fault))?;
-            Ok(credits.map(|credits| credits.text().to_owned()))
-        })
     }
 
     /// What `check` finds in the model before and after: two results, each as the JSON of the command has it, and the requests

@@ -40,6 +40,7 @@ function shape = shapes(result)
             shape.warnings{1}.line = 'number';
             shape.warnings{1}.command = 'text';
             shape.notes = 'texts';
+            shape.credits = 'text';
         case 'check'
             shape.schema_version = 'number';
             shape.model = 'text';

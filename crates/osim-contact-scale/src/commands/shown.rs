@@ -99,7 +99,7 @@ impl Shower<'_> {
         if self.format == RunFormat::Json {
             let mut paths = written.paths().iter().map(std::path::PathBuf::as_path);
             let (output, geometry) = (paths.next(), paths.next());
-            return Some(line(&PlanRecord::new(plan, &task.source.path, output, geometry)));
+            return Some(line(&PlanRecord::new(plan, &opened.model, &task.source.path, output, geometry)));
         }
         if self.options.quiet {
             return None;

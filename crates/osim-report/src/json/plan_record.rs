@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 
 use osim_inspect::{FindingRecord, SCHEMA_VERSION};
+use osim_model::Model;
 use osim_model::files::FileName;
 use osim_model::wording::Phrase;
 use osim_patch::{Change, Deed, Masses, Move, NewSphere, ObjectChange, Plan};
@@ -43,6 +44,9 @@ pub struct PlanRecord {
     pub warnings: Vec<FindingRecord>,
     /// Things that always hold and are said once.
     pub notes: Vec<String>,
+    /// The credits of the new model as OpenSim reads them, with the note about its contacts; null where it has none. Set them, too,
+    /// where changes are made in a model in memory.
+    pub credits: Option<String>,
 }
 
 /// The mass that the contacts are made for, before and after.
@@ -123,12 +127,20 @@ pub enum Amount {
 }
 
 impl PlanRecord {
-    /// The plan for `model`, with the files that were written, if any. What the plan says is taken as it is spelled.
+    /// The plan for `model`, whose file is `path`, with the files that were written, if any. What the plan says is taken as it is
+    /// spelled.
     #[must_use]
-    pub fn new(plan: &Plan, model: &Path, output: Option<&Path>, geometry_output: Option<&Path>) -> Self {
+    pub fn new(
+        plan: &Plan,
+        model: &Model,
+        path: &Path,
+        output: Option<&Path>,
+        geometry_output: Option<&Path>,
+    ) -> Self {
+        let credits = plan.credits(model);
         let numbers = plan.changes.iter().map(ChangeRecord::from);
         let parts = |path: Option<&Path>| path.map(|path| FileName::from(path).into_parts()).unzip();
-        let (model, model_bytes) = FileName::from(model).into_parts();
+        let (model, model_bytes) = FileName::from(path).into_parts();
         let ((output, output_bytes), (geometry_output, geometry_output_bytes)) =
             (parts(output), parts(geometry_output));
         Self {
@@ -144,6 +156,7 @@ impl PlanRecord {
             changes: numbers.chain(plan.moves.iter().map(ChangeRecord::from)).collect(),
             warnings: plan.warnings.iter().map(FindingRecord::from).collect(),
             notes: plan.remarks.iter().map(Phrase::to_string).collect(),
+            credits,
         }
     }
 }

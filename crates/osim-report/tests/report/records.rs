@@ -13,7 +13,8 @@ use crate::support::{open, rescaled};
 fn a_plan_is_one_line_with_its_fields_in_order() {
     let model = open("table1/mouse_hunt_crossley.osim");
     let plan = rescaled(&model.model, 0.1, &CommandLine);
-    let record = PlanRecord::new(&plan, Path::new("mouse.osim"), Some(Path::new("rat.osim")), None);
+    let record =
+        PlanRecord::new(&plan, &model.model, Path::new("mouse.osim"), Some(Path::new("rat.osim")), None);
     let text = line(&record);
     assert!(text.ends_with("}\n") && text.lines().count() == 1, "{text}");
     let head = r#"{"schema_version":1,"model":"mouse.osim","output":"rat.osim","contacts_mass_kg":{"from":0.0209,"source":"bodies","to":0.1},"objects":[],"changes":[{"force":null,"path":"/contactgeometryset/"#;
@@ -32,7 +33,7 @@ fn a_name_that_is_not_utf_8_has_its_bytes_beside_it() {
     let model = open("table1/mouse_hunt_crossley.osim");
     let plan = rescaled(&model.model, 0.1, &CommandLine);
     let odd = Path::new(OsStr::from_bytes(b"m\xFCsli.osim"));
-    let text = line(&PlanRecord::new(&plan, odd, None, None));
+    let text = line(&PlanRecord::new(&plan, &model.model, odd, None, None));
     let bytes: Vec<String> = b"m\xFCsli.osim".iter().map(ToString::to_string).collect();
     let expected =
         format!("\"model\":\"m\u{fffd}sli.osim\",\"model_bytes\":[{}],\"output\":null", bytes.join(","));
