@@ -1,7 +1,7 @@
 function columns = read_table(file)
 %READ_TABLE Read a table (CSV) that the program wrote, as a struct of columns.
 %   COLUMNS = osimcontact.read_table(FILE) has a field for each column of the file: a column of numbers, with NaN where a cell
-%   is empty, or, where one cell is not a number, a cell array of texts. For the tables of 'inspect --format csv', the numbers of a
+%   is empty, or, where one cell is not a number, a cell array of texts. A decimal comma makes no number. For the tables of 'inspect --format csv', the numbers of a
 %   figure ('data'), summaries and the tables of sweeps. In MATLAB, struct2table(COLUMNS) makes a table of it. MATLAB's readtable
 %   reads these files, too; GNU Octave has none.
 %
@@ -29,13 +29,17 @@ function columns = read_table(file)
     columns = struct();
     for i = 1:numel(names)
         texts = cells(2:end, i);
-        numbers = str2double(texts);
-        if any(isnan(numbers) & ~cellfun(@isempty, texts))
-            columns.(names{i}) = texts;
+        if all(cellfun(@is_number, texts))
+            columns.(names{i}) = str2double(texts);
         else
-            columns.(names{i}) = numbers;
+            columns.(names{i}) = texts;
         end
     end
+end
+
+function is = is_number(text)
+    % str2double also takes commas, which it leaves out, and imaginary numbers.
+    is = isempty(text) || ~isempty(regexp(text, '^[-+]?((\d+\.?\d*|\.\d+)([eE][-+]?\d+)?|inf|nan)$', 'once', 'ignorecase'));
 end
 
 function rows = rows_of(text)
@@ -64,6 +68,8 @@ end
 
 function names = matlab_names(names)
     names = regexprep(names, '[^A-Za-z0-9_]', '_');
+    % The names of MATLAB begin with a letter; those of Octave need not.
+    names = regexprep(names, '^([^A-Za-z])', 'x$1');
     for i = find(~cellfun(@isvarname, names))
         names{i} = ['x' names{i}];
     end

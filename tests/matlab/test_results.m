@@ -81,6 +81,15 @@ function columns_of_results()
     columns = osimcontact.internal.as_columns(seen, shape, 'forces');
     must(iscellstr(columns.spheres) && isequal(size(columns.parameters_stiffness), [numel(columns.model) 1]), 'forces differ');
     must_throw('osimcontact:usage', @() osimcontact.internal.as_columns(seen, shape, 'nothing'));
+    % Nothing changes whole objects here: a table without rows, which has its columns.
+    done = osimcontact.rescale('human.osim', 'target_mass', 500, 'dry_run', true);
+    columns = osimcontact.internal.as_columns(done, osimcontact.internal.shapes('change'), 'objects');
+    must(isempty(columns.path) && isequal(size(columns.model), [0 1]) && isfield(columns, 'radius_m'), 'no rows differ');
+    none = osimcontact.inspect('no contacts.osim');
+    columns = osimcontact.internal.as_columns(none, shape, 'forces');
+    must(isempty(columns.name) && isequal(size(columns.model), [0 1]), 'no forces differ');
+    columns = osimcontact.internal.as_columns(none([]), shape, 'spheres');
+    must(isempty(columns.radius_m) && isfield(columns, 'model'), 'no models differ');
     % One model that failed, and two that have one warning each: a list of one is a list.
     full = {osimcontact.internal.json_value('{"model":"a","warnings":[{"code":"floats"}]}'); ...
         osimcontact.internal.json_value('{"model":"b","warnings":[{"code":"floats"}],"error":[{"code":"x","line":3}]}')};
@@ -124,6 +133,13 @@ function tables_of_the_program()
     columns = osimcontact.read_table('odd.csv');
     must(isequal(columns.a, [1; 2.5]) && isequal(columns.b__c___d, {sprintf('x,\ny'); ''}), 'cells differ');
     must(isnan(columns.x1e(1)) && columns.x1e(2) == 3, 'an empty cell is not NaN');
+    % Sides, and what a German spreadsheet writes: no numbers.
+    file = fopen('texts.csv', 'w');
+    fprintf(file, '#side,#dose,mass,odd\ni,"0,5",-1.5e3,inf\nj,"1,25",.5,NaN\n');
+    fclose(file);
+    columns = osimcontact.read_table('texts.csv');
+    must(isequal(columns.x_side, {'i'; 'j'}) && isequal(columns.x_dose, {'0,5'; '1,25'}), 'texts became numbers');
+    must(isequal(columns.mass, [-1500; 0.5]) && columns.odd(1) == Inf && isnan(columns.odd(2)), 'numbers became texts');
     file = fopen('short.csv', 'w');
     fprintf(file, 'a,b\n1,2\n3\n');
     fclose(file);

@@ -13,10 +13,11 @@ function columns = as_columns(results, shape, list)
             lists = lists(structfun(@iscell, shape));
             error('osimcontact:usage', 'there is no list ''%s'' in these results, but: %s', list, strjoin(lists', ', '));
         end
-        parts = {results.(list)};
+        % In front, so that the entries have their fields also where there are none.
+        parts = [{osimcontact.internal.completed({}, shape.(list))}, {results.(list)}];
         if isfield(results, 'model')
             models = arrayfun(@(result) repmat({result.model}, numel(result.(list)), 1), results(:)', 'UniformOutput', false);
-            columns.model = vertcat(models{:});
+            columns.model = vertcat(cell(0, 1), models{:});
         end
         rows = vertcat(parts{:});
         shape = shape.(list){1};
@@ -39,6 +40,11 @@ function columns = with_columns(columns, before, rows, shape)
             columns = with_columns(columns, [column '_'], vertcat(values{:}), kind{1});
         elseif iscell(kind)
             columns.(column) = cellfun(@numel, values);
+        elseif isstruct(kind) && isempty(values)
+            columns = with_columns(columns, [column '_'], repmat(osimcontact.internal.completed([], kind), 0, 1), kind);
+        elseif strcmp(kind, 'map') && isempty(values)
+            % Which columns it has, its entries say.
+            continue
         elseif isstruct(kind) || strcmp(kind, 'map')
             columns = with_columns(columns, [column '_'], osimcontact.internal.same_fields(values), kind);
         else
@@ -50,7 +56,9 @@ end
 function column = plain_column(values)
     counts = cellfun(@numel, values);
     is_number = cellfun(@(value) isnumeric(value) || islogical(value), values);
-    if all(cellfun(@iscellstr, values))
+    if isempty(values)
+        column = values;
+    elseif all(cellfun(@iscellstr, values))
         column = cellfun(@(texts) strjoin(texts(:)', '; '), values, 'UniformOutput', false);
     elseif all(is_number) && ~isempty(counts) && all(counts == counts(1))
         column = cellfun(@(value) reshape(double(value), 1, []), values, 'UniformOutput', false);

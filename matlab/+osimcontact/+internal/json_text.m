@@ -66,7 +66,7 @@ end
 
 function text = quoted(value)
     text = strrep(strrep(value, '\', '\\'), '"', '\"');
-    for code = unique(double(text(text < 32)))
+    for code = 0:31
         text = strrep(text, char(code), sprintf('\\u%04x', code));
     end
     text = ['"' text '"'];

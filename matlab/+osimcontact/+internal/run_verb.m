@@ -59,7 +59,11 @@ function say_warnings(verb, results)
             end
         end
     end
-    for code = unique(codes, 'stable')
+    if isempty(codes)
+        return
+    end
+    % As a row: a loop takes each column, of a list without entries too, if it is one column.
+    for code = reshape(unique(codes, 'stable'), 1, [])
         of_code = messages(strcmp(codes, code{1}));
         more = '';
         if numel(of_code) > 1
