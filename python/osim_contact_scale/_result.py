@@ -257,7 +257,7 @@ class Result:
         ContactScaleError
             It is another model, or was changed since. Nothing was changed then.
         """
-        _live.apply(self.record, self.to_bytes(), self._planned.credits(), model)
+        _live.apply(self.record, self.to_bytes(), model)
 
     def report(self, output: str | os.PathLike[str], *, force: bool = False) -> Path:
         """Writes a page for browsers about this change: tables, plots, findings of both states.
@@ -277,6 +277,8 @@ class Result:
 
     def _call(self) -> str:
         own = {name: value for name, value in self._fields.items() if name not in ("verb", "models")}
+        # Of `set` each property is a keyword.
+        own |= own.pop("set", {})
         words = ", ".join(
             f"{name}_={value!r}" if name in ("from", "class") else f"{name}={value!r}" for name, value in own.items()
         )
@@ -296,7 +298,7 @@ class Result:
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Everything that the plan was made from travels along: where it arrives, the files need not be there.
-        return _restored, (self._fields, self._planned.read())
+        return _restored, (self._fields, self._planned.read(), self._folder)
 
 
 class _Before:
@@ -316,5 +318,5 @@ class _Before:
         }
 
 
-def _restored(fields: dict[str, Any], files: dict[Path, bytes]) -> Result:
-    return Result(fields, _native.plan(fields, files, False))
+def _restored(fields: dict[str, Any], files: dict[Path, bytes], folder: str | None) -> Result:
+    return Result(fields, _native.plan(fields, files, False), folder)

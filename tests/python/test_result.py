@@ -98,6 +98,41 @@ def test_results_travel_without_their_files(human, tmp_path):
     assert back.write(tmp_path / "new.osim") == [tmp_path / "new.osim"]
 
 
+def test_a_result_that_travelled_is_not_written_beside_another_model(human, tmp_path, monkeypatch):
+    monkeypatch.chdir(human.parent)
+    there = pickle.dumps(ocs.rescale(human.name, target_mass=500))
+    (tmp_path / "elsewhere").mkdir()
+    monkeypatch.chdir(tmp_path / "elsewhere")
+    back = pickle.loads(there)
+    with pytest.raises(ocs.RequestError, match="was named in the folder"):
+        back.write()
+    assert back.write(tmp_path / "new.osim") == [tmp_path / "new.osim"]
+
+
+@pytest.mark.parametrize(
+    "make",
+    [
+        lambda path: ocs.set(path, stiffness="x2", dissipation=1.5),
+        lambda path: ocs.transfer(path, from_="falisse2022", spheres=6),
+    ],
+)
+def test_the_call_on_a_page_can_be_made(human, make):
+    result = make(human)
+    again = eval(result._call(), {"ocs": ocs})
+    assert again.to_bytes() == result.to_bytes() and str(human) in result._call()
+
+
+def test_a_model_of_bytes_has_no_file_yet(human, tmp_path, monkeypatch):
+    (tmp_path / "empty").mkdir()
+    monkeypatch.chdir(tmp_path / "empty")
+    result = ocs.rescale(human.read_bytes(), target_mass=500)
+    with pytest.raises(ocs.OutputError, match=r"came from memory, and has no file .*output="):
+        result.write(in_place=True)
+    assert [path.name for path in result.write("model.osim")] == ["model.osim"]
+    with pytest.raises(ocs.OutputError):
+        result.write("model.osim")
+
+
 def test_a_standalone_set_and_its_geometry(tmp_path):
     for name in ("standalone_ForceSet.xml", "standalone_ContactGeometrySet.xml"):
         shutil.copy(FIXTURES / "format" / name, tmp_path / name)
@@ -133,7 +168,8 @@ def test_what_a_notebook_shows(human):
     assert "<table>" in ocs.check(human)._repr_html_() and "<table>" in ocs.inspect(human)._repr_html_()
     assert "beyond-hertz" in ocs.check(human).findings._repr_html_()
     assert ocs.plot("force", human)._repr_svg_().startswith("<svg")
-    assert "c_r" in ocs.explain("13")[0]._repr_html_() or ocs.explain("13")[0].text
+    # The name of (13), in words.
+    assert "Coefficient of restitution" in ocs.explain("13")[0]._repr_html_()
 
 
 def test_texts_from_outside_are_escaped(human):

@@ -133,7 +133,7 @@ impl PlannedModel {
                 Input::Output,
             ]));
         }
-        let mut request = RunRequest::default();
+        let mut request = RunRequest { from_memory: self.is_from_memory(), ..RunRequest::default() };
         request.tasks.push(task);
         request.check_files(&RunOptions::default())?;
         let nothing = Written::Nothing("nothing written");
@@ -156,8 +156,19 @@ impl PlannedModel {
         Ok((files.commit(&results)?, remarks))
     }
 
+    /// Whether its bytes were given, and not read from a file.
+    fn is_from_memory(&self) -> bool {
+        self.origin.stamp_of(FileId::MAIN).is_none()
+    }
+
     /// A plan may be old when it is written: a model that is changed itself must still be what was planned for.
     fn check_unchanged(&self) -> Result<(), LibraryFault> {
+        if self.is_from_memory() && !self.source.path.exists() {
+            return Err(LibraryFault::new(phrase![
+                "this model came from memory, and has no file that could be changed: name a new one with ",
+                Input::Output,
+            ]));
+        }
         let model = (FileId::MAIN, self.source.path.as_path());
         let geometry = self.set_files.geometry.as_deref();
         let geometry = geometry.and_then(|path| Some((self.origin.file_at(path)?, path)));

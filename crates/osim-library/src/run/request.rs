@@ -30,6 +30,8 @@ pub struct RunRequest {
     pub reads: Vec<PathBuf>,
     /// Replace an existing summary or report.
     pub force: bool,
+    /// The bytes of its models were given: their names need not be those of files.
+    pub(super) from_memory: bool,
 }
 
 impl RunRequest {
@@ -77,7 +79,10 @@ impl RunRequest {
         self.reads.iter().for_each(|path| conflicts.read(path.as_path()));
         let mut known: Option<&Arc<JobSettings>> = None;
         for task in &self.tasks {
-            conflicts.read_again(task.source.path.as_path());
+            // The name of a model that came from memory need not be that of a file.
+            if !(self.from_memory && task.source.path.symlink_metadata().is_err()) {
+                conflicts.read_again(task.source.path.as_path());
+            }
             // The files of settings are compared once for all of their models.
             if !known.is_some_and(|settings| Arc::ptr_eq(settings, &task.settings)) {
                 // A reference is read before the first model, so a folder's run may change it; rows may not lean on that.
