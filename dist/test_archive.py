@@ -130,9 +130,10 @@ def test(archive):
 
 
 def archives_of(folder):
-    # The package for MATLAB holds no program: dist/test_matlab.py tests it.
+    # The package for MATLAB holds no program: dist/test_matlab.py tests it. Sources of the Python package have another name.
     found = [path for path in sorted(folder.iterdir()) if path.name.endswith((".tar.gz", ".zip"))]
-    return [path for path in found if not path.name.startswith(f"{COMMAND}-matlab-")]
+    own = [path for path in found if path.name.startswith(f"{COMMAND}-")]
+    return [path for path in own if not path.name.startswith(f"{COMMAND}-matlab-")]
 
 
 if __name__ == "__main__":

@@ -60,6 +60,8 @@ def build_sdist(sdist_directory, config_settings=None):
         archive.add(metadata / folder / "METADATA", f"{name}/PKG-INFO")
         for file in files:
             archive.add(TOP / file, f"{name}/{file}", recursive=False)
+        # Its metadata names the licences, so they are in it.
+        archive.add(LICENCES, f"{name}/{LICENCES.relative_to(TOP).as_posix()}")
     shutil.rmtree(metadata)
     return f"{name}.tar.gz"
 
