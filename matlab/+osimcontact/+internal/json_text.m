@@ -8,7 +8,8 @@ function text = json_text(value, name)
     elseif isstruct(value) && isscalar(value)
         text = object_text(fieldnames(value), struct2cell(value), name);
     elseif isnumeric(value) && isempty(value)
-        text = 'null';
+        % What a look-up that found nothing gives: to ignore it would be to take another value.
+        refuse(name, 'is empty: leave it out where nothing is known');
     elseif ischar(value) && (isrow(value) || isempty(value))
         text = quoted(value);
     elseif isa(value, 'string') && isscalar(value)

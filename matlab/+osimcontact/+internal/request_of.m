@@ -40,9 +40,7 @@ function [request, as_table] = request_of(declared, arguments)
     end
     for name = fieldnames(fields)'
         value = osimcontact.internal.json_text(fields.(name{1}), name{1});
-        if ~strcmp(value, 'null')
-            texts{end + 1} = [osimcontact.internal.json_text(name{1}, 'name') ':' value]; %#ok<AGROW>
-        end
+        texts{end + 1} = [osimcontact.internal.json_text(name{1}, 'name') ':' value]; %#ok<AGROW>
     end
     request = struct('fields', fields, 'text', ['{' strjoin(texts, ',') '}']);
 end

@@ -23,5 +23,6 @@ function text = in_words(record)
     if ~isempty(record.error.line)
         place = sprintf(':%d', [record.error.line, record.error.column]);
     end
-    text = [record.model place ': ' record.error.message];
+    % Letters in a name that would steer a terminal are shown as marks.
+    text = [regexprep(record.model, '[\x00-\x1f\x7f]', '?') place ': ' record.error.message];
 end
