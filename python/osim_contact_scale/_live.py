@@ -9,12 +9,16 @@ import math
 import os
 import sys
 import tempfile
+import threading
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from ._errors import ContactScaleError
 from ._live_objects import component, exchange
+
+#: Whether defaults are spelled out is one setting for the whole process.
+_PRINTING = threading.Lock()
 
 
 def is_model(source: Any) -> bool:
@@ -33,20 +37,23 @@ def to_bytes(model: Any) -> tuple[str | None, bytes]:
 
     name = str(model.getInputFileName())
     file = None if name in ("", "Unassigned") else name
-    spelled_out = opensim.OpenSimObject.getSerializeAllDefaults()
-    opensim.OpenSimObject.setSerializeAllDefaults(True)
-    try:
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "model.osim")
-            if not model.printToXML(path):
-                raise ContactScaleError("unreadable", "opensim could not print this model", path=file)
-            return file, Path(path).read_bytes()
-    finally:
-        opensim.OpenSimObject.setSerializeAllDefaults(spelled_out)
+    with _PRINTING, tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "model.osim")
+        spelled_out = opensim.OpenSimObject.getSerializeAllDefaults()
+        opensim.OpenSimObject.setSerializeAllDefaults(True)
+        try:
+            is_printed = model.printToXML(path)
+        finally:
+            opensim.OpenSimObject.setSerializeAllDefaults(spelled_out)
+        if not is_printed:
+            raise ContactScaleError("unreadable", "opensim could not print this model", path=file)
+        return file, Path(path).read_bytes()
 
 
-def apply(record: dict[str, Any], new: bytes, model: Any) -> None:
+def apply(record: dict[str, Any], masses: dict[str, float], new: bytes, model: Any) -> None:
     """Applies the changes of a plan, and the credits with its note, to a live model: it then equals the `new` file.
+
+    `masses` are those of the bodies that the plan was made for, in kg by their component paths.
 
     Raises
     ------
@@ -57,6 +64,8 @@ def apply(record: dict[str, Any], new: bytes, model: Any) -> None:
         raise TypeError(f"expected an opensim.Model, not {type(model).__name__}")
     import opensim
 
+    for path, mass in masses.items():
+        _compare_mass(opensim, model, path, mass)
     # All places are found before anything changes. Objects that are added come with their numbers.
     added = {change["path"] for change in record["objects"] if change["change"] == "added"}
     edits = [_edit(opensim, model, change) for change in record["changes"] if change["path"] not in added]
@@ -91,6 +100,15 @@ def _edit(opensim: Any, model: Any, change: dict[str, Any]) -> Callable[[], obje
     prop = owner.updPropertyByName(name)
     _compare(change, [opensim.PropertyHelper.getValueDouble(prop)])
     return lambda: opensim.PropertyHelper.setValueDouble(value, prop)
+
+
+def _compare_mass(opensim: Any, model: Any, path: str, mass: float) -> None:
+    """Refuses a body of another mass: what contacts should be follows from it."""
+    body = opensim.Body.safeDownCast(component(model, path))
+    if body is None or math.isclose(body.getMass(), mass, rel_tol=1e-9):
+        return
+    message = f"the mass of {path} is {body.getMass()} kg, not {mass} kg as it was when this change was planned"
+    raise ContactScaleError("live-model", f"{message}: plan it again for the model as it is now")
 
 
 def _compare(change: dict[str, Any], now: list[float]) -> None:

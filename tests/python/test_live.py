@@ -1,6 +1,7 @@
 """Live models: an `opensim.Model` in, and a change applied to one equals the file that would be written."""
 
 import re
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 from conftest import FIXTURES, HUMAN, corpus, fixtures, kind_of, name_of
@@ -202,6 +203,31 @@ def test_a_model_that_was_changed_since_is_refused(tmp_path):
     with pytest.raises(ocs.ContactScaleError, match=r"is 5\.0, not 1000000\.0 as it was"):
         doubled.apply(model)
     assert printed(model, tmp_path) == before
+
+
+def test_a_body_of_another_mass_is_refused(tmp_path):
+    model = loaded(str(HUMAN))
+    planned = ocs.transfer(HUMAN, from_="falisse2022", spheres=6)
+    for body in model.getBodySet():
+        body.setMass(2 * body.getMass())
+    before = printed(model, tmp_path)
+    with pytest.raises(
+        ocs.ContactScaleError, match=r"the mass of /bodyset/.* kg as it was when this change was planned"
+    ):
+        planned.apply(model)
+    assert printed(model, tmp_path) == before
+
+
+def test_defaults_are_spelled_out_in_every_thread_and_then_as_before():
+    defaults = FIXTURES / "format" / "defaults_hold_everything.osim"
+    kept = float(re.search("<constant_contact_force>(.*?)<", defaults.read_text(encoding="utf-8"))[1])
+    loaded(str(defaults))
+    live = [opensim.Model(str(HUMAN)) for _ in range(4)]
+    with ThreadPoolExecutor(4) as pool:
+        for _ in range(10):
+            for seen in pool.map(ocs.inspect, live):
+                assert seen[0]["forces"][0]["parameters"]["constant_contact_force"] == kept
+            assert not opensim.OpenSimObject.getSerializeAllDefaults()
 
 
 def test_a_change_is_not_applied_twice(tmp_path):

@@ -158,6 +158,12 @@ impl Planned {
         Ok(files)
     }
 
+    /// The masses of the bodies of the model, kg, by their component paths.
+    fn masses(&self) -> BTreeMap<String, f64> {
+        let bodies = self.model.opened().model.bodies().iter();
+        bodies.filter_map(|body| Some((body.path.clone(), body.mass_kg().ok()?))).collect()
+    }
+
     /// What `check` finds in the model before and after: two results, each as the JSON of the command has it, and the requests
     /// that put the findings right.
     fn checked<'py>(&self, py: Python<'py>) -> PyResult<Vec<Checked<'py>>> {
