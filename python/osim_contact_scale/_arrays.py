@@ -104,7 +104,11 @@ def _floats(name: str, value: Any) -> NDArray[np.float64]:
     objects = array.dtype.kind == "O" and all(_is_real(item) for item in array.flat)
     if not objects and (array.dtype.kind not in "iuf" or array.dtype.itemsize > 8):
         raise TypeError(f"{name}: expected real numbers, not {array.dtype}")
-    return np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
+    try:
+        return np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
+    except OverflowError:
+        message = f"{name}: a whole number is too large, expected less than 1e308"
+        raise RequestError("out-of-domain", message, keywords=(name,)) from None
 
 
 def _is_real(item: Any) -> bool:

@@ -8,6 +8,9 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from . import _native
+from ._errors import RequestError
+from ._request import at_home
+from ._text import printable
 
 
 class _Drawn(NamedTuple):
@@ -80,12 +83,12 @@ class Figure:
 
         Raises
         ------
-        ValueError
+        RequestError
             Another ending.
         OutputError
             The file is there already and `force` is not said.
         """
-        path = Path(os.path.expanduser(os.fspath(output)))
+        path = Path(at_home(output))
         makers: dict[str, Callable[[], bytes]] = {
             ".svg": lambda: self.svg.encode("utf-8"),
             ".pdf": self.to_pdf,
@@ -94,7 +97,8 @@ class Figure:
         }
         make = makers.get(path.suffix.lower())
         if make is None:
-            raise ValueError(f"{path}: expected a name that ends in .svg, .pdf, .png or .csv")
+            message = f"{printable(str(path))}: expected a name that ends in .svg, .pdf, .png or .csv"
+            raise RequestError("usage", message, keywords=("output",))
         _native.write_file(path, make(), force)
         return path
 

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import json
+import os
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, SupportsIndex, overload
 
-from ._request import MODELS
+from ._errors import RequestError
+from ._request import MODELS, at_home, is_path
 from ._tables import table
+from ._text import printable
 
 if TYPE_CHECKING:
     from ._result import Result
@@ -31,6 +34,8 @@ class Remedy:
     _source: Any = field(repr=False, compare=False, default=None)
     #: The other models of the call that found it, by the names that they have in the request.
     _others: dict[str, Any] = field(repr=False, compare=False, default_factory=dict)
+    #: Where names of files began when it was found.
+    _folder: str | None = field(repr=False, compare=False, default=None)
 
     def apply(self, source: Any = None) -> Result:
         """Plans the change; nothing is written before `Result.write`.
@@ -43,6 +48,11 @@ class Remedy:
         Returns
         -------
         Result
+
+        Raises
+        ------
+        RequestError
+            The model was named in a folder that is no longer the current one: its name may be that of another model here.
         """
         from ._result import plan
 
@@ -51,6 +61,9 @@ class Remedy:
         named = fields.pop("models", [None])
         if source is None:
             source = self._source if self._source is not None else named[0]
+        if is_path(source) and self._folder not in (None, os.getcwd()) and not os.path.isabs(at_home(source)):
+            message = f"{printable(os.fsdecode(source))} was named in the folder {self._folder}, which is no longer the current one"
+            raise RequestError("usage", f"{message}: go back to that folder, or check it by its whole path")
         others = {name: self._others[fields[name]] for name in MODELS if fields.get(name) in self._others}
         return plan(verb, source, fields | others)
 
@@ -93,9 +106,11 @@ class Finding:
     remedy: Remedy | None
 
     @classmethod
-    def _of(cls, record: dict[str, Any], request: str | None, source: Any, others: dict[str, Any]) -> Finding:
+    def _of(
+        cls, record: dict[str, Any], request: str | None, source: Any, others: dict[str, Any], folder: str | None
+    ) -> Finding:
         command = record["command"]
-        remedy = Remedy(command, request, source, others) if command and request else None
+        remedy = Remedy(command, request, source, others, folder) if command and request else None
         own = {key: value for key, value in record.items() if key not in ("command", "spheres")}
         return cls(**own, spheres=tuple(record["spheres"]), remedy=remedy)
 
@@ -109,9 +124,12 @@ class Findings(tuple[Finding, ...]):
     __slots__ = ()
 
     @classmethod
-    def _of(cls, records: Any, requests: Any, source: Any, others: dict[str, Any] | None = None) -> Findings:
+    def _of(
+        cls, records: Any, requests: Any, source: Any, others: dict[str, Any] | None = None, folder: str | None = None
+    ) -> Findings:
         requests = list(requests) + [None] * (len(records) - len(requests))
-        return cls(Finding._of(record, request, source, others or {}) for record, request in zip(records, requests))
+        both = zip(records, requests)
+        return cls(Finding._of(record, request, source, others or {}, folder) for record, request in both)
 
     @overload
     def __getitem__(self, index: SupportsIndex, /) -> Finding: ...

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 import os
+import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path, PurePath
 from typing import Any, TypeGuard, Union
 
 from . import _live
 from ._errors import ModelError, RequestError
+from ._text import printable
 
 #: A model: the name of its file, its bytes, a result of this package, or an `opensim.Model`.
 Source = Union[str, "os.PathLike[str]", bytes, Any]
@@ -67,14 +69,35 @@ def path_of(path: Any) -> Any:
     TypeError
         Neither a text nor a path.
     """
-    path = os.path.expanduser(os.fspath(path))
-    if isinstance(path, bytes):
-        path = os.fsdecode(path)
+    path = at_home(path)
     try:
         path.encode("utf-8")
     except UnicodeEncodeError:
-        return {"bytes": list(os.fsencode(path))}
+        try:
+            return {"bytes": list(os.fsencode(path))}
+        except UnicodeEncodeError as error:
+            message = f"{path!a}: no file has such a name: it has half of a letter in it"
+            raise RequestError("usage", message) from error
     return path
+
+
+def at_home(path: str | bytes | os.PathLike[str] | os.PathLike[bytes]) -> str:
+    """A path as text, with the home folder for `~`.
+
+    Raises
+    ------
+    RequestError
+        `~` of a user whom this computer does not know: as the name of a folder it is hardly meant.
+    TypeError
+        Neither a text nor a path.
+    """
+    text = os.fsdecode(path)
+    whole = os.path.expanduser(text)
+    user = re.match(r"~[^/\\]+", whole)
+    if user is not None and user[0] != whole and not os.path.isdir(user[0]):
+        message = f"{printable(whole)}: there is no user {printable(user[0][1:])} here; if it is a folder, write ./{printable(whole)}"
+        raise RequestError("usage", message)
+    return whole
 
 
 def models_of(sources: Sequence[Source], memory: Memory) -> list[Any]:
@@ -122,7 +145,7 @@ def with_own_files(source: Source, keywords: Mapping[str, Any], memory: Memory) 
     own = getattr(source, "_companions", None)
     for name, (path, data) in (own() if own is not None else {}).items():
         given = keywords.get(name)
-        if given is None or (is_path(given) and PurePath(os.path.expanduser(given)) == PurePath(path)):
+        if given is None or (is_path(given) and PurePath(at_home(given)) == PurePath(path)):
             keywords[name] = InMemory(path, data)
     return keywords
 
@@ -177,7 +200,12 @@ def _plain(value: Any, keyword: str) -> Any:
     if isinstance(value, Mapping):
         return {str(key): _plain(item, keyword) for key, item in value.items()}
     if hasattr(value, "tolist"):  # NumPy's numbers and arrays, and pandas' columns.
-        return _plain(value.tolist(), keyword)
+        item = value.tolist()
+        if item is None:
+            message = f"{keyword}: the value is missing (masked, or None in an array): leave the keyword out where nothing is known"
+            raise RequestError("usage", message, keywords=(keyword,))
+        # Numbers with more digits than a float give themselves.
+        return _plain(float(item) if type(item) is type(value) else item, keyword)
     if isinstance(value, (list, tuple, set, frozenset)):
         return [_plain(item, keyword) for item in value]
     if isinstance(value, bool) or value is None:

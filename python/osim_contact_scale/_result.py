@@ -12,7 +12,7 @@ from . import _live, _native
 from ._errors import RequestError
 from ._finding import Findings
 from ._html import framed
-from ._request import Memory, Source, fields_of, model_of, with_own_files
+from ._request import Memory, Source, at_home, fields_of, model_of, with_own_files
 from ._tables import table
 from ._text import printable
 
@@ -243,7 +243,7 @@ class Result:
         """Refuses to write beside a model that was named in another folder."""
         if self._folder is None or self._folder == os.getcwd():
             return
-        if not any(output is not None and os.path.isabs(os.path.expanduser(output)) for output in outputs):
+        if not any(output is not None and os.path.isabs(at_home(output)) for output in outputs):
             message = f"{self.path} was named in the folder {self._folder}, which is no longer the current one"
             raise RequestError("usage", f"{message}: write to a whole path, or go back to that folder")
 
@@ -257,7 +257,7 @@ class Result:
         ContactScaleError
             It is another model, or was changed since. Nothing was changed then.
         """
-        _live.apply(self.record, self.to_bytes(), model)
+        _live.apply(self.record, self._planned.masses(), self.to_bytes(), model)
 
     def report(self, output: str | os.PathLike[str], *, force: bool = False) -> Path:
         """Writes a page for browsers about this change: tables, plots, findings of both states.
@@ -267,7 +267,7 @@ class Result:
         OutputError
             It is there already and `force` is not said.
         """
-        path = Path(os.path.expanduser(os.fspath(output)))
+        path = Path(at_home(output))
         _native.write_file(path, self.html().encode("utf-8"), force)
         return path
 

@@ -10,7 +10,7 @@ from typing import Any
 
 from ._cells import steers, to_cell
 from ._errors import RequestError
-from ._request import PATHS
+from ._request import PATHS, at_home
 
 
 def rows_of(data: Any) -> list[dict[str, Any]]:
@@ -184,7 +184,7 @@ def _text_in_column(name: str, value: Any) -> str:
 def _path_in_cell(value: Any) -> str:
     if not isinstance(value, (str, os.PathLike)):
         raise TypeError(f"a table takes paths of files, not {type(value).__name__}: write it to a file first")
-    path = os.path.expanduser(os.fsdecode(value))
+    path = at_home(value)
     if path != path.strip():
         raise RequestError("usage", f"{path!r}: a path in a table must not begin or end with a blank")
     return path

@@ -12,7 +12,7 @@ from ._errors import ContactScaleError
 from ._finding import COLUMNS, Findings
 from ._html import html_table
 from ._progress import Progress, following
-from ._request import MODELS, InMemory, Memory, Source, fields_of, is_path, models_of, with_own_files
+from ._request import MODELS, InMemory, Memory, Source, at_home, fields_of, is_path, models_of, with_own_files
 from ._tables import columns_of, table
 from ._threads import jobs_of
 
@@ -55,7 +55,7 @@ def survey(verb: str, sources: Sources, keywords: Mapping[str, Any], jobs: int |
         rows, remarks = _native.survey(fields, memory, count, call, callback)
     for remark in remarks:
         log.info("%s", remark)
-    alone = len(rows) == 1 and not any(os.path.isdir(os.path.expanduser(source)) for source in named if is_path(source))
+    alone = len(rows) == 1 and not any(os.path.isdir(at_home(source)) for source in named if is_path(source))
     errors = [error for _, _, error in rows if error is not None]
     if alone and errors:
         raise errors[0]
@@ -67,7 +67,7 @@ def survey(verb: str, sources: Sources, keywords: Mapping[str, Any], jobs: int |
         *((fields[name], keywords[name]) for name in MODELS if keywords.get(name) is not None),
     ]
     by_name = {name: _kept(name, source, memory) for name, source in given if isinstance(name, str)}
-    return (Inspection if verb == "inspect" else Check)(good, errors, by_name)
+    return (Inspection if verb == "inspect" else Check)(good, errors, by_name, os.getcwd())
 
 
 def listed(sources: Any) -> list[Any]:
@@ -101,11 +101,15 @@ class Survey(Sequence[dict[str, Any]]):
         One for each that could not.
     """
 
-    def __init__(self, good: list[Any], errors: list[ContactScaleError], sources: dict[str, Any]) -> None:
+    def __init__(
+        self, good: list[Any], errors: list[ContactScaleError], sources: dict[str, Any], folder: str | None = None
+    ) -> None:
         self.records: list[dict[str, Any]] = [record for record, _ in good]
         self.errors = errors
         self._requests = [requests for _, requests in good]
         self._sources = sources
+        # Where names of files begin.
+        self._folder = folder
 
     def __getitem__(self, index: Any) -> Any:
         return self.records[index]
@@ -196,9 +200,8 @@ class Check(Survey):
     def of(self, index: int) -> Findings:
         """The findings of one model, by its number from 0."""
         record = self.records[index]
-        return Findings._of(
-            record["findings"], self._requests[index], self._sources.get(record["model"]), self._sources
-        )
+        source = self._sources.get(record["model"])
+        return Findings._of(record["findings"], self._requests[index], source, self._sources, self._folder)
 
     @property
     def models(self) -> Any:

@@ -145,3 +145,32 @@ def test_a_read_only_folder(tmp_path):
     os.chmod(folder, 0o755)
     assert ran.stdout.startswith("refused:"), ran
     assert [entry.name for entry in folder.iterdir()] == ["human.osim"]
+
+
+@pytest.mark.parametrize("missing", [np.ma.array([80.0, 70.0], mask=[True, False])[0], np.array(None)])
+def test_a_missing_number_is_not_taken_for_none(missing):
+    with pytest.raises(ocs.RequestError, match="the value is missing") as caught:
+        ocs.rescale(HUMAN, target_mass=50, contacts_mass=missing)
+    assert caught.value.keyword == "contacts_mass"
+
+
+def test_numbers_of_numpy_are_numbers():
+    for kind in (np.longdouble, np.float32, np.int16, np.array):
+        assert ocs.rescale(HUMAN, target_mass=kind(50)).contacts_mass_kg["to"] == 50
+
+
+def test_names_that_no_file_has(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(ocs.RequestError, match="half of a letter"):
+        ocs.inspect("\ud800.osim")
+    with pytest.raises(ocs.RequestError, match="there is no user nobody_at_all here"):
+        ocs.rescale(HUMAN, target_mass=50).write("~nobody_at_all/new.osim")
+    with pytest.raises(ocs.RequestError, match=r"\\u\{1b\}.*expected a name that ends in"):
+        ocs.plot("force", HUMAN).save("\x1b[31m.gif")
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_number_that_no_float_holds():
+    with pytest.raises(ocs.RequestError, match="too large") as caught:
+        ocs.scaling.dissipation(radius_ratio=10**400)
+    assert caught.value.keyword == "radius_ratio"

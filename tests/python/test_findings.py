@@ -92,3 +92,16 @@ def test_models_may_come_from_any_iterable(tmp_path):
         ocs.inspect(frame)
     done = ocs.many("rescale", frame["model"], target_mass=80, dry_run=True)
     assert len(done) == 2
+
+
+def test_a_remedy_is_for_the_model_that_was_checked(human, tmp_path, monkeypatch):
+    monkeypatch.chdir(human.parent)
+    finding = next(finding for finding in ocs.check(human.name).findings if finding.remedy)
+    assert len(finding.remedy.apply().changes) > 0
+    (tmp_path / "elsewhere").mkdir()
+    # Another model of the same name.
+    (tmp_path / "elsewhere" / human.name).write_bytes(human.read_bytes())
+    monkeypatch.chdir(tmp_path / "elsewhere")
+    with pytest.raises(ocs.RequestError, match=r"was named in the folder .* no longer the current one"):
+        finding.remedy.apply()
+    assert len(finding.remedy.apply(human).changes) > 0

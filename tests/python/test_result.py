@@ -133,6 +133,16 @@ def test_a_model_of_bytes_has_no_file_yet(human, tmp_path, monkeypatch):
         result.write("model.osim")
 
 
+def test_a_model_in_memory_is_not_its_file(human):
+    before = human.read_bytes()
+    chained = ocs.design(ocs.rescale(human, target_mass=50), indentation=0.16)
+    with pytest.raises(
+        ocs.OutputError, match=r"planned for a model in memory, and .* holds another one: write a new file"
+    ):
+        chained.write(in_place=True)
+    assert human.read_bytes() == before
+
+
 def test_a_standalone_set_and_its_geometry(tmp_path):
     for name in ("standalone_ForceSet.xml", "standalone_ContactGeometrySet.xml"):
         shutil.copy(FIXTURES / "format" / name, tmp_path / name)

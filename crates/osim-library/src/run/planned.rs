@@ -177,6 +177,15 @@ impl PlannedModel {
             if there == self.opened.model.file(file).bytes() {
                 return Ok(());
             }
+            if self.is_from_memory() {
+                return Err(LibraryFault::new(phrase![
+                    format!(
+                        "this change was planned for a model in memory, and {} holds another one: write a new file with ",
+                        path.display()
+                    ),
+                    Input::Output,
+                ]));
+            }
             Err(LibraryFault::new(format!(
                 "{} is not what it was when this change was planned, so nothing was written: plan again",
                 path.display()
