@@ -1,9 +1,9 @@
 function columns = read_table(file)
 %READ_TABLE Read a table (CSV) that the program wrote, as a struct of columns.
 %   COLUMNS = osimcontact.read_table(FILE) has a field for each column of the file: a column of numbers, with NaN where a cell
-%   is empty, or, where one cell is not a number, a cell array of texts. A decimal comma makes no number. For the tables of 'inspect --format csv', the numbers of a
-%   figure ('data'), summaries and the tables of sweeps. In MATLAB, struct2table(COLUMNS) makes a table of it. MATLAB's readtable
-%   reads these files, too; GNU Octave has none.
+%   is empty, or, where one cell is not a number, a cell array of texts. A decimal comma makes no number. For the tables of
+%   'inspect --format csv', the numbers of a figure ('data'), summaries and the tables of sweeps. In MATLAB,
+%   struct2table(COLUMNS) makes a table of it. MATLAB's readtable reads these files, too; GNU Octave has none.
 %
 %   Example:
 %       done = osimcontact.plot('force', 'human.osim', 'output', 'force.svg', 'data', 'force.csv');
