@@ -51,6 +51,15 @@ fn what_says_nothing_is_left_out() {
 }
 
 #[test]
+fn one_text_may_stand_alone_where_a_list_is_meant() {
+    let added = |feet: Value| {
+        read(&json!({"verb": "add", "models": "a.osim", "from": "b.osim", "feet": feet, "pad": 0.01}))
+    };
+    assert_eq!(added(json!("calcn_r")), added(json!(["calcn_r"])));
+    assert!(added(json!("calcn_r")).is_ok());
+}
+
+#[test]
 fn a_wrong_field_is_named_with_what_to_write() {
     for (fields, field, hint) in [
         (json!({"target_mass": "20.9g"}), "target_mass", "type 0.0209"),

@@ -38,6 +38,7 @@ pub struct AddRequest {
     pub default_pose: bool,
     /// Lay spheres under the meshes of these bodies, which touch the ground, separated by commas
     #[cfg_attr(feature = "clap", arg(long, value_name = "BODY", value_delimiter = ','))]
+    #[serde(deserialize_with = "serial::from_texts")]
     pub feet: Vec<String>,
     /// Spheres under each foot
     #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
