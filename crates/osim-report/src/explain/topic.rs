@@ -94,10 +94,15 @@ fn questions() -> Vec<Topic> {
     errors().filter(asks).map(Topic::Error).collect()
 }
 
+/// A topic that is this like the name was probably meant; 1 is the same.
+const NEAR: f64 = 0.7;
+
 impl UnknownTopic {
     fn new(name: &str) -> Self {
         let known: Vec<&'static str> = Topic::all().into_iter().map(Topic::name).collect();
-        let near = similar::get_close_matches(name, &known, 1, 0.7).first().copied();
+        let likeness = |known: &str| strsim::normalized_damerau_levenshtein(name, known);
+        let near = known.into_iter().max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
+        let near = near.filter(|near| likeness(near) >= NEAR);
         Self { name: name.to_owned(), near }
     }
 
