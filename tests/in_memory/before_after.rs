@@ -9,7 +9,8 @@ use osim_model::{Fault, Model};
 use osim_patch::Plan;
 use osim_report::dialect::CommandLine;
 use osim_requests::options::InspectionOptions;
-use osim_requests::{BeforeAfter, Change, Planner};
+use osim_requests::{Change, Planner};
+use osim_states::BeforeAfter;
 use serde_json::json;
 
 use crate::front_end::{Changed, read};

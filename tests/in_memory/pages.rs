@@ -8,7 +8,8 @@ use osim_report::dialect::CommandLine;
 use osim_report::html::{
     self, About, Columns, DetailLevel, Entry, Files, InMemory as Texts, Kept, NamedDigest, Page, RunRow,
 };
-use osim_requests::{BeforeAfter, ModelFeet, open_with};
+use osim_requests::{ModelFeet, open_with};
+use osim_states::BeforeAfter;
 use serde_json::json;
 use sha2::{Digest, Sha256};
 

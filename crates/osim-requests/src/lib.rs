@@ -25,7 +25,6 @@
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
-mod before_after;
 mod calculator;
 #[cfg(feature = "clap")]
 pub mod command_line;
@@ -51,7 +50,6 @@ mod sweep;
 mod table;
 mod unique;
 
-pub use before_after::BeforeAfter;
 pub use calculator::{DesignFigure, DesignLimit, DesignQuantity, DesignSheet};
 pub use drop_test::{ComparedDrop, DropColumn, DropFigure, DropResult, DropRow};
 pub use feet::ModelFeet;

@@ -3,7 +3,7 @@
 use osim_library::Disk;
 use osim_library::run::{ChangedModel, Record};
 use osim_report::html::{self, Changed, DetailLevel, EarlierRun, Entry, Files, RowError, RunRow};
-use osim_requests::BeforeAfter;
+use osim_states::BeforeAfter;
 
 use crate::words::Words;
 

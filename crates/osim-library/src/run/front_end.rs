@@ -3,7 +3,7 @@
 use osim_model::RemedyDialect;
 use osim_model::files::OpenModel;
 use osim_patch::Plan;
-use osim_requests::BeforeAfter;
+use osim_states::BeforeAfter;
 
 use super::record::Record;
 use super::task::Task;

@@ -8,7 +8,8 @@ use osim_model::wording::{Input, phrase};
 use osim_model::{FileId, RemedyDialect};
 use osim_patch::Plan;
 use osim_requests::options::{OutputOptions, RunOptions, SetFiles};
-use osim_requests::{BeforeAfter, Change, Planner};
+use osim_requests::{Change, Planner};
+use osim_states::BeforeAfter;
 
 use super::destination::Destination;
 use super::front_end::ChangedModel;

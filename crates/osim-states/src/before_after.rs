@@ -4,13 +4,14 @@ use osim_inspect::series::Body;
 use osim_inspect::{
     CheckResult, Figures, InspectOptions, Inspection, ReferenceState, can_be_changed, check_known,
 };
+use osim_model::Property;
 use osim_model::RemedyDialect;
 use osim_model::files::{Failure, ModelFiles, OpenModel};
-use osim_model::{Property, same_mass};
 use osim_patch::Plan;
 
-use crate::feet::ModelFeet;
-use crate::planner::Planner;
+use osim_requests::{ModelFeet, Planner};
+
+use crate::states::{body, options_after};
 
 /// What is known of both states of a model, spelled.
 #[derive(Debug)]
@@ -49,10 +50,8 @@ impl BeforeAfter {
         // The new model has the same elements: what can be changed in one can be changed in the other.
         let changes = shown_by(plan, &before, opened) || can_be_changed(&before, &opened.model);
         let now = seen(&before, opened, changes);
-        let mut after = options_after(planner, &before, plan, &now.0);
-        // A gravity that figures are asked for (as in a design) is that of both states.
+        let after = options_after(planner, &before, plan, now.0.figures.mass_kg);
         let target = planner.target_gravity_m_s2();
-        after.stance.gravity_m_s2 = target.or(after.stance.gravity_m_s2);
         let target_gravity_m_s2 = target.filter(|&gravity| now.0.figures.gravity_m_s2 != Some(gravity));
         let mut both = Self {
             before: now,
@@ -112,27 +111,4 @@ fn shown_by(plan: &Plan, options: &InspectOptions, opened: &OpenModel) -> bool {
     [Property::Stiffness, Property::Dissipation]
         .into_iter()
         .all(|property| plan.changes.iter().filter(|change| change.property == property).count() >= sets)
-}
-
-fn body(name: &str, options: &InspectOptions, opened: &OpenModel) -> Option<Body> {
-    Body::inspected(name.to_owned(), &opened.model, options, &|fault| opened.failure(fault)).ok()
-}
-
-/// How the new model is inspected: its contacts carry the body that they were scaled for.
-fn options_after(
-    planner: &dyn Planner,
-    before: &InspectOptions,
-    plan: &Plan,
-    now: &Inspection,
-) -> InspectOptions {
-    let mut options = before.clone();
-    let target_mass_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
-    // The note says it; without one somebody has to.
-    options.masses.contacts_kg = target_mass_kg.filter(|_| plan.note().is_none());
-    if let Some(kg) = target_mass_kg.filter(|_| planner.name() == "rescale")
-        && now.figures.mass_kg.is_none_or(|weighs| !same_mass(weighs, kg))
-    {
-        options.masses.model_kg = Some(kg);
-    }
-    options
 }
