@@ -12,5 +12,5 @@ pub use command_line::CommandLine;
 pub use front_end::FrontEnd;
 pub use json_request::JsonRequest;
 pub use page::Page;
-pub use python::Python;
+pub use python::{Python, python_keyword, python_quoted};
 pub use shell::shell_quoted;

@@ -8,6 +8,9 @@ use osim_model::{Remedy, RemedyDialect};
 use super::front_end::FrontEnd;
 use super::remedy::{InputValue, RemedyParts};
 
+/// The button that answers a question.
+const MEANT: &str = "“It is meant as it is: go on”";
+
 /// A page: the field “mass of the model”.
 ///
 /// ```
@@ -23,6 +26,7 @@ pub struct Page;
 impl Dialect for Page {
     fn input(&self, input: Input, example: Option<&Example>) -> String {
         match example {
+            _ if input == Input::Yes => MEANT.to_owned(),
             Some(Example::Value(value)) => format!("the field “{}” ({value})", input.label()),
             _ => format!("the field “{}”", input.label()),
         }

@@ -28,7 +28,7 @@ impl Dialect for Python {
             None if input.is_flag() => "True".to_owned(),
             None => String::new(),
         };
-        format!("{}={value}", name(input))
+        format!("{}={value}", python_keyword(input.name()))
     }
 
     fn call(&self, call: &Call) -> String {
@@ -36,7 +36,7 @@ impl Dialect for Python {
         arguments.extend(call.inputs.iter().filter_map(|(input, example)| {
             Some(value_of(example.as_ref().filter(|_| is_positional(*input))?))
         }));
-        arguments.extend(call.with_model.then(|| quoted("model.osim")));
+        arguments.extend(call.with_model.then(|| python_quoted("model.osim")));
         let named = call.inputs.iter().filter(|(input, example)| !is_positional(*input) || example.is_none());
         arguments.extend(named.map(|(input, example)| self.input(*input, example.as_ref())));
         function(call.verb, &arguments)
@@ -46,24 +46,25 @@ impl Dialect for Python {
 impl RemedyDialect for Python {
     fn remedy(&self, remedy: &Remedy) -> String {
         let Some(parts) = RemedyParts::of(remedy) else { return String::new() };
-        let mut arguments = vec![quoted(&remedy.model)];
+        let mut arguments = vec![python_quoted(&remedy.model)];
         arguments.extend(parts.assignments.iter().map(|(property, assignment)| match assignment {
             Assignment::Factor(factor) => {
-                format!("{property}={}", quoted(&format!("x{}", shortest(*factor))))
+                format!("{property}={}", python_quoted(&format!("x{}", shortest(*factor))))
             }
             Assignment::Value(value) => format!("{property}={}", shortest(*value)),
         }));
         arguments.extend(parts.inputs.iter().map(|(input, given)| {
             let value = match given {
                 InputValue::Number(value) => shortest(*value),
-                InputValue::Text(text) => quoted(text),
+                InputValue::Text(text) => python_quoted(text),
                 InputValue::Patterns(patterns) => {
-                    let patterns: Vec<String> = patterns.iter().map(|pattern| quoted(pattern)).collect();
+                    let patterns: Vec<String> =
+                        patterns.iter().map(|pattern| python_quoted(pattern)).collect();
                     format!("[{}]", patterns.join(", "))
                 }
                 InputValue::Flag => "True".to_owned(),
             };
-            format!("{}={value}", name(*input))
+            format!("{}={value}", python_keyword(input.name()))
         }));
         function(parts.verb, &arguments)
     }
@@ -80,9 +81,10 @@ fn is_positional(input: Input) -> bool {
     matches!(input, Input::Kind | Input::Topics)
 }
 
-/// The keyword; a word that Python reserves gets a line after it.
-fn name(input: Input) -> String {
-    match input.name() {
+/// The keyword of an input, given by the name of its field; a word that Python reserves gets a line after it.
+#[must_use]
+pub fn python_keyword(field: &str) -> String {
+    match field {
         name @ ("class" | "from") => format!("{name}_"),
         name => name.to_owned(),
     }
@@ -94,7 +96,7 @@ fn value_of(example: &Example) -> String {
     match example {
         Example::Placeholder(word) if !word.contains(['.', ',', '=']) => word.to_string(),
         Example::Value(value) if is_number(value) => value.clone(),
-        example => quoted(&example.to_string()),
+        example => python_quoted(&example.to_string()),
     }
 }
 
@@ -104,7 +106,8 @@ fn is_number(text: &str) -> bool {
 }
 
 /// A string as Python reads it.
-fn quoted(text: &str) -> String {
+#[must_use]
+pub fn python_quoted(text: &str) -> String {
     let mut literal = String::from("\"");
     for letter in text.chars() {
         match letter {
@@ -154,6 +157,6 @@ mod tests {
 
     #[test]
     fn strings_are_python_s() {
-        assert_eq!(quoted("C:\\a \"b\"\n\u{1}é"), r#""C:\\a \"b\"\n\u0001é""#);
+        assert_eq!(python_quoted("C:\\a \"b\"\n\u{1}é"), r#""C:\\a \"b\"\n\u0001é""#);
     }
 }

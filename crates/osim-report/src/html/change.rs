@@ -71,37 +71,50 @@ impl<'c> Changed<'c> {
 #[must_use]
 pub fn changed(row: &RunRow, changed: Changed<'_>, detail: DetailLevel, dialect: &dyn Dialect) -> Entry {
     let mut fragment = Fragment::new(detail);
-    what_changed(&mut fragment, changed.plan);
+    let (facts, plan) = (facts(&changed), changed.plan);
+    let drawn = fill(&mut fragment, changed, dialect);
+    Entry::of_change(row, plan, (facts, drawn), fragment)
+}
+
+/// Adds the sections; what may be drawn of the model elsewhere.
+pub(super) fn fill(fragment: &mut Fragment, changed: Changed<'_>, dialect: &dyn Dialect) -> Drawn {
+    what_changed(fragment, changed.plan);
     let (before, found_before) = changed.before;
-    match changed.after {
-        Some((_, found)) => {
-            let (in_file, gravity_m_s2) = (changed.in_file, changed.target_gravity_m_s2);
-            let after = findings::After { found, in_file, gravity_m_s2 };
-            findings::of_change(&mut fragment, found_before, &after);
+    if fragment.wants(findings::SECTION.0) {
+        match changed.after {
+            Some((_, found)) => {
+                let (in_file, gravity_m_s2) = (changed.in_file, changed.target_gravity_m_s2);
+                let after = findings::After { found, in_file, gravity_m_s2 };
+                findings::of_change(fragment, found_before, &after);
+            }
+            None => findings::of_model(fragment, found_before),
         }
-        None => findings::of_model(&mut fragment, found_before),
     }
-    if let Some(reference) = changed.reference {
-        reference::section(&mut fragment, reference, &changed.bodies);
+    if let Some(reference) = changed.reference.filter(|_| fragment.wants(reference::SECTION.0)) {
+        reference::section(fragment, reference, &changed.bodies);
     }
-    let facts = facts(&changed);
     let Changed { before_under_new_weight, after, reference, .. } = changed;
     let files = files::of_change(&changed.files);
-    let plan = changed.plan;
     let drawn = drawn(changed);
-    if detail.is_alone() {
-        feet::section(&mut fragment, &drawn.feet);
+    if fragment.detail.is_alone() {
+        feet::section(fragment, &drawn.feet);
         if !drawn.bodies.is_empty() {
-            plots::section(&mut fragment, &drawn.bodies, drawn.has_reference, dialect);
+            plots::section(fragment, &drawn.bodies, drawn.has_reference, dialect);
         }
     }
-    let after = after.map(|(after, _)| after);
-    let mut states = states(before, before_under_new_weight, after);
-    let there = reference.and_then(|reference| reference.figures.as_ref());
-    states.extend(there.map(|figures| State { name: "reference".to_owned(), figures, is_reference: true }));
-    sphere_figures::section(&mut fragment, &states);
+    if fragment.wants(sphere_figures::SECTION.0) {
+        let after = after.map(|(after, _)| after);
+        let mut states = states(before, before_under_new_weight, after);
+        let there = reference.and_then(|reference| reference.figures.as_ref());
+        states.extend(there.map(|figures| State {
+            name: "reference".to_owned(),
+            figures,
+            is_reference: true,
+        }));
+        sphere_figures::section(fragment, &states);
+    }
     fragment.section("files", "Files read and written", &files);
-    Entry::of_change(row, plan, (facts, drawn), fragment)
+    drawn
 }
 
 /// What is drawn: the states of the model, and the reference where there are any.
@@ -159,7 +172,8 @@ fn states<'s>(
     states
 }
 
-fn what_changed(fragment: &mut Fragment, plan: &Plan) {
+/// Adds what changes.
+pub(super) fn what_changed(fragment: &mut Fragment, plan: &Plan) {
     let objects = objects(plan);
     let changes = changes(&mut fragment.topics, plan);
     let spheres = new_spheres(plan);

@@ -122,6 +122,17 @@ pub(super) fn section(topics: &Topics, dialect: &dyn Dialect) -> String {
     .0
 }
 
+/// Each topic by itself, in the order of the registers: its anchor, and what is said of it.
+pub(super) fn each(topics: &Topics, dialect: &dyn Dialect) -> Vec<(String, Markup)> {
+    let equations = explain::equations().filter(|equation| topics.equations.contains(equation.label));
+    let equations =
+        equations.map(|equation| (anchor("equation", equation.label), of_equation(equation, dialect)));
+    let codes = topics.codes.iter().map(|code| (anchor("finding", code.as_str()), of_code(*code, dialect)));
+    let errors = topics.errors.iter().filter_map(|code| explain::error(code));
+    let errors = errors.map(|error| (anchor("error", error.code), of_error(error, dialect)));
+    equations.chain(codes).chain(errors).collect()
+}
+
 fn of_equation(equation: &Equation, dialect: &dyn Dialect) -> Markup {
     let spelled = |template: &'static str| Phrase::template(template).spelled(dialect);
     html! {

@@ -10,7 +10,7 @@ use super::fragment::Fragment;
 use super::shell::command_line;
 use super::values::severity;
 
-const SECTION: (&str, &str) = ("findings", "Findings");
+pub(super) const SECTION: (&str, &str) = ("findings", "Findings");
 
 /// Findings of a model that was inspected.
 pub(super) fn of_model(fragment: &mut Fragment, found: &CheckResult) {

@@ -1,34 +1,55 @@
 //! What a page says about one model: sections, and what they need explained.
 
-use maud::{Markup, html};
+use maud::{Markup, PreEscaped, html};
 
 use super::detail_level::DetailLevel;
 use super::explained::Topics;
+use super::section::Section;
 
 /// One model on the page.
 #[derive(Debug)]
 pub(super) struct Fragment {
     pub(super) detail: DetailLevel,
-    pub(super) html: String,
-    /// Their anchors and headings; anchors are there only where the model stands alone, so that none comes twice.
-    pub(super) sections: Vec<(&'static str, &'static str)>,
+    /// In their order.
+    pub(super) sections: Vec<Section>,
     pub(super) topics: Topics,
+    /// The sections that are asked for; all where that is not said.
+    wanted: Option<Vec<String>>,
 }
 
 impl Fragment {
     pub(super) fn new(detail: DetailLevel) -> Self {
-        Self { detail, html: String::new(), sections: Vec::new(), topics: Topics::default() }
+        Self { detail, sections: Vec::new(), topics: Topics::default(), wanted: None }
     }
 
-    /// Adds a section.
+    /// A model alone, of which only some sections are asked for.
+    pub(super) fn of_some(wanted: Option<&[String]>) -> Self {
+        Self { wanted: wanted.map(<[String]>::to_vec), ..Self::new(DetailLevel::Alone) }
+    }
+
+    /// Whether the section `id` is asked for. What is not need not be made.
+    pub(super) fn wants(&self, id: &str) -> bool {
+        self.wanted.as_ref().is_none_or(|wanted| wanted.iter().any(|one| one == id))
+    }
+
+    /// Adds a section, if it is asked for.
     pub(super) fn section(&mut self, id: &'static str, title: &'static str, body: &Markup) {
-        let section = if self.detail.is_alone() {
-            html! { section id=(id) aria-labelledby={ (id) "-title" } { h2 id={ (id) "-title" } { (title) } (body) } }
-        } else {
-            html! { h4 { (title) } (body) }
+        if self.wants(id) {
+            self.sections.push(Section { id, title, html: body.0.clone() });
+        }
+    }
+
+    /// All sections with their headings. Anchors are there only where the model stands alone, so that none comes twice.
+    pub(super) fn html(&self) -> String {
+        let one = |section: &Section| {
+            let (id, title, body) = (section.id, section.title, PreEscaped(&section.html));
+            if self.detail.is_alone() {
+                html! { section id=(id) aria-labelledby={ (id) "-title" } { h2 id={ (id) "-title" } { (title) } (body) } }
+            } else {
+                html! { h4 { (title) } (body) }
+            }
         };
-        self.html.push_str(&section.0);
-        self.sections.push((id, title));
+        self.sections.iter().map(|section| one(section).0).collect()
     }
 
     /// A heading inside a section.

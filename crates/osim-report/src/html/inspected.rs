@@ -33,7 +33,21 @@ pub fn inspected(
     dialect: &dyn Dialect,
 ) -> Entry {
     let mut fragment = Fragment::new(detail);
-    findings::of_model(&mut fragment, found);
+    let drawn = fill(&mut fragment, options, model, (inspected, found), (files, feet), dialect);
+    let facts = Facts::new(&inspected.figures, found, drawn.bodies.first());
+    Entry::of_inspection(inspected, (facts, drawn), fragment)
+}
+
+/// Adds the sections; what may be drawn of the model elsewhere.
+pub(super) fn fill(
+    fragment: &mut Fragment,
+    options: &InspectOptions,
+    model: &OpenModel,
+    (inspected, found): (&Inspection, &CheckResult),
+    (files, feet): (&[NamedDigest], Option<ModelFeet>),
+    dialect: &dyn Dialect,
+) -> Drawn {
+    findings::of_model(fragment, found);
     let failed = |fault| model.failure(fault);
     let body = || Body::inspected(file_name(model.name()).to_owned(), &model.model, options, &failed).ok();
     let drawn = Drawn {
@@ -41,21 +55,20 @@ pub fn inspected(
         has_reference: false,
         feet: feet.into_iter().collect(),
     };
-    if detail.is_alone() {
-        super::feet::section(&mut fragment, &drawn.feet);
+    if fragment.detail.is_alone() {
+        super::feet::section(fragment, &drawn.feet);
         if !drawn.bodies.is_empty() {
-            plots::section(&mut fragment, &drawn.bodies, false, dialect);
+            plots::section(fragment, &drawn.bodies, false, dialect);
         }
     }
     sphere_figures::section(
-        &mut fragment,
+        fragment,
         &[State { name: String::new(), figures: &inspected.figures, is_reference: false }],
     );
     let body = html! { (forces(inspected)) (spheres(inspected)) (factors(inspected)) };
     fragment.section("contacts", "Forces and spheres of the model", &body);
     fragment.section("model", "The model and its files", &the_model(inspected, files));
-    let facts = Facts::new(&inspected.figures, found, drawn.bodies.first());
-    Entry::of_inspection(inspected, (facts, drawn), fragment)
+    drawn
 }
 
 fn forces(inspected: &Inspection) -> Markup {

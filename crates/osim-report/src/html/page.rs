@@ -107,7 +107,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
         let Some(fragment) = fragment else { return Ok(()) };
         self.in_full += 1;
         self.topics.add(&fragment.topics);
-        self.kept.details.add(&harmless(&models::details(&entry, number, &fragment.html)))
+        self.kept.details.add(&harmless(&models::details(&entry, number, &fragment.html())))
     }
 
     /// The one model of the page.
@@ -116,8 +116,8 @@ impl<'d, S: DeferredText> Page<'d, S> {
         self.kept.rows.add(&harmless(&glance.0))?;
         let Some(fragment) = fragment else { return Ok(()) };
         self.topics.add(&fragment.topics);
-        self.sections = fragment.sections;
-        self.kept.details.add(&harmless(&fragment.html))
+        self.sections = fragment.sections.iter().map(|section| (section.id, section.title)).collect();
+        self.kept.details.add(&harmless(&fragment.html()))
     }
 
     /// Writes the page.

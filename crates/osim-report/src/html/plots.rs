@@ -20,7 +20,9 @@ const HEIGHT: DropHeight = DropHeight::Radii(0.25);
 ///
 /// `has_reference`: the last one is another body.
 pub(super) fn section(fragment: &mut Fragment, bodies: &[Body], has_reference: bool, dialect: &dyn Dialect) {
-    fragment.section(SECTION.0, SECTION.1, &figures(bodies, has_reference, dialect));
+    if fragment.wants(SECTION.0) {
+        fragment.section(SECTION.0, SECTION.1, &figures(bodies, has_reference, dialect));
+    }
 }
 
 /// The figures with their captions, and why one is not there.

@@ -8,7 +8,7 @@ use osim_model::{four_significant, readable};
 
 use super::fragment::{Fragment, table};
 
-const SECTION: (&str, &str) = ("reference", "The contact beside that of the reference");
+pub(super) const SECTION: (&str, &str) = ("reference", "The contact beside that of the reference");
 /// Contacts whose numbers differ by less (relative) are one.
 const SAME: f64 = 1e-9;
 

@@ -11,7 +11,7 @@ use crate::inspection::rows::{Spheres, heading, key, limit, value};
 use crate::inspection::standing::{CAPTION, equally_deep};
 use crate::layout::OUTSIDE;
 
-const SECTION: (&str, &str) = ("figures", "Load, indentation and restitution of the spheres");
+pub(super) const SECTION: (&str, &str) = ("figures", "Load, indentation and restitution of the spheres");
 /// Columns of numbers in one table.
 const ABREAST: usize = 6;
 
