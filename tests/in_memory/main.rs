@@ -15,6 +15,7 @@
 
 mod before_after;
 mod changes;
+mod engine;
 mod findings;
 mod front_end;
 mod inspections;

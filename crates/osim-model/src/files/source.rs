@@ -86,6 +86,11 @@ impl InMemory {
     pub fn add(&mut self, path: impl Into<PathBuf>, bytes: impl Into<Vec<u8>>) {
         self.0.insert(plain(&path.into()), bytes.into());
     }
+
+    /// Takes a file away, if it is there.
+    pub fn remove(&mut self, path: &Path) {
+        self.0.remove(&plain(path));
+    }
 }
 
 impl<P: Into<PathBuf>, B: Into<Vec<u8>>> FromIterator<(P, B)> for InMemory {

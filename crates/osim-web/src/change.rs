@@ -1,0 +1,227 @@
+//! A change of one model: planned, shown, kept.
+
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+
+use osim_model::FileId;
+use osim_model::files::{Failure, ModelFiles};
+use osim_patch::Plan;
+use osim_report::dialect::FrontEnd;
+use osim_report::html::{self, DetailLevel, Entry, Explained, Files, RunRow, Section, Sections};
+use osim_report::json::PlanRecord;
+use osim_report::plan::unified_diff;
+use osim_requests::options::OutputOptions;
+use osim_requests::{Change, ModelFeet};
+use osim_states::{BeforeAfter, States};
+use serde::Serialize;
+
+use crate::look::FindingShown;
+use crate::model::{Opened, sha256};
+use crate::problem::Problem;
+use crate::shelf::Shelf;
+
+/// The sections that follow from the plan and from what is drawn of both states: those that follow a slider.
+const QUICK: [&str; 2] = ["changes", "plots"];
+
+/// A change that is planned.
+pub(crate) struct Planned {
+    change: Change,
+    opened: Rc<Opened>,
+    plan: Plan,
+    words: &'static dyn FrontEnd,
+    /// The files that change, the model first.
+    pub(crate) results: Vec<NewFile>,
+}
+
+/// A file that a change makes.
+pub(crate) struct NewFile {
+    from: FileId,
+    /// As the command would call it.
+    pub(crate) name: PathBuf,
+    pub(crate) bytes: Vec<u8>,
+}
+
+/// What a change does.
+#[derive(Debug, Serialize)]
+pub(crate) struct ChangeShown<'p> {
+    record: PlanRecord,
+    /// Nothing had to change.
+    unchanged: bool,
+    results: Vec<ResultShown<'p>>,
+    sections: Vec<Section>,
+    explained: Vec<Explained>,
+    /// Of the model after the change, where they were asked for.
+    findings: Option<Vec<FindingShown>>,
+}
+
+#[derive(Debug, Serialize)]
+struct ResultShown<'p> {
+    name: &'p str,
+    bytes: usize,
+}
+
+impl Planned {
+    /// Plans `change` for its model, which was opened. Everything is said in `words`.
+    ///
+    /// # Errors
+    /// What cannot be done with this model, or what only the user can know.
+    pub(crate) fn new(
+        change: Change,
+        opened: Rc<Opened>,
+        shelf: &Shelf,
+        words: &'static dyn FrontEnd,
+    ) -> Result<Self, Problem> {
+        let mut plan = change.plan(&opened.model, shelf)?;
+        plan.spell(words);
+        let output = change.output.output.clone().unwrap_or_else(|| OutputOptions::beside(&opened.path));
+        let geometry = change.set_files.geometry.as_deref().map(|path| change.output.of_geometry(path));
+        let model = &opened.model.model;
+        let named = plan.files(model).zip(std::iter::once(output).chain(geometry));
+        let made = |(from, name)| {
+            let bytes = plan.patched(model, from).map_err(|fault| opened.model.failure(fault))?;
+            Ok(NewFile { from, name, bytes })
+        };
+        let results = named.map(made).collect::<Result<_, Failure>>()?;
+        Ok(Self { change, opened, plan, words, results })
+    }
+
+    /// The model that it changes.
+    pub(crate) fn path(&self) -> &Path {
+        &self.opened.path
+    }
+
+    /// The files of the model as they will be.
+    fn as_files(&self) -> ModelFiles {
+        let mut after = self.opened.files.clone();
+        for made in &self.results {
+            match made.from {
+                FileId::MAIN => {
+                    after = after.with_bytes(made.bytes.clone()).named(made.name.display().to_string());
+                }
+                other => after.replace_companion(other, made.bytes.clone()),
+            }
+        }
+        after
+    }
+
+    /// Both states of the model.
+    fn both(&self, with_feet: bool, shelf: &Shelf) -> Result<BeforeAfter, Problem> {
+        let opened = &self.opened.model;
+        let planner = &*self.change.planner;
+        let mut both =
+            BeforeAfter::of(planner, opened, &self.plan, || self.as_files(), (self.words, with_feet))?;
+        if let Some(feet) = both.feet.last_mut() {
+            feet.add_bones((&opened.model, &self.opened.path), None, shelf);
+        }
+        Ok(both)
+    }
+
+    /// What changes, with the plots of both states where these are asked for.
+    fn quickly(&self, with_plots: bool) -> Result<Sections, Problem> {
+        let planner = &*self.change.planner;
+        let states = States { planner, opened: &self.opened.model, plan: &self.plan };
+        let bodies = with_plots.then(|| states.bodies(|| self.as_files())).transpose()?;
+        Ok(Sections::of_plan(&self.plan, &bodies.unwrap_or_default(), planner.reference(), self.words))
+    }
+
+    /// What it does; `wanted` are the sections that are asked for, all where that is not said.
+    ///
+    /// # Errors
+    /// The new model cannot be read, which would be a defect.
+    pub(crate) fn shown(&self, wanted: Option<&[String]>, shelf: &Shelf) -> Result<ChangeShown<'_>, Problem> {
+        let wants = |id: &str| wanted.is_none_or(|wanted| wanted.iter().any(|one| one == id));
+        let quick = wanted.is_some_and(|wanted| wanted.iter().all(|one| QUICK.contains(&one.as_str())));
+        let (shown, findings) = match quick {
+            true => (self.quickly(wants(QUICK[1]))?, None),
+            false => {
+                let both = self.both(wants("feet"), shelf)?;
+                let last = both.after.as_ref().unwrap_or(&both.before);
+                let findings = wants("findings").then(|| FindingShown::all(&last.1));
+                // Digests are only for the record.
+                let files = if wants("files") { self.files() } else { Files::default() };
+                let (changed, both) = (&self.plan, &both);
+                (
+                    Sections::of_change(
+                        with_states(changed, both, both.feet.clone(), files),
+                        wanted,
+                        self.words,
+                    ),
+                    findings,
+                )
+            }
+        };
+        let results = self.results.iter().map(|made| ResultShown {
+            name: made.name.to_str().unwrap_or_default(),
+            bytes: made.bytes.len(),
+        });
+        Ok(ChangeShown {
+            record: PlanRecord::new(&self.plan, &self.opened.model.model, &self.opened.path, None, None),
+            unchanged: self.plan.is_empty(),
+            results: results.collect(),
+            sections: shown.sections,
+            explained: shown.explained,
+            findings,
+        })
+    }
+
+    /// The lines that change.
+    pub(crate) fn diff(&self) -> String {
+        let opened = &self.opened.model;
+        let each = self.results.iter().map(|made| {
+            let (old_name, new_name) = (opened.name_of(made.from), made.name.display().to_string());
+            let new_name = if made.from == FileId::MAIN { &new_name } else { old_name };
+            unified_diff(opened.model.file(made.from).bytes(), &made.bytes, old_name, new_name)
+        });
+        each.collect()
+    }
+
+    /// The files that were read and that are made.
+    fn files(&self) -> Files {
+        let names: Vec<String> = self.results.iter().map(|made| made.name.display().to_string()).collect();
+        let outputs = names.iter().cloned().zip(self.results.iter().map(|made| sha256(&made.bytes)));
+        let result = match self.plan.is_empty() {
+            true => "nothing written".to_owned(),
+            false => format!("written: {}", names.join(", ")),
+        };
+        let outputs = if self.plan.is_empty() { Vec::new() } else { outputs.collect() };
+        Files { inputs: self.opened.digests(), result, outputs }
+    }
+
+    /// What a report shows of it: the same as that of the command which writes its files.
+    ///
+    /// # Errors
+    /// The new model cannot be read, which would be a defect.
+    pub(crate) fn entry(&self, shelf: &Shelf) -> Result<Entry, Problem> {
+        let both = self.both(true, shelf)?;
+        let plan = &self.plan;
+        let status = if plan.is_empty() { "nothing to change" } else { "written" };
+        let mut row = RunRow::new(self.opened.model.name().to_string(), status);
+        row.output = (!plan.is_empty())
+            .then(|| self.results.first().map(|made| made.name.display().to_string()))
+            .flatten();
+        row.contacts_mass_from_kg = plan.masses.as_ref().map(|masses| masses.from.kg);
+        row.contacts_mass_to_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
+        row.changes = plan.changes.len() + plan.moves.len();
+        let feet = both.feet.clone();
+        let mut shown = with_states(plan, &both, feet, self.files());
+        shown.in_file = !plan.is_empty();
+        Ok(html::changed(&row, shown, DetailLevel::Alone, self.words))
+    }
+}
+
+/// A plan with both states of its model.
+fn with_states<'b>(
+    plan: &'b Plan,
+    both: &'b BeforeAfter,
+    feet: Vec<ModelFeet>,
+    files: Files,
+) -> html::Changed<'b> {
+    let mut shown = html::Changed::new(plan, (&both.before.0, &both.before.1), files);
+    shown.before_under_new_weight = both.before_under_new_weight.as_ref();
+    shown.after = both.after.as_ref().map(|(after, found)| (after, found));
+    shown.bodies = both.bodies.clone();
+    shown.feet = feet;
+    shown.reference = both.reference.as_ref();
+    shown.target_gravity_m_s2 = both.target_gravity_m_s2;
+    shown
+}

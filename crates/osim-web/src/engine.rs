@@ -1,0 +1,193 @@
+//! Files in memory, and what is asked about them.
+
+use std::path::Path;
+use std::rc::Rc;
+
+use osim_model::files::{Failure, Files};
+use osim_report::dialect::{CommandLine, FrontEnd, Page};
+use osim_requests::options::SetFiles;
+use osim_requests::{Change, Request};
+use serde::Serialize;
+use serde_json::json;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+use crate::change::Planned;
+use crate::problem::Problem;
+use crate::question::{Fields, Question};
+use crate::report::{Report, name_of};
+use crate::shelf::Shelf;
+use crate::{knowledge, look, model::Opened, spelled};
+
+/// Models that stay open: a page looks at one and compares it with another.
+const KEPT: usize = 4;
+
+/// Files in memory, and what is asked about them.
+///
+/// ```
+/// use osim_web::Engine;
+///
+/// let mut engine = Engine::new();
+/// engine.put("one_foot.osim", include_bytes!("../../osim-model/tests/data/one_foot.osim").to_vec());
+/// let request = r#"{"verb": "rescale", "models": "one_foot.osim", "target_mass": 80}"#;
+/// let answer = engine.call(&format!(r#"{{"do": "change", "request": {request}}}"#));
+/// assert!(answer.contains("one_foot.scaled.osim"));
+/// let changed = engine.result(0).unwrap();
+/// assert!(String::from_utf8_lossy(&changed).contains("<radius>0.06</radius>"));
+/// ```
+#[wasm_bindgen]
+#[derive(Default)]
+pub struct Engine {
+    shelf: Shelf,
+    /// The last one first.
+    opened: Vec<Rc<Opened>>,
+    last: Option<Planned>,
+}
+
+#[wasm_bindgen]
+impl Engine {
+    /// An engine without files.
+    #[wasm_bindgen(constructor)]
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Adds a file, or replaces the one of that name.
+    pub fn put(&mut self, name: &str, bytes: Vec<u8>) {
+        self.shelf.put(name, bytes);
+        self.opened.clear();
+    }
+
+    /// Takes a file away.
+    pub fn remove(&mut self, name: &str) {
+        self.shelf.remove(name);
+        self.opened.clear();
+    }
+
+    /// The bytes of a file, if it is there.
+    #[must_use]
+    pub fn bytes(&self, name: &str) -> Option<Vec<u8>> {
+        self.shelf.read(Path::new(name)).ok()
+    }
+
+    /// The bytes of a file that the last change makes: 0 is the model.
+    #[must_use]
+    pub fn result(&self, index: usize) -> Option<Vec<u8>> {
+        Some(self.last.as_ref()?.results.get(index)?.bytes.clone())
+    }
+
+    /// Answers a [`Question`], both in JSON: `{"ok": ...}`, or `{"error": ...}` with what is wrong and a way out.
+    pub fn call(&mut self, question: &str) -> String {
+        let answer = match serde_json::from_str(question) {
+            Ok(question) => self.answer(question),
+            Err(error) => Err(Problem::question(format!("this question cannot be understood: {error}"))),
+        };
+        answer.unwrap_or_else(|problem| {
+            let told = json!({ "error": problem });
+            told.to_string()
+        })
+    }
+}
+
+/// An answer in JSON.
+fn ok(answer: impl Serialize) -> Result<String, Problem> {
+    #[derive(Serialize)]
+    struct Answer<T> {
+        ok: T,
+    }
+    serde_json::to_string(&Answer { ok: answer }).map_err(Problem::defect)
+}
+
+impl Engine {
+    fn answer(&mut self, question: Question) -> Result<String, Problem> {
+        match question {
+            Question::About => ok(json!({ "version": env!("CARGO_PKG_VERSION") })),
+            Question::Files => {
+                let files = self.shelf.sizes().map(|(name, bytes)| json!({ "name": name, "bytes": bytes }));
+                ok(files.collect::<Vec<_>>())
+            }
+            Question::Look { model, fields, parts } => {
+                let inspector = look::inspector(&model, fields, &self.shelf)?;
+                let opened = self.open(Path::new(&model), inspector.set_files())?;
+                ok(look::look(&inspector, &opened, parts.as_deref(), &self.shelf)?)
+            }
+            Question::Change { request, parts } => {
+                self.last = None;
+                let planned = self.plan(Request::from_map(request)?, &Page)?;
+                let answer = ok(planned.shown(parts.as_deref(), &self.shelf)?);
+                self.last = Some(planned);
+                answer
+            }
+            Question::Diff => ok(json!({ "text": self.last()?.diff() })),
+            Question::Keep => self.keep(),
+            Question::Report { request } => ok(self.report(request)?),
+            Question::Calculate { request } => ok(knowledge::calculate(&Request::from_map(request)?)?),
+            Question::Spell { request } => ok(spelled::calls(&Request::from_map(request)?)),
+            Question::Explain { topic } => ok(json!({ "text": knowledge::explain(&topic)? })),
+            Question::Presets { fields } => ok(knowledge::presets(fields, &self.shelf)?),
+        }
+    }
+
+    /// A model, opened once as long as no file changes.
+    fn open(&mut self, path: &Path, set_files: &SetFiles) -> Result<Rc<Opened>, Failure> {
+        if let Some(at) = self.opened.iter().position(|opened| opened.is(path, set_files)) {
+            let opened = self.opened.remove(at);
+            self.opened.insert(0, Rc::clone(&opened));
+            return Ok(opened);
+        }
+        let opened = Rc::new(Opened::read(path, set_files, &self.shelf)?);
+        self.opened.insert(0, Rc::clone(&opened));
+        self.opened.truncate(KEPT);
+        Ok(opened)
+    }
+
+    fn plan(&mut self, request: Request, words: &'static dyn FrontEnd) -> Result<Planned, Problem> {
+        let change: Change = request.prepare(&self.shelf)?;
+        let [path] = change.models.as_slice() else {
+            return Err(Problem::question("a change is of one model"));
+        };
+        let opened = self.open(&path.clone(), &change.set_files)?;
+        Planned::new(change, opened, &self.shelf, words)
+    }
+
+    fn last(&self) -> Result<&Planned, Problem> {
+        self.last.as_ref().ok_or_else(|| Problem::question("there is no change yet"))
+    }
+
+    /// Makes files of what the last change makes.
+    fn keep(&mut self) -> Result<String, Problem> {
+        let planned = self.last.take().ok_or_else(|| Problem::question("there is no change yet"))?;
+        let mut names = Vec::new();
+        for made in planned.results {
+            let name = made.name.display().to_string();
+            self.put(&name, made.bytes);
+            names.push(name);
+        }
+        ok(json!({ "model": names.first(), "names": names }))
+    }
+
+    /// The report that the command would write.
+    fn report(&mut self, mut fields: Fields) -> Result<Report, Problem> {
+        let request = Request::from_map(fields.clone())?;
+        let verb = request.verb();
+        if let Request::Inspect(request) = &request {
+            let [path] = request.models.as_slice() else {
+                return Err(Problem::question("this report is about one model"));
+            };
+            let inspector = request.inspector(&self.shelf);
+            let opened = self.open(path, inspector.set_files())?;
+            let entry = look::entry(&inspector, &opened, &self.shelf, &CommandLine)?;
+            return Report::of(verb, path, asked(&mut fields, path)?, entry);
+        }
+        let planned = self.plan(request, &CommandLine)?;
+        let path = planned.path().to_owned();
+        let entry = planned.entry(&self.shelf)?;
+        Report::of(verb, &path, asked(&mut fields, &path)?, entry)
+    }
+}
+
+/// The command that writes the report about the model `path`.
+fn asked(fields: &mut Fields, path: &Path) -> Result<String, Problem> {
+    fields.insert("report".to_owned(), name_of(path).into());
+    Ok(spelled::in_report(&Request::from_map(fields.clone())?))
+}

@@ -1,0 +1,130 @@
+//! What is in a model, and what is wrong with it.
+
+use osim_inspect::{CheckResult, FindingRecord, Inspection};
+use osim_model::Finding;
+use osim_report::dialect::{FrontEnd, Page};
+use osim_report::html::{self, DetailLevel, Entry, Explained, Section, Sections};
+use osim_requests::{Inspector, ModelFeet, Request};
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+use crate::model::Opened;
+use crate::problem::Problem;
+use crate::question::Fields;
+use crate::shelf::Shelf;
+
+/// What is known of a model.
+#[derive(Debug, Serialize)]
+pub(crate) struct Look {
+    inspection: Inspection,
+    findings: Vec<FindingShown>,
+    sections: Vec<Section>,
+    explained: Vec<Explained>,
+    /// Files that it was read from, the model first.
+    files: Vec<String>,
+}
+
+/// A finding, with what puts it right.
+#[derive(Debug, Serialize)]
+pub(crate) struct FindingShown {
+    #[serde(flatten)]
+    finding: Value,
+    remedy: Option<RemedyShown>,
+}
+
+/// A change that puts a finding right.
+#[derive(Debug, Serialize)]
+struct RemedyShown {
+    /// In words.
+    text: String,
+    /// As a request.
+    request: Map<String, Value>,
+}
+
+impl FindingShown {
+    /// `finding`, which was spelled.
+    fn of(finding: &Finding) -> Self {
+        let request = finding.remedy.as_ref().and_then(|remedy| Request::try_from(remedy).ok());
+        let remedy = request
+            .zip(finding.command.clone())
+            .map(|(request, text)| RemedyShown { text, request: request.to_map() });
+        let finding = serde_json::to_value(FindingRecord::from(finding)).unwrap_or_default();
+        Self { finding, remedy }
+    }
+
+    /// All of a model.
+    pub(crate) fn all(found: &CheckResult) -> Vec<Self> {
+        found.findings.iter().map(Self::of).collect()
+    }
+}
+
+/// How a model is looked at.
+pub(crate) fn inspector(model: &str, mut fields: Fields, shelf: &Shelf) -> Result<Inspector, Problem> {
+    fields.insert("verb".to_owned(), "inspect".into());
+    fields.insert("models".to_owned(), model.into());
+    match Request::from_map(fields)? {
+        Request::Inspect(request) => Ok(request.inspector(shelf)),
+        other => Err(Problem::defect(format!("a request for {}", other.verb().name()))),
+    }
+}
+
+/// What is known of the model, in `words`.
+fn seen(
+    inspector: &Inspector,
+    opened: &Opened,
+    words: &dyn FrontEnd,
+) -> Result<(Inspection, CheckResult), Problem> {
+    let mut inspection = inspector.inspect(&opened.model)?;
+    let mut found = inspector.check(&opened.model.model, &inspection, None);
+    inspection.spell(words);
+    found.spell(words);
+    Ok((inspection, found))
+}
+
+/// The feet of the model with its bones, where a page can show them.
+fn feet(inspector: &Inspector, opened: &Opened, shelf: &Shelf) -> Option<ModelFeet> {
+    let mut feet = ModelFeet::for_page(opened.model.name(), &opened.model, &inspector.options().selection)?;
+    feet.add_bones((&opened.model.model, &opened.path), None, shelf);
+    Some(feet)
+}
+
+/// Looks at a model; `wanted` are the sections that are asked for, all where that is not said.
+pub(crate) fn look(
+    inspector: &Inspector,
+    opened: &Opened,
+    wanted: Option<&[String]>,
+    shelf: &Shelf,
+) -> Result<Look, Problem> {
+    let (inspection, found) = seen(inspector, opened, &Page)?;
+    let wants = |id: &str| wanted.is_none_or(|wanted| wanted.iter().any(|one| one == id));
+    let feet = wants("feet").then(|| feet(inspector, opened, shelf)).flatten();
+    let digests = if wants("model") { opened.digests() } else { Vec::new() };
+    let Sections { sections, explained, .. } = Sections::of_model(
+        inspector.options(),
+        &opened.model,
+        (&inspection, &found),
+        (&digests, feet),
+        wanted,
+        &Page,
+    );
+    Ok(Look { findings: FindingShown::all(&found), inspection, sections, explained, files: opened.names() })
+}
+
+/// What a report shows of it.
+pub(crate) fn entry(
+    inspector: &Inspector,
+    opened: &Opened,
+    shelf: &Shelf,
+    words: &dyn FrontEnd,
+) -> Result<Entry, Problem> {
+    let (inspection, found) = seen(inspector, opened, words)?;
+    let feet = feet(inspector, opened, shelf);
+    Ok(html::inspected(
+        inspector.options(),
+        &opened.model,
+        (&inspection, &found),
+        &opened.digests(),
+        (DetailLevel::Alone, feet),
+        words,
+    ))
+}

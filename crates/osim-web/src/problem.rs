@@ -1,0 +1,113 @@
+//! What went wrong, as the page shows it.
+
+use std::ops::Range;
+
+use osim_model::Excerpt;
+use osim_model::files::Failure;
+use osim_model::wording::{Input, Phrase, harmless};
+use osim_report::dialect::Page;
+use osim_requests::{RequestError, RequestFault};
+use serde::Serialize;
+
+/// What went wrong.
+#[derive(Debug, Default, Serialize)]
+pub(crate) struct Problem {
+    /// Stable short name.
+    code: &'static str,
+    /// What is wrong, what was expected, and a way out.
+    message: String,
+    /// The file.
+    model: Option<String>,
+    line: Option<usize>,
+    column: Option<usize>,
+    /// The line of the file.
+    excerpt: Option<Shown>,
+    /// It could be done if something were said that must not be guessed.
+    needs_answer: bool,
+    /// Fields that the message names: what is to be said comes first.
+    fields: Vec<String>,
+    /// The field whose value is wrong.
+    field: Option<String>,
+}
+
+/// A line of a file, with what is wrong in it.
+#[derive(Debug, Serialize)]
+struct Shown {
+    before: String,
+    marked: String,
+    after: String,
+}
+
+impl Shown {
+    fn of(excerpt: &Excerpt) -> Self {
+        let (text, Range { start, end }) = (&excerpt.text, excerpt.marked.clone());
+        // A place between two letters is shown by the one that follows.
+        let next = || text.get(start..).and_then(|rest| rest.chars().next()).map_or(0, char::len_utf8);
+        let end = if end > start { end } else { start + next() };
+        let piece = |piece: Option<&str>| harmless(piece.unwrap_or_default()).into_owned();
+        Self {
+            before: piece(text.get(..start)),
+            marked: piece(text.get(start..end)),
+            after: piece(text.get(end..)),
+        }
+    }
+}
+
+impl Problem {
+    /// A question that the page should not have asked.
+    pub(crate) fn question(message: impl Into<Phrase>) -> Self {
+        Self::said("usage", &message.into())
+    }
+
+    /// A defect of this program.
+    pub(crate) fn defect(message: impl std::fmt::Display) -> Self {
+        let text = format!("this is a defect of osim-contact-scale, please report it: {message}");
+        Self::said("internal", &text.into())
+    }
+
+    fn said(code: &'static str, message: &Phrase) -> Self {
+        let fields = message.inputs().into_iter().map(|input| input.name().to_owned()).collect();
+        Self { code, message: message.spelled(&Page), fields, ..Self::default() }
+    }
+}
+
+impl From<Failure> for Problem {
+    fn from(failure: Failure) -> Self {
+        let mut problem = Self::said(failure.code, &failure.message);
+        // A question is answered by `yes`; what else the message names is what was said.
+        problem.fields.sort_by_key(|field| field != Input::Yes.name());
+        let excerpt = failure.excerpt.as_ref().map(Shown::of);
+        Self {
+            model: Some(failure.model.to_string()),
+            line: failure.line,
+            column: failure.column,
+            needs_answer: failure.needs_answer,
+            excerpt,
+            ..problem
+        }
+    }
+}
+
+impl From<RequestFault> for Problem {
+    fn from(fault: RequestFault) -> Self {
+        let missing = match fault {
+            RequestFault::Missing { field } | RequestFault::Needs { other: field, .. } => Some(field),
+            _ => None,
+        };
+        let problem = Self::said("usage", &fault.phrase());
+        let fields = match missing {
+            Some(field) => vec![field.to_owned()],
+            None => problem.fields,
+        };
+        Self { field: fault.field().map(str::to_owned), needs_answer: missing.is_some(), fields, ..problem }
+    }
+}
+
+impl From<RequestError> for Problem {
+    fn from(error: RequestError) -> Self {
+        match error {
+            RequestError::Fault(fault) => fault.into(),
+            RequestError::Failure(failure) => failure.into(),
+        }
+    }
+}

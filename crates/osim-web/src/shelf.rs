@@ -1,0 +1,100 @@
+//! The files that were given to the page.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use osim_model::files::{FileError, Files, InMemory};
+
+/// Files by name.
+///
+/// People drop files without their folders. A file that a model names in a folder (`../parts/bodies.xml`) is then found by its own
+/// name, if just one file is called so.
+#[derive(Debug, Default)]
+pub(crate) struct Shelf {
+    files: InMemory,
+    /// Sizes, by the names that were given.
+    sizes: BTreeMap<PathBuf, usize>,
+}
+
+impl Shelf {
+    /// Adds a file, or replaces the one of that name.
+    pub(crate) fn put(&mut self, name: &str, bytes: Vec<u8>) {
+        self.sizes.insert(name.into(), bytes.len());
+        self.files.add(name, bytes);
+    }
+
+    /// Takes a file away.
+    pub(crate) fn remove(&mut self, name: &str) {
+        self.sizes.remove(Path::new(name));
+        self.files.remove(Path::new(name));
+    }
+
+    /// The name and the size of each file.
+    pub(crate) fn sizes(&self) -> impl Iterator<Item = (&Path, usize)> {
+        self.sizes.iter().map(|(name, size)| (name.as_path(), *size))
+    }
+
+    /// The one file that is called as `path` ends.
+    fn namesake(&self, path: &Path) -> Option<&Path> {
+        let wanted = path.file_name()?;
+        let mut alike = self.sizes.keys().filter(|name| name.file_name() == Some(wanted));
+        let first = alike.next()?;
+        alike.next().is_none().then_some(first.as_path())
+    }
+}
+
+impl Files for Shelf {
+    fn read(&self, path: &Path) -> Result<Vec<u8>, FileError> {
+        if self.files.exists(path) {
+            return self.files.read(path);
+        }
+        match self.namesake(path) {
+            Some(name) => self.files.read(name),
+            None => Err(FileError::new("this file was not given to the page: add it to the model")),
+        }
+    }
+
+    fn exists(&self, path: &Path) -> bool {
+        self.files.exists(path) || self.namesake(path).is_some()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shelf(names: &[&str]) -> Shelf {
+        let mut shelf = Shelf::default();
+        names.iter().for_each(|name| shelf.put(name, name.as_bytes().to_vec()));
+        shelf
+    }
+
+    #[track_caller]
+    fn finds(shelf: &Shelf, path: &str, found: Option<&str>) {
+        let read = shelf.read(Path::new(path)).ok();
+        assert_eq!(read.as_deref(), found.map(str::as_bytes), "{path}");
+        assert_eq!(shelf.exists(Path::new(path)), found.is_some(), "{path}");
+    }
+
+    #[test]
+    fn a_file_without_its_folder_is_found_by_its_name() {
+        let shelf = shelf(&["human.osim", "bodies.xml"]);
+        finds(&shelf, "../parts/bodies.xml", Some("bodies.xml"));
+        finds(&shelf, "parts/forces.xml", None);
+    }
+
+    #[test]
+    fn the_file_in_its_folder_comes_first_and_nothing_is_guessed() {
+        let shelf = shelf(&["a/bodies.xml", "b/bodies.xml", "a/human.osim"]);
+        finds(&shelf, "a/bodies.xml", Some("a/bodies.xml"));
+        finds(&shelf, "c/bodies.xml", None);
+    }
+
+    #[test]
+    fn a_file_that_was_taken_away_is_gone() {
+        let mut shelf = shelf(&["human.osim"]);
+        shelf.remove("human.osim");
+        finds(&shelf, "human.osim", None);
+        assert_eq!(shelf.sizes().count(), 0);
+    }
+}

@@ -1,0 +1,263 @@
+//! Calls that people can copy: what is spelled as a command is the same request to the command's parser.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use std::path::PathBuf;
+
+use clap::{Args, Command};
+use osim_model::wording::Verb;
+use osim_requests::command_line::{check, with_relations};
+use osim_requests::{
+    AddRequest, CheckRequest, ConvertRequest, DesignRequest, InspectRequest, NoteRequest, RemoveRequest,
+    Request, RescaleRequest, SetRequest, TransferRequest, assignment, schema_of,
+};
+use osim_web::spelled::{Calls, calls};
+use serde_json::{Map, Value, json};
+
+/// The verbs of a page.
+const VERBS: [Verb; 10] = [
+    Verb::Rescale,
+    Verb::Transfer,
+    Verb::Add,
+    Verb::Convert,
+    Verb::Remove,
+    Verb::Set,
+    Verb::Design,
+    Verb::Note,
+    Verb::Inspect,
+    Verb::Check,
+];
+
+fn request(json: &Value) -> Request {
+    Request::from_json(json.to_string().as_bytes()).unwrap_or_else(|fault| panic!("{json}: {fault:?}"))
+}
+
+fn spelled(json: &Value) -> Calls {
+    calls(&request(json))
+}
+
+/// The request that the command would make of a line.
+fn read_back(line: &str) -> Request {
+    let words = shlex::split(line).unwrap_or_else(|| panic!("no shell takes this: {line}"));
+    assert_eq!(words[0], "osim-contact-scale");
+    let verb = VERBS.into_iter().find(|verb| verb.name() == words[1]).unwrap();
+    let words = &words[1..];
+    match verb {
+        Verb::Rescale => parsed::<RescaleRequest>(verb, words).into(),
+        Verb::Transfer => parsed::<TransferRequest>(verb, words).into(),
+        Verb::Add => parsed::<AddRequest>(verb, words).into(),
+        Verb::Convert => parsed::<ConvertRequest>(verb, words).into(),
+        Verb::Remove => parsed::<RemoveRequest>(verb, words).into(),
+        Verb::Design => parsed::<DesignRequest>(verb, words).into(),
+        Verb::Note => parsed::<NoteRequest>(verb, words).into(),
+        Verb::Inspect => parsed::<InspectRequest>(verb, words).into(),
+        Verb::Check => parsed::<CheckRequest>(verb, words).into(),
+        _ => parsed::<SetArgs>(verb, words).request().into(),
+    }
+}
+
+fn parsed<T: Args>(verb: Verb, words: &[String]) -> T {
+    let parser = with_relations(T::augment_args(Command::new(verb.name())), verb);
+    let matches = parser.try_get_matches_from(words).unwrap_or_else(|error| panic!("{words:?}: {error}"));
+    check(&matches, verb).unwrap();
+    T::from_arg_matches(&matches).unwrap()
+}
+
+/// As the command has models and assignments: in one list of words.
+#[derive(Debug, Args)]
+struct SetArgs {
+    #[arg(required = true)]
+    items: Vec<String>,
+    #[command(flatten)]
+    request: SetRequest,
+}
+
+impl SetArgs {
+    fn request(self) -> SetRequest {
+        let mut request = self.request;
+        for item in self.items {
+            match item.split_once('=') {
+                Some((name, value)) => request.set.add(assignment(name, value).unwrap()).unwrap(),
+                None => request.models.push(PathBuf::from(item)),
+            }
+        }
+        request
+    }
+}
+
+/// A value of each field that is not the one by default.
+const EXAMPLES: &str = r##"{
+    "models": ["a.osim", "my models/b.osim"], "from": "my generic.osim", "to": "hunt-crossley",
+    "set": {"stiffness": "x2", "dissipation": 1.5, "radius": "x0.5"},
+    "target_mass": 500, "contacts_mass": 62.5, "mass": 0.0209, "exclude_body": ["cart", "*board"],
+    "radius": 0.04, "level": true, "level_axis": "-y", "only": ["stiffness", "radius"], "keep": ["dissipation"],
+    "dissipation_by": "mass", "friction": true, "contacts_gravity": 9.81, "target_gravity": 1.62,
+    "body_scale_file": "ScaleSet 1.xml", "follow_bodies": true, "select": ["*_r", "toe?"], "exclude": ["heel_[lr]"],
+    "skip_disabled": true, "output": "$new.osim", "geometry_output": "g.xml", "output_dir": "it's/here", "in_place": true,
+    "no_backup": true, "force": true, "no_note": true, "dry_run": true, "diff": true, "format": "json", "quiet": true,
+    "report": "page 1.html", "jobs": 3, "summary": "run.csv", "resume": true, "shard": "1/4", "yes": ["implausible-mass"],
+    "geometry": "g.xml", "model": "m.osim", "presets": "own.toml", "spheres": 6, "stance_limbs": 2, "reference_mass": 75,
+    "reference_spheres": 4, "reference_gravity": 9.80665, "reference_select": ["*"], "reference_sphere": "heel r",
+    "body_scale": {"calcn_r": [1.1, 1.05, 1.1], "foot l": 2}, "radius_axis": "max", "moved_spheres": "keep", "strict": true,
+    "rule": "predsim", "height_ratio": 0.5, "contacts": "places.csv", "default_pose": true, "feet": ["calcn_r", "calcn l"],
+    "count": 3, "pad": 0.01, "geometry_dir": "Geometry", "mirror": "z", "class": "smooth", "body_map": ["toes_r=calcn_r"],
+    "replace": true, "indentation": 0.16, "young": 1e6, "poisson": -0.25, "restitution": 0.5, "impact_speed": 0.4,
+    "constant_indentation": 0.05, "state_width": 1e-6, "speed_width": 0.1, "threshold": 0.02, "static_friction": 0.8,
+    "dynamic_friction": 0.7, "viscous_friction": 0.5, "transition_velocity": 0.2, "load": 608, "body_weights": 2,
+    "gravity": 1.62, "contact_stiffness": 1e16, "stiffness": 3067776, "constant_contact_force": 1e-5,
+    "hertz_smoothing": 300, "hunt_crossley_smoothing": 50, "full": true, "deny": "warn"
+}"##;
+
+/// What `field` says nothing without, as the schema has it.
+fn needed<'s>(schema: &'s Value, field: &str) -> Vec<&'s str> {
+    let rules = schema["allOf"].as_array().into_iter().flatten();
+    let needs = rules.filter(|rule| rule["anyOf"][0]["not"]["required"][0] == field);
+    needs.filter_map(|rule| rule["anyOf"][1]["required"][0].as_str()).collect()
+}
+
+/// A request with this field, and with what it needs.
+fn with_field(verb: Verb, schema: &Value, field: &str) -> Value {
+    let examples: Map<String, Value> = serde_json::from_str(EXAMPLES).unwrap();
+    let mut said = json!({"verb": verb.name(), "models": "a.osim"});
+    let required = schema["required"].as_array().into_iter().flatten().filter_map(Value::as_str);
+    let mut wanted: Vec<&str> = required.filter(|name| !["verb", "models"].contains(name)).collect();
+    wanted.push(field);
+    while let Some(name) = wanted.pop() {
+        if said.get(name).is_none() || name == "models" {
+            said[name] = examples.get(name).unwrap_or_else(|| panic!("no example of {name}")).clone();
+            wanted.extend(needed(schema, name));
+        }
+    }
+    said
+}
+
+#[test]
+fn every_field_of_every_verb_comes_back() {
+    for verb in VERBS {
+        let schema = schema_of(verb).unwrap().to_value();
+        for field in schema["properties"].as_object().unwrap().keys().filter(|field| *field != "verb") {
+            let request = request(&with_field(verb, &schema, field));
+            assert!(request.to_map().contains_key(field), "{verb:?}: {field} says nothing");
+            let line = calls(&request).command;
+            assert_eq!(read_back(&line), request, "{line}");
+        }
+    }
+}
+
+#[test]
+fn hard_texts_come_back() {
+    for text in [
+        "a b",
+        "it's",
+        r#"12" foot"#,
+        r"C:\my models\a",
+        r"a\",
+        r"\\server\a",
+        "Fuß_ä",
+        "モデル",
+        "$HOME",
+        "`id`",
+        "$(id)",
+        "a!b",
+        "*",
+        "a?",
+        "[a]",
+        "{a,b}",
+        "~",
+        "#a",
+        "a;b",
+        "a&b|c",
+        "(a)",
+        "<a>",
+        "=a",
+        "a%b",
+        "^a",
+        "a\nb",
+        "a\tb",
+        "“a”",
+        "it's $5!",
+        "--a",
+        "-a b",
+    ] {
+        let request = request(&json!({
+            "verb": "transfer", "models": [format!("{text}.osim")], "from": text, "output": text, "follow_bodies": true,
+            "reference_sphere": text,
+        }));
+        let line = calls(&request).command;
+        let Request::Transfer(back) = read_back(&line) else { panic!("{line}") };
+        let mut back = *back;
+        let model = back.models[0].to_str().unwrap().to_owned();
+        if let Some(hidden) = model.strip_prefix("./").filter(|_| text.starts_with('-')) {
+            back.models = vec![hidden.into()];
+        }
+        assert_eq!(Request::from(back), request, "{line}");
+    }
+}
+
+#[test]
+fn hard_names_of_bodies_come_back() {
+    for body in ["foot l", "it's", r#"12""#, "$a", "-a", "Fuß", "a,b"] {
+        let request = request(&json!({
+            "verb": "add", "models": "a.osim", "from": "b.osim", "body_scale": {body: [1.1, 1e-6, 3]}, "body_map": [format!("{body}={body}")],
+        }));
+        let line = calls(&request).command;
+        assert_eq!(read_back(&line), request, "{line}");
+    }
+}
+
+#[test]
+fn a_calculation_has_no_model() {
+    let design = json!({"verb": "design", "radius": 0.032, "indentation": 0.16, "mass": 62, "spheres": 6, "quiet": true});
+    let calls = spelled(&design);
+    assert_eq!(read_back(&calls.command), request(&design));
+    assert_eq!(
+        calls.python,
+        "import osim_contact_scale as ocs\n\n\
+         result = ocs.design(radius=0.032, indentation=0.16, mass=62, spheres=6)\n\
+         print(result)"
+    );
+}
+
+#[track_caller]
+fn is_in_python(json: &Value, expected: &[&str]) {
+    let lines = spelled(json).python;
+    assert_eq!(lines.lines().skip(2).collect::<Vec<_>>(), expected);
+}
+
+#[test]
+fn what_writes_nothing_is_printed_in_python() {
+    is_in_python(
+        &json!({"verb": "inspect", "models": "~a.osim", "spheres": 6, "full": true}),
+        &[r#"result = ocs.inspect("./~a.osim", spheres=6)"#, "print(result.models)"],
+    );
+    is_in_python(
+        &json!({"verb": "note", "models": "a.osim", "contacts_mass": 62.5, "dry_run": true, "diff": true}),
+        &[r#"result = ocs.note("a.osim", contacts_mass=62.5)"#, "print(result)", "print(result.diff())"],
+    );
+    is_in_python(
+        &json!({"verb": "check", "models": ["a.osim", "b.osim"], "from": "g.osim", "deny": "warn", "report": "p.html",
+            "force": true}),
+        &[
+            r#"result = ocs.check(["a.osim", "b.osim"], from_="g.osim", report="p.html", force=True)"#,
+            "print(result.findings)",
+        ],
+    );
+}
+
+#[test]
+fn many_models_are_changed_at_once_in_python() {
+    is_in_python(
+        &json!({"verb": "set", "models": ["a.osim", "b.osim"], "set": {"stiffness": "x2"}, "output_dir": "out", "diff": true}),
+        &[
+            r#"result = ocs.many("set", ["a.osim", "b.osim"], stiffness="x2", output_dir="out")"#,
+            "print(result)",
+        ],
+    );
+    is_in_python(
+        &json!({"verb": "transfer", "models": "a.osim", "from": "g.osim", "summary": "run.csv", "resume": true}),
+        &[
+            r#"result = ocs.many("transfer", ["a.osim"], from_="g.osim", summary="run.csv", resume=True)"#,
+            "print(result)",
+        ],
+    );
+}
