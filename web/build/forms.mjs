@@ -1,0 +1,45 @@
+// Makes the declarations of the forms from the JSON Schemas of the requests, so that a field is declared once.
+
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+
+import { field } from "./field.mjs";
+import { labels } from "./labels.mjs";
+import { CALCULATOR, GROUPS, LEFT_OUT, ONLY_WITH_MODEL, VERBS } from "./layout.mjs";
+import { ROOT } from "./paths.mjs";
+import { relations } from "./relations.mjs";
+
+/** The form of each verb in the page's order, the calculator's, and that of questions about a model. */
+export function forms() {
+  const names = labels();
+  const changes = Object.entries(VERBS).map(([verb, { title, about, usual }]) => ({ title, about, ...form(verb, usual, names) }));
+  const design = form("design", CALCULATOR, names, ONLY_WITH_MODEL);
+  // Without a model there is no radius to keep or to multiply.
+  const calculator = { ...design, fields: design.fields.map((field) => (field.kind === "rule" ? { ...field, kind: "number" } : field)) };
+  return { changes, calculator, questions: form("inspect", [], names) };
+}
+
+function form(verb, usual, names, without = []) {
+  const schema = JSON.parse(readFileSync(join(ROOT, `schemas/requests/${verb}.schema.json`), "utf8"));
+  const fields = Object.entries(schema.properties)
+    .filter(([name]) => name !== "verb" && !(name in LEFT_OUT) && !without.includes(name))
+    .map(([name, declared]) => ({ ...field(name, declared, names), ...place(verb, name, usual) }));
+  const known = new Set(fields.map(({ name }) => name));
+  const required = (schema.required ?? []).filter((name) => known.has(name));
+  return { verb, fields: ordered(fields, usual), required, ...relations(schema.allOf ?? [], known) };
+}
+
+/** Usual fields stand first; every other one belongs to a group. */
+function place(verb, name, usual) {
+  if (usual.includes(name)) return { group: "" };
+  const group = Object.keys(GROUPS).find((title) => GROUPS[title].includes(name));
+  // The questions about a model show single fields, without groups.
+  if (!group && verb !== "inspect") throw new Error(`web/build/layout.mjs: no group for ${name} of ${verb}`);
+  return { group: group ?? "" };
+}
+
+function ordered(fields, usual) {
+  const groups = Object.keys(GROUPS);
+  const rank = ({ name, group }) => (group === "" ? usual.indexOf(name) : 1000 * (1 + groups.indexOf(group)) + GROUPS[group].indexOf(name));
+  return [...fields].sort((one, other) => rank(one) - rank(other));
+}

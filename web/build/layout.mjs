@@ -1,0 +1,104 @@
+// What only the page knows about fields: which it has no use for, which come first, and how the others are grouped.
+
+const WRITTEN = "the page downloads results";
+const TERMINAL = "it is about a terminal or a disk";
+const MANY = "the page asks for one model at a time";
+
+/** Fields that no form has, with the reason. */
+export const LEFT_OUT = {
+  models: "it is the model that is open",
+  output: WRITTEN, geometry_output: WRITTEN, output_dir: WRITTEN, in_place: WRITTEN, no_backup: WRITTEN, force: WRITTEN,
+  dry_run: "nothing is written before it is downloaded", diff: "the page has a button for it", report: "the page has a button for it",
+  format: TERMINAL, quiet: TERMINAL, full: TERMINAL, geometry_dir: "meshes are among the files that are open",
+  jobs: MANY, summary: MANY, resume: MANY, shard: MANY,
+};
+
+/** Fields of the calculator's form that say something about a model, which it has none of. */
+export const ONLY_WITH_MODEL = [
+  "contacts_mass", "exclude_body", "select", "exclude", "skip_disabled", "no_note", "yes", "geometry", "model",
+];
+
+/** The verbs of the page in their order, each with a few words and the fields that come first. */
+export const VERBS = {
+  rescale: {
+    title: "Rescale", about: "Make the contacts right for another body mass.",
+    usual: ["target_mass", "contacts_mass", "radius", "level", "only", "select", "exclude"],
+  },
+  transfer: {
+    title: "Transfer", about: "Take over the contacts of another model, or of a preset, at this model’s size.",
+    usual: ["from", "radius", "follow_bodies", "body_scale_file", "only", "select"],
+  },
+  add: {
+    title: "Add", about: "Give contacts to a model that has none at its feet.",
+    usual: ["from", "contacts", "feet", "count", "pad", "radius", "class", "replace"],
+  },
+  convert: {
+    title: "Convert", about: "Change the class of the forces, so that they act alike.",
+    usual: ["to", "select"],
+  },
+  remove: {
+    title: "Remove", about: "Take the foot contacts out of the model.",
+    usual: ["select", "exclude"],
+  },
+  set: {
+    title: "Set", about: "Write numbers of your own, or multiply by a factor.",
+    usual: ["set", "select"],
+  },
+  design: {
+    title: "Design", about: "Find parameters from what you want: indentation, stiffness, restitution.",
+    usual: ["radius", "indentation", "contact_stiffness", "restitution", "impact_speed", "stiffness", "body_weights", "spheres"],
+  },
+};
+
+/** Fields of the calculator that come first. */
+export const CALCULATOR = [
+  "radius", "indentation", "contact_stiffness", "restitution", "impact_speed", "stiffness", "mass", "load", "spheres",
+];
+
+/** Groups of the other fields, in their order. */
+export const GROUPS = {
+  "Masses and gravity": [
+    "contacts_mass", "mass", "exclude_body", "reference_mass", "contacts_gravity", "target_gravity", "gravity", "reference_gravity",
+  ],
+  "Which contacts": ["only", "keep", "select", "exclude", "skip_disabled", "reference_select", "reference_sphere"],
+  "Spheres and their places": [
+    "radius", "level", "level_axis", "spheres", "stance_limbs", "reference_spheres", "count", "pad", "default_pose", "mirror",
+    "body_map", "moved_spheres", "replace",
+  ],
+  "Sizes of bodies": ["follow_bodies", "body_scale_file", "body_scale", "radius_axis", "height_ratio", "rule"],
+  "Load and behaviour": [
+    "indentation", "contact_stiffness", "stiffness", "young", "poisson", "restitution", "impact_speed", "load", "body_weights",
+    "dissipation_by", "friction",
+  ],
+  "Smoothing": [
+    "constant_indentation", "state_width", "speed_width", "threshold", "constant_contact_force", "hertz_smoothing",
+    "hunt_crossley_smoothing",
+  ],
+  "Friction": ["static_friction", "dynamic_friction", "viscous_friction", "transition_velocity"],
+  "Files": ["geometry", "model", "presets"],
+  "Other": ["class", "strict", "no_note", "yes"],
+};
+
+/** What a list, a text or a file is chosen from. */
+export const SOURCES = {
+  only: "properties", keep: "properties", select: "forces", exclude: "forces", exclude_body: "bodies", feet: "bodies",
+  from: "references", presets: "presets", body_scale_file: "scales", contacts: "tables", geometry: "geometries", model: "models",
+};
+
+/** What holds where nothing is ticked; of all others: none. */
+export const ALL_UNLESS_TICKED = ["only", "select"];
+
+/** How texts that a field takes are shown. */
+export const CHOICE_TEXTS = {
+  smooth: "SmoothSphereHalfSpaceForce", "hunt-crossley": "HuntCrossleyForce",
+  isometric: "isometric (R ~ M^1/3)", keep: "keep as it is", follow: "follow the bodies",
+  geomean: "geometric mean", min: "smallest", max: "largest", paper: "the paper’s", predsim: "PredSim’s", replace: "place again",
+};
+
+/** Words of descriptions that are about a command line, and what is better here. */
+export const WORDS = [
+  ["; may be repeated", ""], [", separated by commas", ""], [" (or one, BODY=f)", ": BODY=x,y,z or BODY=f"],
+  ["the one that takes its spheres here", "the one that takes its spheres here: toes_r=calcn_r"],
+  ["(with models also keep or a factor like x1.5)", ""], ["OpenSim's names, and radius", "by OpenSim’s names, and the radius"],
+  [": said, contacts are scaled from it to `target_gravity`", "; with it, contacts are scaled to `target_gravity`"],
+];

@@ -1,0 +1,62 @@
+// Puts the page together: markup, styles, script, and the blocks of data.
+
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+
+import { transform } from "esbuild";
+
+import { paper, version } from "./facts.mjs";
+import { forms } from "./forms.mjs";
+import { block } from "./pack.mjs";
+import { ROOT, WEB } from "./paths.mjs";
+import { policyElement } from "./policy.mjs";
+
+const EXAMPLE = "fixtures/table1/human_62kg_smooth_sphere.osim";
+// The first is that of the report's fragments, which the page shows.
+const STYLES = ["crates/osim-report/src/html/style.css", "web/page/page.css", "web/page/forms.css", "web/page/panels.css"];
+
+/** The text of the page, and the sizes of its parts. */
+export async function assemble({ script, worker, wasm, licences }) {
+  const style = await styles();
+  const blocks = [
+    ["engine", block("engine", wasm)],
+    ["worker", block("worker", Buffer.from(worker))],
+    ["forms", block("forms", Buffer.from(JSON.stringify(forms())))],
+    ["example", block("example", readFileSync(join(ROOT, EXAMPLE)))],
+    ["licences", block("licences-text", Buffer.from(licences))],
+  ];
+  // Inside an element, this would end it.
+  if (/<\/(script|style)/i.test(script + style)) throw new Error("the script or a style holds an end tag");
+  const html = filled(readFileSync(join(WEB, "page/page.html"), "utf8"), {
+    policy: policyElement({ scripts: [script], styles: [style] }),
+    style: `<style>${style}</style>`,
+    blocks: blocks.map(([, text]) => text).join("\n"),
+    script: `<script>${script}</script>`,
+    version: version(),
+    ...cited(paper()),
+  });
+  const sizes = blocks.map(([name, text]) => [`${name}, compressed`, text.length]);
+  return { html, sizes: [...sizes, ["script", script.length], ["style", style.length]] };
+}
+
+async function styles() {
+  const parts = STYLES.map((name) => readFileSync(join(ROOT, name), "utf8"));
+  const { code } = await transform(parts.join("\n"), { loader: "css", minify: true, charset: "utf8" });
+  return code.trim();
+}
+
+function cited(paper) {
+  return Object.fromEntries(Object.entries(paper).map(([name, text]) => [`paper-${name}`, escaped(text)]));
+}
+
+function escaped(text) {
+  return text.replace(/[&<>"]/g, (sign) => `&#${sign.charCodeAt(0)};`);
+}
+
+/** `{{name}}` is replaced by its value; a name without a value is an error. */
+function filled(template, values) {
+  return template.replace(/\{\{([a-z-]+)\}\}/g, (_, name) => {
+    if (!(name in values)) throw new Error(`page.html: no value for ${name}`);
+    return values[name];
+  });
+}

@@ -1,0 +1,27 @@
+// What the page may do, as a Content-Security-Policy. Tests build another page with it, to see that nothing leaves.
+
+import { createHash } from "node:crypto";
+
+/** The policy under which these scripts and styles run, and nothing else. */
+export function policy({ scripts, styles }) {
+  return [
+    "default-src 'none'",
+    "connect-src 'none'",
+    "img-src 'none'",
+    "form-action 'none'",
+    "base-uri 'none'",
+    // The engine is WebAssembly: compiling it needs a word of its own, which allows no JavaScript from text.
+    `script-src ${scripts.map(hash).join(" ")} 'wasm-unsafe-eval'`,
+    `style-src ${styles.map(hash).join(" ")}`,
+    "worker-src blob:",
+  ].join("; ");
+}
+
+/** The policy as the first element of a page's head. */
+export function policyElement(allowed) {
+  return `<meta http-equiv="Content-Security-Policy" content="${policy(allowed)}">`;
+}
+
+function hash(text) {
+  return `'sha256-${createHash("sha256").update(text, "utf8").digest("base64")}'`;
+}

@@ -1,0 +1,38 @@
+// Which fields need, or exclude, which others: read from the conditions of a schema.
+
+/** The relations between the fields that `known` has. */
+export function relations(conditions, known) {
+  const excludes = [];
+  const needs = [];
+  for (const condition of conditions) {
+    const both = bothGiven(condition);
+    const need = needed(condition);
+    if (both) excludes.push(both);
+    else if (need) needs.push(need);
+    else if (!given(condition)) throw new Error(`a condition that forms do not know: ${JSON.stringify(condition)}`);
+  }
+  return {
+    excludes: excludes.filter((pair) => pair.every((name) => known.has(name))),
+    needs: needs.filter(([name, others]) => known.has(name) && others.every((other) => known.has(other))),
+  };
+}
+
+/** The field that must be given: `{properties: {NAME: {not: …}}, required: [NAME]}`. */
+function given(schema) {
+  const [name] = schema.required ?? [];
+  return name && schema.properties?.[name]?.not ? name : undefined;
+}
+
+/** The two fields that exclude each other: not both given. */
+function bothGiven(schema) {
+  const names = schema.not?.allOf?.map(given);
+  return names?.length === 2 && names.every(Boolean) ? names : undefined;
+}
+
+/** A field with those of which it needs one: not given, or one of the others given. */
+function needed(schema) {
+  const [first, ...others] = schema.anyOf ?? [];
+  const name = first?.not && given(first.not);
+  const names = others.map(given);
+  return name && names.length > 0 && names.every(Boolean) ? [name, names] : undefined;
+}

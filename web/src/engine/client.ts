@@ -1,0 +1,83 @@
+// The page's side of the worker: a promise for each task.
+
+import { EngineError } from "./failure";
+import { failed, type Files, type Reply, type Task, type Then } from "./messages";
+import type { Change, Kept, Look, NamedBytes, Preset, Request, Sheet, Spelled } from "./types";
+
+interface Waiting {
+  resolve(value: unknown): void;
+  reject(error: EngineError): void;
+}
+
+type Busy = (count: number) => void;
+
+export class Client {
+  readonly #worker: Worker;
+  readonly #waiting = new Map<number, Waiting>();
+  #last = 0;
+  #busy: Busy = () => undefined;
+
+  constructor(script: string) {
+    const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
+    this.#worker = new Worker(address);
+    this.#worker.onmessage = ({ data }: MessageEvent<Reply>) => this.#settle(data);
+    this.#worker.onerror = (event) => this.#end(event.message);
+  }
+
+  /** Calls `busy` whenever the number of unanswered tasks changes. */
+  onBusy(busy: Busy): void {
+    this.#busy = busy;
+  }
+
+  start = (engine: string) => this.#send<null>({ do: "start", engine });
+  put = (name: string, bytes: Uint8Array) => this.#send<null>({ do: "put", name, bytes }, [bytes.buffer]);
+  remove = (name: string) => this.#send<null>({ do: "remove", name });
+  bytes = (name: string) => this.#send<Uint8Array | null>({ do: "bytes", name });
+  look = (model: string, fields: Record<string, unknown>, parts: string[]) => this.#ask<Look>({ do: "look", model, fields, parts });
+  change = (request: Request, parts: string[]) => this.#ask<Change>({ do: "change", request, parts });
+  keep = (request: Request, parts: string[]) => this.#send<Then<Kept>>({ do: "then", request, parts, next: "keep" });
+  diff = (request: Request) => this.#send<Then<{ text: string }>>({ do: "then", request, parts: ["changes"], next: "diff" });
+  files = (request: Request) => this.#send<Files>({ do: "files", request });
+  report = (request: Request) => this.#ask<{ name: string; html: string }>({ do: "report", request });
+  calculate = (request: Request) => this.#ask<{ sheet: Sheet; text: string }>({ do: "calculate", request });
+  spell = (request: Request) => this.#ask<Spelled>({ do: "spell", request });
+  explain = (topic: string) => this.#ask<{ text: string }>({ do: "explain", topic });
+  presets = (fields: Record<string, unknown> = {}) => this.#ask<Preset[]>({ do: "presets", fields });
+  about = () => this.#ask<{ version: string }>({ do: "about" });
+  zipBegin = () => this.#send<null>({ do: "zip-begin" });
+  zipAdd = (request: Request) => this.#send<Change>({ do: "zip-add", request });
+  zipEnd = () => this.#send<Uint8Array>({ do: "zip-end" });
+
+  /** The bytes of a file with its name. */
+  async file(name: string): Promise<NamedBytes> {
+    return { name, bytes: (await this.bytes(name)) ?? new Uint8Array() };
+  }
+
+  #ask<T>(question: Record<string, unknown>): Promise<T> {
+    return this.#send<T>({ do: "ask", question });
+  }
+
+  #send<T>(task: Task, transfer: Transferable[] = []): Promise<T> {
+    const id = (this.#last += 1);
+    const answer = new Promise<unknown>((resolve, reject) => this.#waiting.set(id, { resolve, reject }));
+    this.#worker.postMessage({ id, task }, transfer);
+    this.#busy(this.#waiting.size);
+    return answer as Promise<T>;
+  }
+
+  #settle({ id, answer }: Reply): void {
+    const waiting = this.#waiting.get(id);
+    this.#waiting.delete(id);
+    this.#busy(this.#waiting.size);
+    if (failed(answer)) waiting?.reject(new EngineError(answer.error));
+    else waiting?.resolve(answer.ok);
+  }
+
+  /** The worker ended: nobody is left waiting. */
+  #end(message: string): void {
+    const failure = { code: "internal", message: `the engine stopped: ${message}`, needs_answer: false, fields: [] };
+    for (const { reject } of this.#waiting.values()) reject(new EngineError(failure));
+    this.#waiting.clear();
+    this.#busy(0);
+  }
+}

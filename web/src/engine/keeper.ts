@@ -1,0 +1,58 @@
+// Keeps the engine, and the files that were given to it: a defect in the engine ends it, and loses nothing.
+
+import { __wbg_reset_state, Engine, initSync } from "osim-engine";
+
+export class Keeper {
+  #engine: Engine | undefined;
+  readonly #files = new Map<string, Uint8Array>();
+
+  /** Starts the engine from the bytes of its module. */
+  start(bytes: BufferSource): void {
+    initSync({ module: bytes });
+    this.#engine = new Engine();
+  }
+
+  /** Starts it anew after it ended, with the same files. The last change is forgotten. */
+  restart(): void {
+    if (!this.#engine) return;
+    __wbg_reset_state();
+    const engine = new Engine();
+    for (const [name, bytes] of this.#files) engine.put(name, bytes);
+    this.#engine = engine;
+  }
+
+  put(name: string, bytes: Uint8Array): void {
+    this.#files.set(name, bytes);
+    this.#started().put(name, bytes);
+  }
+
+  remove(name: string): void {
+    this.#files.delete(name);
+    this.#started().remove(name);
+  }
+
+  bytes(name: string): Uint8Array | undefined {
+    return this.#started().bytes(name);
+  }
+
+  result(index: number): Uint8Array | undefined {
+    return this.#started().result(index);
+  }
+
+  call(question: string): string {
+    return this.#started().call(question);
+  }
+
+  /** Remembers files that the engine made for itself. */
+  kept(names: string[]): void {
+    for (const name of names) {
+      const bytes = this.bytes(name);
+      if (bytes) this.#files.set(name, bytes);
+    }
+  }
+
+  #started(): Engine {
+    if (!this.#engine) throw new Error("the engine has not started");
+    return this.#engine;
+  }
+}

@@ -1,0 +1,121 @@
+// What the engine answers, as crates/osim-web gives it.
+
+/** What went wrong. */
+export interface Failure {
+  code: string;
+  message: string;
+  model?: string | null;
+  line?: number | null;
+  column?: number | null;
+  excerpt?: { before: string; marked: string; after: string } | null;
+  needs_answer: boolean;
+  /** Fields that would answer, most likely first. */
+  fields: string[];
+  /** The field whose value is wrong. */
+  field?: string | null;
+}
+
+/** A piece of a report. */
+export interface Section {
+  id: string;
+  title: string;
+  html: string;
+}
+
+/** What a link in a section leads to. */
+export interface Explained {
+  id: string;
+  html: string;
+}
+
+export type Request = { verb: string; models?: string[] } & Record<string, unknown>;
+
+export interface Finding {
+  code: string;
+  severity: "info" | "warn" | "error";
+  message: string;
+  line: number | null;
+  place: string | null;
+  spheres: string[];
+  remedy: { text: string; request: Request } | null;
+}
+
+/** What the page reads of an inspection; schemas/results/inspection.schema.json has all of it. */
+export interface Inspection {
+  name: string | null;
+  mass_kg: number | null;
+  gravity_m_s2: number | null;
+  contacts_mass_kg: { value: number; source: string } | null;
+  /** Nothing where left and right cannot be distinguished. */
+  limbs: { name: string; side: string | null; spheres: string[] }[] | null;
+  spheres: { name: string; radius_m: number | null }[];
+  forces: { name: string; type: string; applies: boolean; parameters: Record<string, number | null> }[];
+  bodies: { name: string; mass_kg: number | null }[];
+  known_contacts?: { title: string; made_for_kg: number } | null;
+}
+
+export interface Look {
+  inspection: Inspection;
+  findings: Finding[];
+  sections: Section[];
+  explained?: Explained[];
+  files: string[];
+  missing?: string[];
+}
+
+/** What the page reads of a change; schemas/results/change.schema.json has all of it. */
+export interface ChangeRecord {
+  contacts_mass_kg: { from: number; source: string; to: number } | null;
+  objects: { change: string; class: string; name: string }[];
+  changes: { property: string; from: unknown; to: unknown; factor: number | null }[];
+  warnings: { message: string }[];
+  notes: string[];
+}
+
+export interface ResultFile {
+  name: string;
+  bytes: number;
+}
+
+export interface Change {
+  record: ChangeRecord;
+  unchanged: boolean;
+  results: ResultFile[];
+  sections: Section[];
+  explained?: Explained[];
+  findings?: Finding[] | null;
+}
+
+export interface Kept {
+  model: string;
+  names: string[];
+}
+
+export interface Sheet {
+  figures: {
+    name: string;
+    value: number | null;
+    unit: string;
+    equation: string;
+    given: boolean;
+    limit: { text: string; within_limit: boolean } | null;
+  }[];
+  notes: string[];
+}
+
+export interface Spelled {
+  command: string;
+  python: string;
+  matlab: string;
+}
+
+export interface Preset {
+  name: string;
+  text: string;
+}
+
+/** Bytes with the name of their file. */
+export interface NamedBytes {
+  name: string;
+  bytes: Uint8Array;
+}

@@ -1,0 +1,97 @@
+// The worker: it owns the engine, so that whatever takes long happens here and the page stays alive.
+
+import { Keeper } from "./keeper";
+import { type Answer, failed, type Files, type Message, type Reply, type Task } from "./messages";
+import type { Change, Failure, Request } from "./types";
+import { unpack } from "./unpack";
+import { Archive } from "./zip";
+
+interface Scope {
+  onmessage: ((event: MessageEvent<Message>) => void) | null;
+  postMessage(reply: Reply, transfer: Transferable[]): void;
+}
+
+const scope = globalThis as unknown as Scope;
+const keeper = new Keeper();
+let archive = new Archive();
+
+scope.onmessage = ({ data: { id, task } }) => {
+  const answer = answered(task);
+  scope.postMessage({ id, answer }, moved(answer));
+};
+
+function answered(task: Task): Answer<unknown> {
+  try {
+    return task.do === "start" ? start(task.engine) : done(task, keeper);
+  } catch (error) {
+    keeper.restart();
+    return { error: defect(error) };
+  }
+}
+
+function start(packed: string): Answer<null> {
+  keeper.start(unpack(packed));
+  return { ok: null };
+}
+
+function done(task: Exclude<Task, { do: "start" }>, engine: Keeper): Answer<unknown> {
+  switch (task.do) {
+    case "put": return { ok: engine.put(task.name, task.bytes) ?? null };
+    case "remove": return { ok: engine.remove(task.name) ?? null };
+    case "bytes": return { ok: engine.bytes(task.name) ?? null };
+    case "ask": return ask(engine, task.question);
+    case "files": return files(engine, task.request);
+    case "then": return then(engine, task);
+    case "zip-begin": archive = new Archive(); return { ok: null };
+    case "zip-add": return addToZip(engine, task.request);
+    case "zip-end": return { ok: archive.end() };
+  }
+}
+
+function ask<T>(engine: Keeper, question: Record<string, unknown>): Answer<T> {
+  return JSON.parse(engine.call(JSON.stringify(question))) as Answer<T>;
+}
+
+function changed(engine: Keeper, request: Request, parts: string[]): Answer<Change> {
+  return ask<Change>(engine, { do: "change", request, parts });
+}
+
+function files(engine: Keeper, request: Request): Answer<Files> {
+  const change = changed(engine, request, ["changes"]);
+  if (failed(change)) return change;
+  const made = change.ok.results.map(({ name }, index) => ({ name, bytes: engine.result(index) ?? new Uint8Array() }));
+  return { ok: { change: change.ok, files: made } };
+}
+
+function then(engine: Keeper, { request, parts, next }: Extract<Task, { do: "then" }>): Answer<unknown> {
+  const change = changed(engine, request, parts);
+  if (failed(change)) return change;
+  const answer = ask<unknown>(engine, { do: next });
+  if (failed(answer)) return answer;
+  if (next === "keep") engine.kept(change.ok.results.map(({ name }) => name));
+  return { ok: { change: change.ok, next: answer.ok } };
+}
+
+function addToZip(engine: Keeper, request: Request): Answer<Change> {
+  const made = files(engine, request);
+  if (failed(made)) return made;
+  for (const { name, bytes } of made.ok.files) archive.add(name, bytes);
+  return { ok: made.ok.change };
+}
+
+function defect(error: unknown): Failure {
+  const message = error instanceof Error ? error.message : String(error);
+  return { code: "internal", message: `this is a defect of the page, please report it: ${message}`, needs_answer: false, fields: [] };
+}
+
+/** Buffers that change hands instead of being copied. */
+function moved(answer: Answer<unknown>): Transferable[] {
+  if (failed(answer)) return [];
+  const { ok } = answer;
+  if (ok instanceof Uint8Array) return [ok.buffer];
+  return hasFiles(ok) ? ok.files.map(({ bytes }) => bytes.buffer) : [];
+}
+
+function hasFiles(answer: unknown): answer is Files {
+  return typeof answer === "object" && answer !== null && "files" in answer && "change" in answer;
+}

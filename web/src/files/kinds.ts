@@ -1,0 +1,43 @@
+// What a file is, by its name and a look at its first kilobytes.
+
+export type FileKind = "model" | "forces" | "geometry" | "scales" | "xml" | "mesh" | "table" | "presets" | "other";
+
+export interface FileEntry {
+  name: string;
+  bytes: number;
+  kind: FileKind;
+}
+
+/** What the kind of a file is called. */
+export const KIND_TEXTS: Readonly<Record<FileKind, string>> = {
+  model: "model", forces: "force set", geometry: "contact geometry set", scales: "scale set", xml: "XML file",
+  mesh: "mesh", table: "table", presets: "presets", other: "other file",
+};
+
+const BY_ENDING: Readonly<Record<string, FileKind>> = {
+  osim: "model", vtp: "mesh", stl: "mesh", obj: "mesh", csv: "table", tsv: "table", txt: "table", toml: "presets",
+};
+
+// The first element after OpenSimDocument.
+const BY_ELEMENT: readonly [RegExp, FileKind][] = [
+  [/<ForceSet[\s>]/, "forces"],
+  [/<ContactGeometrySet[\s>]/, "geometry"],
+  [/<ScaleSet[\s>]/, "scales"],
+  [/<Model[\s>]/, "model"],
+];
+
+/** How much of a file is looked at. */
+export const LOOKED_AT = 4096;
+
+/** The kind of a file whose content begins with `head`. */
+export function kindOf(name: string, head: string): FileKind {
+  const ending = /\.([^./\\]+)$/.exec(name)?.[1]?.toLowerCase() ?? "";
+  if (ending !== "xml") return BY_ENDING[ending] ?? "other";
+  const found = BY_ELEMENT.map(([element, kind]) => ({ at: head.search(element), kind })).filter(({ at }) => at >= 0);
+  return found.sort((one, other) => one.at - other.at)[0]?.kind ?? "xml";
+}
+
+/** Whether the engine can do anything with a file of this kind. */
+export function isUseful(kind: FileKind): boolean {
+  return kind !== "other";
+}

@@ -1,0 +1,20 @@
+// The forms that the build made from the schemas of requests.
+
+import { unpackedText } from "../engine/unpack";
+import type { ChangeForm, Field, Form, Forms } from "./declaration";
+
+const forms = JSON.parse(unpackedText("forms")) as Forms;
+
+export const CHANGES: readonly ChangeForm[] = forms.changes;
+export const CALCULATOR: Form = forms.calculator;
+export const QUESTIONS: Form = forms.questions;
+
+export function formOf(verb: string): ChangeForm | undefined {
+  return CHANGES.find((form) => form.verb === verb);
+}
+
+/** The declaration of a field, by its name: that of the form, else that of any other. */
+export function fieldOf(name: string, form: Form): Field | undefined {
+  const forms = [form, QUESTIONS, ...CHANGES];
+  return forms.flatMap(({ fields }) => fields).find((field) => field.name === name);
+}

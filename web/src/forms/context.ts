@@ -1,0 +1,37 @@
+// What the controls of a form share.
+
+import type { Source } from "./declaration";
+import type { Values } from "./values";
+
+/** Something to choose. */
+export interface Option {
+  value: string;
+  text: string;
+  /** Options with the same heading are together. */
+  heading?: string;
+  /** What must be said along with it. */
+  along?: Readonly<Record<string, string>>;
+}
+
+export interface Context {
+  values: Values;
+  /** What ids of the form's elements begin with. */
+  prefix: string;
+  /** Whether a value counts while it is typed, or when it is complete. */
+  commit: "input" | "change";
+  /** What there is to choose from. */
+  options(source: Source): Option[];
+  /** Lets the user add files; gives their names. */
+  addFile(source: Source): Promise<string[]>;
+  /** The value of a property in the model, where it has one. */
+  currentValue(property: string): string | undefined;
+  /** The mass a slider shows while nothing is said. */
+  currentMass(): number | undefined;
+}
+
+/** A field on the page. */
+export interface Control {
+  element: HTMLElement;
+  /** Shows what the form says now; `choices`: what there is to choose from may be other than before. */
+  refresh(choices: boolean): void;
+}

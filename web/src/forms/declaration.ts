@@ -1,0 +1,54 @@
+// How a form is declared. The build makes the declarations from the JSON Schemas of the requests.
+
+export type Source = "properties" | "forces" | "bodies" | "references" | "presets" | "scales" | "tables" | "geometries" | "models";
+
+export type Kind = "number" | "integer" | "flag" | "choice" | "text" | "texts" | "lines" | "codes" | "map" | "rule" | "file";
+
+export interface Choice {
+  value: string;
+  text: string;
+}
+
+export interface Limits {
+  least?: number;
+  most?: number;
+  above?: number;
+  below?: number;
+}
+
+export interface Field {
+  name: string;
+  label: string;
+  help: string;
+  unit?: string;
+  kind: Kind;
+  choices?: Choice[];
+  /** Whether a factor such as x1.5 may be given. */
+  factor?: boolean;
+  limits?: Limits;
+  /** Where its choices come from. */
+  source?: Source;
+  /** What holds where nothing is said. */
+  default?: string;
+  /** The group it belongs to; empty for usual fields. */
+  group: string;
+}
+
+export interface Form {
+  verb: string;
+  fields: Field[];
+  required: string[];
+  excludes: [string, string][];
+  needs: [string, string[]][];
+}
+
+export interface ChangeForm extends Form {
+  title: string;
+  about: string;
+}
+
+export interface Forms {
+  changes: ChangeForm[];
+  calculator: Form;
+  questions: Form;
+}

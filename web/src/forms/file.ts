@@ -1,0 +1,56 @@
+// A field for a file: one of those that are there, or one more.
+
+import { button, el } from "../dom/element";
+import type { Context, Control, Option } from "./context";
+import type { Field } from "./declaration";
+import { frame } from "./frame";
+
+export function fileControl(field: Field, context: Context): Control {
+  const source = field.source ?? "models";
+  const select = el("select", { name: field.name });
+  select.addEventListener("change", () => {
+    context.values.set(field.name, select.value);
+    const along = context.options(source).find(({ value }) => value === select.value)?.along ?? {};
+    for (const [name, value] of Object.entries(along)) context.values.set(name, value);
+  });
+  const add = button("Add a file…", () => void context.addFile(source).then(([name]) => name && context.values.set(field.name, name)), {
+    class: "small",
+  });
+  add.append(el("span", { class: "hidden" }, ` for “${field.label}”`));
+  const { element, check } = frame(field, context, select, el("div", { class: "box" }, select, add));
+  let shown = "";
+  const refresh = (choices: boolean) => {
+    const said = context.values.text(field.name);
+    if (choices) {
+      const options = withSaid(withPresets(context.options(source), field), said);
+      const key = JSON.stringify(options);
+      const none = el("option", { value: "" }, options.length > 0 ? "not set" : "none here yet");
+      if (key !== shown) select.replaceChildren(none, ...grouped(options));
+      shown = key;
+    }
+    select.value = said;
+    check();
+  };
+  return { element, refresh };
+}
+
+/** Presets that only this field takes. */
+function withPresets(options: Option[], { choices = [] }: Field): Option[] {
+  const others = choices.filter(({ value }) => !options.some((option) => option.value === value));
+  return [...options, ...others.map((choice) => ({ ...choice, heading: "Presets" }))];
+}
+
+/** What is said may name something that is not there any more, or not yet. */
+function withSaid(options: Option[], said: string): Option[] {
+  const known = said === "" || options.some(({ value }) => value === said);
+  return known ? options : [...options, { value: said, text: `${said} (not here)` }];
+}
+
+function grouped(options: readonly Option[]): HTMLElement[] {
+  const headings = [...new Set(options.map(({ heading }) => heading ?? ""))];
+  return headings.flatMap((heading) => {
+    const inside = options.filter((option) => (option.heading ?? "") === heading);
+    const made = inside.map(({ value, text }) => el("option", { value }, text));
+    return heading === "" ? made : [el("optgroup", { label: heading }, ...made)];
+  });
+}

@@ -1,0 +1,58 @@
+// A form: usual fields first, all others in groups that are closed until they are needed.
+
+import { el, setText } from "../dom/element";
+import type { Context, Control } from "./context";
+import { control } from "./control";
+import type { Field, Form } from "./declaration";
+
+export interface ShownForm {
+  element: HTMLElement;
+  /** What there is to choose from may have changed. */
+  refresh(): void;
+  /** The form is not shown any more. */
+  end(): void;
+}
+
+export function showForm(form: Form, context: Context): ShownForm {
+  const controls = new Map(form.fields.map((field) => [field.name, control(field, context)]));
+  const usual = form.fields.filter(({ group }) => group === "");
+  const others = form.fields.filter(({ group }) => group !== "");
+  const count = el("span", { class: "quiet" });
+  const more = el("details", { class: "more", id: `${context.prefix}-more` },
+    el("summary", {}, "More options ", count), ...groups(others, controls));
+  const hint = el("p", { class: "relation", role: "status" });
+  const first = usual.map(({ name }) => elementOf(controls, name));
+  const element = el("div", { class: "form" }, ...first, hint, ...(others.length > 0 ? [more] : []));
+  const update = (choices: boolean, name: string | null) => {
+    for (const [own, { refresh }] of controls) if (name === null || own === name) refresh(choices);
+    const said = others.filter((field) => context.values.get(field.name) !== undefined).length;
+    setText(count, said > 0 ? `(${said} set)` : "");
+    setText(hint, relationHint(form, context));
+    if (said > 0 && name === null) more.open = true;
+  };
+  update(true, null);
+  const end = context.values.watch((name) => update(false, name));
+  return { element, refresh: () => update(true, null), end };
+}
+
+function elementOf(controls: ReadonlyMap<string, Control>, name: string): HTMLElement {
+  return controls.get(name)?.element ?? el("div");
+}
+
+function groups(fields: readonly Field[], controls: ReadonlyMap<string, Control>): HTMLElement[] {
+  const titles = [...new Set(fields.map(({ group }) => group))];
+  return titles.map((title) => {
+    const inside = fields.filter(({ group }) => group === title).map(({ name }) => elementOf(controls, name));
+    return el("fieldset", { class: "group" }, el("legend", {}, title), ...inside);
+  });
+}
+
+/** What goes with what, where the form says otherwise. */
+export function relationHint(form: Form, { values }: Pick<Context, "values">): string {
+  const said = (name: string) => values.get(name) !== undefined;
+  const label = (name: string) => `“${form.fields.find((field) => field.name === name)?.label ?? name}”`;
+  const excluded = form.excludes.find((pair) => pair.every(said));
+  if (excluded) return `${excluded.map(label).join(" and ")} exclude each other.`;
+  const lacking = form.needs.find(([name, others]) => said(name) && !others.some(said));
+  return lacking ? `${label(lacking[0])} needs ${lacking[1].map(label).join(" or ")}.` : "";
+}

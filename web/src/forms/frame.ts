@@ -1,0 +1,41 @@
+// What is around every field: its label, its help, and what is wrong with what was typed.
+
+import { type Child, el, setAttribute, setText } from "../dom/element";
+import { problemOf } from "./check";
+import type { Context } from "./context";
+import type { Field } from "./declaration";
+
+export interface Frame {
+  element: HTMLElement;
+  /** Says whether the value is right. */
+  check(): void;
+}
+
+/** The id of a field's input. */
+export function idOf(field: Field, context: Context): string {
+  return `${context.prefix}-${field.name}`;
+}
+
+/** The label with the unit in it, so that it is heard too. */
+export function labelText({ label, unit }: Field): Child[] {
+  return unit ? [label, " ", el("span", { class: "unit" }, `(${unit})`)] : [label];
+}
+
+/** A field around `input`, which help and problem describe. */
+export function frame(field: Field, context: Context, input: HTMLElement, ...content: readonly Child[]): Frame {
+  const id = idOf(field, context);
+  const help = el("p", { class: "help", id: `${id}-help` }, field.help);
+  const problem = el("p", { class: "problem", id: `${id}-problem`, role: "alert" });
+  input.id = id;
+  const described = [field.help && help.id, problem.id].filter(Boolean).join(" ");
+  input.setAttribute("aria-describedby", described);
+  const label = el("label", { for: id }, ...labelText(field));
+  const element = el("div", { class: `field ${field.kind}` }, label, ...content, problem, ...(field.help ? [help] : []));
+  const check = () => {
+    const value = context.values.get(field.name);
+    const text = (value !== undefined && problemOf(field, value)) || "";
+    setText(problem, text);
+    setAttribute(input, "aria-invalid", text !== "" && "true");
+  };
+  return { element, check };
+}

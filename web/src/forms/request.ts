@@ -1,0 +1,61 @@
+// From what a form says to a request, and what keeps it from being one.
+
+import type { Request } from "../engine/types";
+import type { Field, Form } from "./declaration";
+import { numberIn, problemOf } from "./check";
+import type { Value, Values } from "./values";
+
+/** The fields that the form says, as a request has them. */
+export function fieldsOf(form: Form, values: Values): Record<string, unknown> {
+  const said = form.fields.flatMap((field): [string, unknown][] => {
+    const value = values.get(field.name);
+    return value === undefined ? [] : [[field.name, asked(field, value)]];
+  });
+  return Object.fromEntries(said);
+}
+
+/** The request of a form about a model; what was answered about the model holds unless the form says otherwise. */
+export function requestOf(form: Form, values: Values, model: string, answered: Record<string, unknown>): Request {
+  return { verb: form.verb, models: [model], ...answered, ...fieldsOf(form, values) };
+}
+
+function asked(field: Field, value: Value): unknown {
+  switch (field.kind) {
+    case "number":
+    case "integer":
+    case "rule":
+      return typeof value === "string" ? numeric(value) : value;
+    case "map":
+      return typeof value === "object" ? mapped(value as Readonly<Record<string, string>>) : value;
+    default:
+      return value;
+  }
+}
+
+function numeric(text: string): number | string {
+  return numberIn(text) ?? text.trim();
+}
+
+function mapped(entries: Readonly<Record<string, string>>): Record<string, number | string> {
+  return Object.fromEntries(Object.entries(entries).map(([name, text]) => [name, numeric(text)]));
+}
+
+/** Problems of what was typed, by field; empty where the request can be asked. */
+export function problems(form: Form, values: Values): Map<string, string> {
+  const found = form.fields.flatMap((field): [string, string][] => {
+    const value = values.get(field.name);
+    const problem = value === undefined ? undefined : problemOf(field, value);
+    return problem ? [[field.name, problem]] : [];
+  });
+  return new Map(found);
+}
+
+/** Fields that must be said and are not. */
+export function unsaid(form: Form, values: Values): Field[] {
+  return form.fields.filter(({ name }) => form.required.includes(name) && values.get(name) === undefined);
+}
+
+/** Whether the form says anything at all. */
+export function isEmpty(form: Form, values: Values): boolean {
+  return form.fields.every(({ name }) => values.get(name) === undefined);
+}

@@ -1,0 +1,55 @@
+// A field for a rule, a number or a factor, such as the radius: first which of them, then how much.
+
+import { el } from "../dom/element";
+import type { Context, Control } from "./context";
+import type { Field } from "./declaration";
+import { frame, idOf } from "./frame";
+
+const NUMBER = "#number";
+const FACTOR = "#factor";
+
+export function ruleControl(field: Field, context: Context): Control {
+  const id = idOf(field, context);
+  const select = el("select", { name: field.name }, ...options(field));
+  const amount = el("input", { type: "text", inputmode: "decimal", autocomplete: "off", id: `${id}-amount`, hidden: true });
+  const { element, check } = frame(field, context, select, el("div", { class: "box" }, select, amount));
+  const said = () => {
+    const kind = select.value;
+    if (kind !== NUMBER && kind !== FACTOR) return kind;
+    const text = amount.value.trim();
+    return kind === FACTOR && text !== "" ? `x${text.replace(/^[xX×]/, "")}` : text;
+  };
+  const show = (kind: string) => {
+    amount.hidden = kind !== NUMBER && kind !== FACTOR;
+    amount.setAttribute("aria-label", kind === FACTOR ? `${field.label}: factor` : `${field.label} in metres`);
+  };
+  select.addEventListener("change", () => {
+    show(select.value);
+    context.values.set(field.name, said());
+    if (!amount.hidden) amount.focus();
+  });
+  amount.addEventListener(context.commit, () => context.values.set(field.name, said()));
+  const refresh = () => {
+    const text = context.values.text(field.name);
+    check();
+    if (text === said()) return;
+    select.value = kindOf(field, text);
+    amount.value = select.value === FACTOR ? text.slice(1) : select.value === NUMBER ? text : "";
+    show(select.value);
+  };
+  return { element, refresh };
+}
+
+function options({ choices = [], factor, default: usual }: Field): HTMLOptionElement[] {
+  const words = choices.map(({ value, text }) => el("option", { value }, text));
+  const factors = factor ? [el("option", { value: FACTOR }, "a factor…")] : [];
+  return [
+    el("option", { value: "" }, usual ? `as usual: ${usual}` : "as usual"), ...words,
+    el("option", { value: NUMBER }, "a radius in metres…"), ...factors,
+  ];
+}
+
+function kindOf({ choices = [], factor }: Field, text: string): string {
+  if (text === "" || choices.some(({ value }) => value === text)) return text;
+  return factor && /^[xX×]/.test(text) ? FACTOR : NUMBER;
+}

@@ -1,0 +1,30 @@
+// A request in a few words, for the list of steps.
+
+import type { Request } from "../engine/types";
+import type { ChangeForm } from "./declaration";
+
+const MOST = 60;
+
+/** "Rescale: target mass 500 kg". */
+export function spoken(request: Request, form: ChangeForm | undefined): string {
+  const title = form?.title ?? request.verb;
+  const parts = (form?.fields ?? []).flatMap(({ name, label, unit, group }) => {
+    const value = request[name];
+    // Files that belong to the model go along with everything.
+    if (value === undefined || group === "Files") return [];
+    return [`${lower(label)}${shown(value)}${unit && typeof value === "number" ? ` ${unit}` : ""}`];
+  });
+  const text = parts.join(", ");
+  return text === "" ? title : `${title}: ${text.length > MOST ? `${text.slice(0, MOST)}…` : text}`;
+}
+
+function shown(value: unknown): string {
+  if (value === true) return "";
+  if (Array.isArray(value)) return ` ${value.join(" ")}`;
+  if (typeof value === "object" && value !== null) return ` ${Object.entries(value).map((pair) => pair.join(" ")).join(", ")}`;
+  return ` ${String(value)}`;
+}
+
+function lower(label: string): string {
+  return /^[A-Z][a-z]/.test(label) && !label.startsWith("OpenSim") ? label.charAt(0).toLowerCase() + label.slice(1) : label;
+}

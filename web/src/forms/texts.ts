@@ -1,0 +1,55 @@
+// A field for several texts: those that the model has can be ticked, patterns can be written.
+
+import { el, setText } from "../dom/element";
+import type { Context, Control } from "./context";
+import type { Field } from "./declaration";
+import { idOf } from "./frame";
+import { linesOf } from "./simple";
+
+export function textsControl(field: Field, context: Context): Control {
+  const id = idOf(field, context);
+  const list = el("div", { class: "ticks" });
+  const state = el("span", { class: "quiet" });
+  const patterns = field.source === "properties" ? undefined : patternsBox(field, context, id);
+  const help = field.help ? [el("p", { class: "help" }, field.help)] : [];
+  const group = el("fieldset", {}, el("legend", { class: "hidden" }, field.label), list, ...(patterns ? [patterns.element] : []), ...help);
+  const details = el("details", { class: "field picker", id }, el("summary", {}, field.label, " ", state), group);
+  let shown = "";
+  const refresh = (choices: boolean) => {
+    const said = new Set(context.values.texts(field.name));
+    setText(state, said.size === 0 ? (field.default ?? "") : [...said].join(", "));
+    const values = (field.source ? context.options(field.source) : []).map(({ value }) => value);
+    if (choices && shown !== values.join("\n")) {
+      shown = values.join("\n");
+      list.replaceChildren(...values.map((value) => tick(field, context, value)));
+    }
+    for (const input of list.querySelectorAll("input")) input.checked = said.has(input.value);
+    patterns?.show([...said].filter((text) => !values.includes(text)));
+  };
+  return { element: details, refresh };
+}
+
+function tick(field: Field, context: Context, value: string): HTMLElement {
+  const input = el("input", { type: "checkbox", value });
+  input.addEventListener("change", () => {
+    const others = context.values.texts(field.name).filter((text) => text !== value);
+    context.values.set(field.name, input.checked ? [...others, value] : others);
+  });
+  return el("label", {}, input, " ", el("span", {}, value));
+}
+
+function patternsBox(field: Field, context: Context, id: string): { element: HTMLElement; show(lines: string[]): void } {
+  const input = el("textarea", { rows: 1, id: `${id}-patterns`, spellcheck: "false", placeholder: "*_r" });
+  input.addEventListener(context.commit, () => {
+    const names = new Set((field.source ? context.options(field.source) : []).map(({ value }) => value));
+    const ticked = context.values.texts(field.name).filter((text) => names.has(text));
+    context.values.set(field.name, [...ticked, ...linesOf(input.value)]);
+  });
+  const label = el("label", { for: input.id }, "Names or patterns, one per line");
+  const show = (lines: string[]) => {
+    if (linesOf(input.value).filter((line) => !lines.includes(line)).length > 0 || lines.some((line) => !input.value.includes(line))) {
+      if (document.activeElement !== input) input.value = lines.join("\n");
+    }
+  };
+  return { element: el("div", { class: "patterns" }, label, input), show };
+}

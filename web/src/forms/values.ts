@@ -1,0 +1,76 @@
+// What a form says: a value for each field that says something, as it was typed.
+
+export type Value = string | boolean | readonly string[] | Readonly<Record<string, string>>;
+
+type Listener = (name: string | null) => void;
+
+export class Values {
+  readonly #listeners = new Set<Listener>();
+  #values = new Map<string, Value>();
+
+  get(name: string): Value | undefined {
+    return this.#values.get(name);
+  }
+
+  /** The text of a field that takes one. */
+  text(name: string): string {
+    const value = this.#values.get(name);
+    return typeof value === "string" ? value : "";
+  }
+
+  /** The texts of a field that takes several. */
+  texts(name: string): readonly string[] {
+    const value = this.#values.get(name);
+    if (Array.isArray(value)) return value;
+    return typeof value === "string" && value !== "" ? [value] : [];
+  }
+
+  /** The texts of a field by their names. */
+  entries(name: string): Readonly<Record<string, string>> {
+    const value = this.#values.get(name);
+    return typeof value === "object" && !Array.isArray(value) ? (value as Readonly<Record<string, string>>) : {};
+  }
+
+  /** The fields that say something. */
+  names(): string[] {
+    return [...this.#values.keys()];
+  }
+
+  /** Everything that is said. */
+  all(): ReadonlyMap<string, Value> {
+    return new Map(this.#values);
+  }
+
+  /** Sets a field; a value that says nothing takes it away. */
+  set(name: string, value: Value): void {
+    if (saysNothing(value)) this.#values.delete(name);
+    else this.#values.set(name, value);
+    this.#notify(name);
+  }
+
+  /** Replaces all. */
+  replace(values: ReadonlyMap<string, Value>): void {
+    this.#values = new Map([...values].filter(([, value]) => !saysNothing(value)));
+    this.#notify(null);
+  }
+
+  clear(): void {
+    this.replace(new Map());
+  }
+
+  /** Calls `listener` with the name of each field that changes, or with null where all did; gives what ends it. */
+  watch(listener: Listener): () => void {
+    this.#listeners.add(listener);
+    return () => this.#listeners.delete(listener);
+  }
+
+  #notify(name: string | null): void {
+    for (const listener of [...this.#listeners]) listener(name);
+  }
+}
+
+function saysNothing(value: Value): boolean {
+  if (typeof value === "string") return value.trim() === "";
+  if (typeof value === "boolean") return !value;
+  return (Array.isArray(value) ? value : Object.keys(value)).length === 0;
+}

@@ -1,0 +1,110 @@
+// Starts the page: checks the browser, starts the engine, and puts everything in its place.
+
+import { redo, undo } from "./actions/apply";
+import { Live } from "./actions/live";
+import { openFiles, openRead, refreshPresets } from "./actions/open";
+import { byId, setText } from "./dom/element";
+import { Client } from "./engine/client";
+import { failureOf } from "./engine/failure";
+import { packed, unpack, unpackedText } from "./engine/unpack";
+import { acceptDrops } from "./files/drop";
+import type { Source } from "./forms/declaration";
+import { Session } from "./state/session";
+import { missingSupport } from "./support";
+import { wireAddress } from "./views/address";
+import { showBusy } from "./views/busy";
+import { calculatorView } from "./views/calculator";
+import { changeView } from "./views/change";
+import { chooseOne, wireButtons } from "./views/choose";
+import { acceptedFor } from "./views/context";
+import { showExplanations } from "./views/explanation";
+import { filesView } from "./views/files";
+import { footerView } from "./views/footer";
+import { wireKeys } from "./views/keys";
+import { LibraryView } from "./views/library";
+import { ModelView } from "./views/model";
+import { ResultView } from "./views/result";
+
+const NEWER = "Please use a newer one: which ones work is said at the end of the page.";
+const EXAMPLE = "human_62kg_smooth_sphere.osim";
+
+function main(): void {
+  const missing = missingSupport();
+  if (missing.length > 0) return cannot(`This browser lacks what the page needs: ${missing.join(", ")}. ${NEWER}`);
+  const session = new Session(new Client(unpackedText("worker")));
+  const started = session.engine.start(packed("engine"));
+  wire(session);
+  started.then(() => ready(session), (error) => cannot(`The page could not start: ${failureOf(error).message}`));
+}
+
+function wire(session: Session): void {
+  const open = (given: Parameters<typeof openFiles>[1]) => void openFiles(session, given);
+  const addFile = async (source: Source) => {
+    const given = await chooseOne(acceptedFor(source));
+    await openFiles(session, given);
+    return given.map(({ name }) => name);
+  };
+  showBusy(session.engine);
+  showExplanations(session);
+  new LibraryView(session);
+  new ModelView(session, addFile);
+  changeView(session, addFile);
+  new ResultView(session, addFile);
+  calculatorView(session, addFile);
+  filesView(session);
+  footerView();
+  showWhatIsOpen(session);
+  wireButtons(open);
+  acceptDrops(open);
+  wireKeys(() => undo(session), () => redo(session));
+  byId("try-example").addEventListener("click", () => void openExample(session));
+  byId("skip").addEventListener("click", (event) => {
+    event.preventDefault();
+    byId("content").focus();
+  });
+  session.announcement.watch((text) => setText(byId("announcement"), text));
+  keepLive(session);
+}
+
+/** The preview and the address follow the form. */
+function keepLive(session: Session): void {
+  const live = new Live(session);
+  live.onRest(wireAddress(session));
+  session.values.watch(live.typed);
+  session.calculation.watch(live.changed);
+  session.verb.watch(live.changed);
+  session.models.watch(live.changed);
+  session.chosen.watch(live.changed);
+}
+
+function showWhatIsOpen(session: Session): void {
+  const update = () => {
+    const any = session.models.value.length > 0;
+    byId("start").hidden = any || session.calculating.value;
+    byId("work").hidden = !session.model()?.look;
+    document.documentElement.dataset["open"] = String(any);
+  };
+  session.models.watch(update);
+  session.chosen.watch(update);
+  session.calculating.watch(update);
+}
+
+async function openExample(session: Session): Promise<void> {
+  performance.mark("open");
+  const bytes = unpack(packed("example"));
+  await openRead(session, [{ name: EXAMPLE, bytes, kind: "model" }]);
+}
+
+async function ready(session: Session): Promise<void> {
+  document.documentElement.dataset["ready"] = "true";
+  performance.mark("ready");
+  await refreshPresets(session);
+}
+
+function cannot(text: string): void {
+  const note = byId("unsupported");
+  note.textContent = text;
+  note.hidden = false;
+}
+
+main();

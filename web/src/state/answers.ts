@@ -1,0 +1,18 @@
+// What was answered about a model, as fields of a request.
+
+import type { Form } from "../forms/declaration";
+import { fieldsOf } from "../forms/request";
+import type { OpenModel } from "./model";
+
+/** The answers that `form` takes, about the model as it is now. */
+export function answered(model: OpenModel, form: Form | undefined): Record<string, unknown> {
+  if (!form) return {};
+  const fields = fieldsOf(form, model.answers);
+  const geometry = geometryOf(model);
+  return geometry !== undefined && "geometry" in fields ? { ...fields, geometry } : fields;
+}
+
+/** A force set that was changed goes with the geometry set that was changed along with it. */
+function geometryOf({ steps, at }: OpenModel): string | undefined {
+  return steps.slice(0, at).map(({ names }) => names[1]).filter((name) => name !== undefined).pop();
+}

@@ -1,0 +1,25 @@
+// Says that something is being worked on, if that takes a moment.
+
+import { byId, setAttribute } from "../dom/element";
+import type { Client } from "../engine/client";
+
+const PATIENCE_MS = 150;
+
+export function showBusy(engine: Client): void {
+  const working = byId("working");
+  const content = byId("content");
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  engine.onBusy((count) => {
+    if (count > 0) {
+      timer ??= setTimeout(() => show(true), PATIENCE_MS);
+      return;
+    }
+    clearTimeout(timer);
+    timer = undefined;
+    show(false);
+  });
+  const show = (busy: boolean) => {
+    working.hidden = !busy;
+    setAttribute(content, "aria-busy", busy && "true");
+  };
+}

@@ -1,0 +1,44 @@
+// The change to make: a verb, and the form of that verb.
+
+import { byId, button, el } from "../dom/element";
+import { CHANGES, formOf } from "../forms/all";
+import type { Context } from "../forms/context";
+import { showForm, type ShownForm } from "../forms/form";
+import type { Session } from "../state/session";
+import { contextOf } from "./context";
+
+export function changeView(session: Session, addFile: Context["addFile"]): void {
+  const section = byId("change");
+  const about = el("p", { class: "quiet", id: "verb-about" });
+  const place = el("div", { id: "form" });
+  const clear = button("Clear the form", () => session.values.clear(), { class: "small", id: "clear" });
+  section.append(el("h2", { id: "change-title" }, "Change this model"), verbs(session), about, place, el("p", {}, clear));
+  const context = contextOf(session, session.values, { prefix: "form", commit: "input", addFile });
+  let shown: ShownForm | undefined;
+  session.verb.watch((verb) => {
+    const form = formOf(verb);
+    if (!form) return;
+    shown?.end();
+    shown = showForm(form, context);
+    about.textContent = form.about;
+    place.replaceChildren(shown.element);
+  });
+  const refresh = () => shown?.refresh();
+  session.chosen.watch(refresh);
+  session.models.watch(refresh);
+  session.files.watch(refresh);
+  session.presets.watch(refresh);
+}
+
+/** The verbs, of which one is chosen. */
+function verbs(session: Session): HTMLElement {
+  const radios = CHANGES.map(({ verb, title, about }) => {
+    const input = el("input", { type: "radio", name: "verb", value: verb, title: about });
+    input.addEventListener("change", () => session.setVerb(verb));
+    return { input, element: el("label", { class: "verb" }, input, el("span", {}, title)) };
+  });
+  session.verb.watch((verb) => {
+    for (const { input } of radios) input.checked = input.value === verb;
+  });
+  return el("fieldset", { class: "verbs" }, el("legend", { class: "hidden" }, "What to do"), ...radios.map(({ element }) => element));
+}

@@ -1,0 +1,33 @@
+// Files by buttons, for those who do not drop them.
+
+import { byId } from "../dom/element";
+import { type Given, givenBy } from "../files/read";
+
+function input(id: string): HTMLInputElement {
+  return byId(id) as HTMLInputElement;
+}
+
+/** Wires the buttons that open files and folders. */
+export function wireButtons(open: (given: Given[]) => void): void {
+  for (const [button, chooser] of [["choose-files", "files-input"], ["choose-folder", "folder-input"]] as const) {
+    const files = input(chooser);
+    byId(button).addEventListener("click", () => files.click());
+    files.addEventListener("change", () => {
+      open(givenBy(files.files));
+      // The same file can be chosen again.
+      files.value = "";
+    });
+  }
+}
+
+/** Lets the user choose one file; nothing where the choice is called off. */
+export function chooseOne(accepted: string): Promise<Given[]> {
+  const file = input("file-input");
+  file.accept = accepted;
+  file.value = "";
+  return new Promise((resolve) => {
+    file.onchange = () => resolve(givenBy(file.files));
+    file.oncancel = () => resolve([]);
+    file.click();
+  });
+}

@@ -1,0 +1,89 @@
+// What forms need to know about what is open.
+
+import { digits } from "../dom/number";
+import type { FileKind } from "../files/kinds";
+import type { Context, Option } from "../forms/context";
+import type { Source } from "../forms/declaration";
+import type { Values } from "../forms/values";
+import { fileOf } from "../state/model";
+import type { Session } from "../state/session";
+
+// OpenSim's names, for where no model says which it has.
+const PROPERTIES = [
+  "radius", "stiffness", "dissipation", "static_friction", "dynamic_friction", "viscous_friction", "transition_velocity",
+  "constant_contact_force", "hertz_smoothing", "hunt_crossley_smoothing",
+];
+
+const KINDS: Readonly<Partial<Record<Source, readonly FileKind[]>>> = {
+  references: ["model"], presets: ["presets"], scales: ["scales", "xml"], tables: ["table"],
+  geometries: ["geometry", "model", "xml"], models: ["model"],
+};
+
+const ACCEPTED: Readonly<Partial<Record<Source, string>>> = {
+  references: ".osim,.xml", presets: ".toml", scales: ".xml", tables: ".csv,.tsv,.txt", geometries: ".xml,.osim", models: ".osim",
+};
+
+/** What a file chooser offers for a field. */
+export function acceptedFor(source: Source): string {
+  return ACCEPTED[source] ?? "";
+}
+
+interface Made {
+  prefix: string;
+  commit: "input" | "change";
+  addFile: Context["addFile"];
+}
+
+/** The context of a form whose values are `values`. */
+export function contextOf(session: Session, values: Values, { prefix, commit, addFile }: Made): Context {
+  return {
+    values, prefix, commit, addFile,
+    options: (source) => options(session, source),
+    currentValue: (property) => currentValue(session, property),
+    currentMass: () => session.model()?.look?.inspection.contacts_mass_kg?.value ?? session.model()?.look?.inspection.mass_kg ?? undefined,
+  };
+}
+
+/** The value that all spheres or forces have; nothing where they differ. */
+function currentValue(session: Session, property: string): string | undefined {
+  const inspection = session.model()?.look?.inspection;
+  const radii = inspection?.spheres.map(({ radius_m: radius }) => radius);
+  const values = property === "radius" ? radii : inspection?.forces.map(({ parameters }) => parameters[property]);
+  const [first, ...others] = new Set(values);
+  return typeof first === "number" && others.length === 0 ? digits(first, 6) : undefined;
+}
+
+function options(session: Session, source: Source): Option[] {
+  const inspection = session.model()?.look?.inspection;
+  switch (source) {
+    case "properties": {
+      const named = new Set(["radius", ...(inspection?.forces ?? []).flatMap(({ parameters }) => Object.keys(parameters))]);
+      return plain(named.size > 1 ? PROPERTIES.filter((name) => named.has(name)) : PROPERTIES);
+    }
+    case "forces": return plain((inspection?.forces ?? []).map(({ name }) => name));
+    case "bodies": return plain((inspection?.bodies ?? []).map(({ name }) => name));
+    case "references": return [...files(session, source, "Files"), ...presets(session)];
+    default: return files(session, source);
+  }
+}
+
+function plain(names: readonly string[]): Option[] {
+  return [...new Set(names)].map((name) => ({ value: name, text: name }));
+}
+
+function files(session: Session, source: Source, heading?: string): Option[] {
+  const model = session.model();
+  const now = model && fileOf(model);
+  const kinds = KINDS[source] ?? [];
+  const fitting = session.files.value.filter(({ name, kind }) => kinds.includes(kind) && name !== now);
+  // The most likely kind comes first.
+  fitting.sort((one, other) => kinds.indexOf(one.kind) - kinds.indexOf(other.kind));
+  return fitting.map(({ name }) => ({ value: name, text: name, ...(heading === undefined ? {} : { heading }) }));
+}
+
+function presets(session: Session): Option[] {
+  return session.presets.value.map(({ name, file }) => {
+    const option = { value: name, text: name, heading: "Presets" };
+    return file === undefined ? option : { ...option, along: { presets: file } };
+  });
+}

@@ -1,0 +1,95 @@
+// What went wrong: message, place, the line, and the fields that would answer.
+
+import { button, type Child, el } from "../dom/element";
+import type { Failure } from "../engine/types";
+import { fieldOf } from "../forms/all";
+import type { Context } from "../forms/context";
+import { control } from "../forms/control";
+import type { Form } from "../forms/declaration";
+
+export interface FailureView {
+  element: HTMLElement;
+  show(failure: Failure | undefined): void;
+}
+
+/**
+ * A place for failures. Their questions are fields of `form`, and `context` takes the answers; once they are answered,
+ * reading goes on at `after`.
+ */
+export function failureView(form: () => Form, context: Context, after: HTMLElement): FailureView {
+  const what = el("div", { class: "what" });
+  const answers = el("div", { class: "answers" });
+  const element = el("div", { class: "failure", hidden: true }, what, answers);
+  let asked = "";
+  let end: () => void = () => undefined;
+  const show = (failure: Failure | undefined) => {
+    if (!failure) {
+      if (element.contains(document.activeElement)) after.focus();
+      element.hidden = true;
+      asked = "";
+      end();
+      what.replaceChildren();
+      answers.replaceChildren();
+      return;
+    }
+    element.hidden = false;
+    what.replaceChildren(el("div", { role: "alert" }, ...described(failure)));
+    const key = `${form().verb} ${failure.code} ${failure.fields.join(" ")}`;
+    // While the same is asked, the fields stay: somebody may be typing in them.
+    if (asked === key) return;
+    asked = key;
+    end();
+    const made = question(failure, form(), context);
+    answers.replaceChildren(...made.content);
+    end = made.end;
+  };
+  return { element, show };
+}
+
+/** A failure in words. */
+export function described({ message, model, line, column, excerpt }: Failure): HTMLElement[] {
+  const where = model ? [model, line, column].filter((part) => part != null).join(":") : "";
+  const parts: HTMLElement[] = [el("p", { class: "message" }, el("span", { class: "tag error" }, "error"), " ", sentence(message))];
+  if (where) parts.push(el("p", { class: "quiet" }, "In ", el("code", {}, where)));
+  if (excerpt) {
+    const { before, marked, after } = excerpt;
+    const text: Child[] = [before, el("mark", {}, marked || " "), after];
+    parts.push(el("pre", { class: "excerpt", tabindex: 0, "aria-label": "The line of the file" }, el("code", {}, ...text)));
+  }
+  return parts;
+}
+
+/** Messages begin small and end without a full stop; here they are sentences. */
+export function sentence(text: string): string {
+  const begun = text.charAt(0).toUpperCase() + text.slice(1);
+  return /[.!?]$/.test(begun) ? begun : `${begun}.`;
+}
+
+function question(failure: Failure, form: Form, context: Context): { content: HTMLElement[]; end: () => void } {
+  const fields = failure.fields.filter((name) => name !== "yes").flatMap((name) => fieldOf(name, form) ?? []);
+  const controls = fields.map((field) => ({ field, made: control(field, context) }));
+  for (const { made } of controls) made.refresh(true);
+  const end = context.values.watch((name) => {
+    for (const { field, made } of controls) if (name === null || field.name === name) made.refresh(name === null);
+  });
+  const yes = failure.fields.includes("yes") ? [meant(failure, context)] : [];
+  const all = [...yes, ...controls.map(({ made }) => made.element)];
+  if (all.length === 0) return { content: [], end };
+  const legend = all.length === 1 ? "Your answer" : "Any of these would answer";
+  const title = el("p", { id: `${context.prefix}-asked` }, el("strong", {}, legend));
+  return { content: [el("div", { class: "question", role: "group", "aria-labelledby": title.id }, title, ...all)], end };
+}
+
+/** The answer that a number is meant as it is; another number in its place is asked about again. */
+function meant({ code, fields }: Failure, { values }: Context): HTMLElement {
+  const others = () => values.texts("yes").filter((one) => one !== code);
+  const say = () => {
+    values.set("yes", [...others(), code]);
+    const end = values.watch((name) => {
+      if (name === "yes" || (name !== null && !fields.includes(name))) return;
+      end();
+      if (name !== null) values.set("yes", others());
+    });
+  };
+  return el("p", {}, button("It is meant as it is: go on", say));
+}

@@ -1,0 +1,19 @@
+// Undo and redo by keys, where no text is being typed: there they are the browser's.
+
+const TYPED = /^(text|search|number)$/;
+
+export function wireKeys(undo: () => void, redo: () => void): void {
+  addEventListener("keydown", (event) => {
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || isTyping(event.target)) return;
+    const key = event.key.toLowerCase();
+    const act = key === "z" ? (event.shiftKey ? redo : undo) : key === "y" && !event.shiftKey ? redo : undefined;
+    if (!act) return;
+    event.preventDefault();
+    act();
+  });
+}
+
+function isTyping(target: EventTarget | null): boolean {
+  if (target instanceof HTMLTextAreaElement) return true;
+  return target instanceof HTMLInputElement && TYPED.test(target.type);
+}

@@ -1,0 +1,136 @@
+// Several models: a table with a row for each.
+
+import { canChangeAll, changeAll, downloadAll } from "../actions/library";
+import { lookCloser } from "../actions/look";
+import { button, byId, el, setText } from "../dom/element";
+import { counted, kilograms } from "../dom/number";
+import { boxedTable, type Head, headCells } from "../dom/table";
+import { formOf } from "../forms/all";
+import { fileOf, type OpenModel, type Outcome } from "../state/model";
+import type { Session } from "../state/session";
+import { described } from "./failure";
+
+const FACTS = ["mass", "made for", "limbs", "spheres", "findings"];
+const CAPTION = "Models that are open. The change in the form below can be done to all of them; a target mass in a row is for that model.";
+
+export class LibraryView {
+  readonly #section = byId("library");
+  readonly #heads = el("tr");
+  readonly #rows = el("tbody");
+  readonly #changeAll: HTMLButtonElement;
+  readonly #zip: HTMLButtonElement;
+  readonly #title = el("h2", { id: "library-title" });
+  readonly #shown = new Map<number, { model: OpenModel; chosen: boolean; mass: boolean; row: HTMLElement }>();
+
+  constructor(readonly session: Session) {
+    this.#changeAll = button("Change all", () => void changeAll(session), { class: "primary", id: "change-all" });
+    this.#zip = button("Change all and download a ZIP", () => void downloadAll(session), { id: "download-all" });
+    const box = boxedTable("Models", CAPTION, this.#heads, this.#rows);
+    const buttons = el("div", { class: "buttons", role: "group", "aria-label": "All models" }, this.#changeAll, this.#zip);
+    this.#section.append(this.#title, box, buttons);
+    session.models.watch(() => this.#update());
+    session.chosen.watch((id) => {
+      this.#update();
+      if (id !== null) void lookCloser(session, id);
+    });
+    session.verb.watch(() => this.#otherChange());
+    session.values.watch(() => this.#otherChange());
+  }
+
+  #update(): void {
+    const models = this.session.models.value;
+    this.#section.hidden = models.length < 2;
+    if (this.#section.hidden) return;
+    setText(this.#title, counted(models.length, "model"));
+    const mass = formOf(this.session.verb.value)?.fields.some(({ name }) => name === "target_mass") ?? false;
+    this.#heads.replaceChildren(...headCells(heads(mass)));
+    const rows = models.map((model) => this.#row(model, mass));
+    const same = rows.length === this.#rows.children.length && rows.every((row, index) => row === this.#rows.children[index]);
+    if (!same) this.#rows.replaceChildren(...rows);
+    this.#enable();
+  }
+
+  /** What another change did to the models is not what this one would do. */
+  #otherChange(): void {
+    const models = this.session.models.value;
+    if (models.some(({ outcome }) => outcome)) this.session.models.set(models.map((model) => ({ ...model, outcome: null })));
+    else this.#update();
+  }
+
+  #enable(): void {
+    const can = canChangeAll(this.session);
+    this.#changeAll.disabled = !can;
+    this.#zip.disabled = !can;
+  }
+
+  /** The row of a model: the one that is there, where nothing changed. */
+  #row(model: OpenModel, mass: boolean): HTMLElement {
+    const chosen = model.id === this.session.chosen.value;
+    const shown = this.#shown.get(model.id);
+    if (shown && shown.model === model && shown.chosen === chosen && shown.mass === mass) return shown.row;
+    const typing = shown?.row.contains(document.activeElement) && document.activeElement instanceof HTMLInputElement;
+    const own = mass ? [this.#mass(model)] : [];
+    const all = [this.#name(model), ...cells(model), ...own, outcomeCell(model), this.#close(model)];
+    const row = el("tr", { "aria-current": chosen ? "true" : undefined }, ...all);
+    this.#shown.set(model.id, { model, chosen, mass, row });
+    if (typing && shown) {
+      shown.row.replaceWith(row);
+      row.querySelector<HTMLInputElement>("input")?.focus();
+    }
+    return row;
+  }
+
+  #name(model: OpenModel): HTMLElement {
+    const open = button(fileOf(model), () => this.session.chosen.set(model.id), { class: "link" });
+    return el("th", { scope: "row" }, open);
+  }
+
+  #mass(model: OpenModel): HTMLElement {
+    const name = `Target mass of ${fileOf(model)} (kg)`;
+    const input = el("input", { type: "text", inputmode: "decimal", class: "mass", "aria-label": name, autocomplete: "off" });
+    input.value = model.targetMass;
+    input.placeholder = "as in the form";
+    input.addEventListener("change", () => this.session.update(model.id, (open) => ({ ...open, targetMass: input.value.trim(), outcome: null })));
+    return el("td", {}, input);
+  }
+
+  #close(model: OpenModel): HTMLElement {
+    const { session } = this;
+    const close = button("Close", () => {
+      session.models.set(session.models.value.filter(({ id }) => id !== model.id));
+      if (session.chosen.value === model.id) session.chosen.set(session.models.value[0]?.id ?? null);
+      session.announce(`${fileOf(model)} is closed.`);
+    }, { class: "small", "aria-label": `Close ${fileOf(model)}` });
+    return el("td", { class: "acts" }, close);
+  }
+}
+
+function heads(mass: boolean): Head[] {
+  const own = mass ? [{ text: "target mass (kg)" }] : [];
+  const facts = FACTS.map((text) => ({ text }));
+  return [{ text: "model", words: true }, ...facts, ...own, { text: "result", words: true }, { text: "close", hidden: true }];
+}
+
+/** What is known of a model; for one that could not be opened, that. */
+function cells({ look: seen }: OpenModel): HTMLElement[] {
+  if (!seen) return FACTS.map(() => el("td", {}, "–"));
+  const { mass_kg: mass, contacts_mass_kg: made, limbs, spheres } = seen.inspection;
+  const counts = [limbs?.length, spheres.length, seen.findings.length].map((count) => (count === undefined ? "–" : String(count)));
+  const masses = [mass, made?.value].map((kg) => (kg == null ? "–" : kilograms(kg)));
+  return [...masses, ...counts].map((text) => el("td", {}, text));
+}
+
+function outcomeCell({ failure, outcome }: OpenModel): HTMLElement {
+  const failed = failure ?? (outcome?.state === "failed" ? outcome.failure : undefined);
+  if (!failed) return el("td", { class: "words outcome" }, textOf(outcome));
+  const summary = el("summary", {}, el("span", { class: "tag error" }, "error"), " ", short(failed.message));
+  return el("td", { class: "words outcome" }, el("details", {}, summary, ...described(failed)));
+}
+
+function textOf(outcome: Outcome | null): string {
+  return outcome && outcome.state !== "failed" ? outcome.text : "";
+}
+
+function short(message: string): string {
+  return message.length > 70 ? `${message.slice(0, 70)}…` : message;
+}

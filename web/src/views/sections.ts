@@ -1,0 +1,50 @@
+// Places for sections of the engine's renderer. What did not change is not touched, which keeps a slider smooth.
+
+import { el, setText } from "../dom/element";
+import { parsed } from "../dom/markup";
+import type { Section } from "../engine/types";
+
+export interface Place {
+  element: HTMLElement;
+  /** Shows a section, or nothing. */
+  show(section: Section | undefined): void;
+}
+
+interface Look {
+  /** What ids in the place begin with. */
+  prefix: string;
+  id: string;
+  /** Closed until its heading is clicked. */
+  folded?: boolean;
+  /** The heading, where it is another one than the section's. */
+  title?: string;
+}
+
+/** A place for one section. */
+export function place({ prefix, id, folded = false, title }: Look): Place {
+  const heading = el("h3", { id: `${prefix}-${id}-title` }, title ?? "");
+  const body = el("div", { class: "body" });
+  const element = folded
+    ? el("details", { id: `${prefix}-${id}`, class: `section of-${id}`, hidden: true }, el("summary", {}, heading), body)
+    : el("div", { id: `${prefix}-${id}`, class: `section of-${id}`, hidden: true }, heading, body);
+  let shown: string | undefined;
+  const show = (section: Section | undefined) => {
+    element.hidden = section === undefined || section.html === "";
+    if (section === undefined || section.html === shown) return;
+    shown = section.html;
+    setText(heading, title ?? section.title);
+    swap(body, parsed(section.html));
+  };
+  return { element, show };
+}
+
+/** Replaces what is in `body`; boxes that scroll stay where they were. */
+function swap(body: HTMLElement, content: DocumentFragment): void {
+  const scrolled = [...body.querySelectorAll(".wide, .plot.feet")].map(({ scrollLeft }) => scrollLeft);
+  const focused = [...body.querySelectorAll("a, [tabindex]")].indexOf(document.activeElement ?? body);
+  body.replaceChildren(content);
+  if (scrolled.some((left) => left > 0)) {
+    for (const [index, box] of [...body.querySelectorAll(".wide, .plot.feet")].entries()) box.scrollLeft = scrolled[index] ?? 0;
+  }
+  if (focused >= 0) [...body.querySelectorAll<HTMLElement>("a, [tabindex]")][focused]?.focus({ preventScroll: true });
+}

@@ -1,0 +1,48 @@
+// What a model is, in a few lines.
+
+import { type Child, el } from "../dom/element";
+import { counted, digits, kilograms } from "../dom/number";
+import type { Inspection, Look } from "../engine/types";
+
+const SOURCES: Readonly<Record<string, string>> = { note: "note in the file", bodies: "not recorded; taken from the bodies" };
+
+/** The summary as a list of terms. */
+export function summary({ inspection }: Look): HTMLElement {
+  const rows: [string, Child[]][] = [
+    ["Mass", mass(inspection)],
+    ["Contacts made for", madeFor(inspection)],
+    ["Limbs", limbs(inspection)],
+    ["Spheres", [String(inspection.spheres.length)]],
+    ["Forces", [forces(inspection)]],
+    ["Gravity", [inspection.gravity_m_s2 == null ? "unknown" : `${digits(inspection.gravity_m_s2, 6)} m/s²`]],
+  ];
+  return el("dl", { class: "summary" }, ...rows.flatMap(([term, said]) => [el("dt", {}, term), el("dd", {}, ...said)]));
+}
+
+function quiet(text: string): HTMLElement {
+  return el("span", { class: "quiet" }, text);
+}
+
+function mass({ mass_kg: known, bodies }: Inspection): Child[] {
+  const text = known === null ? "unknown" : kilograms(known);
+  return bodies.length === 0 ? [text] : [text, quiet(` sum of ${counted(bodies.length, "body", "bodies")}`)];
+}
+
+function madeFor({ contacts_mass_kg: made, known_contacts: known, forces: all }: Inspection): Child[] {
+  if (all.length === 0) return ["there are no contacts"];
+  const text = made ? [kilograms(made.value), quiet(` ${SOURCES[made.source] ?? made.source}`)] : ["unknown"];
+  return known ? [...text, el("br"), quiet(`parameters of ${known.title}`)] : text;
+}
+
+function limbs({ limbs: all }: Inspection): Child[] {
+  if (!all || all.length === 0) return ["none found"];
+  const texts = all.map(({ name, side, spheres }) => `${name}${side ? ` (${side})` : ""}: ${counted(spheres.length, "sphere")}`);
+  return texts.flatMap((text, index) => (index === 0 ? [text] : [el("br"), text]));
+}
+
+function forces({ forces: all }: Inspection): string {
+  if (all.length === 0) return "none";
+  const counts = new Map<string, number>();
+  for (const { type } of all) counts.set(type, (counts.get(type) ?? 0) + 1);
+  return [...counts].map(([type, count]) => `${count} × ${type}`).join(", ");
+}
