@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what the checks need beside Rust. Nothing else in the project installs anything.
 #
-#     dev/install.sh [GROUP...]     one or more of: rust programs shells oracle browser python book wasm windows; all without arguments
+#     dev/install.sh [GROUP...]     one or more of: rust programs shells oracle browser python book wasm web windows; all without arguments
 #
 # Quick, and silent but for the table at its end, where everything is there. What it cannot install (no root, no
 # Debian, no such package) it names, and goes on: tests that need it say that they were skipped.
@@ -14,7 +14,14 @@ oracle,browser  target/oracle-venv  tests/oracle/requirements.txt
 python          target/python-venv  tests/python/requirements.txt
 book            target/book-venv    docs/requirements.txt
 "
-GROUPS_KNOWN="rust programs shells oracle browser python book wasm windows"
+GROUPS_KNOWN="rust programs shells oracle browser python book wasm web windows"
+
+# Packages from npm: which groups use them, and the folder with their list and its lock file.
+PACKAGES="
+browser  tests/browser
+web      web
+web      tests/web
+"
 
 # One tool a line:
 #   group
@@ -31,6 +38,7 @@ GROUPS_KNOWN="rust programs shells oracle browser python book wasm windows"
 # oracle:   Python for the comparison with the real OpenSim. Its packages are in the table further below.
 # browser:  opens reports; pdftotext reads what they print. The tests run in the oracle's Python. npm brings axe-core, by
 #           tests/browser/package-lock.json.
+# web:      makes the page, and opens it in two browsers: what wasm needs, and zstd, which compresses what the page holds.
 # python:   what tests the Python package, which is installed beside it by pip.
 # book:     makes the pages of docs/ a book, with the reference of the Python package.
 # wasm:     a compiler with the sources of its library, for targets that rustup cannot fetch here, and a linker.
@@ -64,6 +72,15 @@ book      python3        3.11     apt:python3-venv    python3 -c 'import ensurep
 wasm      rustc-web      1.92     apt:rustc-web       /usr/bin/rustc --version
 wasm      rust-web-src   1.92     apt:rust-web-src    dpkg-query -W rust-web-src
 wasm      wasm-ld-19     19       apt:lld-19          wasm-ld-19 --version
+web       rustc-web      1.92     apt:rustc-web       /usr/bin/rustc --version
+web       rust-web-src   1.92     apt:rust-web-src    dpkg-query -W rust-web-src
+web       wasm-ld-19     19       apt:lld-19          wasm-ld-19 --version
+web       node           18       apt:nodejs          node --version
+web       npm            9        apt:npm             npm --version
+web       zstd           1.4      apt:zstd            zstd --version
+web       python3        3.11     apt:python3-venv    python3 -c 'import ensurepip, platform; print(platform.python_version())'
+web       chromium       120      apt:chromium        eval chromium --version || chromium-browser --version || google-chrome --version
+web       firefox-esr    115      apt:firefox-esr     firefox-esr --version
 windows   rustc-web      1.92     apt:rustc-web       /usr/bin/rustc --version
 windows   rust-web-src   1.92     apt:rust-web-src    dpkg-query -W rust-web-src
 windows   mingw-gcc      12       apt:gcc-mingw-w64-x86-64 dpkg-query -W gcc-mingw-w64-x86-64
@@ -197,17 +214,33 @@ while read -r venv list; do
     fi
 done <<<"$(environments)"
 
-# Packages from npm: exactly those of the lock file.
-NPM=tests/browser
-AXE=$(sed -n 's/.*"axe-core": "\([0-9.]*\)".*/\1/p' $NPM/package.json)
-axe_version() { sed -n 's/^ *"version": "\([0-9.]*\)".*/\1/p' $NPM/node_modules/axe-core/package.json 2>/dev/null || true; }
-case " $wanted_groups " in
-*" browser "*)
-    if [ "$(axe_version)" != "$AXE" ] && command -v npm >/dev/null; then
-        quietly npm ci --prefix $NPM --ignore-scripts --no-audit --no-fund || problem "$NPM/package-lock.json" "npm could not install it"
+# The packages from npm in the folder $1: name, version that is wanted, version that is there.
+npm_packages() {
+    python3 - "$1" <<'END'
+import json
+import sys
+from pathlib import Path
+
+folder = Path(sys.argv[1])
+wanted = json.loads((folder / "package.json").read_text())
+for name, version in {**wanted.get("dependencies", {}), **wanted.get("devDependencies", {})}.items():
+    there = folder / "node_modules" / name / "package.json"
+    print(name, version, json.loads(there.read_text())["version"] if there.is_file() else "")
+END
+}
+# The folders that the wanted groups use.
+npm_folders() {
+    local group folder
+    while read -r group folder; do
+        case " $wanted_groups " in *" $group "*) [ -f "$folder/package.json" ] && printf '%s\n' "$folder" ;; esac
+    done <<<"$(grep -v '^$' <<<"$PACKAGES")"
+    return 0
+}
+for folder in $(npm_folders); do
+    if [ -n "$(npm_packages "$folder" | awk '$2 != $3')" ] && command -v npm >/dev/null; then
+        quietly npm ci --prefix "$folder" --no-audit --no-fund --ignore-scripts || problem "$folder/package-lock.json" "npm could not install it"
     fi
-    ;;
-esac
+done
 
 row() {
     local state=""
@@ -225,7 +258,9 @@ while read -r venv list; do
     [ -n "$venv" ] && [ -x "$venv/bin/python" ] || continue
     while read -r name wanted found; do row python "$name" "$wanted" "$found" ""; done <<<"$(python_packages "$venv" "$list" table)"
 done <<<"$(environments)"
-case " $wanted_groups " in *" browser "*) row npm axe-core "=$AXE" "$(axe_version)" "" ;; esac
+for folder in $(npm_folders); do
+    while read -r name wanted found; do row npm "$name" "=$wanted" "$found" ""; done <<<"$(npm_packages "$folder")"
+done
 if [ -n "$problems" ]; then
     printf 'not installed:\n%s' "$problems" >&2
 fi
