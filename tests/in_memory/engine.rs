@@ -133,6 +133,24 @@ fn a_look_is_what_inspect_and_check_say() {
 }
 
 #[test]
+fn what_follows_a_slider_is_what_all_of_it_shows() {
+    let mut engine = engine_of(&Bench::human());
+    let request = json!({"verb": "rescale", "models": "human.osim", "target_mass": 500});
+    let mut sections = |parts: &Value| {
+        ask(&mut engine, &json!({"do": "change", "request": request, "parts": parts}))["sections"].clone()
+    };
+    let quick = sections(&json!(["changes", "plots", "state"]));
+    let all = sections(&json!(["changes", "plots", "state", "figures"]));
+    let ids: Vec<&str> = quick.as_array().unwrap().iter().map(|one| one["id"].as_str().unwrap()).collect();
+    assert_eq!(ids, ["changes", "plots", "state"]);
+    assert_eq!(quick.as_array().unwrap()[..], all.as_array().unwrap()[..3]);
+    assert_eq!(sections(&json!(["changes"])), json!([quick[0]]));
+    // A report does without what nobody names.
+    let whole = ask(&mut engine, &json!({"do": "change", "request": request}));
+    assert!(whole["sections"].as_array().unwrap().iter().all(|one| one["id"] != "state"));
+}
+
+#[test]
 fn a_report_about_a_model_is_the_command_s() {
     let bench = Bench::human();
     let report = ask(

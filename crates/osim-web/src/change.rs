@@ -21,7 +21,7 @@ use crate::problem::Problem;
 use crate::shelf::Shelf;
 
 /// The sections that follow from the plan and from what is drawn of both states: those that follow a slider.
-const QUICK: [&str; 2] = ["changes", "plots"];
+const QUICK: [&str; 3] = ["changes", "plots", "state"];
 
 /// A change that is planned.
 pub(crate) struct Planned {
@@ -116,12 +116,13 @@ impl Planned {
         Ok(both)
     }
 
-    /// What changes, with the plots of both states where these are asked for.
-    fn quickly(&self, with_plots: bool) -> Result<Sections, Problem> {
+    /// What changes, with those plots of both states that are asked for.
+    fn quickly(&self, wanted: Option<&[String]>) -> Result<Sections, Problem> {
         let planner = &*self.change.planner;
         let states = States { planner, opened: &self.opened.model, plan: &self.plan };
-        let bodies = with_plots.then(|| states.bodies(|| self.as_files())).transpose()?;
-        Ok(Sections::of_plan(&self.plan, &bodies.unwrap_or_default(), planner.reference(), self.words))
+        let drawn = wanted.is_some_and(|wanted| wanted.iter().any(|one| one != QUICK[0]));
+        let bodies = drawn.then(|| states.bodies(|| self.as_files())).transpose()?.unwrap_or_default();
+        Ok(Sections::of_plan(&self.plan, &bodies, (planner.reference(), wanted), self.words))
     }
 
     /// What it does; `wanted` are the sections that are asked for, all where that is not said.
@@ -132,7 +133,7 @@ impl Planned {
         let wants = |id: &str| wanted.is_none_or(|wanted| wanted.iter().any(|one| one == id));
         let quick = wanted.is_some_and(|wanted| wanted.iter().all(|one| QUICK.contains(&one.as_str())));
         let (shown, findings) = match quick {
-            true => (self.quickly(wants(QUICK[1]))?, None),
+            true => (self.quickly(wanted)?, None),
             false => {
                 let both = self.both(wants("feet"), shelf)?;
                 let last = both.after.as_ref().unwrap_or(&both.before);

@@ -9,8 +9,8 @@ import { fileOf } from "../state/model";
 import type { Preview, Session } from "../state/session";
 
 // What is asked for at once: what may be on the screen and is quick.
-const PLOTS = "plots";
-const ALL = ["changes", "reference", PLOTS, "feet", "findings", "figures"];
+const PLOTS = ["plots", "state"];
+const ALL = ["changes", "reference", ...PLOTS, "feet", "findings", "figures"];
 const REST_MS = 150;
 
 type Plan = { ask: Request } | { show: Preview };
@@ -70,7 +70,7 @@ export class Live {
   }
 
   #quick(): string[] {
-    return this.session.visible.has(PLOTS) ? ["changes", PLOTS] : ["changes"];
+    return ["changes", ...PLOTS.filter((id) => this.session.visible.has(id))];
   }
 
   async #show(planned: Plan, parts: string[]): Promise<void> {

@@ -8,7 +8,7 @@ import type { Session } from "../state/session";
 
 // What is seen at once, and what opens only on demand: that is made when there is time.
 const FIRST = ["feet"];
-const LATER = ["contacts", "figures", "plots", "model"];
+const LATER = ["contacts", "figures", "plots", "state", "model"];
 
 /** Looks at a model as it is now. */
 export async function look(session: Session, id: number): Promise<void> {

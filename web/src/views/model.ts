@@ -18,7 +18,7 @@ import { stepButtons, stepList } from "./steps";
 import { summary } from "./summary";
 
 const PREFIX = "model";
-const FOLDED = ["contacts", "figures", "plots", "model"];
+const FOLDED = ["contacts", "figures", "plots", "state", "model"];
 
 export class ModelView {
   readonly #section = byId("model");

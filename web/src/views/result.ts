@@ -15,7 +15,7 @@ import { diffView } from "./diff";
 import { failureView } from "./failure";
 import { type Place, place } from "./sections";
 
-const SECTIONS = ["changes", "reference", "plots", "feet", "findings", "figures"];
+const SECTIONS = ["changes", "reference", "plots", "state", "feet", "findings", "figures"];
 const PREFIX = "result";
 // Nothing has changed yet, whatever the title of the report says.
 const TITLES: Readonly<Record<string, { title: string }>> = { changes: { title: "In detail" } };

@@ -100,6 +100,7 @@ pub(super) fn fill(fragment: &mut Fragment, changed: Changed<'_>, dialect: &dyn 
         feet::section(fragment, &drawn.feet);
         if !drawn.bodies.is_empty() {
             plots::section(fragment, &drawn.bodies, drawn.has_reference, dialect);
+            plots::state_section(fragment, &drawn.bodies);
         }
     }
     if fragment.wants(sphere_figures::SECTION.0) {

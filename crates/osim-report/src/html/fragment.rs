@@ -32,6 +32,11 @@ impl Fragment {
         self.wanted.as_ref().is_none_or(|wanted| wanted.iter().any(|one| one == id))
     }
 
+    /// Whether the section `id` is asked for by its name: one that reports do without.
+    pub(super) fn names(&self, id: &str) -> bool {
+        self.wanted.is_some() && self.wants(id)
+    }
+
     /// Adds a section, if it is asked for.
     pub(super) fn section(&mut self, id: &'static str, title: &'static str, body: &Markup) {
         if self.wants(id) {

@@ -59,6 +59,7 @@ pub(super) fn fill(
         super::feet::section(fragment, &drawn.feet);
         if !drawn.bodies.is_empty() {
             plots::section(fragment, &drawn.bodies, false, dialect);
+            plots::state_section(fragment, &drawn.bodies);
         }
     }
     sphere_figures::section(

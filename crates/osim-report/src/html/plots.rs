@@ -1,6 +1,8 @@
 //! Plots of a page.
 
-use contact_plots::{Drawing, Figure, Paper, PlotError, drop_figure, force_figure, loop_figure};
+use contact_plots::{
+    Drawing, Figure, Paper, PlotError, drop_figure, force_figure, loop_figure, state_figure,
+};
 use maud::{Markup, PreEscaped, html};
 use osim_inspect::DropHeight;
 use osim_inspect::series::{Body, ForceUnit, IndentationUnit, Units};
@@ -11,6 +13,8 @@ use super::fragment::Fragment;
 use osim_figures as draw;
 
 const SECTION: (&str, &str) = ("plots", "Plots of force, dissipation and a drop test");
+/// For a page that has room for it; reports have the three others.
+const STATE: (&str, &str) = ("state", "Contact state against indentation");
 /// Shares of the weight of one sphere against x/R: bodies of all sizes fit into one figure.
 const UNITS: Units = Units { indentation: IndentationUnit::Relative, force: ForceUnit::WeightShare };
 /// A fall from a quarter of the radius, as in the paper's drop tests.
@@ -22,6 +26,16 @@ const HEIGHT: DropHeight = DropHeight::Radii(0.25);
 pub(super) fn section(fragment: &mut Fragment, bodies: &[Body], has_reference: bool, dialect: &dyn Dialect) {
     if fragment.wants(SECTION.0) {
         fragment.section(SECTION.0, SECTION.1, &figures(bodies, has_reference, dialect));
+    }
+}
+
+/// The section about the contact state of a smoothed law, where it is asked for; there is none without smoothing.
+pub(super) fn state_section(fragment: &mut Fragment, bodies: &[Body]) {
+    let svg = fragment.names(STATE.0).then(|| state(bodies).ok()).flatten();
+    if let Some(svg) = svg {
+        let what = "How softly contact sets in: from 0, no contact, to 1. Where curves lie on each other, the smoothing without \
+                    dimensions is the same.";
+        fragment.section(STATE.0, STATE.1, &html! { div.plots { (plot(what, &svg)) } });
     }
 }
 
@@ -71,6 +85,11 @@ fn drawn(bodies: &[Body], figure: Result<Figure, PlotError>) -> Result<String, F
 fn force(bodies: &[Body]) -> Result<String, Failure> {
     let figure = draw::force(bodies, UNITS, None, Some("Force against indentation"))?;
     drawn(bodies, force_figure(&figure))
+}
+
+fn state(bodies: &[Body]) -> Result<String, Failure> {
+    let figure = draw::state(bodies, UNITS, None, Some("Contact state"))?;
+    drawn(bodies, state_figure(&figure))
 }
 
 fn loops(bodies: &[Body]) -> Result<String, Failure> {

@@ -46,21 +46,22 @@ impl Sections {
         Self { sections: sections.collect(), explained: explained.collect() }
     }
 
-    /// What changes, from the plan alone, and plots of `bodies`: both states of the model, and what the contacts are taken from
+    /// What changes, from the plan alone, and those plots that are `wanted` of `bodies`: both states of the model, and what the contacts are taken from
     /// where that is another body. Nothing else of the model is computed: for pictures that follow a slider.
     #[must_use]
     pub fn of_plan(
         plan: &Plan,
         bodies: &[Body],
-        reference: Option<&ReferenceState>,
+        (reference, wanted): (Option<&ReferenceState>, Option<&[String]>),
         dialect: &dyn Dialect,
     ) -> Self {
-        let mut fragment = Fragment::of_some(None);
+        let mut fragment = Fragment::of_some(wanted);
         what_changed(&mut fragment, plan);
         if !bodies.is_empty() {
             let other = reference.and_then(|reference| reference.body.clone());
             let bodies: Vec<Body> = bodies.iter().cloned().chain(other).collect();
             plots::section(&mut fragment, &bodies, reference.is_some(), dialect);
+            plots::state_section(&mut fragment, &bodies);
         }
         Self::of(fragment, dialect)
     }
