@@ -18,10 +18,13 @@ const STYLES = ["crates/osim-report/src/html/style.css", "web/page/page.css", "w
 /** The text of the page, and the sizes of its parts. */
 export async function assemble({ script, worker, wasm, licences }) {
   const style = await styles();
-  const blocks = [
-    ["engine", block("engine", wasm)],
+  // What the script needs at once is before it. While the browser reads the large blocks behind it, the worker starts.
+  const first = [
     ["worker", block("worker", Buffer.from(worker))],
     ["forms", block("forms", Buffer.from(JSON.stringify(forms())))],
+  ];
+  const blocks = [
+    ["engine", block("engine", wasm)],
     ["example", block("example", readFileSync(join(ROOT, EXAMPLE)))],
     ["licences", block("licences-text", Buffer.from(licences))],
   ];
@@ -30,13 +33,18 @@ export async function assemble({ script, worker, wasm, licences }) {
   const html = filled(readFileSync(join(WEB, "page/page.html"), "utf8"), {
     policy: policyElement({ scripts: [script], styles: [style] }),
     style: `<style>${style}</style>`,
-    blocks: blocks.map(([, text]) => text).join("\n"),
+    "first-blocks": joined(first),
+    blocks: joined(blocks),
     script: `<script>${script}</script>`,
     version: version(),
     ...cited(paper()),
   });
-  const sizes = blocks.map(([name, text]) => [`${name}, compressed`, text.length]);
+  const sizes = [...first, ...blocks].map(([name, text]) => [`${name}, compressed`, text.length]);
   return { html, sizes: [...sizes, ["script", script.length], ["style", style.length]] };
+}
+
+function joined(blocks) {
+  return blocks.map(([, text]) => text).join("\n");
 }
 
 async function styles() {

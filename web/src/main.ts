@@ -32,13 +32,20 @@ function main(): void {
   const missing = missingSupport();
   if (missing.length > 0) return cannot(`This browser lacks what the page needs: ${missing.join(", ")}. ${NEWER}`);
   const session = new Session(new Client(unpackedText("worker")));
-  const started = session.engine.start(packed("engine"));
   wire(session);
+  const started = parsed().then(() => session.engine.start(packed("engine")));
   started.then(() => ready(session), (error) => cannot(`The page could not start: ${failureOf(error).message}`));
 }
 
+/** The engine is behind this script on the page: it is there when all of it was read. */
+function parsed(): Promise<void> {
+  if (document.readyState !== "loading") return Promise.resolve();
+  return new Promise((resolve) => document.addEventListener("DOMContentLoaded", () => resolve(), { once: true }));
+}
+
 function wire(session: Session): void {
-  const open = (given: Parameters<typeof openFiles>[1]) => void openFiles(session, given);
+  const refuse = (why: string) => session.announce(`This could not be read: ${why}.`);
+  const open = (given: Parameters<typeof openFiles>[1]) => void openFiles(session, given).catch((error) => refuse(failureOf(error).message));
   const addFile = async (source: Source) => {
     const given = await chooseOne(acceptedFor(source));
     await openFiles(session, given);
@@ -55,7 +62,7 @@ function wire(session: Session): void {
   footerView();
   showWhatIsOpen(session);
   wireButtons(open);
-  acceptDrops(open);
+  acceptDrops(open, refuse);
   wireKeys(() => undo(session), () => redo(session));
   byId("try-example").addEventListener("click", () => void openExample(session));
   byId("skip").addEventListener("click", (event) => {

@@ -25,6 +25,8 @@ export function requestOfRow(session: Session, model: OpenModel): Request | unde
 /** Whether the form says something that can be done to all. */
 export function canChangeAll(session: Session): boolean {
   const form = formOf(session.verb.value);
+  // One that is still being opened would be left out without a word.
+  if (session.models.value.some(({ look, failure }) => !look && !failure)) return false;
   const owns = session.models.value.some(({ targetMass }) => targetMass !== "");
   return form !== undefined && (!isEmpty(form, session.values) || (form.verb === "rescale" && owns) || form.verb === "remove");
 }

@@ -1,9 +1,11 @@
 // Files and folders that are dropped on the window.
 
+import { failureOf } from "../engine/failure";
+import { type Dropped, inFolder } from "./folder";
 import type { Given } from "./read";
 
-/** Calls `open` with what is dropped; the document shows that something is held over it. */
-export function acceptDrops(open: (given: Given[]) => void): void {
+/** Calls `open` with what is dropped, or `refuse` with why it cannot be read; the document shows that something is held over it. */
+export function acceptDrops(open: (given: Given[]) => void, refuse: (why: string) => void): void {
   let depth = 0;
   const show = (change: number) => {
     depth = Math.max(0, depth + change);
@@ -17,37 +19,20 @@ export function acceptDrops(open: (given: Given[]) => void): void {
     if (!holdsFiles(event)) return;
     event.preventDefault();
     show(-depth);
-    void dropped(event.dataTransfer).then(open);
+    dropped(event.dataTransfer).then(open, (error) => refuse(failureOf(error).message));
   });
 }
 
-async function dropped(transfer: DataTransfer | null): Promise<Given[]> {
-  // What was dropped can only be looked at until the event is over; what is made of it, later too.
-  const entries = [...(transfer?.items ?? [])].map((item) => item.webkitGetAsEntry()).filter((entry) => entry !== null);
-  if (entries.length > 0) return (await Promise.all(entries.map(within))).flat();
-  return [...(transfer?.files ?? [])].map((file) => ({ name: file.name, file }));
+/** What was dropped can only be asked for until the event is over; what is made of it, later too. */
+function dropped(transfer: DataTransfer | null): Promise<Given[]> {
+  const items = [...(transfer?.items ?? [])].filter(({ kind }) => kind === "file");
+  return Promise.all(items.map(given)).then((all) => all.flat());
 }
 
-/** The files in a folder, or the file. */
-async function within(entry: FileSystemEntry): Promise<Given[]> {
-  if (isFile(entry)) {
-    const file = await new Promise<File>((resolve, reject) => entry.file(resolve, reject));
-    return [{ name: entry.fullPath.replace(/^\//, ""), file }];
-  }
-  if (!isFolder(entry)) return [];
-  return (await Promise.all((await all(entry.createReader())).map(within))).flat();
-}
-
-/** All entries of a folder: a reader gives them in portions. */
-async function all(reader: FileSystemDirectoryReader): Promise<FileSystemEntry[]> {
-  const portion = await new Promise<FileSystemEntry[]>((resolve, reject) => reader.readEntries(resolve, reject));
-  return portion.length === 0 ? [] : [...portion, ...(await all(reader))];
-}
-
-function isFile(entry: FileSystemEntry): entry is FileSystemFileEntry {
-  return entry.isFile;
-}
-
-function isFolder(entry: FileSystemEntry): entry is FileSystemDirectoryEntry {
-  return entry.isDirectory;
+/** A file as it is: on a page that was opened from a folder, Chromium gives no file that is asked for by its entry. */
+function given(item: DataTransferItem & Dropped): Promise<Given[]> {
+  const entry = item.webkitGetAsEntry();
+  if (entry?.isDirectory) return inFolder(item, entry as FileSystemDirectoryEntry);
+  const file = item.getAsFile();
+  return Promise.resolve(file ? [{ name: file.name, file }] : []);
 }
