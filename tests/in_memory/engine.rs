@@ -107,6 +107,25 @@ fn every_change_is_the_command_s() {
 }
 
 #[test]
+fn a_report_about_nothing_that_changes_is_the_command_s() {
+    let bench = Bench::with(&[("table1/human_62kg_smooth_sphere.osim", "models/human.osim")]);
+    let request = json!({"verb": "set", "models": "models/human.osim", "set": {"stiffness": "x1"}});
+    let mut engine = engine_of(&bench);
+    let answer = ask(&mut engine, &json!({ "do": "change", "request": request }));
+    assert_eq!(answer["unchanged"], true);
+    let report = ask(&mut engine, &json!({ "do": "report", "request": request }));
+    bench.run("set models/human.osim stiffness=x1 --report models/human.report.html").done();
+    same_text(&report["html"], &bench.text("models/human.report.html"), "set stiffness=x1");
+    // No file is made of it.
+    ask(&mut engine, &json!({ "do": "change", "request": request }));
+    assert_eq!(
+        ask(&mut engine, &json!({ "do": "keep" })),
+        json!({"model": "models/human.osim", "names": []})
+    );
+    assert!(engine.bytes("models/human.scaled.osim").is_none());
+}
+
+#[test]
 fn a_look_is_what_inspect_and_check_say() {
     let bench = Bench::human();
     let look = ask(&mut engine_of(&bench), &json!({"do": "look", "model": "human.osim"}));

@@ -87,16 +87,11 @@ fn same_page(bench: &Bench, verb: Verb, words: &str, json: &serde_json::Value) {
         result: format!("written: {}", names.join(", ")),
         outputs: outputs.collect(),
     };
-    let mut shows = html::Changed::new(&changed.plan, (&both.before.0, &both.before.1), told);
-    shows.before_under_new_weight = both.before_under_new_weight.as_ref();
-    shows.after = both.after.as_ref().map(|(after, found)| (after, found));
-    shows.bodies = both.bodies;
-    shows.feet = both.feet;
+    let mut shows = html::Changed::of_states(&changed.plan, &both, told);
     if let Some(feet) = shows.feet.last_mut() {
         feet.add_bones((&changed.opened.model, path), None, &files);
     }
     shows.in_file = true;
-    shows.target_gravity_m_s2 = both.target_gravity_m_s2;
     let entry = html::changed(&row, shows, DetailLevel::Alone, &CommandLine);
 
     let words = format!("{words} --report page.html");

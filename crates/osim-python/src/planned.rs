@@ -190,7 +190,7 @@ impl Planned {
             let detail = DetailLevel::of(1);
             let entry = self.model.shown((&PythonWords, detail.has_feet()), |mut changed| {
                 let both = changed.before_after.take();
-                both.map(|both| entry(&changed, both, detail, WORDS))
+                both.map(|both| entry(&changed, &both, detail, WORDS))
             })?;
             let verb = Verb::ALL.iter().copied().find(|known| known.name() == verb).unwrap_or(Verb::Set);
             let name = self.model.opened().name().to_string();

@@ -43,7 +43,7 @@ impl FrontEnd for Reporter<'_> {
 
     fn show(&self, mut changed: ChangedModel<'_>) -> Option<Entry> {
         let both = changed.before_after.take()?;
-        Some(entry(&changed, both, self.detail?, WORDS))
+        Some(entry(&changed, &both, self.detail?, WORDS))
     }
 
     fn is_interrupted(&self) -> bool {

@@ -9,7 +9,7 @@ use crate::words::Words;
 
 /// What a page shows of a model that was changed, of both its states.
 #[must_use]
-pub fn entry(changed: &ChangedModel<'_>, both: BeforeAfter, detail: DetailLevel, words: Words) -> Entry {
+pub fn entry(changed: &ChangedModel<'_>, both: &BeforeAfter, detail: DetailLevel, words: Words) -> Entry {
     let record = changed.record;
     let names = changed.opened.files().map(|(name, _)| name.to_owned());
     let inputs = names.zip(changed.inputs.iter().cloned());
@@ -21,17 +21,11 @@ pub fn entry(changed: &ChangedModel<'_>, both: BeforeAfter, detail: DetailLevel,
         false => changed.written.describe(),
     };
     let files = Files { inputs: inputs.collect(), result, outputs };
-    let mut change = Changed::new(changed.plan, (&both.before.0, &both.before.1), files);
-    change.before_under_new_weight = both.before_under_new_weight.as_ref();
-    change.after = both.after.as_ref().map(|(after, found)| (after, found));
-    change.bodies = both.bodies;
-    change.feet = both.feet;
+    let mut change = Changed::of_states(changed.plan, both, files);
     if let Some(feet) = change.feet.last_mut() {
         feet.add_bones((&changed.opened.model, &changed.task.source.path), None, &Disk);
     }
-    change.reference = both.reference.as_ref();
     change.in_file = !changed.written.paths().is_empty();
-    change.target_gravity_m_s2 = both.target_gravity_m_s2;
     let entry = html::changed(&row(record), change, detail, words);
     if changed.earlier { entry.of_earlier_run() } else { entry }
 }

@@ -10,8 +10,8 @@ use osim_report::dialect::FrontEnd;
 use osim_report::html::{self, DetailLevel, Entry, Explained, Files, RunRow, Section, Sections};
 use osim_report::json::PlanRecord;
 use osim_report::plan::unified_diff;
+use osim_requests::Change;
 use osim_requests::options::OutputOptions;
-use osim_requests::{Change, ModelFeet};
 use osim_states::{BeforeAfter, States};
 use serde::Serialize;
 
@@ -90,6 +90,11 @@ impl Planned {
         &self.opened.path
     }
 
+    /// Nothing had to change: its files are what they were.
+    pub(crate) fn is_unchanged(&self) -> bool {
+        self.plan.is_empty()
+    }
+
     /// The files of the model as they will be.
     fn as_files(&self) -> ModelFiles {
         let mut after = self.opened.files.clone();
@@ -140,15 +145,8 @@ impl Planned {
                 let findings = wants("findings").then(|| FindingShown::all(&last.1));
                 // Digests are only for the record.
                 let files = if wants("files") { self.files() } else { Files::default() };
-                let (changed, both) = (&self.plan, &both);
-                (
-                    Sections::of_change(
-                        with_states(changed, both, both.feet.clone(), files),
-                        wanted,
-                        self.words,
-                    ),
-                    findings,
-                )
+                let changed = html::Changed::of_states(&self.plan, &both, files);
+                (Sections::of_change(changed, wanted, self.words), findings)
             }
         };
         let results = self.results.iter().map(|made| ResultShown {
@@ -157,7 +155,7 @@ impl Planned {
         });
         Ok(ChangeShown {
             record: PlanRecord::new(&self.plan, &self.opened.model.model, &self.opened.path, None, None),
-            unchanged: self.plan.is_empty(),
+            unchanged: self.is_unchanged(),
             results: results.collect(),
             sections: shown.sections,
             explained: shown.explained,
@@ -195,7 +193,7 @@ impl Planned {
     pub(crate) fn entry(&self, shelf: &Shelf) -> Result<Entry, Problem> {
         let both = self.both(true, shelf)?;
         let plan = &self.plan;
-        let status = if plan.is_empty() { "nothing to change" } else { "written" };
+        let status = if plan.is_empty() { "unchanged" } else { "written" };
         let mut row = RunRow::new(self.opened.model.name().to_string(), status);
         row.output = (!plan.is_empty())
             .then(|| self.results.first().map(|made| made.name.display().to_string()))
@@ -203,26 +201,8 @@ impl Planned {
         row.contacts_mass_from_kg = plan.masses.as_ref().map(|masses| masses.from.kg);
         row.contacts_mass_to_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
         row.changes = plan.changes.len() + plan.moves.len();
-        let feet = both.feet.clone();
-        let mut shown = with_states(plan, &both, feet, self.files());
+        let mut shown = html::Changed::of_states(plan, &both, self.files());
         shown.in_file = !plan.is_empty();
         Ok(html::changed(&row, shown, DetailLevel::Alone, self.words))
     }
-}
-
-/// A plan with both states of its model.
-fn with_states<'b>(
-    plan: &'b Plan,
-    both: &'b BeforeAfter,
-    feet: Vec<ModelFeet>,
-    files: Files,
-) -> html::Changed<'b> {
-    let mut shown = html::Changed::new(plan, (&both.before.0, &both.before.1), files);
-    shown.before_under_new_weight = both.before_under_new_weight.as_ref();
-    shown.after = both.after.as_ref().map(|(after, found)| (after, found));
-    shown.bodies = both.bodies.clone();
-    shown.feet = feet;
-    shown.reference = both.reference.as_ref();
-    shown.target_gravity_m_s2 = both.target_gravity_m_s2;
-    shown
 }

@@ -101,11 +101,6 @@ fn ok(answer: impl Serialize) -> Result<String, Problem> {
 impl Engine {
     fn answer(&mut self, question: Question) -> Result<String, Problem> {
         match question {
-            Question::About => ok(json!({ "version": env!("CARGO_PKG_VERSION") })),
-            Question::Files => {
-                let files = self.shelf.sizes().map(|(name, bytes)| json!({ "name": name, "bytes": bytes }));
-                ok(files.collect::<Vec<_>>())
-            }
             Question::Look { model, fields, parts } => {
                 let inspector = look::inspector(&model, fields, &self.shelf)?;
                 let opened = self.open(Path::new(&model), inspector.set_files())?;
@@ -158,6 +153,9 @@ impl Engine {
     fn keep(&mut self) -> Result<String, Problem> {
         let planned = self.last.take().ok_or_else(|| Problem::question("there is no change yet"))?;
         let mut names = Vec::new();
+        if planned.is_unchanged() {
+            return ok(json!({ "model": planned.path(), "names": names }));
+        }
         for made in planned.results {
             let name = made.name.display().to_string();
             self.put(&name, made.bytes);

@@ -11,10 +11,6 @@ pub(crate) type Fields = Map<String, Value>;
 #[serde(tag = "do", rename_all = "lowercase", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum Question {
-    /// Which version this is.
-    About,
-    /// Which files there are.
-    Files,
     /// What is in a model, and what is wrong with it.
     Look {
         /// Its file.

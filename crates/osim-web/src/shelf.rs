@@ -1,6 +1,6 @@
 //! The files that were given to the page.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use osim_model::files::{FileError, Files, InMemory};
@@ -12,32 +12,27 @@ use osim_model::files::{FileError, Files, InMemory};
 #[derive(Debug, Default)]
 pub(crate) struct Shelf {
     files: InMemory,
-    /// Sizes, by the names that were given.
-    sizes: BTreeMap<PathBuf, usize>,
+    /// The names that were given.
+    names: BTreeSet<PathBuf>,
 }
 
 impl Shelf {
     /// Adds a file, or replaces the one of that name.
     pub(crate) fn put(&mut self, name: &str, bytes: Vec<u8>) {
-        self.sizes.insert(name.into(), bytes.len());
+        self.names.insert(name.into());
         self.files.add(name, bytes);
     }
 
     /// Takes a file away.
     pub(crate) fn remove(&mut self, name: &str) {
-        self.sizes.remove(Path::new(name));
+        self.names.remove(Path::new(name));
         self.files.remove(Path::new(name));
     }
 
-    /// The name and the size of each file.
-    pub(crate) fn sizes(&self) -> impl Iterator<Item = (&Path, usize)> {
-        self.sizes.iter().map(|(name, size)| (name.as_path(), *size))
-    }
-
     /// The one file that is called as `path` ends.
-    fn namesake(&self, path: &Path) -> Option<&Path> {
+    fn only_one_called_like(&self, path: &Path) -> Option<&Path> {
         let wanted = path.file_name()?;
-        let mut alike = self.sizes.keys().filter(|name| name.file_name() == Some(wanted));
+        let mut alike = self.names.iter().filter(|name| name.file_name() == Some(wanted));
         let first = alike.next()?;
         alike.next().is_none().then_some(first.as_path())
     }
@@ -48,14 +43,14 @@ impl Files for Shelf {
         if self.files.exists(path) {
             return self.files.read(path);
         }
-        match self.namesake(path) {
+        match self.only_one_called_like(path) {
             Some(name) => self.files.read(name),
             None => Err(FileError::new("this file was not given to the page: add it to the model")),
         }
     }
 
     fn exists(&self, path: &Path) -> bool {
-        self.files.exists(path) || self.namesake(path).is_some()
+        self.files.exists(path) || self.only_one_called_like(path).is_some()
     }
 }
 
@@ -95,6 +90,5 @@ mod tests {
         let mut shelf = shelf(&["human.osim"]);
         shelf.remove("human.osim");
         finds(&shelf, "human.osim", None);
-        assert_eq!(shelf.sizes().count(), 0);
     }
 }

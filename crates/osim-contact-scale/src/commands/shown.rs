@@ -60,7 +60,7 @@ impl FrontEnd for Shower<'_> {
 
     fn show(&self, mut changed: ChangedModel<'_>) -> Shown {
         let both = changed.before_after.take();
-        let entry = both.map(|both| entry(&changed, both, self.detail, self.words));
+        let entry = both.map(|both| entry(&changed, &both, self.detail, self.words));
         let outputs = if changed.earlier { Vec::new() } else { self.outputs(&changed) };
         Shown { outputs, entry }
     }

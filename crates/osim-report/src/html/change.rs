@@ -7,6 +7,7 @@ use osim_model::readable;
 use osim_model::wording::Dialect;
 use osim_patch::{Change, Move, Plan};
 use osim_requests::ModelFeet;
+use osim_states::BeforeAfter;
 
 use super::detail_level::DetailLevel;
 use super::entry::Entry;
@@ -63,6 +64,21 @@ impl<'c> Changed<'c> {
             in_file: false,
             target_gravity_m_s2: None,
             files,
+        }
+    }
+
+    /// A plan with all that is known of both states of its model; whether that is in a file, its caller says.
+    #[must_use]
+    pub fn of_states(plan: &'c Plan, states: &'c BeforeAfter, files: Files) -> Self {
+        let before = (&states.before.0, &states.before.1);
+        Self {
+            before_under_new_weight: states.before_under_new_weight.as_ref(),
+            after: states.after.as_ref().map(|(after, found)| (after, found)),
+            bodies: states.bodies.clone(),
+            feet: states.feet.clone(),
+            reference: states.reference.as_ref(),
+            target_gravity_m_s2: states.target_gravity_m_s2,
+            ..Self::new(plan, before, files)
         }
     }
 }
