@@ -34,4 +34,5 @@ fi
 "$compiler" --version
 # RUSTC_BOOTSTRAP: a released compiler builds its own library only when told so.
 printf '+ cargo %s\n' "$command ${OPTIONS[*]} $*"
-exec env RUSTC="$compiler" RUSTC_BOOTSTRAP=1 cargo "$command" "${OPTIONS[@]}" "$@"
+# Flags of the environment would take the place of those above.
+exec env -u RUSTFLAGS -u CARGO_ENCODED_RUSTFLAGS RUSTC="$compiler" RUSTC_BOOTSTRAP=1 cargo "$command" "${OPTIONS[@]}" "$@"

@@ -80,7 +80,7 @@ web       npm            9        apt:npm             npm --version
 web       zstd           1.4      apt:zstd            zstd --version
 web       python3        3.11     apt:python3-venv    python3 -c 'import ensurepip, platform; print(platform.python_version())'
 web       chromium       120      apt:chromium        eval chromium --version || chromium-browser --version || google-chrome --version
-web       firefox-esr    115      apt:firefox-esr     firefox-esr --version
+web       firefox        115      apt:firefox-esr     eval firefox-esr --version || firefox --version
 windows   rustc-web      1.92     apt:rustc-web       /usr/bin/rustc --version
 windows   rust-web-src   1.92     apt:rust-web-src    dpkg-query -W rust-web-src
 windows   mingw-gcc      12       apt:gcc-mingw-w64-x86-64 dpkg-query -W gcc-mingw-w64-x86-64

@@ -170,6 +170,27 @@ fn what_follows_a_slider_is_what_all_of_it_shows() {
 }
 
 #[test]
+fn a_scaled_model_is_compared_with_the_one_that_was_scaled() {
+    let bench = Bench::with(&[
+        ("scale_tool/generic_smooth.osim", "generic.osim"),
+        ("scale_tool/scaled_smooth.osim", "scaled.osim"),
+    ]);
+    let mut engine = engine_of(&bench);
+    let look = json!({"do": "look", "model": "scaled.osim", "fields": {"from": "generic.osim"}, "parts": ["findings"]});
+    let found = ask(&mut engine, &look);
+    let told: Value =
+        serde_json::from_str(&bench.run("check scaled.osim --from generic.osim --format json").out())
+            .unwrap();
+    let both = |findings: &Value, field: &str| -> Vec<String> {
+        findings.as_array().unwrap().iter().map(|finding| finding[field].to_string()).collect()
+    };
+    assert_eq!(both(&found["findings"], "code"), both(&told["findings"], "code"));
+    let remedy = &found["findings"][0]["remedy"]["request"];
+    assert_eq!((&remedy["verb"], &remedy["follow_bodies"]), (&json!("transfer"), &json!(true)), "{remedy}");
+    ask(&mut engine, &json!({"do": "change", "request": remedy, "parts": ["changes"]}));
+}
+
+#[test]
 fn a_report_about_a_model_is_the_command_s() {
     let bench = Bench::human();
     let report = ask(

@@ -2,6 +2,7 @@
 
 use osim_inspect::{CheckResult, FindingRecord, Inspection};
 use osim_model::Finding;
+use osim_model::wording::Verb;
 use osim_report::dialect::{FrontEnd, Page};
 use osim_report::html::{self, DetailLevel, Entry, Explained, Section, Sections};
 use osim_requests::{Inspector, ModelFeet, Request};
@@ -58,12 +59,13 @@ impl FindingShown {
     }
 }
 
-/// How a model is looked at.
+/// How a model is looked at: compared with the one that it was scaled from, where that is named in `from`.
 pub(crate) fn inspector(model: &str, mut fields: Fields, shelf: &Shelf) -> Result<Inspector, Problem> {
-    fields.insert("verb".to_owned(), "inspect".into());
+    let verb = if fields.contains_key("from") { Verb::Check } else { Verb::Inspect };
     fields.insert("models".to_owned(), model.into());
-    match Request::from_map(fields)? {
+    match Request::read(verb, fields)? {
         Request::Inspect(request) => Ok(request.inspector(shelf)),
+        Request::Check(request) => Ok(request.inspector(shelf)),
         other => Err(Problem::defect(format!("a request for {}", other.verb().name()))),
     }
 }

@@ -15,7 +15,7 @@ pub enum Question {
     Look {
         /// Its file.
         model: String,
-        /// Fields of a request to inspect.
+        /// Fields of a request to inspect; with `from`, of one to check.
         #[serde(default)]
         fields: Fields,
         /// The sections that are wanted; all where this is not said.
