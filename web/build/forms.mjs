@@ -16,7 +16,10 @@ export function forms() {
   const design = form("design", CALCULATOR, names, ONLY_WITH_MODEL);
   // Without a model there is no radius to keep or to multiply.
   const calculator = { ...design, fields: design.fields.map((field) => (field.kind === "rule" ? { ...field, kind: "number" } : field)) };
-  return { changes, calculator, questions: form("inspect", [], names) };
+  const questions = form("inspect", [], names);
+  // A model is compared with another one; presets are not models.
+  questions.fields = questions.fields.map((field) => (field.name === "from" ? { ...field, source: "models", label: "Model that it was scaled from" } : field));
+  return { changes, calculator, questions };
 }
 
 function form(verb, usual, names, without = []) {

@@ -9,7 +9,7 @@ import { paper, version } from "./facts.mjs";
 import { forms } from "./forms.mjs";
 import { block } from "./pack.mjs";
 import { ROOT, WEB } from "./paths.mjs";
-import { policyElement } from "./policy.mjs";
+import { guard, policyElement } from "./policy.mjs";
 
 const EXAMPLE = "fixtures/table1/human_62kg_smooth_sphere.osim";
 // The first is that of the report's fragments, which the page shows.
@@ -31,7 +31,8 @@ export async function assemble({ script, worker, wasm, licences }) {
   // Inside an element, this would end it.
   if (/<\/(script|style)/i.test(script + style)) throw new Error("the script or a style holds an end tag");
   const html = filled(readFileSync(join(WEB, "page/page.html"), "utf8"), {
-    policy: policyElement({ scripts: [script], styles: [style] }),
+    policy: policyElement({ scripts: [guard, script], styles: [style] }),
+    guard: `<script>${guard}</script>`,
     style: `<style>${style}</style>`,
     "first-blocks": joined(first),
     blocks: joined(blocks),

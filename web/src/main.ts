@@ -2,8 +2,10 @@
 
 import { redo, undo } from "./actions/apply";
 import { Live } from "./actions/live";
-import { openFiles, openRead, refreshPresets } from "./actions/open";
-import { byId, setText } from "./dom/element";
+import { openFiles, openRead } from "./actions/open";
+import { refreshPresets } from "./actions/presets";
+import { byId } from "./dom/element";
+import { wholePage } from "./dom/whole";
 import { Client } from "./engine/client";
 import { failureOf } from "./engine/failure";
 import { packed, unpack, unpackedText } from "./engine/unpack";
@@ -16,11 +18,13 @@ import { showBusy } from "./views/busy";
 import { calculatorView } from "./views/calculator";
 import { changeView } from "./views/change";
 import { chooseOne, wireButtons } from "./views/choose";
+import { showAnnouncements } from "./views/announcement";
 import { acceptedFor } from "./views/context";
 import { showExplanations } from "./views/explanation";
 import { filesView } from "./views/files";
 import { footerView } from "./views/footer";
 import { wireKeys } from "./views/keys";
+import { warnBeforeLeaving } from "./views/leaving";
 import { LibraryView } from "./views/library";
 import { ModelView } from "./views/model";
 import { ResultView } from "./views/result";
@@ -33,14 +37,8 @@ function main(): void {
   if (missing.length > 0) return cannot(`This browser lacks what the page needs: ${missing.join(", ")}. ${NEWER}`);
   const session = new Session(new Client(unpackedText("worker")));
   wire(session);
-  const started = parsed().then(() => session.engine.start(packed("engine")));
+  const started = wholePage().then(() => session.engine.start(packed("engine")));
   started.then(() => ready(session), (error) => cannot(`The page could not start: ${failureOf(error).message}`));
-}
-
-/** The engine is behind this script on the page: it is there when all of it was read. */
-function parsed(): Promise<void> {
-  if (document.readyState !== "loading") return Promise.resolve();
-  return new Promise((resolve) => document.addEventListener("DOMContentLoaded", () => resolve(), { once: true }));
 }
 
 function wire(session: Session): void {
@@ -48,7 +46,8 @@ function wire(session: Session): void {
   const open = (given: Parameters<typeof openFiles>[1]) => void openFiles(session, given).catch((error) => refuse(failureOf(error).message));
   const addFile = async (source: Source) => {
     const given = await chooseOne(acceptedFor(source));
-    await openFiles(session, given);
+    // A model to take contacts from is not one to be changed.
+    await openFiles(session, given, "at hand");
     return given.map(({ name }) => name);
   };
   showBusy(session.engine);
@@ -69,7 +68,8 @@ function wire(session: Session): void {
     event.preventDefault();
     byId("content").focus();
   });
-  session.announcement.watch((text) => setText(byId("announcement"), text));
+  showAnnouncements(session);
+  warnBeforeLeaving(session);
   keepLive(session);
 }
 
@@ -88,7 +88,7 @@ function showWhatIsOpen(session: Session): void {
   const update = () => {
     const any = session.models.value.length > 0;
     byId("start").hidden = any || session.calculating.value;
-    byId("work").hidden = !session.model()?.look;
+    byId("work").hidden = !session.model()?.inspected;
     document.documentElement.dataset["open"] = String(any);
   };
   session.models.watch(update);
@@ -97,6 +97,7 @@ function showWhatIsOpen(session: Session): void {
 }
 
 async function openExample(session: Session): Promise<void> {
+  await wholePage();
   performance.mark("open");
   const bytes = unpack(packed("example"));
   await openRead(session, [{ name: EXAMPLE, bytes, kind: "model" }]);

@@ -20,7 +20,10 @@ export async function downloadResult(session: Session, request: Request): Promis
 export async function downloadModel(session: Session, model: OpenModel): Promise<Failure | undefined> {
   const names = stepOf(model)?.names ?? [fileOf(model)];
   return attempt(async () => {
-    for (const name of names) save(name, (await session.engine.file(name)).bytes, "application/xml");
+    for (const name of names) {
+      save(name, (await session.engine.file(name)).bytes, "application/xml");
+      session.saved.add(name);
+    }
     session.announce(`Downloaded ${names.join(" and ")}.`);
   });
 }

@@ -3,9 +3,8 @@
 import { failureOf } from "../engine/failure";
 import type { Change, Request } from "../engine/types";
 import { counted, digits } from "../dom/number";
-import { numberIn } from "../forms/check";
 import { formOf } from "../forms/all";
-import { isEmpty, requestOf } from "../forms/request";
+import { isEmpty, numeric, problems, requestOf } from "../forms/request";
 import { save } from "../download/save";
 import { answered } from "../state/answers";
 import { fileOf, type OpenModel, type Outcome } from "../state/model";
@@ -13,50 +12,74 @@ import type { Session } from "../state/session";
 import { countsOf } from "./apply";
 
 /** The request of the form for one of several models, with its own target mass. */
-export function requestOfRow(session: Session, model: OpenModel): Request | undefined {
+function requestOfRow(session: Session, model: OpenModel): Request | undefined {
   const form = formOf(session.verb.value);
   if (!form) return undefined;
-  const own = numberIn(model.targetMass);
   const takesMass = form.fields.some(({ name }) => name === "target_mass");
   const request = requestOf(form, session.values, fileOf(model), answered(model, form));
-  return takesMass && own !== undefined ? { ...request, target_mass: own } : request;
+  // What is not a number goes along, too: the engine says what is wrong with it.
+  return takesMass && model.targetMass !== "" ? { ...request, target_mass: numeric(model.targetMass) } : request;
 }
 
 /** Whether the form says something that can be done to all. */
 export function canChangeAll(session: Session): boolean {
   const form = formOf(session.verb.value);
   // One that is still being opened would be left out without a word.
-  if (session.models.value.some(({ look, failure }) => !look && !failure)) return false;
+  if (!form || session.models.value.some(({ inspected, failure }) => !inspected && !failure)) return false;
+  if (problems(form, session.values).size > 0) return false;
   const owns = session.models.value.some(({ targetMass }) => targetMass !== "");
-  return form !== undefined && (!isEmpty(form, session.values) || (form.verb === "rescale" && owns) || form.verb === "remove");
+  return !isEmpty(form, session.values) || (form.verb === "rescale" && owns) || form.verb === "remove";
 }
 
 /** Does the change to each model, and shows in its row what it does. */
-export async function changeAll(session: Session): Promise<void> {
-  await eachRow(session, (request) => session.engine.change(request, ["changes"]));
-  const { done, failed } = tally(session);
-  session.announce(`${done} of ${done + failed} models changed${failed > 0 ? `, ${failed} failed` : ""}.`);
+export function changeAll(session: Session): Promise<void> {
+  return once(session, async () => {
+    const { done, failed } = await eachRow(session, (request) => session.engine.change(request, ["changes"]));
+    session.announce(`${done} of ${done + failed} models changed${failed > 0 ? `, ${failed} failed` : ""}.`);
+  });
 }
 
 /** Does the change to each model and saves the results in one archive; models that fail are not in it. */
-export async function downloadAll(session: Session): Promise<void> {
-  await session.engine.zipBegin();
-  await eachRow(session, (request) => session.engine.zipAdd(request));
-  const { done, failed } = tally(session);
-  const bytes = await session.engine.zipEnd();
-  if (done > 0) save("models.zip", bytes, "application/zip");
-  const without = failed > 0 ? `; ${failed} failed and are not in it` : "";
-  const made = `models.zip has the results of ${counted(done, "model")}${without}.`;
-  session.announce(done > 0 ? made : "No model could be changed; there is no archive.");
+export function downloadAll(session: Session): Promise<void> {
+  return once(session, async () => {
+    await session.engine.zipBegin();
+    const { done, failed } = await eachRow(session, (request) => session.engine.zipAdd(request));
+    const bytes = await session.engine.zipEnd();
+    if (done > 0) save("models.zip", bytes, "application/zip");
+    const without = failed > 0 ? `; ${failed} failed and are not in it` : "";
+    const made = `models.zip has the results of ${counted(done, "model")}${without}.`;
+    session.announce(done > 0 ? made : "No model could be changed; there is no archive.");
+  });
 }
 
-async function eachRow(session: Session, ask: (request: Request) => Promise<Change>): Promise<void> {
-  for (const model of session.models.value) {
-    const request = requestOfRow(session, model);
-    if (!request) continue;
-    const outcome = model.look ? await outcomeOf(ask(request)) : null;
-    session.update(model.id, (open) => ({ ...open, outcome: outcome ?? failedToOpen(open) }));
+/** One of these at a time: there is one archive. */
+async function once(session: Session, act: () => Promise<void>): Promise<void> {
+  if (session.changingAll.value) return;
+  session.changingAll.set(true);
+  try {
+    await act();
+  } catch (error) {
+    session.announce(`The models could not be changed: ${failureOf(error).message}.`);
+  } finally {
+    session.changingAll.set(false);
   }
+}
+
+/** Asks for each model what the form says now, whatever is typed meanwhile; counts what comes out. */
+async function eachRow(session: Session, ask: (request: Request) => Promise<Change>): Promise<{ done: number; failed: number }> {
+  const rows = session.models.value.map((model) => ({ model, request: requestOfRow(session, model) }));
+  let failed = 0;
+  let done = 0;
+  for (const { model, request } of rows) {
+    if (!request) continue;
+    const outcome = model.inspected ? await outcomeOf(ask(request)) : failedToOpen(model);
+    if (outcome?.state === "failed") failed += 1;
+    else if (outcome) done += 1;
+    // A row shows the outcome of what the form says; if that is something else by now, nothing.
+    const asked = JSON.stringify(request);
+    session.update(model.id, (open) => (JSON.stringify(requestOfRow(session, open)) === asked ? { ...open, outcome } : open));
+  }
+  return { done, failed };
 }
 
 function failedToOpen({ failure }: OpenModel): Outcome | null {
@@ -66,7 +89,7 @@ function failedToOpen({ failure }: OpenModel): Outcome | null {
 async function outcomeOf(asked: Promise<Change>): Promise<Outcome> {
   try {
     const change = await asked;
-    if (change.unchanged) return { state: "same", text: "nothing to change" };
+    if (change.unchanged) return { state: "same", text: "nothing to change; it stays as it is" };
     return { state: "done", text: shortly(change) };
   } catch (error) {
     return { state: "failed", failure: failureOf(error) };
@@ -78,10 +101,4 @@ function shortly(change: Change): string {
   const factors = new Set(change.record.changes.filter(({ property }) => property === "stiffness").map(({ factor }) => factor));
   const [factor] = factors;
   return factors.size === 1 && typeof factor === "number" ? `stiffness ×${digits(factor)}` : countsOf(change, "would");
-}
-
-function tally(session: Session): { done: number; failed: number } {
-  const states = session.models.value.map(({ outcome }) => outcome?.state);
-  const failed = states.filter((state) => state === "failed").length;
-  return { done: states.filter((state) => state === "done" || state === "same").length, failed };
 }

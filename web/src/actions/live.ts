@@ -3,6 +3,7 @@
 import { failureOf } from "../engine/failure";
 import type { Change, Request, Section } from "../engine/types";
 import { formOf } from "../forms/all";
+import type { Form } from "../forms/declaration";
 import { isEmpty, problems, requestOf, unsaid } from "../forms/request";
 import { answered } from "../state/answers";
 import { fileOf } from "../state/model";
@@ -17,6 +18,8 @@ type Plan = { ask: Request } | { show: Preview };
 
 export class Live {
   #asking = false;
+  /** Which verb and which model the preview is of. */
+  #of = "";
   #newer = false;
   #since: number | undefined;
   #rest: ReturnType<typeof setTimeout> | undefined;
@@ -38,6 +41,7 @@ export class Live {
   /** The preview may be of something else now. */
   changed = (): void => {
     this.#newer = true;
+    this.#forget();
     clearTimeout(this.#rest);
     this.#rest = setTimeout(() => this.#complete(), REST_MS);
     if (!this.#asking) void this.#ask();
@@ -45,25 +49,40 @@ export class Live {
 
   async #ask(): Promise<void> {
     this.#asking = true;
-    while (this.#newer) {
-      this.#newer = false;
-      const since = this.#since;
-      this.#since = undefined;
-      await this.#show(plan(this.session), this.#quick());
-      if (since !== undefined) measureStep(since);
+    // Whatever happens, the next change must be asked for.
+    try {
+      while (this.#newer) {
+        this.#newer = false;
+        const since = this.#since;
+        this.#since = undefined;
+        await this.#show(this.#quick());
+        if (since !== undefined) measureStep(since);
+      }
+    } finally {
+      this.#asking = false;
     }
-    this.#asking = false;
+  }
+
+  /** What is shown of another model, or of another verb, goes away at once: buttons under it would be about that one. */
+  #forget(): void {
+    const { state } = this.session.preview.value;
+    if ((state === "done" || state === "failed") && this.#of !== subject(this.session)) this.session.preview.set({ state: "none" });
   }
 
   /** After a rest: what takes longer. */
   #complete(): void {
-    this.#rested();
+    // Browsers limit how often the address may change; that is no reason to stop here.
+    try {
+      this.#rested();
+    } catch (error) {
+      console.warn(error);
+    }
     if (this.#asking || this.session.preview.value.state === "none") {
       if (this.#asking) this.#rest = setTimeout(() => this.#complete(), REST_MS);
       return;
     }
     this.#asking = true;
-    void this.#show(plan(this.session), ALL).finally(() => {
+    void this.#show(ALL).finally(() => {
       this.#asking = false;
       if (this.#newer) void this.#ask();
     });
@@ -73,27 +92,44 @@ export class Live {
     return ["changes", ...PLOTS.filter((id) => this.session.visible.has(id))];
   }
 
-  async #show(planned: Plan, parts: string[]): Promise<void> {
+  async #show(parts: string[]): Promise<void> {
     const { session } = this;
-    if ("show" in planned) return session.preview.set(planned.show);
+    const of = subject(session);
+    const next = await this.#next(parts);
+    // Another model may have been chosen meanwhile; that is asked about next.
+    if (of !== subject(session)) return;
+    this.#of = of;
+    session.preview.set(next);
+  }
+
+  async #next(parts: string[]): Promise<Preview> {
+    const { session } = this;
     try {
+      const planned = plan(session);
+      if ("show" in planned) return planned.show;
       const change = await session.engine.change(planned.ask, parts);
       session.remember(change.explained);
-      session.preview.set(done(session.preview.value, change, planned.ask, parts));
+      return done(session.preview.value, change, planned.ask, parts);
     } catch (error) {
-      session.preview.set({ state: "failed", failure: failureOf(error) });
+      return { state: "failed", failure: failureOf(error) };
     }
   }
+}
+
+/** What a preview is of. */
+function subject(session: Session): string {
+  const model = session.model();
+  return `${session.verb.value} ${model ? `${model.id} ${fileOf(model)}` : ""}`;
 }
 
 /** What the form asks for now. */
 function plan(session: Session): Plan {
   const model = session.model();
   const form = formOf(session.verb.value);
-  if (!model?.look || !form) return { show: { state: "none" } };
+  if (!model?.inspected || !form) return { show: { state: "none" } };
   const { values } = session;
   const wrong = problems(form, values);
-  if (wrong.size > 0) return hint(`Correct this first: ${quoted(form.fields.filter(({ name }) => wrong.has(name)))}.`);
+  if (wrong.size > 0) return hint(correctFirst(form, wrong));
   const missing = unsaid(form, values);
   if (missing.length > 0) return hint(`Say this to see what would change: ${quoted(missing)}.`);
   if (ASKS_SOMETHING.has(form.verb) && isEmpty(form, values)) return hint(EMPTY[form.verb] ?? "");
@@ -111,14 +147,20 @@ function hint(text: string): Plan {
   return { show: { state: "hint", text } };
 }
 
+/** Which fields have something wrong in them. */
+export function correctFirst(form: Form, wrong: ReadonlyMap<string, string>): string {
+  return `Correct this first: ${quoted(form.fields.filter(({ name }) => wrong.has(name)))}.`;
+}
+
 function quoted(fields: readonly { label: string }[]): string {
   return fields.map(({ label }) => `“${label}”`).join(", ");
 }
 
-/** The new preview: sections that were not asked for stay until they are. */
+/** The new preview: sections of the same model that were not asked for stay until they are. */
 function done(before: Preview, change: Change, request: Request, parts: readonly string[]): Preview {
   const complete = parts === ALL;
-  const old: readonly Section[] = before.state === "done" && !complete ? before.sections : [];
+  const same = before.state === "done" && before.request.verb === request.verb && before.request.models?.[0] === request.models?.[0];
+  const old: readonly Section[] = same && !complete ? before.sections : [];
   const fresh = new Map(change.sections.map((section) => [section.id, section]));
   const kept = old.filter(({ id }) => !parts.includes(id));
   return { state: "done", change, request, sections: [...kept, ...fresh.values()], complete };

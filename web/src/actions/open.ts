@@ -1,108 +1,97 @@
-// Opens files: hands them to the engine, and looks at the models among them.
+// Opens files: hands them to the engine, and inspects the models among them.
 
-import { failureOf } from "../engine/failure";
 import type { Failure } from "../engine/types";
 import { counted } from "../dom/number";
-import type { FileEntry } from "../files/kinds";
+import { isUseful } from "../files/kinds";
 import { type Given, read, type Read } from "../files/read";
-import { newModel } from "../state/model";
-import type { KnownPreset, Session } from "../state/session";
-import { look, lookAgain } from "./look";
+import { newModel, type OpenModel, uses } from "../state/model";
+import type { Session } from "../state/session";
+import { inspect, inspectAgain } from "./inspect";
+import { refreshPresets } from "./presets";
+import { putFile } from "./put";
+import { oldOnes, putBack, type Sorted, sortFiles } from "./replace";
+
+/** What to do with models: open them, or only have them at hand. */
+type Models = "open" | "at hand";
 
 /** Opens what was dropped or chosen. */
-export async function openFiles(session: Session, given: readonly Given[]): Promise<void> {
+export async function openFiles(session: Session, given: readonly Given[], models: Models = "open"): Promise<void> {
   if (given.length === 0) return;
   performance.mark("open");
-  const files = await Promise.all(given.map(read));
-  await openRead(session, files);
+  const useful = given.filter(({ name }) => isUseful(name));
+  await openRead(session, await Promise.all(useful.map(read)), { models, leftOut: given.length - useful.length });
 }
 
 /** Opens files that were read. */
-export async function openRead(session: Session, files: readonly Read[]): Promise<void> {
-  const models = modelsAmong(files);
-  const replaced = await Promise.all(models.map((name) => keepOld(session, name)));
-  for (const file of files) await put(session, file);
-  const failures: Failure[] = [];
-  for (const [index, name] of models.entries()) {
-    const failure = await openModel(session, name, replaced[index] ?? null);
-    if (failure) failures.push(failure);
-  }
-  if (models.length === 0) await lookAgain(session);
-  if (files.some(({ kind }) => kind === "presets")) void refreshPresets(session);
-  announce(session, files, models.length - failures.length, failures);
+export async function openRead(
+  session: Session, files: readonly Read[], { models = "open", leftOut = 0 }: { models?: Models; leftOut?: number } = {},
+): Promise<void> {
+  const sorted = await sortFiles(session, files);
+  const { taken } = sorted;
+  const old = await oldOnes(session, taken);
+  const replaced = new Set(old.keys());
+  for (const { bytes, ...entry } of taken) await putFile(session, { ...entry, bytes: bytes.length }, bytes);
+  const failures = await putBack(session, old);
+  // What was put back is not there any more in `old`, and is open as before.
+  const names = models === "open" ? (await modelsAmong(session, taken)).filter((name) => !replaced.has(name) || old.has(name)) : [];
+  const opened: number[] = [];
+  for (const name of names) opened.push(await openModel(session, name));
+  const [first] = sorted.same;
+  if (first && opened.length === 0) session.chosen.set(first.id);
+  if (taken.some(({ kind }) => kind === "presets")) void refreshPresets(session);
+  // Bones are drawn of meshes that are here, though a model does not name those that it lacks.
+  const all = taken.some(({ kind }) => kind === "mesh") || (opened.length === 0 && taken.length > 0);
+  const touched = (model: OpenModel) => all || !model.inspected || taken.some(({ name }) => uses(model, name));
+  await inspectAgain(session, session.models.value.filter((model) => touched(model) && !opened.includes(model.id) && !failures.has(model.id)));
+  session.announce(summary(session, sorted, opened, [...failures.values()], leftOut));
 }
 
-/** Models, and a force set where it comes without one: else it belongs to a model. */
-function modelsAmong(files: readonly Read[]): string[] {
+/** Models, and a force set where it comes without one and none that is open includes it. */
+async function modelsAmong(session: Session, files: readonly Read[]): Promise<string[]> {
   const named = (kind: string) => files.filter((file) => file.kind === kind).map(({ name }) => name);
-  const models = named("model");
-  return models.length > 0 ? models : named("forces");
+  const [models, forces] = [named("model"), named("forces")];
+  if (models.length > 0 || forces.length === 0) return models;
+  // One may have lacked just this file.
+  await inspectAgain(session, session.models.value.filter(({ inspected }) => !inspected));
+  return forces.filter((name) => !session.models.value.some((model) => model.origin !== name && uses(model, name)));
 }
 
-/** The bytes of a model that is open and is about to be replaced. */
-async function keepOld(session: Session, name: string): Promise<Uint8Array | null> {
-  return session.models.value.some(({ origin }) => origin === name) ? session.engine.bytes(name) : null;
-}
-
-async function put(session: Session, { name, bytes, kind }: Read): Promise<void> {
-  const entry: FileEntry = { name, bytes: bytes.length, kind };
-  await session.engine.put(name, bytes);
-  session.files.set([...session.files.value.filter((file) => file.name !== name), entry]);
-}
-
-/** Opens one model; one that cannot be read does not take the place of one that could. */
-async function openModel(session: Session, name: string, old: Uint8Array | null): Promise<Failure | undefined> {
+/** Opens one model, in the place of one that was read from a file of this name. */
+async function openModel(session: Session, name: string): Promise<number> {
   const before = session.models.value.find(({ origin }) => origin === name);
-  const model = before ? { ...newModel(name), id: before.id, answers: before.answers } : newModel(name);
-  if (!before) session.add(model);
-  const failure = before && old ? await tryLook(session, name) : undefined;
-  if (before && old && failure && !failure.needs_answer) {
-    await session.engine.put(name, old);
-    const kept = { ...failure, message: `the new file was not taken, and the one before stays open: ${failure.message}` };
-    session.update(model.id, (open) => ({ ...open, failure: kept }));
-    return failure;
-  }
-  if (before) session.update(before.id, () => model);
-  if (session.model()?.look == null) session.chosen.set(model.id);
-  await look(session, model.id);
-  return session.models.value.find(({ id }) => id === model.id)?.failure ?? undefined;
-}
-
-async function tryLook(session: Session, name: string): Promise<Failure | undefined> {
-  try {
-    await session.engine.look(name, {}, []);
-    return undefined;
-  } catch (error) {
-    return failureOf(error);
-  }
+  if (!before) return openAsModel(session, name, session.model()?.inspected == null);
+  const { id, answers, targetMass } = before;
+  session.update(id, () => ({ ...newModel(name), id, answers, targetMass }));
+  if (session.model()?.inspected == null) session.chosen.set(id);
+  await inspect(session, id);
+  return id;
 }
 
 /** Opens a file that is there already as a model: a force set, say. */
-export async function openAsModel(session: Session, name: string): Promise<void> {
+export async function openAsModel(session: Session, name: string, choose = true): Promise<number> {
   const model = newModel(name);
   session.add(model);
-  session.chosen.set(model.id);
-  await look(session, model.id);
+  if (choose) session.chosen.set(model.id);
+  await inspect(session, model.id);
+  return model.id;
 }
 
-/** The presets that the engine has, and those of a file. */
-export async function refreshPresets(session: Session): Promise<void> {
-  const own = session.files.value.filter(({ kind }) => kind === "presets").map(({ name }) => name);
-  const asked = [undefined, ...own].map((file) => presetsOf(session, file));
-  const found = (await Promise.all(asked)).flat();
-  // A file of presets has the built-in ones, too.
-  const first = found.filter(({ name }, index) => found.findIndex((other) => other.name === name) === index);
-  session.presets.set(first);
-}
-
-async function presetsOf(session: Session, file: string | undefined): Promise<KnownPreset[]> {
-  const found = await session.engine.presets(file === undefined ? {} : { presets: file }).catch(() => []);
-  return found.map(({ name }) => (file === undefined ? { name } : { name, file }));
-}
-
-function announce(session: Session, files: readonly Read[], opened: number, failures: readonly Failure[]): void {
-  const messages = failures.map(({ message }) => message).join("; ");
-  const parts = opened > 0 ? [`${counted(opened, "model")} opened`] : failures.length > 0 ? [] : [`${counted(files.length, "file")} added`];
-  if (failures.length > 0) parts.push(`${counted(failures.length, "model")} could not be opened: ${messages}`);
-  session.announce(`${parts.join(", ")}.`);
+/** What happened, in a sentence. */
+function summary(
+  session: Session, { taken, same, refused }: Sorted, opened: readonly number[], notTaken: readonly Failure[], leftOut: number,
+): string {
+  const failures = opened.flatMap((id) => session.modelOf(id)?.failure ?? []);
+  const messages = (all: readonly Failure[]) => all.map(({ message }) => message).join("; ");
+  const good = opened.length - failures.length;
+  const others = [...refused, ...notTaken];
+  const parts = [
+    good > 0 && `${counted(good, "model")} opened`,
+    opened.length === 0 && taken.length > notTaken.length && `${counted(taken.length - notTaken.length, "file")} added`,
+    failures.length > 0 && `${counted(failures.length, "model")} could not be opened: ${messages(failures)}`,
+    same.length > 0 && `open already: ${same.map(({ origin }) => origin).join(", ")}`,
+    others.length > 0 && `${counted(others.length, "file")} not taken: ${messages(others)}`,
+    leftOut > 0 && `${counted(leftOut, "file")} left out: the page has no use for files of these kinds`,
+  ].filter((part) => part !== false);
+  const text = parts.join("; ");
+  return text === "" ? "" : `${text.charAt(0).toUpperCase()}${text.slice(1)}.`;
 }

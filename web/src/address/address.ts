@@ -1,20 +1,20 @@
-// The request in the address, after #: so that it can be kept and sent. Never a file's name, never what is in one.
+// The request in the address, after #: so that it can be kept and sent. Never a file's name, never a name that is in one.
 
 import type { Field, Form } from "../forms/declaration";
 import type { Value, Values } from "../forms/values";
 
-export interface Addressed {
+interface Addressed {
   verb: string;
   values: Map<string, Value>;
 }
 
-/** `rescale?target_mass=500&only=radius&only=stiffness`; `isFile` says which values name files. */
-export function addressOf(form: Form, values: Values, isFile: (name: string) => boolean): string {
+/** `rescale?target_mass=500&only=radius&only=stiffness`; `isPreset` says which values name presets that every page has. */
+export function addressOf(form: Form, values: Values, isPreset: (name: string) => boolean): string {
   const words = new URLSearchParams();
   for (const field of form.fields) {
     const value = values.get(field.name);
     if (value === undefined || field.kind === "codes") continue;
-    for (const text of texts(value)) if (!(field.kind === "file" && isFile(text))) words.append(field.name, text);
+    for (const text of texts(value)) if (isPublic(field, text, isPreset)) words.append(field.name, text);
   }
   const query = words.toString();
   return query === "" ? form.verb : `${form.verb}?${query}`;
@@ -28,10 +28,19 @@ export function readAddress(hash: string, forms: readonly Form[]): Addressed | u
   const words = new URLSearchParams(query);
   const values = new Map<string, Value>();
   for (const field of form.fields) {
+    // A question about safety is answered by who sees it, not by who made the link.
+    if (field.kind === "codes") continue;
     const said = words.getAll(field.name);
     if (said.length > 0) values.set(field.name, valueOf(field, said));
   }
   return { verb, values };
+}
+
+/** Files have names of people, models have names of files: of these, only what the user typed as a pattern is in the address. */
+function isPublic({ kind, source, choices = [] }: Field, text: string, isPreset: (name: string) => boolean): boolean {
+  if (kind === "file") return isPreset(text) || choices.some(({ value }) => value === text);
+  const isName = kind === "lines" || kind === "text" || source === "forces" || source === "bodies";
+  return !isName || /[*?]/.test(text);
 }
 
 function texts(value: Value): readonly string[] {
@@ -45,9 +54,14 @@ function valueOf({ kind }: Field, said: string[]): Value {
   switch (kind) {
     case "flag": return said[0] === "true";
     case "texts":
-    case "lines":
-    case "codes": return said;
-    case "map": return Object.fromEntries(said.map((text) => text.split(/=(.*)/s).slice(0, 2) as [string, string]));
+    case "lines": return said;
+    case "map": return Object.fromEntries(said.map(entry).filter(([, text]) => text !== ""));
     default: return said[0] ?? "";
   }
+}
+
+/** `stiffness=x2`; programs that pass links on may have changed it. */
+function entry(text: string): [string, string] {
+  const [name = "", value = ""] = text.split(/=(.*)/s);
+  return [name, value.trim()];
 }

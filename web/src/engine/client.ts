@@ -1,8 +1,9 @@
 // The page's side of the worker: a promise for each task.
 
+import { workerAddress } from "../dom/trusted";
 import { EngineError } from "./failure";
 import { failed, type Files, type Reply, type Task, type Then } from "./messages";
-import type { Change, Kept, Look, NamedBytes, Preset, Request, Sheet, Spelled } from "./types";
+import type { Change, Kept, Inspected, NamedBytes, Preset, Request, Sheet, Spelled } from "./types";
 
 interface Waiting {
   resolve(value: unknown): void;
@@ -14,12 +15,14 @@ type Busy = (count: number) => void;
 export class Client {
   readonly #worker: Worker;
   readonly #waiting = new Map<number, Waiting>();
+  /** Tasks that were given before the engine was: they come after it. */
+  #early: (() => void)[] | undefined = [];
   #last = 0;
   #busy: Busy = () => undefined;
 
   constructor(script: string) {
     const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
-    this.#worker = new Worker(address);
+    this.#worker = new Worker(workerAddress(address));
     this.#worker.onmessage = ({ data }: MessageEvent<Reply>) => this.#settle(data);
     this.#worker.onerror = (event) => this.#end(event.message);
   }
@@ -29,11 +32,10 @@ export class Client {
     this.#busy = busy;
   }
 
-  start = (engine: string) => this.#send<null>({ do: "start", engine });
   put = (name: string, bytes: Uint8Array) => this.#send<null>({ do: "put", name, bytes }, [bytes.buffer]);
   remove = (name: string) => this.#send<null>({ do: "remove", name });
   bytes = (name: string) => this.#send<Uint8Array | null>({ do: "bytes", name });
-  look = (model: string, fields: Record<string, unknown>, parts: string[]) => this.#ask<Look>({ do: "look", model, fields, parts });
+  inspect = (model: string, fields: Record<string, unknown>, parts: string[]) => this.#ask<Inspected>({ do: "look", model, fields, parts });
   change = (request: Request, parts: string[]) => this.#ask<Change>({ do: "change", request, parts });
   keep = (request: Request, parts: string[]) => this.#send<Then<Kept>>({ do: "then", request, parts, next: "keep" });
   diff = (request: Request) => this.#send<Then<{ text: string }>>({ do: "then", request, parts: ["changes"], next: "diff" });
@@ -43,14 +45,24 @@ export class Client {
   spell = (request: Request) => this.#ask<Spelled>({ do: "spell", request });
   explain = (topic: string) => this.#ask<{ text: string }>({ do: "explain", topic });
   presets = (fields: Record<string, unknown> = {}) => this.#ask<Preset[]>({ do: "presets", fields });
-  about = () => this.#ask<{ version: string }>({ do: "about" });
   zipBegin = () => this.#send<null>({ do: "zip-begin" });
   zipAdd = (request: Request) => this.#send<Change>({ do: "zip-add", request });
   zipEnd = () => this.#send<Uint8Array>({ do: "zip-end" });
 
+  /** Starts the engine, and with it the tasks that waited for it. */
+  start(engine: string): Promise<null> {
+    const started = this.#send<null>({ do: "start", engine });
+    const early = this.#early ?? [];
+    this.#early = undefined;
+    for (const post of early) post();
+    return started;
+  }
+
   /** The bytes of a file with its name. */
   async file(name: string): Promise<NamedBytes> {
-    return { name, bytes: (await this.bytes(name)) ?? new Uint8Array() };
+    const bytes = await this.bytes(name);
+    if (!bytes) throw new Error(`${name} is not here any more`);
+    return { name, bytes };
   }
 
   #ask<T>(question: Record<string, unknown>): Promise<T> {
@@ -60,7 +72,9 @@ export class Client {
   #send<T>(task: Task, transfer: Transferable[] = []): Promise<T> {
     const id = (this.#last += 1);
     const answer = new Promise<unknown>((resolve, reject) => this.#waiting.set(id, { resolve, reject }));
-    this.#worker.postMessage({ id, task }, transfer);
+    const post = () => this.#worker.postMessage({ id, task }, transfer);
+    if (this.#early && task.do !== "start") this.#early.push(post);
+    else post();
     this.#busy(this.#waiting.size);
     return answer as Promise<T>;
   }

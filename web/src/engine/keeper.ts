@@ -12,18 +12,26 @@ export class Keeper {
     this.#engine = new Engine();
   }
 
-  /** Starts it anew after it ended, with the same files. The last change is forgotten. */
+  /** Starts it again after it ended, with the same files. The last change is forgotten. */
   restart(): void {
     if (!this.#engine) return;
     __wbg_reset_state();
     const engine = new Engine();
-    for (const [name, bytes] of this.#files) engine.put(name, bytes);
     this.#engine = engine;
+    for (const [name, bytes] of this.#files) {
+      try {
+        engine.put(name, bytes);
+      } catch {
+        this.#files.delete(name);
+        return this.restart();
+      }
+    }
   }
 
   put(name: string, bytes: Uint8Array): void {
-    this.#files.set(name, bytes);
+    // One that ends the engine is not given to the next one.
     this.#started().put(name, bytes);
+    this.#files.set(name, bytes);
   }
 
   remove(name: string): void {

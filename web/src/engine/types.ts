@@ -54,13 +54,12 @@ export interface Inspection {
   known_contacts?: { title: string; made_for_kg: number } | null;
 }
 
-export interface Look {
+export interface Inspected {
   inspection: Inspection;
   findings: Finding[];
   sections: Section[];
   explained?: Explained[];
   files: string[];
-  missing?: string[];
 }
 
 /** What the page reads of a change; schemas/results/change.schema.json has all of it. */
@@ -72,7 +71,7 @@ export interface ChangeRecord {
   notes: string[];
 }
 
-export interface ResultFile {
+interface ResultFile {
   name: string;
   bytes: number;
 }
@@ -83,7 +82,6 @@ export interface Change {
   results: ResultFile[];
   sections: Section[];
   explained?: Explained[];
-  findings?: Finding[] | null;
 }
 
 export interface Kept {
@@ -111,7 +109,6 @@ export interface Spelled {
 
 export interface Preset {
   name: string;
-  text: string;
 }
 
 /** Bytes with the name of their file. */

@@ -1,4 +1,4 @@
-// The worker: it owns the engine, so that whatever takes long happens here and the page stays alive.
+// The worker: it owns the engine, so that what takes long happens here and the page stays alive.
 
 import { Keeper } from "./keeper";
 import { type Answer, failed, type Files, type Message, type Reply, type Task } from "./messages";
@@ -25,7 +25,7 @@ function answered(task: Task): Answer<unknown> {
     return task.do === "start" ? start(task.engine) : done(task, keeper);
   } catch (error) {
     keeper.restart();
-    return { error: defect(error) };
+    return { error: task.do === "put" ? tooLarge(task.name) : defect(error) };
   }
 }
 
@@ -75,8 +75,19 @@ function then(engine: Keeper, { request, parts, next }: Extract<Task, { do: "the
 function addToZip(engine: Keeper, request: Request): Answer<Change> {
   const made = files(engine, request);
   if (failed(made)) return made;
+  const twice = made.ok.files.find(({ name, bytes }) => archive.hasOther(name, bytes));
+  if (twice) return { error: nameTaken(twice.name) };
   for (const { name, bytes } of made.ok.files) archive.add(name, bytes);
   return { ok: made.ok.change };
+}
+
+function nameTaken(name: string): Failure {
+  const message = `another model makes a file of this name, ${name}: change this one by itself`;
+  return { code: "name-taken", message, needs_answer: false, fields: [] };
+}
+
+function tooLarge(name: string): Failure {
+  return { code: "too-large", message: `${name}: there is not enough memory in this browser for it`, needs_answer: false, fields: [] };
 }
 
 function defect(error: unknown): Failure {

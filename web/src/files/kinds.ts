@@ -1,4 +1,4 @@
-// What a file is, by its name and a look at its first kilobytes.
+// What a file is, by its name and its first kilobytes.
 
 export type FileKind = "model" | "forces" | "geometry" | "scales" | "xml" | "mesh" | "table" | "presets" | "other";
 
@@ -37,7 +37,10 @@ export function kindOf(name: string, head: string): FileKind {
   return found.sort((one, other) => one.at - other.at)[0]?.kind ?? "xml";
 }
 
-/** Whether the engine can do anything with a file of this kind. */
-export function isUseful(kind: FileKind): boolean {
-  return kind !== "other";
+/**
+ * Whether a file is worth reading. Folders have all kinds of large files beside models; a single file that somebody gives is
+ * read in any case, since a model may include a file of any name.
+ */
+export function isUseful(name: string): boolean {
+  return !name.includes("/") || kindOf(name, "") !== "other";
 }

@@ -9,7 +9,8 @@ const FACTOR = /^[xX×](.+)$/;
 /** The number in `text`, if it is one. */
 export function numberIn(text: string): number | undefined {
   const trimmed = text.trim();
-  return NUMBER.test(trimmed) ? Number(trimmed) : undefined;
+  // One that is too large for a number would be sent as nothing at all.
+  return NUMBER.test(trimmed) && Number.isFinite(Number(trimmed)) ? Number(trimmed) : undefined;
 }
 
 /** What is wrong with a value, in a sentence. */
@@ -36,7 +37,7 @@ function numberProblem(text: string, { kind, limits = {} }: Field): string | und
 
 function notANumber(text: string): string {
   const pointed = text.trim().replace(",", ".");
-  return NUMBER.test(pointed) ? `Write ${pointed}, with a decimal point.` : "Write a number, such as 0.5 or 2e6, without a unit.";
+  return numberIn(pointed) !== undefined ? `Write ${pointed}, with a decimal point.` : "Write a number, such as 0.5 or 2e6, without a unit.";
 }
 
 function limitProblem(number: number, { least, most, above, below }: Limits): string | undefined {

@@ -4,7 +4,7 @@ export type Source = "properties" | "forces" | "bodies" | "references" | "preset
 
 export type Kind = "number" | "integer" | "flag" | "choice" | "text" | "texts" | "lines" | "codes" | "map" | "rule" | "file";
 
-export interface Choice {
+interface Choice {
   value: string;
   text: string;
 }

@@ -8,10 +8,16 @@ import { frame } from "./frame";
 export function fileControl(field: Field, context: Context): Control {
   const source = field.source ?? "models";
   const select = el("select", { name: field.name });
+  const along = (chosen: string) => context.options(source).find(({ value }) => value === chosen)?.along ?? {};
   select.addEventListener("change", () => {
+    const before = along(context.values.text(field.name));
+    const now = along(select.value);
     context.values.set(field.name, select.value);
-    const along = context.options(source).find(({ value }) => value === select.value)?.along ?? {};
-    for (const [name, value] of Object.entries(along)) context.values.set(name, value);
+    // What came along with the choice before goes with it.
+    for (const [name, value] of Object.entries(before)) {
+      if (!(name in now) && context.values.text(name) === value) context.values.set(name, "");
+    }
+    for (const [name, value] of Object.entries(now)) context.values.set(name, value);
   });
   const add = button("Add a file…", () => void context.addFile(source).then(([name]) => name && context.values.set(field.name, name)), {
     class: "small",

@@ -28,11 +28,15 @@ export function showForm(form: Form, context: Context): ShownForm {
     const said = others.filter((field) => context.values.get(field.name) !== undefined).length;
     setText(count, said > 0 ? `(${said} set)` : "");
     setText(hint, relationHint(form, context));
-    if (said > 0 && name === null) more.open = true;
+    return said;
   };
-  update(true, null);
-  const end = context.values.watch((name) => update(false, name));
-  return { element, refresh: () => update(true, null), end };
+  /** The form is new, or all of it was replaced: what is set must be seen. */
+  const begin = (choices: boolean) => {
+    if (update(choices, null) > 0) more.open = true;
+  };
+  begin(true);
+  const end = context.values.watch((name) => void (name === null ? begin(false) : update(false, name)));
+  return { element, refresh: () => void update(true, null), end };
 }
 
 function elementOf(controls: ReadonlyMap<string, Control>, name: string): HTMLElement {
@@ -48,7 +52,7 @@ function groups(fields: readonly Field[], controls: ReadonlyMap<string, Control>
 }
 
 /** What goes with what, where the form says otherwise. */
-export function relationHint(form: Form, { values }: Pick<Context, "values">): string {
+function relationHint(form: Form, { values }: Pick<Context, "values">): string {
   const said = (name: string) => values.get(name) !== undefined;
   const label = (name: string) => `“${form.fields.find((field) => field.name === name)?.label ?? name}”`;
   const excluded = form.excludes.find((pair) => pair.every(said));

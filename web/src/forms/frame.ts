@@ -5,7 +5,7 @@ import { problemOf } from "./check";
 import type { Context } from "./context";
 import type { Field } from "./declaration";
 
-export interface Frame {
+interface Frame {
   element: HTMLElement;
   /** Says whether the value is right. */
   check(): void;
@@ -17,7 +17,7 @@ export function idOf(field: Field, context: Context): string {
 }
 
 /** The label with the unit in it, so that it is heard too. */
-export function labelText({ label, unit }: Field): Child[] {
+function labelText({ label, unit }: Field): Child[] {
   return unit ? [label, " ", el("span", { class: "unit" }, `(${unit})`)] : [label];
 }
 

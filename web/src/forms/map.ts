@@ -1,6 +1,6 @@
 // A field for values by property: one line for each property that the model has.
 
-import { el, setAttribute } from "../dom/element";
+import { el, setAttribute, setText } from "../dom/element";
 import type { Context, Control } from "./context";
 import type { Field } from "./declaration";
 import { problemOf } from "./check";
@@ -30,7 +30,7 @@ export function mapControl(field: Field, context: Context): Control {
       const wrong = problemOf(field, { [input.name]: text || "0" });
       setAttribute(input, "aria-invalid", wrong !== undefined && "true");
     }
-    problem.textContent = problemOf(field, entries) ?? "";
+    setText(problem, problemOf(field, entries) ?? "");
   };
   return { element, refresh };
 }

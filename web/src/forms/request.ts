@@ -32,8 +32,9 @@ function asked(field: Field, value: Value): unknown {
   }
 }
 
-function numeric(text: string): number | string {
-  return numberIn(text) ?? text.trim();
+/** A number as one; any other text as it is, for the engine to say what is wrong with it. Its factors begin with an x. */
+export function numeric(text: string): number | string {
+  return numberIn(text) ?? text.trim().replace(/^×/, "x");
 }
 
 function mapped(entries: Readonly<Record<string, string>>): Record<string, number | string> {

@@ -1,6 +1,6 @@
 // A field for a rule, a number or a factor, such as the radius: first which of them, then how much.
 
-import { el } from "../dom/element";
+import { el, setAttribute } from "../dom/element";
 import type { Context, Control } from "./context";
 import type { Field } from "./declaration";
 import { frame, idOf } from "./frame";
@@ -13,6 +13,7 @@ export function ruleControl(field: Field, context: Context): Control {
   const select = el("select", { name: field.name }, ...options(field));
   const amount = el("input", { type: "text", inputmode: "decimal", autocomplete: "off", id: `${id}-amount`, hidden: true });
   const { element, check } = frame(field, context, select, el("div", { class: "box" }, select, amount));
+  setAttribute(amount, "aria-describedby", select.getAttribute("aria-describedby") ?? undefined);
   const said = () => {
     const kind = select.value;
     if (kind !== NUMBER && kind !== FACTOR) return kind;
@@ -32,6 +33,7 @@ export function ruleControl(field: Field, context: Context): Control {
   const refresh = () => {
     const text = context.values.text(field.name);
     check();
+    setAttribute(amount, "aria-invalid", select.getAttribute("aria-invalid") ?? undefined);
     if (text === said()) return;
     select.value = kindOf(field, text);
     amount.value = select.value === FACTOR ? text.slice(1) : select.value === NUMBER ? text : "";

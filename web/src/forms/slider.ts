@@ -19,9 +19,10 @@ export function massSlider(field: Field, context: Context): Control {
   const scale = el("div", { class: "scale", "aria-hidden": "true" }, ...MARKS.map(mark));
   slider.addEventListener("input", () => context.values.set(field.name, massAt(slider.valueAsNumber)));
   const refresh = () => {
-    const said = numberIn(context.values.text(field.name));
-    const mass = said ?? context.currentMass() ?? 1;
-    const place = mass > 0 ? Math.log10(mass) : LEAST;
+    const typed = numberIn(context.values.text(field.name)) ?? 0;
+    const said = typed > 0 ? typed : undefined;
+    const mass = said ?? (context.currentMass() || 1);
+    const place = Math.log10(mass);
     // Moving it to where the user just moved it would make it jump.
     if (massAt(slider.valueAsNumber) !== massAt(place)) slider.value = String(place);
     slider.setAttribute("aria-valuetext", said === undefined ? `not set; ${massText(mass)} now` : massText(mass));

@@ -11,8 +11,9 @@ export function textsControl(field: Field, context: Context): Control {
   const list = el("div", { class: "ticks" });
   const state = el("span", { class: "quiet" });
   const patterns = field.source === "properties" ? undefined : patternsBox(field, context, id);
-  const help = field.help ? [el("p", { class: "help" }, field.help)] : [];
-  const group = el("fieldset", {}, el("legend", { class: "hidden" }, field.label), list, ...(patterns ? [patterns.element] : []), ...help);
+  const help = field.help ? [el("p", { class: "help", id: `${id}-help` }, field.help)] : [];
+  const described = field.help ? `${id}-help` : undefined;
+  const group = el("fieldset", { "aria-describedby": described }, el("legend", { class: "hidden" }, field.label), list, ...(patterns ? [patterns.element] : []), ...help);
   const details = el("details", { class: "field picker", id }, el("summary", {}, field.label, " ", state), group);
   let shown = "";
   const refresh = (choices: boolean) => {

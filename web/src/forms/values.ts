@@ -31,11 +31,6 @@ export class Values {
     return typeof value === "object" && !Array.isArray(value) ? (value as Readonly<Record<string, string>>) : {};
   }
 
-  /** The fields that say something. */
-  names(): string[] {
-    return [...this.#values.keys()];
-  }
-
   /** Everything that is said. */
   all(): ReadonlyMap<string, Value> {
     return new Map(this.#values);
@@ -48,9 +43,10 @@ export class Values {
     this.#notify(name);
   }
 
-  /** Replaces all. */
-  replace(values: ReadonlyMap<string, Value>): void {
+  /** Replaces all; with `between`, that is done before anybody hears of it. */
+  replace(values: ReadonlyMap<string, Value>, between: () => void = () => undefined): void {
     this.#values = new Map([...values].filter(([, value]) => !saysNothing(value)));
+    between();
     this.#notify(null);
   }
 

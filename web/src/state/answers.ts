@@ -4,10 +4,14 @@ import type { Form } from "../forms/declaration";
 import { fieldsOf } from "../forms/request";
 import type { OpenModel } from "./model";
 
+const COMPARED = ["from", "body_scale_file"];
+
 /** The answers that `form` takes, about the model as it is now. */
 export function answered(model: OpenModel, form: Form | undefined): Record<string, unknown> {
   if (!form) return {};
   const fields = fieldsOf(form, model.answers);
+  // What the model was scaled from is compared with; it says nothing about where a change takes its contacts from.
+  if (form.verb !== "inspect") for (const name of COMPARED) delete fields[name];
   const geometry = geometryOf(model);
   return geometry !== undefined && "geometry" in fields ? { ...fields, geometry } : fields;
 }

@@ -1,6 +1,6 @@
 // A model that is open, and the changes that were kept.
 
-import type { Failure, Look, Request, Section } from "../engine/types";
+import type { Failure, Inspected, Request, Section } from "../engine/types";
 import { Values } from "../forms/values";
 
 /** A change that was kept: it made a new file. */
@@ -28,7 +28,7 @@ export interface OpenModel {
   readonly at: number;
   /** What the user answered about this model; it goes along with every request. */
   readonly answers: Values;
-  readonly look: Look | null;
+  readonly inspected: Inspected | null;
   readonly failure: Failure | null;
   /** Its own target mass, where several models are changed at once. */
   readonly targetMass: string;
@@ -39,7 +39,7 @@ let last = 0;
 
 export function newModel(origin: string): OpenModel {
   last += 1;
-  const start = { steps: [], at: 0, look: null, failure: null, targetMass: "", outcome: null };
+  const start = { steps: [], at: 0, inspected: null, failure: null, targetMass: "", outcome: null };
   return { id: last, origin, answers: new Values(), ...start };
 }
 
@@ -51,6 +51,16 @@ export function fileOf(model: OpenModel): string {
 /** The step that was made last and holds. */
 export function stepOf(model: OpenModel): Step | undefined {
   return model.steps[model.at - 1];
+}
+
+/** Whether the model as it is now was read from a file of this name. */
+export function uses(model: OpenModel, name: string): boolean {
+  // Models name their files by paths of their own.
+  return fileOf(model) === name || (model.inspected?.files ?? []).some((file) => lastName(file) === lastName(name));
+}
+
+function lastName(path: string): string {
+  return path.split(/[/\\]/).pop() ?? path;
 }
 
 /** The model after one more step; steps that were undone are gone. */

@@ -39,29 +39,39 @@ export class Session {
   readonly calculation = new Values();
   readonly preview = new Signal<Preview>({ state: "none" });
   readonly calculating = new Signal(false);
-  /** What a screen reader says next. */
+  /** What happened last, to see and to hear. */
   readonly announcement = new Signal("");
   /** Sections of the preview that are on the screen. */
   readonly visible = new Set<string>();
   /** What links in sections lead to, by anchor. */
   readonly explained = new Map<string, string>();
 
+  /** Whether a change is being kept: another one would be made of the same file. */
+  readonly keeping = new Signal(false);
+  /** Whether all models are being changed. */
+  readonly changingAll = new Signal(false);
+  /** Results that were downloaded. */
+  readonly saved = new Set<string>();
+
   readonly #said = new Map<string, ReadonlyMap<string, Value>>();
 
   constructor(readonly engine: Client) {}
 
-  /** Shows the form of another verb, with what it said before. */
-  setVerb(verb: string): void {
-    if (verb === this.verb.value) return;
-    this.#said.set(this.verb.value, this.values.all());
-    const said = this.#said.get(verb) ?? new Map<string, Value>();
-    this.verb.set(verb);
-    this.values.replace(said);
+  /** Shows the form of another verb, with what it said before, or with `values`. */
+  setVerb(verb: string, values?: ReadonlyMap<string, Value>): void {
+    if (verb === this.verb.value && !values) return;
+    if (verb !== this.verb.value) this.#said.set(this.verb.value, this.values.all());
+    // The new form never has the values of the old one, not even for a moment.
+    this.values.replace(values ?? this.#said.get(verb) ?? new Map<string, Value>(), () => this.verb.set(verb));
   }
 
   /** The model whose details are shown. */
   model(): OpenModel | undefined {
-    return this.models.value.find(({ id }) => id === this.chosen.value);
+    return this.modelOf(this.chosen.value);
+  }
+
+  modelOf(id: number | null): OpenModel | undefined {
+    return this.models.value.find((model) => model.id === id);
   }
 
   add(model: OpenModel): void {

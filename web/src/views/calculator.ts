@@ -1,8 +1,10 @@
 // Parameters of a contact from what is wanted, without a model.
 
+import { correctFirst } from "../actions/live";
 import { button, byId, el, setAttribute } from "../dom/element";
 import { digits, unitText } from "../dom/number";
 import { boxedTable, headCells } from "../dom/table";
+import { equationAnchor } from "../engine/anchor";
 import { failureOf } from "../engine/failure";
 import type { Sheet } from "../engine/types";
 import { CALCULATOR } from "../forms/all";
@@ -35,7 +37,11 @@ export function calculatorView(session: Session, addFile: Context["addFile"]): v
     void calculate();
   });
   const calculate = async () => {
-    if (problems(CALCULATOR, session.calculation).size > 0) return;
+    const wrong = problems(CALCULATOR, session.calculation);
+    if (wrong.size > 0) {
+      failure.show(undefined);
+      return sheet.replaceChildren(el("p", {}, correctFirst(CALCULATOR, wrong)));
+    }
     try {
       const answer = await session.engine.calculate({ verb: "design", ...fieldsOf(CALCULATOR, session.calculation) });
       failure.show(undefined);
@@ -77,7 +83,7 @@ function figureRow({ name, value, unit, equation, given, limit }: Sheet["figures
 }
 
 function equationLink(label: string): HTMLElement {
-  return el("a", { href: `#equation-${label.toLowerCase().replace(".", "-")}` }, `(${label})`);
+  return el("a", { href: `#${equationAnchor(label)}` }, `(${label})`);
 }
 
 /** `contact_stiffness_n_m` with the unit N/m is "contact stiffness". */

@@ -40,13 +40,13 @@ export function contextOf(session: Session, values: Values, { prefix, commit, ad
     values, prefix, commit, addFile,
     options: (source) => options(session, source),
     currentValue: (property) => currentValue(session, property),
-    currentMass: () => session.model()?.look?.inspection.contacts_mass_kg?.value ?? session.model()?.look?.inspection.mass_kg ?? undefined,
+    currentMass: () => session.model()?.inspected?.inspection.contacts_mass_kg?.value ?? session.model()?.inspected?.inspection.mass_kg ?? undefined,
   };
 }
 
 /** The value that all spheres or forces have; nothing where they differ. */
 function currentValue(session: Session, property: string): string | undefined {
-  const inspection = session.model()?.look?.inspection;
+  const inspection = session.model()?.inspected?.inspection;
   const radii = inspection?.spheres.map(({ radius_m: radius }) => radius);
   const values = property === "radius" ? radii : inspection?.forces.map(({ parameters }) => parameters[property]);
   const [first, ...others] = new Set(values);
@@ -54,7 +54,7 @@ function currentValue(session: Session, property: string): string | undefined {
 }
 
 function options(session: Session, source: Source): Option[] {
-  const inspection = session.model()?.look?.inspection;
+  const inspection = session.model()?.inspected?.inspection;
   switch (source) {
     case "properties": {
       const named = new Set(["radius", ...(inspection?.forces ?? []).flatMap(({ parameters }) => Object.keys(parameters))]);

@@ -2,6 +2,7 @@
 
 import { button, byId, el } from "../dom/element";
 import { parsed } from "../dom/markup";
+import { topicOf } from "../engine/anchor";
 import type { Session } from "../state/session";
 
 export function showExplanations(session: Session): void {
@@ -16,21 +17,14 @@ export function showExplanations(session: Session): void {
     const link = event.target instanceof Element ? event.target.closest("a[href^='#']") : null;
     if (!link || link.id === "skip") return;
     event.preventDefault();
-    void explain(session, (link.getAttribute("href") ?? "").slice(1), body).then(() => dialog.showModal());
+    void explain(session, (link.getAttribute("href") ?? "").slice(1), body).then(() => dialog.open || dialog.showModal());
   });
 }
 
-/** Opens the explanation of a topic that is not linked to in a section. */
+/** Shows the explanation that came with a section; where none came, the engine is asked. */
 async function explain(session: Session, anchor: string, body: HTMLElement): Promise<void> {
   const html = session.explained.get(anchor);
-  if (html !== undefined) return body.replaceChildren(parsed(html));
+  if (html !== undefined) return body.replaceChildren(parsed(html, 3));
   const text = await session.engine.explain(topicOf(anchor)).then((answer) => answer.text, (error: Error) => error.message);
   body.replaceChildren(el("pre", { class: "plain" }, text));
-}
-
-/** `equation-c-2` is about C.2, `finding-beyond-hertz` about beyond-hertz. */
-function topicOf(anchor: string): string {
-  const equation = /^equation-(.+)$/.exec(anchor)?.[1];
-  if (equation !== undefined) return equation.toUpperCase().replace("-", ".");
-  return anchor.replace(/^(finding|error)-/, "");
 }

@@ -10,6 +10,8 @@ import type { Form } from "../forms/declaration";
 export interface FailureView {
   element: HTMLElement;
   show(failure: Failure | undefined): void;
+  /** Other files are here: there may be more to choose from. */
+  refresh(): void;
 }
 
 /**
@@ -21,19 +23,24 @@ export function failureView(form: () => Form, context: Context, after: HTMLEleme
   const answers = el("div", { class: "answers" });
   const element = el("div", { class: "failure", hidden: true }, what, answers);
   let asked = "";
+  let shown = "";
   let end: () => void = () => undefined;
+  let refresh: () => void = () => undefined;
   const show = (failure: Failure | undefined) => {
     if (!failure) {
       if (element.contains(document.activeElement)) after.focus();
       element.hidden = true;
-      asked = "";
+      asked = shown = "";
       end();
       what.replaceChildren();
       answers.replaceChildren();
       return;
     }
     element.hidden = false;
-    what.replaceChildren(el("div", { role: "alert" }, ...described(failure)));
+    const text = JSON.stringify([failure.message, failure.model, failure.line, failure.column, failure.excerpt]);
+    // An alert that is made again is heard again.
+    if (shown !== text) what.replaceChildren(el("div", { role: "alert" }, ...described(failure)));
+    shown = text;
     const key = `${form().verb} ${failure.code} ${failure.fields.join(" ")}`;
     // While the same is asked, the fields stay: somebody may be typing in them.
     if (asked === key) return;
@@ -42,8 +49,9 @@ export function failureView(form: () => Form, context: Context, after: HTMLEleme
     const made = question(failure, form(), context);
     answers.replaceChildren(...made.content);
     end = made.end;
+    refresh = made.refresh;
   };
-  return { element, show };
+  return { element, show, refresh: () => refresh() };
 }
 
 /** A failure in words. */
@@ -65,19 +73,28 @@ export function sentence(text: string): string {
   return /[.!?]$/.test(begun) ? begun : `${begun}.`;
 }
 
-function question(failure: Failure, form: Form, context: Context): { content: HTMLElement[]; end: () => void } {
+interface Question {
+  content: HTMLElement[];
+  refresh(): void;
+  end(): void;
+}
+
+function question(failure: Failure, form: Form, context: Context): Question {
   const fields = failure.fields.filter((name) => name !== "yes").flatMap((name) => fieldOf(name, form) ?? []);
   const controls = fields.map((field) => ({ field, made: control(field, context) }));
-  for (const { made } of controls) made.refresh(true);
+  const refresh = () => {
+    for (const { made } of controls) made.refresh(true);
+  };
+  refresh();
   const end = context.values.watch((name) => {
     for (const { field, made } of controls) if (name === null || field.name === name) made.refresh(name === null);
   });
   const yes = failure.fields.includes("yes") ? [meant(failure, context)] : [];
   const all = [...yes, ...controls.map(({ made }) => made.element)];
-  if (all.length === 0) return { content: [], end };
+  if (all.length === 0) return { content: [], refresh, end };
   const legend = all.length === 1 ? "Your answer" : "Any of these would answer";
   const title = el("p", { id: `${context.prefix}-asked` }, el("strong", {}, legend));
-  return { content: [el("div", { class: "question", role: "group", "aria-labelledby": title.id }, title, ...all)], end };
+  return { content: [el("div", { class: "question", role: "group", "aria-labelledby": title.id }, title, ...all)], refresh, end };
 }
 
 /** The answer that a number is meant as it is; another number in its place is asked about again. */

@@ -1,8 +1,10 @@
 // All files that are here, models and those that belong to them.
 
-import { lookAgain } from "../actions/look";
+import { inspectAgain } from "../actions/inspect";
 import { openAsModel } from "../actions/open";
+import { dropFiles } from "../actions/put";
 import { button, byId, el } from "../dom/element";
+import { keepingFocus } from "../dom/focus";
 import { boxedTable, type Head, headCells } from "../dom/table";
 import { bytesText, counted } from "../dom/number";
 import { type FileEntry, KIND_TEXTS } from "../files/kinds";
@@ -23,7 +25,7 @@ export function filesView(session: Session): void {
     const files = session.files.value;
     section.hidden = files.length === 0;
     title.textContent = counted(files.length, "file");
-    rows.replaceChildren(...files.map((file) => row(session, file)));
+    keepingFocus(rows, () => byId("content"), () => rows.replaceChildren(...files.map((file) => row(session, file))));
   };
   session.files.watch(update);
   session.models.watch(update);
@@ -49,8 +51,7 @@ function named(name: string): Record<string, string> {
 }
 
 async function removeFile(session: Session, { name }: FileEntry): Promise<void> {
-  await session.engine.remove(name);
-  session.files.set(session.files.value.filter((file) => file.name !== name));
+  await dropFiles(session, [name]);
   session.announce(`${name} is removed.`);
-  await lookAgain(session);
+  await inspectAgain(session);
 }

@@ -1,6 +1,7 @@
 // What is wrong with a model, and what puts it right.
 
 import { button, el } from "../dom/element";
+import { findingAnchor } from "../engine/anchor";
 import type { Finding } from "../engine/types";
 import { sentence } from "./failure";
 
@@ -17,7 +18,7 @@ function item(finding: Finding, apply: Apply): HTMLElement {
   const where = [place, line === null ? null : `line ${line}`].filter(Boolean).join(", ");
   const text = el("p", {},
     el("span", { class: `tag ${severity}` }, severity), " ",
-    el("a", { class: "code", href: `#finding-${code}` }, code), " ", sentence(message),
+    el("a", { class: "code", href: `#${findingAnchor(code)}` }, code), " ", sentence(message),
     ...(where ? [" ", el("span", { class: "quiet" }, where)] : []));
   const act = remedy ? [el("p", {}, button(`Apply: ${remedy.text}`, () => apply(finding), { class: "apply" }))] : [];
   return el("li", {}, text, ...act);

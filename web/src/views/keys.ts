@@ -5,6 +5,8 @@ const TYPED = /^(text|search|number)$/;
 export function wireKeys(undo: () => void, redo: () => void): void {
   addEventListener("keydown", (event) => {
     if (!(event.ctrlKey || event.metaKey) || event.altKey || isTyping(event.target)) return;
+    // What is under an open dialog is not to be worked on.
+    if (document.querySelector("dialog[open]")) return;
     const key = event.key.toLowerCase();
     const act = key === "z" ? (event.shiftKey ? redo : undo) : key === "y" && !event.shiftKey ? redo : undefined;
     if (!act) return;

@@ -1,11 +1,13 @@
 // Several models: a table with a row for each.
 
 import { canChangeAll, changeAll, downloadAll } from "../actions/library";
-import { lookCloser } from "../actions/look";
-import { button, byId, el, setText } from "../dom/element";
+import { inspectDetails } from "../actions/inspect";
+import { button, byId, el, setAttribute, setText } from "../dom/element";
+import { keepingFocus } from "../dom/focus";
 import { counted, kilograms } from "../dom/number";
 import { boxedTable, type Head, headCells } from "../dom/table";
 import { formOf } from "../forms/all";
+import { problemOf } from "../forms/check";
 import { fileOf, type OpenModel, type Outcome } from "../state/model";
 import type { Session } from "../state/session";
 import { described } from "./failure";
@@ -31,8 +33,9 @@ export class LibraryView {
     session.models.watch(() => this.#update());
     session.chosen.watch((id) => {
       this.#update();
-      if (id !== null) void lookCloser(session, id);
+      if (id !== null) void inspectDetails(session, id);
     });
+    session.changingAll.watch(() => this.#enable());
     session.verb.watch(() => this.#otherChange());
     session.values.watch(() => this.#otherChange());
   }
@@ -46,7 +49,7 @@ export class LibraryView {
     this.#heads.replaceChildren(...headCells(heads(mass)));
     const rows = models.map((model) => this.#row(model, mass));
     const same = rows.length === this.#rows.children.length && rows.every((row, index) => row === this.#rows.children[index]);
-    if (!same) this.#rows.replaceChildren(...rows);
+    if (!same) keepingFocus(this.#rows, () => byId("model-title"), () => this.#rows.replaceChildren(...rows));
     this.#enable();
   }
 
@@ -59,24 +62,24 @@ export class LibraryView {
 
   #enable(): void {
     const can = canChangeAll(this.session);
-    this.#changeAll.disabled = !can;
-    this.#zip.disabled = !can;
+    for (const one of [this.#changeAll, this.#zip]) {
+      one.disabled = !can;
+      // Not disabled, which would take the focus away from it.
+      setAttribute(one, "aria-disabled", this.session.changingAll.value && "true");
+    }
   }
 
-  /** The row of a model: the one that is there, where nothing changed. */
+  /** The row of a model: the one that is there, of which only those cells are made again that are different. */
   #row(model: OpenModel, mass: boolean): HTMLElement {
     const chosen = model.id === this.session.chosen.value;
     const shown = this.#shown.get(model.id);
     if (shown && shown.model === model && shown.chosen === chosen && shown.mass === mass) return shown.row;
-    const typing = shown?.row.contains(document.activeElement) && document.activeElement instanceof HTMLInputElement;
     const own = mass ? [this.#mass(model)] : [];
     const all = [this.#name(model), ...cells(model), ...own, outcomeCell(model), this.#close(model)];
-    const row = el("tr", { "aria-current": chosen ? "true" : undefined }, ...all);
+    const row = shown?.mass === mass ? shown.row : el("tr");
+    setAttribute(row, "aria-current", chosen && "true");
+    keepingFocus(row, () => byId("model-title"), () => patch(row, all));
     this.#shown.set(model.id, { model, chosen, mass, row });
-    if (typing && shown) {
-      shown.row.replaceWith(row);
-      row.querySelector<HTMLInputElement>("input")?.focus();
-    }
     return row;
   }
 
@@ -90,8 +93,13 @@ export class LibraryView {
     const input = el("input", { type: "text", inputmode: "decimal", class: "mass", "aria-label": name, autocomplete: "off" });
     input.value = model.targetMass;
     input.placeholder = "as in the form";
+    const field = formOf(this.session.verb.value)?.fields.find(({ name: one }) => one === "target_mass");
+    const problem = (field && model.targetMass !== "" && problemOf(field, model.targetMass)) || "";
+    const note = el("p", { class: "problem", id: `mass-problem-${model.id}`, role: "alert" }, problem);
+    setAttribute(input, "aria-invalid", problem !== "" && "true");
+    setAttribute(input, "aria-describedby", note.id);
     input.addEventListener("change", () => this.session.update(model.id, (open) => ({ ...open, targetMass: input.value.trim(), outcome: null })));
-    return el("td", {}, input);
+    return el("td", { class: "own" }, input, note);
   }
 
   #close(model: OpenModel): HTMLElement {
@@ -100,9 +108,26 @@ export class LibraryView {
       session.models.set(session.models.value.filter(({ id }) => id !== model.id));
       if (session.chosen.value === model.id) session.chosen.set(session.models.value[0]?.id ?? null);
       session.announce(`${fileOf(model)} is closed.`);
+      if (this.#section.hidden) byId("model-title").focus();
     }, { class: "small", "aria-label": `Close ${fileOf(model)}` });
     return el("td", { class: "acts" }, close);
   }
+}
+
+/** Equal cells stay: a number may be half typed in one, an error may be open in another. */
+function patch(row: HTMLElement, cells: readonly HTMLElement[]): void {
+  if (row.children.length === 0) row.append(...cells);
+  for (const [index, cell] of cells.entries()) {
+    const there = row.children[index];
+    if (there && !same(there, cell)) there.replaceWith(cell);
+  }
+}
+
+function same(one: Element, other: Element): boolean {
+  // Whether an error is open is not part of what it says.
+  const closed = one.cloneNode(true) as Element;
+  closed.querySelector("details")?.removeAttribute("open");
+  return closed.isEqualNode(other);
 }
 
 function heads(mass: boolean): Head[] {
@@ -112,7 +137,7 @@ function heads(mass: boolean): Head[] {
 }
 
 /** What is known of a model; for one that could not be opened, that. */
-function cells({ look: seen }: OpenModel): HTMLElement[] {
+function cells({ inspected: seen }: OpenModel): HTMLElement[] {
   if (!seen) return FACTS.map(() => el("td", {}, "–"));
   const { mass_kg: mass, contacts_mass_kg: made, limbs, spheres } = seen.inspection;
   const counts = [limbs?.length, spheres.length, seen.findings.length].map((count) => (count === undefined ? "–" : String(count)));

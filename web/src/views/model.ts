@@ -2,14 +2,15 @@
 
 import { apply, goTo, redo, undo } from "../actions/apply";
 import { downloadModel, downloadReport } from "../actions/download";
-import { look } from "../actions/look";
+import { inspect } from "../actions/inspect";
 import { button, byId, el, setText } from "../dom/element";
-import type { Failure, Finding, Look } from "../engine/types";
+import type { Failure, Finding, Inspected } from "../engine/types";
 import { QUESTIONS } from "../forms/all";
 import type { Context } from "../forms/context";
 import { answered } from "../state/answers";
 import { fileOf, type OpenModel, stepOf } from "../state/model";
 import type { Session } from "../state/session";
+import { type Compared, comparedView } from "./compared";
 import { contextOf } from "./context";
 import { type FailureView, failureView } from "./failure";
 import { findingsList } from "./findings";
@@ -29,20 +30,22 @@ export class ModelView {
   readonly #history = el("div", { class: "history" });
   readonly #findings = el("div", { class: "findings-box" });
   readonly #applied = el("section", { class: "applied", id: "applied", "aria-labelledby": "applied-title", hidden: true });
-  readonly #missing = el("p", { class: "note", id: "missing", hidden: true });
   readonly #feet = place({ prefix: PREFIX, id: "feet" });
   readonly #folded: Place[] = FOLDED.map((id) => place({ prefix: PREFIX, id, folded: true }));
+  readonly #compared: Compared;
   #failure: FailureView | undefined;
   #failureBox = el("div");
   #shown: OpenModel | undefined;
 
   constructor(readonly session: Session, readonly addFile: Context["addFile"]) {
     const findings = el("div", { class: "section" }, el("h3", { id: "findings-title" }, "Findings"), this.#findings);
-    const left = el("div", { class: "left" }, this.#summary, this.#missing, findings);
+    this.#compared = comparedView(session, addFile);
+    const left = el("div", { class: "left" }, this.#summary, findings, this.#compared.element);
     const right = el("div", { class: "right" }, this.#feet.element, ...this.#folded.map(({ element }) => element));
     const head = el("div", { class: "head" }, this.#title, el("div", { class: "buttons" }, this.#steps, this.#buttons));
     this.#section.append(head, this.#history, this.#failureBox, this.#applied, el("div", { class: "columns" }, left, right));
     session.models.watch(() => this.#update());
+    session.files.watch(() => this.#failure?.refresh());
     session.chosen.watch(() => this.#update());
   }
 
@@ -56,11 +59,11 @@ export class ModelView {
     if (!before) this.#takeAnswers(model);
     setText(this.#title, fileOf(model));
     const moved = before?.steps !== model.steps || before.at !== model.at;
-    if (moved || (before.look === null) !== (model.look === null)) this.#showButtons(model);
+    if (moved || (before.inspected === null) !== (model.inspected === null)) this.#showButtons(model);
     if (moved) this.#showHistory(model);
     if (before?.failure !== model.failure) this.#failure?.show(model.failure ?? undefined);
-    this.#section.classList.toggle("broken", model.look === null);
-    if (model.look) this.#showLook(model, model.look, before?.look ?? null);
+    this.#section.classList.toggle("broken", model.inspected === null);
+    if (model.inspected) this.#showInspected(model, model.inspected, before?.inspected ?? null);
     if (moved) this.#showApplied(model);
   }
 
@@ -68,7 +71,10 @@ export class ModelView {
     const acts = {
       undo: () => this.#keepFocus("undo", () => undo(this.session)),
       redo: () => this.#keepFocus("redo", () => redo(this.session)),
-      goTo: (at: number) => void goTo(this.session, model, at),
+      goTo: (at: number) => {
+        void goTo(this.session, model.id, at);
+        this.#title.focus();
+      },
     };
     this.#steps.replaceChildren(...stepButtons(model, acts));
     this.#history.replaceChildren(...stepList(model, acts));
@@ -79,7 +85,8 @@ export class ModelView {
     const context = contextOf(this.session, model.answers, { prefix: `answer-${model.id}`, commit: "change", addFile: this.addFile });
     this.#failure = failureView(() => QUESTIONS, context, this.#title);
     this.#failureBox.replaceChildren(this.#failure.element);
-    model.answers.watch(() => void look(this.session, model.id));
+    this.#compared.about(model);
+    model.answers.watch(() => void inspect(this.session, model.id));
   }
 
   #showButtons(model: OpenModel): void {
@@ -87,20 +94,17 @@ export class ModelView {
     const request = () => ({ ...answered(model, QUESTIONS), verb: "inspect", models: [fileOf(model)] });
     this.#buttons.replaceChildren(
       ...(model.at > 0 ? [button(`Download ${fileOf(model)}`, () => void downloadModel(session, model), { class: "primary" })] : []),
-      ...(model.look ? [button("Report about this model", () => void downloadReport(session, request()).then(this.#say))] : []),
+      ...(model.inspected ? [button("Report about this model", () => void downloadReport(session, request()).then(this.#say))] : []),
     );
   }
 
-  #showLook(model: OpenModel, seen: Look, before: Look | null): void {
+  #showInspected(model: OpenModel, seen: Inspected, before: Inspected | null): void {
     if (seen.inspection !== before?.inspection) this.#summary.replaceChildren(summary(seen));
     const act = (finding: Finding) => void this.#apply(model, finding);
     if (seen.findings !== before?.findings) this.#findings.replaceChildren(findingsList(seen.findings, act));
     const sections = new Map(seen.sections.map((section) => [section.id, section]));
     this.#feet.show(sections.get("feet"));
     for (const [index, id] of FOLDED.entries()) this.#folded[index]?.show(sections.get(id));
-    this.#missing.hidden = !seen.missing?.length;
-    const names = (seen.missing ?? []).join(", ");
-    this.#missing.textContent = `The model names files that are not here: ${names}. Open them, too, to see all of it.`;
   }
 
   #showApplied(model: OpenModel): void {
@@ -118,7 +122,7 @@ export class ModelView {
   }
 
   async #apply(model: OpenModel, { remedy }: Finding): Promise<void> {
-    if (!remedy) return;
+    if (!remedy || this.session.keeping.value) return;
     const failure = await apply(this.session, model.id, remedy.text, remedy.request);
     this.#say(failure);
     // The button is gone; what it did is where to read on.

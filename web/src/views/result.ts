@@ -8,6 +8,7 @@ import { formOf } from "../forms/all";
 import type { Context } from "../forms/context";
 import { CALCULATOR } from "../forms/all";
 import { spoken } from "../forms/spoken";
+import { fileOf } from "../state/model";
 import type { Preview, Session } from "../state/session";
 import { contextOf } from "./context";
 import { copyView } from "./copy";
@@ -47,6 +48,7 @@ export class ResultView {
     this.#done.append(this.#warnings, ...[...this.#places.values()].map(({ element }) => element), this.#diff.element, this.#copy.element);
     this.#section.append(
       el("h2", { id: "result-title" }, "What would change"), this.#status, this.#buttons, this.#failure.element, this.#done, this.#live);
+    session.files.watch(() => this.#failure.refresh());
     this.#watchPlots();
     session.preview.watch((preview) => this.#show(preview));
   }
@@ -54,6 +56,10 @@ export class ResultView {
   #show(preview: Preview): void {
     const done = preview.state === "done";
     this.#section.dataset["state"] = preview.state;
+    // What is still being made again looks so, if it takes a moment.
+    this.#section.dataset["complete"] = String(done && preview.complete);
+    // Nothing of another model or verb stays.
+    if (preview.state === "none") for (const { show } of this.#places.values()) show(undefined);
     setText(this.#status, statusOf(preview));
     this.#failure.show(preview.state === "failed" ? preview.failure : undefined);
     this.#done.hidden = !done;
@@ -92,8 +98,8 @@ export class ResultView {
 
   async #keep(request: Extract<Preview, { state: "done" }>["request"]): Promise<Failure | undefined> {
     const { session } = this;
-    const model = session.model();
-    if (!model) return undefined;
+    const model = session.models.value.find((open) => fileOf(open) === request.models?.[0]);
+    if (!model || session.keeping.value) return undefined;
     const failure = await apply(session, model.id, spoken(request, formOf(request.verb)), request);
     if (failure) return failure;
     // What was asked for holds now; asked for again, it would be done twice.

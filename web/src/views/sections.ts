@@ -10,7 +10,7 @@ export interface Place {
   show(section: Section | undefined): void;
 }
 
-interface Look {
+interface Options {
   /** What ids in the place begin with. */
   prefix: string;
   id: string;
@@ -21,7 +21,7 @@ interface Look {
 }
 
 /** A place for one section. */
-export function place({ prefix, id, folded = false, title }: Look): Place {
+export function place({ prefix, id, folded = false, title }: Options): Place {
   const heading = el("h3", { id: `${prefix}-${id}-title` }, title ?? "");
   const body = el("div", { class: "body" });
   const element = folded

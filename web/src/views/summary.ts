@@ -2,12 +2,12 @@
 
 import { type Child, el } from "../dom/element";
 import { counted, digits, kilograms } from "../dom/number";
-import type { Inspection, Look } from "../engine/types";
+import type { Inspection, Inspected } from "../engine/types";
 
 const SOURCES: Readonly<Record<string, string>> = { note: "note in the file", bodies: "not recorded; taken from the bodies" };
 
 /** The summary as a list of terms. */
-export function summary({ inspection }: Look): HTMLElement {
+export function summary({ inspection }: Inspected): HTMLElement {
   const rows: [string, Child[]][] = [
     ["Mass", mass(inspection)],
     ["Contacts made for", madeFor(inspection)],
