@@ -36,8 +36,12 @@ function main(): void {
   const missing = missingSupport();
   if (missing.length > 0) return cannot(`This browser lacks what the page needs: ${missing.join(", ")}. ${NEWER}`);
   const session = new Session(new Client(unpackedText("worker")));
-  wire(session);
-  const started = wholePage().then(() => session.engine.start(packed("engine")));
+  // The worker unpacks the engine while this thread makes the page.
+  const started = wholePage().then(() => {
+    const engine = session.engine.start(packed("engine"));
+    wire(session);
+    return engine;
+  });
   started.then(() => ready(session), (error) => cannot(`The page could not start: ${failureOf(error).message}`));
 }
 
@@ -106,6 +110,7 @@ async function openExample(session: Session): Promise<void> {
 async function ready(session: Session): Promise<void> {
   document.documentElement.dataset["ready"] = "true";
   performance.mark("ready");
+  session.engine.warmUp(packed("example"));
   await refreshPresets(session);
 }
 

@@ -65,6 +65,11 @@ export class Client {
     return { name, bytes };
   }
 
+  /** Lets the worker try an example, so that the first model of the user opens as fast as the next one. Nobody waits for it. */
+  warmUp(example: string): void {
+    this.#worker.postMessage({ id: 0, task: { do: "warm-up", example } satisfies Task });
+  }
+
   #ask<T>(question: Record<string, unknown>): Promise<T> {
     return this.#send<T>({ do: "ask", question });
   }

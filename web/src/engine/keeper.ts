@@ -28,6 +28,16 @@ export class Keeper {
     }
   }
 
+  /** Does to an example what users do first, in an engine of its own: browsers compile what runs for the first time. */
+  warmUp(example: Uint8Array): void {
+    const engine = new Engine();
+    engine.put("example.osim", example);
+    engine.call(JSON.stringify({ do: "look", model: "example.osim", parts: ["feet"] }));
+    const request = { verb: "rescale", models: ["example.osim"], target_mass: 500 };
+    engine.call(JSON.stringify({ do: "change", request, parts: ["changes", "plots"] }));
+    engine.free();
+  }
+
   put(name: string, bytes: Uint8Array): void {
     // One that ends the engine is not given to the next one.
     this.#started().put(name, bytes);

@@ -4,6 +4,8 @@ import type { Change, Failure, NamedBytes, Request } from "./types";
 
 export type Task =
   | { do: "start"; engine: string }
+  /** What makes the first use as fast as the next ones. */
+  | { do: "warm-up"; example: string }
   | { do: "put"; name: string; bytes: Uint8Array }
   | { do: "remove"; name: string }
   | { do: "bytes"; name: string }

@@ -36,6 +36,7 @@ function start(packed: string): Answer<null> {
 
 function done(task: Exclude<Task, { do: "start" }>, engine: Keeper): Answer<unknown> {
   switch (task.do) {
+    case "warm-up": return { ok: engine.warmUp(unpack(task.example)) ?? null };
     case "put": return { ok: engine.put(task.name, task.bytes) ?? null };
     case "remove": return { ok: engine.remove(task.name) ?? null };
     case "bytes": return { ok: engine.bytes(task.name) ?? null };
