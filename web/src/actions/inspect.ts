@@ -24,7 +24,10 @@ export async function inspect(session: Session, id: number): Promise<void> {
     measureOpen();
     if (session.chosen.value === id) void inspectDetails(session, id);
   } catch (error) {
-    update({ inspected: null, failure: failureOf(error) });
+    const failure = failureOf(error);
+    // Another file that the model is compared with is no reason to take from the screen what is known of the model.
+    const ofAnother = failure.model != null && failure.model !== file && model.inspected !== null;
+    update(ofAnother ? { failure } : { inspected: null, failure });
   }
 }
 

@@ -4,22 +4,12 @@ import { failureOf } from "../engine/failure";
 import type { Change, Request } from "../engine/types";
 import { counted, digits } from "../dom/number";
 import { formOf } from "../forms/all";
-import { isEmpty, numeric, problems, requestOf } from "../forms/request";
+import { isEmpty, problems } from "../forms/request";
 import { save } from "../download/save";
-import { answered } from "../state/answers";
-import { fileOf, type OpenModel, type Outcome } from "../state/model";
+import type { OpenModel, Outcome } from "../state/model";
 import type { Session } from "../state/session";
 import { countsOf } from "./apply";
-
-/** The request of the form for one of several models, with its own target mass. */
-function requestOfRow(session: Session, model: OpenModel): Request | undefined {
-  const form = formOf(session.verb.value);
-  if (!form) return undefined;
-  const takesMass = form.fields.some(({ name }) => name === "target_mass");
-  const request = requestOf(form, session.values, fileOf(model), answered(model, form));
-  // What is not a number goes along, too: the engine says what is wrong with it.
-  return takesMass && model.targetMass !== "" ? { ...request, target_mass: numeric(model.targetMass) } : request;
-}
+import { requestFor } from "./row";
 
 /** Whether the form says something that can be done to all. */
 export function canChangeAll(session: Session): boolean {
@@ -35,7 +25,7 @@ export function canChangeAll(session: Session): boolean {
 export function changeAll(session: Session): Promise<void> {
   return once(session, async () => {
     const { done, failed } = await eachRow(session, (request) => session.engine.change(request, ["changes"]));
-    session.announce(`${done} of ${done + failed} models changed${failed > 0 ? `, ${failed} failed` : ""}.`);
+    session.announce(`${done} of ${done + failed} models would change${failed > 0 ? `, ${failed} failed` : ""}.`);
   });
 }
 
@@ -67,7 +57,9 @@ async function once(session: Session, act: () => Promise<void>): Promise<void> {
 
 /** Asks for each model what the form says now, whatever is typed meanwhile; counts what comes out. */
 async function eachRow(session: Session, ask: (request: Request) => Promise<Change>): Promise<{ done: number; failed: number }> {
-  const rows = session.models.value.map((model) => ({ model, request: requestOfRow(session, model) }));
+  const form = formOf(session.verb.value);
+  const requestOfRow = (model: OpenModel) => form && requestFor(session, form, model);
+  const rows = session.models.value.map((model) => ({ model, request: requestOfRow(model) }));
   let failed = 0;
   let done = 0;
   for (const { model, request } of rows) {
@@ -77,7 +69,7 @@ async function eachRow(session: Session, ask: (request: Request) => Promise<Chan
     else if (outcome) done += 1;
     // A row shows the outcome of what the form says; if that is something else by now, nothing.
     const asked = JSON.stringify(request);
-    session.update(model.id, (open) => (JSON.stringify(requestOfRow(session, open)) === asked ? { ...open, outcome } : open));
+    session.update(model.id, (open) => (JSON.stringify(requestOfRow(open)) === asked ? { ...open, outcome } : open));
   }
   return { done, failed };
 }

@@ -4,10 +4,10 @@ import { failureOf } from "../engine/failure";
 import type { Change, Request, Section } from "../engine/types";
 import { formOf } from "../forms/all";
 import type { Form } from "../forms/declaration";
-import { isEmpty, problems, requestOf, unsaid } from "../forms/request";
-import { answered } from "../state/answers";
+import { isEmpty, problems, unsaid } from "../forms/request";
 import { fileOf } from "../state/model";
 import type { Preview, Session } from "../state/session";
+import { hasOwnMass, requestFor } from "./row";
 
 // What is asked for at once: what may be on the screen and is quick.
 const PLOTS = ["plots", "state"];
@@ -132,8 +132,9 @@ function plan(session: Session): Plan {
   if (wrong.size > 0) return hint(correctFirst(form, wrong));
   const missing = unsaid(form, values);
   if (missing.length > 0) return hint(`Say this to see what would change: ${quoted(missing)}.`);
-  if (ASKS_SOMETHING.has(form.verb) && isEmpty(form, values)) return hint(EMPTY[form.verb] ?? "");
-  return { ask: requestOf(form, values, fileOf(model), answered(model, form)) };
+  const says = !isEmpty(form, values) || hasOwnMass(session, form, model);
+  if (ASKS_SOMETHING.has(form.verb) && !says) return hint(EMPTY[form.verb] ?? "");
+  return { ask: requestFor(session, form, model) };
 }
 
 // Forms that mean nothing while they are empty. The others have a meaning: take all contacts out, say.

@@ -67,10 +67,9 @@ export function described({ message, model, line, column, excerpt }: Failure): H
   return parts;
 }
 
-/** Messages begin small and end without a full stop; here they are sentences. */
+/** Messages end without a full stop. Their first letter stays: it may be that of a name, and OpenSim's names know capitals. */
 export function sentence(text: string): string {
-  const begun = text.charAt(0).toUpperCase() + text.slice(1);
-  return /[.!?]$/.test(begun) ? begun : `${begun}.`;
+  return /[.!?]$/.test(text) ? text : `${text}.`;
 }
 
 interface Question {

@@ -1,5 +1,6 @@
 // Several models: a table with a row for each.
 
+import { close } from "../actions/close";
 import { canChangeAll, changeAll, downloadAll } from "../actions/library";
 import { inspectDetails } from "../actions/inspect";
 import { button, byId, el, setAttribute, setText } from "../dom/element";
@@ -25,7 +26,7 @@ export class LibraryView {
   readonly #shown = new Map<number, { model: OpenModel; chosen: boolean; mass: boolean; row: HTMLElement }>();
 
   constructor(readonly session: Session) {
-    this.#changeAll = button("Change all", () => void changeAll(session), { class: "primary", id: "change-all" });
+    this.#changeAll = button("What would change in all", () => void changeAll(session), { class: "primary", id: "change-all" });
     this.#zip = button("Change all and download a ZIP", () => void downloadAll(session), { id: "download-all" });
     const box = boxedTable("Models", CAPTION, this.#heads, this.#rows);
     const buttons = el("div", { class: "buttons", role: "group", "aria-label": "All models" }, this.#changeAll, this.#zip);
@@ -104,13 +105,11 @@ export class LibraryView {
 
   #close(model: OpenModel): HTMLElement {
     const { session } = this;
-    const close = button("Close", () => {
-      session.models.set(session.models.value.filter(({ id }) => id !== model.id));
-      if (session.chosen.value === model.id) session.chosen.set(session.models.value[0]?.id ?? null);
-      session.announce(`${fileOf(model)} is closed.`);
+    const pressed = button("Close", () => {
+      close(session, model);
       if (this.#section.hidden) byId("model-title").focus();
     }, { class: "small", "aria-label": `Close ${fileOf(model)}` });
-    return el("td", { class: "acts" }, close);
+    return el("td", { class: "acts" }, pressed);
   }
 }
 

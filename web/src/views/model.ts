@@ -1,5 +1,6 @@
 // The model that is open: what it is, what is wrong, its feet, and what was changed.
 
+import { close } from "../actions/close";
 import { apply, goTo, redo, undo } from "../actions/apply";
 import { downloadModel, downloadReport } from "../actions/download";
 import { inspect } from "../actions/inspect";
@@ -36,6 +37,7 @@ export class ModelView {
   #failure: FailureView | undefined;
   #failureBox = el("div");
   #shown: OpenModel | undefined;
+  #alone = false;
 
   constructor(readonly session: Session, readonly addFile: Context["addFile"]) {
     const findings = el("div", { class: "section" }, el("h3", { id: "findings-title" }, "Findings"), this.#findings);
@@ -52,6 +54,9 @@ export class ModelView {
   #update(): void {
     const model = this.session.model();
     this.#section.hidden = !model;
+    const alone = this.session.models.value.length === 1;
+    if (model && alone !== this.#alone) this.#showButtons(model);
+    this.#alone = alone;
     if (!model || model === this.#shown) return;
     // What stays is not made again: a reader may be in it.
     const before = model.id === this.#shown?.id ? this.#shown : undefined;
@@ -95,7 +100,14 @@ export class ModelView {
     this.#buttons.replaceChildren(
       ...(model.at > 0 ? [button(`Download ${fileOf(model)}`, () => void downloadModel(session, model), { class: "primary" })] : []),
       ...(model.inspected ? [button("Report about this model", () => void downloadReport(session, request()).then(this.#say))] : []),
+      // Among several, each has this button in its row.
+      ...(session.models.value.length === 1 ? [button("Close", () => this.#close(model), { "aria-label": `Close ${fileOf(model)}` })] : []),
     );
+  }
+
+  #close(model: OpenModel): void {
+    close(this.session, model);
+    byId("choose-files").focus();
   }
 
   #showInspected(model: OpenModel, seen: Inspected, before: Inspected | null): void {
