@@ -1,0 +1,112 @@
+// Measures the page in Chromium: node benches/web.mjs
+//
+// Ready from a local file, opening the published model of 670 kB, a step of the slider, and the size of the file, each
+// against its limit, and against the command as a process on the same model in the same run. Needs what tests/web needs.
+
+import { spawnSync } from "node:child_process";
+import { mkdtempSync, rmSync, statSync } from "node:fs";
+import { loadavg, tmpdir } from "node:os";
+import { join } from "node:path";
+
+import { launch, pageIn } from "../tests/web/support/launch.mjs";
+import { CORPUS, fixture, lacking, PAGE, PROGRAM } from "../tests/web/support/places.mjs";
+
+const ROUNDS = 15;
+const STEPS = 200;
+const LIMITS = { ready: 300, open: 150, step: 16, stepLate: 50, size: 1_500_000 };
+const MODEL = CORPUS ? join(CORPUS, "v40000_falisse_2022_human.osim") : fixture("table1/human_62kg_smooth_sphere.osim");
+const NAME = MODEL.split("/").pop();
+
+/** The value that this share of the values does not exceed. */
+function quantile(values, share) {
+  const sorted = [...values].sort((one, other) => one - other);
+  return sorted[Math.min(sorted.length - 1, Math.ceil(share * sorted.length) - 1)];
+}
+
+const median = (values) => quantile(values, 0.5);
+
+/** One start of the page, and the first model in it; and the command by turns. */
+async function startAndOpen(browser, times, folder) {
+  const user = await pageIn(browser);
+  times.ready.push(await user.page.evaluate(() => performance.getEntriesByName("ready")[0].startTime));
+  await user.choose(MODEL);
+  await user.opened(NAME);
+  times.open.push(await lastMeasure(user, "open"));
+  await user.context.close();
+  times.inspect.push(command(folder, "inspect", MODEL));
+  times.rescale.push(command(folder, "rescale", MODEL, "--target-mass", "80", "-d", folder, "--force", "--quiet"));
+}
+
+function lastMeasure(user, name) {
+  return user.page.evaluate((one) => performance.getEntriesByName(one, "measure").at(-1).duration, name);
+}
+
+/** How long the command takes as a process, in milliseconds. */
+function command(folder, ...words) {
+  const start = performance.now();
+  const { status, stderr } = spawnSync(PROGRAM, words, { cwd: folder, encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
+  if (status !== 0) throw new Error(stderr);
+  return performance.now() - start;
+}
+
+/** Steps of the slider one after the other, with the plots on the screen or below it. */
+async function steps(browser, withPlots) {
+  const user = await pageIn(browser);
+  await user.choose(MODEL);
+  await user.opened(NAME);
+  await user.field("Target mass (kg)").fill("80");
+  await user.done(NAME.replace(".osim", ".scaled.osim"));
+  if (withPlots) await user.result.getByRole("img", { name: "Force against indentation" }).scrollIntoViewIfNeeded();
+  await user.settled();
+  const taken = await user.page.evaluate(moveSlider, STEPS);
+  await user.context.close();
+  return taken;
+}
+
+/** Inside the page: moves the slider, waits for what is measured, and for the picture, and moves it again. */
+async function moveSlider(count) {
+  const slider = document.querySelector("input[type=range]");
+  const measured = () => performance.getEntriesByName("step", "measure").length;
+  performance.clearMeasures("step");
+  const start = slider.valueAsNumber;
+  for (let step = 1; step <= count; step += 1) {
+    slider.value = String(start + 0.005 * ((step % 100) + 1));
+    slider.dispatchEvent(new Event("input", { bubbles: true }));
+    while (measured() < step) await new Promise((resolve) => setTimeout(resolve, 1));
+    await new Promise((resolve) => requestAnimationFrame(resolve));
+  }
+  return performance.getEntriesByName("step", "measure").map(({ duration }) => duration);
+}
+
+function row(what, value, limit, unit, note = "") {
+  const shown = [value, limit].map((one) => (one === undefined ? "" : unit === "B" ? String(one) : one.toFixed(1)));
+  const ratio = limit === undefined ? "" : (value / limit).toFixed(2);
+  const missed = limit !== undefined && value > limit ? "missed" : "";
+  console.log(`${what.padEnd(52)} ${shown[0].padStart(9)} ${shown[1].padStart(9)} ${unit.padEnd(2)} ${ratio.padStart(6)}  ${missed}${note}`);
+}
+
+const why = lacking();
+if (why) {
+  console.error(`error: ${why}`);
+  process.exit(2);
+}
+console.log(`${NAME}, ${statSync(MODEL).size} bytes${CORPUS ? "" : " (OSIM_CORPUS is not set)"}; load ${loadavg()[0].toFixed(2)}`);
+const folder = mkdtempSync(join(tmpdir(), "osim-web-bench-"));
+const browser = await launch();
+const times = { ready: [], open: [], inspect: [], rescale: [] };
+for (let round = 0; round < ROUNDS; round += 1) await startAndOpen(browser, times, folder);
+const [below, seen] = [await steps(browser, false), await steps(browser, true)];
+await browser.close();
+rmSync(folder, { recursive: true });
+
+console.log(`${"".padEnd(52)} ${"median".padStart(9)} ${"limit".padStart(9)}    ${"ratio".padStart(6)}`);
+row("size of the page", statSync(PAGE).size, LIMITS.size, "B");
+row("ready, from a local file", median(times.ready), LIMITS.ready, "ms");
+row("the model is open", median(times.open), LIMITS.open, "ms");
+row("slider step, plots on the screen", median(seen), LIMITS.step, "ms");
+row("the same, 95 % of the steps within", quantile(seen, 0.95), LIMITS.stepLate, "ms");
+row("slider step, plots below the screen", median(below), LIMITS.step, "ms");
+row("the same, 95 % of the steps within", quantile(below, 0.95), LIMITS.stepLate, "ms");
+const against = (own, process) => `${(median(own) / median(process)).toFixed(2)} times as long`;
+row("the command: inspect", median(times.inspect), undefined, "ms", `opening in the page: ${against(times.open, times.inspect)}`);
+row("the command: rescale and write", median(times.rescale), undefined, "ms", `a step: ${against(seen, times.rescale)}`);

@@ -1,0 +1,108 @@
+// What goes wrong: where, and the way out. What is open stays open.
+
+import assert from "node:assert/strict";
+
+import { inChromium } from "./support/chromium.mjs";
+import { Folder } from "./support/command.mjs";
+import { given } from "./support/places.mjs";
+import { downloadsWhatTheCommandMakes } from "./support/same.mjs";
+
+const HUMAN = given("table1/human_62kg_smooth_sphere.osim", "human.osim");
+const BROKEN = ["truncated", "tags_crossed", "attribute_unquoted", "two_roots", "empty", "utf16"];
+
+inChromium("a broken file shows file, line, column and the marked place, as the command does", { limit: 90_000 }, async (user) => {
+  for (const name of BROKEN) {
+    const file = given(`bad/${name}.osim`);
+    const { line, column, message, marked } = await commandsError(file);
+    await user.choose([file]);
+    if (name !== BROKEN[0]) await user.button(file.name).click();
+    const alert = user.region(file.name).getByRole("alert");
+    await alert.waitFor();
+    const text = await alert.innerText();
+    assert.ok(text.toLowerCase().includes(message.slice(0, 25).toLowerCase()), `${message}\n${text}`);
+    assert.ok(text.includes(line ? `${file.name}:${line}:${column}` : file.name), text);
+    assert.equal(await alert.locator("mark").count(), marked ? 1 : 0, "the place is marked where the command marks it");
+  }
+});
+
+inChromium("a number that is not one is found when it is needed, and marked", async (user) => {
+  const file = given("bad/number_word.osim");
+  await user.open(file);
+  await user.field("Target mass (kg)").fill("80");
+  const alert = user.result.getByRole("alert");
+  await alert.getByText("number_word.osim:30:17").waitFor();
+  assert.match(await alert.getByRole("paragraph").first().innerText(), /^error stiffness is 'abc', expected a number/i);
+  assert.equal(await alert.locator("mark").textContent(), "abc");
+});
+
+inChromium("what is open stays when a broken file is opened beside it", async (user) => {
+  await user.open(HUMAN);
+  await user.field("Target mass (kg)").fill("500");
+  await user.done("human.scaled.osim");
+  await user.drop(given("bad/truncated.osim"));
+  await user.announced("1 model could not be opened");
+  await user.region("human.osim").waitFor();
+  assert.equal(await user.field("Target mass (kg)").inputValue(), "500");
+  await downloadsWhatTheCommandMakes(user, [HUMAN], "human.scaled.osim");
+});
+
+inChromium("a broken file of the same name does not take the place of the model", async (user) => {
+  await user.open(HUMAN);
+  await user.drop({ name: "human.osim", bytes: given("bad/truncated.osim").bytes });
+  await user.region("human.osim").getByRole("alert").filter({ hasText: "the one before stays open" }).waitFor();
+  await user.field("Target mass (kg)").fill("500");
+  await downloadsWhatTheCommandMakes(user, [HUMAN], "human.scaled.osim");
+});
+
+inChromium("a text that is not a model, and bytes that are not a text, are refused by name", async (user) => {
+  await user.drop({ name: "noise.osim", bytes: Uint8Array.from({ length: 4000 }, (_, index) => (index * 7919) % 256) });
+  await user.region("noise.osim").getByRole("alert").waitFor();
+  await user.drop(given("bad/html.osim"));
+  await user.announced("1 model could not be opened");
+});
+
+inChromium("an answer that only the user has is a field; filled in, the change works", async (user) => {
+  const ball = given("format/standalone_ForceSet.xml", "forces.xml");
+  const geometry = given("format/standalone_ContactGeometrySet.xml", "geometry.xml");
+  await user.drop(ball, geometry);
+  await user.region("forces.xml").getByLabel("File of the contact geometry set").selectOption("geometry.xml");
+  await user.field("Target mass (kg)").fill("80");
+  const question = user.result.getByRole("group", { name: /answer/ });
+  await question.getByLabel("Mass the contacts were made for (kg)").fill("61.5");
+  await user.page.keyboard.press("Tab");
+  await downloadsWhatTheCommandMakes(user, [ball, geometry], "forces.scaled.xml", ["geometry.scaled.xml"]);
+});
+
+inChromium("a number that is unlikely is asked about, and can be meant", async (user) => {
+  await user.open(HUMAN);
+  await user.field("Target mass (kg)").fill("62000");
+  const question = user.result.getByRole("group", { name: /answer/ });
+  await question.getByLabel("Target mass (kg)").waitFor();
+  await user.button("It is meant as it is: go on", question).click();
+  await user.result.getByRole("alert").filter({ hasText: /^error the radius of/i }).waitFor();
+  await user.button("It is meant as it is: go on", question).click();
+  await downloadsWhatTheCommandMakes(user, [HUMAN], "human.scaled.osim");
+  assert.match(await user.spelled(), /--yes implausible-mass.*--yes implausible-radius|--yes implausible-mass,implausible-radius/);
+  await user.field("Target mass (kg)").fill("70000");
+  await question.waitFor();
+});
+
+inChromium("what was typed wrongly is said at its field", async (user) => {
+  await user.open(HUMAN);
+  const wrong = [["70,5", "Write 70.5, with a decimal point."], ["heavy", /^Write a number/], ["-3", /^Write a number (above|of at least)/]];
+  for (const [text, problem] of wrong) {
+    await user.field("Target mass (kg)").fill(text);
+    await user.form.getByRole("alert").filter({ hasText: problem }).waitFor();
+    assert.equal(await user.field("Target mass (kg)").getAttribute("aria-invalid"), "true");
+  }
+  await user.field("Target mass (kg)").fill("70.5");
+  await user.done("human.scaled.osim");
+});
+
+/** What the command says about a file. */
+async function commandsError(file) {
+  const folder = new Folder(file);
+  const { stdout, stderr } = await folder.run("inspect", file.name, "--format", "json");
+  folder.end();
+  return { ...JSON.parse(stdout).error, marked: /^ +\| +\^/m.test(stderr) };
+}

@@ -1,0 +1,101 @@
+// With the keyboard alone: from the files to the download.
+
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+
+import { inChromium } from "./support/chromium.mjs";
+import { makesTheSame } from "./support/command.mjs";
+import { given } from "./support/places.mjs";
+
+const HUMAN = given("table1/human_62kg_smooth_sphere.osim", "human.osim");
+
+inChromium("from opening a file to the download, without a pointer", async (user) => {
+  const { page } = user;
+  await tabTo(user, "Open files…");
+  const asked = page.waitForEvent("filechooser");
+  await page.keyboard.press("Enter");
+  await (await asked).setFiles([{ name: HUMAN.name, mimeType: "text/xml", buffer: HUMAN.bytes }]);
+  await user.opened("human.osim");
+  // Arrows choose among verbs, and back again.
+  await tabTo(user, "Rescale");
+  await page.keyboard.press("ArrowRight");
+  assert.equal(await user.form.getByRole("radio", { name: "Transfer" }).isChecked(), true);
+  await page.keyboard.press("ArrowLeft");
+  await tabTo(user, "Target mass (kg)");
+  await page.keyboard.type("100");
+  await tabTo(user, "Target mass, slider");
+  await page.keyboard.press("ArrowRight");
+  await user.done("human.scaled.osim");
+  const line = await user.spelled();
+  assert.match(line, /--target-mass 101/);
+  await page.keyboard.press("Escape");
+  await tabTo(user, "Download human.scaled.osim", "Shift+Tab");
+  const download = page.waitForEvent("download");
+  await page.keyboard.press("Enter");
+  const bytes = await readFile(await (await download).path());
+  await makesTheSame(line, [HUMAN], [{ name: "human.scaled.osim", bytes }]);
+});
+
+inChromium("the first key leads past the head of the page", async (user) => {
+  await user.page.keyboard.press("Tab");
+  assert.equal(await focused(user), "Skip to the content");
+  const seen = await user.page.evaluate(() => document.activeElement.getBoundingClientRect().top >= 0);
+  assert.equal(seen, true);
+  await user.page.keyboard.press("Enter");
+  assert.equal(await user.page.evaluate(() => document.activeElement.id), "content");
+});
+
+inChromium("what has the focus is seen", async (user) => {
+  await user.open(HUMAN);
+  await user.field("Target mass (kg)").fill("100");
+  await user.done("human.scaled.osim");
+  await user.page.evaluate(() => document.activeElement.blur());
+  const unseen = new Set();
+  for (let count = 0; count < 60; count += 1) {
+    await user.page.keyboard.press("Tab");
+    const [name, visible] = await user.page.evaluate(() => {
+      const one = document.activeElement;
+      const { outlineStyle, outlineWidth } = getComputedStyle(one);
+      return [one.outerHTML.slice(0, 80), outlineStyle !== "none" && parseFloat(outlineWidth) > 0];
+    });
+    // After the last element comes the browser's own frame.
+    if (!visible && !name.startsWith("<body")) unseen.add(name);
+  }
+  assert.deepEqual([...unseen], []);
+});
+
+inChromium("a remedy, its undoing and the explanation of a finding", async (user) => {
+  const { page } = user;
+  await user.open(HUMAN);
+  await tabTo(user, "beyond-hertz");
+  await page.keyboard.press("Enter");
+  await page.getByRole("dialog", { name: "Explanation" }).waitFor();
+  await page.keyboard.press("Escape");
+  assert.equal(await focused(user), "beyond-hertz", "the focus is where it was");
+  await tabTo(user, /^Apply: Design/);
+  await page.keyboard.press("Enter");
+  await user.opened("human.scaled.osim");
+  await tabTo(user, "Undo", "Shift+Tab");
+  await page.keyboard.press("Enter");
+  await user.opened("human.osim");
+});
+
+/** Presses a key until what has this name has the focus. */
+async function tabTo(user, name, key = "Tab") {
+  const passed = [];
+  for (let count = 0; count < 120; count += 1) {
+    await user.page.keyboard.press(key);
+    const now = await focused(user);
+    if (typeof name === "string" ? now === name : name.test(now)) return;
+    passed.push(now);
+  }
+  assert.fail(`${name} is not reached: ${passed.join(", ")}`);
+}
+
+/** The name of what has the focus, as a screen reader says it. */
+function focused(user) {
+  return user.page.evaluate(() => {
+    const one = document.activeElement;
+    return (one.ariaLabel ?? one.labels?.[0]?.textContent ?? one.textContent).trim().replace(/\s+/g, " ");
+  });
+}

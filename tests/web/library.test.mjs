@@ -1,0 +1,74 @@
+// Several models: a table with a row each, one change for all, and an archive of the results.
+
+import assert from "node:assert/strict";
+
+import { inChromium } from "./support/chromium.mjs";
+import { Folder } from "./support/command.mjs";
+import { given } from "./support/places.mjs";
+import { unzipped } from "./support/unzip.mjs";
+
+const MODELS = ["human_62kg", "mouse", "horse"].map((name) => given(`table1/${name}_smooth_sphere.osim`, `${name}.osim`));
+const BROKEN = given("bad/number_word.osim", "broken.osim");
+
+inChromium("models are changed to masses of their own, and the archive has what the command makes", async (user) => {
+  await user.open(...MODELS);
+  const library = user.region("3 models");
+  await library.getByLabel("Target mass of mouse.osim (kg)").fill("0.03");
+  await library.getByLabel("Target mass of horse.osim (kg)").fill("600");
+  await user.field("Target mass (kg)").fill("80");
+  await user.button("What would change in all", library).click();
+  await user.announced("3 of 3 models would change");
+  assert.deepEqual((await outcomes(library)).map((text) => /^stiffness ×/.test(text)), [true, true, true]);
+  const [zip] = await user.downloads(user.button("Change all and download a ZIP", library));
+  assert.equal(zip.name, "models.zip");
+  const files = unzipped(zip.bytes);
+  const folder = new Folder(...MODELS);
+  folder.write("table.csv", "model,target_mass\nhuman_62kg.osim,80\nmouse.osim,0.03\nhorse.osim,600\n");
+  const { status, stderr } = await folder.run("batch", "table.csv", "-d", "out");
+  assert.equal(status, 0, stderr);
+  assert.deepEqual([...files.keys()].sort(), ["horse.scaled.osim", "human_62kg.scaled.osim", "mouse.scaled.osim"]);
+  for (const [name, bytes] of files) assert.ok(folder.read(`out/${name.replace(".scaled", "")}`).equals(bytes), name);
+  folder.end();
+});
+
+inChromium("a model that fails is a row with an error, and not in the archive", async (user) => {
+  await user.open(...MODELS, BROKEN);
+  const library = user.region("4 models");
+  await user.field("Target mass (kg)").fill("80");
+  await library.getByLabel("Target mass of mouse.osim (kg)").fill("0.03");
+  const [zip] = await user.downloads(user.button("Change all and download a ZIP", library));
+  await user.announced(/1 failed and (is|are) not in it/);
+  assert.match((await outcomes(library))[3], /^error stiffness is 'abc', expected a number/);
+  assert.deepEqual([...unzipped(zip.bytes).keys()].sort(), ["horse.scaled.osim", "human_62kg.scaled.osim", "mouse.scaled.osim"]);
+});
+
+inChromium("where nothing can be changed there is no archive", async (user) => {
+  await user.open(...MODELS);
+  await user.verb("Add");
+  await user.field("Where the contacts come from").selectOption("falisse2022");
+  await user.button("Change all and download a ZIP").click();
+  await user.announced("No model could be changed; there is no archive.");
+});
+
+inChromium("a row opens its model, and can be closed", async (user) => {
+  await user.open(...MODELS);
+  await user.button("horse.osim").click();
+  await user.opened("horse.osim");
+  await user.button("Close horse.osim").click();
+  await user.region("2 models").waitFor();
+  await user.region("human_62kg.osim").waitFor();
+});
+
+inChromium("equal results give equal archives", async (user) => {
+  await user.open(...MODELS);
+  await user.verb("Set");
+  await user.field("stiffness").fill("x2");
+  const all = user.button("Change all and download a ZIP");
+  const [[one], [other]] = [await user.downloads(all), await user.downloads(all)];
+  assert.ok(one.bytes.equals(other.bytes));
+});
+
+async function outcomes(library) {
+  const rows = await library.getByRole("row").filter({ has: library.page().getByRole("rowheader") }).all();
+  return Promise.all(rows.map((row) => row.locator(".outcome").textContent()));
+}

@@ -1,0 +1,39 @@
+// Where things are, and what may be missing.
+
+import { existsSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+
+export const ROOT = fileURLToPath(new URL("../../..", import.meta.url));
+export const PAGE = join(ROOT, "target/web/osim-contact-scale.html");
+export const PAGE_ADDRESS = pathToFileURL(PAGE).href;
+export const PROGRAM = process.env.OSIM_PROGRAM ?? join(ROOT, "target/release/osim-contact-scale");
+export const CORPUS = process.env.OSIM_CORPUS ?? "";
+export const CHROMIUM = "/usr/bin/chromium";
+export const FIREFOX = "/usr/bin/firefox-esr";
+
+/** The path of a file below fixtures/. */
+export function fixture(name) {
+  return join(ROOT, "fixtures", name);
+}
+
+/** The path of a published model. */
+export function published(name) {
+  return join(CORPUS, name);
+}
+
+/** A file of the fixtures as one to open: under its last name, or another. */
+export function given(path, name = path.split("/").pop()) {
+  return { name, bytes: readFileSync(fixture(path)) };
+}
+
+/** What a test needs and this machine lacks; nothing where all is there. */
+export function lacking({ corpus = false, browser = CHROMIUM } = {}) {
+  if (!existsSync(browser)) return `${browser}: not found`;
+  if (corpus && !CORPUS) return "OSIM_CORPUS is not set";
+  return undefined;
+}
+
+for (const [path, way] of [[PAGE, "node web/build.mjs"], [PROGRAM, "cargo build --release"]]) {
+  if (!existsSync(path)) throw new Error(`${path} is not there: ${way}`);
+}

@@ -1,0 +1,134 @@
+// What a user does with the page: everything is found by its role and its name.
+
+import { readFile } from "node:fs/promises";
+
+const QUIET_MS = 300;
+
+export class User {
+  constructor(page, context, watched) {
+    Object.assign(this, { page, context, watched });
+    this.started = [];
+    page.on("download", (download) => {
+      this.started.push(download);
+      this.onDownload?.();
+    });
+  }
+
+  button(name, within = this.page) {
+    return within.getByRole("button", { name, exact: typeof name === "string" });
+  }
+
+  region(name) {
+    return this.page.getByRole("region", { name, exact: typeof name === "string" });
+  }
+
+  get result() {
+    return this.region("What would change");
+  }
+
+  get form() {
+    return this.region("Change this model");
+  }
+
+  /** Drops files on the page: real File objects in a real DataTransfer. */
+  async drop(...files) {
+    const given = files.map(({ name, bytes }) => ({ name, base64: Buffer.from(bytes).toString("base64") }));
+    await this.page.evaluate((all) => {
+      const transfer = new DataTransfer();
+      for (const { name, base64 } of all) {
+        const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+        transfer.items.add(new File([bytes], name));
+      }
+      for (const kind of ["dragenter", "dragover", "drop"]) {
+        document.body.dispatchEvent(new DragEvent(kind, { dataTransfer: transfer, bubbles: true, cancelable: true }));
+      }
+    }, given);
+  }
+
+  /** Chooses files by a button that opens the browser's own window. */
+  async choose(files, by = this.button("Open files…")) {
+    const asked = this.page.waitForEvent("filechooser");
+    await by.click();
+    await (await asked).setFiles(typeof files === "string" ? files : files.map(asPayload));
+  }
+
+  /** Opens files, and waits until all models among them are there. */
+  async open(...files) {
+    await this.choose(files);
+    await this.announced(/opened|added/);
+    await this.opened(files.find(({ name }) => name.endsWith(".osim")).name);
+  }
+
+  /** Waits until a model is shown; gives its region. */
+  async opened(name) {
+    const region = this.region(name);
+    await region.getByRole("term").filter({ hasText: "Gravity" }).waitFor();
+    return region;
+  }
+
+  async verb(name) {
+    await this.form.getByRole("radio", { name, exact: true }).check();
+  }
+
+  field(name, within = this.form) {
+    return within.getByLabel(name, { exact: typeof name === "string" });
+  }
+
+  /** Ticks values of a field that takes several. */
+  async tick(field, ...values) {
+    const group = this.form.getByRole("group").filter({ hasText: field }).last();
+    await group.locator("summary").click();
+    for (const value of values) await group.getByRole("checkbox", { name: value, exact: true }).check();
+  }
+
+  /** Waits until the result is of what the form says now and nothing moves any more; gives its state. */
+  async settled() {
+    return this.page.evaluate(async (quiet) => {
+      const result = document.getElementById("result");
+      let since = performance.now();
+      let update = result.dataset.update;
+      while (performance.now() - since < quiet) {
+        await new Promise((resolve) => setTimeout(resolve, 15));
+        if (update === result.dataset.update && document.getElementById("working").hidden) continue;
+        [since, update] = [performance.now(), result.dataset.update];
+      }
+      return result.dataset.state;
+    }, QUIET_MS);
+  }
+
+  /** Waits for a result with this file; gives the button that downloads it. */
+  async done(name) {
+    const button = this.button(`Download ${name}`, this.result);
+    await button.waitFor();
+    await this.settled();
+    return button;
+  }
+
+  /** Clicks, and gives what is downloaded: as many files as are expected. */
+  async downloads(button, count = 1) {
+    this.started = [];
+    const all = new Promise((resolve) => (this.onDownload = () => this.started.length === count && resolve()));
+    await button.click();
+    await all;
+    return Promise.all(this.started.map(async (one) => ({ name: one.suggestedFilename(), bytes: await readFile(await one.path()) })));
+  }
+
+  /** The change as the page spells it. */
+  async spelled(language = "Command") {
+    const details = this.result.locator("details").filter({ hasText: "Copy as command, Python or MATLAB" });
+    if (await details.evaluate((one) => one.open)) await this.settled();
+    else await details.locator("summary").click();
+    const text = details.getByRole("textbox", { name: language, exact: true });
+    await this.page.waitForFunction((one) => one.value !== "", await text.elementHandle());
+    return text.inputValue();
+  }
+
+  /** Waits until a screen reader hears this. */
+  async announced(text) {
+    await this.page.getByRole("status").filter({ hasText: text }).first().waitFor({ state: "attached" });
+  }
+}
+
+function asPayload({ name, bytes }) {
+  return { name, mimeType: "application/octet-stream", buffer: Buffer.from(bytes) };
+}

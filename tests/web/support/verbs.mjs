@@ -1,0 +1,26 @@
+// One request of each verb: how it is typed into the form, and how the command is called.
+
+export const VERBS = [
+  { title: "Rescale", fill: (user) => user.field("Target mass (kg)").fill("100"), words: ["--target-mass", "100"] },
+  { title: "Transfer", fill: preset, words: ["--from", "falisse2022"] },
+  { title: "Add", fill: preset, words: ["--from", "falisse2022"] },
+  {
+    title: "Convert",
+    fill: (user) => user.field("Class that forces get").selectOption({ label: "HuntCrossleyForce" }),
+    words: ["--to", "hunt-crossley"],
+  },
+  { title: "Remove", fill: () => undefined, words: [] },
+  { title: "Set", fill: (user) => user.field("stiffness").fill("x2"), words: ["stiffness=x2"] },
+  { title: "Design", fill: (user) => user.field("Relative indentation").fill("0.16"), words: ["--indentation", "0.16"] },
+].map((verb) => ({ ...verb, name: verb.title.toLowerCase() }));
+
+function preset(user) {
+  return user.field("Where the contacts come from").selectOption("falisse2022");
+}
+
+/** The same form for another model, or the same verb again: filled in from an empty form. */
+export async function fillIn(user, { title, fill }) {
+  await user.verb(title);
+  await user.button("Clear the form", user.form).click();
+  await fill(user);
+}
