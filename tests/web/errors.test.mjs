@@ -106,3 +106,8 @@ async function commandsError(file) {
   folder.end();
   return { ...JSON.parse(stdout).error, marked: /^ +\| +\^/m.test(stderr) };
 }
+
+inChromium("a file of presets with an error says where it is", async (user) => {
+  await user.choose([given("presets/bad_key.toml", "bad_key.toml")]);
+  await user.announced(/bad_key\.toml:[0-9]+:[0-9]+: .*disipation/);
+});

@@ -55,8 +55,7 @@ inChromium("undo and redo by buttons and by keys", async (user) => {
   await user.open(HUMAN);
   await user.field("Target mass (kg)").fill("500");
   await user.done("human.scaled.osim");
-  await user.button("Keep and go on").click();
-  await user.opened("human.scaled.osim");
+  await user.keep("human.scaled.osim");
   await user.button("Undo").click();
   await user.opened("human.osim");
   await user.announced(/^Undone: Rescale: target mass 500 kg/);
@@ -73,8 +72,7 @@ inChromium("keys undo what was typed, where something is being typed", async (us
   await user.open(HUMAN);
   await user.field("Target mass (kg)").fill("500");
   await user.done("human.scaled.osim");
-  await user.button("Keep and go on").click();
-  await user.opened("human.scaled.osim");
+  await user.keep("human.scaled.osim");
   await user.field("Target mass (kg)").pressSequentially("70");
   await user.page.keyboard.press("Control+z");
   await user.settled();
@@ -85,13 +83,11 @@ inChromium("two changes in a row are two steps, and one can go back to each", as
   await user.open(HUMAN);
   await user.field("Target mass (kg)").fill("80");
   await user.done("human.scaled.osim");
-  await user.button("Keep and go on").click();
-  await user.opened("human.scaled.osim");
+  await user.keep("human.scaled.osim");
   await user.verb("Set");
   await user.field("dissipation").fill("x2");
   await user.done("human.scaled.scaled.osim");
-  await user.button("Keep and go on").click();
-  await user.opened("human.scaled.scaled.osim");
+  await user.keep("human.scaled.scaled.osim");
   const [download] = await user.downloads(user.button("Download human.scaled.scaled.osim"));
   const folder = new Folder(HUMAN);
   await folder.run("human.osim", "--target-mass", "80");

@@ -6,7 +6,7 @@ import { join } from "node:path";
 
 import { inChromium } from "./support/chromium.mjs";
 import { Folder } from "./support/command.mjs";
-import { given, published } from "./support/places.mjs";
+import { fixture, given, published } from "./support/places.mjs";
 
 const HUMAN = given("table1/human_62kg_smooth_sphere.osim", "human.osim");
 const MOUSE = given("table1/mouse_smooth_sphere.osim", "mouse.osim");
@@ -21,6 +21,21 @@ inChromium("a model that is dropped is summed up and its feet are drawn", async 
   assert.match(facts.join(), /femur_r \(right\): 6 spheres/);
   const feet = model.getByRole("figure").getByRole("img", { name: "Feet" });
   assert.equal(await feet.locator("circle").count() > 12, true, "spheres are drawn");
+});
+
+inChromium("a file and a folder of the disk are dropped on a page from the disk", async (user) => {
+  await user.dropFromDisk(fixture("table1/human_62kg_smooth_sphere.osim"));
+  await user.opened("human_62kg_smooth_sphere.osim");
+  await user.dropFromDisk(fixture("scale_tool"));
+  await user.region(/^[0-9]+ models$/).waitFor();
+  await user.announced(/models? opened/);
+});
+
+inChromium("what comes while files are being opened waits for its turn", async (user) => {
+  const broken = { name: "human.osim", bytes: Buffer.from("<OpenSimDocument>") };
+  await Promise.all([user.drop(HUMAN), user.drop(broken), user.drop(HUMAN), user.drop(broken)]);
+  await user.announced(/not taken/);
+  await user.opened("human.osim");
 });
 
 inChromium("the places of the spheres are in a table, for those who do not see the feet", async (user) => {

@@ -7,6 +7,8 @@ const QUIET_MS = 300;
 export class User {
   constructor(page, context, watched) {
     Object.assign(this, { page, context, watched });
+    // Else the browser may show its own window before somebody waits for it.
+    page.on("filechooser", () => undefined);
     this.started = [];
     page.on("download", (download) => {
       this.started.push(download);
@@ -43,6 +45,16 @@ export class User {
         document.body.dispatchEvent(new DragEvent(kind, { dataTransfer: transfer, bubbles: true, cancelable: true }));
       }
     }, given);
+  }
+
+  /** Drops files and folders of the disk, as a desktop does: they are real entries then. */
+  async dropFromDisk(...paths) {
+    const session = await this.page.context().newCDPSession(this.page);
+    const data = { items: [], files: paths, dragOperationsMask: 1 };
+    for (const type of ["dragEnter", "dragOver", "drop"]) {
+      await session.send("Input.dispatchDragEvent", { type, x: 200, y: 200, data });
+    }
+    await session.detach();
   }
 
   /** Chooses files by a button that opens the browser's own window. */
@@ -102,6 +114,13 @@ export class User {
     await button.waitFor();
     await this.settled();
     return button;
+  }
+
+  /** Keeps the result; the page then shows the changed model, and reading goes on at its name. */
+  async keep(name) {
+    await this.button("Keep and go on", this.result).click();
+    await this.opened(name);
+    await this.page.waitForFunction((one) => document.activeElement.textContent === one, name);
   }
 
   /** Clicks, and gives what is downloaded: as many files as are expected. */

@@ -22,9 +22,18 @@ export async function openFiles(session: Session, given: readonly Given[], model
   await openRead(session, await Promise.all(useful.map(read)), { models, leftOut: given.length - useful.length });
 }
 
+// One after the other: what comes next has to know what is open by then.
+let turn: Promise<void> = Promise.resolve();
+
 /** Opens files that were read. */
-export async function openRead(
-  session: Session, files: readonly Read[], { models = "open", leftOut = 0 }: { models?: Models; leftOut?: number } = {},
+export function openRead(session: Session, files: readonly Read[], how: { models?: Models; leftOut?: number } = {}): Promise<void> {
+  const done = turn.then(() => openInTurn(session, files, how));
+  turn = done.catch(() => undefined);
+  return done;
+}
+
+async function openInTurn(
+  session: Session, files: readonly Read[], { models = "open", leftOut = 0 }: { models?: Models; leftOut?: number },
 ): Promise<void> {
   const sorted = await sortFiles(session, files);
   const { taken } = sorted;
@@ -38,12 +47,12 @@ export async function openRead(
   for (const name of names) opened.push(await openModel(session, name));
   const [first] = sorted.same;
   if (first && opened.length === 0) session.chosen.set(first.id);
-  if (taken.some(({ kind }) => kind === "presets")) void refreshPresets(session);
+  const bad = taken.some(({ kind }) => kind === "presets") ? await refreshPresets(session) : [];
   // Bones are drawn of meshes that are here, though a model does not name those that it lacks.
   const all = taken.some(({ kind }) => kind === "mesh") || (opened.length === 0 && taken.length > 0);
   const touched = (model: OpenModel) => all || !model.inspected || taken.some(({ name }) => uses(model, name));
   await inspectAgain(session, session.models.value.filter((model) => touched(model) && !opened.includes(model.id) && !failures.has(model.id)));
-  session.announce(summary(session, sorted, opened, [...failures.values()], leftOut));
+  session.announce(summary(session, sorted, opened, [...failures.values(), ...bad], leftOut));
 }
 
 /** Models, and a force set where it comes without one and none that is open includes it. */

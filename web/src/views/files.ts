@@ -2,6 +2,7 @@
 
 import { inspectAgain } from "../actions/inspect";
 import { openAsModel } from "../actions/open";
+import { refreshPresets } from "../actions/presets";
 import { dropFiles } from "../actions/put";
 import { button, byId, el } from "../dom/element";
 import { keepingFocus } from "../dom/focus";
@@ -52,6 +53,7 @@ function named(name: string): Record<string, string> {
 
 async function removeFile(session: Session, { name }: FileEntry): Promise<void> {
   await dropFiles(session, [name]);
+  await refreshPresets(session);
   session.announce(`${name} is removed.`);
   await inspectAgain(session);
 }
