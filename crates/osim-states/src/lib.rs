@@ -2,7 +2,7 @@
 //!
 //! # What it will not do
 //!
-//! It plans nothing and writes nothing: the plan comes from `osim-requests`, the new bytes from whoever writes them.
+//! It plans nothing and writes nothing: the plan comes from `osim-requests`, the new bytes from callers that write them.
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
