@@ -192,6 +192,13 @@ def sweeps(bench):
     assert sum(name.endswith(".osim") for name in names) == 3, names
     assert not any(name.endswith(".tmp") for name in names), names
     bench.refused("sweep", "model.osim", "--grid", "stiffness=x0.5,x1,x2", "-d", "variants", status=2, says=["exist already"])
+    # Two shares, and the call that makes the whole of them: their tables are gone, and all is as if one call had made it.
+    call = ["sweep", "model.osim", "--grid", "stiffness=x0.5,x1,x2", "-d", "shares"]
+    for share in ("1/2", "2/2"):
+        bench.done(*call, "--shard", share)
+    bench.done(*call, "--resume")
+    contents = [{path.name: path.read_bytes() for path in (bench.folder / name).iterdir()} for name in ("variants", "shares")]
+    assert contents[0] == contents[1], bench.names("shares")
 
 
 def goes_on(bench):

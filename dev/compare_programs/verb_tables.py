@@ -135,15 +135,20 @@ sweep weightless.osim --grid stiffness=x2
 sweep ball.osim --grid stiffness=x2 --select contact_*
 sweep materials.osim --grid stiffness=x2,3e6
 sweep emu2.osim --grid hertz_smoothing=300
+sweep emu.osim --grid stiffness=x1,x2,x3 -d out --point 2 && sweep emu.osim --grid stiffness=x1,x2,x3 -d out --resume
+sweep emu.osim --grid stiffness=x1,x2,x3 -d out --shard 1/2 && sweep emu.osim --grid stiffness=x1,x2,x3 -d out --shard 2/2 --format json
+sweep emu.osim --grid stiffness=x1,x2,x3 -d out --shard 5/8
+sweep emu.osim --grid stiffness=x1,x2,x3 -d out --point 4
+sweep emu.osim --grid stiffness=x1,x2,x3 -d out --point 1 --shard 1/2
 :copy emu.osim lib2/emu.osim && sweep lib2/emu.osim --grid stiffness=x1,x2 && lib2 --target-mass 5 -d out
-:put out/emu_stiffness-x2.osim mine && sweep emu.osim --grid stiffness=x1,x2 -d out
+:put out/emu_2_stiffness-x2.osim mine && sweep emu.osim --grid stiffness=x1,x2 -d out
 :put out mine && sweep emu.osim --grid stiffness=x1,x2 -d out
 sweep emu.osim --grid stiffness=x1,x2 -d out > full
 FILE_LIMIT=8192 sweep emu.osim --grid stiffness=x1,x2 -d out --jobs 1
 sweep include.osim --grid stiffness=x2
 sweep file_both_sets.osim --grid radius=x2
-:link ../emu.osim out/emu_stiffness-x2.osim && sweep emu.osim --grid stiffness=x2 -d out --force
-:copy emu.osim a_stiffness-x2.osim && :copy emu.osim a.osim && sweep a.osim --grid stiffness=x2 -d . && sweep a.osim --grid stiffness=x2 -d . --force
+:link ../emu.osim out/emu_1_stiffness-x2.osim && sweep emu.osim --grid stiffness=x2 -d out --force
+:copy emu.osim a_1_stiffness-x2.osim && :copy emu.osim a.osim && sweep a.osim --grid stiffness=x2 -d . && sweep a.osim --grid stiffness=x2 -d . --force
 sweep forces.xml --grid stiffness=x2
 sweep massless.osim --grid target-mass=5
 sweep massless.osim --grid indentation=0.1 --spheres 2

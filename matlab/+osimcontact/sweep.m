@@ -11,6 +11,9 @@ function results = sweep(varargin)
 %     ladder: N steps from a soft contact to indentation and restitution, to search for a gait in turn.
 %         Takes a whole number.
 %     soft: With ladder: dimensionless stiffness of the first step [default: 1.2]. Takes a number.
+%     point: Only point N of the grid, or step N of the ladder, counted from 1, for job arrays. Takes a
+%         whole number.
+%     shard: Only share I of N of the points, for job arrays. Takes a text.
 %     output_dir: Write the models into this folder [default: NAME.sweep beside the model]. Takes a
 %         text.
 %     force: Replace existing files. Takes true or false.
@@ -55,8 +58,8 @@ function results = sweep(varargin)
 %     AsTable: true gives a table of MATLAB with a row for each result; the name of a list in the
 %         results, such as 'warnings', one with a row for each of its entries. Not in GNU Octave.
 %
-%   RESULTS: an array of structs with the fields model, manifest, folder, models, done_before, failed.
-%   docs/json.md says what each holds; what is missing is NaN, '' or empty.
+%   RESULTS: an array of structs with the fields model, manifest, folder, points, file, models,
+%   done_before, failed. docs/json.md says what each holds; what is missing is NaN, '' or empty.
 %
 %   Example:
 %       grid = struct('stiffness', 'x0.1..x10/5', 'dissipation', [0.5 1 2]);

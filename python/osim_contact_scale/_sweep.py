@@ -73,9 +73,10 @@ class Sweep:
             reader = csv.DictReader(file)
             columns = list(reader.fieldnames or ())
             rows: list[dict[str, Any]] = [
-                {name: _number(from_cell(text)) for name, text in row.items()} for row in reader
+                {name: number(from_cell(text)) for name, text in row.items()} for row in reader
             ]
         for row in rows:
+            row["index"] = int(row["index"])
             row["path"] = str(self.manifest.parent / str(row["file"]))
         return table(rows, [*columns, "path"])
 
@@ -87,7 +88,8 @@ class Sweep:
         return f"<Sweep of {len(self)} models in {printable(str(self.folder))}>"
 
 
-def _number(text: str) -> Any:
+def number(text: str) -> Any:
+    """A cell as a number where it is one; None where it is empty."""
     if not text:
         return None
     try:

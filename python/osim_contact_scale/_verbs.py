@@ -1206,6 +1206,8 @@ def sweep(
     grid: str | Sequence[str] | Mapping[str, Any] | None = None,
     ladder: int | None = None,
     soft: float | None = None,
+    point: int | None = None,
+    shard: str | None = None,
     output_dir: StrPath | None = None,
     force: bool = False,
     resume: bool = False,
@@ -1251,6 +1253,10 @@ def sweep(
         N steps from a soft contact to `indentation` and `restitution`, to search for a gait in turn.
     soft : float, optional
         With `ladder`: dimensionless stiffness of the first step.
+    point : int, optional
+        Only point N of the grid, or step N of the ladder, counted from 1, for job arrays.
+    shard : str, optional
+        Only share I of N of the points, for job arrays.
     output_dir : path, optional
         Write the models into this folder [default: NAME.sweep beside the model]
     force : bool, optional
@@ -1325,7 +1331,7 @@ def sweep(
     ContactScaleError
         It cannot be done: the subclass says why.
     """
-    keywords = {"grid": grid, "ladder": ladder, "soft": soft, "output_dir": output_dir, "force": force or None, "resume": resume or None, "no_note": no_note or None, "dry_run": dry_run or None, "jobs": jobs, "radius": radius, "indentation": indentation, "contact_stiffness": contact_stiffness, "young": young, "poisson": poisson, "stiffness": stiffness, "restitution": restitution, "impact_speed": impact_speed, "constant_indentation": constant_indentation, "state_width": state_width, "speed_width": speed_width, "threshold": threshold, "load": load, "body_weights": body_weights, "gravity": gravity, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "spheres": spheres, "stance_limbs": stance_limbs, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "yes": yes}
+    keywords = {"grid": grid, "ladder": ladder, "soft": soft, "point": point, "shard": shard, "output_dir": output_dir, "force": force or None, "resume": resume or None, "no_note": no_note or None, "dry_run": dry_run or None, "jobs": jobs, "radius": radius, "indentation": indentation, "contact_stiffness": contact_stiffness, "young": young, "poisson": poisson, "stiffness": stiffness, "restitution": restitution, "impact_speed": impact_speed, "constant_indentation": constant_indentation, "state_width": state_width, "speed_width": speed_width, "threshold": threshold, "load": load, "body_weights": body_weights, "gravity": gravity, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "spheres": spheres, "stance_limbs": stance_limbs, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "yes": yes}
     return _run.sweep(source, keywords, progress)
 
 

@@ -198,7 +198,7 @@ fn a_table_finds_the_files_that_a_summary_names() {
     let table = bench.files().into_keys().find(|file| file.starts_with("swept/") && file.ends_with(".csv"));
     let table = bench.text(&table.unwrap());
     assert_eq!(table.lines().count(), 2, "{table}");
-    assert!(table.contains(r"a\u{1b}[2J\u{a}_stiffness-x2.osim,"), "{table}");
+    assert!(table.contains(r"a\u{1b}[2J\u{a}_1_stiffness-x2.osim,"), "{table}");
 }
 
 #[test]

@@ -122,8 +122,10 @@ impl Bench {
                 validation::written(name, bytes);
             }
         }
-        // What was done so far goes when the whole is there.
-        let stays = |name: &&String| !name.ends_with(".partial");
+        // What was done so far goes when the whole is there, also what runs did that each made a part.
+        let is_part =
+            |name: &str| name.ends_with(".csv") && (name.contains(".point-") || name.contains(".shard-"));
+        let stays = |name: &&String| !name.ends_with(".partial") && !is_part(name);
         let lost: Vec<_> = before.keys().filter(stays).filter(|name| !after.contains_key(*name)).collect();
         assert!(lost.is_empty(), "files are gone: {lost:?}");
         validation::printed(arguments, &output.stdout);

@@ -59,7 +59,7 @@ fn a_grid_has_one_file_per_point_and_the_manifest_says_what_is_in_it() {
     bench
         .run(&format!("sweep emu.osim --grid stiffness=x1 --grid dissipation={own} -d own --no-note"))
         .done();
-    let file = format!("own/emu_stiffness-x1_dissipation-{own}.osim");
+    let file = format!("own/emu_1_stiffness-x1_dissipation-{own}.osim");
     assert_eq!(bench.read(&file), fixture(EMU.0));
 }
 
@@ -69,12 +69,14 @@ fn a_grid_of_indentations_is_what_design_makes_of_each() {
     bench
         .run("sweep emu.osim --grid indentation=0.05,0.16 --grid restitution=0.8,0.9 -d out --no-note")
         .done();
-    for (x, restitution) in [("0.05", "0.8"), ("0.05", "0.9"), ("0.16", "0.8"), ("0.16", "0.9")] {
+    for (index, x, restitution) in
+        [(1, "0.05", "0.8"), (2, "0.05", "0.9"), (3, "0.16", "0.8"), (4, "0.16", "0.9")]
+    {
         let design = format!(
             "design emu.osim --indentation {x} --restitution {restitution} --no-note -o one.osim --force"
         );
         bench.run(&design).done();
-        let file = format!("out/emu_indentation-{x}_restitution-{restitution}.osim");
+        let file = format!("out/emu_{index}_indentation-{x}_restitution-{restitution}.osim");
         assert_eq!(bench.read(&file), bench.read("one.osim"), "{file}");
     }
     for row in rows(&bench, "out/emu_sweep.csv") {
@@ -89,7 +91,7 @@ fn masses_properties_and_designs_go_together() {
     let bench = Bench::with(&[EMU]);
     bench.run("sweep emu.osim --grid target-mass=5,500 --no-note -d out").done();
     bench.run("emu.osim --target-mass 500 --no-note -o one.osim").done();
-    assert_eq!(bench.read("out/emu_target-mass-500.osim"), bench.read("one.osim"));
+    assert_eq!(bench.read("out/emu_2_target-mass-500.osim"), bench.read("one.osim"));
     // Similar contacts sink in alike under the weight that they stand for.
     let found: Vec<f64> = rows(&bench, "out/emu_sweep.csv")
         .iter()
@@ -212,4 +214,70 @@ fn a_model_is_not_written_where_the_files_it_includes_are_missing() {
         .says(&["includes file=", "no model was made"]);
     assert!(!bench.has("out/file_forceset.osim") && !bench.has("out/file_forceset_sweep.csv"));
     bench.run("in/file_forceset.osim --target-mass 5 --only radius").done();
+}
+
+#[test]
+fn names_sort_as_the_points_do() {
+    let bench = Bench::with(&[EMU]);
+    bench.run("sweep emu.osim --grid stiffness=x10,x9 --grid dissipation=0.1..5/6 -d out --no-note").done();
+    let rows = rows(&bench, "out/emu_sweep.csv");
+    let names: Vec<&str> = rows.iter().map(|row| row["file"].as_str()).collect();
+    assert!(names.is_sorted() && names.len() == 12, "{names:?}");
+    assert!(names[0].starts_with("emu_01_stiffness-x10_dissipation-0.1."), "{names:?}");
+    assert!(names[11].starts_with("emu_12_stiffness-x9_dissipation-5."), "{names:?}");
+    let numbers: Vec<usize> = rows.iter().map(|row| row["index"].parse().unwrap()).collect();
+    assert_eq!(numbers, (1..=12).collect::<Vec<_>>());
+}
+
+#[test]
+fn a_point_is_one_model_and_its_row() {
+    let bench = Bench::with(&[EMU]);
+    let call = "sweep emu.osim --grid stiffness=x1,x2 --grid dissipation=1..2/6 -d out";
+    let json = |words: &str| -> Value {
+        serde_json::from_str(&bench.run(&format!("{call} {words} --format json")).done().out()).unwrap()
+    };
+    let planned = json("--point 7 --dry-run");
+    assert_eq!((&planned["points"], &planned["models"]), (&12.into(), &1.into()), "{planned}");
+    let file = "emu_07_stiffness-x2_dissipation-1.osim";
+    assert_eq!(planned["file"], file);
+    bench.run(&format!("{call} --point 7")).done().looks_like("sweep_point");
+    let again = json("--point 7 --resume");
+    assert_eq!((&again["file"], &again["done_before"]), (&file.into(), &1.into()), "{again}");
+    assert_eq!(again["manifest"], "out/emu_sweep.point-7.csv");
+    let rows = rows(&bench, "out/emu_sweep.point-7.csv");
+    assert_eq!(rows.len(), 1);
+    assert_eq!((rows[0]["index"].as_str(), rows[0]["file"].as_str()), ("7", file));
+    assert_eq!(
+        rows[0]["stiffness"].parse::<f64>().unwrap(),
+        common(&bench, &format!("out/{file}"), "stiffness")
+    );
+    bench.run(&format!("{call} --shard 3/5")).done().looks_like("sweep_share");
+    bench.run(&format!("{call} --shard 3/5 --resume --format json")).done().looks_like("sweep_share_json");
+    // 12 points are no more than what is made without a question; of one point alone, more are not, either.
+    let many = "sweep emu.osim --grid stiffness=x0.1..x10/101 --grid dissipation=0.1..10/100 -d many";
+    bench.run(&format!("{many} --point 10100")).done().says(&["emu_10100_stiffness-x10_dissipation-10.osim"]);
+    bench.run(&format!("{many} --shard 1/5000")).usage().wrote_nothing().says(&["more than 10,000", "--yes"]);
+}
+
+#[test]
+fn points_and_shares_that_are_not_there_are_refused() {
+    let bench = Bench::with(&[EMU]);
+    let call = "sweep emu.osim --grid stiffness=x1,x2,x3 --grid dissipation=1,2 -d out";
+    for (words, says) in [
+        ("--point 0", "--point 0: the points of the grid are counted from 1 to 6"),
+        ("--point 7", "--point 7: the points of the grid are counted from 1 to 6"),
+        ("--point one", "--point"),
+        ("--point 1.5", "--point"),
+        ("--point 1 --shard 1/2", "cannot be used with"),
+        ("--shard 0/2", "expected i/n with i from 1 to n"),
+        ("--shard 3/2", "expected i/n with i from 1 to n"),
+    ] {
+        bench.run(&format!("{call} {words}")).usage().wrote_nothing().says(&[says]);
+    }
+    let ladder = "sweep emu.osim --ladder 3 --indentation 0.16 --point 4 -d out";
+    bench
+        .run(ladder)
+        .usage()
+        .wrote_nothing()
+        .says(&["--point 4: the steps of the ladder are counted from 1 to 3"]);
 }

@@ -15,29 +15,65 @@ struct Run {
     models: usize,
     /// Its models are changed themselves.
     in_place: bool,
+    /// What ran before.
+    before: &'static [&'static str],
 }
 
-const INTO_FOLDER: Run =
-    Run { call: "lib --target-mass 500 -d out --summary done.csv --jobs 2", models: 40, in_place: false };
+const INTO_FOLDER: Run = Run {
+    call: "lib --target-mass 500 -d out --summary done.csv --jobs 2",
+    models: 40,
+    in_place: false,
+    before: &[],
+};
 /// A row for each model, each with a mass of its own.
 const BATCH: Run = Run {
     call: "batch masses.csv --summary notes/done.ndjson --format json --jobs 2",
     models: 40,
     in_place: false,
+    before: &[],
 };
-const IN_PLACE: Run =
-    Run { call: "lib --target-mass 500 --in-place --summary done.csv --jobs 2", models: 12, in_place: true };
+const IN_PLACE: Run = Run {
+    call: "lib --target-mass 500 --in-place --summary done.csv --jobs 2",
+    models: 12,
+    in_place: true,
+    before: &[],
+};
 
 /// Variants of one model, and the table of them.
 const SWEEP: Run = Run {
     call: "sweep lib/odd/model01.osim --grid stiffness=x0.1..x10/20 --grid dissipation=1,2 -d out --jobs 2",
     models: 40,
     in_place: false,
+    before: &[],
+};
+
+/// A part of the same.
+const SHARE: Run = Run {
+    call: "sweep lib/odd/model01.osim --grid stiffness=x0.1..x10/20 --grid dissipation=1,2 -d out --jobs 2 --shard 2/2",
+    models: 20,
+    ..SWEEP
+};
+
+/// The whole of which a part is done.
+const END_OF_SHARES: Run = Run {
+    call: "sweep lib/odd/model01.osim --grid stiffness=x0.1..x10/20 --grid dissipation=1,2 -d out --jobs 2 --resume",
+    before: &[SHARE.call],
+    ..SWEEP
 };
 
 #[test]
 fn killed_in_a_sweep() {
     SWEEP.kill(60);
+}
+
+#[test]
+fn killed_in_a_share_of_a_sweep() {
+    SHARE.kill(40);
+}
+
+#[test]
+fn killed_where_shares_of_a_sweep_become_the_whole() {
+    END_OF_SHARES.kill(40);
 }
 
 #[test]
@@ -62,6 +98,8 @@ fn killed_a_thousand_times() {
     BATCH.kill(300);
     IN_PLACE.kill(300);
     SWEEP.kill(300);
+    SHARE.kill(100);
+    END_OF_SHARES.kill(100);
 }
 
 /// System calls by which a run changes the disk, by what they do.
@@ -79,7 +117,9 @@ fn killed_at_each_kind_of_system_call() {
     let wanted = std::env::var("KILLS").map_or(300, |kills| kills.parse().unwrap());
     let mut hit: BTreeMap<&str, usize> = BTreeMap::new();
     // Only in place are old files replaced, and put on the disk first.
-    for (run, share) in [(IN_PLACE, 3), (INTO_FOLDER, 1), (BATCH, 1), (SWEEP, 1)] {
+    for (run, share) in
+        [(IN_PLACE, 3), (INTO_FOLDER, 1), (BATCH, 1), (SWEEP, 1), (SHARE, 1), (END_OF_SHARES, 1)]
+    {
         let Some(counted) = run.calls() else {
             return skipped("killed at each kind of system call", "strace is missing or may not trace here");
         };
@@ -123,6 +163,15 @@ impl Run {
         Some(most)
     }
 
+    /// The call that goes on.
+    fn again(&self) -> String {
+        if self.call.ends_with(" --resume") {
+            self.call.to_owned()
+        } else {
+            format!("{} --resume", self.call)
+        }
+    }
+
     /// Kills runs where they make a system call for the n-th time, until `wanted` were hit.
     fn kill_at(
         &self,
@@ -155,7 +204,7 @@ impl Run {
                 kills += 1;
                 *hit.entry(kind).or_default() += 1;
                 self.check(&before, &bench.files(), &calm);
-                call = format!("{} --resume", self.call);
+                call = self.again();
             }
             assert_same(&bench.files(), &calm);
         }
@@ -176,7 +225,7 @@ impl Run {
                 let after = bench.files();
                 let done = self.check(&before, &after, &calm);
                 in_the_middle += usize::from(0 < done && done < self.models);
-                call = format!("{} --resume", self.call);
+                call = self.again();
             }
             // The last one came to its end: all is as if nothing had happened.
             assert_same(&bench.files(), &calm);
@@ -190,6 +239,11 @@ impl Run {
         let row = |number| format!("lib/{0},{1},out/{0}\n", name(number), 200 + number);
         let rows: String = (0..self.models).map(row).collect();
         bench.write("masses.csv", format!("model,target-mass,output\n{rows}"));
+        for call in self.before {
+            assert!(
+                bench.command(call).stdout(Stdio::null()).stderr(Stdio::null()).status().unwrap().success()
+            );
+        }
         bench
     }
 
@@ -247,7 +301,11 @@ impl Run {
             let untouched = before.get(name) == Some(bytes);
             assert!(if is_new { whole } else { untouched || (self.in_place && whole) }, "{name} is torn");
         }
-        assert!(before.keys().all(|name| after.contains_key(name)), "a file is gone");
+        for name in before.keys().filter(|name| !after.contains_key(*name)) {
+            // The table of a part goes when the whole is there, which the loop above compared.
+            let is_part = name.contains(".shard-") && !calm.contains_key(name);
+            assert!(is_part && after.contains_key("out/model01_sweep.csv"), "{name} is gone");
+        }
         if !self.in_place {
             return outputs(after);
         }

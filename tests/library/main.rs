@@ -28,3 +28,4 @@ mod stopped;
 #[allow(dead_code, reason = "shared with the tests of the command, which use all of it")]
 mod support;
 mod sweeps;
+mod sweeps_in_parts;

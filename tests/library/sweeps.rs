@@ -6,16 +6,16 @@ use crate::library::{ended, start};
 use crate::support::{Bench, Ran};
 
 const MODEL: &str = "table1/emu_10_spheres_smooth_sphere.osim";
-const CALL: &str = "sweep emu.osim --grid stiffness=x0.5,x1,x2 --grid dissipation=1,2 -d out";
-const TABLE: &str = "out/emu_sweep.csv";
+pub(crate) const CALL: &str = "sweep emu.osim --grid stiffness=x0.5,x1,x2 --grid dissipation=1,2 -d out";
+pub(crate) const TABLE: &str = "out/emu_sweep.csv";
 const PARTIAL: &str = "out/emu_sweep.csv.partial";
-const ONE: &str = "out/emu_stiffness-x2_dissipation-1.osim";
+pub(crate) const ONE: &str = "out/emu_5_stiffness-x2_dissipation-1.osim";
 
 fn resume(bench: &Bench) -> Ran {
     bench.run(&format!("{CALL} --resume"))
 }
 
-fn emu() -> Bench {
+pub(crate) fn emu() -> Bench {
     Bench::with(&[(MODEL, "emu.osim")])
 }
 
@@ -27,14 +27,19 @@ fn done() -> Bench {
 }
 
 /// The same bird, but heavier.
-fn another_model(bench: &Bench) {
-    bench.run("emu.osim --target-mass 50 -o heavy.osim --force").done();
-    std::fs::rename(bench.path("heavy.osim"), bench.path("emu.osim")).unwrap();
+pub(crate) fn another_model(bench: &Bench) {
+    of_mass(bench, 50);
+}
+
+/// The same bird of `kg`.
+pub(crate) fn of_mass(bench: &Bench, kg: u32) {
+    bench.run(&format!("emu.osim --target-mass {kg} -o other.osim --force")).done();
+    std::fs::rename(bench.path("other.osim"), bench.path("emu.osim")).unwrap();
 }
 
 /// All as a sweep of this bench's model that nothing disturbed makes it.
 #[track_caller]
-fn is_calm(bench: &Bench, call: &str) {
+pub(crate) fn is_calm(bench: &Bench, call: &str) {
     let calm = Bench::new();
     calm.write("emu.osim", bench.read("emu.osim"));
     calm.run(call).done();
@@ -50,7 +55,7 @@ fn what_is_there_as_it_should_be_is_not_made_again() {
     // As a killed run leaves it: no table, and not all files.
     std::fs::remove_file(bench.path(TABLE)).unwrap();
     std::fs::remove_file(bench.path(ONE)).unwrap();
-    let another = "out/emu_stiffness-x1_dissipation-1.osim";
+    let another = "out/emu_3_stiffness-x1_dissipation-1.osim";
     let before = std::fs::metadata(bench.path(another)).unwrap().modified().unwrap();
     resume(&bench).done().wrote(&[ONE, TABLE]).says(&["1 models written, 5 done before"]);
     assert_eq!(std::fs::metadata(bench.path(another)).unwrap().modified().unwrap(), before);
@@ -122,12 +127,18 @@ fn another_grid_makes_what_is_new() {
     bench.run(&format!("{call} --resume")).done().says(&["2 models written, 6 done before"]);
     is_calm(&bench, &call);
     // Of a smaller one the other files stay, and the table has its points alone.
-    let call = CALL.replace("x0.5,x1,x2 ", "x2 ");
+    let call = CALL.replace("x0.5,x1,x2 ", "x0.5 ");
     bench.run(&format!("{call} --resume")).done().wrote(&[TABLE]).says(&["2 done before"]);
     assert_eq!(bench.text(TABLE).lines().count(), 3);
     let calm = emu();
     calm.run(&call).done();
     assert_eq!(bench.text(TABLE), calm.text(TABLE));
+    // Other points under these numbers are other files.
+    let call = CALL.replace("x0.5,x1,x2 ", "x2 ");
+    let first = "out/emu_1_stiffness-x2_dissipation-1.osim";
+    let second = "out/emu_2_stiffness-x2_dissipation-2.osim";
+    bench.run(&format!("{call} --resume")).done().wrote(&[first, second, TABLE]);
+    assert_eq!(bench.read(first), bench.read(ONE));
 }
 
 #[test]
@@ -152,7 +163,7 @@ fn the_whole_lines_of_a_partial_table_are_believed() {
         .unwrap()
         .lines()
         .skip(1)
-        .map(|row| format!("{},{}\n", row.split(',').next().unwrap(), row.rsplit(',').next().unwrap()))
+        .map(|row| format!("{},{}\n", row.split(',').nth(1).unwrap(), row.rsplit(',').next().unwrap()))
         .collect();
     std::fs::remove_file(bench.path(TABLE)).unwrap();
     bench.write(PARTIAL, format!("file,sha256\n{}{}", made[..5].concat(), &made[5][..60]));

@@ -177,6 +177,29 @@ def test_a_sweep(human, tmp_path):
     assert stiffness == list(frame["stiffness"]) if "stiffness" in frame else len(set(stiffness)) == 3
 
 
+def test_parts_of_a_sweep_are_rows_of_the_whole(human, tmp_path):
+    call = {"grid": {"stiffness": "x0.1..x10/3", "dissipation": [0.5, 2]}, "output_dir": tmp_path / "out"}
+    (one,) = rows(ocs.sweep(human, **call, point=3))
+    assert one["index"] == 3 and os.path.basename(one["path"]).startswith("human_3_stiffness-x1_")
+    again = ocs.sweep(human, **call, point=3, resume=True)
+    assert (again.record["points"], again.record["file"], again.record["done_before"]) == (6, one["file"], 1)
+    share = rows(ocs.sweep(human, **call, shard="2/2"))
+    assert [row["index"] for row in share] == [2, 4, 6]
+    whole = ocs.sweep(human, **call, resume=True)
+    assert whole.record["done_before"] == 4 and [row["index"] for row in rows(whole)] == [1, 2, 3, 4, 5, 6]
+    assert [row for row in rows(whole) if row["index"] in (2, 4, 6)] == share
+    assert [path for path in (tmp_path / "out").iterdir() if path.suffix == ".csv"] == [whole.manifest]
+    none = ocs.sweep(human, **call, shard="8/8")
+    assert len(none) == len(none.table) == 0 and none.manifest is None
+    with pytest.raises(ocs.RequestError, match="counted from 1 to 6") as caught:
+        ocs.sweep(human, **call, point=7)
+    assert caught.value.keyword == "point"
+
+
+def rows(sweep):
+    return sweep.table.to_dict("records")
+
+
 @pytest.mark.parametrize("count", [0, -1, 2.5, "2", True, 10**30])
 def test_threads_are_checked(count, human):
     calls = {

@@ -22,10 +22,13 @@ pub(crate) struct Partial {
 }
 
 impl Partial {
+    /// What its name has after that of the whole file.
+    pub(crate) const ENDING: &'static str = ".partial";
+
     /// The partial file of `whole`.
     pub(crate) fn path_of(whole: &Path) -> PathBuf {
         let mut name = OsString::from(whole.as_os_str());
-        name.push(".partial");
+        name.push(Self::ENDING);
         PathBuf::from(name)
     }
 
@@ -47,6 +50,18 @@ impl Partial {
         ]))
     }
 
+    /// Refuses to begin where another run has that of `whole`. Several runs may ask at the same time.
+    ///
+    /// # Errors
+    /// It has it, or that cannot be found out.
+    pub(crate) fn check_free(whole: &Path, way_out: &Phrase) -> Result<(), LibraryFault> {
+        let path = Self::path_of(whole);
+        match door::is_taken(&path).context(|| format!("cannot read {}", path.display()))? {
+            true => Err(being_written(whole, way_out)),
+            false => Ok(()),
+        }
+    }
+
     /// Opens that of `whole` for this run alone, with the whole lines that are there if it goes on with them. `way_out` is
     /// what to do where another run has it.
     ///
@@ -57,9 +72,7 @@ impl Partial {
         let cannot = || format!("cannot write {}", path.display());
         let opened = door::alone(&path).map_err(|error| door::reason(&error)).context(cannot)?;
         let Some(mut file) = opened else {
-            let mut message = phrase![format!("{} is being written by another run: ", whole.display())];
-            message.push(way_out);
-            return Err(LibraryFault::new(message));
+            return Err(being_written(whole, way_out));
         };
         // A line cut off when the run was killed must not run into the next one.
         let kept = if resume { whole_lines(&mut file).context(cannot)? } else { 0 };
@@ -95,6 +108,12 @@ impl Partial {
         drop(file);
         std::fs::remove_file(&path).context(|| format!("cannot remove {}", path.display()))
     }
+}
+
+fn being_written(whole: &Path, way_out: &Phrase) -> LibraryFault {
+    let mut message = phrase![format!("{} is being written by another run: ", whole.display())];
+    message.push(way_out);
+    LibraryFault::new(message)
 }
 
 /// The length of what was written to its end.

@@ -1,6 +1,6 @@
 //! `sweep`: variants of a model in a folder, and the table of what is in which.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use osim_library::{SweepFrontEnd, SweepRun};
 use osim_model::files::Failure;
@@ -44,7 +44,7 @@ pub(crate) fn sweep<'py>(
         sweep.check_ends()?;
         let mut failures: Vec<Failure> = Vec::new();
         if request.dry_run {
-            let record = SweepRecord::new(sweep.model(), sweep.folder(), None).counted(sweep.count(), 0);
+            let record = begun(&sweep, None).counted(sweep.count(), 0);
             return Ok(((serde_json::to_value(&record), None), failures));
         }
         let watch = Watch::new(callback);
@@ -55,11 +55,17 @@ pub(crate) fn sweep<'py>(
         });
         watch.ended()?;
         let end = end?;
-        let record = SweepRecord::new(sweep.model(), sweep.folder(), end.manifest.as_deref());
+        let record = begun(&sweep, end.manifest.as_deref());
         let record = record.counted(end.made + end.earlier, end.failed).of_which_before(end.earlier);
         Ok(((serde_json::to_value(&record), end.manifest), failures))
     })?;
     let record = record.map_err(|error| Problem::defect(error.to_string()).into_error(py))?;
     let failures = failures.iter().map(|failure| dictionary(py, &FailureRecord::new(failure, WORDS)));
     Ok((dictionary(py, &record)?, manifest, failures.collect::<PyResult<_>>()?))
+}
+
+/// What is known before a model is made.
+fn begun(sweep: &SweepRun<'_>, manifest: Option<&Path>) -> SweepRecord {
+    let record = SweepRecord::new(sweep.model(), sweep.folder(), manifest);
+    record.of_points(sweep.points(), sweep.point_file())
 }

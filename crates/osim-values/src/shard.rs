@@ -1,6 +1,8 @@
 //! A share of the models, for job arrays on clusters.
 
 use std::fmt;
+use std::iter::StepBy;
+use std::ops::Range;
 use std::path::Path;
 use std::str::FromStr;
 
@@ -24,6 +26,21 @@ impl Shard {
     #[must_use]
     pub const fn has_number(self, number: u64) -> bool {
         number % self.count == self.index - 1
+    }
+
+    /// Which of `count` things in a row are in this share, counted from 0: every n-th, so that neighbours, which are about as
+    /// much work, are spread over all shares.
+    pub fn of(self, count: usize) -> StepBy<Range<usize>> {
+        // No computer has more things than it can count.
+        let whole = |number: u64| usize::try_from(number).unwrap_or(usize::MAX);
+        (whole(self.index - 1)..count).step_by(whole(self.count))
+    }
+
+    /// The share as a part of a file's name: names of all shares sort as the shares do.
+    #[must_use]
+    pub fn file_part(self) -> String {
+        let count = self.count.to_string();
+        format!("shard-{:0width$}-of-{count}", self.index, width = count.len())
     }
 
     /// Whether a model of this name is in this share.
@@ -83,6 +100,15 @@ mod tests {
         for text in ["0/8", "9/8", "1/0", "1", "a/b", "1/8/2", "-1/8"] {
             assert!(text.parse::<Shard>().is_err(), "{text}");
         }
+    }
+
+    #[test]
+    fn every_thing_in_a_row_is_in_one_share() {
+        let of = |text: &str, count| text.parse::<Shard>().unwrap().of(count).collect::<Vec<_>>();
+        assert_eq!([of("1/3", 7), of("2/3", 7), of("3/3", 7)], [vec![0, 3, 6], vec![1, 4], vec![2, 5]]);
+        assert_eq!([of("1/1", 2), of("3/4", 2), of("4/4", 0)], [vec![0, 1], vec![], vec![]]);
+        assert_eq!("18446744073709551615/18446744073709551615".parse::<Shard>().unwrap().of(2).len(), 0);
+        assert_eq!("2/12".parse::<Shard>().unwrap().file_part(), "shard-02-of-12");
     }
 
     #[test]

@@ -103,6 +103,7 @@ inputs! {
     Output = "output", "output file";
     OutputDir = "output_dir", "output folder";
     Pad = "pad", "sole below the bones";
+    Point = "point", "one point of the grid";
     Poisson = "poisson", "Poisson's ratio";
     Presets = "presets", "file with presets";
     Quantity = "quantity", "what the colours show";

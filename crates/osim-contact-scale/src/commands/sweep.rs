@@ -2,6 +2,8 @@
 //!
 //! Count and size are reported first; then each variant is made, written, and read again from its own bytes for the table.
 
+use std::path::Path;
+
 use anyhow::Result;
 use osim_library::{SweepEnd, SweepFrontEnd, SweepRun};
 use osim_model::Question;
@@ -45,7 +47,7 @@ pub(super) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
     }
     announce(&sweep, request, session)?;
     if request.dry_run {
-        let record = SweepRecord::new(sweep.model(), sweep.folder(), None).counted(sweep.count(), 0);
+        let record = begun(&sweep, None).counted(sweep.count(), 0);
         let text = match sweep.is_large() {
             true => format!(
                 "dry run: nothing written; more than 10,000 models need {}\n",
@@ -63,14 +65,20 @@ pub(super) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
             "note: stopped: {made} of {count} models are made; go on with the same call and {resume}\n"
         ))?;
     }
-    let record = SweepRecord::new(sweep.model(), sweep.folder(), end.manifest.as_deref());
+    let record = begun(&sweep, end.manifest.as_deref());
     let record = record.counted(end.made + end.earlier, end.failed).of_which_before(end.earlier);
-    report(&record, &text(&sweep, &end), request, session)?;
+    report(&record, &text(&sweep, request, &end), request, session)?;
     Ok(match (end.not_begun, end.failed) {
         (0, 0) => Exit::Done,
         (0, _) => Exit::Failed,
         _ => Exit::Interrupted,
     })
+}
+
+/// What is known before a model is made.
+fn begun(sweep: &SweepRun<'_>, manifest: Option<&Path>) -> SweepRecord {
+    let record = SweepRecord::new(sweep.model(), sweep.folder(), manifest);
+    record.of_points(sweep.points(), sweep.point_file())
 }
 
 fn make(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Session) -> Result<SweepEnd> {
@@ -97,11 +105,16 @@ fn announce(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Session)
     if request.quiet {
         return Ok(());
     }
-    let (size, count) = (sweep.model_size(), sweep.count());
+    let (size, count, points) = (sweep.model_size(), sweep.count(), sweep.points());
+    let of = if request.point.is_some() || request.shard.is_some() {
+        format!(" of {points}")
+    } else {
+        String::new()
+    };
     #[expect(clippy::cast_precision_loss, reason = "shown in MB")]
     let megabytes = |bytes: usize| bytes as f64 / 1e6;
     let text = format!(
-        "note: {count} models of {:.2} MB each, {:.1} MB together, into {}\n",
+        "note: {count}{of} models of {:.2} MB each, {:.1} MB together, into {}\n",
         megabytes(size),
         megabytes(size.saturating_mul(count)),
         sweep.folder().display()
@@ -109,17 +122,25 @@ fn announce(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Session)
     Ok(session.terminal.note(&text)?)
 }
 
-fn text(sweep: &SweepRun<'_>, end: &SweepEnd) -> String {
-    match &end.manifest {
-        Some(manifest) => {
-            let (made, count) = (end.made, sweep.count());
-            let of = if made + end.earlier < count { format!(" of {count}") } else { String::new() };
-            let before =
-                if end.earlier > 0 { format!(", {} done before", end.earlier) } else { String::new() };
-            format!("{made}{of} models written{before}; what is in which: {}\n", manifest.display())
-        }
-        None => "no model was made\n".to_owned(),
+fn text(sweep: &SweepRun<'_>, request: &SweepRequest, end: &SweepEnd) -> String {
+    let points = sweep.points();
+    let Some(manifest) = &end.manifest else {
+        return match request.shard {
+            Some(shard) if sweep.count() == 0 => format!("share {shard} has none of the {points} models\n"),
+            _ => "no model was made\n".to_owned(),
+        };
+    };
+    let manifest = manifest.display();
+    if let (Some(point), Some(file)) = (request.point, sweep.point_file()) {
+        let file = sweep.folder().join(file);
+        let done = if end.earlier > 0 { "done before" } else { "written" };
+        return format!("point {point} of {points}: {} {done}; what is in it: {manifest}\n", file.display());
     }
+    let (made, count) = (end.made, sweep.count());
+    let of = if made + end.earlier < count { format!(" of {count}") } else { String::new() };
+    let before = if end.earlier > 0 { format!(", {} done before", end.earlier) } else { String::new() };
+    let share = request.shard.map(|shard| format!(", share {shard} of {points}")).unwrap_or_default();
+    format!("{made}{of} models written{before}{share}; what is in which: {manifest}\n")
 }
 
 fn report(record: &SweepRecord, text: &str, request: &SweepRequest, session: &mut Session) -> Result<()> {

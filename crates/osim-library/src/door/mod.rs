@@ -177,6 +177,17 @@ pub(crate) fn alone(path: &Path) -> std::io::Result<Option<File>> {
     Ok(file)
 }
 
+/// Whether another process has a file [`alone`]. To ask keeps nobody from opening it so but for that moment, and nobody from asking.
+///
+/// # Errors
+/// It is there and cannot be opened.
+pub(crate) fn is_taken(path: &Path) -> std::io::Result<bool> {
+    match system::is_taken(path) {
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(false),
+        taken => taken,
+    }
+}
+
 /// An ordinary file, open to be locked: for writing, which network file systems ask for, or as it can be.
 ///
 /// # Errors

@@ -21,6 +21,12 @@ pub(super) fn alone(path: &Path) -> std::io::Result<Option<File>> {
     Ok((!is_taken).then_some(file))
 }
 
+/// A lock that readers share: on network file systems it needs no more than reading.
+pub(super) fn is_taken(path: &Path) -> std::io::Result<bool> {
+    let file = without_waiting(File::options().read(true)).open(path)?;
+    Ok(file.try_lock_shared().is_err_and(|error| matches!(error, TryLockError::WouldBlock)))
+}
+
 fn kind_of(path: &Path) -> Option<FileType> {
     std::fs::metadata(path).ok().map(|metadata| metadata.file_type())
 }

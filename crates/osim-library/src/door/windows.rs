@@ -8,18 +8,27 @@ pub(super) fn without_waiting(options: &mut OpenOptions) -> &mut OpenOptions {
     options
 }
 
+const ERROR_SHARING_VIOLATION: i32 = 32;
+
 /// By the way it is opened: nobody else can open it for writing. A lock would also refuse reading to others, and to this process by
 /// another handle. Where a file is opened for appending only, Windows neither shortens nor locks it.
 pub(super) fn alone(path: &Path) -> std::io::Result<Option<File>> {
     use std::os::windows::fs::OpenOptionsExt;
     const FILE_SHARE_READ: u32 = 1;
     const FILE_SHARE_DELETE: u32 = 4;
-    const ERROR_SHARING_VIOLATION: i32 = 32;
     let mut options = File::options();
     options.read(true).write(true).create(true).truncate(false);
     match options.share_mode(FILE_SHARE_READ | FILE_SHARE_DELETE).open(path) {
         Err(error) if error.raw_os_error() == Some(ERROR_SHARING_VIOLATION) => Ok(None),
         file => file.map(Some),
+    }
+}
+
+/// What is open [`alone`] cannot be opened for writing.
+pub(super) fn is_taken(path: &Path) -> std::io::Result<bool> {
+    match File::options().write(true).open(path) {
+        Err(error) if error.raw_os_error() == Some(ERROR_SHARING_VIOLATION) => Ok(true),
+        file => file.map(|_| false),
     }
 }
 

@@ -1,7 +1,9 @@
 //! A sweep on the disk: a folder of variants, and a table that says what is in which.
 
+mod known;
 mod made;
 mod table_row;
+mod tables;
 
 use std::path::{Path, PathBuf};
 
@@ -13,6 +15,7 @@ use osim_requests::{RequestError, RequestFault, SweepPlan, SweepRequest};
 
 use self::made::MadeFiles;
 use self::table_row::line;
+use self::tables::Tables;
 use crate::digest::sha256;
 use crate::door;
 use crate::fault::{Context, LibraryFault};
@@ -44,7 +47,7 @@ pub struct SweepRun<'s> {
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct SweepEnd {
-    /// The table, where a model was made.
+    /// The table of what this run made, where it made something.
     pub manifest: Option<PathBuf>,
     /// Variants that were made.
     pub made: usize,
@@ -81,10 +84,22 @@ impl<'s> SweepRun<'s> {
         Ok(Self { request, plan, origin, folder: folder(request, model) })
     }
 
-    /// How many variants.
+    /// How many variants this run makes: all, or those of its part.
     #[must_use]
     pub fn count(&self) -> usize {
+        self.plan.indices().len()
+    }
+
+    /// How many variants there are, of all points of the grid or steps of the ladder.
+    #[must_use]
+    pub fn points(&self) -> usize {
         self.plan.count()
+    }
+
+    /// The file of the point that was asked for, by its name in the folder.
+    #[must_use]
+    pub fn point_file(&self) -> Option<String> {
+        self.request.point.map(|point| self.plan.file_name(point.saturating_sub(1)))
     }
 
     /// So many that they are made only where that was said.
@@ -119,7 +134,7 @@ impl<'s> SweepRun<'s> {
         self.plan.check_ends()
     }
 
-    /// Makes all variants; `report` is called for each, in order, on this thread, with what went wrong where it could not be made.
+    /// Makes all variants, or those of its part; `report` is called for each, in order, on this thread, with what went wrong where it could not be made.
     /// Who wants to end it early says so by [`SweepFrontEnd::is_interrupted`].
     ///
     /// # Errors
@@ -129,14 +144,19 @@ impl<'s> SweepRun<'s> {
         front_end: &F,
         mut report: impl FnMut(Option<Failure>),
     ) -> Result<SweepEnd, LibraryFault> {
-        let manifest = self.folder.join(self.plan.table_name());
-        self.check_new(&manifest)?;
-        let files = MadeFiles::begin(&manifest, self.request.resume)?;
-        // Files left behind by a run that was killed go first.
-        Folders::list(std::iter::once(manifest.as_path()), true);
-        let mut table = Prepared::begin(&manifest, None, self.mode())?;
-        table.add(&line(&self.plan.table_header())?)?;
         let mut end = SweepEnd { manifest: None, made: 0, earlier: 0, failed: 0, not_begun: 0 };
+        if self.count() == 0 {
+            // There are more shares than points.
+            return Ok(end);
+        }
+        let tables = Tables::new(&self.folder, &self.plan);
+        tables.check_free()?;
+        self.check_new(&tables)?;
+        let files = MadeFiles::begin(&tables, self.request.resume)?;
+        // Files left behind by a run that was killed go first.
+        Folders::list(std::iter::once(tables.own()), true);
+        let mut table = Prepared::begin(tables.own(), None, self.mode())?;
+        table.add(&line(&self.plan.table_header())?)?;
         let work = |&index: &usize| {
             let made = self.make(index, &files, front_end);
             front_end.done(matches!(made, Made::Failed(_)));
@@ -157,23 +177,24 @@ impl<'s> SweepRun<'s> {
             }
             Ok(())
         };
-        let indices: Vec<usize> = (0..self.count()).collect();
+        let indices: Vec<usize> = self.plan.indices().collect();
         in_order(&indices, threads(self.request.jobs, self.count()), work, each)?;
         if end.made + end.earlier > 0 {
             table.commit()?;
-            end.manifest = Some(manifest);
+            end.manifest = Some(tables.own().to_owned());
         }
         files.finish(end.made + end.earlier == self.count())?;
         Ok(end)
     }
 
     /// Nothing is replaced unasked, and that is known before the first file is written.
-    fn check_new(&self, manifest: &Path) -> Result<(), LibraryFault> {
-        let names = (0..self.count()).map(|index| self.folder.join(self.plan.file_name(index)));
+    fn check_new(&self, tables: &Tables<'_>) -> Result<(), LibraryFault> {
+        let names = self.plan.indices().map(|index| self.folder.join(self.plan.file_name(index)));
         let model = resolved(self.request.model.as_deref().unwrap_or(Path::new("")));
         let mut resolver = Resolver::default();
         let (mut first, mut there) = (None, 0);
-        for path in names.chain(std::iter::once(manifest.to_owned())) {
+        let tables = || std::iter::once(tables.own()).chain(tables.replaced());
+        for path in names.chain(tables().map(Path::to_owned)) {
             if resolver.resolved(&path) == model {
                 return Err(LibraryFault::new(phrase![
                     "a variant would replace the model itself: write into another folder with ",
@@ -188,7 +209,7 @@ impl<'s> SweepRun<'s> {
         if self.mode() == Mode::Replace {
             return Ok(());
         }
-        Partial::check_none_left(manifest)?;
+        tables().try_for_each(Partial::check_none_left)?;
         match first {
             Some(first) => Err(LibraryFault::new(phrase![
                 format!(
@@ -252,8 +273,12 @@ impl<'s> SweepRun<'s> {
             prepared.sync()?;
         }
         files.about_to_finish(name, digest)?;
-        prepared.commit().map_err(|fault| fault.within("not written"))?;
-        Ok(false)
+        match prepared.commit() {
+            Ok(()) => Ok(false),
+            // A run of another part made it in the meantime.
+            Err(_) if self.mode() == Mode::Replace && is_there(path, bytes) => Ok(true),
+            Err(fault) => Err(fault.within("not written")),
+        }
     }
 
     /// How a variant may be written; none where it is there, byte for byte. `is_ours` knows digests of what earlier sweeps made
@@ -262,7 +287,7 @@ impl<'s> SweepRun<'s> {
         &self,
         path: &Path,
         bytes: &[u8],
-        is_ours: impl Fn(&str) -> bool,
+        is_ours: impl Fn(&str) -> Result<bool, LibraryFault>,
     ) -> Result<Option<Mode>, LibraryFault> {
         if !self.request.resume {
             return Ok(Some(self.mode()));
@@ -274,11 +299,15 @@ impl<'s> SweepRun<'s> {
         if there == bytes {
             return Ok(None);
         }
-        if self.request.force || is_ours(&sha256(&there)) {
+        if self.request.force || is_ours(&sha256(&there))? {
             return Ok(Some(Mode::Replace));
         }
         Err(LibraryFault::edited(path))
     }
+}
+
+fn is_there(path: &Path, bytes: &[u8]) -> bool {
+    door::ordinary(path).is_ok_and(|there| there == bytes)
 }
 
 fn folder(request: &SweepRequest, model: &Path) -> PathBuf {

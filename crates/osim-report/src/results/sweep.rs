@@ -29,7 +29,11 @@ pub struct SweepRecord {
     /// Its name in bytes, where that is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub folder_bytes: Option<Vec<u8>>,
-    /// How many models are there as they should be, or would be.
+    /// How many points the grid has, or steps the ladder: they are counted from 1 to this number.
+    pub points: usize,
+    /// With `point`: the file of that point, by its name in `folder`.
+    pub file: Option<String>,
+    /// How many models are there as they should be, or would be: of all points, of the one that `point` names, or of a share.
     pub models: usize,
     /// How many of these an earlier sweep had made.
     pub done_before: usize,
@@ -52,10 +56,18 @@ impl SweepRecord {
             manifest_bytes: manifest_bytes.flatten(),
             folder,
             folder_bytes,
+            points: 0,
+            file: None,
             models: 0,
             done_before: 0,
             failed: 0,
         }
+    }
+
+    /// The same with how many points there are, and the file of the one that was asked for.
+    #[must_use]
+    pub fn of_points(self, points: usize, file: Option<String>) -> Self {
+        Self { points, file, ..self }
     }
 
     /// The same with how many models were made and failed.

@@ -3,7 +3,7 @@
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
-use osim_values::{Axis, Positive, axis, path, serial};
+use osim_values::{Axis, Positive, Shard, axis, path, serial};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -70,6 +70,13 @@ pub struct SweepRequest {
     /// With `ladder`: dimensionless stiffness of the first step
     #[cfg_attr(feature = "clap", arg(long, value_name = "K", default_value_t = Positive::SOFT_STIFFNESS))]
     pub soft: Positive,
+    /// Only point N of the grid, or step N of the ladder, counted from 1, for job arrays
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N", hide_short_help = true))]
+    #[serde(deserialize_with = "serial::optional_from_text")]
+    pub point: Option<usize>,
+    /// Only share I of N of the points, for job arrays
+    #[cfg_attr(feature = "clap", arg(long, value_name = "I/N", hide_short_help = true))]
+    pub shard: Option<Shard>,
     /// Write the models into this folder [default: NAME.sweep beside the model]
     #[cfg_attr(feature = "clap", arg(short = 'd', long, value_name = "DIR", help_heading = "Output"))]
     #[serde(with = "path::optional")]
@@ -133,6 +140,8 @@ impl Default for SweepRequest {
             grid: Vec::new(),
             ladder: None,
             soft: Positive::SOFT_STIFFNESS,
+            point: None,
+            shard: None,
             output_dir: None,
             force: false,
             resume: false,
@@ -159,6 +168,7 @@ impl SweepRequest {
             Relation::Excludes("ladder", "grid"),
             Relation::Needs("ladder", "indentation"),
             Relation::Needs("soft", "ladder"),
+            Relation::Excludes("point", "shard"),
             Relation::Excludes("resume", "dry_run"),
         ],
         WantedOptions::RELATIONS,

@@ -6,6 +6,7 @@ use osim_model::files::{Failure, ModelFiles};
 use osim_model::wording::{Input, Phrase, phrase};
 use osim_model::{Property, shortest};
 
+use super::part::padded;
 use super::stages::{Stages, design, set};
 use super::variant::Variant;
 use crate::request::SweepRequest;
@@ -56,8 +57,8 @@ impl Ladder {
 
     /// Step `index` in a file's name, from 1.
     pub(super) fn file_part(&self, index: usize) -> String {
-        let count = self.steps.len().to_string();
-        format!("ladder-{:0width$}-of-{count}", index + 1, width = count.len())
+        let count = self.steps.len();
+        format!("ladder-{}-of-{count}", padded(index + 1, count))
     }
 
     /// k̂ of step `index`, at the load of the design.

@@ -3,6 +3,7 @@
 mod grid;
 mod ladder;
 mod manifest;
+mod part;
 mod plan;
 mod stages;
 mod variant;

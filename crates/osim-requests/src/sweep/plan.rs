@@ -1,5 +1,7 @@
 //! All variants of a sweep: how many, under which names, and each with its row in the table.
 
+use std::iter::StepBy;
+use std::ops::Range;
 use std::path::Path;
 
 use osim_inspect::unexplained_slip;
@@ -11,6 +13,7 @@ use osim_values::AxisName;
 use super::grid::{Point, along, count, ends, point};
 use super::ladder::Ladder;
 use super::manifest::{self, GRID, LADDER};
+use super::part::{self, padded};
 use super::stages::{self, Stages};
 use super::variant::Variant;
 use crate::request::SweepRequest;
@@ -27,7 +30,9 @@ impl SweepRequest {
     pub fn check(&self) -> Result<(), RequestFault> {
         self.check_axes()?;
         let count = self.count()?;
-        if self.is_large() && !self.answers.has(Question::ManyModels) && !self.dry_run {
+        // One point is one model. A share asks, too: all shares together, and the call that ends them, make as many.
+        if self.is_large() && self.point.is_none() && !self.answers.has(Question::ManyModels) && !self.dry_run
+        {
             let message = phrase![
                 format!("{count} models would be made, more than 10,000: say "),
                 &Question::ManyModels.answer(),
@@ -88,6 +93,7 @@ pub struct VariantMade {
     pub bytes: Vec<u8>,
     /// What was done, in words.
     pub operation: String,
+    number: usize,
     file: String,
     asked: Vec<String>,
     variant: Variant,
@@ -97,7 +103,7 @@ impl VariantMade {
     /// Its row in the table; `sha256` is that of its bytes.
     #[must_use]
     pub fn row(self, sha256: String) -> Vec<String> {
-        manifest::row(self.file, self.asked, &self.variant, sha256)
+        manifest::row((self.number, self.file), self.asked, &self.variant, sha256)
     }
 }
 
@@ -105,20 +111,26 @@ impl<'s> SweepPlan<'s> {
     /// A sweep of the model whose files are `model`.
     ///
     /// # Errors
-    /// Those of [`SweepRequest::check`], or the model itself cannot be read, or a ladder has no last step.
+    /// Those of [`SweepRequest::check`], or the model itself cannot be read, a ladder has no last step, or there is no such point.
     pub fn new(request: &'s SweepRequest, model: ModelFiles) -> Result<Self, RequestError> {
         request.check()?;
         let count = request.count()?;
         // What is wrong with the model itself is told once, not for every variant.
         Variant::unchanged(request, &model)?;
         let ladder = request.ladder.map(|steps| Ladder::of(request, &model, steps)).transpose()?;
+        part::check(request, count)?;
         Ok(Self { request, model, ladder, count })
     }
 
-    /// How many variants.
+    /// How many variants, of all points or steps.
     #[must_use]
     pub fn count(&self) -> usize {
         self.count
+    }
+
+    /// Which of them this call makes, counted from 0.
+    pub fn indices(&self) -> StepBy<Range<usize>> {
+        part::of(self.request, self.count)
     }
 
     /// The model that they are made from.
@@ -132,15 +144,36 @@ impl<'s> SweepPlan<'s> {
     pub fn file_name(&self, index: usize) -> String {
         let part = match &self.ladder {
             Some(ladder) => ladder.file_part(index),
-            None => point(&self.request.grid, index).file_part(),
+            None => {
+                let point = point(&self.request.grid, index);
+                format!("{}_{}", padded(index + 1, self.count), point.file_part())
+            }
         };
         self.named(&part, "osim")
     }
 
-    /// Name of the table that says what is in which file.
+    /// Name of the table that says what is in which file, of all.
     #[must_use]
     pub fn table_name(&self) -> String {
-        self.named(if self.ladder.is_some() { "ladder" } else { "sweep" }, "csv")
+        self.named(self.kind(), "csv")
+    }
+
+    /// Name of the table of what this call makes, where that is a part of all.
+    #[must_use]
+    pub fn part_table_name(&self) -> Option<String> {
+        let part = part::of_name(self.request)?;
+        Some(self.named(self.kind(), &format!("{part}.csv")))
+    }
+
+    /// Whether the table of some part of this sweep, or of one with other points, has this name.
+    #[must_use]
+    pub fn is_part_table_name(&self, name: &str) -> bool {
+        let part = name.strip_prefix(&self.named(self.kind(), "")).and_then(|end| end.strip_suffix(".csv"));
+        part.is_some_and(part::is_of_name)
+    }
+
+    fn kind(&self) -> &'static str {
+        if self.ladder.is_some() { "ladder" } else { "sweep" }
     }
 
     /// `NAME_part.extension`
@@ -219,6 +252,7 @@ impl<'s> SweepPlan<'s> {
         Ok(VariantMade {
             bytes,
             operation: job.operation,
+            number: index + 1,
             file: self.file_name(index),
             asked: job.asked,
             variant,
@@ -250,7 +284,7 @@ impl<'s> SweepPlan<'s> {
         let (number, count) = (index + 1, ladder.len());
         let stiffness = ladder.dimensionless_stiffness(index).map(shortest).unwrap_or_default();
         Ok(Job {
-            asked: vec![number.to_string(), stiffness],
+            asked: vec![stiffness],
             operation: format!("ladder step {number} of {count}"),
             mass_kg: None,
             stages: ladder.stages(self.request, index)?,
