@@ -1,0 +1,191 @@
+"""`python -m osim_contact_scale.simulate TABLE --task drop --results FOLDER`: a run without a program of your own."""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+import inspect
+import json
+import logging
+import signal
+import sys
+from collections import Counter
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from types import FrameType
+from typing import Any
+
+from .._errors import ContactScaleError, OutputError, RequestError
+from .._text import printable
+
+try:
+    from . import Drop, Function, Stand, WorkersLost, run
+except ModuleNotFoundError as missing:
+    raise SystemExit(str(missing)) from None
+
+TASKS: dict[str, type[Any]] = {"drop": Drop, "stand": Stand}
+
+_EPILOG = """\
+Every model runs in a process of its own in the real OpenSim. Rows go to FOLDER/parts as they come; table.csv and
+table.parquet are written at the end. After a stop of any kind, the same call with --resume goes on.
+
+exit status: 0 all models done, 1 some are not (see the columns status and error), 2 the call is wrong, 3 the workers were lost or the
+results could not be written, 130 stopped by Ctrl-C, 143 by the system
+"""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Does what the command line says, and gives the exit status."""
+    options = _parser().parse_args(arguments)
+    _log_to_terminal()
+    signal.signal(signal.SIGTERM, _stopped)
+    try:
+        results = run(
+            options.table,
+            _task(options.task, _settings(options.set)),
+            results=options.results,
+            scheduler=options.scheduler,
+            workers=options.workers,
+            resume=options.resume,
+            retry_failed=options.retry_failed,
+            time_limit=options.time_limit,
+            shard=options.shard,
+            progress=sys.stderr.isatty(),
+        )
+    except (RequestError, OSError) as error:
+        return _said(error, 2)
+    except (WorkersLost, OutputError) as error:
+        return _said(error, 3)
+    except ContactScaleError as error:
+        return _said(error, 1)
+    except KeyboardInterrupt:
+        return _said("stopped; what was done is kept: run again with --resume", 130)
+    print(_summary(Counter(results.table["status"].fillna("not run")), options))
+    return 0 if len(results.failures) == 0 else 1
+
+
+def _log_to_terminal() -> None:
+    """What this package says, and nothing of Dask's own log."""
+    log = logging.getLogger("osim_contact_scale")
+    log.addHandler(logging.StreamHandler())
+    log.setLevel(logging.INFO)
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="python -m osim_contact_scale.simulate",
+        description="Runs a task on every model of a table.",
+        epilog=_EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument(
+        "table", metavar="TABLE", type=Path, help="CSV with a column path or file, such as a sweep's manifest"
+    )
+    parser.add_argument("--task", required=True, metavar="TASK", help="drop, stand, or FILE.py:FUNCTION")
+    parser.add_argument("--results", required=True, metavar="FOLDER", type=Path, help="where parts and tables go")
+    parser.add_argument(
+        "--set",
+        action="append",
+        default=[],
+        metavar="NAME=VALUE",
+        help="a setting of the task, such as height=0.5R; again for more",
+    )
+    parser.add_argument(
+        "--scheduler",
+        metavar="ADDRESS",
+        help="of a Dask scheduler, or `here` for no Dask; by default workers of Dask on this machine",
+    )
+    parser.add_argument(
+        "--workers", type=int, metavar="N", help="models at the same time on this machine; by default one for each core"
+    )
+    parser.add_argument("--resume", action="store_true", help="go on where an earlier run stopped")
+    parser.add_argument("--retry-failed", action="store_true", help="with --resume, do failed rows again")
+    parser.add_argument("--time-limit", type=float, metavar="S", help="seconds that one model may take")
+    parser.add_argument(
+        "--shard", metavar="I/N", help="only share I of N; a call without it joins the tables in the end"
+    )
+    return parser
+
+
+def _task(text: str, settings: dict[str, Any]) -> Any:
+    """What `--task` and `--set` mean.
+
+    Raises
+    ------
+    RequestError
+        There is no such task or setting.
+    """
+    known = TASKS.get(text)
+    if known is not None:
+        names = list(inspect.signature(known).parameters)
+        unknown = next((name for name in settings if name not in names), None)
+        if unknown is not None:
+            raise RequestError("usage", f"--set {printable(unknown)}: {text} has {', '.join(names)}")
+        return known(**settings)
+    file, colon, name = text.rpartition(":")
+    if not colon or not file.endswith(".py"):
+        raise RequestError("usage", f"--task {printable(text)}: expected {', '.join(TASKS)} or FILE.py:FUNCTION")
+    return Function(_function(Path(file), name), settings)
+
+
+def _function(file: Path, name: str) -> Callable[..., Any]:
+    if not file.is_file():
+        raise RequestError("usage", f"--task: there is no file {printable(str(file))}")
+    # By its file, because Python may have a module of this name; modules beside it are found as if a program beside it imported it.
+    sys.path.insert(0, str(file.resolve().parent))
+    module_name = file.stem if file.stem not in sys.modules else f"{file.stem}_of_task"
+    spec = importlib.util.spec_from_file_location(module_name, file)
+    try:
+        if spec is None or spec.loader is None:
+            raise ImportError("it is no module")
+        module = importlib.util.module_from_spec(spec)
+        sys.modules[module_name] = module
+        spec.loader.exec_module(module)
+    except (Exception, SystemExit) as error:
+        why = printable(f"{type(error).__name__}: {error}")
+        raise RequestError("usage", f"--task: {printable(str(file))} cannot be imported: {why}") from error
+    function = getattr(module, name, None)
+    if not callable(function):
+        raise RequestError("usage", f"--task: {printable(str(file))} has no function {printable(name)}")
+    found: Callable[..., Any] = function
+    return found
+
+
+def _settings(given: Sequence[str]) -> dict[str, Any]:
+    """`NAME=VALUE`: a number, true or false where it is one, else a text."""
+    settings: dict[str, Any] = {}
+    for item in given:
+        name, equals, text = item.partition("=")
+        if not equals or not name.isidentifier():
+            raise RequestError("usage", f"--set {printable(item)}: expected NAME=VALUE")
+        if name in settings:
+            raise RequestError("usage", f"--set {name}: said twice")
+        try:
+            settings[name] = json.loads(_OF_PYTHON.get(text, text))
+        except (ValueError, RecursionError):
+            settings[name] = text
+    return settings
+
+
+#: How Python spells what JSON has in small letters.
+_OF_PYTHON = {"True": "true", "False": "false", "None": "null"}
+
+
+def _summary(counts: Counter[str], options: argparse.Namespace) -> str:
+    counted = ", ".join(f"{count} {status}" for status, count in counts.items()) or "no models"
+    where = options.results if options.shard is not None else options.results / "table.csv"
+    return f"{counted}: {printable(str(where))}"
+
+
+def _said(what: object, status: int) -> int:
+    print(printable(str(what)), file=sys.stderr)
+    return status
+
+
+def _stopped(number: int, frame: FrameType | None) -> None:
+    print("stopped by the system; what was done is kept: run again with --resume", file=sys.stderr)
+    raise SystemExit(143)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

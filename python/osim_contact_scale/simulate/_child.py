@@ -1,0 +1,98 @@
+"""What is done in the process of one model."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import time
+import traceback
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from .._errors import ContactScaleError
+from .._text import printable
+from ._job import Job, Outcome, Value
+from ._loaded import Loaded
+from ._values import cell_of
+
+#: Letters of an error that are kept.
+_LONG = 2000
+
+
+def simulate(job: Job, loaded: Loaded, folder: str) -> Outcome:
+    """Runs the task on the model."""
+    refusal = _refusal(job, loaded)
+    if refusal is not None:
+        return Outcome(job.key, "refused", refusal)
+    task = loaded.task(job)
+    if task is None:
+        return Outcome(job.key, "failed", f"the task cannot be loaded here: {_text(loaded.error, folder)}")
+    begin = time.perf_counter()
+    try:
+        numbers, series = _parts(task(job.path, **job.values))
+    except (KeyboardInterrupt, SystemExit) as error:
+        return Outcome(job.key, "failed", f"the task ended its process: {type(error).__name__}")
+    except Exception as error:
+        return Outcome(job.key, "failed", _text(error, folder), task_seconds=time.perf_counter() - begin)
+    return Outcome(job.key, "done", None, numbers, series, task_seconds=time.perf_counter() - begin)
+
+
+def _refusal(job: Job, loaded: Loaded) -> str | None:
+    """Why the result would not be the one that the key stands for."""
+    if loaded.versions != job.versions:
+        here, there = loaded.versions, job.versions
+        return (
+            f"this worker has opensim {here.opensim or 'not at all'} and osim-contact-scale {here.package}, the others have "
+            f"{there.opensim or 'none'} and {there.package}: results would differ; use one environment for all workers"
+        )
+    try:
+        digest = hashlib.sha256(Path(job.path).read_bytes()).hexdigest()
+    except OSError as error:
+        return f"the model cannot be read here: {error.strerror}"
+    return None if digest == job.digest else "the model was changed after this run had begun; run again with resume"
+
+
+def _text(error: BaseException | None, folder: str) -> str:
+    """An error with the place where it was raised: the same text in whatever folder it happened."""
+    if error is None:
+        return ""
+    text = f"{type(error).__name__}: {error}".replace(os.path.realpath(folder), ".").replace(folder, ".")
+    if isinstance(error, ContactScaleError):
+        return printable(text.strip()[:_LONG])
+    frames = traceback.extract_tb(error.__traceback__)
+    place = f" ({frames[-1].name}, line {frames[-1].lineno})" if frames else ""
+    return printable(text.strip()[:_LONG]) + place
+
+
+def _parts(returned: Any) -> tuple[dict[str, Value], dict[str, list[float]]]:
+    """Numbers and series of what a task returned.
+
+    Raises
+    ------
+    TypeError, ValueError
+        It is not what a task returns.
+    """
+    wanted = "a task returns a dictionary of numbers, or that and a dictionary of series"
+    numbers, series = returned if isinstance(returned, tuple) and len(returned) == 2 else (returned, {})
+    if not isinstance(numbers, Mapping) or not isinstance(series, Mapping):
+        raise TypeError(f"{wanted}, not {type(returned).__name__}")
+    rows = {_name(name): _value(str(name), value) for name, value in numbers.items()}
+    columns = {_name(name): [float(value) for value in values] for name, values in series.items()}
+    if len({len(column) for column in columns.values()}) > 1:
+        lengths = ", ".join(f"{name} {len(column)}" for name, column in columns.items())
+        raise ValueError(f"series must be equally long: {lengths}")
+    return rows, columns
+
+
+def _name(name: Any) -> str:
+    if not isinstance(name, str) or not name.isidentifier():
+        raise ValueError(f"{name!r} cannot be the name of a column: use letters, digits and _, such as peak_force_n")
+    return name
+
+
+def _value(name: str, value: Any) -> Value:
+    try:
+        return cell_of(value)
+    except (TypeError, ValueError) as error:
+        raise type(error)(f"{name} is {error}") from None

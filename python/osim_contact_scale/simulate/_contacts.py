@@ -1,0 +1,137 @@
+"""The contact forces of an `opensim.Model`, and the spheres that they press on half-spaces."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+from typing import Any
+
+from .._errors import ModelError
+
+SMOOTH = "SmoothSphereHalfSpaceForce"
+HUNT_CROSSLEY = "HuntCrossleyForce"
+_SOCKETS = ("sphere", "half_space")
+
+
+@dataclass(frozen=True)
+class Contact:
+    """A contact force that applies, and what meets in it."""
+
+    force: Any
+    spheres: tuple[Any, ...]
+    floors: tuple[Any, ...]
+    places: tuple[int, ...]
+    """Where its record has the forces on the bodies of its spheres, each body once."""
+
+    def force_n(self, state: Any, up: Sequence[float]) -> float:
+        """Its force on the bodies of its spheres, along a direction, in N. The state must be realized to dynamics."""
+        values = self.force.getRecordValues(state)
+        return float(sum(values.get(place + axis) * up[axis] for place in self.places for axis in range(3)))
+
+
+def chosen(opensim: Any, model: Any, select: Sequence[str]) -> list[Contact]:
+    """Contact forces that apply, of those whose names fit one of the patterns; without patterns, of all.
+
+    Raises
+    ------
+    ModelError
+        There are none.
+    """
+    contacts = [found for force in _contact_forces(opensim, model) if (found := _contact(opensim, model, force))]
+    if not contacts:
+        expected = f"a {HUNT_CROSSLEY} or {SMOOTH} in which a ContactSphere meets a ContactHalfSpace"
+        raise refusal(f"there is nothing that the body can stand on: expected {expected}")
+    names = ", ".join(str(one.force.getName()) for one in contacts)
+    if select:
+        contacts = [one for one in contacts if any(fnmatchcase(one.force.getName(), pattern) for pattern in select)]
+        if not contacts:
+            raise refusal(f"select fits no contact force: {', '.join(select)}; there are {names}")
+    contacts = [one for one in contacts if one.force.get_appliesForce()]
+    if not contacts:
+        raise refusal(f"the contact forces are switched off (appliesForce is false): {names}")
+    return contacts
+
+
+def without_constant(contacts: Sequence[Contact]) -> list[str]:
+    """Names of smooth forces with a constant_contact_force of 0, which are not a number where a sphere does not slip."""
+    smooth = [one.force for one in contacts if one.force.getConcreteClassName() == SMOOTH]
+    return [str(force.getName()) for force in smooth if force.get_constant_contact_force() == 0]
+
+
+def base_of(geometry: Any) -> Any:
+    """The body, or ground, that a contact geometry is on."""
+    return geometry.getFrame().findBaseFrame()
+
+
+def refusal(message: str) -> ModelError:
+    """An error about the model, in which the name of its file is still missing."""
+    return ModelError("simulation", message)
+
+
+def geometry_of(opensim: Any, model: Any, force: Any) -> list[Any]:
+    """What meets in a force, in the order of its record."""
+    if force.getConcreteClassName() == SMOOTH:
+        return [opensim.ContactGeometry.safeDownCast(force.getConnectee(socket)) for socket in _SOCKETS]
+    named = [_found(opensim, model, opensim.PropertyHelper.getValueString(*place)) for place in _name_places(force)]
+    return [one for one in named if one is not None]
+
+
+def name_geometry(opensim: Any, force: Any, names: Sequence[str]) -> None:
+    """Lets a force that is not yet connected be about other geometry, of these names in a set of contact geometry."""
+    if force.getConcreteClassName() == SMOOTH:
+        for socket, name in zip(_SOCKETS, names):
+            force.updSocket(socket).setConnecteePath(f"/contactgeometryset/{name}")
+        return
+    for (prop, number), name in zip(_name_places(force), names):
+        opensim.PropertyHelper.setValueString(name, prop, number)
+
+
+def _name_places(force: Any) -> Iterator[tuple[Any, int]]:
+    """The names of geometry in a HuntCrossleyForce, over all of its materials: property, and number in it."""
+    materials = force.updPropertyByName("contact_parameters").updValueAsObject().updPropertyByName("objects")
+    for place in range(materials.size()):
+        names = materials.updValueAsObject(place).updPropertyByName("geometry")
+        for number in range(names.size()):
+            yield names, number
+
+
+def _contact_forces(opensim: Any, model: Any) -> Iterator[Any]:
+    kinds = {SMOOTH: opensim.SmoothSphereHalfSpaceForce, HUNT_CROSSLEY: opensim.HuntCrossleyForce}
+    for component in list(model.getComponentsList()):
+        kind = kinds.get(component.getConcreteClassName())
+        if kind is not None:
+            yield kind.safeDownCast(component)
+
+
+def _contact(opensim: Any, model: Any, force: Any) -> Contact | None:
+    """What meets in a force; None where that is not a sphere and a half-space."""
+    geometry = geometry_of(opensim, model, force)
+    spheres = [one for one in map(opensim.ContactSphere.safeDownCast, geometry) if one is not None]
+    floors = [one for one in map(opensim.ContactHalfSpace.safeDownCast, geometry) if one is not None]
+    if not spheres or not floors:
+        return None
+    return Contact(force, tuple(spheres), tuple(floors), tuple(_places(geometry, spheres)))
+
+
+def _found(opensim: Any, model: Any, name: str) -> Any:
+    """The geometry that OpenSim means by a name: a path in the model, or a name in its set of geometry."""
+    for path in (name, f"contactgeometryset/{name}"):
+        try:
+            component = opensim.ContactGeometry.safeDownCast(model.getComponent(path))
+        except RuntimeError:
+            continue
+        if component is not None:
+            return component
+    return None
+
+
+def _places(geometry: Sequence[Any], spheres: Sequence[Any]) -> Iterator[int]:
+    """Each geometry has six values, the force and the torque on its body: of a body with two spheres, the same twice."""
+    of_spheres = {sphere.getAbsolutePathString() for sphere in spheres}
+    seen = set()
+    for number, one in enumerate(geometry):
+        body = base_of(one).getAbsolutePathString()
+        if one.getAbsolutePathString() in of_spheres and body not in seen:
+            seen.add(body)
+            yield 6 * number

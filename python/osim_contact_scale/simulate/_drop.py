@@ -1,0 +1,158 @@
+"""The task Drop: a whole model falls on its contact spheres."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from .._errors import RequestError
+from ._contacts import chosen
+from ._motion import Motion, Observer, Record
+from ._passive import make_passive
+from ._rest import resting_height
+from ._rigid import rigid
+from ._scene import Scene, errors_of, opened, quiet_opensim
+from ._words import choice, multiple, patterns
+
+#: Stops of the integrator are at most this many times √(x/g) apart, x the indentation at rest: there are 60 in one swing on the contacts.
+_STOP = 0.1
+#: The least indentation for that, in R.
+_LEAST = 1e-3
+
+
+@dataclass(frozen=True)
+class Drop:
+    """A whole model falls on its contact spheres, in OpenSim: the drop of van Bijlert (2026), Table 1 and Fig. 4.
+
+    It begins at rest in its default pose, the lowest point of its spheres at a height above the ground.
+
+    With joints locked it moves up and down only, as in the command's `drop-test`: M ẍ = M g − Σ F(x, ẋ), where nothing acts but gravity
+    and contact. With joints free, every coordinate moves that the model leaves free, and all of its forces act; nobody commands its
+    actuators: controllers are switched off, muscles have no excitation and begin in equilibrium.
+
+    Parameters
+    ----------
+    height : float or str
+        At the start: in m, or in radii, such as "0.25R" (or "x0.25"). R = √(Σ R²/n) of the spheres.
+    duration : float or str
+        In s, or in units of √(R/g), such as "35T".
+    joints : "locked" or "free"
+    select : str or tuple of str
+        Names of contact forces that act, with `*` and `?`; without, all do. Others are switched off.
+    actuators : "rest" or "off"
+        With free joints, whether muscles and other actuators act without command, or not at all.
+    samples : int
+        Points of the series.
+    accuracy : float
+        Relative, of OpenSim's integrator (Runge-Kutta-Merson).
+
+    Raises
+    ------
+    RequestError
+        A setting is wrong.
+    """
+
+    height: float | str = "0.25R"
+    duration: float | str = 2.0
+    joints: str = "locked"
+    select: str | tuple[str, ...] = ()
+    actuators: str = "rest"
+    samples: int = 1001
+    accuracy: float = 1e-9
+
+    def __post_init__(self) -> None:
+        multiple(self.height, "R", "height")
+        if not multiple(self.duration, "T", "duration")[0] > 0:
+            raise RequestError("usage", "duration=0: expected a time above 0", keywords=("duration",))
+        choice(self.joints, ("locked", "free"), "joints")
+        choice(self.actuators, ("rest", "off"), "actuators")
+        if not isinstance(self.samples, int) or self.samples < 2:
+            message = f"samples={self.samples!r}: expected a whole number of at least 2"
+            raise RequestError("usage", message, keywords=("samples",))
+        if not isinstance(self.accuracy, float) or not 0 < self.accuracy < 1:
+            message = f"accuracy={self.accuracy!r}: expected a number between 0 and 1"
+            raise RequestError("usage", message, keywords=("accuracy",))
+        object.__setattr__(self, "select", patterns(self.select))
+
+    def __call__(self, path: str) -> tuple[dict[str, float | None], dict[str, list[float]]]:
+        """Lets the model of a file fall: its figures and its series.
+
+        Figures have the names that the command's `drop-test` gives them. Times in s, heights in m above the ground, speeds in m/s upwards,
+        forces in N, or in body weights (`bw`). In the series `height_m` is that of the lowest point of all spheres, below 0 in the ground,
+        and `speed_m_s` is that of the centre of mass; with free joints its height is `com_height_m`. What is absent is None.
+
+        Raises
+        ------
+        ModelError
+            OpenSim cannot read the model or not follow it, or it cannot fall: no contacts, no level ground, no gravity, no coordinate that
+            moves it up and down, contact forces that are not a number.
+        """
+        opensim = quiet_opensim()
+        with errors_of(path, "let this model fall"):
+            scene = self._scene(opensim, path)
+            return self._fall(scene)
+
+    def _scene(self, opensim: Any, path: str) -> Scene:
+        model = opened(opensim, path)
+        contacts = chosen(opensim, model, self.select)
+        if self.joints == "free":
+            make_passive(opensim, model, contacts, acting=self.actuators == "rest")
+            return Scene(opensim, model, contacts)
+        scene = Scene(opensim, model, contacts)
+        made = rigid(opensim, model, scene.state, scene.moving, contacts, scene.up)
+        made.finalizeConnections()
+        return Scene(opensim, made, chosen(opensim, made, ()))
+
+    def _fall(self, scene: Scene) -> tuple[dict[str, float | None], dict[str, list[float]]]:
+        number, in_radii = multiple(self.height, "R", "height")
+        height = number * scene.reference_radius_m if in_radii else number
+        number, in_units = multiple(self.duration, "T", "duration")
+        duration = number * scene.reference_time_s if in_units else number
+        rest = resting_height(scene, scene.opensim.State(scene.state))
+        scene.place(scene.state, height)
+        if self.joints == "free" and self.actuators == "rest":
+            scene.model.equilibrateMuscles(scene.state)
+        indented = max(-rest, _LEAST * scene.reference_radius_m)
+        columns: dict[str, Callable[[Any], float]] = {
+            "height_m": scene.lowest_m,
+            "speed_m_s": scene.speed_m_s,
+            "force_n": scene.force_n,
+        }
+        if self.joints == "free":
+            columns["com_height_m"] = scene.com_height_m
+        observer = Observer(scene, Motion(scene, self.accuracy), columns)
+        record = observer.follow(duration, self.samples, _STOP * (indented / scene.gravity_m_s2) ** 0.5)
+        return self._figures(scene, record, height, duration, rest), _series(scene, record)
+
+    def _figures(
+        self, scene: Scene, record: Record, height: float, duration: float, rest: float
+    ) -> dict[str, float | None]:
+        radius, touch, lift_off = scene.reference_radius_m, record.touch, record.lift_off
+        figures: dict[str, float | None] = {
+            "mass_kg": scene.mass_kg,
+            "sphere_count": len(scene.balls),
+            "gravity_m_s2": scene.gravity_m_s2,
+            "height_m": height,
+            "duration_s": duration,
+            "reference_radius_m": radius,
+            "reference_time_s": scene.reference_time_s,
+            "final_relative_indentation": -record.series["height_m"][-1] / radius,
+            "relative_indentation_model_law": -rest / radius,
+            "peak_force_n": record.peak_force_n,
+            "peak_force_bw": record.peak_force_n / scene.weight_n,
+            "peak_time_s": record.peak_time_s,
+            "impact_speed_m_s": None if touch is None else -touch.speed_m_s,
+            "contact_time_s": None if touch is None or lift_off is None else lift_off.time_s - touch.time_s,
+            "rebound_speed_m_s": None if lift_off is None else lift_off.speed_m_s,
+        }
+        if self.joints == "free":
+            figures["lowest_com_height_m"] = min(record.series["com_height_m"])
+        return figures
+
+
+def _series(scene: Scene, record: Record) -> dict[str, list[float]]:
+    return record.series | {
+        "force_bw": [force / scene.weight_n for force in record.series["force_n"]],
+        "dimensionless_time": [time / scene.reference_time_s for time in record.series["time_s"]],
+    }

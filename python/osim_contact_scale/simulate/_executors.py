@@ -1,0 +1,111 @@
+"""Who does the work: Dask here or on a cluster, any executor of `concurrent.futures`, or threads of this program."""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import logging
+import os
+import sys
+from collections.abc import Iterator
+from concurrent.futures import Executor, ThreadPoolExecutor
+from contextlib import ExitStack, contextmanager
+from typing import Any
+
+from .._errors import RequestError
+from .._text import printable
+from ._guard import refuse_unguarded
+from ._worker import end_servers
+
+log = logging.getLogger("osim_contact_scale")
+
+#: How `scheduler` says that this program does it with threads, without Dask.
+HERE = "here"
+
+#: How often Dask gives a model to another worker whose worker has died.
+_RETRIES = 3
+
+
+@contextmanager
+def executor_of(scheduler: Any, workers: int | None, run: str) -> Iterator[Executor]:
+    """An executor, while it lasts.
+
+    Raises
+    ------
+    RequestError
+        It is none of the things that `run` takes, or Dask is not installed.
+    OSError
+        No scheduler answers at this address.
+    """
+    if isinstance(scheduler, Executor):
+        _refuse_workers(workers)
+        refuse_unguarded()
+        yield scheduler
+    elif scheduler == HERE:
+        with ThreadPoolExecutor(workers or _cores(), "simulate") as threads:
+            try:
+                yield threads
+            finally:
+                threads.shutdown(wait=False, cancel_futures=True)
+                # Threads that wait for a model end with its process: after Ctrl-C, too.
+                end_servers(run)
+    else:
+        with _client(scheduler, workers) as client:
+            yield client.get_executor(pure=False)
+
+
+@contextmanager
+def _client(scheduler: Any, workers: int | None) -> Iterator[Any]:
+    if importlib.util.find_spec("distributed") is None:
+        message = 'Dask is not installed: pip install "dask[distributed]", or say scheduler="here" to do without'
+        raise RequestError("usage", message, keywords=("scheduler",))
+    # Its functions have no types.
+    distributed: Any = importlib.import_module("distributed")
+    if isinstance(scheduler, distributed.Client):
+        _refuse_workers(workers)
+        yield scheduler
+        return
+    with ExitStack() as opened:
+        try:
+            if scheduler is None:
+                refuse_unguarded()
+                scheduler = opened.enter_context(
+                    distributed.LocalCluster(
+                        n_workers=workers, threads_per_worker=1, dashboard_address=":0", silence_logs=logging.CRITICAL
+                    )
+                )
+            elif isinstance(scheduler, (str, distributed.deploy.Cluster)):
+                _refuse_workers(workers)
+            else:
+                raise _unknown(scheduler)
+            client = opened.enter_context(distributed.Client(scheduler))
+        except (RuntimeError, OSError, ValueError) as error:
+            if isinstance(error, RequestError):
+                raise
+            why = printable(str(error).strip().splitlines()[0]) if str(error).strip() else type(error).__name__
+            raise RequestError("usage", f"no workers of Dask: {why}", keywords=("scheduler",)) from error
+        _tell(client)
+        yield client
+
+
+def _unknown(scheduler: Any) -> RequestError:
+    kinds = f"None, an address, a client or cluster of Dask, an executor, or {HERE!r}"
+    return RequestError("usage", f"scheduler is {type(scheduler).__name__}, expected {kinds}", keywords=("scheduler",))
+
+
+def _cores() -> int:
+    """How many this program may use: a job on a cluster often has few of many."""
+    return len(os.sched_getaffinity(0)) if sys.platform == "linux" else os.cpu_count() or 1
+
+
+def _refuse_workers(workers: int | None) -> None:
+    if workers is not None:
+        raise RequestError(
+            "usage", "workers is for this machine alone: what was given has its own", keywords=("workers",)
+        )
+
+
+def _tell(client: Any) -> None:
+    """The dashboard's address; Dask has one where bokeh is installed."""
+    if importlib.util.find_spec("bokeh") is not None:
+        log.info("Dask's dashboard: %s", client.dashboard_link)

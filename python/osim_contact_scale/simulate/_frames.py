@@ -1,0 +1,80 @@
+"""Messages between a worker and the process that it has its models simulated in: a length of eight bytes, then a pickle."""
+
+from __future__ import annotations
+
+import os
+import pickle
+import struct
+from typing import Any
+
+_LENGTH = struct.Struct("<Q")
+
+#: Where it can, a system copies a process that has OpenSim already; elsewhere each model waits for OpenSim's start.
+CAN_FORK = hasattr(os, "fork")
+
+
+def frame(message: Any) -> bytes:
+    """A message as bytes."""
+    body = pickle.dumps(message, protocol=pickle.HIGHEST_PROTOCOL)
+    return _LENGTH.pack(len(body)) + body
+
+
+def send(descriptor: int, message: Any) -> None:
+    """Writes a whole message.
+
+    Raises
+    ------
+    OSError
+        Nobody reads it any more.
+    """
+    rest = memoryview(frame(message))
+    while rest:
+        rest = rest[os.write(descriptor, rest) :]
+
+
+def receive(descriptor: int) -> Any:
+    """Waits for a message.
+
+    Raises
+    ------
+    EOFError
+        The other side has ended before the message was whole.
+    """
+    (length,) = _LENGTH.unpack(_exactly(descriptor, _LENGTH.size))
+    return pickle.loads(_exactly(descriptor, length))
+
+
+def _exactly(descriptor: int, length: int) -> bytes:
+    parts = bytearray()
+    while len(parts) < length:
+        part = os.read(descriptor, min(length - len(parts), 1 << 20))
+        if not part:
+            raise EOFError
+        parts += part
+    return bytes(parts)
+
+
+class Pieces:
+    """Messages that arrive in pieces, for those who cannot wait for them."""
+
+    def __init__(self, first: bytes = b"") -> None:
+        self._bytes = bytearray(first)
+
+    def add(self, piece: bytes) -> None:
+        """What was read."""
+        self._bytes += piece
+
+    def whole(self) -> bool:
+        """Whether a message is there."""
+        return len(self._bytes) >= _LENGTH.size and len(self._bytes) >= self._end()
+
+    def message(self) -> Any:
+        """Takes the first message out, once it is whole."""
+        end = self._end()
+        message = pickle.loads(self._bytes[_LENGTH.size : end])
+        del self._bytes[:end]
+        return message
+
+    def _end(self) -> int:
+        (length,) = _LENGTH.unpack_from(self._bytes)
+        return _LENGTH.size + int(length)

@@ -1,0 +1,83 @@
+"""Programs that start processes must say which part of them is the program, and which part each process may import."""
+
+from __future__ import annotations
+
+import ast
+import multiprocessing
+import os
+import sys
+from types import FrameType
+
+from .._errors import RequestError
+
+_MESSAGE = (
+    '{file}, line {line}: put this call under `if __name__ == "__main__":`, '
+    "because each worker imports the file and would run it again"
+)
+
+#: In the environment of a process in which models run, and of all that it starts.
+WITHIN = "OSIM_CONTACT_SCALE_WITHIN_A_RUN"
+
+
+def refuse_within() -> None:
+    """Refuses a run that a task begins, or a module that a task imports: each of its models would begin another one.
+
+    Raises
+    ------
+    RequestError
+        It is one.
+    """
+    if WITHIN in os.environ:
+        message = (
+            'a task cannot begin a run; a module that begins one needs `if __name__ == "__main__":` before the call'
+        )
+        raise RequestError("usage", message)
+
+
+def refuse_unguarded() -> None:
+    """Ends a program that calls `run` from its top level without the guard, before it starts a process.
+
+    Raises
+    ------
+    SystemExit
+        With one line.
+    """
+    if getattr(multiprocessing.current_process(), "_inheriting", False):
+        # A worker that imports the program: its calls are not for it.
+        raise SystemExit(1)
+    main = sys.modules.get("__main__")
+    file = getattr(main, "__file__", None)
+    if file is None:
+        return  # A prompt or a notebook: there is nothing that a worker could import.
+    if not os.path.exists(file):
+        raise SystemExit('a program from the standard input has no file for workers: save it, or say scheduler="here"')
+    frame: FrameType | None = sys._getframe()
+    while frame is not None:
+        if frame.f_globals is vars(main) and frame.f_code.co_name == "<module>":
+            _refuse(frame, file)
+        frame = frame.f_back
+
+
+def _refuse(frame: FrameType, file: str) -> None:
+    try:
+        with open(file, "rb") as text:
+            tree = ast.parse(text.read())
+    except (OSError, SyntaxError, ValueError):
+        return
+    line = frame.f_lineno
+    if not any(isinstance(part, ast.If) and _guards(part, line) for part in ast.walk(tree)):
+        raise SystemExit(_MESSAGE.format(file=os.path.basename(file), line=line))
+
+
+def _guards(part: ast.If, line: int) -> bool:
+    """Whether this line of the program runs only where `__name__` is `"__main__"`."""
+    for test in ast.walk(part.test):
+        if isinstance(test, ast.Compare) and {"__name__", "__main__"} <= set(_words(test)):
+            inside = part.body if isinstance(test.ops[0], ast.Eq) else part.orelse
+            return any(statement.lineno <= line <= (statement.end_lineno or 0) for statement in inside)
+    return False
+
+
+def _words(test: ast.AST) -> list[str]:
+    names = [part.id for part in ast.walk(test) if isinstance(part, ast.Name)]
+    return names + [str(part.value) for part in ast.walk(test) if isinstance(part, ast.Constant)]

@@ -1,0 +1,70 @@
+"""One model to simulate, and what came of it: what goes to a worker and back."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal, NamedTuple
+
+#: How a run of a model ended.
+#:
+#: `done`: the task returned. `failed`: it raised an error, or returned something that is no row. `crashed`: its process died. `time limit`:
+#: its process was ended. `lost`: the worker died with it, again and again. `refused`: it was not started.
+Status = Literal["done", "failed", "crashed", "time limit", "lost", "refused"]
+
+#: Columns of a table of results beside those of its points and the numbers of the task.
+OWN = ("key", "status", "error")
+
+Value = float | int | str | bool | None
+
+
+@dataclass(frozen=True)
+class Versions:
+    """Of what results depend on."""
+
+    opensim: str
+    package: str
+
+
+@dataclass(frozen=True)
+class Job:
+    """One model and what is done with it."""
+
+    #: Of the run that it is part of: processes are not shared by runs, because the second one may have another version of a module.
+    run: str
+    key: str
+    path: str
+    #: SHA-256 of the model's bytes, as they were when the key was made.
+    digest: str
+    values: Mapping[str, Any]
+    #: The task by cloudpickle, and where Python looks for its modules.
+    task: bytes
+    modules: tuple[str, ...]
+    versions: Versions
+    #: Seconds.
+    time_limit: float | None
+
+
+class Known(NamedTuple):
+    """What became of a row in this run or an earlier one."""
+
+    status: Status
+    time_limit: float | None
+
+
+@dataclass(slots=True)
+class Outcome:
+    """What came of a job."""
+
+    key: str
+    status: Status
+    error: str | None = None
+    numbers: dict[str, Value] = field(default_factory=dict)
+    series: dict[str, list[float]] = field(default_factory=dict)
+    #: Of the task alone, and of its process from its start to its end; in s.
+    task_seconds: float | None = None
+    process_seconds: float | None = None
+    #: The most memory that the process had; in MB.
+    memory_mb: float | None = None
+    host: str | None = None
+    time_limit: float | None = None

@@ -1,0 +1,96 @@
+"""The tables at the end of a run: every point with what came of it."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+
+from .._cells import to_cell
+from ._job import OWN, Outcome
+from ._points import Point
+from ._store import replace
+
+TABLE = "table"
+RUNS = "runs.csv"
+
+_RUN = ("key", "status", "task_seconds", "process_seconds", "memory_mb", "host", "time_limit")
+
+
+def joined(points: Sequence[Point], keys: Mapping[int, str], rows: Mapping[str, Outcome]) -> pd.DataFrame:
+    """A row for each point in their order: its columns, key, status, error, and the task's numbers. Points without a row have no status.
+
+    A number that is called like a column of the points has `_result` added to its name.
+    """
+    found = [rows.get(keys.get(point.row, "")) for point in points]
+    ours = {name: None for point in points for name in point.values}
+    numbers: dict[str, str] = {}
+    for row in found:
+        for name in row.numbers if row is not None else ():
+            if name not in numbers:
+                numbers[name] = _free(name, {*ours, *OWN, *numbers.values()})
+    return pd.DataFrame(
+        [_record(point, keys.get(point.row), row, numbers) for point, row in zip(points, found)],
+        columns=[*ours, *OWN, *numbers.values()],
+    )
+
+
+def _free(name: str, taken: set[str]) -> str:
+    """A name for a column that no other one has."""
+    while name in taken:
+        name = f"{name}_result"
+    return name
+
+
+def _record(point: Point, key: str | None, row: Outcome | None, numbers: Mapping[str, str]) -> dict[str, Any]:
+    record = {**point.values, "key": key}
+    if row is not None:
+        record.update(
+            status=row.status, error=row.error, **{numbers[name]: value for name, value in row.numbers.items()}
+        )
+    return record
+
+
+def runs_of(rows: Mapping[str, Outcome]) -> pd.DataFrame:
+    """How long each run of a model took, where, and with how much memory: what differs from time to time."""
+    records = [{name: getattr(row, name) for name in _RUN} for row in rows.values()]
+    return pd.DataFrame(records, columns=list(_RUN))
+
+
+def write_tables(folder: Path, table: pd.DataFrame, runs: pd.DataFrame) -> None:
+    """`table.csv` and `table.parquet`, the same bytes however often the run was interrupted, and `runs.csv`.
+
+    Raises
+    ------
+    OutputError
+        One of them cannot be written. An older one stays.
+    """
+    replace(folder / f"{TABLE}.csv", lambda path: _write_csv(path, table))
+    replace(folder / f"{TABLE}.parquet", lambda path: _plain_types(table).to_parquet(path, index=False))
+    replace(folder / RUNS, lambda path: _write_csv(path, runs))
+
+
+def _write_csv(path: Path, table: pd.DataFrame) -> None:
+    texts = {name: table[name].map(_cell) for name in table.columns if table[name].dtype.kind not in "ifb"}
+    table.assign(**texts).to_csv(path, index=False, lineterminator="\n", quoting=csv.QUOTE_MINIMAL)
+
+
+def _cell(value: Any) -> Any:
+    return to_cell(value) if isinstance(value, str) else value
+
+
+def _plain_types(table: pd.DataFrame) -> pd.DataFrame:
+    """Parquet has one type in a column: where numbers and texts meet, all are texts."""
+    mixed = {
+        name: table[name].map(lambda value: None if pd.isna(value) else str(value))
+        for name in table.columns
+        if len({_kind(value) for value in table[name] if not pd.isna(value)}) > 1
+    }
+    return table.assign(**mixed)
+
+
+def _kind(value: Any) -> str:
+    return "number" if isinstance(value, (int, float)) and not isinstance(value, bool) else type(value).__name__

@@ -1,0 +1,57 @@
+"""What a server has loaded: OpenSim, and the task of its jobs."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from typing import Any
+
+from .. import _native
+from ._job import Job, Versions
+
+
+class Loaded:
+    """OpenSim, if it is there, and the last task."""
+
+    def __init__(self) -> None:
+        self.versions = Versions(_opensim(), _native.VERSION)
+        self._bytes: bytes | None = None
+        self._task: Callable[..., Any] | None = None
+        self._error: BaseException | None = None
+
+    def task(self, job: Job) -> Callable[..., Any] | None:
+        """The task of a job; None where it cannot be loaded."""
+        if job.task != self._bytes:
+            self._bytes, self._task, self._error = job.task, None, None
+            try:
+                self._task = _loaded(job)
+            except BaseException as error:
+                # A module may end its process, too.
+                self._error = error
+        return self._task
+
+    @property
+    def error(self) -> BaseException | None:
+        """Why the last task could not be loaded."""
+        return self._error
+
+
+def _opensim() -> str:
+    """OpenSim's version; empty where it is not installed: a task may need none."""
+    try:
+        import opensim
+    except ImportError:
+        return ""
+    # Else it writes opensim.log into each folder that a task is run in.
+    opensim.Logger.removeFileSink()
+    opensim.Logger.setLevelString("Error")
+    return str(opensim.GetVersion())
+
+
+def _loaded(job: Job) -> Callable[..., Any]:
+    import cloudpickle
+
+    # Modules beside the program that asked for the run: found here as there, after those of the library.
+    sys.path.extend(folder for folder in job.modules if folder not in sys.path)
+    task: Callable[..., Any] = cloudpickle.loads(job.task)
+    return task

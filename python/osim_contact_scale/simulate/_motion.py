@@ -1,0 +1,156 @@
+"""The motion of a falling body, followed by OpenSim's integrator."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from ._root import root
+from ._scene import Scene
+
+#: Into how many parts the time around the largest force is divided, and how often.
+_PARTS, _TIMES = 16, 3
+#: Share of R within which a height is 0.
+_NO_HEIGHT = 1e-13
+
+
+@dataclass(frozen=True)
+class Moment:
+    """What is needed to go on from a state."""
+
+    time_s: float
+    values: Any
+
+
+@dataclass(frozen=True)
+class Event:
+    """A crossing of height 0."""
+
+    time_s: float
+    speed_m_s: float
+
+
+@dataclass
+class Record:
+    """What was seen of a motion."""
+
+    series: dict[str, list[float]] = field(default_factory=dict)
+    peak_force_n: float = 0.0
+    peak_time_s: float = 0.0
+    touch: Event | None = None
+    lift_off: Event | None = None
+
+
+class Motion:
+    """Integrates a scene from its state, by Runge-Kutta-Merson with a relative `accuracy`."""
+
+    def __init__(self, scene: Scene, accuracy: float) -> None:
+        self._scene, self._accuracy = scene, accuracy
+        self._state = scene.opensim.State(scene.state)
+        self._manager: Any = None
+        self.start = self.moment(scene.state)
+
+    def moment(self, state: Any) -> Moment:
+        """A moment that the motion can begin again from."""
+        return Moment(state.getTime(), self._scene.opensim.Vector(state.getY()))
+
+    def begin(self, moment: Moment) -> Any:
+        """Goes on from there; states that it has given before are no longer valid."""
+        opensim, state = self._scene.opensim, self._state
+        state.setTime(moment.time_s)
+        state.setY(moment.values)
+        manager = opensim.Manager(self._scene.model)
+        manager.setWriteToStorage(False)
+        manager.setPerformAnalyses(False)
+        manager.setIntegratorMethod(opensim.Manager.IntegratorMethod_RungeKuttaMerson)
+        manager.setIntegratorAccuracy(self._accuracy)
+        manager.initialize(state)
+        self._manager = manager
+        return state
+
+    def to(self, time_s: float) -> Any:
+        """The state at a later time; valid until the next one."""
+        return self._manager.integrate(time_s)
+
+    def again(self, moment: Moment, time_s: float) -> Any:
+        """The state at a time, from an earlier moment."""
+        state = self.begin(moment)
+        return self.to(time_s) if time_s > moment.time_s else state
+
+
+class Observer:
+    """Follows a motion from stop to stop: fills series, sees where the ground is touched and left, and the largest force.
+
+    Parameters
+    ----------
+    columns : dict
+        What is recorded: names of series, and functions of a state.
+    """
+
+    def __init__(self, scene: Scene, motion: Motion, columns: Mapping[str, Callable[[Any], float]]) -> None:
+        self._scene, self._motion, self._columns = scene, motion, columns
+        self.record = Record(series={name: [] for name in ("time_s", *columns)})
+
+    def follow(self, duration_s: float, samples: int, longest_s: float) -> Record:
+        """The record of a motion, with `samples` points at equal steps, both ends included; stops are at most `longest_s` apart."""
+        stops = max(1, -int(-duration_s / (samples - 1) // longest_s))
+        count = (samples - 1) * stops
+        state = self._motion.begin(self._motion.start)
+        height, before = self._scene.lowest_m(state), [self._motion.start] * 2
+        if height <= 0:
+            self.record.touch = Event(0.0, 0.0)
+        self._sample(0.0, state)
+        around = (self._motion.start, 0.0)
+        for number in range(1, count + 1):
+            time = duration_s * (number / count)
+            state = self._motion.to(time)
+            now = self._motion.moment(state)
+            last, height = height, self._scene.lowest_m(state)
+            force = self._scene.force_n(state)
+            if force > self.record.peak_force_n:
+                self.record.peak_force_n, self.record.peak_time_s = force, time
+                around = (before[0], duration_s * min((number + 1) / count, 1.0))
+            if number % stops == 0:
+                self._sample(time, state)
+            if (last > 0) != (height > 0) and self.record.lift_off is None:
+                self._cross(before[1], time, upward=height > 0)
+                self._motion.begin(now)
+            before = [before[1], now]
+        if self.record.peak_force_n > 0:
+            self._look_closer(*around)
+        return self.record
+
+    def _sample(self, time: float, state: Any) -> None:
+        self.record.series["time_s"].append(time)
+        for name, value in self._columns.items():
+            self.record.series[name].append(value(state))
+
+    def _cross(self, before: Moment, until: float, *, upward: bool) -> None:
+        """Finds when height 0 was crossed. Only the first contact counts."""
+
+        def height(at: float) -> float:
+            return self._scene.lowest_m(self._motion.again(before, at))
+
+        time, close = until, _NO_HEIGHT * self._scene.reference_radius_m
+        # With a last step of another length, it may be on the other side still, by rounding.
+        if (height(until) > 0) == upward:
+            time = root(height, before.time_s, until, close=close)
+        event = Event(time, self._scene.speed_m_s(self._motion.again(before, time)))
+        if not upward:
+            self.record.touch = event
+        else:
+            self.record.lift_off = event
+
+    def _look_closer(self, before: Moment, until: float) -> None:
+        """The largest force is between stops."""
+        for _ in range(_TIMES):
+            moments, forces = [before], [self._scene.force_n(self._motion.begin(before))]
+            for number in range(1, _PARTS + 1):
+                state = self._motion.to(before.time_s + (until - before.time_s) * number / _PARTS)
+                moments.append(self._motion.moment(state))
+                forces.append(self._scene.force_n(state))
+            best = max(range(len(forces)), key=forces.__getitem__)
+            if forces[best] > self.record.peak_force_n:
+                self.record.peak_force_n, self.record.peak_time_s = forces[best], moments[best].time_s
+            before, until = moments[max(best - 1, 0)], moments[min(best + 1, _PARTS)].time_s

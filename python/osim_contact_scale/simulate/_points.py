@@ -1,0 +1,100 @@
+"""The models of a run: a row of a table for each."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from .._errors import RequestError
+from .._rows import rows_of
+from .._sweep import Sweep
+from .._text import printable
+from ._job import OWN, Value
+from ._table_file import rows_of_file
+from ._values import cell_of
+
+
+@dataclass(frozen=True)
+class Point:
+    """One model and what is known of it."""
+
+    #: Row of the table, from 1.
+    row: int
+    #: The model's file, as a whole path.
+    path: str
+    #: Its row, without the path.
+    values: Mapping[str, Any]
+
+
+def points_of(given: Any) -> list[Point]:
+    """The points of a `Sweep`, of a file of CSV, or of a table with a column `path`.
+
+    In a file, `path` may also be called `file`; both are relative to the folder of the table.
+
+    Raises
+    ------
+    RequestError
+        There is no such column, or a row without a path.
+    OSError
+        The file cannot be read.
+    """
+    if isinstance(given, Sweep):
+        if given.manifest is None:
+            raise RequestError("usage", "points: this sweep made no models", keywords=("points",))
+        given = given.manifest
+    if isinstance(given, (str, os.PathLike)):
+        table = Path(given)
+        return _points(rows_of_file(table), table.parent, printed=printable(str(table)))
+    return _points(rows_of(given), Path.cwd(), printed="points")
+
+
+def _points(rows: Sequence[Mapping[str, Any]], folder: Path, printed: str) -> list[Point]:
+    if not rows:
+        raise RequestError("usage", f"{printed}: it has no rows", keywords=("points",))
+    for column in rows[0]:
+        if column in OWN:
+            message = f"{printed}: the column {column!r} is one of those that results have: leave out {', '.join(OWN)}"
+            raise RequestError("usage", message, keywords=("points",))
+    return [_point(number, row, folder, printed) for number, row in enumerate(rows, 1)]
+
+
+def _point(number: int, row: Mapping[str, Any], folder: Path, printed: str) -> Point:
+    column = next((name for name in ("path", "file") if name in row), None)
+    if column is None:
+        message = f"{printed}: expected a column path (or file) with the files of the models"
+        raise RequestError("usage", message, keywords=("points",))
+    path = row[column]
+    if not isinstance(path, (str, os.PathLike)) or not os.fspath(path):
+        raise RequestError("usage", f"{printed}: row {number} has no {column}", keywords=("points",))
+    values = {
+        name: _cell(value, f"{printed}: row {number}, column {name!r}") for name, value in row.items() if name != "path"
+    }
+    return Point(number, os.path.abspath(folder / os.fsdecode(path)), values)
+
+
+def _cell(value: Any, place: str) -> Value:
+    try:
+        return cell_of(value)
+    except (TypeError, ValueError) as error:
+        raise RequestError("usage", f"{place}: {error}", keywords=("points",)) from None
+
+
+def shard_of(points: list[Point], shard: str | None) -> list[Point]:
+    """Those of one share: `"2/8"` is the second of eight, every eighth point from the second on.
+
+    Raises
+    ------
+    RequestError
+        It is not of this kind.
+    """
+    if shard is None:
+        return points
+    first, _, count = str(shard).partition("/")
+    if not (first.isdecimal() and count.isdecimal() and 1 <= int(first) <= int(count)):
+        raise RequestError(
+            "usage", f"shard={shard!r}: expected I/N with I from 1 to N, such as 2/8", keywords=("shard",)
+        )
+    return points[int(first) - 1 :: int(count)]

@@ -1,0 +1,45 @@
+"""The height at which contacts carry a body at rest."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ._contacts import refusal
+from ._root import root
+from ._scene import Scene
+
+#: Share of the body weight within which a force equals it.
+_CLOSE = 1e-12
+#: Radii that a body may sink in.
+_DEEPEST = 1e6
+
+
+def resting_height(scene: Scene, state: Any) -> float:
+    """Height of the lowest sphere's lowest point above the ground at which ΣF = M g at speed 0, m; below 0 it is pressed in.
+
+    The state is left at that height.
+
+    Raises
+    ------
+    ModelError
+        The contacts do not carry the body at any height.
+    """
+
+    def surplus(depth: float) -> float:
+        scene.place(state, -depth)
+        return scene.force_n(state) - scene.weight_n
+
+    radius = scene.reference_radius_m
+    # A smoothed force acts before contact, too: it may carry a light body above the ground.
+    above, below = 0.0, 0.1 * radius
+    while surplus(above) > 0:
+        above = -2 * (0.1 * radius - above)
+        if above < -_DEEPEST * radius:
+            raise refusal("the contact forces carry more than the body weight wherever it is")
+    while surplus(below) < 0:
+        below *= 2
+        if below > _DEEPEST * radius:
+            raise refusal("the contact forces do not carry the body weight however deep it sinks: is the stiffness 0?")
+    depth = root(surplus, above, below, close=_CLOSE * scene.weight_n)
+    scene.place(state, -depth)
+    return -depth

@@ -1,0 +1,110 @@
+"""A run: every point of a table through a task."""
+
+from __future__ import annotations
+
+import uuid
+from pathlib import Path
+from typing import Any
+
+from .._errors import RequestError
+from .._progress import Progress, following
+from .._text import printable
+from ._executors import executor_of
+from ._guard import refuse_within
+from ._join import joined, runs_of, write_tables
+from ._points import points_of, shard_of
+from ._queue import Again, Queue
+from ._results import Results
+from ._store import Store, known_in, rows_in
+from ._task import task_of
+
+
+def run(
+    points: Any,
+    task: Any,
+    *,
+    results: str | Path,
+    scheduler: Any = None,
+    workers: int | None = None,
+    resume: bool = False,
+    retry_failed: bool = False,
+    time_limit: float | None = None,
+    shard: str | None = None,
+    progress: Progress = False,
+) -> Results:
+    """Runs a task on every model of a table, each in a process of its own that has OpenSim.
+
+    Parameters
+    ----------
+    points : Sweep, path, DataFrame or list of dict
+        What `ocs.sweep` gave, a table in CSV such as its manifest, or rows with a column `path`. In a file the column may be called `file`;
+        paths are relative to the table's folder.
+    task : Drop, Stand, Function or callable
+        What is done with each model. See `Function` for functions of yours.
+    results : path
+        The folder for parts and tables.
+    scheduler : optional
+        None for Dask's `LocalCluster`; a scheduler's address; a `distributed.Client` or a cluster such as `dask_jobqueue.SLURMCluster`; any
+        executor of `concurrent.futures`; or `"here"` for threads of this program, without Dask.
+    workers : int, optional
+        How many models are simulated at the same time on this machine; all cores by default.
+    resume : bool, optional
+        Go on in a folder that has results: rows whose key is there are kept.
+    retry_failed : bool, optional
+        With `resume`, do rows again that failed or crashed. Those that were lost or refused, or that had a shorter time limit, are
+        always done again.
+    time_limit : float, optional
+        Seconds that one model may take; then its process is ended.
+    shard : str, optional
+        `"2/8"`: only the second share of eight, for job arrays. Tables are written when no shard is named.
+    progress : bool or callable, optional
+        Show a bar (where tqdm is there), or call this with 1 and whether it failed for each model.
+
+    Returns
+    -------
+    Results
+        A row for each point. What went wrong with a model is in its row.
+
+    Raises
+    ------
+    RequestError
+        The call is wrong: found before anything is simulated.
+    WorkersLost
+        The scheduler or the pool ended. What was done is kept.
+    OutputError
+        Results cannot be written. What was written is kept.
+    """
+    refuse_within()
+    _refuse_numbers(time_limit, workers)
+    wanted = points_of(points)
+    what = task_of(task)
+    what.refuse_other_columns(wanted[0].values)
+    wanted = shard_of(wanted, shard)
+    folder = Path(results).absolute()
+    known = known_in(folder)
+    if known and not resume:
+        message = f"{printable(str(folder))} has results already: say resume=True to go on, or name another folder"
+        raise RequestError("usage", message, keywords=("results", "resume"))
+    name = uuid.uuid4().hex
+    with executor_of(scheduler, workers, name) as executor, following(progress, "simulate", len(wanted)) as callback:
+        store = Store(folder)
+        again = Again(failed=retry_failed, time_limit=time_limit)
+        queue = Queue(name, executor, what, store, known, again, callback)
+        try:
+            queue.do(wanted)
+        finally:
+            store.flush()
+    store.merge()
+    rows = rows_in(folder, set(queue.keys.values()))
+    table = joined(wanted, queue.keys, rows)
+    runs = runs_of(rows)
+    if shard is None:
+        write_tables(folder, table, runs)
+    return Results(folder, table, runs)
+
+
+def _refuse_numbers(time_limit: Any, workers: Any) -> None:
+    if time_limit is not None and (isinstance(time_limit, (bool, str)) or not time_limit > 0):
+        raise RequestError("usage", f"time_limit={time_limit!r}: expected seconds above 0", keywords=("time_limit",))
+    if workers is not None and (isinstance(workers, bool) or not isinstance(workers, int) or workers < 1):
+        raise RequestError("usage", f"workers={workers!r}: expected a whole number from 1", keywords=("workers",))

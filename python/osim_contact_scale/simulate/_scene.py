@@ -1,0 +1,228 @@
+"""A whole model in OpenSim, its contact spheres above the ground, and the coordinate that lifts it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from typing import Any
+
+import numpy as np
+
+from .._errors import ContactScaleError, ModelError
+from ._contacts import Contact, base_of, refusal, without_constant
+from ._placed import Array, Ball, Pose, vector
+
+#: How far a coordinate is moved to see what it does; in m, or in rad.
+_TRIAL = 0.1
+#: Differences of places in m, and of directions, that are none.
+_NONE = 1e-9
+#: How far a half-space may be from level, in rad. A right angle is written as 1.5708 in some models.
+_LEVEL = 1e-3
+
+
+def quiet_opensim() -> Any:
+    """OpenSim, from now on without messages and without its log file in this process."""
+    import opensim
+
+    # With its first message it makes opensim.log, in the folder that the process is in.
+    opensim.Logger.removeFileSink()
+    opensim.Logger.setLevelString("Off")
+    return opensim
+
+
+@contextmanager
+def errors_of(path: str, doing: str) -> Iterator[None]:
+    """Names the file in errors about it; OpenSim's exceptions are of many kinds."""
+    try:
+        yield
+    except ContactScaleError as error:
+        if error.path is not None:
+            raise
+        raise ModelError(error.code, error.message, path=path) from None
+    except Exception as error:
+        reason = " ".join(str(error).split())
+        raise ModelError("simulation", f"OpenSim could not {doing}: {reason}", path=path) from error
+
+
+def opened(opensim: Any, path: str) -> Any:
+    """The model of a file.
+
+    Raises
+    ------
+    ModelError
+        OpenSim cannot read it, or not connect its parts.
+    """
+    with errors_of(path, "read this model"):
+        model = opensim.Model(os.path.abspath(path))
+        model.finalizeConnections()
+    return model
+
+
+class Scene:
+    """A model at its default pose that can be lifted, and what its contacts do.
+
+    Lengths in m, forces in N, masses in kg. Methods realize the states that they are given as far as they need it.
+
+    Raises
+    ------
+    ModelError
+        There is no gravity, no coordinate that lifts the body, no sphere on it, or no level ground.
+    """
+
+    def __init__(self, opensim: Any, model: Any, contacts: Sequence[Contact]) -> None:
+        self.opensim, self.model, self.contacts = opensim, model, contacts
+        self.gravity_m_s2, self.up = _up(model)
+        self._up = tuple(map(float, self.up))
+        self.state = model.initSystem()
+        model.realizePosition(self.state)
+        self.lift, self.per_metre, self.moving = self._lifting()
+        self.mass_kg = float(sum(body.getMass() for body in self.moving))
+        if not self.mass_kg > 0:
+            raise refusal("the bodies that the contact spheres are on have no mass")
+        self.balls = self._balls()
+
+    @property
+    def weight_n(self) -> float:
+        """M g."""
+        return self.mass_kg * self.gravity_m_s2
+
+    @property
+    def reference_radius_m(self) -> float:
+        """R = √(Σ R²/n), which lengths are divided by."""
+        return float(np.sqrt(np.mean([ball.radius_m**2 for ball in self.balls])))
+
+    @property
+    def reference_time_s(self) -> float:
+        """√(R/g), which times are divided by."""
+        return float(np.sqrt(self.reference_radius_m / self.gravity_m_s2))
+
+    def heights_m(self, state: Any) -> list[float]:
+        """Of the lowest point of each sphere above the ground."""
+        self.model.realizePosition(state)
+        return [ball.height_m(state) for ball in self.balls]
+
+    def lowest_m(self, state: Any) -> float:
+        """Of the lowest of these points."""
+        return min(self.heights_m(state))
+
+    def force_n(self, state: Any) -> float:
+        """Of all contacts on the body, upwards.
+
+        Raises
+        ------
+        ModelError
+            It is not a number.
+        """
+        self.model.realizeDynamics(state)
+        total = sum(contact.force_n(state, self._up) for contact in self.contacts)
+        if not np.isfinite(total):
+            zero = ", ".join(without_constant(self.contacts))
+            why = f": constant_contact_force is 0, and nothing slips (in {zero})" if zero else ""
+            raise refusal(f"OpenSim's contact force is not a number{why}")
+        return total
+
+    def speed_m_s(self, state: Any) -> float:
+        """Of the centre of mass, upwards."""
+        self.model.realizeVelocity(state)
+        return self._mean(lambda body: body.findStationVelocityInGround(state, body.getMassCenter()))
+
+    def com_height_m(self, state: Any) -> float:
+        """Of the centre of mass above the ground."""
+        self.model.realizePosition(state)
+        return (
+            self._mean(lambda body: body.findStationLocationInGround(state, body.getMassCenter()))
+            - self.balls[0].level_m
+        )
+
+    def _mean(self, of_body: Callable[[Any], Any]) -> float:
+        """Of a vector of each body, upwards, weighted by mass."""
+        parts = (body.getMass() * float(vector(of_body(body)) @ self.up) for body in self.moving)
+        return float(sum(parts)) / self.mass_kg
+
+    def place(self, state: Any, height_m: float) -> None:
+        """Puts the lowest point of the lowest sphere at a height above the ground; the pose stays."""
+        self.lift.setLocked(state, False)
+        away = height_m - self.lowest_m(state)
+        self.lift.setValue(state, self.lift.getValue(state) + away * self.per_metre, False)
+        # A copy of a state that is not realized may keep where frames were before.
+        self.model.realizePosition(state)
+
+    def _lifting(self) -> tuple[Any, float, list[Any]]:
+        """The coordinate that lifts all spheres straight up, how much of it lifts them by 1 m, and the bodies that it lifts."""
+        bodies = _bodies(self.opensim, self.model)
+        before = [Pose.in_ground(body, self.state) for body in bodies]
+        on = {base_of(sphere).getAbsolutePathString() for contact in self.contacts for sphere in contact.spheres}
+        coordinates = self.model.getCoordinateSet()
+        for place in range(coordinates.getSize()):
+            coordinate = coordinates.get(place)
+            after = self._tried(coordinate, bodies)
+            moved = [number for number, poses in enumerate(zip(before, after)) if _is_moved(*poses)]
+            carries = any(bodies[number].getAbsolutePathString() in on for number in moved)
+            risen = _risen([(before[number], after[number]) for number in moved], self.up) if carries else None
+            if risen is not None:
+                return coordinate, _TRIAL / risen, [bodies[number] for number in moved]
+        expected = "expected a joint between ground and the body that leaves it free to move up and down"
+        raise refusal(f"no coordinate lifts the contact spheres straight against gravity: {expected}")
+
+    def _tried(self, coordinate: Any, bodies: Sequence[Any]) -> list[Pose]:
+        """Where bodies are with this coordinate changed."""
+        trial = self.opensim.State(self.state)
+        coordinate.setLocked(trial, False)
+        coordinate.setValue(trial, coordinate.getValue(trial) + _TRIAL, False)
+        self.model.realizePosition(trial)
+        return [Pose.in_ground(body, trial) for body in bodies]
+
+    def _balls(self) -> list[Ball]:
+        """The spheres, each once, above ground that does not move."""
+        moving = {body.getAbsolutePathString() for body in self.moving}
+        balls: dict[str, Ball] = {}
+        for contact in self.contacts:
+            floors = [floor for floor in contact.floors if base_of(floor).getAbsolutePathString() not in moving]
+            for sphere in contact.spheres:
+                if not floors or base_of(sphere).getAbsolutePathString() not in moving:
+                    names = f"the sphere {sphere.getName()} of {contact.force.getName()}"
+                    raise refusal(
+                        f"{names} is not on the body that moves, above a half-space that does not: select others"
+                    )
+                for floor in floors:
+                    ball = Ball(self.opensim, sphere, floor, self.state)
+                    self._refuse_slope(ball)
+                    known = balls.setdefault(sphere.getAbsolutePathString(), ball)
+                    if abs(known.height_m(self.state) - ball.height_m(self.state)) > _NONE:
+                        raise refusal(
+                            f"the sphere {ball.name} meets half-spaces at different heights: select forces of one"
+                        )
+        return list(balls.values())
+
+    def _refuse_slope(self, ball: Ball) -> None:
+        if np.linalg.norm(ball.normal - self.up) > _LEVEL:
+            raise refusal(f"the half-space below {ball.name} is not level: its direction up must be against gravity")
+
+
+def _up(model: Any) -> tuple[float, Array]:
+    """g, and the direction against it."""
+    gravity = vector(model.get_gravity())
+    size = float(np.linalg.norm(gravity))
+    if not size > 0:
+        raise refusal("gravity is 0: nothing falls, and nothing has a weight")
+    return size, -gravity / size
+
+
+def _bodies(opensim: Any, model: Any) -> list[Any]:
+    """All bodies; of a loop, OpenSim divides one, and its parts are within it."""
+    found = [one for one in map(opensim.Body.safeDownCast, list(model.getComponentsList())) if one is not None]
+    return [one for one in found if one.getOwner().getConcreteClassName() != "Body"]
+
+
+def _is_moved(before: Pose, after: Pose) -> bool:
+    moved, turned = after.origin_m - before.origin_m, after.rotation - before.rotation
+    return float(np.abs(moved).max()) > _NONE or float(np.abs(turned).max()) > _NONE
+
+
+def _risen(poses: Sequence[tuple[Pose, Pose]], up: Array) -> float | None:
+    """How far they have risen, all alike; None where one was turned, or moved in another way."""
+    moves = np.array([after.origin_m - before.origin_m for before, after in poses])
+    turned = max(float(np.abs(after.rotation - before.rotation).max()) for before, after in poses)
+    risen = float(moves[0] @ up)
+    return risen if turned <= _NONE and float(np.abs(moves - risen * up).max()) <= _NONE else None

@@ -1,0 +1,221 @@
+"""The process in which a worker has its models simulated: `python -m osim_contact_scale.simulate._server`
+
+It imports OpenSim once, and copies itself for each job (fork): a model never meets what another one left in OpenSim, and a crash takes
+only its own copy along. Jobs come as messages on the standard input, outcomes leave on the standard output. With the end of the input
+it ends, and takes a running job along: nothing stays when a worker is killed.
+
+With `--once` it does one job itself and ends: for systems that cannot copy a process.
+"""
+
+from __future__ import annotations
+
+import os
+import selectors
+import shutil
+import signal
+import sys
+import tempfile
+import time
+from contextlib import suppress
+
+from .._text import printable
+from ._child import simulate
+from ._frames import Pieces, receive, send
+from ._job import Job, Outcome
+from ._loaded import Loaded
+
+#: Seconds after which it is looked whether a process has died whose pipe another one keeps open.
+_LOOK = 0.2
+
+
+def main(arguments: list[str]) -> None:
+    """Serves until the input ends."""
+    # What it has begun it ends in order, and leaves no folder.
+    signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(0))
+    requests, answers = _take_pipes()
+    loaded = Loaded()
+    send(answers, loaded.versions)
+    with suppress(EOFError, OSError):
+        if arguments == ["--once"]:
+            _once(requests, answers, loaded)
+            return
+        while True:
+            job: Job = receive(requests)
+            send(answers, _in_a_copy(job, loaded, requests, answers))
+
+
+def _take_pipes() -> tuple[int, int]:
+    """The two pipes under other numbers, so that nothing that a library prints gets between the messages."""
+    requests, answers = os.dup(0), os.dup(1)
+    nothing = os.open(os.devnull, os.O_RDWR)
+    os.dup2(nothing, 0)
+    os.dup2(nothing, 1)
+    os.close(nothing)
+    return requests, answers
+
+
+def _once(requests: int, answers: int, loaded: Loaded) -> None:
+    job: Job = receive(requests)
+    begin = time.perf_counter()
+    # The folder is removed by the worker, who made it: this process is in it, or was ended.
+    outcome = simulate(job, loaded, folder=os.getcwd())
+    outcome.process_seconds = time.perf_counter() - begin
+    send(answers, outcome)
+
+
+def _in_a_copy(job: Job, loaded: Loaded, requests: int, answers: int) -> Outcome:
+    """Does a job in a copy of this process."""
+    # The task is loaded here: copies have it, and its modules, already.
+    loaded.task(job)
+    try:
+        folder = tempfile.mkdtemp(prefix="osim-contact-scale-")
+    except OSError as error:
+        return Outcome(job.key, "refused", f"no temporary folder can be made: {error.strerror}")
+    begin = time.perf_counter()
+    try:
+        outcome = _watched(job, loaded, folder, requests, answers)
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+    outcome.process_seconds = time.perf_counter() - begin
+    return outcome
+
+
+def _watched(job: Job, loaded: Loaded, folder: str, requests: int, answers: int) -> Outcome:
+    reading, writing = os.pipe()
+    parent = os.getpid()
+    child = os.fork()
+    if child == 0:
+        _be_the_copy(job, loaded, folder, (requests, reading, answers), writing, parent)
+    os.close(writing)
+    # Here as there: which of the two comes first is not known, and both come before it is ended.
+    with suppress(OSError):
+        os.setpgid(child, child)
+    try:
+        pieces, ended_by = _wait(child, reading, requests, job.time_limit)
+    finally:
+        os.close(reading)
+        # Its whole group: programs that it started, too. Where the child is dead already, its group may still be there.
+        for end in (os.killpg, os.kill):
+            with suppress(ProcessLookupError, PermissionError):
+                end(child, signal.SIGKILL)
+        _, status, usage = os.wait4(child, 0)
+    if ended_by == "input":
+        sys.exit(0)
+    if pieces.whole():
+        outcome = _message(job, pieces)
+    elif ended_by == "time limit":
+        outcome = Outcome(job.key, "time limit", f"it did not end within {job.time_limit:g} s")
+    else:
+        outcome = Outcome(job.key, "crashed", f"its process died: {_how(status)}{_last_words(folder)}")
+    # Linux counts in kilobytes, macOS in bytes.
+    outcome.memory_mb = usage.ru_maxrss / (1e6 if sys.platform == "darwin" else 1e3)
+    return outcome
+
+
+def _message(job: Job, pieces: Pieces) -> Outcome:
+    try:
+        outcome: Outcome = pieces.message()
+    except Exception:
+        # Two processes wrote into the pipe: the task copied itself, and both went on.
+        return Outcome(job.key, "crashed", "its answer cannot be read: did the task copy its process?")
+    return outcome
+
+
+def _wait(child: int, reading: int, requests: int, limit: float | None) -> tuple[Pieces, str]:
+    """Until there is an outcome, or none will come: which of `outcome`, `death`, `time limit`, `input` it was."""
+    pieces = Pieces()
+    until = None if limit is None else time.monotonic() + limit
+    with selectors.DefaultSelector() as selector:
+        selector.register(reading, selectors.EVENT_READ)
+        selector.register(requests, selectors.EVENT_READ)
+        while True:
+            left = _LOOK if until is None else max(0.0, min(_LOOK, until - time.monotonic()))
+            ready = {key.fd for key, _ in selector.select(left)}
+            if reading in ready:
+                piece = os.read(reading, 1 << 20)
+                pieces.add(piece)
+                if pieces.whole():
+                    return pieces, "outcome"
+                if not piece:
+                    return pieces, "death"
+            elif requests in ready:
+                # A worker asks for nothing before it has its answer: this is the end of its pipe.
+                return pieces, "input"
+            elif os.waitid(os.P_PID, child, os.WEXITED | os.WNOHANG | os.WNOWAIT) is not None:
+                return pieces, _rest(selector, reading, pieces)
+            if until is not None and time.monotonic() >= until:
+                return pieces, "time limit"
+
+
+def _rest(selector: selectors.BaseSelector, reading: int, pieces: Pieces) -> str:
+    """What a copy that has ended left in its pipe, as far as it is there: another process may keep the pipe open."""
+    while reading in {key.fd for key, _ in selector.select(0)}:
+        piece = os.read(reading, 1 << 20)
+        pieces.add(piece)
+        if pieces.whole():
+            return "outcome"
+        if not piece:
+            break
+    return "death"
+
+
+def _be_the_copy(job: Job, loaded: Loaded, folder: str, others: tuple[int, ...], writing: int, parent: int) -> None:
+    """Does the job and ends, whatever happens."""
+    try:
+        signal.signal(signal.SIGTERM, signal.SIG_DFL)
+        os.setpgid(0, 0)
+        _end_with(parent)
+        for descriptor in others:
+            os.close(descriptor)
+        printed = os.open(os.path.join(folder, _PRINTED), os.O_WRONLY | os.O_CREAT | os.O_APPEND)
+        os.dup2(printed, 1)
+        os.dup2(printed, 2)
+        work = os.path.join(folder, "work")
+        os.mkdir(work)
+        os.chdir(work)
+        send(writing, simulate(job, loaded, folder=work))
+    except BaseException as error:
+        with suppress(OSError):
+            send(writing, Outcome(job.key, "failed", f"{type(error).__name__}: {error}"))
+    finally:
+        # Not sys.exit(): what the server registered for its end is not the copy's.
+        os._exit(0)
+
+
+#: What a job prints, beside its own folder.
+_PRINTED = "printed.txt"
+
+
+def _end_with(parent: int) -> None:
+    """Linux ends the copy with its server, also where that is killed; elsewhere it goes on to its own end."""
+    if sys.platform == "linux":
+        import ctypes
+
+        PR_SET_PDEATHSIG = 1
+        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+        if os.getppid() != parent:
+            os._exit(0)
+
+
+def _how(status: int) -> str:
+    code = os.waitstatus_to_exitcode(status)
+    if code >= 0:
+        return f"exit status {code}"
+    try:
+        return f"signal {-code} ({signal.Signals(-code).name})"
+    except ValueError:
+        return f"signal {-code}"
+
+
+def _last_words(folder: str) -> str:
+    """The last line that it printed."""
+    try:
+        with open(os.path.join(folder, _PRINTED), errors="replace") as file:
+            lines = [line.strip() for line in file.read()[-4096:].splitlines() if line.strip()]
+    except OSError:
+        return ""
+    return f"; it last printed: {printable(lines[-1][:500])}" if lines else ""
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

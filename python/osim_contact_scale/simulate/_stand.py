@@ -1,0 +1,86 @@
+"""The task Stand: a whole model is placed where its contact spheres carry its weight."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from ._contacts import chosen
+from ._rest import resting_height
+from ._scene import Scene, errors_of, opened, quiet_opensim
+from ._words import patterns
+
+
+@dataclass(frozen=True)
+class Stand:
+    """A whole model is placed where its contact spheres carry its weight at rest, in OpenSim.
+
+    All joints stay as they are at the default pose; the body is moved up or down until ΣF = M g at speed 0. Nothing is integrated, and
+    nothing is said of balance: the body cannot tip over. Each sphere is as deep as its own height says. Of the forces of one limb,
+    `inspect` gives the same as `relative_indentation_model_law_standing`.
+
+    Parameters
+    ----------
+    select : str or tuple of str
+        Names of contact forces that carry the body, with `*` and `?`, such as those of one foot; without, all do.
+    """
+
+    select: str | tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "select", patterns(self.select))
+
+    def __call__(self, path: str) -> tuple[dict[str, float | None], dict[str, list[float]]]:
+        """Places the model of a file: figures, and lists with one value for each sphere, in the order of the forces.
+
+        `height_m` is that of the lowest point of all spheres above the ground, `lift_m` how far the body was moved up from its default
+        pose, `residual_force_n` ΣF − M g. Each sphere has its `indentation_m` and its relative indentation x/R, below 0 where it does not
+        touch; among the figures these have the name of the sphere after them.
+
+        Raises
+        ------
+        ModelError
+            OpenSim cannot read the model, or it cannot stand: no contacts, no level ground, no gravity, no coordinate that moves it up and
+            down, contact forces that are not a number or never carry the weight.
+        """
+        opensim = quiet_opensim()
+        with errors_of(path, "place this model"):
+            model = opened(opensim, path)
+            return _placed(Scene(opensim, model, chosen(opensim, model, self.select)))
+
+
+def _placed(scene: Scene) -> tuple[dict[str, float | None], dict[str, list[float]]]:
+    start = scene.lowest_m(scene.state)
+    height = resting_height(scene, scene.state)
+    depths = [-value for value in scene.heights_m(scene.state)]
+    relative = [depth / ball.radius_m for depth, ball in zip(depths, scene.balls)]
+    figures: dict[str, float | None] = {
+        "mass_kg": scene.mass_kg,
+        "sphere_count": len(scene.balls),
+        "gravity_m_s2": scene.gravity_m_s2,
+        "weight_n": scene.weight_n,
+        "reference_radius_m": scene.reference_radius_m,
+        "height_m": height,
+        "lift_m": height - start,
+        "residual_force_n": scene.force_n(scene.state) - scene.weight_n,
+        "touching_sphere_count": sum(depth > 0 for depth in depths),
+        "least_relative_indentation": min(relative),
+        "largest_relative_indentation": max(relative),
+    }
+    for name, depth, share in zip(_names(scene), depths, relative):
+        figures[f"indentation_m_{name}"] = depth
+        figures[f"relative_indentation_{name}"] = share
+    return figures, {
+        "radius_m": [ball.radius_m for ball in scene.balls],
+        "indentation_m": depths,
+        "relative_indentation": relative,
+    }
+
+
+def _names(scene: Scene) -> list[str]:
+    """Names of the spheres as parts of columns' names: each once, in letters, digits and _."""
+    names: list[str] = []
+    for ball in scene.balls:
+        name = re.sub(r"\W", "_", ball.name)
+        names.append(name if name not in names else f"{name}_{len(names) + 1}")
+    return names

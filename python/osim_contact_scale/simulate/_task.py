@@ -1,0 +1,223 @@
+"""What is done with each model, and what its results depend on."""
+
+from __future__ import annotations
+
+import dataclasses
+import hashlib
+import inspect
+import json
+import os
+import sys
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any
+
+from .._errors import RequestError
+from ._source import Source
+
+
+class Function:
+    """A function of yours with its settings.
+
+    Parameters
+    ----------
+    function : callable
+        `function(path, **values)`: the path of a model, and those columns of the model's row that it has parameters for (with
+        `**values` all of them). It returns a dictionary of numbers, with their units in the names, or a tuple of that and a dictionary of
+        equally long series.
+    settings : dict, optional
+        Further keywords, the same for all models: numbers, texts, lists and dictionaries of them. They are part of the key of a row.
+    version : str or int, optional
+        What stands for the function in the key of a row. By default it is the function's source, with that of everything in its module
+        that it uses: another source computes all rows again. Say a version where results depend on more than that, such as another
+        file, and change it with them.
+    """
+
+    def __init__(
+        self, function: Callable[..., Any], settings: Mapping[str, Any] | None = None, version: str | int | None = None
+    ) -> None:
+        self.function = function
+        self.settings = dict(settings or {})
+        self.version = version
+
+    def __repr__(self) -> str:
+        return f"<Function {name_of(self.function)} with {self.settings}>"
+
+
+@dataclasses.dataclass(frozen=True)
+class Task:
+    """A callable, what it is given, and what stands for it in the key of a row."""
+
+    call: Callable[..., Any]
+    settings: Mapping[str, Any]
+    identity: Mapping[str, Any]
+    #: Names of columns that it takes; None for all.
+    columns: frozenset[str] | None
+    #: Names that its parameter for the path must leave to it.
+    reserved: frozenset[str]
+    #: Columns that it cannot do without.
+    needed: frozenset[str]
+    #: Modules of yours that travel with it.
+    modules: tuple[str, ...]
+
+    def values_of(self, row: Mapping[str, Any]) -> dict[str, Any]:
+        """What it is called with for this row."""
+        wanted = row if self.columns is None else {name: row[name] for name in self.columns if name in row}
+        return {**{name: value for name, value in wanted.items() if name not in self.reserved}, **self.settings}
+
+    def refuse_other_columns(self, columns: Iterable[str]) -> None:
+        """Refuses a table without the columns that it needs, or with one that a setting is called like.
+
+        Raises
+        ------
+        RequestError
+            There is such a column.
+        """
+        missing = sorted(self.needed - set(columns))
+        if missing:
+            message = f"{name_of(self.call)} needs {missing[0]!r}, which is neither a column nor a setting; there are: {', '.join(columns)}"
+            raise RequestError("usage", message, keywords=("points", "settings"))
+        both = sorted(self.settings.keys() & set(columns))
+        if both:
+            message = f"{both[0]!r} is a column of the points and a setting, too: call one of them differently"
+            raise RequestError("usage", message, keywords=("points", "settings"))
+
+    def packed(self) -> tuple[bytes, tuple[str, ...]]:
+        """The callable for another process, and where Python looks for its modules.
+
+        Raises
+        ------
+        RequestError
+            It cannot be sent.
+        """
+        import cloudpickle
+
+        folders = (os.getcwd() if not folder else os.path.abspath(folder) for folder in sys.path)
+        # What the key stands for is what travels: a worker may find another file under the same name, or an older one in its memory.
+        yours = [sys.modules[name] for name in self.modules if name in sys.modules and name != "__main__"]
+        yours = [module for module in yours if module.__name__ not in cloudpickle.list_registry_pickle_by_value()]
+        for module in yours:
+            cloudpickle.register_pickle_by_value(module)
+        try:
+            blob = cloudpickle.dumps(self.call)
+        except Exception as error:
+            message = f"{name_of(self.call)} cannot be sent to another process: {error}"
+            raise RequestError("usage", message, keywords=("task",)) from error
+        finally:
+            for module in yours:
+                cloudpickle.unregister_pickle_by_value(module)
+        return blob, tuple(folder for folder in folders if os.path.isdir(folder))
+
+
+def task_of(given: Any) -> Task:
+    """The task that was meant.
+
+    Raises
+    ------
+    RequestError
+        It cannot be called with a path, its settings are no plain values, or its source is unknown and no version was given.
+    """
+    function = given if isinstance(given, Function) else Function(given)
+    call = function.function
+    if not callable(call) or isinstance(call, type):
+        hint = ": make one, such as simulate.Drop()" if isinstance(call, type) else ""
+        raise RequestError("usage", f"task={call!r}: expected a function, or a task{hint}", keywords=("task",))
+    _refuse_other_values(function.settings)
+    identity, modules = _identity(function)
+    first, columns, needed = _parameters(call, function.settings)
+    return Task(call, function.settings, identity, columns, first, needed, modules)
+
+
+def name_of(call: Any) -> str:
+    """What a task is called."""
+    return str(getattr(call, "__qualname__", None) or type(call).__name__)
+
+
+def _identity(function: Function) -> tuple[dict[str, Any], tuple[str, ...]]:
+    call = function.function
+    if (
+        dataclasses.is_dataclass(call)
+        and not isinstance(call, type)
+        and type(call).__module__.startswith(f"{__package__}.")
+    ):
+        # A task of this package: its version is the package's.
+        return {"task": type(call).__name__, "settings": {**dataclasses.asdict(call), **function.settings}}, ()
+    if function.version is not None:
+        return {"task": name_of(call), "settings": function.settings, "version": str(function.version)}, ()
+    source = Source(call)
+    return {"task": name_of(call), "settings": function.settings, "version": source.digest}, tuple(source.modules)
+
+
+def _refuse_other_values(settings: Mapping[str, Any]) -> None:
+    for name, value in settings.items():
+        try:
+            json.dumps(value)
+        except (TypeError, ValueError):
+            message = (
+                f"settings: {name} is {type(value).__name__}, expected numbers, texts, lists or dictionaries of them"
+            )
+            raise RequestError("usage", message, keywords=("settings",)) from None
+
+
+def _parameters(
+    call: Callable[..., Any], settings: Mapping[str, Any]
+) -> tuple[frozenset[str], frozenset[str] | None, frozenset[str]]:
+    """The name of its first parameter, the columns that it takes (None for all), and those that it needs."""
+    kinds = inspect.Parameter
+    parameters = list(inspect.signature(call).parameters.values())
+    if not parameters or parameters[0].kind in (kinds.KEYWORD_ONLY, kinds.VAR_KEYWORD):
+        raise RequestError("usage", f"{name_of(call)}: its first parameter is the path of a model", keywords=("task",))
+    first = frozenset({parameters[0].name} if parameters[0].kind is kinds.POSITIONAL_OR_KEYWORD else ())
+    named = {
+        item.name: item for item in parameters[1:] if item.kind in (kinds.POSITIONAL_OR_KEYWORD, kinds.KEYWORD_ONLY)
+    }
+    takes_all = any(item.kind is kinds.VAR_KEYWORD for item in parameters)
+    unknown = sorted(name for name in settings if name in first or (name not in named and not takes_all))
+    if unknown:
+        raise RequestError("usage", f"{name_of(call)} has no parameter {unknown[0]!r}", keywords=("settings",))
+    needed = frozenset(name for name, item in named.items() if item.default is kinds.empty and name not in settings)
+    return first, None if takes_all else frozenset(named.keys() - settings.keys()), needed
+
+
+def base_of(identity: Mapping[str, Any], versions: Any) -> str:
+    """SHA-256 of what all rows of a run depend on.
+
+    Parameters
+    ----------
+    identity : dict
+        Task, settings, and source or version.
+    versions : Versions
+        Of opensim and of this package.
+    """
+    return _digest({**identity, **dataclasses.asdict(versions)})
+
+
+def key_of(digest: str, base: str, values: Mapping[str, Any]) -> str:
+    """SHA-256 of everything that a row depends on: two rows with one key have one result.
+
+    Parameters
+    ----------
+    digest : str
+        SHA-256 of the model's bytes.
+    base : str
+        What all rows of the run depend on.
+    values : dict
+        What the task is given of the model's row.
+    """
+    return _digest({"model": digest, "base": base, "values": values})
+
+
+def _digest(whole: Mapping[str, Any]) -> str:
+    return hashlib.sha256(json.dumps(_same(whole), sort_keys=True, default=str).encode()).hexdigest()
+
+
+def _same(value: Any) -> Any:
+    """Numbers in one form: what is 2 in a file may be 2.0 in a DataFrame."""
+    if isinstance(value, Mapping):
+        return {str(name): _same(item) for name, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_same(item) for item in value]
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, float) and value != value:
+        return None
+    return int(value) if isinstance(value, float) and value.is_integer() else value

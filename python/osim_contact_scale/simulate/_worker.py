@@ -1,0 +1,181 @@
+"""What a worker does with a job: it gives it to a process of its own.
+
+Workers of Dask may not have children of `multiprocessing`, and start by importing the user's program again: so their process is a plain
+program that they talk to (`_server`). Each thread of a worker has its own.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import socket
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import weakref
+from contextlib import suppress
+
+from . import _frames
+from ._frames import frame, receive, send
+from ._guard import WITHIN
+from ._job import Job, Outcome, Versions
+
+_here = threading.local()
+
+#: Servers of this process, for those who end a run.
+_servers: weakref.WeakSet[Server] = weakref.WeakSet()
+#: Runs that have ended.
+_ended: set[str] = set()
+_lock = threading.Lock()
+
+#: One model, one thread: models are what is done at the same time.
+_ONE_THREAD = dict.fromkeys(
+    ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS"), "1"
+)
+
+#: Seconds that a server has to end what it does.
+_END = 5.0
+
+#: Seconds that OpenSim may take to be imported, beyond the time limit of a job.
+_START = 120.0
+
+
+def work(job: Job) -> Outcome:
+    """Simulates one model."""
+    outcome = _server(job.run).do(job) if _frames.CAN_FORK else _alone(job)
+    outcome.host = socket.gethostname()
+    outcome.time_limit = job.time_limit
+    return outcome
+
+
+def versions(run: str) -> Versions:
+    """Of what is installed where this worker is; for this run.
+
+    Raises
+    ------
+    RuntimeError
+        The process for models does not start here.
+    """
+    if _frames.CAN_FORK:
+        return _server(run).versions
+    with _started("--once", cwd=None) as process:
+        assert process.stdout is not None
+        found: Versions = receive(process.stdout.fileno())
+        process.kill()
+    return found
+
+
+class Server:
+    """The process that simulates models for this thread."""
+
+    def __init__(self, run: str) -> None:
+        self.run = run
+        # Known before it has started: where the run ends meanwhile, it ends, too.
+        with _lock:
+            if run in _ended:
+                raise RuntimeError("the run was stopped")
+            self._process = _started(cwd=tempfile.gettempdir())
+            _servers.add(self)
+        assert self._process.stdin is not None and self._process.stdout is not None
+        self._to, self._from = self._process.stdin.fileno(), self._process.stdout.fileno()
+        try:
+            self.versions: Versions = receive(self._from)
+        except EOFError:
+            self._process.wait()
+            raise RuntimeError(
+                f"{sys.executable} -m osim_contact_scale.simulate._server does not start on {socket.gethostname()} "
+                f"(exit status {self._process.returncode}): run it there by hand to see why"
+            ) from None
+
+    def do(self, job: Job) -> Outcome:
+        """Has one model simulated."""
+        try:
+            send(self._to, job)
+            outcome: Outcome = receive(self._from)
+        except (EOFError, OSError):
+            # The server itself was killed, and its copy with it: the next job gets a new one.
+            self.close()
+            return Outcome(job.key, "lost", "the process that runs models was ended from outside")
+        return outcome
+
+    @property
+    def lives(self) -> bool:
+        """Whether it can take a job."""
+        return self._process.poll() is None
+
+    def end(self) -> None:
+        """Ends it, and with it what it does just now: what waits for that is given up."""
+        self._process.terminate()
+
+    def close(self) -> None:
+        """Ends it, and lets go of its pipes."""
+        for pipe in (self._process.stdin, self._process.stdout):
+            if pipe is not None:
+                with suppress(OSError):
+                    pipe.close()
+        # It ends with its input; what hangs is killed.
+        with suppress(subprocess.TimeoutExpired):
+            self._process.wait(_END)
+        self._process.kill()
+        self._process.wait()
+
+
+def _server(run: str) -> Server:
+    """The one of this thread for this run."""
+    server: Server | None = getattr(_here, "server", None)
+    if server is not None and (server.run != run or not server.lives):
+        server.close()
+        server = None
+    if server is None:
+        _here.server = server = Server(run)
+    return server
+
+
+def end_servers(run: str) -> None:
+    """Ends the servers that threads of this process have for a run, which gets no others."""
+    with _lock:
+        _ended.add(run)
+        for server in list(_servers):
+            if server.run == run:
+                server.end()
+
+
+def _started(*arguments: str, cwd: str | None) -> subprocess.Popen[bytes]:
+    return subprocess.Popen(
+        [sys.executable, "-m", "osim_contact_scale.simulate._server", *arguments],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        bufsize=0,
+        cwd=cwd,
+        env={**os.environ, **_ONE_THREAD, WITHIN: "1"},
+        # Ctrl-C is for the program that waits; this one ends with its input.
+        start_new_session=_frames.CAN_FORK,
+    )
+
+
+def _alone(job: Job) -> Outcome:
+    """Where a process cannot be copied: a new one, which imports OpenSim by itself."""
+    folder = tempfile.mkdtemp(prefix="osim-contact-scale-")
+    begin = time.perf_counter()
+    limit = None if job.time_limit is None else job.time_limit + _START
+    try:
+        with _started("--once", cwd=folder) as process:
+            try:
+                out, _ = process.communicate(frame(job), timeout=limit)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                return Outcome(job.key, "time limit", f"it did not end within {job.time_limit:g} s")
+            pieces = _frames.Pieces(out)
+            if pieces.whole():
+                pieces.message()  # Its versions.
+            if pieces.whole():
+                outcome: Outcome = pieces.message()
+            else:
+                outcome = Outcome(job.key, "crashed", f"its process died: exit status {process.returncode}")
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+    outcome.process_seconds = time.perf_counter() - begin
+    return outcome
