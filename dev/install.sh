@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what the checks need beside Rust. Nothing else in the project installs anything.
 #
-#     dev/install.sh [GROUP...]     one or more of: rust programs shells oracle browser python book wasm web windows; all without arguments
+#     dev/install.sh [GROUP...]     one or more of: rust programs shells oracle browser python simulations book wasm web windows; all without arguments
 #
 # Quick, and silent but for the table at its end, where everything is there. What it cannot install (no root, no
 # Debian, no such package) it names, and goes on: tests that need it say that they were skipped.
@@ -11,10 +11,10 @@ cd "$(dirname "$0")/.."
 # Environments of Python: which groups use it, where it is, and the list of its packages with their versions.
 ENVIRONMENTS="
 oracle,browser  target/oracle-venv  tests/oracle/requirements.txt
-python          target/python-venv  tests/python/requirements.txt
+python,simulations  target/python-venv  tests/python/requirements.txt
 book            target/book-venv    docs/requirements.txt
 "
-GROUPS_KNOWN="rust programs shells oracle browser python book wasm web windows"
+GROUPS_KNOWN="rust programs shells oracle browser python simulations book wasm web windows"
 
 # Packages from npm: which groups use them, and the folder with their list and its lock file.
 PACKAGES="
@@ -40,6 +40,8 @@ web      tests/web
 #           tests/browser/package-lock.json.
 # web:      makes the page, and opens it in two browsers: what wasm needs, and zstd, which compresses what the page holds.
 # python:   what tests the Python package, which is installed beside it by pip.
+# simulations: Slurm, and munge, by which its programs know each other, for tests that start a cluster of their own. They run beside
+#           the Python package, too.
 # book:     makes the pages of docs/ a book, with the reference of the Python package.
 # wasm:     a compiler with the sources of its library, for targets that rustup cannot fetch here, and a linker.
 # windows:  the same compiler, a linker for Windows, and Wine, which runs what it links.
@@ -68,6 +70,9 @@ browser   chromedriver   120      apt:chromium-driver chromedriver --version
 browser   npm            9        apt:npm             npm --version
 browser   pdftotext      22       apt:poppler-utils   pdftotext -v
 python    python3        3.11     apt:python3-venv    python3 -c 'import ensurepip, platform; print(platform.python_version())'
+simulations python3      3.11     apt:python3-venv    python3 -c 'import ensurepip, platform; print(platform.python_version())'
+simulations slurm-wlm    22.05    apt:slurm-wlm       dpkg-query -W slurm-wlm
+simulations munge        0.5      apt:munge           munge --version
 book      python3        3.11     apt:python3-venv    python3 -c 'import ensurepip, platform; print(platform.python_version())'
 wasm      rustc-web      1.92     apt:rustc-web       /usr/bin/rustc --version
 wasm      rust-web-src   1.92     apt:rust-web-src    dpkg-query -W rust-web-src
@@ -246,10 +251,10 @@ row() {
     local state=""
     is_enough "$3" "$4" || { state="missing$5"; [ -z "$4" ] || state="another version"; }
     local line
-    line=$(printf '%-9s %-14s %-9s %-12s %s' "$1" "$2" "$3" "${4:--}" "$state")
+    line=$(printf '%-11s %-14s %-9s %-12s %s' "$1" "$2" "$3" "${4:--}" "$state")
     printf '%s\n' "${line%"${line##*[! ]}"}"
 }
-printf '%-9s %-14s %-9s %s\n' group tool wanted found
+printf '%-11s %-14s %-9s %s\n' group tool wanted found
 while read -r group tool wanted from tells; do
     case $from in none) why=": neither Debian nor npm nor crates.io has it" ;; *) why="" ;; esac
     row "$group" "$tool" "$wanted" "$(version_of "$tells")" "$why"
