@@ -40,7 +40,7 @@ def nothing(number):
 def workers(count):
     """A client of so many workers that have OpenSim already."""
     with (
-        distributed.LocalCluster(n_workers=count, threads_per_worker=1, dashboard_address=None) as cluster,
+        distributed.LocalCluster(n_workers=count, threads_per_worker=1, dashboard_address=":0") as cluster,
         distributed.Client(cluster) as client,
     ):
         client.run(_worker.versions)

@@ -60,8 +60,9 @@ def by_index(path, index, spoil):
 
 
 def marks(path, index, folder, seconds):
-    """Leaves a mark for each time that it was run, and takes its time."""
+    """Leaves a mark for each time that it was run, and takes its time, unless there is a file that says not to."""
     with open(os.path.join(folder, f"{index}.{os.getpid()}.{time.monotonic_ns()}"), "w"):
         pass
-    time.sleep(seconds)
+    if not os.path.exists(folder + ".quick"):
+        time.sleep(seconds)
     return {"square": index * index}, {"time_s": [0.0, 1.0], "index_back": [index, index]}

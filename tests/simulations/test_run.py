@@ -96,6 +96,22 @@ def test_where_no_process_can_be_copied_each_model_starts_one(tmp_path, points, 
     assert list(table["status"]) == ["done", "crashed", "time limit"]
 
 
+def test_progress_and_the_address_of_the_dashboard(tmp_path, points, caplog, monkeypatch, capfd):
+    from osim_contact_scale.simulate import _executors
+
+    found = _executors.importlib.util.find_spec
+    # Dask's page needs bokeh, its address does not.
+    monkeypatch.setattr(_executors.importlib.util, "find_spec", lambda name: found("json" if name == "bokeh" else name))
+    caplog.set_level("INFO", logger="osim_contact_scale")
+    counted = []
+    task = simulate.Function(tasks.by_index, settings={"spoil": {"2": "raise"}})
+    simulate.run(points(3), task, results=tmp_path / "r", workers=1, progress=lambda *step: counted.append(step))
+    assert re.search(r"Dask's dashboard: http://[\w.:]+/status", caplog.text)
+    assert sorted(counted) == [(1, False), (1, False), (1, True)]
+    simulate.run(points(3), task, results=tmp_path / "r", workers=1, resume=True, progress=True)
+    assert "simulate: 100%" in capfd.readouterr().err
+
+
 def test_a_server_that_is_kept_waiting_sees_what_its_copy_wrote(tmp_path, monkeypatch):
     """Between a look into the pipe and one at the process, the copy may write all that it has and end."""
     from osim_contact_scale.simulate import _server

@@ -40,7 +40,10 @@ class Case:
         self.marks = folder / "marks"
         self.marks.mkdir()
         self.task = simulate.Function(tasks.marks, {"folder": str(self.marks), "seconds": 0.25})
+        self.quick = folder / "marks.quick"
+        self.quick.touch()
         simulate.run(self.rows, self.task, results=folder / "whole", scheduler=client)
+        self.quick.unlink()
         for mark in self.marks.iterdir():
             mark.unlink()
         self.results = folder / "results"
@@ -59,6 +62,7 @@ class Case:
 
     def finish(self, client):
         """Goes on, and compares."""
+        self.quick.touch()
         before = self.written()
         marks = len(list(self.marks.iterdir()))
         results = simulate.run(self.rows, self.task, results=self.results, scheduler=client, resume=True)
@@ -80,7 +84,7 @@ def test_a_worker_is_killed(case):
     import distributed
 
     with (
-        distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None, silence_logs=50) as cluster,
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0", silence_logs=50) as cluster,
         distributed.Client(cluster) as client,
     ):
 

@@ -6,6 +6,7 @@ import ast
 import multiprocessing
 import os
 import sys
+import time
 from types import FrameType
 
 from .._errors import RequestError
@@ -14,6 +15,9 @@ _MESSAGE = (
     '{file}, line {line}: put this call under `if __name__ == "__main__":`, '
     "because each worker imports the file and would run it again"
 )
+
+#: When this program imported the package, in s.
+_BEGIN = time.time()
 
 #: In the environment of a process in which models run, and of all that it starts.
 WITHIN = "OSIM_CONTACT_SCALE_WITHIN_A_RUN"
@@ -60,6 +64,8 @@ def refuse_unguarded() -> None:
 
 def _refuse(frame: FrameType, file: str) -> None:
     try:
+        if os.path.getmtime(file) > _BEGIN:
+            return  # Edited since: its lines are no longer those of the program that runs.
         with open(file, "rb") as text:
             tree = ast.parse(text.read())
     except (OSError, SyntaxError, ValueError):
