@@ -1,0 +1,85 @@
+"""How far falls lie apart, once lengths are divided by L, forces by body weight and times by √(L/g)."""
+
+import csv
+
+import numpy as np
+from animals import ANIMALS, REFERENCE, length_m, time_unit_s
+
+CURVES = {"height": "height_m", "force": "force_bw", "centre_of_mass": "com_height_m"}
+COLUMNS = (
+    "law",
+    "joints",
+    "contacts",
+    "animal",
+    "mass_kg",
+    "hip_height_m",
+    "sphere_radius_m",
+    "peak_force_bw",
+    "peak_time_over_time_unit",
+    "final_indentation_over_hip_height",
+    *(f"{name}_apart" for name in CURVES),
+    *(f"{name}_integrator" for name in CURVES),
+)
+
+
+def curve(series, name, animal):
+    """One curve of a fall, free of its dimensions; None where there is none."""
+    if CURVES[name] not in series:
+        return None
+    values = np.asarray(series[CURVES[name]], dtype=float)
+    return values if name == "force" else values / length_m(animal)
+
+
+def apart(ours, theirs):
+    """The largest difference of two curves, as a share of the second one's range."""
+    if ours is None or theirs is None:
+        return None
+    return float(np.max(np.abs(ours - theirs)) / np.ptp(theirs))
+
+
+def compared(done):
+    """Rows of the table: each fall against that of the reference, and against itself with a stricter integrator."""
+    table = done.table
+    falls = {}
+    for place, row in enumerate(table.to_dict("records")):
+        key = (row["law"], row["joints"], row["contacts"], row["animal"])
+        falls.setdefault(key, []).append((row, done.series(place)))
+    rows = []
+    for (law, joints, contacts, animal), runs in falls.items():
+        runs.sort(key=lambda run: -run[0]["accuracy"])
+        row, series = runs[0]
+        _, reference = falls[law, joints, "rescaled", REFERENCE][0]
+        found = {
+            "law": law,
+            "joints": joints,
+            "contacts": contacts,
+            "animal": animal,
+            "mass_kg": ANIMALS[animal],
+            "hip_height_m": length_m(animal),
+            "sphere_radius_m": row["reference_radius_m"],
+            "peak_force_bw": row["peak_force_bw"],
+            "peak_time_over_time_unit": row["peak_time_s"] / time_unit_s(animal),
+            "final_indentation_over_hip_height": -series["height_m"].iloc[-1] / length_m(animal),
+        }
+        for name in CURVES:
+            ours = curve(series, name, animal)
+            found[f"{name}_apart"] = apart(ours, curve(reference, name, REFERENCE))
+            stricter = curve(runs[1][1], name, animal) if len(runs) > 1 else None
+            found[f"{name}_integrator"] = apart(ours, stricter)
+        rows.append(found)
+    return rows
+
+
+def write_table(path, rows):
+    """As CSV, with six digits; what is absent is empty."""
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+        writer.writeheader()
+        for row in rows:
+            writer.writerow({name: _text(row[name]) for name in COLUMNS})
+
+
+def _text(value):
+    if value is None:
+        return ""
+    return f"{value:.6g}" if isinstance(value, float) else value
