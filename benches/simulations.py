@@ -20,7 +20,6 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import distributed
-
 import osim_contact_scale as ocs
 from osim_contact_scale import simulate
 from osim_contact_scale.simulate import _worker

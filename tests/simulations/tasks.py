@@ -12,6 +12,10 @@ def empty(path):
     return {}
 
 
+def no_path(*, index):
+    return {}
+
+
 def size(path, grid_stiffness=None, factor=FACTOR):
     """A number of the file, a value of its row, and a setting."""
     return {"size_bytes": os.path.getsize(path), "stiffness_n_m2": grid_stiffness, "scaled": scaled(factor)}

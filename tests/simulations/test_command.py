@@ -3,11 +3,10 @@
 import signal
 import subprocess
 
+import osim_contact_scale as ocs
 import pandas as pd
 import pytest
 from conftest import HERE, HUMAN, models, wait_for
-
-import osim_contact_scale as ocs
 from osim_contact_scale import simulate
 
 

@@ -6,17 +6,16 @@ import subprocess
 import sys
 import threading
 
+import osim_contact_scale as ocs
 import pandas as pd
 import pytest
 import tasks
 from conftest import models
-from source_cases import CASES
-
-import osim_contact_scale as ocs
 from osim_contact_scale import simulate
 from osim_contact_scale.simulate._job import Versions
 from osim_contact_scale.simulate._source import Source
 from osim_contact_scale.simulate._task import base_of, key_of, task_of
+from source_cases import CASES
 
 MODULE = '''
 """A task in a module of its own."""

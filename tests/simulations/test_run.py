@@ -6,12 +6,11 @@ import re
 import time
 from concurrent.futures import ProcessPoolExecutor
 
+import osim_contact_scale as ocs
 import pandas as pd
 import pytest
 import tasks
 from conftest import HUMAN, models
-
-import osim_contact_scale as ocs
 from osim_contact_scale import simulate
 from osim_contact_scale.simulate._task import task_of
 
@@ -163,7 +162,7 @@ def test_shares_make_the_whole(tmp_path, points, client):
         ({"points": [{"model": "a.osim"}]}, "expected a column path"),
         ({"points": [{"path": "a.osim", "key": 1}]}, "'key' is one of those that results have"),
         ({"task": {}}, "expected a function"),
-        ({"task": lambda: {}}, "its first parameter is the path"),
+        ({"task": tasks.no_path}, "its first parameter is the path"),
         ({"task": simulate.Function(tasks.empty, settings={"a": 1})}, "no parameter 'a'"),
         ({"task": simulate.Function(tasks.size, settings={"factor": object()})}, "expected numbers, texts"),
         ({"task": simulate.Drop}, "make one"),

@@ -14,9 +14,8 @@ from pathlib import Path
 import pytest
 import slurm as slurm_module
 from conftest import FIXTURES, models, processes, table_bytes, wait_for
-from recipes import changed, recipe
-
 from osim_contact_scale.simulate._store import known_in, rows_in
+from recipes import changed, recipe
 
 COUNT = 8
 

@@ -3,17 +3,14 @@
 import os
 import signal
 import subprocess
-import sys
 import threading
 import time
 
-import pandas as pd
+import osim_contact_scale as ocs
 import pyarrow.parquet as pq
 import pytest
 import tasks
-from conftest import HERE, models, needs_unshare, processes, script, table_bytes, wait_for
-
-import osim_contact_scale as ocs
+from conftest import models, needs_unshare, processes, script, table_bytes, wait_for
 from osim_contact_scale import simulate
 
 COUNT = 24
@@ -211,7 +208,7 @@ def test_the_disk_is_full(case, client):
     case.results.mkdir()
     subprocess.run(["mount", "-t", "tmpfs", "-o", "size=28k", "none", case.results], check=True)
     try:
-        with pytest.raises(ocs.OutputError, match="No space left on device.*run again with resume"):
+        with pytest.raises(ocs.OutputError, match=r"No space left on device.*run again with resume"):
             simulate.run(case.rows, case.task, results=case.results, scheduler=client)
         kept = case.written()
         assert 0 < len(kept) < COUNT

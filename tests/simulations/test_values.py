@@ -5,12 +5,11 @@ import os
 from pathlib import Path
 
 import numpy as np
+import osim_contact_scale as ocs
 import pandas as pd
 import pytest
 import tasks
 from conftest import HUMAN, processes
-
-import osim_contact_scale as ocs
 from osim_contact_scale import simulate
 from osim_contact_scale.simulate._points import points_of
 from osim_contact_scale.simulate._table_file import rows_of_file
@@ -89,7 +88,7 @@ def test_values_of_points(tmp_path):
     assert point.values == {"day": "2026-01-02", "folder": os.path.join("a", "b"), "n": 3, "gap": None, "t": "x"}
     assert type(point.values["n"]) is int
     for wrong in (1j, [1, 2], object()):
-        with pytest.raises(ocs.RequestError, match="points: row 1, column 'x': .*expected a number or a text"):
+        with pytest.raises(ocs.RequestError, match=r"points: row 1, column 'x': .*expected a number or a text"):
             points_of([{"path": HUMAN, "x": wrong}])
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
@@ -36,7 +37,7 @@ def chosen(opensim: Any, model: Any, select: Sequence[str]) -> list[Contact]:
     Raises
     ------
     ModelError
-        There are none.
+        There are none, or one of their spheres has no radius.
     """
     contacts = [found for force in _contact_forces(opensim, model) if (found := _contact(opensim, model, force))]
     if not contacts:
@@ -50,6 +51,10 @@ def chosen(opensim: Any, model: Any, select: Sequence[str]) -> list[Contact]:
     contacts = [one for one in contacts if one.force.get_appliesForce()]
     if not contacts:
         raise refusal(f"the contact forces are switched off (appliesForce is false): {names}")
+    # OpenSim's system never comes to an end of making such a sphere.
+    for sphere in (sphere for contact in contacts for sphere in contact.spheres):
+        if not 0 < sphere.getRadius() < math.inf:
+            raise refusal(f"the sphere {sphere.getName()} has a radius of {sphere.getRadius():g} m")
     return contacts
 
 

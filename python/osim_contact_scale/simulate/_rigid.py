@@ -25,7 +25,6 @@ def rigid(opensim: Any, model: Any, state: Any, moving: Sequence[Any], contacts:
         A force has contact geometry that is neither a sphere nor a half-space.
     """
     made = opensim.Model()
-    made.setName(model.getName())
     made.set_gravity(model.get_gravity())
     bodies = {one.getAbsolutePathString(): _copy(opensim, one, f"body{number}") for number, one in enumerate(moving)}
     carrier, start = _slide(opensim, made, bodies, moving[0], state, up)
