@@ -13,7 +13,7 @@ class ContactScaleError(Exception):
     Attributes
     ----------
     code : str
-        Stable short name, which `explain` explains.
+        Stable short name, which `explain` explains; `usage`, and of simulations `simulation` and `workers-lost`, have their messages alone.
     message : str
         What is wrong, what was expected, and a way out.
     path : str or None

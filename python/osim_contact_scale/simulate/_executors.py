@@ -22,9 +22,6 @@ log = logging.getLogger("osim_contact_scale")
 #: How `scheduler` says that this program does it with threads, without Dask.
 HERE = "here"
 
-#: How often Dask gives a model to another worker whose worker has died.
-_RETRIES = 3
-
 
 @contextmanager
 def executor_of(scheduler: Any, workers: int | None, run: str) -> Iterator[Executor]:

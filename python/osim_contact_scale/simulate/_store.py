@@ -162,7 +162,7 @@ def _cannot_write(path: Path, error: OSError) -> OutputError:
     message = f"cannot be written: {error.strerror or error}"
     if error.errno in (errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC)):
         message += ". Rows of earlier parts are kept: make room and run again with resume"
-    return OutputError("cannot-write", message, path=str(path))
+    return OutputError("output", message, path=str(path))
 
 
 def _record(outcome: Outcome) -> dict[str, Any]:
