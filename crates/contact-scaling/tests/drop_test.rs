@@ -235,3 +235,21 @@ fn a_start_on_the_ground_is_a_contact_from_the_start() {
     let first = test.run().unwrap().first_contact.unwrap();
     assert_eq!((first.start_s, first.impact_speed_m_s), (0.0, 0.0));
 }
+
+/// The largest force may be anywhere within a step of the integrator, also before the first look at it: no sample of a fine series is larger.
+#[test]
+fn no_sample_is_above_the_peak() {
+    for (smooth, tenths) in [false, true].into_iter().flat_map(|smooth| (1..40).map(move |n| (smooth, n))) {
+        let contact = contact(1e6, 0.1 * f64::from(tenths), smooth);
+        let coarse = DropTest::of(&contact, &scale(0), 1.0, 0.4).unwrap();
+        let values = DropValues { samples: 20_001, ..coarse.values() };
+        let report = DropTest::new(coarse.spheres().iter().copied(), values).unwrap().run().unwrap();
+        let highest = report.series.iter().map(|sample| sample.force_n).fold(0.0, f64::max);
+        let above = highest / report.peak_force_n - 1.0;
+        assert!(above < 1e-9, "smooth {smooth}, alpha 0.1 x {tenths}: {above:e} above the peak");
+        assert!(
+            above > -1e-6,
+            "smooth {smooth}, alpha 0.1 x {tenths}: the peak is {above:e} from any sample"
+        );
+    }
+}

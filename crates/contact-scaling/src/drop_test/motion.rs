@@ -25,6 +25,8 @@ const MOST_STEPS: usize = 1_000_000;
 const MOST_EVENTS: usize = 100_000;
 /// Points at which the force of a step is looked at for its peak.
 const LOOKS: u32 = 8;
+/// Share of the largest force by which looks may be below it while it is between them.
+const NEAR: f64 = 1e-3;
 
 /// What was seen on the way, dimensionless.
 #[derive(Debug, Default)]
@@ -115,11 +117,12 @@ impl Observer<'_> {
         self.record
     }
 
-    /// Looks at the force of a step, and closer where it is larger than before.
+    /// Looks at the force of a step, and closer where it is nearly as large as before: of a step that begins just before the peak,
+    /// every later look is below the end of the step before.
     fn peak(&mut self, from: f64, to: f64, at: &mut impl FnMut(f64) -> Option<State>) {
         let width = (to - from) / f64::from(LOOKS);
         let mut force = |time: f64| at(time).map_or(0.0, |state| self.body.force(state));
-        let (mut best, mut top) = (from, 0.0);
+        let (mut best, mut top) = (from, force(from));
         for look in 1..=LOOKS {
             let time = if look == LOOKS { to } else { from + width * f64::from(look) };
             let here = force(time);
@@ -127,9 +130,9 @@ impl Observer<'_> {
                 (best, top) = (time, here);
             }
         }
-        if top > self.record.peak_force {
+        if top > 0.0 && top >= self.record.peak_force * (1.0 - NEAR) {
             let closer = golden((best - width).max(from), (best + width).min(to), &mut force);
-            self.record.peak_force = top.max(closer);
+            self.record.peak_force = self.record.peak_force.max(top).max(closer);
         }
     }
 }
