@@ -16,12 +16,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 import task_models
-from conftest import FIXTURES, TOP
+from conftest import FIXTURES
 from osim_contact_scale import ModelError, RequestError
 from osim_contact_scale.simulate import Drop, Stand
 
 TOLERANCE = 1e-6  # of a value, of the range of a series, and of x/R
-BINARY = os.environ.get("OSIM_CONTACT_SCALE", TOP / "target" / "release" / "osim-contact-scale")
+# The command that comes with the package.
+BINARY = Path(sys.executable).with_name("osim-contact-scale")
 CORPUS = os.environ.get("OSIM_CORPUS")
 needs_corpus = pytest.mark.skipif(not CORPUS, reason="OSIM_CORPUS is not set: models by other people are not at hand")
 
