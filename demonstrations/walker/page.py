@@ -1,0 +1,196 @@
+"""The tables of `docs/walker.md`, made from the tables beside this program: `python demonstrations/walker/page.py` prints them."""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+from model import GRAVITY, LEG
+
+HERE = Path(__file__).resolve().parent
+CURVES = ("hip_r_rad", "knee_r_rad", "ankle_r_rad", "force_r_bw")
+CLAIM = 3  # times the error of the mesh: smaller effects are not claimed
+
+
+def read(name):
+    """One of the tables beside this program."""
+    return pd.read_csv(HERE / f"{name}.csv")
+
+
+def mesh_errors(table):
+    """Objective at the mesh less that at twice the mesh, over the latter."""
+    return table["effort"] / table["effort_at_double_mesh"] - 1
+
+
+def mesh():
+    """The walk at the mesh and at twice the mesh."""
+    table = read("mesh")
+    yield "| E₁\\* (MPa) | k̂ | α (s/m) | effort | at twice the mesh | difference | bounds active | nearest bound |"
+    yield "|---|---|---|---|---|---|---|---|"
+    for (_, row), error in zip(table.iterrows(), mesh_errors(table)):
+        active = int(row["active_bounds"] + row["active_bounds_at_double_mesh"])
+        nearest = min(row["nearest_bound"], row["nearest_bound_at_double_mesh"])
+        cells = [_mpa(row), f"{row['dimensionless_stiffness']:.2f}", f"{row['dissipation']:g}", f"{row['effort']:.4f}"]
+        cells += [_effort(row, "_at_double_mesh", 4), f"{100 * error:+.2f} %", str(active), f"{100 * nearest:.1f} %"]
+        yield f"| {' | '.join(cells)} |"
+
+
+def least():
+    """Of each point of the grid the effort that was found from the one good guess, or on the branch where that is more than 1 % less."""
+    guess, branch = (read(name).assign(way=name).set_index(["stiffness", "dissipation"]) for name in ("grid", "branch"))
+    branch = branch.loc[guess.index]
+    cheaper = (branch["converged"] == 1) & ((guess["converged"] == 0) | (branch["effort"] < guess["effort"] / 1.01))
+    table = guess.copy()
+    for name in ("effort", "way", "half_cycle_s", "cost_of_transport", "peak_force_bw"):
+        table[name] = table[name].where(~cheaper, branch[name])
+    wanted = [
+        "index",
+        "stiffness",
+        "dissipation",
+        "effort",
+        "way",
+        "half_cycle_s",
+        "cost_of_transport",
+        "peak_force_bw",
+    ]
+    return table.reset_index()[wanted]
+
+
+def effort():
+    """Panel A."""
+    yield from _grid(least(), lambda row: f"{row['effort']:.3f}{'*' if row['way'] == 'branch' else ''}")
+
+
+def iterations():
+    """Panel B."""
+    yield from _grid(
+        read("grid"),
+        lambda row: f"{row['iterations']:.0f} ({row['cpu_s']:.0f} s){'' if row['converged'] else ' not converged'}",
+    )
+
+
+def by_point(table):
+    """Of the searches from random guesses: a row for each point of the grid."""
+    known = least().set_index("index")["effort"]
+    found = []
+    for index, rows in table.groupby("index"):
+        converged = rows[rows["converged"] == 1]
+        point = {name: rows[name].iloc[0] for name in ("index", "stiffness", "dissipation")}
+        point |= {"guesses": len(rows), "converged": len(converged), "median_iterations": rows["iterations"].median()}
+        found.append(point | {"least_over_panel_a": converged["effort"].min() / known[index]})
+    return pd.DataFrame(found)
+
+
+def random():
+    """Panel C."""
+    yield from _grid(
+        by_point(read("random")),
+        lambda row: (
+            f"{row['converged']:.0f} of {row['guesses']:.0f}, {row['median_iterations']:.0f}, "
+            f"{100 * (row['least_over_panel_a'] - 1):+.0f} %"
+        ),
+    )
+
+
+def sizes():
+    """The same walk at three lengths."""
+    table, curves = read("sizes"), read("sizes_curves")
+    human = table[table["length"] == 1].iloc[0]
+    yield "| length | mass (kg) | contacts | effort | difference | step / l | largest force (body weights) | curves apart | iterations |"
+    yield "|---|---|---|---|---|---|---|---|---|"
+    for _, row in table.sort_values(["contacts", "length"], ascending=[False, True]).iterrows():
+        length = row["length"]
+        step = 1.2 * np.sqrt(length) * row["half_cycle_s"] / (LEG * length)
+        cells = [f"{length:g}", f"{62 * length**3:.4g}", row["contacts"], _effort(row, "", 4)]
+        cells += [f"{100 * (row['effort'] / human['effort'] - 1):+.2f} %", f"{step:.3f}", f"{row['peak_force_bw']:.2f}"]
+        cells += [_apart(curves, row), str(int(row["iterations"]))]
+        yield f"| {' | '.join(cells)} |"
+
+
+def sizes_by_hand():
+    """The search from the guess that was drawn by hand, at three lengths."""
+    table = read("sizes_by_hand").sort_values("length")
+    yield "| length | effort | iterations |"
+    yield "|---|---|---|"
+    for _, row in table.iterrows():
+        yield f"| {row['length']:g} | {_effort(row, '', 4)} | {row['iterations']:.0f} |"
+
+
+def ladder():
+    """From soft to stiff, and stiff at once."""
+    table = read("ladder")
+    yield "| first guess | stiff at once: iterations | time | effort | ladder: iterations | time | effort |"
+    yield "|---|---|---|---|---|---|---|"
+    for (start, seed), rows in table.groupby(["start", "seed"], sort=False):
+        cells = ["drawn by hand" if start == "hand" else f"random {seed:.0f}"]
+        for way in ("stiff_at_once", "ladder"):
+            row = rows[rows["way"] == way].iloc[0]
+            cells += [f"{row['iterations']:.0f}", f"{row['cpu_s']:.0f} s", _effort(row, "", 3)]
+        yield f"| {' | '.join(cells)} |"
+
+
+def _effort(row, end, digits):
+    """The effort, or that the search did not converge."""
+    return f"{row[f'effort{end}']:.{digits}f}" if row[f"converged{end}"] else "not converged"
+
+
+def _mpa(row):
+    return f"{row['stiffness'] / 1e6:.3f}"
+
+
+def _grid(table, cell):
+    """Stiffness down, dissipation across."""
+    dissipations = sorted(table["dissipation"].unique())
+    yield f"| E₁\\* (MPa), k̂ | {' | '.join(f'α = {value:g}' for value in dissipations)} |"
+    yield "|---" * (1 + len(dissipations)) + "|"
+    for stiffness, rows in table.groupby("stiffness"):
+        known = {row["dissipation"]: cell(row) for _, row in rows.iterrows()}
+        hat = 9.375 * (stiffness / table["stiffness"].max()) ** (2 / 3)
+        yield f"| {stiffness / 1e6:.3f}, {hat:.2f} | {' | '.join(known.get(value, '') for value in dissipations)} |"
+
+
+def apart(curves, row):
+    """How far the curves of a walk lie from those of the human, at equal times without dimensions.
+
+    The largest difference of the joints' angles and of the force, each as a share of the human curve's range.
+    """
+    ours = curves[(curves["length"] == row["length"]) & (curves["contacts"] == row["contacts"])]
+    human = curves[(curves["length"] == 1) & (curves["contacts"] == "rescaled")]
+    times = [each["time_s"] / np.sqrt(LEG * each["length"] / GRAVITY) for each in (ours, human)]
+    common = np.linspace(0, min(times[0].max(), times[1].max()), 400)
+    shares = []
+    for name in CURVES:
+        one, other = (np.interp(common, time, each[name]) for time, each in zip(times, (ours, human)))
+        shares.append(float(np.max(np.abs(one - other)) / np.ptp(human[name])))
+    return max(shares)
+
+
+def _apart(curves, row):
+    share = apart(curves, row)
+    return f"{share:.0e}" if share < 1e-3 else f"{100 * share:.1f} %"
+
+
+BLOCKS = {
+    "mesh": mesh,
+    "effort": effort,
+    "iterations": iterations,
+    "random": random,
+    "sizes": sizes,
+    "sizes_by_hand": sizes_by_hand,
+    "ladder": ladder,
+}
+
+
+def write(path):
+    """Put the tables into the page."""
+    text = path.read_text(encoding="utf-8")
+    for name, block in BLOCKS.items():
+        begin, end = f"<!-- begin {name} -->\n", f"<!-- end {name} -->"
+        before, rest = text.split(begin)
+        lines = "\n".join(block())
+        text = f"{before}{begin}\n{lines}\n\n{end}{rest.split(end)[1]}"
+    path.write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    for block in BLOCKS.values():
+        print("\n".join(block()), end="\n\n")
