@@ -2,8 +2,8 @@
 
     target/python-venv/bin/python benches/simulations.py [--drops N] [--empty N]
 
-Needs the package with its extra `simulate`, and opensim. All is done by `simulate.run` with workers of Dask on this machine; the first
-models, for which each worker imports OpenSim, are simulated before a clock runs.
+Needs the package with its extra `simulate`, and opensim. All is done by `simulate.run` with workers of Dask on this machine, which are
+there when a clock begins; that each imports OpenSim is in the time.
 
 - drops: the same N falls, each of at least 0.5 s in OpenSim, by one worker and by two. Overhead: wall time of all workers together, less
   the time of the processes of the models, for each model.
@@ -37,14 +37,11 @@ def nothing(number):
 
 @contextmanager
 def workers(count):
-    """A client of so many workers that have OpenSim already."""
+    """A client of so many workers."""
     with (
         distributed.LocalCluster(n_workers=count, threads_per_worker=1, dashboard_address=":0") as cluster,
         distributed.Client(cluster) as client,
     ):
-        client.run(_worker.versions)
-        for future in [client.submit(_worker.versions, pure=False, workers=[name]) for name in client.nthreads()]:
-            future.result()
         yield client
 
 
@@ -60,7 +57,7 @@ def timed(points, task, count, folder):
 
 def drops(models, scratch):
     # Long and exact enough to take OpenSim half a second.
-    task = simulate.Drop(duration=30.0, samples=101, accuracy=1e-10)
+    task = simulate.Drop(duration=6.0, samples=101, accuracy=1e-10)
     walls = {}
     for count in (1, 2):
         wall, runs = timed(models, task, count, scratch / f"drops{count}")
@@ -111,7 +108,7 @@ def main():
     options = parser.parse_args()
     print(f"{platform.processor() or platform.machine()}, {os.cpu_count()} cores, load {os.getloadavg()[0]:.1f}")
     print(
-        f"osim-contact-scale {ocs.__version__}, distributed {distributed.__version__}, opensim {_worker.versions().opensim}"
+        f"osim-contact-scale {ocs.__version__}, distributed {distributed.__version__}, opensim {_worker.versions('benchmark').opensim}"
     )
     with tempfile.TemporaryDirectory() as folder:
         scratch = Path(folder)

@@ -206,7 +206,7 @@ def test_a_time_limit_that_is_over_at_once(tmp_path, points):
 def test_the_disk_is_full(case, client):
     """A disk of its own for the results, with hardly any room; what is on it is there when it has grown."""
     case.results.mkdir()
-    subprocess.run(["mount", "-t", "tmpfs", "-o", "size=28k", "none", case.results], check=True)
+    subprocess.run(["mount", "-t", "tmpfs", "-o", "size=12k", "none", case.results], check=True)
     try:
         with pytest.raises(ocs.OutputError, match=r"No space left on device.*run again with resume"):
             simulate.run(case.rows, case.task, results=case.results, scheduler=client)
@@ -234,3 +234,27 @@ def test_time_limits_that_are_longer_are_tried_again(tmp_path, points, client):
     assert statuses(0.5) == (["time limit"] * 2, 2)
     assert statuses(0.5, retry_failed=True) == (["time limit"] * 2, 4)
     assert statuses(30) == (["done"] * 2, 6)
+
+
+def test_a_stop_in_the_middle_of_writing_loses_no_row(tmp_path, monkeypatch):
+    from osim_contact_scale.simulate import _store
+    from osim_contact_scale.simulate._job import Outcome
+
+    store = _store.Store(tmp_path)
+    store.add(Outcome("a", "done", numbers={"x": 1.0}, series={"time_s": [0.0]}))
+    whole, calls = os.replace, []
+
+    def interrupted(*paths):
+        calls.append(paths)
+        if len(calls) == 2:
+            raise KeyboardInterrupt
+        whole(*paths)
+
+    monkeypatch.setattr(os, "replace", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        store.flush()
+    assert _store.known_in(tmp_path) == {}
+    store.flush()
+    assert list(_store.known_in(tmp_path)) == ["a"]
+    assert list(_store.series_in(tmp_path, "a")["time_s"]) == [0.0]
+    assert not list(tmp_path.rglob("*.partial"))

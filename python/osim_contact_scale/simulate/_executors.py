@@ -15,7 +15,7 @@ from typing import Any
 from .._errors import RequestError
 from .._text import printable
 from ._guard import refuse_unguarded
-from ._worker import end_servers
+from ._worker import close_servers, end_servers
 
 log = logging.getLogger("osim_contact_scale")
 
@@ -39,13 +39,16 @@ def executor_of(scheduler: Any, workers: int | None, run: str) -> Iterator[Execu
         refuse_unguarded()
         yield scheduler
     elif scheduler == HERE:
-        with ThreadPoolExecutor(workers or _cores(), "simulate") as threads:
-            try:
-                yield threads
-            finally:
-                threads.shutdown(wait=False, cancel_futures=True)
-                # Threads that wait for a model end with its process: after Ctrl-C, too.
-                end_servers(run)
+        try:
+            with ThreadPoolExecutor(workers or _cores(), "simulate") as threads:
+                try:
+                    yield threads
+                finally:
+                    threads.shutdown(wait=False, cancel_futures=True)
+                    # Threads that wait for a model end with its process: after Ctrl-C, too.
+                    end_servers(run)
+        finally:
+            close_servers(run)
     else:
         with _client(scheduler, workers) as client:
             yield client.get_executor(pure=False)

@@ -96,11 +96,16 @@ class Store:
         rows, self._waiting = self._waiting, []
         self._count += 1
         name = f"{self._run}-{self._count:06d}"
-        series = _series_table(rows)
-        # Series first: a row that is there has its series.
-        if series is not None:
-            self._write(name + _SERIES, series)
-        self._write(name + _ROWS, pa.Table.from_pylist([_record(row) for row in rows], schema=_ROW_SCHEMA))
+        try:
+            series = _series_table(rows)
+            # Series first: a row that is there has its series.
+            if series is not None:
+                self._write(name + _SERIES, series)
+            self._write(name + _ROWS, pa.Table.from_pylist([_record(row) for row in rows], schema=_ROW_SCHEMA))
+        except BaseException:
+            # Stopped in the middle of it, by Ctrl-C or a full disk: the end of the run tries again.
+            self._waiting = rows + self._waiting
+            raise
 
     def merge(self) -> None:
         """Makes one part of those that this run wrote: a long run has thousands.

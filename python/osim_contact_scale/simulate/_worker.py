@@ -14,7 +14,6 @@ import sys
 import tempfile
 import threading
 import time
-import weakref
 from contextlib import suppress
 
 from . import _frames
@@ -25,7 +24,7 @@ from ._job import Job, Outcome, Versions
 _here = threading.local()
 
 #: Servers of this process, for those who end a run.
-_servers: weakref.WeakSet[Server] = weakref.WeakSet()
+_servers: set[Server] = set()
 #: Runs that have ended.
 _ended: set[str] = set()
 _lock = threading.Lock()
@@ -115,6 +114,8 @@ class Server:
             if pipe is not None:
                 with suppress(OSError):
                     pipe.close()
+        with _lock:
+            _servers.discard(self)
         # It ends with its input; what hangs is killed.
         with suppress(subprocess.TimeoutExpired):
             self._process.wait(_END)
@@ -140,6 +141,12 @@ def end_servers(run: str) -> None:
         for server in list(_servers):
             if server.run == run:
                 server.end()
+
+
+def close_servers(run: str) -> None:
+    """Lets go of the servers of a run that has ended, when no thread waits for them any more."""
+    for server in [server for server in _servers if server.run == run]:
+        server.close()
 
 
 def _started(*arguments: str, cwd: str | None) -> subprocess.Popen[bytes]:
