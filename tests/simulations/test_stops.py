@@ -2,6 +2,7 @@
 
 import os
 import signal
+import socket
 import subprocess
 import threading
 import time
@@ -100,9 +101,12 @@ def test_a_worker_is_killed(case):
 
 
 def test_the_scheduler_is_killed(case, client, start, tmp_path):
-    address = "tcp://127.0.0.1:38786"
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    address = f"tcp://127.0.0.1:{port}"
     scheduler = start(
-        "-m", "distributed.cli.dask_scheduler", "--port", 38786, "--no-dashboard", stderr=subprocess.DEVNULL
+        "-m", "distributed.cli.dask_scheduler", "--port", port, "--no-dashboard", stderr=subprocess.DEVNULL
     )
     start("-m", "distributed.cli.dask_worker", address, "--nthreads", 1, "--no-dashboard", stderr=subprocess.DEVNULL)
     program = start(script(tmp_path, PROGRAM), case.words(address), stderr=subprocess.PIPE)

@@ -160,3 +160,10 @@ def test_a_run_leaves_no_process(tmp_path, points):
         if Path(f"/proc/{pid}/stat").read_text().split()[3] == str(os.getpid())
     ]
     assert not own
+
+
+def test_results_say_which_model_they_are_of(tmp_path, client):
+    rows = [{"path": str(HUMAN)}, {"path": str(tmp_path / "none.osim")}]
+    table = simulate.run(rows, tasks.empty, results=tmp_path / "r", scheduler=client).table
+    assert list(table["path"]) == [row["path"] for row in rows]
+    assert table["error"][1] == "none.osim cannot be read: No such file or directory"

@@ -39,7 +39,7 @@ def simulate(job: Job, loaded: Loaded, folder: str) -> Outcome:
 
 
 def _refusal(job: Job, loaded: Loaded) -> str | None:
-    """Why the result would not be the one that the key stands for."""
+    """Why the result would not be the one that belongs to the key."""
     if loaded.versions != job.versions:
         here, there = loaded.versions, job.versions
         return (

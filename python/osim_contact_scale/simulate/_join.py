@@ -26,7 +26,7 @@ def joined(points: Sequence[Point], keys: Mapping[int, str], rows: Mapping[str, 
     A number that is called like a column of the points has `_result` added to its name.
     """
     found = [rows.get(keys.get(point.row, "")) for point in points]
-    ours = {name: None for point in points for name in point.values}
+    ours = {name: None for point in points for name in point.columns}
     numbers: dict[str, str] = {}
     for row in found:
         for name in row.numbers if row is not None else ():
@@ -46,7 +46,7 @@ def _free(name: str, taken: set[str]) -> str:
 
 
 def _record(point: Point, key: str | None, row: Outcome | None, numbers: Mapping[str, str]) -> dict[str, Any]:
-    record = {**point.values, "key": key}
+    record = {**point.columns, "key": key}
     if row is not None:
         record.update(
             status=row.status, error=row.error, **{numbers[name]: value for name, value in row.numbers.items()}

@@ -27,6 +27,8 @@ class Point:
     path: str
     #: Its row, without the path.
     values: Mapping[str, Any]
+    #: Its row in the table of results: with the path as it was given.
+    columns: Mapping[str, Any]
 
 
 def points_of(given: Any) -> list[Point]:
@@ -69,10 +71,9 @@ def _point(number: int, row: Mapping[str, Any], folder: Path, printed: str) -> P
     path = row[column]
     if not isinstance(path, (str, os.PathLike)) or not os.fspath(path):
         raise RequestError("usage", f"{printed}: row {number} has no {column}", keywords=("points",))
-    values = {
-        name: _cell(value, f"{printed}: row {number}, column {name!r}") for name, value in row.items() if name != "path"
-    }
-    return Point(number, os.path.abspath(folder / os.fsdecode(path)), values)
+    columns = {name: _cell(value, f"{printed}: row {number}, column {name!r}") for name, value in row.items()}
+    values = {name: value for name, value in columns.items() if name != "path"}
+    return Point(number, os.path.abspath(folder / os.fsdecode(path)), values, columns)
 
 
 def _cell(value: Any, place: str) -> Value:

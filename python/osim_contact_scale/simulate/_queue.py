@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import logging
+import os
 import queue
 from collections.abc import Iterable
 from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future
@@ -118,7 +119,10 @@ class Queue:
             digest = hashlib.sha256(Path(point.path).read_bytes()).hexdigest()
         except OSError as error:
             key = key_of(point.path, base, values)
-            self._arrived(Outcome(key, "refused", f"the model cannot be read: {error.strerror}"), 1)
+            self._arrived(
+                Outcome(key, "refused", f"{printable(os.path.basename(point.path))} cannot be read: {error.strerror}"),
+                1,
+            )
             self.keys[point.row] = key
             return None
         key = key_of(digest, base, values)

@@ -1,4 +1,4 @@
-"""What stands for a function in the key of a row: its code, and everything of yours that it uses.
+"""The part of a key that is about a function: its code, and everything of yours that it uses.
 
 Comments and blanks make no difference. Functions, classes and constants are followed through your modules, as far as they are
 named. What is installed has a version, and is not followed.
@@ -190,5 +190,7 @@ def _sorted(items: Iterable[Any]) -> list[Any]:
 
 def _needs_version(message: str) -> RequestError:
     return RequestError(
-        "usage", f"{message}: say what stands for it: simulate.Function(..., version=...)", keywords=("version",)
+        "usage",
+        f"{message}: say simulate.Function(..., version=...), and another version when it changes",
+        keywords=("version",),
     )

@@ -27,7 +27,7 @@ class Function:
     settings : dict, optional
         Further keywords, the same for all models: numbers, texts, lists and dictionaries of them. They are part of the key of a row.
     version : str or int, optional
-        What stands for the function in the key of a row. By default it is the function's source, with that of everything in its module
+        The part of a row's key that is about the function. By default it is the function's code, with that of everything
         that it uses: another source computes all rows again. Say a version where results depend on more than that, such as another
         file, and change it with them.
     """
@@ -45,7 +45,7 @@ class Function:
 
 @dataclasses.dataclass(frozen=True)
 class Task:
-    """A callable, what it is given, and what stands for it in the key of a row."""
+    """A callable, what it is given, and its part of the key of a row."""
 
     call: Callable[..., Any]
     settings: Mapping[str, Any]
@@ -92,7 +92,7 @@ class Task:
         import cloudpickle
 
         folders = (os.getcwd() if not folder else os.path.abspath(folder) for folder in sys.path)
-        # What the key stands for is what travels: a worker may find another file under the same name, or an older one in its memory.
+        # What the key was made of is what travels: a worker may find another file under the same name, or an older one in its memory.
         yours = [sys.modules[name] for name in self.modules if name in sys.modules and name != "__main__"]
         yours = [module for module in yours if module.__name__ not in cloudpickle.list_registry_pickle_by_value()]
         for module in yours:

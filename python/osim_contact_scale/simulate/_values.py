@@ -1,4 +1,4 @@
-"""Values: what a cell of a table can hold, and what stands for a value in the key of a row."""
+"""Values: what a cell of a table can hold, and how a value is written into the key of a row."""
 
 from __future__ import annotations
 
