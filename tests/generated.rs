@@ -8,11 +8,12 @@ use std::path::{Path, PathBuf};
 
 use contact_scaling::limits;
 use osim_inspect::{Figure, Quantity};
-use osim_model::wording::{Call, Dialect, Example, Input, Phrase, Verb};
+use osim_messages::{Call, Dialect, Example, Input, Phrase, Verb};
 use osim_model::{FindingCode, Repair, Seen, Severity};
+use osim_planning::{DesignQuantity, DropColumn, DropFigure, DropRow};
 use osim_report::dialect::CommandLine;
 use osim_report::explain::ErrorGroup;
-use osim_requests::{DesignQuantity, DropColumn, DropFigure, DropRow, schema_of};
+use osim_requests::schema_of;
 
 /// The words of the command line, marked as code.
 struct Markdown;

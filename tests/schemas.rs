@@ -7,12 +7,13 @@ use std::path::{Path, PathBuf};
 
 use osim_inspect::{CheckResult, FindingRecord, Inspection};
 use osim_library::run::JsonRecord;
-use osim_model::wording::Verb;
+use osim_messages::Verb;
+use osim_planning::DesignSheet;
 use osim_report::explain::TopicRecord;
 use osim_report::json::{FailureRecord, PlanRecord};
 use osim_report::reproduce::ReproductionRecord;
 use osim_report::results::{DropRecord, FitRecord, PresetRecord, SweepRecord};
-use osim_requests::{DesignSheet, schema_of};
+use osim_requests::schema_of;
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema};
 use serde_json::Value;

@@ -2,13 +2,8 @@
 
 use std::collections::HashMap;
 
-use osim_model::{
-    Document, ElementId, FileId, ForceId, Limbs, MassRequest, MassSource, Model, PieceKind, Scope, Selection,
-    SetId, SphereId, Value,
-};
-use osim_patch::{
-    Edit, Plan, RadiusRule, Reference, Transfer, reference_of_model, rescale, splice, transfer,
-};
+use osim_model::{Document, ElementId, FileId, ForceId, Limbs, MassRequest, MassSource, Model, PieceKind, RadiusRule, Scope, Selection, SetId, SphereId, Value};
+use osim_patch::{Edit, Plan, Reference, Transfer, reference_of_model, rescale, splice, transfer};
 
 use crate::accept;
 use crate::request::Request;

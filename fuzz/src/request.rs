@@ -1,7 +1,7 @@
 //! What is asked of a mutated model: one of many rescalings, chosen by the bytes themselves, so that a run is repeatable.
 
-use osim_model::{Fault, Mass, MassRequest, Model, Pattern, Selected, Selection};
-use osim_patch::{DissipationBy, Plan, PropertySet, RadiusRule, Rescale, rescale};
+use osim_model::{DissipationBy, Fault, Mass, MassRequest, Model, Pattern, PropertySet, RadiusRule, Selected, Selection};
+use osim_patch::{Plan, Rescale, rescale};
 
 /// Mass that contacts stand for where the model does not say, kg.
 const ANY_MASS_KG: f64 = 62.0;

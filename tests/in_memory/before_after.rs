@@ -3,14 +3,13 @@
 use std::cell::Cell;
 use std::path::{Path, PathBuf};
 
-use osim_inspect::check_model;
+use osim_inspect::InspectOptions;
 use osim_model::files::{InMemory, ModelFiles, OpenModel};
 use osim_model::{Fault, Model};
 use osim_patch::Plan;
+use osim_planning::{BeforeAfter, Change, Planner, changeable, check_with_trials, prepare};
 use osim_report::dialect::CommandLine;
 use osim_requests::options::InspectionOptions;
-use osim_requests::{Change, Planner};
-use osim_states::BeforeAfter;
 use serde_json::json;
 
 use crate::front_end::{Changed, read};
@@ -42,9 +41,13 @@ impl Planner for Planned<'_> {
 }
 
 fn found(planner: &dyn Planner, opened: &OpenModel) -> serde_json::Value {
-    let options = planner.inspection().inspect_options();
-    let mut found =
-        check_model(&options, &opened.model, &options.inspect(opened.name(), &opened.model, None), None);
+    let options = InspectOptions::from(&planner.inspection());
+    let mut found = check_with_trials(
+        &options,
+        &opened.model,
+        &options.inspect(opened.name(), &opened.model, None),
+        None,
+    );
     found.spell(&CommandLine);
     serde_json::to_value(found).unwrap()
 }
@@ -70,7 +73,7 @@ fn a_plan_at_hand_is_enough_and_says_the_same_as_check() {
             json!({"verb": "set", "models": "model.osim", "set": {"stiffness": "x2"}}),
             json!({"verb": "design", "models": "model.osim", "restitution": 0.9, "impact_speed": 0.1}),
         ] {
-            let change: Change = read(&request).prepare(&files).unwrap();
+            let change: Change = prepare(read(&request), &files).unwrap();
             let Ok(changed) = Changed::new(&change, Path::new("model.osim"), &files) else { continue };
             let asked = Cell::new(0);
             let beside = change.set_files.beside();
@@ -107,8 +110,7 @@ fn a_plan_at_hand_is_enough_and_says_the_same_as_check() {
                     let findings = value["findings"].as_array().unwrap();
                     findings.iter().map(|finding| !finding["command"].is_null()).collect()
                 };
-                let tried =
-                    osim_inspect::can_be_changed(&planned.inspection().inspect_options(), &written.model);
+                let tried = changeable(&InspectOptions::from(&planned.inspection()), &written.model).numbers;
                 let after = serde_json::to_value(after).unwrap();
                 assert!(tried || !remedies(&after).contains(&true), "{}: {request}", path.display());
             }

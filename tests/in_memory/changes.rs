@@ -1,5 +1,6 @@
 //! Verbs that change models: the plan as table, JSON and diff, and the bytes of each file.
 
+use osim_planning::prepare;
 use serde_json::json;
 
 use crate::front_end::{same_change, same_failure};
@@ -185,7 +186,7 @@ fn contacts_at_places_of_the_models_own() {
         }),
     );
     let json = json!({"verb": "add", "models": "human.osim", "contacts": "bad.csv", "from": "falisse2022"});
-    let fault = crate::front_end::read(&json).prepare(&crate::front_end::files_of(&bench)).err().unwrap();
+    let fault = prepare(crate::front_end::read(&json), &crate::front_end::files_of(&bench)).err().unwrap();
     let osim_requests::RequestError::Failure(failure) = fault else { panic!("{fault:?}") };
     assert_eq!((failure.code, failure.line, failure.column), ("table", Some(3), Some(4)));
 }

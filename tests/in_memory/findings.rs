@@ -5,11 +5,12 @@ use std::path::Path;
 use osim_inspect::CheckResult;
 use osim_model::FindingCode;
 use osim_model::files::InMemory;
+use osim_planning::{Inspector, open_with, prepare};
 use osim_report::check::{LibraryTable, csv_rows, text};
 use osim_report::dialect::{CommandLine, FrontEnd};
 use osim_report::json::line;
 use osim_report::layout::Colour;
-use osim_requests::{CheckRequest, Request, open_with};
+use osim_requests::{CheckRequest, Request};
 use serde_json::json;
 
 use crate::front_end::{Changed, files_of, request};
@@ -17,7 +18,7 @@ use crate::support::{Bench, HUMAN};
 
 /// What is found in a model, spelled.
 fn checked(request: &CheckRequest, path: &Path, files: &InMemory) -> CheckResult {
-    let inspector = request.inspector(files);
+    let inspector = Inspector::of_check(request, files);
     let opened = open_with(path, inspector.set_files().beside(), files).unwrap();
     let inspected = inspector.inspect(&opened).unwrap();
     inspector.refuse_without_contacts(&opened, &inspected).unwrap();
@@ -71,7 +72,7 @@ fn put_right(bench: &Bench, model: &str, code: FindingCode) {
     let remedy = Request::try_from(finding.remedy.as_ref().unwrap()).unwrap();
     // A dictionary can be kept, sent and changed before it is run.
     let remedy = Request::from_json(remedy.to_json().as_bytes()).unwrap();
-    let change = remedy.prepare(&files).unwrap();
+    let change = prepare(remedy, &files).unwrap();
     let changed = Changed::new(&change, Path::new(model), &files).unwrap();
 
     let command = finding.command.as_deref().unwrap();
@@ -100,7 +101,7 @@ fn remedies() {
 #[test]
 fn a_remedy_in_the_words_of_requests_is_a_request() {
     let bench = Bench::human();
-    let inspector = check_of("human.osim").inspector(&files_of(&bench));
+    let inspector = Inspector::of_check(&check_of("human.osim"), &files_of(&bench));
     let opened =
         open_with(Path::new("human.osim"), inspector.set_files().beside(), &files_of(&bench)).unwrap();
     let inspected = inspector.inspect(&opened).unwrap();

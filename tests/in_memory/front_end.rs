@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 use osim_model::FileId;
 use osim_model::files::{Failure, InMemory, ModelFiles, OpenModel};
 use osim_patch::Plan;
+use osim_planning::{Change, prepare};
 use osim_report::dialect::CommandLine;
 use osim_report::json::{FailureRecord, PlanRecord, line};
 use osim_report::plan;
+use osim_requests::Request;
 use osim_requests::options::OutputOptions;
-use osim_requests::{Change, Request};
 use serde_json::Value;
 
 use crate::support::Bench;
@@ -111,7 +112,7 @@ impl Changed {
 #[track_caller]
 pub(crate) fn same_change(bench: &Bench, words: &str, json: &Value) -> Changed {
     let files = files_of(bench);
-    let change = read(json).prepare(&files).unwrap();
+    let change = prepare(read(json), &files).unwrap();
     let [path] = change.models.as_slice() else { panic!("not one model: {json}") };
     let changed = Changed::new(&change, path, &files).unwrap();
 
@@ -139,7 +140,7 @@ pub(crate) fn same_change(bench: &Bench, words: &str, json: &Value) -> Changed {
 #[track_caller]
 pub(crate) fn same_failure(bench: &Bench, words: &str, json: &Value) {
     let files = files_of(bench);
-    let change = read(json).prepare(&files).unwrap();
+    let change = prepare(read(json), &files).unwrap();
     let failed = change.models.iter().filter_map(|path| Changed::new(&change, path, &files).err());
     let records = failed.map(|failure| line(&FailureRecord::new(&failure, &CommandLine)));
     let ran = bench.run(&format!("{words} --format json")).failed().wrote_nothing();

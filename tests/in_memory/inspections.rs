@@ -2,11 +2,12 @@
 
 use osim_inspect::Inspection;
 use osim_model::files::InMemory;
+use osim_planning::{Inspector, open_with};
 use osim_report::dialect::CommandLine;
 use osim_report::inspection::{csv_rows, text};
 use osim_report::json::line;
 use osim_report::layout::Colour;
-use osim_requests::{InspectRequest, open_with};
+use osim_requests::InspectRequest;
 use serde_json::{Value, json};
 
 use crate::front_end::{files_of, request};
@@ -14,7 +15,7 @@ use crate::support::{Bench, HUMAN};
 
 /// All models of a request, inspected and spelled.
 fn inspected(request: &InspectRequest, files: &InMemory) -> Vec<Inspection> {
-    let inspector = request.inspector(files);
+    let inspector = Inspector::of_inspect(request, files);
     let one = |path| {
         let opened = open_with(path, inspector.set_files().beside(), files).unwrap();
         let mut inspected = inspector.inspect(&opened).unwrap();

@@ -2,14 +2,13 @@
 
 use std::path::Path;
 
-use osim_model::files::{Beside, InMemory, ModelFiles, OpenModel};
-use osim_model::wording::Verb;
-use osim_report::dialect::CommandLine;
-use osim_report::html::{
+use osim_html::{
     self, About, Columns, DetailLevel, Entry, Files, InMemory as Texts, Kept, NamedDigest, Page, RunRow,
 };
-use osim_requests::{ModelFeet, open_with};
-use osim_states::BeforeAfter;
+use osim_messages::Verb;
+use osim_model::files::{Beside, InMemory, ModelFiles, OpenModel};
+use osim_planning::{BeforeAfter, Inspector, ModelFeet, open_with, prepare};
+use osim_report::dialect::CommandLine;
 use serde_json::json;
 use sha2::{Digest, Sha256};
 
@@ -39,7 +38,7 @@ fn of_an_inspection() {
     let bench = Bench::human();
     let files = files_of(&bench);
     let request = request!(Inspect, {"verb": "inspect", "models": "human.osim"});
-    let inspector = request.inspector(&files);
+    let inspector = Inspector::of_inspect(&request, &files);
     let opened = open_with(&request.models[0], inspector.set_files().beside(), &files).unwrap();
     let mut inspected = inspector.inspect(&opened).unwrap();
     let mut found = inspector.check(&opened.model, &inspected, None);
@@ -47,7 +46,7 @@ fn of_an_inspection() {
     found.spell(&CommandLine);
     let mut feet = ModelFeet::of(opened.name(), &opened, &inspector.options().selection).unwrap();
     feet.add_bones((&opened.model, &request.models[0]), None, &files);
-    let entry = html::inspected(
+    let entry = osim_html::inspected(
         inspector.options(),
         &opened,
         (&inspected, &found),
@@ -67,7 +66,7 @@ fn of_an_inspection() {
 #[track_caller]
 fn same_page(bench: &Bench, verb: Verb, words: &str, json: &serde_json::Value) {
     let files = files_of(bench);
-    let change = read(json).prepare(&files).unwrap();
+    let change = prepare(read(json), &files).unwrap();
     let path = change.models[0].as_path();
     let changed = Changed::new(&change, path, &files).unwrap();
     let new_files = || changed_files(path, &change.set_files.beside(), &files, &changed);
@@ -87,12 +86,12 @@ fn same_page(bench: &Bench, verb: Verb, words: &str, json: &serde_json::Value) {
         result: format!("written: {}", names.join(", ")),
         outputs: outputs.collect(),
     };
-    let mut shows = html::Changed::of_states(&changed.plan, &both, told);
+    let mut shows = osim_html::Changed::of_states(&changed.plan, &both, told);
     if let Some(feet) = shows.feet.last_mut() {
         feet.add_bones((&changed.opened.model, path), None, &files);
     }
     shows.in_file = true;
-    let entry = html::changed(&row, shows, DetailLevel::Alone, &CommandLine);
+    let entry = osim_html::changed(&row, shows, DetailLevel::Alone, &CommandLine);
 
     let words = format!("{words} --report page.html");
     bench.run(&words).done();

@@ -1,6 +1,7 @@
 //! Figures: SVG and PNG as bytes, and what is said beside them.
 
 use osim_figures as figures;
+use osim_planning::plot_bodies;
 use osim_report::dialect::CommandLine;
 use serde_json::{Value, json};
 
@@ -17,7 +18,7 @@ fn same(words: &str, json: &Value) {
     let bench = bench();
     let request = request!(Plot, json);
     request.check_models().unwrap();
-    let bodies = request.bodies(&files_of(&bench)).unwrap();
+    let bodies = plot_bodies(&request, &files_of(&bench)).unwrap();
     let drawing = figures::draw(&request, &bodies, None).unwrap();
     let svg = figures::svg(&drawing, figures::paper(&request.looks), &bodies).unwrap();
 

@@ -1,5 +1,6 @@
 //! Verbs that compute and change nothing: drops, fits, designs without a model, presets, explanations.
 
+use osim_planning::{design_sheet, find_presets, run_drop_test, run_fit};
 use osim_report::dialect::CommandLine;
 use osim_report::explain::{Letters, answer};
 use osim_report::json::{FailureRecord, line};
@@ -24,7 +25,7 @@ fn drop_test_compared_with_another() {
         "height": "x0.25",
         "samples": 21,
     });
-    let drop = request.run(&files_of(&bench)).unwrap();
+    let drop = run_drop_test(&request, &files_of(&bench)).unwrap();
     let words = "drop-test human.osim --compare heavier.osim --height x0.25 --samples 21";
     let ran = bench.run(words).done();
     assert_eq!(drop_text(&drop), ran.out());
@@ -38,7 +39,7 @@ fn drop_test_compared_with_another() {
 fn drop_test_of_a_preset_of_ones_own() {
     let bench = Bench::with(&[("presets/lab.toml", "lab.toml")]);
     let request = request!(DropTest, {"verb": "drop-test", "subject": "heel_pad", "presets": "lab.toml"});
-    let drop = request.run(&files_of(&bench)).unwrap();
+    let drop = run_drop_test(&request, &files_of(&bench)).unwrap();
     assert_eq!(drop_text(&drop), bench.run("drop-test heel_pad --presets lab.toml").done().out());
 }
 
@@ -59,12 +60,12 @@ fn fit() {
     });
     let words = "fit pad.csv --radius 0.01 --indentation-column Eindringtiefe --indentation-unit mm \
                  --force-column Kraft --force-unit kN --time-column Zeit";
-    let fit = request.run(&files).unwrap();
+    let fit = run_fit(&request, &files).unwrap();
     assert_eq!(fit_text(&fit, &CommandLine), bench.run(words).done().out());
     assert_eq!(line(&FitRecord::from(&fit)), bench.run(&format!("{words} --format json")).done().out());
 
     let request = request!(Fit, {"verb": "fit", "file": "bad.csv", "radius": 0.01});
-    let Err(RequestError::Failure(failure)) = request.run(&files) else { panic!() };
+    let Err(RequestError::Failure(failure)) = run_fit(&request, &files) else { panic!() };
     let ran = bench.run("fit bad.csv --radius 0.01 --format json").failed();
     assert_eq!(line(&FailureRecord::new(&failure, &CommandLine)), ran.out());
 }
@@ -74,13 +75,13 @@ fn design_without_a_model() {
     let bench = Bench::new();
     let request =
         request!(Design, {"verb": "design", "mass": 62, "spheres": 6, "radius": 0.032, "indentation": 0.16});
-    let sheet = request.calculate().unwrap();
+    let sheet = design_sheet(&request).unwrap();
     let words = "design --mass 62 --spheres 6 --radius 0.032 --indentation 0.16";
     assert_eq!(design_sheet_text(&sheet), bench.run(words).done().out());
     assert_eq!(line(&sheet), bench.run(&format!("{words} --format json")).done().out());
 
     let request = request!(Design, {"verb": "design", "mass": 62});
-    let fault = request.calculate().unwrap_err().spelled(&CommandLine);
+    let fault = design_sheet(&request).unwrap_err().spelled(&CommandLine);
     assert_eq!(format!("error: {fault}\n"), bench.run("design --mass 62").usage().err());
 }
 
@@ -88,7 +89,8 @@ fn design_without_a_model() {
 fn presets() {
     let bench = Bench::with(&[("presets/lab.toml", "lab.toml")]);
     let presets =
-        request!(Presets, {"verb": "presets", "presets": "lab.toml"}).find(&files_of(&bench)).unwrap();
+        find_presets(&request!(Presets, {"verb": "presets", "presets": "lab.toml"}), &files_of(&bench))
+            .unwrap();
     let texts: Vec<String> = presets.iter().map(preset_text).collect();
     assert_eq!(texts.join("\n"), bench.run("presets --presets lab.toml").done().out());
     let lines: String = presets.iter().map(|preset| line(&PresetRecord::from(preset))).collect();

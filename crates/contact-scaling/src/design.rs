@@ -23,7 +23,7 @@ fn wanted(relative_indentation: f64) -> Result<f64, DomainError> {
 /// [`DomainError`] unless R is finite and above 0 and x̂ in its range.
 ///
 /// ```
-/// # use contact_scaling::{design, SharedLoad};
+/// # use contact_scaling::{SharedLoad, design};
 /// let human = SharedLoad::new(62.0 * 9.81, 6.0)?;
 /// assert!((design::composite_modulus(0.032, 0.3533, &human)? / 0.354e6 - 1.0).abs() < 2e-3); // Table 1
 /// # Ok::<(), contact_scaling::DomainError>(())
@@ -49,7 +49,7 @@ pub fn composite_modulus(
 /// [`DomainError`] unless E* and R are finite and above 0.
 ///
 /// ```
-/// # use contact_scaling::{design, SharedLoad};
+/// # use contact_scaling::{SharedLoad, design};
 /// let human = SharedLoad::new(62.0 * 9.81, 6.0)?;
 /// assert!((design::relative_indentation(353_553.39, 0.032, &human)? - 0.3533).abs() < 5e-5);
 /// # Ok::<(), contact_scaling::DomainError>(())
@@ -79,7 +79,7 @@ pub(crate) fn depth_of(load: f64, modulus: f64, radius: f64) -> f64 {
 /// [`DomainError`] unless k is finite and above 0 and x̂ in its range.
 ///
 /// ```
-/// # use contact_scaling::{design, SharedLoad};
+/// # use contact_scaling::{SharedLoad, design};
 /// let human = SharedLoad::new(62.0 * 9.81, 6.0)?;
 /// assert!((design::radius_for_stiffness(13_449.5, 0.3533, &human)? - 0.032).abs() < 1e-5);
 /// # Ok::<(), contact_scaling::DomainError>(())

@@ -16,7 +16,7 @@ use crate::{Contact, ContactValues, EQUAL_SURFACES, Scale, SmoothingValues, desi
 /// (C.2), (C.5), (C.10).
 ///
 /// ```
-/// use contact_scaling::{falisse2022, DimensionlessContact};
+/// use contact_scaling::{DimensionlessContact, falisse2022};
 /// let human = falisse2022();
 /// let dimensionless = DimensionlessContact::of(&human.contact, &human.scale);
 /// assert!((dimensionless.relative_indentation() - 0.353).abs() < 5e-4); // Table 1

@@ -21,7 +21,7 @@ pub use crate::rest::Raised;
 /// [`DomainError`] unless F is finite and above 0 and there is a sphere.
 ///
 /// ```
-/// # use contact_scaling::{equilibrium, falisse2022, Law, Spheres};
+/// # use contact_scaling::{Law, Spheres, equilibrium, falisse2022};
 /// let human = [Spheres::new(Law::of(&falisse2022().contact, 0.032)?, 6.0)?];
 /// assert!((equilibrium::hertz_indentation(&human, 62.0 * 9.81)? / 0.032 - 0.3533).abs() < 5e-5);
 /// # Ok::<(), contact_scaling::DomainError>(())
@@ -43,7 +43,7 @@ pub fn hertz_indentation(spheres: &[Spheres], load_n: f64) -> Result<f64, Domain
 /// [`DomainError`] unless F is finite and above 0, there is a sphere, and an indentation carries F.
 ///
 /// ```
-/// # use contact_scaling::{equilibrium, falisse2022, Law, Spheres};
+/// # use contact_scaling::{Law, Spheres, equilibrium, falisse2022};
 /// let human = [Spheres::new(Law::of(&falisse2022().contact, 0.032)?, 6.0)?];
 /// assert!((equilibrium::indentation(&human, 62.0 * 9.81)? / 0.032 - 0.3396).abs() < 5e-5);
 /// # Ok::<(), contact_scaling::DomainError>(())
@@ -64,7 +64,8 @@ pub fn indentation(spheres: &[Spheres], load_n: f64) -> Result<f64, DomainError>
 /// [`DomainError`] unless F is finite and above 0 and there is a sphere.
 ///
 /// ```
-/// # use contact_scaling::{equilibrium::{self, Raised}, falisse2022, Law, Spheres};
+/// # use contact_scaling::{Law, Spheres, falisse2022};
+/// # use contact_scaling::equilibrium::{Raised, self};
 /// // Falisse's six spheres, two of them 2 mm lower than the others.
 /// let law = Law::of(&falisse2022().contact, 0.032)?;
 /// let foot = [Raised::new(Spheres::new(law, 2.0)?, 0.0)?, Raised::new(Spheres::new(law, 4.0)?, 0.002)?];
@@ -100,7 +101,8 @@ pub fn hertz_indentation_of_lowest(spheres: &[Raised], load_n: f64) -> Result<f6
 /// [`DomainError`] unless F is finite and above 0, there is a sphere, and an indentation carries F.
 ///
 /// ```
-/// # use contact_scaling::{equilibrium::{self, Raised}, falisse2022, Law, Spheres};
+/// # use contact_scaling::{Law, Spheres, falisse2022};
+/// # use contact_scaling::equilibrium::{Raised, self};
 /// let law = Law::of(&falisse2022().contact, 0.032)?;
 /// // All at one height is a level foot.
 /// let level = [Raised::new(Spheres::new(law, 6.0)?, 0.0)?];

@@ -17,7 +17,7 @@ impl Law {
     /// The law of a sphere of radius R (m) whose file holds `contact`: smoothed if the contact is.
     ///
     /// ```
-    /// # use contact_scaling::{falisse2022, Law};
+    /// # use contact_scaling::{Law, falisse2022};
     /// assert!(matches!(Law::of(&falisse2022().contact, 0.032)?, Law::Smooth(_)));
     /// # Ok::<(), contact_scaling::DomainError>(())
     /// ```
@@ -45,7 +45,7 @@ impl Law {
     /// Everything about a body at rest follows from this: where it rests, how stiff it stands, what just touches.
     ///
     /// ```
-    /// # use contact_scaling::{falisse2022, Law};
+    /// # use contact_scaling::{Law, falisse2022};
     /// let law = Law::of(&falisse2022().contact, 0.032)?;
     /// assert_eq!(law.rest_force(0.01), law.force(0.01, 0.0));
     /// # Ok::<(), contact_scaling::DomainError>(())

@@ -12,7 +12,7 @@
 //! [`Ratios`] of mass, sphere count, radius and gravity:
 //!
 //! ```
-//! use contact_scaling::{falisse2022, Ratios, Scale, ScaleValues};
+//! use contact_scaling::{Ratios, Scale, ScaleValues, falisse2022};
 //!
 //! let human = falisse2022();
 //! let mouse =

@@ -86,7 +86,7 @@ pub fn composite_sherman(first_n_m2: f64, second_n_m2: f64) -> Result<f64, Domai
 /// [`DomainError`] unless E* is finite and above 0.
 ///
 /// ```
-/// # use contact_scaling::modulus::{self, MixingRule};
+/// # use contact_scaling::modulus::{MixingRule, self};
 /// assert_eq!(modulus::of_equal_surfaces(1e6, MixingRule::Johnson)?, 2e6);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
@@ -104,7 +104,7 @@ pub fn of_equal_surfaces(composite_n_m2: f64, rule: MixingRule) -> Result<f64, D
 /// [`DomainError`] unless E₁* is finite and above 0.
 ///
 /// ```
-/// # use contact_scaling::modulus::{self, MixingRule};
+/// # use contact_scaling::modulus::{MixingRule, self};
 /// assert!((modulus::composite_of_equal(1e6, MixingRule::Sherman)? - 353_553.39).abs() < 0.01);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
@@ -151,7 +151,7 @@ pub struct SurfaceValues {
 /// [`DomainError`] unless both moduli are above 0 and both dissipations 0 or above, all finite.
 ///
 /// ```
-/// # use contact_scaling::modulus::{self, SurfaceValues};
+/// # use contact_scaling::modulus::{SurfaceValues, self};
 /// let soft = SurfaceValues { plane_strain_modulus: 1e6, dissipation: 2.0 };
 /// let hard = SurfaceValues { plane_strain_modulus: 8e6, dissipation: 0.0 };
 /// assert_eq!(modulus::mixed_dissipation(soft, hard)?, 1.6); // the soft one takes 4/5

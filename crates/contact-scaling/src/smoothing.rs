@@ -187,7 +187,7 @@ pub fn hunt_crossley_smoothing_for_speed_width(threshold: f64, width_m_s: f64) -
 /// [`DomainError`] outside that domain.
 ///
 /// ```
-/// # use contact_scaling::smoothing::{self, hunt_crossley_smoothing_for_speed_width};
+/// # use contact_scaling::smoothing::{hunt_crossley_smoothing_for_speed_width, self};
 /// let printed = smoothing::hunt_crossley_smoothing_for_reduced_width(0.05, 0.2, 0.09)?;
 /// assert!((printed / hunt_crossley_smoothing_for_speed_width(0.05, 0.2 * 0.3)? - 1.0).abs() < 1e-15);
 /// # Ok::<(), contact_scaling::DomainError>(())

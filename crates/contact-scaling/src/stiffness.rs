@@ -15,7 +15,7 @@ use crate::error::{DomainError, positive};
 /// [`DomainError`] unless k and R are finite and above 0.
 ///
 /// ```
-/// # use contact_scaling::{stiffness, SharedLoad};
+/// # use contact_scaling::{SharedLoad, stiffness};
 /// let human = SharedLoad::new(62.0 * 9.81, 6.0)?;
 /// assert!((stiffness::dimensionless(13_449.5, 0.032, &human)? - 4.2457).abs() < 1e-4);
 /// # Ok::<(), contact_scaling::DomainError>(())

@@ -4,8 +4,9 @@ use std::path::{Path, PathBuf};
 
 use clap::{Command, CommandFactory};
 use osim_library::SplitName;
-use osim_model::wording::{Input, Phrase, Verb, phrase};
-use osim_requests::{AxisName, Kilograms, PlotKind, fig1};
+use osim_messages::{Input, Phrase, Verb, phrase};
+use osim_requests::fig1;
+use osim_requests::{AxisName, Kilograms, PlotKind};
 
 use crate::args::Cli;
 use crate::words::Words;

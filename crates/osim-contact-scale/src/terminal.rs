@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::io::{self, ErrorKind, IsTerminal, Write};
 
-use osim_model::wording::{harmless, one_line};
+use osim_messages::{harmless, one_line};
 use osim_report::layout::WIDTH;
 
 /// How a run ended, as the exit status.

@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
+use osim_messages::Phrase;
 use osim_model::Fault;
 use osim_model::files::FileError;
-use osim_model::wording::Phrase;
 
 use crate::mesh::MeshFault;
 use crate::pose_fault::PoseFault;

@@ -1,7 +1,7 @@
 //! Feet that do not lie flat at the default pose, and what tilts them.
 
-use osim_model::wording::shown;
-use osim_model::{Model, ModelJoint, Placement, readable};
+use osim_messages::{readable, shown};
+use osim_model::{Model, ModelJoint, Placement};
 
 use crate::couplers::coordinate_values;
 use crate::default_pose::DefaultPose;

@@ -1,8 +1,8 @@
 //! The numbers of a figure as a table.
 
 use contact_plots::{Datum, Drawing};
-use osim_model::shortest;
-use osim_requests::cell;
+use osim_messages::shortest;
+use osim_planning::cell;
 
 /// What the columns are called: they say themselves what is in them.
 const COLUMNS: [&str; 9] = ["panel", "kind", "name", "x_axis", "x", "y_axis", "y", "value_name", "value"];

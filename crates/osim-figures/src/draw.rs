@@ -1,12 +1,11 @@
 //! The figure that a request asks for.
 
 use contact_plots::{Drawing, Paper, PlotError, drop_figure, force_figure, loop_figure, state_figure};
-use osim_inspect::series::Body;
+use osim_inspect::series::{Body, HeatRequest};
+use osim_messages::{Input, Phrase, harmless, phrase};
 use osim_model::files::Failure;
-use osim_model::wording::{Input, Phrase, harmless, phrase};
-use osim_requests::{
-    AxesChoice, FigureOptions, HeatTable, ModelFeet, PlotKind, PlotRequest, Positive, Span, fig1,
-};
+use osim_planning::{HeatTable, ModelFeet};
+use osim_requests::{AxesChoice, FigureOptions, PlotKind, PlotRequest, Positive, Span, fig1};
 
 use super::axes::{Axes, units};
 use super::drops::drops;
@@ -56,7 +55,7 @@ fn of_bodies(request: &PlotRequest, bodies: &[Body], title: Option<&str>) -> Res
         Some(PlotKind::Sweep) => {
             let (stiffness, dissipation) = (request.heat.stiffness, request.heat.dissipation);
             let values = |grid: osim_requests::Grid| move |now| grid.values(now);
-            return heat(bodies, &request.heat_request(), values(stiffness), values(dissipation), title);
+            return heat(bodies, &HeatRequest::from(request), values(stiffness), values(dissipation), title);
         }
         Some(PlotKind::Fig1) => {
             let why = Phrase::joined(fig1(), " ").unwrap_or_default();

@@ -1,9 +1,9 @@
 //! Force in a fall.
 
 use contact_plots::{DropCurve, DropEnd, DropFigure};
-use osim_inspect::DropHeight;
 use osim_inspect::series::{self, Body, DropSeries};
 use osim_model::files::Failure;
+use osim_requests::DropHeight;
 
 use super::names::title;
 

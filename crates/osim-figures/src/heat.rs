@@ -4,9 +4,10 @@ use contact_plots::{
     Axis, Curve, Direction, Drawing, Figure, HeatLimit, HeatMap, Limit, Look, Mark, Panel, Width,
 };
 use contact_scaling::limits;
-use osim_inspect::series::{self, Body, HeatQuantity, HeatRequest, Parameter, Profile};
+use osim_inspect::series::{self, Body, HeatRequest, Parameter, Profile};
+use osim_messages::{Input, phrase};
 use osim_model::files::Failure;
-use osim_model::wording::{Input, phrase};
+use osim_requests::HeatQuantity;
 
 use super::names::failure;
 

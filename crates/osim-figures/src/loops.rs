@@ -1,9 +1,9 @@
 //! Force while a sphere goes in and out.
 
 use contact_plots::{LoopCurve, LoopFigure};
-use osim_inspect::DropHeight;
 use osim_inspect::series::{self, Body, LoopSeries, SphereKind, Units};
 use osim_model::files::Failure;
+use osim_requests::DropHeight;
 
 use super::axes::{force_axis, indentation_axis};
 use super::limits::hertz_limit;

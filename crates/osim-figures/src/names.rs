@@ -1,8 +1,8 @@
 //! What figures and failures are called.
 
 use osim_inspect::series::Body;
+use osim_messages::Phrase;
 use osim_model::files::Failure;
-use osim_model::wording::Phrase;
 
 /// The title wanted, else what the figure shows of whom.
 pub(super) fn title(what: &str, bodies: &[Body], wanted: Option<&str>) -> String {

@@ -2,8 +2,8 @@
 
 use contact_plots::{StateCurve, StateFigure};
 use osim_inspect::series::{self, Body, Units};
+use osim_messages::Phrase;
 use osim_model::files::Failure;
-use osim_model::wording::Phrase;
 
 use super::axes::indentation_axis;
 use super::limits::thresholds;

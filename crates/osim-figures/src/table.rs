@@ -2,7 +2,7 @@
 
 use contact_plots::{Axis, Curve, Drawing, Figure, HeatMap, Look, Panel, Point, Width};
 use osim_model::files::Failure;
-use osim_requests::HeatTable;
+use osim_planning::HeatTable;
 
 use super::heat::value_axis;
 

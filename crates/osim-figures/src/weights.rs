@@ -1,8 +1,7 @@
 //! What is said beside a figure.
 
 use osim_inspect::series::Body;
-use osim_model::readable;
-use osim_model::wording::Dialect;
+use osim_messages::{Dialect, readable};
 
 /// What each body is taken to weigh and to stand on, one line each; why not, where that is not known and not needed.
 #[must_use]

@@ -1,7 +1,7 @@
 //! Contacts that were scaled to another gravity than the model still has.
 
-use osim_model::wording::{Input, phrase};
-use osim_model::{Finding, FindingCode, Model, readable};
+use osim_messages::{Input, phrase, readable};
+use osim_model::{Finding, FindingCode, Model};
 
 use crate::options::InspectOptions;
 

@@ -1,7 +1,7 @@
 //! What the contacts of a model do under its weight, and whether that is right.
 //!
 //! ```
-//! use osim_inspect::{Figure, InspectOptions, check_model};
+//! use osim_inspect::{Changeable, Figure, InspectOptions, check_model};
 //! use osim_model::Model;
 //!
 //! # fn main() -> Result<(), osim_model::Fault> {
@@ -10,7 +10,7 @@
 //! let inspected = options.inspect("one_foot.osim", &model, None);
 //! let sphere = &inspected.figures.limbs[0].spheres[0];
 //! assert!(sphere.value(Figure::Indentation).is_some_and(|x| x > 0.0));
-//! let found = check_model(&options, &model, &inspected, None);
+//! let found = check_model(&options, &model, &inspected, None, Changeable::UNTRIED);
 //! assert_eq!(found.counts.error, 0);
 //! # Ok(())
 //! # }
@@ -23,7 +23,6 @@
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
-mod drop_height;
 mod figures;
 mod findings;
 mod gravity_mismatch;
@@ -32,15 +31,13 @@ mod known;
 mod load_sharing;
 mod mass_mismatch;
 mod options;
-mod placement;
 mod quantity;
 mod reference_state;
 mod serialized;
 pub mod series;
 
-pub use drop_height::DropHeight;
 pub use figures::{Figure, Figures, LimbFigures, LimitCheck, Shown, SphereFigures};
-pub use findings::{CheckResult, Counts, can_be_changed, check_known, check_model, misplaced_spheres};
+pub use findings::{Changeable, CheckResult, Counts, check_model, misplaced_spheres};
 pub use inspection::{
     ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,
     InspectedLimb, InspectedSphere, Inspection, Origins, Parameters,
@@ -49,7 +46,6 @@ pub use known::{KnownContacts, unexplained_slip};
 pub use load_sharing::LoadSharing;
 pub use mass_mismatch::MassMismatch;
 pub use options::{InspectOptions, Stance};
-pub use placement::{PlacedSphere, Placement};
 pub use quantity::Quantity;
 pub use reference_state::ReferenceState;
 pub use serialized::{FindingRecord, ObjectSchema, SCHEMA_VERSION};

@@ -1,7 +1,7 @@
 //! Models that weigh something else than their contacts are made for: scaled contacts under a body that is not scaled yet.
 
-use osim_model::wording::{Input, Phrase, phrase};
-use osim_model::{MassRequest, MassSource, Model, mass_slip, readable, same_mass};
+use osim_messages::{Input, Phrase, phrase, readable};
+use osim_model::{MassRequest, MassSource, Model, mass_slip, same_mass};
 
 /// The two masses, where the note in the file says one and the bodies another, and no option says which is meant.
 #[derive(Debug, Clone, PartialEq)]

@@ -3,6 +3,8 @@
 use std::path::PathBuf;
 
 use osim_model::{MassRequest, Selection};
+use osim_requests::options::{InspectionOptions, StanceOptions};
+use osim_requests::{Acceleration, Count, Positive};
 
 /// Under which load, on how many spheres.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,4 +39,27 @@ pub struct InspectOptions {
     pub geometry: Option<PathBuf>,
     /// The model of a force set that stands alone; remedies name it again.
     pub model: Option<PathBuf>,
+}
+
+impl From<&StanceOptions> for Stance {
+    fn from(options: &StanceOptions) -> Self {
+        Self {
+            spheres: options.spheres.map(Count::get),
+            limbs: options.stance_limbs.get(),
+            impact_speed_m_s: options.impact_speed.map(Positive::get),
+            gravity_m_s2: options.gravity.map(Acceleration::get),
+        }
+    }
+}
+
+impl From<&InspectionOptions> for InspectOptions {
+    fn from(options: &InspectionOptions) -> Self {
+        Self {
+            masses: options.masses.request(),
+            selection: options.choice.selection(),
+            stance: Stance::from(&options.stance),
+            geometry: options.set_files.geometry.clone(),
+            model: options.set_files.model.clone(),
+        }
+    }
 }

@@ -15,7 +15,7 @@ use std::collections::BTreeSet;
 
 use feet::{HEEL, Smooth, TOE, foot};
 use osim_inspect::{Figure, Figures, InspectOptions, Inspection, SphereFigures, Stance};
-use osim_model::wording::{Call, Dialect, Example, Input};
+use osim_messages::{Call, Dialect, Example, Input};
 use osim_model::{Model, Pattern, Selection};
 
 /// 62 kg on 6 spheres a foot, all alike.

@@ -10,6 +10,7 @@ mod digest;
 mod door;
 mod fault;
 mod folders;
+pub mod page;
 mod partial;
 mod paths;
 pub mod run;

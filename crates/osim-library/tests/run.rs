@@ -16,8 +16,9 @@ use osim_library::run::{
     ChangedModel, Counts, Detail, FrontEnd, Record, RowReader, Rows, Run, RunRequest, Status,
 };
 use osim_library::{LibraryFault, sha256};
-use osim_model::wording::{Call, Dialect, Example, Input, Plain};
+use osim_messages::{Call, Dialect, Example, Input, Plain};
 use osim_model::{Remedy, RemedyDialect};
+use osim_planning::prepare;
 use osim_requests::options::RunOptions;
 use osim_requests::{BatchRequest, Request};
 use tempfile::TempDir;
@@ -93,7 +94,7 @@ fn rescale(models: &Path, field: &str, output: &Path, options: &RunOptions) -> R
         .to_string();
     let Request::Rescale(request) = Request::from_json(request.as_bytes()).unwrap() else { panic!() };
     let mut run = Run::new(
-        RunRequest::of_change(request.prepare(&osim_model::files::InMemory::default()).unwrap(), options)?,
+        RunRequest::of_change(prepare(*request, &osim_model::files::InMemory::default()).unwrap(), options)?,
         options,
     )?;
     run.begin()?;

@@ -2,12 +2,13 @@
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 
+use osim_xml::opensim_text;
+
 use self::attached::{GEOMETRY_SETS, file_of, scale};
 use crate::components::{ComponentId, Components, MAX_FRAME_CHAIN};
 use crate::fault::Fault;
 use crate::model::Model;
-use osim_frames::{Rotation, times};
-use osim_xml::opensim_text;
+use crate::reference_frame::{Rotation, times};
 
 mod attached;
 mod functions;

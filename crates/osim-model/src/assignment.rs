@@ -1,6 +1,6 @@
 //! A plain value or factor for a property.
 
-use osim_wording::shortest;
+use osim_messages::shortest;
 
 /// What happens to a property.
 ///

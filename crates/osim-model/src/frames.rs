@@ -4,7 +4,7 @@ use crate::components::{Base, ComponentId, Components, MAX_FRAME_CHAIN};
 use crate::contacts::{Sphere, SphereId};
 use crate::fault::Fault;
 use crate::model::Model;
-use osim_frames::{LevelAxis, Rotation};
+use crate::reference_frame::{LevelAxis, Rotation};
 
 impl Model {
     /// Rotation of a sphere's frame in the body that carries it: the product of those of its chain of offset frames.

@@ -29,7 +29,7 @@
 //! # What it will not do
 //!
 //! It knows no file system (only [`files::Files`]), no terminal and no options: what the caller can say is in messages as
-//! a [`wording::Input`]. It reads what a model says, not what OpenSim would make of a file it cannot load.
+//! a [`Input`](osim_messages::Input). It reads what a model says, not what OpenSim would make of a file it cannot load.
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
@@ -41,10 +41,12 @@ mod components;
 mod contact_digest;
 mod contacts;
 mod contacts_elsewhere;
+mod dissipation_by;
 mod document;
 mod fault;
 pub mod files;
 mod finding;
+mod following;
 mod footing_tree;
 mod frames;
 mod ground_planes;
@@ -53,9 +55,13 @@ mod loops;
 mod mass;
 mod model;
 mod note;
+mod object_name;
 mod pattern;
 mod property;
+mod property_set;
+mod radius_rule;
 mod read;
+mod reference_frame;
 mod selected;
 mod selection;
 mod side;
@@ -63,8 +69,6 @@ mod skeleton;
 mod slip;
 mod traps;
 mod value;
-pub use osim_wording as wording;
-pub use osim_wording::{four_significant, readable, shortest, three_significant};
 
 pub use anatomy::{Anatomy, AnatomyJoint, AnatomySphere, AttachedMesh, JointCoordinate, ModelJoint};
 pub use assignment::Assignment;
@@ -72,7 +76,11 @@ pub use body_sizes::ScaledSinceNote;
 pub use class::Class;
 pub use components::Companion;
 pub use contact_digest::ValueKey;
-pub use contacts::{Force, ForceId, ForceKind, HalfSpace, ParameterSet, SetId, Slot, Sphere, SphereId};
+pub use contacts::{
+    Force, ForceId, ForceKind, HalfSpace, LoadedSphere, ParameterSet, SetId, Slot, Sphere, SphereId,
+    Surfaces, contact_of_set, loaded_spheres, moving_spheres, root_mean_square, sphere_sets,
+};
+pub use dissipation_by::DissipationBy;
 pub use document::{Document, may_include};
 pub use fault::{
     CountOf, Excerpt, FactorQuestion, Fault, FaultKind, FileId, GravityFor, MassSlip, Needed, NeedsAnswer,
@@ -82,16 +90,20 @@ pub use finding::{
     Finding, FindingCode, Remedy, RemedyChange, RemedyDesign, RemedyDialect, RemedyLoad, Repair, Seen,
     Severity,
 };
+pub use following::{MovedSpheres, RadiusAxis};
 pub use ground_planes::GroundPlane;
 pub use limbs::{Limb, Limbs};
 pub use mass::{Mass, MassRequest, MassSource, SAME_MASS, positive_mass, same_mass};
 pub use model::Model;
 pub use note::{BodySize, Credits, Note, Scope};
-pub use osim_frames::{Axis, LevelAxis, Placement, Rotation};
+pub use object_name::{refuse_name, refuse_name_in_paths};
 pub use osim_xml::opensim_text::{self, NumberFault};
 pub use osim_xml::{Children, ElementId, LineIndex, Piece, PieceKind, Position, RawText, SyntaxFault, Tree};
 pub use pattern::{Pattern, PatternError};
 pub use property::Property;
+pub use property_set::PropertySet;
+pub use radius_rule::RadiusRule;
+pub use reference_frame::{Axis, LevelAxis, Placement, Rotation};
 pub use selected::Selected;
 pub use selection::Selection;
 pub use side::{Side, without_side};

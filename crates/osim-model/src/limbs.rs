@@ -2,12 +2,13 @@
 
 use std::collections::{BTreeMap, HashSet};
 
+use osim_messages::Phrase;
+
 use crate::components::{Base, ComponentId};
 use crate::contacts::{Force, ForceId, Sphere, SphereId};
 use crate::footing_tree::{Footing, FootingTree};
 use crate::model::Model;
 use crate::side::Side;
-use crate::wording::Phrase;
 
 /// One limb that stands on the ground, from [`Model::limbs`].
 #[derive(Debug, Clone, PartialEq, Eq)]

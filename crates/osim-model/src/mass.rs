@@ -1,11 +1,11 @@
 //! Masses: what the model weighs, and the mass its contacts were made for.
 
+use osim_messages::{Input, Phrase, phrase, readable};
+
 use crate::fault::{Fault, FaultKind, Needed};
 use crate::finding::{Finding, FindingCode};
 use crate::model::Model;
 use crate::pattern::{Pattern, any_matches};
-use crate::wording::{Input, Phrase, phrase};
-use osim_wording::readable;
 
 /// Masses closer than this (relative) count as one: a scale is not read better than to 0.1 %.
 pub const SAME_MASS: f64 = 1e-3;

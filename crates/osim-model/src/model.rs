@@ -2,11 +2,12 @@
 
 use crate::anatomy::joints::Joints;
 use crate::components::{Companion, Components};
-use crate::contacts::{Force, ForceId, Sphere, SphereId};
+use crate::contacts::{Force, ForceId, SetId, Sphere, SphereId};
 use crate::document::Document;
-use crate::fault::{FileId, NoteDoubt};
+use crate::fault::{Fault, FileId, NoteDoubt};
 use crate::finding::Finding;
 use crate::note::Note;
+use crate::property::Property;
 use crate::skeleton::{Body, Skeleton};
 
 /// Everything that is known about a model.
@@ -65,6 +66,25 @@ impl Model {
     #[must_use]
     pub fn force(&self, id: ForceId) -> Option<&Force> {
         self.forces.get(id.index())
+    }
+
+    /// The effective value of a force's property, where it can be scaled; `None` where the class has none.
+    ///
+    /// # Errors
+    /// A value that is not a plain number or outside its domain, with its place.
+    pub fn parameter(&self, force: ForceId, set: SetId, property: Property) -> Result<Option<f64>, Fault> {
+        self.force(force).map_or(Ok(None), |force| force.checked(set, property))
+    }
+
+    /// The effective radius of a sphere, m, where it can be scaled.
+    ///
+    /// # Errors
+    /// A radius that is not a plain number or outside its domain; a handle that is another model's.
+    pub fn radius_m(&self, sphere: SphereId) -> Result<f64, Fault> {
+        match self.sphere(sphere) {
+            Some(sphere) => sphere.radius_m(),
+            None => Err(Fault::refused(format!("there is no sphere number {}", sphere.index()))),
+        }
     }
 
     /// Handles of all contact forces, in file order.

@@ -2,13 +2,14 @@
 
 use std::collections::HashMap;
 
+use osim_messages::Input;
+
 use crate::components::Base;
 use crate::contacts::{Force, ForceId};
 use crate::fault::{Fault, FaultKind, Needed, TreeOfForces};
 use crate::model::Model;
 use crate::pattern::any_matches;
 use crate::selection::Selection;
-use crate::wording::Input;
 
 /// The forces chosen by [`Selection::apply`]; none by default.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

@@ -3,11 +3,12 @@
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
+use osim_messages::Input;
+
 use crate::contacts::Sphere;
 use crate::fault::{MassSlip, NeedsAnswer};
 use crate::mass::{MassRequest, same_mass};
 use crate::model::Model;
-use crate::wording::Input;
 
 /// How near to a factor between units a ratio of masses counts as that factor.
 const NEAR: f64 = 0.15;

@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use osim_model::wording::Phrase;
+use osim_messages::Phrase;
 use osim_model::{
     Fault, FaultKind, FileId, Finding, ForceId, Model, Property, SetId, Slot, SphereId, ValueKey,
 };
@@ -49,24 +49,6 @@ impl<'m> PlanBuilder<'m> {
         }
     }
 
-    /// The effective value of a force's property, if it can be scaled.
-    pub(crate) fn current(
-        &self,
-        force: ForceId,
-        set: SetId,
-        property: Property,
-    ) -> Result<Option<f64>, Fault> {
-        self.model.force(force).map_or(Ok(None), |force| force.checked(set, property))
-    }
-
-    /// The effective radius of a sphere, if it can be scaled.
-    pub(crate) fn current_radius(&self, sphere: SphereId) -> Result<f64, Fault> {
-        match self.model.sphere(sphere) {
-            Some(sphere) => sphere.radius_m(),
-            None => Err(Fault::refused(format!("there is no sphere number {}", sphere.index()))),
-        }
-    }
-
     /// Plans a change of a force's property in parameter set `set`.
     pub(crate) fn parameter(
         &mut self,
@@ -102,7 +84,7 @@ impl<'m> PlanBuilder<'m> {
 
     /// Plans a change of a sphere's radius.
     pub(crate) fn radius(&mut self, sphere: SphereId, new: New) -> Result<(), Fault> {
-        let from = self.current_radius(sphere)?;
+        let from = self.model.radius_m(sphere)?;
         let Some(sphere) = self.model.sphere(sphere) else { return Ok(()) };
         let slot = sphere.radius_slot();
         self.push(Change {

@@ -4,18 +4,17 @@ use contact_scaling::{
     Contact, ContactValues, DomainError, Law, RatioValues, Ratios, SharedLoad, SmoothingValues, Spheres,
     design as wanted_of, equilibrium, modulus, restitution, smoothing,
 };
-use osim_model::wording::{Phrase, phrase};
+use osim_messages::{Phrase, phrase, readable};
 use osim_model::{
-    Fault, Finding, FindingCode, Force, ForceKind, GravityFor, Mass, Model, Needed, Property, Scope,
-    Selected, SetId, readable,
+    DissipationBy, Fault, Finding, FindingCode, Force, ForceKind, GravityFor, Mass, Model, Needed, Property,
+    PropertySet, RadiusRule, Scope, Selected, SetId,
 };
 
 use crate::builder::{New, PlanBuilder};
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
-use crate::property_set::PropertySet;
-use crate::radii::{Radii, RadiusRule, SphereRule};
+use crate::radii::{Radii, SphereRule};
 use crate::remarks::{PLACES_STAY, bottoms_remark, rest_remark};
-use crate::scaling::{DissipationBy, factor};
+use crate::scaling::factor;
 use crate::surfaces::write_composite;
 
 /// How E₁* is found: see [`Design`] for an example.
@@ -181,7 +180,7 @@ fn is_smooth(force: &Force) -> bool {
 fn carry(plan: &mut PlanBuilder<'_>, force: &Force, property: Property, own: &Ratios) -> Result<(), Fault> {
     let Some((factor, equation)) = factor(property, own, DissipationBy::Radius) else { return Ok(()) };
     for set in &force.sets {
-        if let Some(from) = plan.current(force.id, set.id, property)? {
+        if let Some(from) = force.checked(set.id, property)? {
             plan.parameter(force.id, set.id, property, New::times(from, factor, equation))?;
         }
     }
@@ -260,7 +259,7 @@ impl Design {
         if let Some((to, _)) = self.value(plan, sphere, property)? {
             return Ok(Some(to));
         }
-        let from = plan.current(sphere.force.id, SetId::FIRST, property)?;
+        let from = sphere.force.checked(SetId::FIRST, property)?;
         let carried = from.zip(factor(property, &sphere.own, DissipationBy::Radius));
         Ok(carried.map(|(from, (factor, equation))| New::times(from, factor, equation).to))
     }

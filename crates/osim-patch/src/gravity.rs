@@ -1,7 +1,7 @@
 //! Contacts that are scaled to another gravity: the ratio, and what is said of it.
 
-use osim_model::wording::Input;
-use osim_model::{Fault, FaultKind, GravityFor, Needed, readable};
+use osim_messages::{Input, readable};
+use osim_model::{Fault, FaultKind, GravityFor, Needed};
 
 /// Gravity that contacts were made for and that they are scaled to.
 pub(crate) struct GravityChange {

@@ -30,8 +30,6 @@
 //! - [`set()`]: plain values and factors.
 //! - [`note()`]: no number changes; the mass that the contacts were made for is written down.
 //!
-//! [`loaded_spheres`] reads what the contact laws need to know of each sphere under load.
-//!
 //! # What it will not do
 //!
 //! It knows no file system, no terminal and no options, decodes and re-encodes nothing, never changes the document version,
@@ -43,16 +41,13 @@ mod builder;
 mod change;
 mod design;
 mod edit;
-mod follow;
 mod gravity;
 mod insert;
-mod loaded_sphere;
 mod node;
 mod note;
 mod note_edits;
 mod objects;
 mod plan;
-mod property_set;
 mod radii;
 mod remarks;
 mod rescale;
@@ -64,22 +59,14 @@ mod transfer;
 pub use change::{Change, Move};
 pub use design::{Design, DesignModulus, design};
 pub use edit::{Edit, Patch, splice};
-pub use follow::{
-    AxisFactor, BodyFactors, Difference, FactorSource, Factors, Follow, FollowRequest, Followed,
-    MovedSpheres, OwnRadii, RadiusAxis, ScaleFile, SphereBodies, bone_of_mesh,
-};
-pub use loaded_sphere::{LoadedSphere, loaded_spheres};
 pub use note::{kept_note, note, note_of_rest};
 pub use objects::{
     Convert, Converted, Deed, Layout, Leftover, NewContact, NewSphere, ObjectChange, Rebuilt, add_contacts,
-    convert, leftovers, preset_model, presets_with_places, refuse_name, remove,
+    convert, leftovers, preset_model, presets_with_places, remove,
 };
 pub use plan::{Masses, Plan};
-pub use property_set::PropertySet;
-pub use radii::{RadiusRule, moving_spheres};
 pub use remarks::PLACES_STAY;
 pub use rescale::{FOLLOWING, FOLLOWING_NOTE, Rescale, TRANSFER_FOLLOWING, rescale};
-pub use scaling::DissipationBy;
 pub use set::{Set, set};
 pub use transfer::{
     Reference, ReferenceContact, ScalingRule, Transfer, reference_of_layout, reference_of_model, transfer,

@@ -1,9 +1,7 @@
 //! Writing down what the user knows: the mass that contacts were made for. No number changes.
 
-use osim_model::wording::{Input, phrase};
-use osim_model::{
-    Fault, Finding, FindingCode, Mass, MassSource, Model, Note, Scope, positive_mass, readable,
-};
+use osim_messages::{Input, phrase, readable};
+use osim_model::{Fault, Finding, FindingCode, Mass, MassSource, Model, Note, Scope, positive_mass};
 
 use crate::objects::Rebuilt;
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
@@ -12,7 +10,7 @@ use crate::plan::{Contents, Masses, NoteFacts, Plan};
 /// given that mass again, also after OpenSim has saved or scaled the model.
 ///
 /// ```
-/// use osim_model::{FileId, MassRequest, Model, MassSource};
+/// use osim_model::{FileId, MassRequest, MassSource, Model};
 /// use osim_patch::note;
 ///
 /// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");

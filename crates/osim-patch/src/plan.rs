@@ -4,10 +4,10 @@
 
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
-use osim_model::wording::{Dialect, Phrase};
+use osim_messages::{Dialect, Phrase, shortest};
 use osim_model::{
     Class, ElementId, Fault, FileId, Finding, JointDistances, Mass, Model, Note, Property, Scope, Sphere,
-    SphereId, ValueKey, shortest,
+    SphereId, ValueKey,
 };
 
 use crate::change::{Change, Move};

@@ -1,10 +1,9 @@
 //! What is said of a change beside its numbers.
 
-use osim_model::wording::Phrase;
-use osim_model::{Finding, FindingCode, ForceId, ForceKind, Property, readable};
+use osim_messages::{Phrase, readable};
+use osim_model::{Finding, FindingCode, ForceId, ForceKind, Property, PropertySet};
 
 use crate::builder::PlanBuilder;
-use crate::property_set::PropertySet;
 use crate::radii::Radii;
 
 /// What every change of plain numbers leaves as it is.

@@ -1,20 +1,19 @@
 //! Rescaling a model's own contacts to another mass: every parameter times its ratio.
 
 use contact_scaling::{RatioValues, Ratios};
-use osim_model::wording::{Input, Phrase, Verb, phrase};
+use osim_compare::ScaleFile;
+use osim_messages::{Input, Phrase, Verb, phrase, readable};
 use osim_model::{
-    Fault, Finding, FindingCode, ForceId, GravityFor, LevelAxis, Mass, Model, Needed, Property, Scope,
-    Selected, SetId, positive_mass, readable, same_mass,
+    DissipationBy, Fault, Finding, FindingCode, ForceId, GravityFor, LevelAxis, Mass, Model, Needed,
+    Property, PropertySet, RadiusRule, Scope, Selected, SetId, positive_mass, same_mass,
 };
 
 use crate::builder::{New, PlanBuilder};
-use crate::follow::ScaleFile;
 use crate::gravity::GravityChange;
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
-use crate::property_set::PropertySet;
-use crate::radii::{Radii, RadiusRule, SphereRule};
+use crate::radii::{Radii, SphereRule};
 use crate::remarks::{GRAVITY_STAYS, bottoms_remark, warn_forces};
-use crate::scaling::{DissipationBy, factor};
+use crate::scaling::factor;
 
 /// The operation, as the note has it, of a rescaling that moved spheres with their bodies by a ScaleSet.
 pub const FOLLOWING: &str = "rescale body-scale-file";
@@ -27,7 +26,8 @@ pub const TRANSFER_FOLLOWING: &str = "transfer follow-bodies";
 ///
 /// ```
 /// use osim_model::{MassRequest, Model, Property, Selection};
-/// use osim_patch::{RadiusRule, Rescale, rescale};
+/// use osim_model::RadiusRule;
+/// use osim_patch::{Rescale, rescale};
 ///
 /// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
 /// let model = Model::parse(bytes)?;
@@ -143,7 +143,7 @@ fn scale_set(
 ) -> Result<(), Fault> {
     for property in Property::ALL.into_iter().filter(|&property| wanted.properties.contains(property)) {
         let Some((factor, equation)) = factor(property, ratios, wanted.dissipation_by) else { continue };
-        if let Some(from) = plan.current(force, set, property)? {
+        if let Some(from) = plan.model.parameter(force, set, property)? {
             plan.parameter(force, set, property, New::times(from, factor, equation))?;
         }
     }

@@ -1,13 +1,14 @@
 //! Plain changes: a property becomes a value, or is multiplied by a factor. Nothing else follows.
 
-use osim_model::wording::phrase;
+use osim_messages::phrase;
 use osim_model::{
     Assignment, Fault, Finding, FindingCode, Mass, Model, Needed, Property, RadiusFrom, Scope, Selected,
+    moving_spheres,
 };
 
 use crate::builder::{New, PlanBuilder};
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
-use crate::radii::{Users, moving_spheres};
+use crate::radii::Users;
 
 /// Between the operations that a note lists.
 const AND: &str = " + ";
@@ -90,7 +91,7 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
         if property == Property::Radius {
             let users = Users::outside(model, &selected.forces);
             for sphere in moving_spheres(model, &selected.forces) {
-                let from = plan.current_radius(sphere)?;
+                let from = plan.model.radius_m(sphere)?;
                 if New::assigned(value, from).to != from {
                     users.refuse(model, &selected.forces, sphere, RadiusFrom::Assignment)?;
                 }
@@ -100,7 +101,7 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
         } else {
             for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
                 for set in &force.sets {
-                    if let Some(from) = plan.current(force.id, set.id, property)? {
+                    if let Some(from) = force.checked(set.id, property)? {
                         plan.parameter(force.id, set.id, property, New::assigned(value, from))?;
                         found = true;
                     }

@@ -1,63 +1,11 @@
-//! Surfaces with parameters of their own: what they make together, and how to make that a wanted value (A.3).
+//! Surfaces with parameters of their own: how to make what they are together a wanted value (A.3).
 
-use contact_scaling::modulus;
-use osim_model::{Fault, Force, ForceId, Model, Property, SetId, SphereId};
+use osim_model::{Fault, Force, ForceId, Property, SetId, Surfaces, sphere_sets};
 
 use crate::builder::{New, PlanBuilder};
 
 /// Composites this close (relative) are one.
 const SAME_COMPOSITE: f64 = 1e-6;
-
-/// Parameter sets that hold moving spheres, with those spheres.
-pub(crate) fn sphere_sets(model: &Model, force: &Force) -> Vec<(SetId, Vec<SphereId>)> {
-    let moving = |sphere: &SphereId| model.sphere(*sphere).is_some_and(|sphere| !sphere.fixed);
-    let sets = force.sets.iter();
-    sets.map(|set| (set.id, set.spheres.iter().copied().filter(moving).collect::<Vec<_>>()))
-        .filter(|(_, spheres)| !spheres.is_empty())
-        .collect()
-}
-
-/// Modulus and dissipation of every parameter set of a force, and which of them the plane belongs to.
-pub(crate) struct Surfaces {
-    sets: Vec<(f64, f64)>,
-    /// The set that the first plane belongs to.
-    plane: Option<SetId>,
-}
-
-impl Surfaces {
-    pub(crate) fn of(plan: &PlanBuilder<'_>, force: &Force) -> Result<Self, Fault> {
-        let mut sets = Vec::new();
-        for set in force.sets.iter().map(|set| set.id) {
-            let modulus = plan.current(force.id, set, Property::Stiffness)?.unwrap_or(f64::NAN);
-            let dissipation = plan.current(force.id, set, Property::Dissipation)?.unwrap_or(0.0);
-            sets.push((modulus, dissipation));
-        }
-        Ok(Self { sets, plane: force.sets.iter().find(|set| set.half_spaces > 0).map(|set| set.id) })
-    }
-
-    /// E₁* of two equal surfaces that would touch as set `set` and the plane do, and the mixed α; (A.3), (A.4).
-    pub(crate) fn with_plane(&self, set: SetId) -> Result<(f64, f64), Fault> {
-        self.together(set, self.plane.unwrap_or(set))
-    }
-
-    /// The same for the sets `set` and `plane`.
-    pub(crate) fn together(&self, set: SetId, plane: SetId) -> Result<(f64, f64), Fault> {
-        let own = self.sets.get(set.index()).copied().unwrap_or((f64::NAN, 0.0));
-        let plane = self.sets.get(plane.index()).copied().unwrap_or(own);
-        if own == plane {
-            return Ok(own);
-        }
-        let surface = |(plane_strain_modulus, dissipation)| modulus::SurfaceValues {
-            plane_strain_modulus,
-            dissipation,
-        };
-        let composite = modulus::composite_sherman(own.0, plane.0).map_err(Fault::new)?;
-        let equal =
-            modulus::of_equal_surfaces(composite, modulus::MixingRule::Sherman).map_err(Fault::new)?;
-        let dissipation = modulus::mixed_dissipation(surface(own), surface(plane)).map_err(Fault::new)?;
-        Ok((equal, dissipation))
-    }
-}
 
 /// Plans the wanted value `to` of `property` (E₁* of two equal surfaces, α, or a parameter of the smoothed law).
 ///
@@ -79,10 +27,10 @@ pub(crate) fn write_composite(
         }
         return Ok(());
     }
-    let surfaces = Surfaces::of(plan, force)?;
+    let surfaces = Surfaces::of(force)?;
     let now = composite_now(plan, force, &surfaces, property)?;
     for set in sets {
-        let Some(from) = plan.current(id, set, property)? else { continue };
+        let Some(from) = force.checked(set, property)? else { continue };
         let new = if now == 0.0 {
             New { to, factor: None, equation }
         } else {

@@ -9,8 +9,7 @@
 mod given;
 
 use given::{foot, given, given_fixture, smooth};
-use osim_model::Property;
-use osim_patch::RadiusRule;
+use osim_model::{Property, RadiusRule};
 
 #[test]
 fn with_the_radius_kept_only_the_modulus_follows_the_mass() {

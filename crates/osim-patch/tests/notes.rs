@@ -6,8 +6,9 @@
 mod given;
 
 use given::{fixture, fixtures, given, given_fixture};
+use osim_compare::ScaleFile;
 use osim_model::{FileId, MassRequest, MassSource, Model, Note, Selection};
-use osim_patch::{Plan, Rescale, ScaleFile, note, rescale};
+use osim_patch::{Plan, Rescale, note, rescale};
 
 fn patched(plan: &Plan, model: &Model) -> String {
     String::from_utf8_lossy(&plan.patched(model, FileId::MAIN).unwrap()).into_owned()

@@ -9,9 +9,10 @@
 )]
 
 use osim_model::{
-    Companion, Document, FileId, Mass, MassRequest, MassSource, Model, Origin, Property, Scope, Selection,
+    Companion, Document, FileId, Mass, MassRequest, MassSource, Model, Origin, Property, PropertySet,
+    RadiusRule, Scope, Selection,
 };
-use osim_patch::{Plan, PropertySet, RadiusRule, Rescale, rescale};
+use osim_patch::{Plan, Rescale, rescale};
 
 const ONE_FOOT: &str = include_str!("../../osim-model/tests/data/one_foot.osim");
 

@@ -9,8 +9,8 @@ mod given;
 use std::sync::OnceLock;
 
 use given::{fixture, fixtures};
-use osim_model::{Document, FileId, MassRequest, Model, Property, Selection, SetId, Value};
-use osim_patch::{Edit, Plan, RadiusRule, Rescale, rescale, splice};
+use osim_model::{Document, FileId, MassRequest, Model, Property, RadiusRule, Selection, SetId, Value};
+use osim_patch::{Edit, Plan, Rescale, rescale, splice};
 use proptest::prelude::*;
 
 /// Everything in `fixtures/`.
@@ -108,7 +108,7 @@ fn planned(model: &Model, factor: f64, radius: RadiusRule) -> Option<Plan> {
     let (contacts_mass, _) = MassRequest::default().of_contacts(model).ok()?;
     let mut wanted = Rescale::new(contacts_mass.kg * factor, contacts_mass);
     wanted.radius = radius;
-    wanted.properties = osim_patch::PropertySet::default().with_friction();
+    wanted.properties = osim_model::PropertySet::default().with_friction();
     rescale(model, &selected, &wanted).ok()
 }
 
@@ -241,7 +241,7 @@ proptest! {
 
     #[test]
     fn any_number_is_written_so_that_it_reads_the_same(number in prop::num::f64::POSITIVE | prop::num::f64::SUBNORMAL | prop::num::f64::ZERO) {
-        let text = osim_model::shortest(number);
+        let text = osim_messages::shortest(number);
         prop_assert_eq!(text.parse::<f64>().unwrap().to_bits(), number.to_bits(), "{}", text);
         prop_assert!(text.len() <= 24, "{}", text);
         // As short as any exact spelling.

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use osim_model::Property;
+use osim_planning::{design_sheet, find_presets, run_drop_test, run_fit};
 use osim_report::dialect::Python as PythonWords;
 use osim_report::explain::{Letters, answer};
 use osim_report::messages::mass_mismatch;
@@ -42,7 +43,7 @@ fn unexpected(request: &Request) -> Problem {
 #[pyfunction]
 pub(crate) fn calculate<'py>(py: Python<'py>, fields: &Bound<'py, PyDict>) -> PyResult<Answer<'py>> {
     let fields = fields_of(fields)?;
-    let sheet = guarded(py, || Ok(request!(Design, fields).calculate()?))?;
+    let sheet = guarded(py, || Ok(design_sheet(&request!(Design, fields))?))?;
     Ok((dictionary(py, &sheet)?, design_sheet_text(&sheet)))
 }
 
@@ -54,7 +55,8 @@ pub(crate) fn drop_test<'py>(
     memory: BTreeMap<PathBuf, PyBackedBytes>,
 ) -> PyResult<(Bound<'py, PyAny>, String, Vec<String>)> {
     let fields = fields_of(fields)?;
-    let drop = guarded(py, || Ok(request!(DropTest, fields).run(&RequestFiles::given(&memory, true))?))?;
+    let drop =
+        guarded(py, || Ok(run_drop_test(&request!(DropTest, fields), &RequestFiles::given(&memory, true))?))?;
     let mismatches = drop.mismatches.iter();
     let remarks = mismatches.map(|(name, mismatch)| mass_mismatch(name, mismatch, &PythonWords)).collect();
     Ok((dictionary(py, &DropRecord::from(&drop))?, drop_text(&drop), remarks))
@@ -68,7 +70,7 @@ pub(crate) fn fit<'py>(
     memory: BTreeMap<PathBuf, PyBackedBytes>,
 ) -> PyResult<Answer<'py>> {
     let fields = fields_of(fields)?;
-    let fit = guarded(py, || Ok(request!(Fit, fields).run(&RequestFiles::given(&memory, true))?))?;
+    let fit = guarded(py, || Ok(run_fit(&request!(Fit, fields), &RequestFiles::given(&memory, true))?))?;
     Ok((dictionary(py, &FitRecord::from(&fit))?, fit_text(&fit, &PythonWords)))
 }
 
@@ -76,8 +78,9 @@ pub(crate) fn fit<'py>(
 #[pyfunction]
 pub(crate) fn presets<'py>(py: Python<'py>, fields: &Bound<'py, PyDict>) -> PyResult<Vec<Answer<'py>>> {
     let fields = fields_of(fields)?;
-    let presets =
-        guarded(py, || Ok(request!(Presets, fields).find(&RequestFiles::given(&BTreeMap::new(), true))?))?;
+    let presets = guarded(py, || {
+        Ok(find_presets(&request!(Presets, fields), &RequestFiles::given(&BTreeMap::new(), true))?)
+    })?;
     presets
         .iter()
         .map(|preset| Ok((dictionary(py, &PresetRecord::from(preset))?, preset_text(preset))))

@@ -6,7 +6,8 @@ use std::path::PathBuf;
 use contact_plots::{Drawing, PlotError};
 use osim_figures as figures;
 use osim_inspect::series::Body;
-use osim_model::wording::Input;
+use osim_messages::Input;
+use osim_planning::{plot_bodies, plot_feet, plot_table};
 use osim_report::dialect::Python as PythonWords;
 use osim_requests::{PlotRequest, Request, RequestFault};
 use pyo3::prelude::*;
@@ -63,12 +64,12 @@ pub(crate) fn plot(
 
 fn drawn(request: &PlotRequest, files: &RequestFiles) -> Result<(Drawing, Vec<Body>, String), Problem> {
     if request.is_of_feet() {
-        let states = request.feet(files)?;
+        let states = plot_feet(request, files)?;
         let drawing = figures::draw_feet(request, &states)?;
         return Ok((drawing, Vec::new(), figures::feet_notes(&states, &PythonWords)));
     }
-    let table = request.table(files)?;
-    let bodies = request.bodies(files)?;
+    let table = plot_table(request, files)?;
+    let bodies = plot_bodies(request, files)?;
     let drawing = figures::draw(request, &bodies, table.as_ref())?;
     let notes = figures::weights(&bodies, &PythonWords);
     Ok((drawing, bodies, notes))

@@ -3,18 +3,18 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use osim_library::Loaded;
-use osim_library::Source;
+use osim_html::{About, Columns, DetailLevel, InMemory, Kept, Page};
+use osim_library::page::{Words, entry};
 use osim_library::run::{PlannedModel, Written};
+use osim_library::{Loaded, Source};
+use osim_messages::Verb;
 use osim_model::FileId;
-use osim_model::wording::Verb;
+use osim_planning::{Change, prepare};
 use osim_report::dialect::{JsonRequest, Python as PythonWords};
-use osim_report::html::{About, Columns, DetailLevel, InMemory, Kept, Page};
 use osim_report::json::PlanRecord;
 use osim_report::plan as plan_text;
+use osim_requests::Request;
 use osim_requests::options::OutputOptions;
-use osim_requests::{Change, Request};
-use osim_runs::{Words, entry};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::{PyBytes, PyDict, PyList};
@@ -52,7 +52,7 @@ pub(crate) fn plan(
     let fields = fields_of(fields)?;
     guarded(py, move || {
         let files = RequestFiles::given(&memory, with_disk);
-        let change = Request::from_map(fields.clone())?.prepare(&files)?;
+        let change = prepare(Request::from_map(fields.clone())?, &files)?;
         let [path] = change.models.as_slice() else {
             return Err(Problem::general("RequestError", "usage", "expected one model"));
         };
@@ -81,7 +81,7 @@ impl Planned {
         let mut fields = self.fields.clone();
         fields.insert("in_place".to_owned(), true.into());
         let files = RequestFiles::new(self.beside.clone(), false);
-        let change = Request::from_map(fields)?.prepare(&files)?;
+        let change = prepare(Request::from_map(fields)?, &files)?;
         Ok(change.plan(self.model.opened(), &files).map(|_| ())?)
     }
 }

@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use osim_html::{DetailLevel, Entry};
+use osim_library::page::{ReportPage, bare_entry, entry};
 use osim_library::run::{
     ChangedModel, Detail, FrontEnd, JsonRecord, Outcome, Record, RowReader, Rows, Run, RunRequest, Task,
     run_options,
@@ -9,10 +11,9 @@ use osim_library::run::{
 use osim_library::{LibraryFault, folder_of};
 use osim_model::RemedyDialect;
 use osim_model::files::{Failure, Files};
-use osim_report::html::{DetailLevel, Entry};
+use osim_planning::prepare;
 use osim_requests::Request;
 use osim_requests::options::RunOptions;
-use osim_runs::{ReportPage, bare_entry, entry};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyDict;
@@ -70,7 +71,7 @@ pub(crate) fn change_many<'py>(
     let (records, remarks) = guarded(py, || {
         let request = Request::from_map(fields)?;
         let options = run_options(&request).cloned().unwrap_or_default();
-        let change = request.prepare(&RequestFiles::new([].into(), true))?;
+        let change = prepare(request, &RequestFiles::new([].into(), true))?;
         let request = RunRequest::of_change(change, &options)?;
         run(request, &options, call, &Watch::new(callback))
     })?;

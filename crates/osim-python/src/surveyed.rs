@@ -5,16 +5,17 @@ use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::sync::Mutex;
 
+use osim_html::Entry;
 use osim_inspect::{CheckResult, Inspection};
+use osim_library::page::Survey;
 use osim_library::{Folders, LibraryFault, Loaded, Source, Sources, in_order, threads};
+use osim_messages::Verb;
 use osim_model::files::Failure;
-use osim_model::wording::Verb;
+use osim_planning::Inspector;
 use osim_report::dialect::JsonRequest;
-use osim_report::html::Entry;
 use osim_report::json::FailureRecord;
+use osim_requests::Request;
 use osim_requests::options::ReportOptions;
-use osim_requests::{Inspector, Request};
-use osim_runs::Survey;
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyDict;
@@ -51,12 +52,18 @@ pub(crate) fn survey<'py>(
     let (rows, remarks) = guarded(py, || {
         let files = RequestFiles::given(&memory, true);
         let (verb, models, inspector, report) = match Request::from_map(fields)? {
-            Request::Inspect(request) => {
-                (Verb::Inspect, request.models.clone(), request.inspector(&files), request.report.clone())
-            }
-            Request::Check(request) => {
-                (Verb::Check, request.models.clone(), request.inspector(&files), request.report.clone())
-            }
+            Request::Inspect(request) => (
+                Verb::Inspect,
+                request.models.clone(),
+                Inspector::of_inspect(&request, &files),
+                request.report.clone(),
+            ),
+            Request::Check(request) => (
+                Verb::Check,
+                request.models.clone(),
+                Inspector::of_check(&request, &files),
+                request.report.clone(),
+            ),
             other => return Err(Problem::defect(format!("a survey for {}", other.verb().name()))),
         };
         if let Some(failure) = inspector.generic_failure() {
@@ -145,7 +152,7 @@ impl Work<'_> {
         };
         in_order(&items, threads(jobs, items.len()), one, each)?;
         watch.ended()?;
-        page.map_or(Ok(()), osim_runs::ReportPage::finish)?;
+        page.map_or(Ok(()), osim_library::page::ReportPage::finish)?;
         Ok((rows, sources.remarks))
     }
 }

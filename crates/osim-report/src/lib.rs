@@ -1,7 +1,7 @@
 //! What is known of the contacts of an OpenSim model, for people and for scripts.
 //!
-//! Data goes in, text comes out: [`inspection`], [`check`] and [`plan`] make tables, [`json`] records, [`explain`] what an equation
-//! or a code means, and [`html`] one page about a run, with the figures of `osim_figures`. What the reader can say or do is
+//! Data goes in, text comes out: [`inspection`], [`check`] and [`plan`] make tables, [`json`] records, and [`explain`] what an equation
+//! or a code means. What the reader can say or do is
 //! spelled by a [`dialect`].
 //!
 //! ```
@@ -31,7 +31,6 @@
 pub mod check;
 pub mod dialect;
 pub mod explain;
-pub mod html;
 pub mod inspection;
 pub mod json;
 pub mod layout;
@@ -39,4 +38,3 @@ pub mod messages;
 pub mod plan;
 pub mod reproduce;
 pub mod results;
-mod special;

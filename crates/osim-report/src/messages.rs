@@ -1,7 +1,7 @@
 //! Lines that say what should be known.
 
 use osim_inspect::MassMismatch;
-use osim_model::wording::{Dialect, one_line};
+use osim_messages::{Dialect, one_line};
 use osim_model::{Finding, FindingCode};
 
 /// Warnings, one line each: `warning: line 12: message [code]`.

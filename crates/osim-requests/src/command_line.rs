@@ -2,12 +2,12 @@
 
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Command};
-use osim_model::wording::Verb;
+use osim_messages::Verb;
 
 use crate::dictionary;
+use crate::fault::RequestFault;
+use crate::relation::Relation;
 use crate::request::relations_of;
-use osim_options::Relation;
-use osim_options::RequestFault;
 
 /// Teaches the parser of a verb which options have to be said and which exclude each other: the same rules as for dictionaries.
 /// What an option [needs](check) it is not taught: clap forgets that where the other one is excluded by a third.

@@ -4,8 +4,8 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
-use osim_options::Relation;
-use osim_options::RequestFault;
+use crate::fault::RequestFault;
+use crate::relation::Relation;
 
 /// A name that is this like another was probably meant.
 const NEAR: usize = 2;

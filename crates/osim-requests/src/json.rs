@@ -2,14 +2,14 @@
 
 use std::path::Path;
 
-use osim_model::wording::Verb;
-use osim_values::path;
+use osim_messages::Verb;
 use serde_json::error::Category;
 use serde_json::{Map, Value};
 
+use crate::fault::RequestFault;
 use crate::request::Request;
 use crate::unique;
-use osim_options::RequestFault;
+use crate::values::path;
 
 /// What some editors write before a text in UTF-8.
 const UTF8_MARK: &[u8] = b"\xEF\xBB\xBF";

@@ -2,19 +2,19 @@
 
 use std::path::PathBuf;
 
-use osim_model::wording::Input;
+use osim_messages::Input;
 use osim_model::{Remedy, RemedyChange, RemedyDesign, RemedyLoad};
-use osim_values::{
-    Acceleration, Assignments, ConstantIndentation, Count, Kilograms, Positive, RelativeIndentation,
-    RestitutionCoefficient,
-};
 
+use crate::fault::RequestFault;
 use crate::options::{
     AnswerOptions, ClassChoice, CountOptions, FollowOptions, ForceOptions, LoadOptions, MassOptions,
     MovedChoice, ScalingOptions, SetFiles, WantedOptions,
 };
 use crate::request::{ConvertRequest, DesignRequest, Request, RescaleRequest, SetRequest, TransferRequest};
-use osim_options::RequestFault;
+use crate::values::{
+    Acceleration, Assignments, ConstantIndentation, Count, Kilograms, Positive, RelativeIndentation,
+    RestitutionCoefficient,
+};
 
 /// Checks a number of a remedy.
 fn checked<T>(

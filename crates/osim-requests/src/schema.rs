@@ -1,11 +1,11 @@
 //! Schemas of requests, from their types.
 
-use osim_model::wording::Verb;
+use osim_messages::Verb;
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema};
 use serde_json::{Map, Value, json};
 
-use osim_options::Relation;
+use crate::relation::Relation;
 
 /// The schema of the requests `T` for `verb`.
 pub(crate) fn schema<T: JsonSchema>(verb: Verb, relations: &[&[Relation]]) -> Schema {

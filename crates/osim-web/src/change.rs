@@ -3,16 +3,15 @@
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
+use osim_html::{DetailLevel, Entry, Explained, Files, RunRow, Section, Sections};
 use osim_model::FileId;
 use osim_model::files::{Failure, ModelFiles};
 use osim_patch::Plan;
+use osim_planning::{BeforeAfter, Change, States};
 use osim_report::dialect::FrontEnd;
-use osim_report::html::{self, DetailLevel, Entry, Explained, Files, RunRow, Section, Sections};
 use osim_report::json::PlanRecord;
 use osim_report::plan::unified_diff;
-use osim_requests::Change;
 use osim_requests::options::OutputOptions;
-use osim_states::{BeforeAfter, States};
 use serde::Serialize;
 
 use crate::look::FindingShown;
@@ -145,7 +144,7 @@ impl Planned {
                 let findings = wants("findings").then(|| FindingShown::all(&last.1));
                 // Digests are only for the record.
                 let files = if wants("files") { self.files() } else { Files::default() };
-                let changed = html::Changed::of_states(&self.plan, &both, files);
+                let changed = osim_html::Changed::of_states(&self.plan, &both, files);
                 (Sections::of_change(changed, wanted, self.words), findings)
             }
         };
@@ -201,8 +200,8 @@ impl Planned {
         row.contacts_mass_from_kg = plan.masses.as_ref().map(|masses| masses.from.kg);
         row.contacts_mass_to_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
         row.changes = plan.changes.len() + plan.moves.len();
-        let mut shown = html::Changed::of_states(plan, &both, self.files());
+        let mut shown = osim_html::Changed::of_states(plan, &both, self.files());
         shown.in_file = !plan.is_empty();
-        Ok(html::changed(&row, shown, DetailLevel::Alone, self.words))
+        Ok(osim_html::changed(&row, shown, DetailLevel::Alone, self.words))
     }
 }

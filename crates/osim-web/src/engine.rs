@@ -4,19 +4,21 @@ use std::path::Path;
 use std::rc::Rc;
 
 use osim_model::files::{Failure, Files};
+use osim_planning::{Change, Inspector, prepare};
 use osim_report::dialect::{CommandLine, FrontEnd, Page};
+use osim_requests::Request;
 use osim_requests::options::SetFiles;
-use osim_requests::{Change, Request};
 use serde::Serialize;
 use serde_json::json;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::change::Planned;
+use crate::model::Opened;
 use crate::problem::Problem;
 use crate::question::{Fields, Question};
 use crate::report::{Report, name_of};
 use crate::shelf::Shelf;
-use crate::{knowledge, look, model::Opened, spelled};
+use crate::{knowledge, look, spelled};
 
 /// Models that stay open: a page looks at one and compares it with another.
 const KEPT: usize = 4;
@@ -137,7 +139,7 @@ impl Engine {
     }
 
     fn plan(&mut self, request: Request, words: &'static dyn FrontEnd) -> Result<Planned, Problem> {
-        let change: Change = request.prepare(&self.shelf)?;
+        let change: Change = prepare(request, &self.shelf)?;
         let [path] = change.models.as_slice() else {
             return Err(Problem::question("a change is of one model"));
         };
@@ -172,7 +174,7 @@ impl Engine {
             let [path] = request.models.as_slice() else {
                 return Err(Problem::question("this report is about one model"));
             };
-            let inspector = request.inspector(&self.shelf);
+            let inspector = Inspector::of_inspect(request, &self.shelf);
             let opened = self.open(path, inspector.set_files())?;
             let entry = look::entry(&inspector, &opened, &self.shelf, &CommandLine)?;
             return Report::of(verb, path, asked(&mut fields, path)?, entry);

@@ -1,9 +1,10 @@
 //! What is known apart from models: calculations, explanations, presets.
 
+use osim_planning::{DesignSheet, design_sheet, find_presets};
 use osim_report::dialect::Page;
 use osim_report::explain::{Letters, answer};
 use osim_report::results::{PresetRecord, design_sheet_text, preset_text};
-use osim_requests::{DesignSheet, Request};
+use osim_requests::Request;
 use serde::Serialize;
 
 use crate::problem::Problem;
@@ -22,7 +23,7 @@ pub(crate) fn calculate(request: &Request) -> Result<Calculated, Problem> {
     let Request::Design(request) = request else {
         return Err(Problem::question("only a request for design calculates without a model"));
     };
-    let sheet = request.calculate()?;
+    let sheet = design_sheet(request)?;
     let text = design_sheet_text(&sheet);
     Ok(Calculated { sheet, text })
 }
@@ -39,7 +40,7 @@ pub(crate) struct PresetShown {
 pub(crate) fn presets(mut fields: Fields, shelf: &Shelf) -> Result<Vec<PresetShown>, Problem> {
     fields.insert("verb".to_owned(), "presets".into());
     let Request::Presets(request) = Request::from_map(fields)? else { return Ok(Vec::new()) };
-    let presets = request.find(shelf)?;
+    let presets = find_presets(&request, shelf)?;
     let shown = |preset| PresetShown { record: PresetRecord::from(preset), text: preset_text(preset) };
     Ok(presets.iter().map(shown).collect())
 }

@@ -1,11 +1,12 @@
 //! What is in a model, and what is wrong with it.
 
+use osim_html::{DetailLevel, Entry, Explained, Section, Sections};
 use osim_inspect::{CheckResult, FindingRecord, Inspection};
+use osim_messages::Verb;
 use osim_model::Finding;
-use osim_model::wording::Verb;
+use osim_planning::{Inspector, ModelFeet};
 use osim_report::dialect::{FrontEnd, Page};
-use osim_report::html::{self, DetailLevel, Entry, Explained, Section, Sections};
-use osim_requests::{Inspector, ModelFeet, Request};
+use osim_requests::Request;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -64,8 +65,8 @@ pub(crate) fn inspector(model: &str, mut fields: Fields, shelf: &Shelf) -> Resul
     let verb = if fields.contains_key("from") { Verb::Check } else { Verb::Inspect };
     fields.insert("models".to_owned(), model.into());
     match Request::read(verb, fields)? {
-        Request::Inspect(request) => Ok(request.inspector(shelf)),
-        Request::Check(request) => Ok(request.inspector(shelf)),
+        Request::Inspect(request) => Ok(Inspector::of_inspect(&request, shelf)),
+        Request::Check(request) => Ok(Inspector::of_check(&request, shelf)),
         other => Err(Problem::defect(format!("a request for {}", other.verb().name()))),
     }
 }
@@ -121,7 +122,7 @@ pub(crate) fn entry(
 ) -> Result<Entry, Problem> {
     let (inspection, found) = seen(inspector, opened, words)?;
     let feet = feet(inspector, opened, shelf);
-    Ok(html::inspected(
+    Ok(osim_html::inspected(
         inspector.options(),
         &opened.model,
         (&inspection, &found),

@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use osim_html::NamedDigest;
 use osim_model::files::{Failure, Files, ModelFiles, OpenModel};
-use osim_report::html::NamedDigest;
 use osim_requests::options::SetFiles;
 use sha2::{Digest, Sha256};
 

@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use osim_model::wording::Verb;
+use osim_html::{About, Columns, Entry, InMemory, Kept, Page};
+use osim_messages::Verb;
 use osim_report::dialect::CommandLine;
-use osim_report::html::{About, Columns, Entry, InMemory, Kept, Page};
 use serde::Serialize;
 
 use crate::problem::Problem;

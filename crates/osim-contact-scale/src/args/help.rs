@@ -2,7 +2,7 @@
 
 use clap::builder::StyledStr;
 use clap::{Arg, Command};
-use osim_model::wording::Phrase;
+use osim_messages::Phrase;
 
 use crate::words::WORDS;
 

@@ -7,16 +7,15 @@ mod usage;
 mod usual;
 
 use clap::{ArgMatches, Command, CommandFactory, Parser, Subcommand};
-use osim_model::wording::Verb;
+use help::in_words_of_the_command;
+use later::Later;
+use osim_messages::Verb;
 use osim_requests::command_line::{check, with_relations};
 use osim_requests::{
     AddRequest, BatchRequest, CheckRequest, ConvertRequest, DesignRequest, DropTestRequest, ExplainRequest,
     FitRequest, InspectRequest, NoteRequest, PlotRequest, PresetsRequest, RemoveRequest, ReproduceRequest,
     RequestFault, RescaleRequest, SweepRequest, TransferRequest,
 };
-
-use help::in_words_of_the_command;
-use later::Later;
 pub(crate) use own::{CompletionsArgs, ManArgs, RequestArgs, SetArgs};
 pub(crate) use usage::usage_line;
 use usual::with_usual_first;

@@ -3,17 +3,18 @@
 use std::io::IsTerminal;
 
 use anyhow::Result;
+use osim_html::Entry;
 use osim_inspect::CheckResult;
+use osim_library::page::Survey;
 use osim_library::{Disk, Folders, Source, Sources, in_order, threads};
+use osim_messages::Verb;
 use osim_model::files::Failure;
-use osim_model::wording::Verb;
+use osim_planning::Inspector;
 use osim_report::check;
-use osim_report::html::Entry;
 use osim_report::json::line;
 use osim_report::layout::Colour;
 use osim_requests::CheckRequest;
 use osim_requests::options::SheetFormat;
-use osim_runs::Survey;
 
 use super::asked::asked;
 use super::inspect::Stop;
@@ -28,7 +29,7 @@ use crate::terminal::Exit;
 /// Wrong usage.
 pub(super) fn run(request: &CheckRequest, session: &mut Session) -> Result<Exit> {
     let sources = Sources::find(&request.models, None);
-    let inspector = request.inspector(&Disk);
+    let inspector = Inspector::of_check(request, &Disk);
     let (words, report) = (session.words, &request.report);
     let survey = Survey { verb: Verb::Check, sources: &sources, inspector: &inspector, report, words };
     interrupt::outlive_size_limit();

@@ -1,6 +1,7 @@
 //! `design` without a model: a calculator.
 
 use anyhow::Result;
+use osim_planning::design_sheet;
 use osim_report::json::line;
 use osim_report::results::design_sheet_text;
 use osim_requests::DesignRequest;
@@ -13,7 +14,7 @@ use crate::terminal::Exit;
 /// # Errors
 /// Too little is known, or it contradicts itself.
 pub(super) fn calculate(request: &DesignRequest, session: &mut Session) -> Result<Exit> {
-    let sheet = request.calculate().map_err(|fault| session.usage(&fault))?;
+    let sheet = design_sheet(request).map_err(|fault| session.usage(&fault))?;
     let text = if request.run.is_json() { line(&sheet) } else { design_sheet_text(&sheet) };
     session.terminal.print(&text)?;
     Ok(Exit::Done)

@@ -48,14 +48,14 @@ pub(crate) fn call(cli: Cli, session: &mut Session) -> Result<Exit> {
 fn ask(request: Request, session: &mut Session) -> Result<Exit> {
     match request {
         Request::Rescale(request) => rescale::run(*request, false, session),
-        Request::Transfer(request) => change::transfer(*request, session),
-        Request::Add(request) => change::add(*request, session),
-        Request::Convert(request) => change::convert(*request, session),
-        Request::Remove(request) => change::remove(*request, session),
         Request::Design(request) if request.models.is_empty() => design::calculate(&request, session),
-        Request::Design(request) => change::design(*request, session),
-        Request::Set(request) => change::set(*request, session),
-        Request::Note(request) => change::note(*request, session),
+        changing @ (Request::Transfer(_)
+        | Request::Add(_)
+        | Request::Convert(_)
+        | Request::Remove(_)
+        | Request::Design(_)
+        | Request::Set(_)
+        | Request::Note(_)) => change::run(changing, session),
         Request::Batch(request) => batch::run(&request, session),
         Request::Sweep(request) => sweep::run(&request, session),
         Request::Inspect(request) => inspect::run(&request, false, session),

@@ -4,7 +4,8 @@ use std::io::IsTerminal;
 
 use anyhow::{Result, bail};
 use osim_library::Disk;
-use osim_model::wording::Verb;
+use osim_messages::Verb;
+use osim_planning::run_drop_test;
 use osim_report::json::line;
 use osim_report::messages::mass_mismatch;
 use osim_report::results::{DropRecord, drop_chart, drop_csv, drop_text};
@@ -21,7 +22,7 @@ pub(super) fn run(request: &DropTestRequest, session: &mut Session) -> Result<Ex
     if let Some(folder) = request.subject.iter().chain(&request.compare).find(|path| path.is_dir()) {
         bail!("{}", of_folder(&folder.display().to_string(), session));
     }
-    let drop = match request.run(&Disk) {
+    let drop = match run_drop_test(request, &Disk) {
         Ok(drop) => drop,
         Err(error) => return session.refuse(error, request.format == SeriesFormat::Json),
     };

@@ -2,6 +2,7 @@
 
 use anyhow::Result;
 use osim_library::Disk;
+use osim_planning::run_fit;
 use osim_report::json::{FailureRecord, line};
 use osim_report::results::{FitRecord, fit_text};
 use osim_requests::options::Format;
@@ -16,7 +17,7 @@ use crate::terminal::Exit;
 /// Wrong usage.
 pub(super) fn run(request: &FitRequest, session: &mut Session) -> Result<Exit> {
     let json = request.format == Format::Json;
-    match request.run(&Disk) {
+    match run_fit(request, &Disk) {
         Ok(fit) => {
             let text = if json { line(&FitRecord::from(&fit)) } else { fit_text(&fit, session.words) };
             session.terminal.print(&text)?;

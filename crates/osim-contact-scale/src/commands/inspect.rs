@@ -1,17 +1,18 @@
 //! `inspect`: what contacts a model has, and what they do under its weight.
 
 use anyhow::Result;
+use osim_html::Entry;
 use osim_inspect::{Counts, Inspection};
+use osim_library::page::Survey;
 use osim_library::{Disk, Folders, Source, Sources, in_order, threads};
+use osim_messages::{Call, Input, Verb};
 use osim_model::files::Failure;
-use osim_model::wording::{Call, Input, Verb};
-use osim_report::html::Entry;
+use osim_planning::Inspector;
 use osim_report::inspection::{self, ModelsTable};
 use osim_report::json::line;
 use osim_report::layout::Colour;
 use osim_requests::InspectRequest;
 use osim_requests::options::SheetFormat;
-use osim_runs::Survey;
 
 use super::asked::asked;
 use super::page::end_page;
@@ -25,7 +26,7 @@ use crate::terminal::{Exit, Terminal};
 /// Wrong usage.
 pub(super) fn run(request: &InspectRequest, hint: bool, session: &mut Session) -> Result<Exit> {
     let sources = Sources::find(&request.models, None);
-    let inspector = request.inspector(&Disk);
+    let inspector = Inspector::of_inspect(request, &Disk);
     let json = request.format == SheetFormat::Json;
     if let Some(failure) = inspector.generic_failure() {
         // Once, not for every model.

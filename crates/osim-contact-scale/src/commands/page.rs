@@ -1,6 +1,6 @@
 //! The end of a page that a verb writes.
 
-use osim_runs::ReportPage;
+use osim_library::page::ReportPage;
 
 use crate::session::Session;
 use crate::terminal::Exit;

@@ -8,7 +8,8 @@ use osim_figures as figures;
 use osim_inspect::series::Body;
 use osim_library::run::PathConflicts;
 use osim_library::{Disk, Mode, Prepared};
-use osim_model::wording::Input;
+use osim_messages::Input;
+use osim_planning::{plot_bodies, plot_feet, plot_table};
 use osim_report::messages::mass_mismatch;
 use osim_requests::PlotRequest;
 
@@ -38,11 +39,11 @@ pub(super) fn run(request: &PlotRequest, session: &mut Session) -> Result<Exit> 
     if request.is_of_feet() {
         return feet(request, &output, session);
     }
-    let table = match request.table(&Disk) {
+    let table = match plot_table(request, &Disk) {
         Ok(table) => table,
         Err(error) => return session.refuse(error, false),
     };
-    let bodies = match request.bodies(&Disk) {
+    let bodies = match plot_bodies(request, &Disk) {
         Ok(bodies) => bodies,
         Err(error) => return session.refuse(error, false),
     };
@@ -64,7 +65,7 @@ pub(super) fn run(request: &PlotRequest, session: &mut Session) -> Result<Exit> 
 /// # Errors
 /// As [`run`].
 fn feet(request: &PlotRequest, output: &Output<'_>, session: &mut Session) -> Result<Exit> {
-    let states = match request.feet(&Disk) {
+    let states = match plot_feet(request, &Disk) {
         Ok(states) => states,
         Err(error) => return session.refuse(error, false),
     };

@@ -2,6 +2,7 @@
 
 use anyhow::Result;
 use osim_library::Disk;
+use osim_planning::find_presets;
 use osim_report::json::line;
 use osim_report::results::{PresetRecord, preset_text};
 use osim_requests::PresetsRequest;
@@ -15,7 +16,7 @@ use crate::terminal::Exit;
 /// # Errors
 /// A file of presets that cannot be read, or an unknown name.
 pub(super) fn run(request: &PresetsRequest, session: &mut Session) -> Result<Exit> {
-    let presets = request.find(&Disk).map_err(|fault| session.usage(&fault))?;
+    let presets = find_presets(request, &Disk).map_err(|fault| session.usage(&fault))?;
     for (index, preset) in presets.iter().enumerate() {
         let text = match request.format {
             Format::Json => line(&PresetRecord::from(preset)),

@@ -3,8 +3,9 @@
 use anyhow::{Result, bail};
 use osim_library::Disk;
 use osim_model::files::Files;
+use osim_planning::{may_be_file, prepare};
 use osim_requests::options::{InspectionOptions, SheetFormat, StanceOptions};
-use osim_requests::{InspectRequest, RequestError, RescaleRequest, may_be_file};
+use osim_requests::{InspectRequest, RequestError, RescaleRequest};
 
 use super::change::change;
 use super::inspect;
@@ -31,7 +32,7 @@ pub(super) fn run(request: RescaleRequest, may_inspect: bool, session: &mut Sess
     if request.target_mass.is_some() || !may_inspect || request.asks_for_change() {
         let missing = request.target_mass.is_none();
         let run = request.run.clone();
-        return match request.prepare(&Disk) {
+        return match prepare(request, &Disk) {
             Ok(prepared) => change(prepared, &run, session),
             Err(RequestError::Fault(fault)) if missing => {
                 bail!("{}{}", fault.spelled(session.words), session.words.see_also())

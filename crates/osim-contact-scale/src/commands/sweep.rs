@@ -6,9 +6,9 @@ use std::path::Path;
 
 use anyhow::Result;
 use osim_library::{SweepEnd, SweepFrontEnd, SweepRun};
+use osim_messages::Input;
 use osim_model::Question;
 use osim_model::files::Failure;
-use osim_model::wording::Input;
 use osim_report::json::line;
 use osim_report::results::SweepRecord;
 use osim_requests::SweepRequest;

@@ -5,10 +5,9 @@ mod views;
 
 use contact_plots::{Block, Paper, Scene, SceneNames, scene};
 use osim_feet::{FloorPlace, Foot, FootFrame};
+use osim_messages::{four_significant, harmless};
 use osim_model::files::Failure;
-use osim_model::four_significant;
-use osim_model::wording::harmless;
-use osim_requests::ModelFeet;
+use osim_planning::ModelFeet;
 
 pub use notes::{feet_notes, missing_meshes};
 use views::views;

@@ -1,8 +1,8 @@
 //! What is said beside a picture of feet.
 
 use osim_feet::{FeetFault, FootFrame};
-use osim_model::wording::{Dialect, Input, phrase, shown};
-use osim_requests::ModelFeet;
+use osim_messages::{Dialect, Input, phrase, shown};
+use osim_planning::ModelFeet;
 
 /// What is drawn of each state, one line each; what was not at hand, and what is wrong with the places of spheres.
 #[must_use]

@@ -2,7 +2,7 @@
 
 use contact_plots::{Ball, Level, LevelKind, Outline, Point, Spot, State, View};
 use osim_feet::{FloorPlace, Foot, FootFrame, FootSphere, silhouette};
-use osim_model::four_significant;
+use osim_messages::four_significant;
 
 /// Spheres that differ by less than this, in m, are drawn once.
 const SAME_M: f64 = 1e-9;

@@ -4,8 +4,8 @@ use contact_plots::{DropCurve, Figure, Panel, TimeAxis, Width, drop_panel};
 use contact_scaling::drop_test::{DropTest, DropValues};
 use contact_scaling::table1::{Animal, HEIGHT_RADII};
 use contact_scaling::{Contact, ContactValues, falisse2022};
+use osim_messages::readable;
 use osim_model::files::Failure;
-use osim_model::readable;
 
 use super::animals::{animal, failure};
 

@@ -7,9 +7,10 @@
 use std::collections::HashMap;
 
 use contact_scaling::{mixed_radii, restitution};
-use osim_model::wording::Phrase;
-use osim_model::{CountOf, Fault, GravityFor, Limbs, Mass, Model, Needed, Selected, SphereId};
-use osim_patch::loaded_spheres;
+use osim_messages::Phrase;
+use osim_model::{
+    CountOf, Fault, GravityFor, Limbs, Mass, Model, Needed, Selected, SphereId, loaded_spheres,
+};
 
 use super::bottoms::Bottoms;
 use super::data::{Figures, LimbFigures};

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use osim_model::wording::{Dialect, Phrase};
+use osim_messages::{Dialect, Phrase};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};

@@ -3,8 +3,7 @@
 use std::collections::HashMap;
 
 use contact_scaling::{Contact, Law, Spheres};
-use osim_model::{Fault, ForceId, SphereId};
-use osim_patch::LoadedSphere;
+use osim_model::{Fault, ForceId, LoadedSphere, SphereId};
 
 /// One sphere with all laws that press it.
 pub(super) struct SphereLoads {

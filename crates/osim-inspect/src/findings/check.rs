@@ -2,8 +2,7 @@
 //!
 //! Codes, severities and their explanations are those of the one register, [`FindingCode`].
 
-use osim_model::{Assignment, FaultKind, FileId, Finding, FindingCode, Model, Needed, Property};
-use osim_patch::{Set, set};
+use osim_model::{Finding, FindingCode, Model};
 
 use super::answers::answer;
 use super::places::Places;
@@ -15,6 +14,20 @@ use crate::inspection::Inspection;
 use crate::mass_mismatch::MassMismatch;
 use crate::options::InspectOptions;
 
+/// What trial plans show of a model: remedies are proposed only where they would not be refused.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Changeable {
+    /// The numbers of its contacts can be changed.
+    pub numbers: bool,
+    /// Radii can be changed: no sphere has another user that would not change with it.
+    pub radii: bool,
+}
+
+impl Changeable {
+    /// Everything can be changed, which nobody has tried.
+    pub const UNTRIED: Self = Self { numbers: true, radii: true };
+}
+
 /// Everything found in a model that was inspected; `compiled` names files that other programs would read instead of it.
 #[must_use]
 pub fn check_model(
@@ -22,26 +35,15 @@ pub fn check_model(
     model: &Model,
     inspected: &Inspection,
     compiled: Option<&Finding>,
-) -> CheckResult {
-    check_known(options, model, inspected, (compiled, can_be_changed(options, model)))
-}
-
-/// The same where it is known whether the numbers of the model [can be changed](can_be_changed): remedies are proposed only
-/// then.
-#[must_use]
-pub fn check_known(
-    options: &InspectOptions,
-    model: &Model,
-    inspected: &Inspection,
-    (compiled, can_be_changed): (Option<&Finding>, bool),
+    changeable: Changeable,
 ) -> CheckResult {
     let is_joined = |finding: &Finding| {
         matches!(finding.code, FindingCode::MixedRadii | FindingCode::SeveralParameterSets)
     };
     let chosen = options.selection.apply(model).map(|selected| selected.forces).unwrap_or_default();
     let joined = model.remarks_on(&chosen).iter().any(is_joined);
-    let mut remedies = Remedies::new(inspected, joined, can_be_changed, options)
-        .changing_radii(!can_be_changed || radii_may_change(options, model));
+    let mut remedies = Remedies::new(inspected, joined, changeable.numbers, options)
+        .changing_radii(!changeable.numbers || changeable.radii);
     let places = Places::of(model, inspected);
     let placed = places.findings(model, &remedies);
     let mismatch = MassMismatch::find(model, &options.masses);
@@ -71,23 +73,4 @@ pub fn check_known(
         answer(remedy, model, &options.masses);
     }
     CheckResult::new(inspected, known::as_published(inspected, findings))
-}
-
-/// `false` where a sphere is used by a force that would not change with it, which is tried, too.
-fn radii_may_change(options: &InspectOptions, model: &Model) -> bool {
-    let mut trial = Set::new(vec![(Property::Radius, Assignment::Factor(2.0))]);
-    trial.again = true;
-    let plan = options.selection.apply(model).and_then(|selected| set(model, &selected, &trial));
-    !plan.is_err_and(|fault| matches!(fault.kind, FaultKind::Needed(Needed::SharedSphere { .. })))
-}
-
-/// `true` where the numbers of `model` can be changed, which is tried: a remedy that would be refused is no help.
-#[must_use]
-pub fn can_be_changed(options: &InspectOptions, model: &Model) -> bool {
-    let assignments =
-        vec![(Property::Dissipation, Assignment::Value(0.0)), (Property::Stiffness, Assignment::Value(1.0))];
-    let mut trial = Set::new(assignments);
-    trial.again = true;
-    let plan = options.selection.apply(model).and_then(|selected| set(model, &selected, &trial));
-    plan.and_then(|plan| plan.patched(model, FileId::MAIN)).is_ok()
 }

@@ -1,6 +1,7 @@
 //! What was published so with known contacts is a remark: their table says which findings those are.
 
-use osim_model::{Finding, FindingCode, readable};
+use osim_messages::readable;
+use osim_model::{Finding, FindingCode};
 
 use crate::inspection::Inspection;
 

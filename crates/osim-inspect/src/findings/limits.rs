@@ -1,7 +1,8 @@
 //! Findings from figures: what the contacts do, against the limits of the paper.
 
 use contact_scaling::limits;
-use osim_model::{Finding, FindingCode, four_significant, readable, same_mass};
+use osim_messages::{four_significant, readable};
+use osim_model::{Finding, FindingCode, same_mass};
 
 use super::remedy::Remedies;
 use crate::figures::{Figure, SphereFigures};

@@ -9,6 +9,6 @@ mod remedy;
 mod result;
 mod traps;
 
-pub use check::{can_be_changed, check_known, check_model};
+pub use check::{Changeable, check_model};
 pub use places::misplaced_spheres;
 pub use result::{CheckResult, Counts};

@@ -1,10 +1,10 @@
 //! Findings about the places of spheres: from the model that was scaled where it is at hand, else from this file alone.
 
+use osim_compare::{Evidence, Placement};
 use osim_model::{Finding, FindingCode, Model, Note, ScaledSinceNote};
 
 use super::remedy::Remedies;
 use crate::inspection::Inspection;
-use crate::placement::{Evidence, Placement};
 
 /// What is known of the places of spheres.
 pub(super) enum Places<'i> {

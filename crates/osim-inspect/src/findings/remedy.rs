@@ -4,18 +4,18 @@ use std::cell::OnceCell;
 use std::collections::HashSet;
 
 use contact_scaling::limits;
+use osim_compare::{Placement, is_stretched};
 use osim_feet::{DefaultPose, sphere_pairs};
+use osim_messages::{Verb, readable};
 use osim_model::files::FileName;
-use osim_model::wording::Verb;
 use osim_model::{
     Assignment, FileId, Force, ForceId, ForceKind, Model, Pattern, Property, Remedy, RemedyChange,
-    RemedyDesign, RemedyLoad, Selection, Sphere, readable,
+    RemedyDesign, RemedyLoad, Selection, Sphere,
 };
 
 use crate::figures::{Figure, SphereFigures};
 use crate::inspection::Inspection;
 use crate::options::InspectOptions;
-use crate::placement::{Placement, is_stretched};
 
 /// The preset whose contacts are proposed where a model's own make no sense.
 const PROPOSED_PRESET: &str = "falisse2022";

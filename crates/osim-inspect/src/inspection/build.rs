@@ -3,12 +3,12 @@
 use std::collections::{HashMap, HashSet};
 
 use contact_scaling::{DimensionlessContact, EQUAL_SURFACES, Scale, ScaleValues, mixed_radii};
+use osim_compare::{BodyFactors, Factors};
 use osim_model::files::FileName;
 use osim_model::{
     CountOf, Fault, Finding, FindingCode, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected,
-    SetId, SphereId, Value,
+    SetId, SphereId, Value, loaded_spheres,
 };
-use osim_patch::{BodyFactors, Factors, loaded_spheres};
 
 use super::data::{
     ContactsMass, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce, InspectedLimb,

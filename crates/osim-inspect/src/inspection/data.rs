@@ -5,15 +5,15 @@
 use std::collections::BTreeMap;
 
 use contact_scaling::DimensionlessContact;
-use osim_model::wording::{Dialect, Phrase};
-use osim_model::{Finding, Mass, Origin, Property, readable};
+use osim_compare::Placement;
+use osim_messages::{Dialect, Phrase, readable};
+use osim_model::{Finding, Mass, Origin, Property};
 use schemars::JsonSchema;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
 use crate::figures::Figures;
 use crate::known::KnownContacts;
-use crate::placement::Placement;
 use crate::serialized::{FindingRecord, optional_phrase, records};
 
 /// A model as it was found.

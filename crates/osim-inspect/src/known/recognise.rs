@@ -1,9 +1,7 @@
 //! The contacts of a model, compared with those of the table.
 
 use contact_scaling::EQUAL_SURFACES;
-use osim_model::{FindingCode, ForceId, Model, Property, Severity};
-use osim_patch::{LoadedSphere, loaded_spheres};
-
+use osim_model::{FindingCode, ForceId, LoadedSphere, Model, Property, Severity, loaded_spheres};
 use schemars::JsonSchema;
 use serde::Serialize;
 

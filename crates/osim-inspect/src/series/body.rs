@@ -5,9 +5,9 @@ use std::fmt::Display;
 use contact_scaling::{
     Contact, DimensionlessContact, DomainError, Law, Preset, Ratios, Scale, ScaleValues, Spheres,
 };
+use osim_messages::readable;
 use osim_model::files::Failure;
-use osim_model::{CountOf, Fault, ForceId, GravityFor, MassRequest, Model, Needed, readable};
-use osim_patch::loaded_spheres;
+use osim_model::{CountOf, Fault, ForceId, GravityFor, MassRequest, Model, Needed, loaded_spheres};
 
 use super::names;
 use crate::load_sharing::LoadSharing;

@@ -3,11 +3,11 @@
 use contact_scaling::drop_test::{DropReport, DropTest, DropValues, Sample};
 use contact_scaling::{Law, Spheres, equilibrium, limits, restitution, smoothing};
 use osim_model::files::Failure;
+use osim_requests::DropHeight;
 
 use super::body::{Body, SphereKind, Weight};
 use super::sampling::{breaks, sampled, thinned};
 use super::units::{ForceUnit, Point, Units};
-use crate::drop_height::DropHeight;
 
 /// Force against indentation of one kind of sphere.
 #[derive(Debug, Clone, PartialEq)]

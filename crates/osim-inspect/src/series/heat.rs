@@ -2,26 +2,13 @@
 
 use contact_scaling::drop_test::{DropTest, DropValues};
 use contact_scaling::{Contact, ContactValues, DomainError, Law, Spheres, equilibrium, limits, restitution};
+use osim_messages::{Input, phrase};
 use osim_model::files::Failure;
-use osim_model::wording::{Input, phrase};
+use osim_requests::{DropHeight, HeatQuantity, PlotRequest, Positive};
 
 use super::body::{Body, SphereKind};
 use super::curves::impact_speed;
 use super::units::Point;
-use crate::drop_height::DropHeight;
-
-/// What is computed.
-///
-/// Exhaustive: code that draws it needs a title and a scale for each quantity.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum HeatQuantity {
-    /// Relative indentation at rest under body weight, by the Hertz law.
-    Indentation,
-    /// Coefficient of restitution at the impact speed of the fall, exact.
-    Restitution,
-    /// Peak force over body weight in the fall.
-    PeakForce,
-}
 
 /// What is wanted.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,6 +19,16 @@ pub struct HeatRequest {
     pub height: DropHeight,
     /// How long it is followed, s; `None`: until well after the impact.
     pub duration_s: Option<f64>,
+}
+
+impl From<&PlotRequest> for HeatRequest {
+    fn from(request: &PlotRequest) -> Self {
+        Self {
+            quantity: request.heat.quantity.quantity(),
+            height: request.fall.height.get(),
+            duration_s: request.fall.duration.map(Positive::get),
+        }
+    }
 }
 
 /// A quantity over stiffness (x, N/m²) and dissipation (y, s/m).

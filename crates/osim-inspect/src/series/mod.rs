@@ -12,5 +12,5 @@ pub use curves::{
     DropSeries, ForceSeries, LoopSeries, dropped, duration, elastic, fall, force, hysteresis, impact_speed,
     kinds, name_of, reach, state, thresholds,
 };
-pub use heat::{HeatQuantity, HeatRequest, HeatSeries, Parameter, Profile, heat};
+pub use heat::{HeatRequest, HeatSeries, Parameter, Profile, heat};
 pub use units::{ForceUnit, IndentationUnit, Point, Units};

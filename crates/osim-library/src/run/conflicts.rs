@@ -6,7 +6,7 @@ use std::ffi::OsString;
 use std::fmt;
 use std::path::Path;
 
-use osim_model::wording::{Input, phrase};
+use osim_messages::{Input, phrase};
 
 use crate::digest::{self, NameDigest};
 use crate::fault::LibraryFault;

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use osim_model::wording::{Input, phrase};
-use osim_requests::cell;
+use osim_messages::{Input, phrase};
+use osim_planning::cell;
 
 use super::record::{JsonRecord, Record};
 use crate::fault::LibraryFault;

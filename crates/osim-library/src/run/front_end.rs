@@ -3,7 +3,7 @@
 use osim_model::RemedyDialect;
 use osim_model::files::OpenModel;
 use osim_patch::Plan;
-use osim_states::BeforeAfter;
+use osim_planning::BeforeAfter;
 
 use super::record::Record;
 use super::task::Task;

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use osim_model::files::{Failure, ModelFiles, OpenModel};
 use osim_patch::Plan;
-use osim_states::BeforeAfter;
+use osim_planning::BeforeAfter;
 
 use super::context::Context;
 use super::destination::Destination;

@@ -3,13 +3,12 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use osim_messages::{Input, phrase};
 use osim_model::files::{Failure, Files, ModelFiles, OpenModel};
-use osim_model::wording::{Input, phrase};
 use osim_model::{FileId, RemedyDialect};
 use osim_patch::Plan;
+use osim_planning::{BeforeAfter, Change, Planner};
 use osim_requests::options::{OutputOptions, RunOptions, SetFiles};
-use osim_requests::{Change, Planner};
-use osim_states::BeforeAfter;
 
 use super::destination::Destination;
 use super::front_end::ChangedModel;

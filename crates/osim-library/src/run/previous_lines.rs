@@ -5,8 +5,8 @@ use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
 use std::path::Path;
 use std::sync::Mutex;
 
-use osim_model::wording::shown;
-use osim_requests::from_cell;
+use osim_messages::shown;
+use osim_planning::from_cell;
 
 use super::form::{Form, header_line};
 use super::record::{JsonRecord, Record};

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use osim_model::Property;
 use osim_model::files::{Failure, FileName};
 use osim_patch::Plan;
-use osim_requests::{cell, from_cell, marked, unmarked};
+use osim_planning::{cell, from_cell, marked, unmarked};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -3,10 +3,11 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use osim_messages::{Input, phrase};
 use osim_model::files::Failure;
-use osim_model::wording::{Input, phrase};
+use osim_planning::Change;
+use osim_requests::Request;
 use osim_requests::options::{OutputOptions, RunFormat, RunOptions};
-use osim_requests::{Change, Request};
 
 use super::conflicts::{PathConflicts, PathOwner};
 use super::settings::JobSettings;

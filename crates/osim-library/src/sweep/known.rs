@@ -4,8 +4,8 @@ use std::collections::HashSet;
 use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
 use std::path::Path;
 
-use osim_model::wording::{Input, phrase};
-use osim_requests::{SweepPlan, from_cell};
+use osim_messages::{Input, phrase};
+use osim_planning::{SweepPlan, from_cell};
 
 use super::table_row::line;
 use crate::digest::{self, NameDigest};

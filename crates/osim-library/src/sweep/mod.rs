@@ -7,11 +7,12 @@ mod tables;
 
 use std::path::{Path, PathBuf};
 
+use osim_messages::{Input, phrase};
 use osim_model::FileId;
 use osim_model::files::{Failure, FileName};
-use osim_model::wording::{Input, phrase};
+use osim_planning::SweepPlan;
 use osim_requests::options::SetFiles;
-use osim_requests::{RequestError, RequestFault, SweepPlan, SweepRequest};
+use osim_requests::{RequestError, RequestFault, SweepRequest};
 
 use self::made::MadeFiles;
 use self::table_row::line;

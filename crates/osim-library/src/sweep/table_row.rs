@@ -1,6 +1,6 @@
 //! One row of the table that says what is in which variant.
 
-use osim_requests::cell;
+use osim_planning::cell;
 
 use crate::fault::LibraryFault;
 

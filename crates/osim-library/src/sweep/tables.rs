@@ -6,8 +6,8 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use osim_model::wording::phrase;
-use osim_requests::SweepPlan;
+use osim_messages::phrase;
+use osim_planning::SweepPlan;
 
 use super::known::is_of_sweep;
 use crate::fault::{Context, LibraryFault};

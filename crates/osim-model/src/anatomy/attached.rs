@@ -1,12 +1,12 @@
 //! Mesh files and where they are on their bodies, in the spelling of every document version.
 
+use osim_xml::{ElementId, opensim_text};
+
 use super::joints::on_base;
 use crate::components::{ComponentId, Components};
 use crate::document::Document;
 use crate::model::Model;
-use osim_frames::times;
-use osim_frames::{Placement, six_digits};
-use osim_xml::{ElementId, opensim_text};
+use crate::reference_frame::{Placement, six_digits, times};
 
 /// Documents before this version list file names alone.
 pub(super) const GEOMETRY_SETS: u32 = 20101;

@@ -2,13 +2,14 @@
 
 use std::sync::OnceLock;
 
+use osim_xml::ElementId;
+
 use super::functions::numbers;
 use super::pose::motion;
 use crate::components::{ComponentId, Components, MAX_FRAME_CHAIN};
 use crate::document::Document;
 use crate::fault::FileId;
-use osim_frames::Placement;
-use osim_xml::ElementId;
+use crate::reference_frame::Placement;
 
 /// A joint between two bodies.
 #[derive(Debug, Clone, PartialEq)]

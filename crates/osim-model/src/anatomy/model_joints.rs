@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use super::joints::ModelJoint;
 use crate::components::ComponentId;
 use crate::model::Model;
-use osim_frames::Placement;
+use crate::reference_frame::Placement;
 
 impl Model {
     /// All joints whose frames lead to bodies or to ground, in file order, without those that OpenSim ignores. Frames of joints in

@@ -1,10 +1,10 @@
 //! How the two frames of a joint stand to each other at given values of its coordinates.
 
+use osim_xml::{ElementId, opensim_text};
+
 use super::functions::evaluate;
 use crate::document::Document;
-use osim_frames::Placement;
-use osim_frames::{Rotation, times};
-use osim_xml::{ElementId, opensim_text};
+use crate::reference_frame::{Placement, Rotation, times};
 
 /// Three axes of rotation and three of translation, in the order in which OpenSim applies them.
 const ROTATIONS: [&str; 3] = ["rotation1", "rotation2", "rotation3"];

@@ -1,11 +1,12 @@
 //! Half-spaces: the floor, and other planes that spheres meet.
 
+use osim_xml::ElementId;
+
 use super::force::ParameterSet;
 use crate::components::{Base, ComponentId, Components};
 use crate::fault::FileId;
 use crate::model::Model;
-use osim_frames::Rotation;
-use osim_xml::ElementId;
+use crate::reference_frame::Rotation;
 
 /// A `ContactHalfSpace`.
 #[derive(Debug, Clone)]

@@ -3,13 +3,19 @@
 mod force;
 mod half_space;
 mod ids;
+mod loaded_sphere;
+mod moving;
 mod read;
 mod slot;
 mod sphere;
+mod surfaces;
 
 pub use force::{Force, ForceKind, ParameterSet};
 pub use half_space::HalfSpace;
 pub use ids::{ForceId, SetId, SphereId};
+pub use loaded_sphere::{LoadedSphere, contact_of_set, loaded_spheres};
+pub use moving::{moving_spheres, root_mean_square};
 pub(crate) use read::ContactReader;
 pub use slot::Slot;
 pub use sphere::Sphere;
+pub use surfaces::{Surfaces, sphere_sets};

@@ -1,6 +1,6 @@
 //! What only the user can know about the size of a body against that of another model.
 
-use crate::wording::{Input, Phrase, phrase};
+use osim_messages::{Input, Phrase, phrase};
 
 /// What has to be said about the factors of a body.
 #[derive(Debug, Clone, PartialEq)]

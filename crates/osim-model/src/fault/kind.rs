@@ -1,12 +1,12 @@
 //! The kinds of fault.
 
 use contact_scaling::{DomainError, limits};
+use osim_messages::{Input, Phrase, Verb, phrase};
+use osim_xml::SyntaxFault;
+use osim_xml::opensim_text::NumberFault;
 
 use super::needed::Needed;
 use super::needs_answer::NeedsAnswer;
-use crate::wording::{Input, Phrase, Verb, phrase};
-use osim_xml::SyntaxFault;
-use osim_xml::opensim_text::NumberFault;
 
 /// Kinds of fault, each with what a program needs to know of it.
 ///

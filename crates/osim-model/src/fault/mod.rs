@@ -2,7 +2,7 @@
 //!
 //! Messages follow one pattern: lower case, no full stop, what is wrong, what was expected, and a way out where there is
 //! one. They never name a file: the code that opened it adds that. They name no option either: what the reader can say is in
-//! them as an [`Input`](crate::wording::Input), which each front end spells.
+//! them as an [`Input`](osim_messages::Input), which each front end spells.
 
 mod excerpt;
 mod factor_question;
@@ -15,7 +15,7 @@ mod way_out;
 use std::fmt;
 use std::ops::Range;
 
-use crate::wording::Phrase;
+use osim_messages::Phrase;
 use osim_xml::{LineIndex, Position};
 
 pub use excerpt::Excerpt;

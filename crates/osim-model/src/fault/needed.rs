@@ -1,17 +1,17 @@
 //! What only the caller can know.
 
+use osim_messages::{Input, Phrase, phrase, readable};
+
 use super::factor_question::FactorQuestion;
 use super::note_doubt::NoteDoubt;
 use super::way_out::{GravityFor, RadiusFrom, contacts_mass, known_contacts_mass, shared_sphere};
-use crate::wording::{Input, Phrase, phrase};
-use osim_wording::readable;
 
 /// Something that has to be said, because the files do not say it.
 ///
 /// Each variant says what is not known; [`Needed::inputs`] are the fields that answer it.
 ///
 /// ```
-/// use osim_model::wording::Input;
+/// use osim_messages::Input;
 /// use osim_model::{FaultKind, MassRequest, Model};
 ///
 /// # let text = include_str!("../../tests/data/one_foot.osim");

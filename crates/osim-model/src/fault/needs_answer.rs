@@ -3,8 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use crate::wording::{Input, Phrase, phrase};
-use osim_wording::{four_significant, readable};
+use osim_messages::{Input, Phrase, four_significant, phrase, readable};
 
 /// A question that is answered with yes, by its code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -91,8 +90,8 @@ pub enum MassSlip {
 /// A number that looks like a slip.
 ///
 /// ```
-/// use osim_model::{FaultKind, Fault, MassSlip, NeedsAnswer};
-/// use osim_model::wording::Input;
+/// use osim_model::{Fault, FaultKind, MassSlip, NeedsAnswer};
+/// use osim_messages::Input;
 ///
 /// let grams = NeedsAnswer::Mass { input: Input::TargetMass, kg: 20_000.0, bodies_kg: Some(20.0), slip: MassSlip::Grams };
 /// let fault = Fault::new(FaultKind::NeedsAnswer(grams));

@@ -1,9 +1,9 @@
 //! What a question asks for depends on what was to be done: for a gravity that is not there, for radii that must stay, and for
 //! the mass of contacts that are the model's own or a reference's.
 
+use osim_messages::{Input, Phrase, phrase, readable};
+
 use super::note_doubt::NoteDoubt;
-use crate::wording::{Input, Phrase, phrase};
-use osim_wording::readable;
 
 /// What a gravity is needed for that the file does not have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,8 +1,9 @@
 //! What went wrong with one file, by its name.
 
+use osim_messages::Phrase;
+
 use super::file_name::FileName;
 use crate::fault::{Excerpt, Fault, FaultKind};
-use crate::wording::Phrase;
 
 /// One model that could not be read or changed, or a file that it needs.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,7 +4,7 @@ use std::fmt;
 use std::ops::Deref;
 use std::path::{Path, PathBuf};
 
-use crate::wording::shown_whole;
+use osim_messages::shown_whole;
 
 /// A file as it was named: text, and the bytes of the name where that is not UTF-8 and the text only an approximation.
 ///

@@ -5,7 +5,7 @@ mod register;
 mod remedy;
 mod severity;
 
-use crate::wording::{Dialect, Phrase};
+use osim_messages::{Dialect, Phrase};
 
 pub use register::{FindingCode, Repair};
 pub use remedy::{Remedy, RemedyChange, RemedyDesign, RemedyDialect, RemedyLoad};

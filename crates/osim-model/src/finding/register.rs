@@ -4,9 +4,9 @@
 use std::fmt;
 
 use contact_scaling::limits;
+use osim_messages::Phrase;
 
 use super::severity::{Seen, Severity};
-use crate::wording::Phrase;
 
 /// Whether a command can be proposed that puts a finding right.
 ///

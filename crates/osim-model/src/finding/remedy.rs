@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use osim_messages::Dialect;
+
 use crate::assignment::Assignment;
 use crate::contacts::ForceKind;
 use crate::fault::Question;
@@ -9,7 +11,6 @@ use crate::files::FileName;
 use crate::pattern::Pattern;
 use crate::property::Property;
 use crate::selection::Selection;
-use crate::wording::Dialect;
 
 /// A change that puts a finding right.
 #[derive(Debug, Clone, PartialEq)]

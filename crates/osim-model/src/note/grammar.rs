@@ -3,8 +3,9 @@
 //! `[contacts made for 62 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by rescale; sizes calcn_r=1,1,1; digest 0123456789abcdef;
 //! places 0123456789abcdef; made -)]`
 
+use osim_messages::shortest;
+
 use super::data::{BodySize, Note, Scope};
-use osim_wording::shortest;
 
 /// How every note begins.
 pub(super) const BEGINS: &str = "[contacts made for ";

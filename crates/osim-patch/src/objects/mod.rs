@@ -22,7 +22,6 @@ pub use add::add_contacts;
 pub use convert::{Convert, Converted, convert};
 pub use layout::{Layout, NewContact};
 pub use leftovers::{Leftover, leftovers};
-pub use names::refuse as refuse_name;
 pub use new_spheres::NewSphere;
 pub use presets::{preset_model, presets_with_places};
 pub(crate) use rebuilt::EarlierNote;

@@ -2,13 +2,7 @@
 
 use std::collections::HashSet;
 
-use osim_model::wording::is_seen;
-use osim_model::{Fault, FileId, Model};
-
-/// Letters with which OpenSim refuses a whole model.
-const REFUSED: &str = "\\*+/ \t\r\n\u{b}\u{c}";
-/// What a name may be.
-const CHOOSE: &str = "choose letters, digits, '_' or '-'";
+use osim_model::{Fault, FileId, Model, refuse_name_in_paths};
 
 /// Names that are taken in a model, or will be.
 pub(super) struct Names(HashSet<String>);
@@ -27,59 +21,12 @@ impl Names {
     /// # Errors
     /// OpenSim refuses models in which something is called so.
     pub(super) fn take(&mut self, name: &str) -> Result<String, Fault> {
-        refuse_in_paths(name)?;
+        refuse_name_in_paths(name)?;
         let free = |name: &String| !self.0.contains(name);
         let numbered = (2_u64..).map(|number| format!("{name}_{number}"));
         let taken = std::iter::once(name.to_owned()).chain(numbered).find(free).unwrap_or_default();
         self.0.insert(taken.clone());
         Ok(taken)
-    }
-}
-
-/// Refuses a name that OpenSim would, and one with letters that nobody sees.
-///
-/// ```
-/// assert!(osim_patch::refuse_name("heel_r").is_ok());
-/// let fault = osim_patch::refuse_name("right heel").unwrap_err();
-/// assert!(fault.to_string().contains("has a blank in it"), "{fault}");
-/// ```
-///
-/// # Errors
-/// An empty name, one that is a step in OpenSim's paths, or one with a letter that OpenSim or XML refuses or that is not seen.
-pub fn refuse(name: &str) -> Result<(), Fault> {
-    refuse_in_paths(name)?;
-    match name.chars().find(|&letter| !is_seen(letter)) {
-        Some(letter) => Err(Fault::refused(format!(
-            "the name '{name}' has a letter in it that is not seen (U+{:04X}), perhaps from copying: {CHOOSE}",
-            u32::from(letter)
-        ))),
-        None => Ok(()),
-    }
-}
-
-/// Refuses a name that cannot be in a path of OpenSim.
-fn refuse_in_paths(name: &str) -> Result<(), Fault> {
-    if name.is_empty() {
-        return Err(Fault::refused(
-            "a contact has no name: OpenSim finds contacts by their names, so give it one",
-        ));
-    }
-    if [".", ".."].contains(&name) {
-        return Err(Fault::refused(format!(
-            "the name '{name}' is a step in OpenSim's paths, so no force would find its contact: {CHOOSE}"
-        )));
-    }
-    match name.chars().find(|&letter| REFUSED.contains(letter)) {
-        Some(letter) => Err(Fault::refused(format!(
-            "the name '{name}' has {} in it, with which OpenSim refuses the model: {CHOOSE}",
-            match letter {
-                ' ' => "a blank".to_owned(),
-                '\t' => "a tab".to_owned(),
-                letter if letter.is_control() => "a line break".to_owned(),
-                letter => format!("'{letter}'"),
-            }
-        ))),
-        None => Ok(()),
     }
 }
 

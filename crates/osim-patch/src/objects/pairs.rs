@@ -1,9 +1,6 @@
 //! A force as pairs of one sphere and one half-space, with the values that such a pair alone would need.
 
-use osim_model::{Fault, Force, HalfSpace, Model, ParameterSet, Property, SetId, SphereId};
-
-use crate::builder::PlanBuilder;
-use crate::surfaces::Surfaces;
+use osim_model::{Fault, Force, HalfSpace, Model, ParameterSet, Property, SetId, SphereId, Surfaces};
 
 /// A sphere and a half-space of one force.
 pub(crate) struct Pair {
@@ -20,8 +17,7 @@ pub(crate) struct Pair {
 /// # Errors
 /// A value that is not a plain number or outside its domain, with its place.
 pub(crate) fn pairs(model: &Model, force: &Force) -> Result<Vec<Pair>, Fault> {
-    let values = PlanBuilder::new(model);
-    let surfaces = Surfaces::of(&values, force)?;
+    let surfaces = Surfaces::of(force)?;
     let planes: Vec<(&ParameterSet, HalfSpace)> = force
         .sets
         .iter()
@@ -35,7 +31,7 @@ pub(crate) fn pairs(model: &Model, force: &Force) -> Result<Vec<Pair>, Fault> {
                 if plane.body.is_some() && plane.body == own.body {
                     continue;
                 }
-                let of = |id| of_set(&values, force, id);
+                let of = |id| of_set(force, id);
                 let (here, there) = (of(set.id)?, of(plane_set.id)?);
                 let is_composite = here != there;
                 let values = if is_composite {
@@ -50,10 +46,10 @@ pub(crate) fn pairs(model: &Model, force: &Force) -> Result<Vec<Pair>, Fault> {
     Ok(pairs)
 }
 
-fn of_set(plan: &PlanBuilder<'_>, force: &Force, set: SetId) -> Result<Vec<(Property, f64)>, Fault> {
+fn of_set(force: &Force, set: SetId) -> Result<Vec<(Property, f64)>, Fault> {
     let mut values = Vec::new();
     for property in Property::ALL {
-        if let Some(value) = plan.current(force.id, set, property)? {
+        if let Some(value) = force.checked(set, property)? {
             values.push((property, value));
         }
     }

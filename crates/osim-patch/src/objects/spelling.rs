@@ -2,7 +2,8 @@
 
 use std::collections::HashSet;
 
-use osim_model::{Class, Document, ForceKind, Model, Property, shortest};
+use osim_messages::shortest;
+use osim_model::{Class, Document, ForceKind, Model, Property};
 
 use super::floor::facing;
 use super::layout::NewContact;

@@ -4,8 +4,6 @@ mod rule;
 mod spheres;
 mod users;
 
-pub use rule::RadiusRule;
 pub(crate) use rule::SphereRule;
-pub use spheres::moving_spheres;
-pub(crate) use spheres::{Radii, root_mean_square};
+pub(crate) use spheres::Radii;
 pub(crate) use users::Users;

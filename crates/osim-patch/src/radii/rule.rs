@@ -1,44 +1,6 @@
-//! What happens to radii.
+//! What happens to the radius of one sphere.
 
-use osim_model::RadiusFrom;
-
-/// What happens to the radii of the moving spheres.
-///
-/// ```
-/// use osim_model::{MassRequest, Model, Property, Selection};
-/// use osim_patch::{RadiusRule, Rescale, rescale};
-///
-/// # let bytes: &[u8] = include_bytes!("../../../osim-model/tests/data/one_foot.osim");
-/// # let model = Model::parse(bytes)?;
-/// # let selected = Selection::default().apply(&model)?;
-/// # let (mass, _) = MassRequest::default().of_contacts(&model)?;
-/// // One sphere of 0.03 m, scaled from 10 to 80 kg.
-/// let mut wanted = Rescale::new(80.0, mass);
-/// for (rule, radius_m) in [
-///     (RadiusRule::Isometric, Some(0.06)),
-///     (RadiusRule::Keep, None),
-///     (RadiusRule::Metres(0.05), Some(0.05)),
-///     (RadiusRule::Factor(1.5), Some(0.045)),
-/// ] {
-///     wanted.radius = rule;
-///     let plan = rescale(&model, &selected, &wanted)?;
-///     let radius = plan.changes.iter().find(|change| change.property == Property::Radius);
-///     assert_eq!(radius.map(|change| change.to), radius_m);
-/// }
-/// # Ok::<(), osim_model::Fault>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum RadiusRule {
-    /// R ∝ M^{1/3}, with the linear dimensions of the body (8). In a transfer, as large against the body as the reference's.
-    Isometric,
-    /// They stay.
-    Keep,
-    /// All become this, in m.
-    Metres(f64),
-    /// All are multiplied by this.
-    Factor(f64),
-}
+use osim_model::{RadiusFrom, RadiusRule};
 
 /// What happens to the radius of one sphere.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,14 +2,16 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use osim_model::{Fault, Force, ForceId, LevelAxis, Model, Property, RadiusFrom, SphereId};
+use osim_compare::ScaleFile;
+use osim_model::{
+    Fault, Force, ForceId, LevelAxis, Property, PropertySet, RadiusFrom, RadiusRule, SphereId,
+    moving_spheres, root_mean_square,
+};
 
-use super::rule::{Pair, RadiusRule, SphereRule};
+use super::rule::{Pair, SphereRule};
 use super::users::Users;
 use crate::builder::{New, PlanBuilder};
-use crate::follow::ScaleFile;
 use crate::plan::FOLLOW;
-use crate::property_set::PropertySet;
 
 /// Old and new radius of each moving sphere of the chosen forces.
 pub(crate) struct Radii(BTreeMap<SphereId, Pair>);
@@ -30,7 +32,7 @@ impl Radii {
         let mut radii = BTreeMap::new();
         let users = Users::outside(model, forces);
         for sphere in moving_spheres(model, forces) {
-            let old = plan.current_radius(sphere)?;
+            let old = plan.model.radius_m(sphere)?;
             let stays = !properties.contains(Property::Radius);
             let rule = if stays { SphereRule::Rule(RadiusRule::Keep) } else { rule_of(sphere) };
             let pair = rule.pair(old, isometric);
@@ -130,30 +132,4 @@ impl Radii {
         let least = ratios.iter().copied().fold(f64::INFINITY, f64::min);
         if ratios.is_empty() { 1.0 } else { most / least }
     }
-}
-
-/// Exactly the common value where all are equal.
-pub(crate) fn root_mean_square(radii: impl Iterator<Item = f64> + Clone) -> f64 {
-    let mut others = radii.clone();
-    match others.next() {
-        None => f64::NAN,
-        Some(first) if others.all(|other| other == first) => first,
-        Some(_) => {
-            let (sum, count) =
-                radii.fold((0.0, 0.0), |(sum, count), radius| (sum + radius * radius, count + 1.0));
-            (sum / count).sqrt()
-        }
-    }
-}
-
-/// The spheres of `forces` that stand neither on ground nor on a body welded to it, each once, in file order: those whose radii
-/// may change.
-#[must_use]
-pub fn moving_spheres(model: &Model, forces: &[ForceId]) -> Vec<SphereId> {
-    let mut spheres: Vec<SphereId> =
-        forces.iter().filter_map(|&id| model.force(id)).flat_map(Force::spheres).collect();
-    spheres.sort_unstable();
-    spheres.dedup();
-    spheres.retain(|&index| model.sphere(index).is_some_and(|sphere| !sphere.fixed));
-    spheres
 }

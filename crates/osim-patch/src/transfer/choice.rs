@@ -3,11 +3,9 @@
 use std::collections::HashMap;
 
 use contact_scaling::{DimensionlessContact, Scale, ScaleValues};
-use osim_model::{Fault, FaultKind, Force, Model, Needed, Selected, SphereId};
+use osim_model::{Fault, FaultKind, Force, Model, Needed, Selected, SphereId, moving_spheres, sphere_sets};
 
 use super::request::{Reference, ReferenceContact, Transfer};
-use crate::radii::moving_spheres;
-use crate::surfaces::sphere_sets;
 
 /// Two dimensionless contacts this close (relative) are one.
 const SAME_CONTACT: f64 = 1e-6;

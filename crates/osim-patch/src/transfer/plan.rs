@@ -1,10 +1,11 @@
 //! Contacts of a reference, given the dimensions of another body: (10), (14), (C.2), (C.5), (C.10).
 
 use contact_scaling::{RatioValues, Ratios};
-use osim_model::wording::phrase;
+use osim_compare::Follow;
+use osim_messages::{phrase, readable};
 use osim_model::{
-    Fault, Finding, FindingCode, Force, ForceKind, GravityFor, Model, Property, Scope, Selected, SphereId,
-    readable,
+    DissipationBy, Fault, Finding, FindingCode, Force, ForceKind, GravityFor, Model, Property, RadiusRule,
+    Scope, Selected, SphereId,
 };
 
 use super::choice::{Choice, ReferenceRadii};
@@ -15,9 +16,9 @@ use super::similarity::{check_spread, similarity};
 use crate::builder::{New, PlanBuilder};
 use crate::gravity::GravityChange;
 use crate::plan::{Contents, FOLLOW, Masses, NoteFacts, Plan};
-use crate::radii::{Radii, RadiusRule, SphereRule};
+use crate::radii::{Radii, SphereRule};
 use crate::remarks::{GRAVITY_STAYS, PLACES_STAY, bottoms_remark, warn_forces};
-use crate::scaling::{DissipationBy, factor};
+use crate::scaling::factor;
 use crate::surfaces::write_composite;
 
 /// Plans a transfer onto the forces `selected` of `model`, by (10), (14), (C.2), (C.5) and (C.10): see [`Transfer`] for an
@@ -41,7 +42,7 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
     let change =
         GravityChange::new(reference.gravity_m_s2, wanted.target_gravity_m_s2, GravityFor::Reference)?;
     let gravity = change.ratio;
-    let followed = |sphere: SphereId| wanted.follow.as_ref().and_then(|follow| follow.spheres.get(&sphere));
+    let followed = |sphere: SphereId| wanted.follow.as_ref().and_then(|follow| follow.of(sphere));
     let reference_radii = ReferenceRadii::of(&wanted.reference);
     let rule_of = |sphere: SphereId| match (followed(sphere), wanted.radius) {
         (Some(followed), RadiusRule::Isometric) => SphereRule::Like(followed.radius_m),
@@ -58,7 +59,7 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
         chosen.refuse_unclear_radii(model, selected, &wanted.reference)?;
     }
     let radii = Radii::plan(&mut plan, &selected.forces, rule_of, isometric, &wanted.properties)?;
-    for (&sphere, place) in wanted.follow.iter().flat_map(|follow| &follow.spheres) {
+    for (sphere, place) in wanted.follow.iter().flat_map(Follow::spheres) {
         plan.location(sphere, place.location_m, FOLLOW)?;
     }
     if let Some(axis) = wanted.level.filter(|_| wanted.follow.is_none()) {
@@ -150,7 +151,7 @@ impl Target<'_> {
     fn carry(&self, plan: &mut PlanBuilder<'_>, property: Property, by: DissipationBy) -> Result<(), Fault> {
         let Some((factor, equation)) = factor(property, &self.own, by) else { return Ok(()) };
         for set in &self.force.sets {
-            if let Some(from) = plan.current(self.force.id, set.id, property)? {
+            if let Some(from) = self.force.checked(set.id, property)? {
                 plan.parameter(self.force.id, set.id, property, New::times(from, factor, equation))?;
             }
         }

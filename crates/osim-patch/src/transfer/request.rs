@@ -1,12 +1,8 @@
 //! What is wanted of a transfer, and where its contacts come from.
 
 use contact_scaling::{Contact, Preset};
-use osim_model::{LevelAxis, Mass, MassSource};
-
-use crate::follow::Follow;
-use crate::property_set::PropertySet;
-use crate::radii::RadiusRule;
-use crate::scaling::DissipationBy;
+use osim_compare::Follow;
+use osim_model::{DissipationBy, LevelAxis, Mass, MassSource, PropertySet, RadiusRule};
 
 /// One contact of a reference, and the spheres that have it.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,7 +1,7 @@
 //! A force whose spheres have materials of their own and follow their bodies: one factor multiplies them all.
 
 use contact_scaling::{RatioValues, Ratios};
-use osim_model::{Fault, Force, Property, SphereId};
+use osim_model::{Fault, Force, Property, SphereId, Surfaces, sphere_sets};
 
 use super::choice::Choice;
 use super::predsim::predsim;
@@ -9,7 +9,6 @@ use super::request::{ScalingRule, Transfer};
 use crate::builder::{New, PlanBuilder};
 use crate::radii::Radii;
 use crate::scaling::factor;
-use crate::surfaces::{Surfaces, sphere_sets};
 
 /// Factors this close (relative) are one.
 const SAME_FACTOR: f64 = 1e-6;
@@ -47,7 +46,7 @@ pub(crate) fn plan(
         let Some((factor, equation)) = scaled else { continue };
         let factor = factor * against_reference(plan, force, chosen, property)?;
         for set in &force.sets {
-            if let Some(from) = plan.current(force.id, set.id, property)? {
+            if let Some(from) = force.checked(set.id, property)? {
                 plan.parameter(force.id, set.id, property, New::times(from, factor, equation))?;
             }
         }
@@ -75,7 +74,7 @@ fn against_reference(
     chosen: &Choice<'_>,
     property: Property,
 ) -> Result<f64, Fault> {
-    let surfaces = Surfaces::of(plan, force)?;
+    let surfaces = Surfaces::of(force)?;
     let mut common: Option<f64> = None;
     for (set, spheres) in sphere_sets(plan.model, force) {
         let Some(&sphere) = spheres.first() else { continue };

@@ -3,10 +3,11 @@
 // Every test file uses another part of these.
 #![allow(dead_code)]
 
-use osim_model::{Companion, Document, Fault, FileId, MassRequest, Model, Pattern, Property, Selection};
-use osim_patch::{
-    Change, DissipationBy, Plan, PropertySet, RadiusRule, Reference, Rescale, Transfer, rescale, transfer,
+use osim_model::{
+    Companion, DissipationBy, Document, Fault, FileId, MassRequest, Model, Pattern, Property, PropertySet,
+    RadiusRule, Selection,
 };
+use osim_patch::{Change, Plan, Reference, Rescale, Transfer, rescale, transfer};
 
 /// Bytes of a file of `fixtures/`.
 #[track_caller]

@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 
 use osim_inspect::{CheckResult, Counts};
-use osim_model::wording::{Dialect, Phrase};
+use osim_messages::{Dialect, Phrase};
 use osim_model::{FindingCode, Severity};
 
 use crate::layout::{Colour, clipped, severity, table};

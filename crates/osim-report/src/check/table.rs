@@ -1,7 +1,7 @@
 //! Findings of one model, for people.
 
 use osim_inspect::CheckResult;
-use osim_model::wording::one_line;
+use osim_messages::one_line;
 use osim_model::{Finding, FindingCode};
 
 use crate::layout::{Colour, severity, wrapped, wrapped_with_path};

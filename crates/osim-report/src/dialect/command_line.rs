@@ -2,10 +2,8 @@
 
 use std::borrow::Cow;
 
-use osim_model::Assignment;
-use osim_model::shortest;
-use osim_model::wording::{Call, Dialect, Example, Input, Verb};
-use osim_model::{Remedy, RemedyDialect};
+use osim_messages::{Call, Dialect, Example, Input, Verb, shortest};
+use osim_model::{Assignment, Remedy, RemedyDialect};
 
 use super::front_end::FrontEnd;
 use super::remedy::{InputValue, RemedyParts, is_assignment};
@@ -17,7 +15,7 @@ const PROGRAM: &str = "osim-contact-scale";
 /// The command line: `--mass KG`, `design MODEL --indentation 0.16`.
 ///
 /// ```
-/// use osim_model::wording::{Input, phrase};
+/// use osim_messages::{Input, phrase};
 /// use osim_report::dialect::CommandLine;
 ///
 /// let way_out = phrase!["say what the model weighs with ", Input::Mass.like("KG")];
@@ -127,8 +125,8 @@ fn option(input: Input) -> String {
 
 #[cfg(test)]
 mod tests {
+    use osim_messages::Phrase;
     use osim_model::FindingCode;
-    use osim_model::wording::Phrase;
 
     use super::*;
 

@@ -1,7 +1,7 @@
 //! What a front end spells beyond sentences.
 
+use osim_messages::Call;
 use osim_model::RemedyDialect;
-use osim_model::wording::Call;
 
 /// The words of a front end, for calls that stand alone too.
 pub trait FrontEnd: RemedyDialect {

@@ -1,6 +1,6 @@
 //! The words of requests in JSON.
 
-use osim_model::wording::{Call, Dialect, Example, Input, Verb};
+use osim_messages::{Call, Dialect, Example, Input, Verb};
 use osim_model::{Remedy, RemedyDialect};
 use osim_requests::Request;
 use serde_json::Value;
@@ -11,7 +11,7 @@ use super::remedy::is_assignment;
 /// A request in JSON: `"mass": KG`, `{"verb": "design", "models": ["model.osim"], "indentation": 0.16}`.
 ///
 /// ```
-/// use osim_model::wording::{Dialect, Input, Verb, phrase};
+/// use osim_messages::{Dialect, Input, Verb, phrase};
 /// use osim_report::dialect::JsonRequest;
 ///
 /// let way_out = phrase!["say what the model weighs with ", Input::Mass.like("KG")];
@@ -75,7 +75,7 @@ fn number_or_text(value: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use osim_model::wording::Phrase;
+    use osim_messages::Phrase;
 
     use super::*;
 

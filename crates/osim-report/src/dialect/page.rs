@@ -1,9 +1,7 @@
 //! The words of a page with fields and buttons.
 
-use osim_model::Assignment;
-use osim_model::readable;
-use osim_model::wording::{Call, Dialect, Example, Input, Verb};
-use osim_model::{Remedy, RemedyDialect};
+use osim_messages::{Call, Dialect, Example, Input, Verb, readable};
+use osim_model::{Assignment, Remedy, RemedyDialect};
 
 use super::front_end::FrontEnd;
 use super::remedy::{InputValue, RemedyParts};
@@ -14,7 +12,7 @@ const MEANT: &str = "“It is meant as it is: go on”";
 /// A page: the field “mass of the model”.
 ///
 /// ```
-/// use osim_model::wording::{Input, phrase};
+/// use osim_messages::{Input, phrase};
 /// use osim_report::dialect::Page;
 ///
 /// let way_out = phrase!["say what the model weighs with ", Input::Mass.like("KG")];
@@ -75,7 +73,7 @@ impl FrontEnd for Page {}
 
 #[cfg(test)]
 mod tests {
-    use osim_model::wording::Phrase;
+    use osim_messages::Phrase;
 
     use super::*;
 

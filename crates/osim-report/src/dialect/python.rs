@@ -1,9 +1,7 @@
 //! The words of the Python package.
 
-use osim_model::Assignment;
-use osim_model::shortest;
-use osim_model::wording::{Call, Dialect, Example, Input, Verb};
-use osim_model::{Remedy, RemedyDialect};
+use osim_messages::{Call, Dialect, Example, Input, Verb, shortest};
+use osim_model::{Assignment, Remedy, RemedyDialect};
 
 use super::front_end::FrontEnd;
 use super::remedy::{InputValue, RemedyParts};
@@ -11,8 +9,8 @@ use super::remedy::{InputValue, RemedyParts};
 /// Python: `mass=KG`, `ocs.design("model.osim", indentation=0.16)`.
 ///
 /// ```
-/// use osim_model::wording::{Input, Verb};
-/// use osim_model::wording::Dialect;
+/// use osim_messages::{Input, Verb};
+/// use osim_messages::Dialect;
 /// use osim_report::dialect::Python;
 ///
 /// let call = Verb::Transfer.of_model().saying(Input::From, "falisse2022");
@@ -128,7 +126,7 @@ pub fn python_quoted(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use osim_model::wording::Phrase;
+    use osim_messages::Phrase;
 
     use super::*;
 

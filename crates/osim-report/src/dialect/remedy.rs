@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use osim_model::wording::{Call, Input, Verb};
+use osim_messages::{Call, Input, Verb};
 use osim_model::{Assignment, Property, Remedy, RemedyChange};
 use osim_requests::Request;
 use serde_json::Value;

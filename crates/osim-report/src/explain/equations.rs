@@ -7,7 +7,7 @@ use super::rules;
 /// Equations of the paper and beyond, then the project's own rules.
 ///
 /// Texts may name inputs and calls in backticks, as
-/// [`Phrase::template`](osim_model::wording::Phrase::template) reads them.
+/// [`Phrase::template`](osim_messages::Phrase::template) reads them.
 pub fn equations() -> impl Iterator<Item = &'static Equation> {
     contact_scaling::equations::all().chain(rules::ALL)
 }

@@ -2,7 +2,7 @@
 //!
 //! The tables of `docs/errors.md` are made from it; a test looks for codes that are not here.
 
-use osim_model::wording::Phrase;
+use osim_messages::Phrase;
 
 /// One kind of failure.
 #[derive(Debug, PartialEq, Eq)]

@@ -3,9 +3,9 @@
 use std::sync::LazyLock;
 
 use osim_inspect::{Figure, Quantity};
+use osim_messages::Phrase;
 use osim_model::Property;
-use osim_model::wording::Phrase;
-use osim_requests::{DesignQuantity, DropColumn, DropFigure};
+use osim_planning::{DesignQuantity, DropColumn, DropFigure};
 
 use super::traps;
 

@@ -3,7 +3,7 @@
 use contact_scaling::Equation;
 use contact_scaling::equations::{Form, Symbol};
 use osim_inspect::SCHEMA_VERSION;
-use osim_model::wording::{Dialect, Phrase};
+use osim_messages::{Dialect, Phrase};
 use osim_model::{FindingCode, Repair, Seen};
 use schemars::JsonSchema;
 use serde::Serialize;

@@ -2,8 +2,8 @@
 
 use contact_scaling::Equation;
 use contact_scaling::equations::reference;
+use osim_messages::{Dialect, Phrase};
 use osim_model::FindingCode;
-use osim_model::wording::{Dialect, Phrase};
 
 use super::errors::ErrorCode;
 use super::letters::Letters;

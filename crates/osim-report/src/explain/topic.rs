@@ -1,7 +1,7 @@
 //! Something that can be explained, by its name.
 
 use contact_scaling::Equation;
-use osim_model::wording::Verb;
+use osim_messages::Verb;
 use osim_model::{FindingCode, Question};
 
 use super::equations::{equation, equations};

@@ -1,6 +1,6 @@
 //! Which part of the project uses an equation.
 
-use osim_model::wording::Phrase;
+use osim_messages::Phrase;
 
 /// Where the equation called `label` meets the user; nothing for a label that is not known.
 #[must_use]

@@ -3,7 +3,8 @@
 use std::collections::{HashMap, HashSet};
 
 use osim_inspect::{Figure, InspectedForce, Inspection, LimbFigures, Quantity, SphereFigures};
-use osim_model::{Property, shortest};
+use osim_messages::shortest;
+use osim_model::Property;
 
 use crate::layout::csv_text;
 

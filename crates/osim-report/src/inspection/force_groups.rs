@@ -3,10 +3,11 @@
 use std::collections::HashMap;
 
 use osim_inspect::{InspectedForce, Inspection};
-use osim_model::{Property, four_significant, readable};
+use osim_messages::{four_significant, readable};
+use osim_model::Property;
 
 /// Forces with the same parameters, and these as cells.
-pub(crate) fn groups(inspected: &Inspection) -> Vec<(Vec<String>, Vec<&InspectedForce>)> {
+pub fn groups(inspected: &Inspection) -> Vec<(Vec<String>, Vec<&InspectedForce>)> {
     let mut groups: Vec<(Vec<String>, Vec<&InspectedForce>)> = Vec::new();
     let (mut places, mut exact) = (HashMap::new(), HashMap::new());
     for force in &inspected.forces {
@@ -22,12 +23,12 @@ pub(crate) fn groups(inspected: &Inspection) -> Vec<(Vec<String>, Vec<&Inspected
 }
 
 /// `true` where a number of the force is not in the object itself.
-pub(crate) fn has_default(force: &InspectedForce) -> bool {
+pub fn has_default(force: &InspectedForce) -> bool {
     Property::ALL.iter().any(|&property| force.origin.is_default(property))
 }
 
 /// How many forces of which class, and their names.
-pub(crate) fn described(members: &[&InspectedForce]) -> String {
+pub fn described(members: &[&InspectedForce]) -> String {
     const SHOWN: usize = 6;
     let Some(first) = members.first() else { return String::new() };
     let name = |force: &&InspectedForce| match force.set {

@@ -3,7 +3,7 @@
 use osim_inspect::InspectedSphere;
 
 /// Decimals that show a hundredth of the smallest radius.
-pub(crate) fn decimals(spheres: &[InspectedSphere]) -> usize {
+pub fn decimals(spheres: &[InspectedSphere]) -> usize {
     let radii =
         spheres.iter().map(|sphere| sphere.radius_m).filter(|radius| *radius > 0.0 && radius.is_finite());
     let smallest = radii.fold(1.0, f64::min);
@@ -17,7 +17,7 @@ pub(crate) fn decimals(spheres: &[InspectedSphere]) -> usize {
 }
 
 /// A length or coordinate, in m.
-pub(crate) fn metres(value: f64, decimals: usize) -> String {
+pub fn metres(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     // Nobody's coordinate is -0.0000.
     if text.chars().all(|letter| matches!(letter, '-' | '0' | '.')) { "0".to_owned() } else { text }

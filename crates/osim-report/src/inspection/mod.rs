@@ -1,12 +1,12 @@
 //! A model's contacts, and what they do under its weight, as text.
 
 mod csv_rows;
-pub(crate) mod force_groups;
-pub(crate) mod lengths;
+pub mod force_groups;
+pub mod lengths;
 mod models_table;
-pub(crate) mod rows;
+pub mod rows;
 mod sphere_sheet;
-pub(crate) mod standing;
+pub mod standing;
 mod table;
 
 pub use csv_rows::csv_rows;

@@ -1,8 +1,8 @@
 //! Many models as one table: a row each, as many columns as fit.
 
 use osim_inspect::{Counts, Figure, InspectedForce, Inspection, SphereFigures};
-use osim_model::wording::{Dialect, Phrase, shown};
-use osim_model::{Property, four_significant, three_significant};
+use osim_messages::{Dialect, Phrase, four_significant, shown, three_significant};
+use osim_model::Property;
 
 use crate::layout::{Colour, OUTSIDE, clipped, painted, table, wrapped, wrapped_with_path};
 

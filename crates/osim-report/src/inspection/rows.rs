@@ -1,11 +1,11 @@
 //! The figures of spheres as rows of a table: the text and the page share them.
 
 use osim_inspect::{Figure, Shown, SphereFigures};
-use osim_model::four_significant;
+use osim_messages::four_significant;
 
 /// What the spheres of a table have in common.
 #[derive(Clone, Copy)]
-pub(crate) struct Spheres {
+pub struct Spheres {
     /// Spheres of a limb differ.
     pub mixed: bool,
     /// Some follow the smoothed law.
@@ -13,13 +13,14 @@ pub(crate) struct Spheres {
 }
 
 impl Spheres {
-    pub(crate) fn new<'s>(mixed: bool, mut spheres: impl Iterator<Item = &'s SphereFigures>) -> Self {
+    /// What `spheres` have in common; `mixed` says that those of a limb differ.
+    pub fn new<'s>(mixed: bool, mut spheres: impl Iterator<Item = &'s SphereFigures>) -> Self {
         let smooth = spheres.any(|sphere| sphere.value(Figure::ConstantIndentation).is_some());
         Self { mixed, smooth }
     }
 
     /// The figures that say something about them, in their order.
-    pub(crate) fn figures(self) -> impl Iterator<Item = Figure> {
+    pub fn figures(self) -> impl Iterator<Item = Figure> {
         let shown = move |figure: &Figure| match figure.shown() {
             Shown::Always => true,
             Shown::Nowhere => false,
@@ -32,7 +33,7 @@ impl Spheres {
 }
 
 /// The first cell of a row; restitution says at which speed (m/s) where that is one.
-pub(crate) fn heading(figure: Figure, impact_speed_m_s: Option<f64>) -> String {
+pub fn heading(figure: Figure, impact_speed_m_s: Option<f64>) -> String {
     match (figure, impact_speed_m_s) {
         (Figure::RestitutionExact, Some(speed)) => format!("restitution at {} m/s", four_significant(speed)),
         _ => figure.info().heading(),
@@ -40,12 +41,12 @@ pub(crate) fn heading(figure: Figure, impact_speed_m_s: Option<f64>) -> String {
 }
 
 /// The limit, in the second cell.
-pub(crate) fn limit(figure: Figure) -> String {
+pub fn limit(figure: Figure) -> String {
     figure.info().limit.map(ToString::to_string).unwrap_or_default()
 }
 
 /// The figure as shown, and whether it is within its limit; nothing where it is not known.
-pub(crate) fn value(figure: Figure, sphere: &SphereFigures) -> Option<(String, bool)> {
+pub fn value(figure: Figure, sphere: &SphereFigures) -> Option<(String, bool)> {
     let within = sphere.is_within(figure);
     match (sphere.value(figure), within) {
         (Some(value), _) => Some((four_significant(value), within != Some(false))),
@@ -61,11 +62,11 @@ fn shown() -> impl Iterator<Item = Figure> {
 }
 
 /// What is shown of a sphere: spheres with the same figures share a column.
-pub(crate) fn key(sphere: &SphereFigures) -> Vec<String> {
+pub fn key(sphere: &SphereFigures) -> Vec<String> {
     shown().map(|figure| sphere.value(figure).map(four_significant).unwrap_or_default()).collect()
 }
 
 /// The same without a text, in all digits: where this is equal, the key is, too.
-pub(crate) fn exact_key(sphere: &SphereFigures) -> Vec<Option<u64>> {
+pub fn exact_key(sphere: &SphereFigures) -> Vec<Option<u64>> {
     shown().map(|figure| sphere.value(figure).map(f64::to_bits)).collect()
 }

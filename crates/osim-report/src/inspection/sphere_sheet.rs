@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use osim_inspect::{Figure, Inspection, SphereFigures};
-use osim_model::wording::{Dialect, Phrase};
+use osim_messages::{Dialect, Phrase};
 
 use super::rows::{Spheres, exact_key, heading, key, limit, value};
 use super::standing::{CAPTION, equally_deep};

@@ -1,22 +1,24 @@
 //! How deep spheres are where each is at its own height, as rows: the text and the page share them.
 
 use osim_inspect::{Figure, Figures, LimbFigures};
-use osim_model::four_significant;
+use osim_messages::four_significant;
 
 /// Spheres of a limb that are equally deep.
-pub(crate) struct EquallyDeep<'f> {
-    pub(crate) limb: &'f str,
+pub struct EquallyDeep<'f> {
+    /// The limb.
+    pub limb: &'f str,
     /// x/R by the Hertz law and by the model's.
-    pub(crate) indentation: [String; 2],
-    pub(crate) spheres: Vec<&'f str>,
+    pub indentation: [String; 2],
+    /// Names of its spheres.
+    pub spheres: Vec<&'f str>,
 }
 
 /// What it is about, in words.
-pub(crate) const CAPTION: &str =
+pub const CAPTION: &str =
     "The bottoms of a limb are not level at the default pose; x/R at 1 BW with each sphere at its own height";
 
 /// The spheres of limbs that stand on all of their spheres, at different heights.
-pub(crate) fn equally_deep(figures: &Figures) -> Vec<EquallyDeep<'_>> {
+pub fn equally_deep(figures: &Figures) -> Vec<EquallyDeep<'_>> {
     let mut rows: Vec<EquallyDeep<'_>> = Vec::new();
     for limb in figures.limbs.iter().filter(|limb| stands_unevenly(limb)) {
         let first = rows.len();

@@ -1,8 +1,7 @@
 //! A model's contacts as tables of at most 80 columns.
 
 use osim_inspect::{InspectedSphere, Inspection};
-use osim_model::readable;
-use osim_model::wording::{Dialect, Phrase, one_line};
+use osim_messages::{Dialect, Phrase, one_line, readable};
 
 use super::force_groups::{described, groups, has_default};
 use super::lengths::{decimals, metres};

@@ -1,8 +1,8 @@
 //! The JSON contract of what went wrong.
 
 use osim_inspect::SCHEMA_VERSION;
+use osim_messages::Dialect;
 use osim_model::files::Failure;
-use osim_model::wording::Dialect;
 use schemars::JsonSchema;
 use serde::Serialize;
 

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use osim_model::wording::is_seen;
+use osim_messages::is_seen;
 use serde::Serialize;
 use serde_json::ser::{CharEscape, CompactFormatter, Formatter, Serializer};
 
@@ -50,7 +50,7 @@ mod tests {
         let text = "a\nb\u{1b}\u{7f}\u{9b}\u{202e}\u{e0001} Füße x\u{302} \"\\";
         let written = line(&text);
         assert!(
-            written.chars().all(|letter| letter == '\n' || osim_model::wording::is_seen(letter)),
+            written.chars().all(|letter| letter == '\n' || osim_messages::is_seen(letter)),
             "{written:?}"
         );
         assert_eq!(written.matches('\n').count(), 1);

@@ -4,9 +4,9 @@ use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 
 use osim_inspect::{FindingRecord, SCHEMA_VERSION};
+use osim_messages::Phrase;
 use osim_model::Model;
 use osim_model::files::FileName;
-use osim_model::wording::Phrase;
 use osim_patch::{Change, Deed, Masses, Move, NewSphere, ObjectChange, Plan};
 use schemars::JsonSchema;
 use serde::Serialize;

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, presets};
-use osim_model::wording::one_line;
+use osim_messages::one_line;
 
 use super::lines::WIDTH;
 

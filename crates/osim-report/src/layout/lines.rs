@@ -1,6 +1,6 @@
 //! Text in lines.
 
-use osim_model::wording::{shown, shown_whole};
+use osim_messages::{shown, shown_whole};
 use textwrap::{Options, WordSeparator, WordSplitter};
 
 use super::words;

@@ -1,6 +1,6 @@
 //! Long names.
 
-use osim_model::wording::shown;
+use osim_messages::shown;
 
 /// A name in at most `width` columns: its middle is left out, since names differ at their ends; what cannot be seen in it is
 /// escaped.
@@ -18,7 +18,7 @@ pub fn clipped(name: &str, width: usize) -> String {
 }
 
 /// The first names, up to `named` of them, and how many more there are.
-pub(crate) fn listed(names: &[&str], named: usize) -> String {
+pub fn listed(names: &[&str], named: usize) -> String {
     let first: Vec<&str> = names.iter().take(named).copied().collect();
     match names.len().saturating_sub(named) {
         0 => first.join(", "),

@@ -3,8 +3,8 @@
 use std::io;
 
 use csv::{IntoInnerError, WriterBuilder};
-use osim_model::wording::shown_whole;
-use osim_requests::marked;
+use osim_messages::shown_whole;
+use osim_planning::marked;
 
 /// The records as CSV, quoted where they have to be.
 ///

@@ -6,7 +6,7 @@ use osim_model::Property;
 use osim_patch::Change;
 
 /// Equal changes together, in the order of the first of each.
-pub(crate) fn groups(changes: &[Change]) -> Vec<Vec<&Change>> {
+pub fn groups(changes: &[Change]) -> Vec<Vec<&Change>> {
     let mut groups: Vec<Vec<&Change>> = Vec::new();
     let mut places = HashMap::new();
     for change in changes {
@@ -23,7 +23,7 @@ pub(crate) fn groups(changes: &[Change]) -> Vec<Vec<&Change>> {
 }
 
 /// The force or sphere of a group, or how many there are.
-pub(crate) fn whose(group: &[&Change]) -> String {
+pub fn whose(group: &[&Change]) -> String {
     let one = group.first().and_then(|change| change.sphere.clone().or_else(|| change.force.clone()));
     match (group.len(), group.first().is_some_and(|change| change.sphere.is_some())) {
         (1, _) => one.unwrap_or_default(),
@@ -33,13 +33,13 @@ pub(crate) fn whose(group: &[&Change]) -> String {
 }
 
 /// The properties of which there are several groups, which need names.
-pub(crate) fn several_groups(groups: &[Vec<&Change>]) -> HashSet<Property> {
+pub fn several_groups(groups: &[Vec<&Change>]) -> HashSet<Property> {
     let mut seen = HashSet::new();
     let properties = groups.iter().filter_map(|group| group.first()).map(|change| change.property);
     properties.filter(|&property| !seen.insert(property)).collect()
 }
 
 /// The spheres or forces of a group.
-pub(crate) fn names<'c>(group: &[&'c Change]) -> Vec<&'c str> {
+pub fn names<'c>(group: &[&'c Change]) -> Vec<&'c str> {
     group.iter().filter_map(|change| change.sphere.as_deref().or(change.force.as_deref())).collect()
 }

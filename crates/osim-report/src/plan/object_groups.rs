@@ -3,15 +3,17 @@
 use osim_patch::{Deed, ObjectChange};
 
 /// Objects of one class to which the same happens.
-pub(crate) struct ObjectGroup<'p> {
-    pub(crate) deed: Deed,
-    pub(crate) class: &'static str,
+pub struct ObjectGroup<'p> {
+    /// What is done.
+    pub deed: Deed,
+    /// The class of the objects.
+    pub class: &'static str,
     /// Their names, in the plan's order.
-    pub(crate) names: Vec<&'p str>,
+    pub names: Vec<&'p str>,
 }
 
 /// Objects by what happens to them and by class, in the order of the first of each.
-pub(crate) fn object_groups(objects: &[ObjectChange]) -> Vec<ObjectGroup<'_>> {
+pub fn object_groups(objects: &[ObjectChange]) -> Vec<ObjectGroup<'_>> {
     let mut groups: Vec<ObjectGroup<'_>> = Vec::new();
     for object in objects {
         match groups.iter_mut().find(|group| group.deed == object.deed && group.class == object.class) {

@@ -2,8 +2,7 @@
 
 use std::collections::HashSet;
 
-use osim_model::readable;
-use osim_model::wording::one_line;
+use osim_messages::{one_line, readable};
 use osim_patch::{Change, Deed, Move, ObjectChange, Plan};
 
 use super::groups::{groups, names, several_groups, whose};
@@ -73,7 +72,7 @@ fn objects(objects: &[ObjectChange]) -> String {
 }
 
 /// Whether the numbers that change are those of new objects: what they change from is the contact that they are made from.
-pub(crate) fn is_new(plan: &Plan) -> bool {
+pub fn is_new(plan: &Plan) -> bool {
     plan.objects().iter().any(|object| object.deed == Deed::Added)
 }
 
@@ -156,13 +155,13 @@ fn moves(plan: &Plan) -> String {
 }
 
 /// Centres that move of spheres that were there before.
-pub(crate) fn moves_of_others(plan: &Plan) -> Vec<&Move> {
+pub fn moves_of_others(plan: &Plan) -> Vec<&Move> {
     let new = plan.new_spheres();
     let new: HashSet<&str> = new.iter().map(|sphere| sphere.path).collect();
     plan.moves.iter().filter(|place| !new.contains(place.path.as_str())).collect()
 }
 
 /// A coordinate of a centre, in metres to a hundredth of a millimetre, and 0 without a minus.
-pub(crate) fn centre(metres: f64) -> String {
+pub fn centre(metres: f64) -> String {
     format!("{:.5}", (metres * 1e5).round() / 1e5 + 0.0)
 }

@@ -2,8 +2,8 @@
 
 use contact_scaling::table1::{self, Animal, Column, Compared};
 use osim_inspect::SCHEMA_VERSION;
+use osim_messages::Dialect;
 use osim_model::files::Failure;
-use osim_model::wording::Dialect;
 use osim_requests::fig1;
 use schemars::JsonSchema;
 use serde::Serialize;

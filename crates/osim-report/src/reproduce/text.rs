@@ -1,6 +1,6 @@
 //! The comparison for people and for spreadsheets.
 
-use osim_model::{readable, shortest};
+use osim_messages::{readable, shortest};
 
 use super::record::{AnimalRecord, NumberRecord, ReproductionRecord};
 use crate::layout::{csv_text, filled, table, wrapped};

@@ -1,7 +1,7 @@
 //! A design without a model, as text.
 
-use osim_model::readable;
-use osim_requests::{DesignQuantity, DesignSheet};
+use osim_messages::readable;
+use osim_planning::{DesignQuantity, DesignSheet};
 
 use crate::layout::table;
 

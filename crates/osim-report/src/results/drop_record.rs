@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use contact_scaling::drop_test::DropReport;
 use osim_inspect::{ObjectSchema, SCHEMA_VERSION};
-use osim_requests::{ComparedDrop, DropColumn, DropFigure, DropResult};
+use osim_planning::{ComparedDrop, DropColumn, DropFigure, DropResult};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};

@@ -1,8 +1,8 @@
 //! A drop as text, CSV and a chart of letters.
 
 use contact_plots::{Axis, Curve, Look, Panel};
-use osim_model::{readable, shortest};
-use osim_requests::{DropColumn, DropFigure, DropResult, DropRow};
+use osim_messages::{readable, shortest};
+use osim_planning::{DropColumn, DropFigure, DropResult, DropRow};
 
 use crate::layout::{WIDTH, table};
 

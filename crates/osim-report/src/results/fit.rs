@@ -2,9 +2,8 @@
 
 use contact_scaling::fit::{Doubt, Estimate, Fit};
 use contact_scaling::limits;
-use osim_model::readable;
-use osim_model::wording::{Dialect, Input, phrase, shown_path};
-use osim_requests::FitResult;
+use osim_messages::{Dialect, Input, phrase, readable, shown_path};
+use osim_planning::FitResult;
 
 use crate::layout::table;
 

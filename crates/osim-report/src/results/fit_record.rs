@@ -3,7 +3,7 @@
 use contact_scaling::fit::{Doubt, Estimate, Parameter};
 use osim_inspect::SCHEMA_VERSION;
 use osim_model::files::FileName;
-use osim_requests::FitResult;
+use osim_planning::FitResult;
 use schemars::JsonSchema;
 use serde::Serialize;
 

@@ -2,7 +2,7 @@
 
 use contact_scaling::{DimensionlessContact, Preset};
 use osim_inspect::SCHEMA_VERSION;
-use osim_model::readable;
+use osim_messages::readable;
 use schemars::JsonSchema;
 use serde::Serialize;
 

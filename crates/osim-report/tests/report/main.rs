@@ -10,9 +10,7 @@
 )]
 
 mod explained;
-mod figures;
 mod needed;
-mod pages;
 mod records;
 mod registers;
 mod remedies;

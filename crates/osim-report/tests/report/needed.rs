@@ -1,6 +1,6 @@
 //! Every question, as each front end asks it.
 
-use osim_model::wording::Input;
+use osim_messages::Input;
 use osim_model::{CountOf, FactorQuestion, Fault, GravityFor, Needed, NoteDoubt, RadiusFrom, TreeOfForces};
 use osim_report::dialect::{CommandLine, JsonRequest, Page, Python};
 

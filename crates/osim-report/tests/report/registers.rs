@@ -5,8 +5,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use osim_inspect::{Figure, Quantity, SphereFigures};
 use osim_model::Property;
 use osim_model::files::InMemory;
+use osim_planning::{
+    DesignQuantity, DesignSheet, DropColumn, DropFigure, DropResult, design_sheet, run_drop_test,
+};
 use osim_report::results::DropRecord;
-use osim_requests::{DesignQuantity, DesignSheet, DropColumn, DropFigure, DropResult, Request};
+use osim_requests::Request;
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema};
 use serde_json::{Value, json};
@@ -30,7 +33,7 @@ fn drop(others: &Value) -> DropResult {
     });
     request.as_object_mut().unwrap().extend(others.as_object().unwrap().clone());
     let Ok(Request::DropTest(request)) = Request::from_json(request.to_string().as_bytes()) else { panic!() };
-    request.run(&InMemory::default()).unwrap()
+    run_drop_test(&request, &InMemory::default()).unwrap()
 }
 
 /// Everything that a design can be asked for.
@@ -40,7 +43,7 @@ fn sheet() -> DesignSheet {
         "constant_indentation": 0.1, "state_width": 0.3, "speed_width": 0.3,
     });
     let Ok(Request::Design(request)) = Request::from_json(request.to_string().as_bytes()) else { panic!() };
-    request.calculate().unwrap()
+    design_sheet(&request).unwrap()
 }
 
 fn schema<T: JsonSchema>() -> Value {

@@ -1,7 +1,9 @@
 //! Remedies, as each front end gives them.
 
-use osim_inspect::{InspectOptions, Placement, check_model};
+use osim_compare::Placement;
+use osim_inspect::InspectOptions;
 use osim_model::{Anatomy, Pattern};
+use osim_planning::check_with_trials;
 use osim_report::dialect::{CommandLine, FrontEnd, JsonRequest, Page, Python};
 use osim_requests::Request;
 
@@ -24,7 +26,7 @@ const MODELS: [&str; 10] = [
 fn remedies(options: &InspectOptions, name: &str, front_end: &dyn FrontEnd) -> Vec<String> {
     let model = open(name);
     let inspected = options.inspect(name, &model.model, None);
-    let mut found = check_model(options, &model.model, &inspected, None);
+    let mut found = check_with_trials(options, &model.model, &inspected, None);
     found.spell(front_end);
     found.findings.into_iter().filter_map(|finding| finding.command).collect()
 }
@@ -84,7 +86,7 @@ fn spheres_follow_by_the_words_of_each_front_end() {
         let named = ("generic.osim".into(), file);
         inspected.placement = Some(Placement::compare(&model.model, named, &original, None));
         for words in [&CommandLine as &dyn FrontEnd, &Python, &Page, &JsonRequest] {
-            let mut found = check_model(&options, &model.model, &inspected, None);
+            let mut found = check_with_trials(&options, &model.model, &inspected, None);
             found.spell(words);
             review.push_str(found.findings[0].command.as_deref().unwrap());
             review.push('\n');

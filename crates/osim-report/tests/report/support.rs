@@ -2,10 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
-use osim_inspect::{CheckResult, InspectOptions, Inspection, check_model};
+use osim_inspect::{CheckResult, InspectOptions, Inspection};
 use osim_model::files::{Beside, FileError, Files, ModelFiles, OpenModel};
 use osim_model::{MassRequest, Model};
 use osim_patch::{Plan, Rescale, rescale};
+use osim_planning::check_with_trials;
 use osim_report::dialect::FrontEnd;
 
 struct Disk;
@@ -38,7 +39,7 @@ pub(crate) fn inspected(
     front_end: &dyn FrontEnd,
 ) -> (Inspection, CheckResult) {
     let mut inspected = options.inspect(model.name(), &model.model, None);
-    let mut found = check_model(options, &model.model, &inspected, None);
+    let mut found = check_with_trials(options, &model.model, &inspected, None);
     inspected.spell(front_end);
     found.spell(front_end);
     (inspected, found)

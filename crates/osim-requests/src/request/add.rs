@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use osim_values::{BodyMap, BodyScale, Metres, NewRadius, SpheresOfFoot, body_scale, path, serial};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -10,13 +9,13 @@ use crate::options::{
     AnswerOptions, ClassChoice, CountOptions, ForceOptions, LoadOptions, MassOptions, MirrorChoice,
     NumberOptions, OutputOptions, ReferenceOptions, RunOptions,
 };
-use osim_options::Relation;
+use crate::relation::Relation;
+use crate::values::{BodyMap, BodyScale, Metres, NewRadius, SpheresOfFoot, body_scale, path, serial};
 
 /// Gives a model that has no foot contacts those of another model or of a preset, of a table, or spheres under its bones.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
-#[non_exhaustive]
 pub struct AddRequest {
     /// Models (.osim), folders, or - for standard input
     #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]

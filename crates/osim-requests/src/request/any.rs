@@ -1,6 +1,6 @@
 //! Any request, by its verb.
 
-use osim_model::wording::Verb;
+use osim_messages::Verb;
 use schemars::Schema;
 use serde_json::{Map, Value};
 
@@ -20,10 +20,11 @@ use super::rescale::RescaleRequest;
 use super::set::SetRequest;
 use super::transfer::TransferRequest;
 use crate::dictionary;
-use crate::schema::schema;
+use crate::fault::RequestFault;
+use crate::options::RunOptions;
 #[cfg(feature = "clap")]
-use osim_options::Relation;
-use osim_options::RequestFault;
+use crate::relation::Relation;
+use crate::schema::schema;
 
 /// The name under which a dictionary says which verb it is for.
 const VERB: &str = "verb";
@@ -80,7 +81,8 @@ macro_rules! requests {
         }
 
         /// The fields of a request for `verb` that says nothing.
-        pub(crate) fn silent_fields(verb: Verb) -> Map<String, Value> {
+        #[must_use]
+        pub fn silent_fields(verb: Verb) -> Map<String, Value> {
             match verb { $(Verb::$variant => dictionary::map(&<$type>::default()),)+ _ => Map::new() }
         }
 
@@ -96,6 +98,24 @@ macro_rules! requests {
             }
         })+
     };
+}
+
+impl Request {
+    /// How to go about the work, of a verb that changes models.
+    #[must_use]
+    pub fn run_options(&self) -> Option<&RunOptions> {
+        Some(match self {
+            Self::Rescale(request) => &request.run,
+            Self::Transfer(request) => &request.run,
+            Self::Add(request) => &request.run,
+            Self::Remove(request) => &request.run,
+            Self::Convert(request) => &request.run,
+            Self::Design(request) => &request.run,
+            Self::Set(request) => &request.run,
+            Self::Note(request) => &request.run,
+            _ => return None,
+        })
+    }
 }
 
 requests! {

@@ -2,19 +2,18 @@
 
 use std::path::PathBuf;
 
-use osim_values::{Positive, path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::options::{AnswerOptions, ClassChoice, ForceOptions, OutputOptions, RunOptions};
-use osim_options::Relation;
+use crate::relation::Relation;
+use crate::values::{Positive, path};
 
 /// Makes forces of one class from those of the other, one for each sphere. Stiffness, dissipation, friction and transition velocity
 /// stay as they are.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
-#[non_exhaustive]
 pub struct ConvertRequest {
     /// Models (.osim), folders, or - for standard input
     #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]

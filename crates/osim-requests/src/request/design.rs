@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use osim_values::path;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -10,13 +9,13 @@ use crate::options::{
     AnswerOptions, CountOptions, ForceOptions, LoadOptions, MassOptions, OutputOptions, RunOptions, SetFiles,
     WantedOptions,
 };
-use osim_options::Relation;
+use crate::relation::Relation;
+use crate::values::path;
 
 /// Finds parameters from what is wanted: indentation, stiffness, restitution.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
-#[non_exhaustive]
 pub struct DesignRequest {
     /// Models to write the design into; without one, a calculator
     #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]

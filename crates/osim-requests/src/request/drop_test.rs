@@ -2,13 +2,13 @@
 
 use std::path::PathBuf;
 
-use osim_values::{Count, Height, Positive, Samples, path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::choice::choices;
 use crate::options::{AnswerOptions, ContactNumbers, CountOptions, ForceOptions, MassOptions, SetFiles};
-use osim_options::Relation;
-use osim_options::choices;
+use crate::relation::Relation;
+use crate::values::{Count, Height, Positive, Samples, path};
 
 choices! {
     /// How a drop is shown.
@@ -26,7 +26,6 @@ choices! {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
-#[non_exhaustive]
 pub struct DropTestRequest {
     /// The model to drop (.osim), or a preset; without one, give the numbers
     #[cfg_attr(feature = "clap", arg(value_name = "MODEL|PRESET"))]

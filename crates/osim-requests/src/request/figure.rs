@@ -2,17 +2,16 @@
 
 use std::path::PathBuf;
 
-use osim_inspect::series::HeatQuantity;
-use osim_options::choices;
-use osim_values::{Dpi, FigureWidth, FontSize, Grid, Span, path, serial};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+
+use crate::choice::choices;
+use crate::values::{Dpi, FigureWidth, FontSize, Grid, Span, path, serial};
 
 /// How a figure looks.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "The figure"))]
 #[serde(default)]
-#[non_exhaustive]
 pub struct FigureOptions {
     /// Title of the figure; "" for none
     #[cfg_attr(feature = "clap", arg(long, value_name = "TEXT"))]
@@ -50,6 +49,19 @@ choices! {
     }
 }
 
+/// What is computed.
+///
+/// Exhaustive: code that draws it needs a title and a scale for each quantity.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum HeatQuantity {
+    /// Relative indentation at rest under body weight, by the Hertz law.
+    Indentation,
+    /// Coefficient of restitution at the impact speed of the fall, exact.
+    Restitution,
+    /// Peak force over body weight in the fall.
+    PeakForce,
+}
+
 impl QuantityChoice {
     /// The quantity.
     #[must_use]
@@ -66,7 +78,6 @@ impl QuantityChoice {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "The sweep"))]
 #[serde(default)]
-#[non_exhaustive]
 pub struct HeatOptions {
     /// What the colours show
     #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]

@@ -3,13 +3,13 @@
 use std::path::PathBuf;
 
 use contact_scaling::fit::Branch;
-use osim_values::{ContactOnset, Count, Positive, path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::choice::choices;
 use crate::options::{ColumnOptions, Format};
-use osim_options::Relation;
-use osim_options::choices;
+use crate::relation::Relation;
+use crate::values::{ContactOnset, Count, Positive, path};
 
 choices! {
     /// Which part of a measurement.
@@ -25,7 +25,8 @@ choices! {
 
 impl BranchChoice {
     /// The branch.
-    pub(crate) const fn branch(self) -> Branch {
+    #[must_use]
+    pub const fn branch(self) -> Branch {
         match self {
             Self::Both => Branch::Both,
             Self::Loading => Branch::Loading,
@@ -38,7 +39,6 @@ impl BranchChoice {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
-#[non_exhaustive]
 pub struct FitRequest {
     /// Measured indentation and force (.csv; - is standard input)
     #[cfg_attr(feature = "clap", arg(value_name = "FILE"))]

@@ -3,19 +3,18 @@
 use std::path::PathBuf;
 
 use osim_model::Severity;
-use osim_values::path;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::choice::choices;
 use crate::options::{InspectionOptions, ReportOptions, SheetFormat};
-use osim_options::Relation;
-use osim_options::choices;
+use crate::relation::Relation;
+use crate::values::path;
 
 /// Shows what contacts models have.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
-#[non_exhaustive]
 pub struct InspectRequest {
     /// Models (.osim), a ForceSet (.xml) with `geometry`, folders, or - for standard input
     #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]
@@ -80,7 +79,6 @@ impl Deny {
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
-#[non_exhaustive]
 pub struct CheckRequest {
     /// Models (.osim), a ForceSet (.xml) with `geometry`, folders, or - for standard input
     #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]

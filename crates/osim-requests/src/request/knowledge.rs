@@ -2,17 +2,16 @@
 
 use std::path::PathBuf;
 
-use osim_values::{path, serial};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::options::Format;
+use crate::values::{path, serial};
 
 /// Lists presets, or shows one.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
-#[non_exhaustive]
 pub struct PresetsRequest {
     /// One preset (without it: list them all)
     pub name: Option<String>,
@@ -30,7 +29,6 @@ pub struct PresetsRequest {
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
-#[non_exhaustive]
 pub struct ExplainRequest {
     /// Number of an equation (10, C.5), a word from the column "equation", a property or figure (stiffness, x/R), or a code
     /// as printed after a warning

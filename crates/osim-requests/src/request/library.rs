@@ -3,7 +3,6 @@
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
-use osim_values::{Axis, Positive, Shard, axis, path, serial};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -11,13 +10,13 @@ use crate::options::{
     AnswerOptions, CountOptions, ForceOptions, Format, LoadOptions, MassOptions, OutputOptions, RunOptions,
     WantedOptions,
 };
-use osim_options::Relation;
+use crate::relation::Relation;
+use crate::values::{Axis, Positive, Shard, axis, path, serial};
 
 /// One row per model; columns are named like the long options of rescale, transfer, design and set.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
-#[non_exhaustive]
 pub struct BatchRequest {
     /// A table (CSV): a column 'model', and one for each option that rows need; - is standard input
     #[cfg_attr(feature = "clap", arg(value_name = "MANIFEST"))]
@@ -50,7 +49,6 @@ impl BatchRequest {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
-#[non_exhaustive]
 pub struct SweepRequest {
     /// The model (.osim) whose variants are made
     #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]

@@ -2,18 +2,17 @@
 
 use std::path::PathBuf;
 
-use osim_values::{Acceleration, Kilograms, path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::options::{AnswerOptions, OutputOptions, RunOptions, SetFiles};
-use osim_options::Relation;
+use crate::relation::Relation;
+use crate::values::{Acceleration, Kilograms, path};
 
 /// Writes into models which mass their contacts were made for; no number changes.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
-#[non_exhaustive]
 pub struct NoteRequest {
     /// Models (.osim), a ForceSet (.xml) with `geometry`, folders, or - for standard input
     #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]

@@ -2,14 +2,17 @@
 
 use std::path::PathBuf;
 
-use osim_values::{Acceleration, Kilograms, path};
+use osim_messages::{Input, Phrase, phrase};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::fig1::fig1;
 use super::figure::{FigureOptions, HeatOptions};
+use crate::choice::choices;
+use crate::fault::RequestFault;
 use crate::options::{AnswerOptions, CountOptions, FallOptions, ForceOptions, MassOptions, SetFiles};
-use osim_options::Relation;
-use osim_options::choices;
+use crate::relation::Relation;
+use crate::values::{Acceleration, Kilograms, path};
 
 choices! {
     /// What is drawn.
@@ -49,7 +52,6 @@ choices! {
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
-#[non_exhaustive]
 pub struct PlotRequest {
     /// What to draw
     #[cfg_attr(feature = "clap", arg(value_enum))]
@@ -134,4 +136,65 @@ impl PlotRequest {
         Relation::Needs("x_column", "table"),
         Relation::Needs("y_column", "table"),
     ]];
+}
+
+impl PlotRequest {
+    /// `true` for a figure of the paper, which shows its own animals.
+    #[must_use]
+    pub fn is_of_paper(&self) -> bool {
+        matches!(self.kind, Some(PlotKind::Fig4 | PlotKind::FigC5))
+    }
+
+    /// Refuses models too many, or none, and the figure that cannot be drawn.
+    ///
+    /// # Errors
+    /// They are.
+    pub fn check_models(&self) -> Result<(), RequestFault> {
+        if self.kind == Some(PlotKind::Fig1) {
+            return Err(RequestFault::general(Phrase::joined(fig1(), " ").unwrap_or_default()));
+        }
+        if self.is_of_paper() && (!self.models.is_empty() || self.target_mass.is_some()) {
+            return Err(RequestFault::general(phrase![
+                "fig4 and fig-c5 redraw the paper's own animals: leave out models and ",
+                Input::TargetMass,
+            ]));
+        }
+        if self.heat.table.is_some() {
+            return self.check_table();
+        }
+        if !self.is_of_paper() && self.models.is_empty() {
+            return Err(RequestFault::general(
+                "nothing to draw: name a model, or a preset such as falisse2022",
+            ));
+        }
+        Ok(())
+    }
+
+    /// Refuses what says nothing beside a table.
+    ///
+    /// # Errors
+    /// A model, or a figure of another kind.
+    fn check_table(&self) -> Result<(), RequestFault> {
+        if self.kind != Some(PlotKind::Sweep) || !self.models.is_empty() || self.target_mass.is_some() {
+            return Err(RequestFault::refused(
+                Input::Table,
+                Phrase::template(
+                    "a table is drawn by `plot kind=sweep`, without a model: leave out models and the target mass",
+                ),
+            ));
+        }
+        Ok(())
+    }
+
+    /// `true` for a figure of feet, which shows where spheres are and not what they do.
+    #[must_use]
+    pub fn is_of_feet(&self) -> bool {
+        self.kind == Some(PlotKind::Feet)
+    }
+
+    /// The mass to which contacts are drawn scaled, kg.
+    #[must_use]
+    pub fn target_mass_kg(&self) -> Option<f64> {
+        self.target_mass.map(Kilograms::get)
+    }
 }

@@ -2,18 +2,17 @@
 
 use std::path::PathBuf;
 
-use osim_values::path;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::options::{AnswerOptions, ForceOptions, OutputOptions, RunOptions};
-use osim_options::Relation;
+use crate::relation::Relation;
+use crate::values::path;
 
 /// Takes the foot contacts out of models: forces, the spheres that nothing else uses, and what was made for them.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
-#[non_exhaustive]
 pub struct RemoveRequest {
     /// Models (.osim), folders, or - for standard input
     #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]

@@ -2,18 +2,17 @@
 
 use std::path::PathBuf;
 
-use osim_values::path;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::options::Format;
-use osim_options::Relation;
+use crate::relation::Relation;
+use crate::values::path;
 
 /// Compares Table 1 of the paper with what its equations give, and draws its figures 4 and C.5.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
-#[non_exhaustive]
 pub struct ReproduceRequest {
     /// Write table1.csv, fig4.svg and fig-c5.svg into this folder
     #[cfg_attr(feature = "clap", arg(short = 'd', long, value_name = "DIR"))]

@@ -2,14 +2,14 @@
 
 use std::path::PathBuf;
 
-use osim_values::{Kilograms, path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::options::{
     AnswerOptions, ForceOptions, MassOptions, OutputOptions, RunOptions, ScalingOptions, SetFiles,
 };
-use osim_options::Relation;
+use crate::relation::Relation;
+use crate::values::{Kilograms, path};
 
 /// Rescales a model's own contacts to another mass.
 ///
@@ -24,7 +24,6 @@ use osim_options::Relation;
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
-#[non_exhaustive]
 pub struct RescaleRequest {
     /// Models (.osim), a ForceSet (.xml) with `geometry`, folders, or - for standard input
     #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]

@@ -2,18 +2,17 @@
 
 use std::path::PathBuf;
 
-use osim_values::{Assignments, path};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::options::{AnswerOptions, ForceOptions, MassOptions, OutputOptions, RunOptions, SetFiles};
-use osim_options::Relation;
+use crate::relation::Relation;
+use crate::values::{Assignments, path};
 
 /// Sets properties to a value, or multiplies them by a factor.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
-#[non_exhaustive]
 pub struct SetRequest {
     /// Models (.osim), a ForceSet (.xml) with `geometry`, folders, or - for standard input
     // The command line has models and assignments in one list of words.

@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use osim_values::path;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -10,13 +9,13 @@ use crate::options::{
     AnswerOptions, CountOptions, FollowOptions, ForceOptions, MassOptions, OutputOptions, ReferenceOptions,
     RunOptions, ScalingOptions, SetFiles,
 };
-use osim_options::Relation;
+use crate::relation::Relation;
+use crate::values::path;
 
 /// Gives a model the contacts of another model or of a preset, at its own size.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
-#[non_exhaustive]
 pub struct TransferRequest {
     /// Models (.osim), a ForceSet (.xml) with `geometry`, folders, or - for standard input
     #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]

@@ -1,7 +1,6 @@
 //! The fields of a request, as every language writes them.
 
-use osim_model::shortest;
-use osim_model::wording::Verb;
+use osim_messages::{Verb, shortest};
 use osim_requests::Request;
 use serde_json::{Map, Value};
 

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use osim_model::wording::Verb;
+use osim_messages::Verb;
 use osim_report::dialect::{python_keyword, python_quoted};
 
 use super::fields::{FieldValue, Fields};

@@ -1,0 +1,160 @@
+//! What one file alone says about its spheres, in the order in which it counts.
+
+use osim_messages::{Input, Phrase, Verb, phrase, readable};
+use osim_model::{Finding, FindingCode, Model, ScaledSinceNote};
+
+use super::bones::{Bones, same_size};
+use super::layouts::{self, LayoutAnswer};
+use super::reach::{Reach, reaches};
+
+/// What is known of the places of spheres.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Evidence {
+    /// By the note: bodies were scaled and the spheres stayed.
+    Note(ScaledSinceNote),
+    /// A published layout stands on bones of another size.
+    OtherSize(LayoutAnswer),
+    /// Spheres reach further than published ones.
+    Reach(Vec<Reach>),
+    /// They are right: by the note, or a published layout on bones of its size.
+    Right,
+    /// Nothing in the file shows that bones were scaled.
+    Unscaled,
+    /// Bones were scaled, and nothing shows whether spheres followed.
+    Unknown,
+}
+
+impl Evidence {
+    /// What is known of `model`. `noted` is what its note says about sizes, where it has such a note.
+    pub fn of(model: &Model, noted: Option<ScaledSinceNote>) -> Self {
+        if let Some(noted) = noted {
+            return if noted.is_scaled() { Self::Note(noted) } else { Self::Right };
+        }
+        let Some(bones) = Bones::of(model) else { return Self::Unscaled };
+        match layouts::answer(model, &bones) {
+            Some(LayoutAnswer::AsPublished) => return Self::Right,
+            Some(other) => return Self::OtherSize(other),
+            None => {}
+        }
+        let odd: Vec<Reach> = reaches(model, &bones).into_iter().filter(Reach::is_odd).collect();
+        if !odd.is_empty() {
+            return Self::Reach(odd);
+        }
+        let carriers = model.loaded_spheres(&model.force_ids());
+        let mut bodies = carriers.iter().filter_map(|&id| model.sphere(id)?.body.as_deref());
+        // Meshes of balls and blocks are stretched to their size.
+        let is_scaled =
+            |body: &str| bones.is_foot(body) && bones.size(body).is_some_and(|size| !is_unit(size));
+        if bodies.any(is_scaled) { Self::Unknown } else { Self::Unscaled }
+    }
+
+    /// Whether spheres are where they should not be: everything else waits until they are moved.
+    pub fn is_wrong(&self) -> bool {
+        matches!(self, Self::Note(_) | Self::OtherSize(_) | Self::Reach(_))
+    }
+
+    /// Whether spheres are known to be where they belong.
+    pub fn is_right(&self) -> bool {
+        matches!(self, Self::Right)
+    }
+
+    /// The finding that it is.
+    pub fn finding(&self, model: &Model) -> Option<Finding> {
+        match self {
+            Self::Note(noted) => Some(Finding::new(FindingCode::SpheresLeftBehind, of_note(noted))),
+            Self::OtherSize(LayoutAnswer::OtherSize { title, body, here, published }) => {
+                let text = format!(
+                    "the spheres stand where {title} has them on bones of size {}, and {body} has the size {}",
+                    size(*published),
+                    size(*here)
+                );
+                Some(Finding::new(FindingCode::SpheresMisplaced, text))
+            }
+            Self::Reach(odd) => of_reach(model, odd),
+            Self::Unknown => {
+                let generic = Verb::Check.of_model().with(Input::From, "GENERIC");
+                let text = phrase![
+                    "the bones were scaled; whether the spheres followed cannot be seen here: ",
+                    generic,
+                    " compares with the model that was scaled"
+                ];
+                Some(Finding::new(FindingCode::SpheresNotCompared, text))
+            }
+            Self::OtherSize(LayoutAnswer::AsPublished) | Self::Right | Self::Unscaled => None,
+        }
+    }
+}
+
+fn of_note(noted: &ScaledSinceNote) -> Phrase {
+    let bodies: Vec<String> =
+        noted.factors.iter().map(|(body, factors)| format!("{body} x{}", size(*factors))).collect();
+    format!("bodies were scaled after the note was written, and the spheres stayed: {}", bodies.join(", "))
+        .into()
+}
+
+fn of_reach(model: &Model, odd: &[Reach]) -> Option<Finding> {
+    let named: Vec<_> = odd.iter().filter_map(|reach| Some((reach, model.sphere(reach.sphere)?))).collect();
+    let (reach, sphere) = named.first()?;
+    let more = match named.len() {
+        1 => String::new(),
+        count => format!(" ({} more)", count - 1),
+    };
+    let text = format!("{} {}{more}", sphere.name, reach.describe());
+    let names = named.iter().map(|(_, sphere)| sphere.name.clone()).collect();
+    let finding = Finding::new(FindingCode::SpheresMisplaced, text).about(&sphere.path);
+    Some(finding.on_line(Some(sphere.line)).of_spheres(names))
+}
+
+/// Whether meshes have the size of their files: factor 1, or another unit of length, such as 0.001.
+fn is_unit(factors: [f64; 3]) -> bool {
+    (-6..=3).any(|exponent| same_size(factors, [10_f64.powi(exponent); 3]))
+}
+
+/// One number for equal factors.
+fn size([x, y, z]: [f64; 3]) -> String {
+    if x == y && y == z { readable(x) } else { [x, y, z].map(readable).join(",") }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::PathBuf;
+
+    use super::*;
+
+    /// Models of the corpus that have contacts, by name.
+    fn published() -> Vec<(String, Model)> {
+        let Some(folder) =
+            std::env::var_os("OSIM_CORPUS").map(PathBuf::from).filter(|folder| folder.is_dir())
+        else {
+            eprintln!(
+                "skipped: evidence of published models: OSIM_CORPUS is not set to the folder of real models"
+            );
+            return Vec::new();
+        };
+        let mut paths: Vec<PathBuf> =
+            std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+        paths.retain(|path| path.extension().is_some_and(|end| end == "osim"));
+        paths.sort();
+        let read = |path: &PathBuf| {
+            let model = Model::parse(std::fs::read(path).unwrap()).ok()?;
+            let name = path.file_stem().unwrap().to_string_lossy().into_owned();
+            (!model.loaded_spheres(&model.force_ids()).is_empty()).then_some((name, model))
+        };
+        let models: Vec<_> = paths.iter().filter_map(read).collect();
+        assert!(models.len() >= 15, "{} models with contacts", models.len());
+        models
+    }
+
+    #[test]
+    fn no_published_model_is_reported() {
+        for (name, model) in published() {
+            let evidence = Evidence::of(&model, None);
+            assert!(!evidence.is_wrong(), "{name}: {evidence:?}");
+            assert_ne!(
+                evidence,
+                Evidence::Unknown,
+                "{name}: its layout is in the table, or its bones are not scaled"
+            );
+        }
+    }
+}

@@ -1,0 +1,202 @@
+//! Published layouts of contact spheres, `layouts.json`, and the sizes of bones on which they were published.
+//!
+//! A layout is known again by its places. Where its licence does not allow copying, the table has a digest of the places, in
+//! whole micrometres, from which they cannot be read.
+
+use std::cell::OnceCell;
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::sync::OnceLock;
+
+use osim_model::Model;
+use serde::Deserialize;
+use sha2::{Digest, Sha256};
+
+use super::bones::{Bones, same_size};
+
+/// Places that differ by no more than this are one, m.
+const SAME_PLACE_M: f64 = 1e-6;
+
+/// A published layout.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Layout {
+    #[cfg_attr(not(test), expect(dead_code, reason = "for readers of the table"))]
+    name: String,
+    /// As people cite it.
+    title: String,
+    /// Where it was published, under which licence.
+    #[cfg_attr(not(test), expect(dead_code, reason = "for readers of the table"))]
+    source: String,
+    /// For each size of the bones on which it was published: the factors of each body's meshes; bodies without their side.
+    sizes: Vec<BTreeMap<String, [f64; 3]>>,
+    /// Bodies and centres in them, m.
+    places: Option<Vec<Place>>,
+    /// Digest of the places, where they may not be copied.
+    digest: Option<String>,
+}
+
+/// A body, and x, y, z of a centre in it, m.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub(super) struct Place(String, f64, f64, f64);
+
+/// Places of a model, with their digest once a layout asks for it.
+struct Places {
+    list: Vec<Place>,
+    digest: OnceCell<String>,
+}
+
+impl From<Vec<Place>> for Places {
+    fn from(list: Vec<Place>) -> Self {
+        Self { list, digest: OnceCell::new() }
+    }
+}
+
+/// What a layout says about a model that has it.
+#[derive(Debug, Clone, PartialEq)]
+pub enum LayoutAnswer {
+    /// Its bones are as large as published, or the layout grew with them.
+    AsPublished,
+    /// They are not: the first body that differs, how large it is, and how large it was.
+    OtherSize {
+        /// As people cite the layout.
+        title: &'static str,
+        /// A body whose bones have another size.
+        body: String,
+        /// The factors of its meshes along x, y and z.
+        here: [f64; 3],
+        /// Those with which the layout was published.
+        published: [f64; 3],
+    },
+}
+
+/// What the layout of `model` says; `None` where it is not known, or nothing shows how large the bones are.
+pub(super) fn answer(model: &Model, bones: &Bones) -> Option<LayoutAnswer> {
+    let places = Places::from(places(model)?);
+    let Some(layout) = layouts().iter().find(|layout| layout.is_of(&places)) else {
+        let followed = layouts().iter().any(|layout| layout.grew_to(&places.list, bones));
+        return followed.then_some(LayoutAnswer::AsPublished);
+    };
+    let sizes: Vec<(&str, [f64; 3])> =
+        places.list.iter().filter_map(|place| Some((place.0.as_str(), bones.size(&place.0)?))).collect();
+    if sizes.is_empty() {
+        return None;
+    }
+    let differs = |published: &BTreeMap<String, [f64; 3]>| {
+        sizes.iter().find_map(|&(body, here)| {
+            let published = *published.get(without_side(body))?;
+            (!same_size(here, published)).then(|| (body.to_owned(), here, published))
+        })
+    };
+    // Where it fits none, the first is named.
+    let found: Option<Vec<_>> = layout.sizes.iter().map(differs).collect();
+    let Some((body, here, published)) = found.and_then(|found| found.into_iter().next()) else {
+        return Some(LayoutAnswer::AsPublished);
+    };
+    Some(LayoutAnswer::OtherSize { title: &layout.title, body, here, published })
+}
+
+/// Where the spheres that stand are; `None` where one cannot be said, or there are none.
+fn places(model: &Model) -> Option<Vec<Place>> {
+    let spheres = model.loaded_spheres(&model.force_ids());
+    let place = |&id| {
+        let body = model.sphere(id)?.body.clone()?;
+        let [x, y, z] = model.centre_m(id)?;
+        Some(Place(body, x, y, z))
+    };
+    spheres.iter().map(place).collect::<Option<Vec<Place>>>().filter(|places| !places.is_empty())
+}
+
+impl Layout {
+    fn is_of(&self, places: &Places) -> bool {
+        match (&self.places, &self.digest) {
+            (Some(own), _) => {
+                let list = &places.list;
+                own.len() == list.len() && own.iter().all(|own| list.iter().any(|place| own.is(place)))
+            }
+            (None, Some(own)) => own == places.digest.get_or_init(|| digest(&places.list)),
+            (None, None) => false,
+        }
+    }
+}
+
+impl Layout {
+    /// Whether `places` are those of the layout times the factors by which each bone is larger than published.
+    fn grew_to(&self, places: &[Place], bones: &Bones) -> bool {
+        self.sizes.iter().any(|published| {
+            let back = |place: &Place| {
+                let (here, published) = (bones.size(&place.0)?, published.get(without_side(&place.0))?);
+                let [x, y, z]: [f64; 3] = std::array::from_fn(|axis| published[axis] / here[axis]);
+                Some(Place(place.0.clone(), place.1 * x, place.2 * y, place.3 * z))
+            };
+            let back: Option<Vec<Place>> = places.iter().map(back).collect();
+            back.is_some_and(|back| self.is_of(&Places::from(back)))
+        })
+    }
+}
+
+impl Place {
+    fn is(&self, other: &Self) -> bool {
+        let near = |a: f64, b: f64| (a - b).abs() <= SAME_PLACE_M;
+        self.0 == other.0 && near(self.1, other.1) && near(self.2, other.2) && near(self.3, other.3)
+    }
+}
+
+/// Of places in whole micrometres, in the order of bodies.
+fn digest(places: &[Place]) -> String {
+    #[expect(clippy::cast_possible_truncation, reason = "no foot is kilometres long")]
+    let micrometres = |metres: f64| (metres * 1e6).round() as i64;
+    let mut lines: Vec<String> = places
+        .iter()
+        .map(|Place(body, x, y, z)| {
+            format!("{body} {} {} {}\n", micrometres(*x), micrometres(*y), micrometres(*z))
+        })
+        .collect();
+    lines.sort();
+    let hash = Sha256::digest(lines.concat());
+    hash.iter().take(16).fold(String::new(), |mut text, byte| {
+        // Writing to a string cannot fail.
+        let _ = write!(text, "{byte:02x}");
+        text
+    })
+}
+
+/// `calcn` of `calcn_r`.
+fn without_side(body: &str) -> &str {
+    ["_r", "_l"].iter().find_map(|side| body.strip_suffix(side)).unwrap_or(body)
+}
+
+fn layouts() -> &'static [Layout] {
+    static LAYOUTS: OnceLock<Vec<Layout>> = OnceLock::new();
+    // A test reads the table strictly; a program that could not would know none.
+    LAYOUTS.get_or_init(|| serde_json::from_str(include_str!("layouts.json")).unwrap_or_default())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+
+    #[test]
+    fn the_table_is_read_whole() {
+        let layouts: Vec<Layout> = serde_json::from_str(include_str!("layouts.json")).unwrap();
+        assert!(layouts.len() >= 10);
+        let names: BTreeSet<&str> = layouts.iter().map(|layout| layout.name.as_str()).collect();
+        assert_eq!(names.len(), layouts.len());
+        for layout in &layouts {
+            assert!(layout.places.is_some() != layout.digest.is_some(), "{}", layout.name);
+            assert!(!layout.sizes.is_empty() && !layout.source.is_empty(), "{}", layout.name);
+            assert!(layout.digest.as_ref().is_none_or(|digest| digest.len() == 32), "{}", layout.name);
+        }
+    }
+
+    #[test]
+    fn a_digest_sees_a_micrometre_and_not_the_order() {
+        let heel = Place("calcn_r".into(), 0.01, -0.02, 0.0);
+        let toe = Place("toes_r".into(), 0.03, 0.0, 0.001);
+        let one = digest(&[heel.clone(), toe.clone()]);
+        assert_eq!(one, digest(&[toe.clone(), heel.clone()]));
+        assert_ne!(one, digest(&[Place("calcn_r".into(), 0.010001, -0.02, 0.0), toe]));
+    }
+}

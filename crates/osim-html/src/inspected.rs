@@ -1,0 +1,173 @@
+//! A model that was inspected and checked.
+
+use maud::{Markup, html};
+use osim_inspect::series::Body;
+use osim_inspect::{CheckResult, InspectOptions, Inspection};
+use osim_messages::{Dialect, four_significant, readable};
+use osim_model::files::OpenModel;
+use osim_planning::ModelFeet;
+use osim_report::inspection::force_groups::{described, groups};
+use osim_report::inspection::lengths;
+
+use super::detail_level::DetailLevel;
+use super::entry::Entry;
+use super::files::{self, NamedDigest};
+use super::fragment::{Fragment, table};
+use super::sphere_figures::{self, State};
+use super::values::file_name;
+use super::{findings, plots};
+use crate::special::{Drawn, Facts};
+
+/// Everything about one model that was inspected with `options`; `files` are those it was read from, the model
+/// first; `feet` are drawn where there are plots.
+///
+/// What the inspection and the check say is taken as it is spelled.
+#[must_use]
+pub fn inspected(
+    options: &InspectOptions,
+    model: &OpenModel,
+    (inspected, found): (&Inspection, &CheckResult),
+    files: &[NamedDigest],
+    (detail, feet): (DetailLevel, Option<ModelFeet>),
+    dialect: &dyn Dialect,
+) -> Entry {
+    let mut fragment = Fragment::new(detail);
+    let drawn = fill(&mut fragment, options, model, (inspected, found), (files, feet), dialect);
+    let facts = Facts::new(&inspected.figures, found, drawn.bodies.first());
+    Entry::of_inspection(inspected, (facts, drawn), fragment)
+}
+
+/// Adds the sections; what may be drawn of the model elsewhere.
+pub(super) fn fill(
+    fragment: &mut Fragment,
+    options: &InspectOptions,
+    model: &OpenModel,
+    (inspected, found): (&Inspection, &CheckResult),
+    (files, feet): (&[NamedDigest], Option<ModelFeet>),
+    dialect: &dyn Dialect,
+) -> Drawn {
+    findings::of_model(fragment, found);
+    let failed = |fault| model.failure(fault);
+    let body = || Body::inspected(file_name(model.name()).to_owned(), &model.model, options, &failed).ok();
+    let drawn = Drawn {
+        bodies: body().into_iter().collect(),
+        has_reference: false,
+        feet: feet.into_iter().collect(),
+    };
+    if fragment.detail.is_alone() {
+        super::feet::section(fragment, &drawn.feet);
+        if !drawn.bodies.is_empty() {
+            plots::section(fragment, &drawn.bodies, false, dialect);
+            plots::state_section(fragment, &drawn.bodies);
+        }
+    }
+    sphere_figures::section(
+        fragment,
+        &[State { name: String::new(), figures: &inspected.figures, is_reference: false }],
+    );
+    let body = html! { (forces(inspected)) (spheres(inspected)) (factors(inspected)) };
+    fragment.section("contacts", "Forces and spheres of the model", &body);
+    fragment.section("model", "The model and its files", &the_model(inspected, files));
+    drawn
+}
+
+fn forces(inspected: &Inspection) -> Markup {
+    let groups = groups(inspected);
+    let rows: Vec<Markup> = groups
+        .iter()
+        .map(|(row, members)| {
+            html! { tr { th scope="row" { (described(members)) } @for cell in row { td { (cell) } } } }
+        })
+        .collect();
+    if rows.is_empty() {
+        return html! { p { "No contact force." } };
+    }
+    let mut caption =
+        "Forces with the same parameters share a row. E₁*, E* in N/m², α and bv in s/m, slip in m/s, cf \
+                       in m², bd in 1/m; friction static/dynamic/viscous."
+            .to_owned();
+    if groups.iter().any(|(row, _)| row.iter().any(|cell| cell.contains('*'))) {
+        caption.push_str(" * not in the file: from <defaults> or OpenSim's class default.");
+    }
+    table("Forces", &caption, &["forces", "E₁*", "E*", "α", "friction", "slip", "cf", "bd", "bv"], &rows)
+}
+
+fn spheres(inspected: &Inspection) -> Markup {
+    if inspected.spheres.is_empty() {
+        return html! {};
+    }
+    let decimals = lengths::decimals(&inspected.spheres);
+    let metres = |value: f64| lengths::metres(value, decimals);
+    let rows: Vec<Markup> = inspected
+        .spheres
+        .iter()
+        .map(|sphere| {
+            let lowest = sphere.lowest_point_m.map(|point| point.map(metres));
+            html! {
+                tr {
+                    th scope="row" { (sphere.name) }
+                    td.words { (sphere.body.as_deref().unwrap_or(&sphere.frame)) }
+                    td.words { (sphere.limb.as_deref().unwrap_or("–")) }
+                    td { (metres(sphere.radius_m)) }
+                    @for value in lowest.unwrap_or_else(|| ["?", "?", "?"].map(str::to_owned)) { td { (value) } }
+                }
+            }
+        })
+        .collect();
+    let caption = "Spheres, in m. The lowest point is in the body's frame, with the body's axes upright.";
+    table("Spheres", caption, &["sphere", " body", " limb", "radius", "lowest x", "y", "z"], &rows)
+}
+
+/// Each body's factors against the generic model, where one was named.
+fn factors(inspected: &Inspection) -> Markup {
+    let Some(factors) = &inspected.body_factors else { return html! {} };
+    let shown = |factor: Option<f64>| factor.map_or_else(|| "?".to_owned(), |factor| format!("{factor:.6}"));
+    let rows: Vec<Markup> = factors
+        .iter()
+        .map(|body| {
+            html! {
+                tr {
+                    th scope="row" { (body.body) }
+                    @for factor in body.factors { td { (shown(factor)) } }
+                    td.words { (sources(&body.sources)) }
+                }
+            }
+        })
+        .collect();
+    let caption = "How bodies were scaled against the generic model; ? where nothing says.";
+    table("Factors of bodies", caption, &["body", "x", "y", "z", " from"], &rows)
+}
+
+fn sources(sources: &[Option<&'static str>]) -> String {
+    let mut named: Vec<&str> = sources.iter().flatten().copied().collect();
+    named.dedup();
+    named.join(", ")
+}
+
+fn the_model(inspected: &Inspection, files: &[NamedDigest]) -> Markup {
+    let limbs = inspected.limbs.iter().flatten();
+    let limbs: Vec<String> =
+        limbs.map(|limb| format!("{} ({}, n = {})", limb.name, limb.side, limb.spheres.len())).collect();
+    html! {
+        dl {
+            (files::read(files))
+            dt { "Name" } dd { (inspected.name) ", document version " (inspected.document_version) }
+            dt { "Weighs" } dd { @match inspected.mass_kg {
+                Some(mass) => { (readable(mass)) " kg (" (inspected.mass_source) ")" }
+                None => { "not known" }
+            } }
+            dt { "Contacts made for" } dd { @match &inspected.contacts_mass_kg {
+                Some(mass) => { (mass.in_words()) }
+                None => { "not known" }
+            } }
+            dt { "Gravity" } dd { @match inspected.gravity_m_s2 {
+                Some(gravity) => { (four_significant(gravity)) " m/s²" }
+                None => { "cannot be read" }
+            } }
+            dt { "Limbs" } dd {
+                @if limbs.is_empty() { "not known" } @else { (limbs.join(", ")) }
+                @if let Some(why) = &inspected.limbs_unknown { ": " (why) }
+            }
+        }
+    }
+}

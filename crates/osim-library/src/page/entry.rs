@@ -1,0 +1,60 @@
+//! What a page shows of one model of a run.
+
+use osim_html::{Changed, DetailLevel, EarlierRun, Entry, Files, RowError, RunRow};
+use osim_planning::BeforeAfter;
+
+use crate::Disk;
+use crate::page::words::Words;
+use crate::run::{ChangedModel, Record};
+
+/// What a page shows of a model that was changed, of both its states.
+#[must_use]
+pub fn entry(changed: &ChangedModel<'_>, both: &BeforeAfter, detail: DetailLevel, words: Words) -> Entry {
+    let record = changed.record;
+    let names = changed.opened.files().map(|(name, _)| name.to_owned());
+    let inputs = names.zip(changed.inputs.iter().cloned());
+    let digests = [&record.sha256_output, &record.sha256_geometry_output];
+    let paths = changed.written.paths().iter().map(|path| path.display().to_string());
+    let outputs: Vec<(String, String)> = paths.zip(digests.into_iter().flatten().cloned()).collect();
+    let result = match changed.earlier {
+        true => record.status.describe().to_owned(),
+        false => changed.written.describe(),
+    };
+    let files = Files { inputs: inputs.collect(), result, outputs };
+    let mut change = Changed::of_states(changed.plan, both, files);
+    if let Some(feet) = change.feet.last_mut() {
+        feet.add_bones((&changed.opened.model, &changed.task.source.path), None, &Disk);
+    }
+    change.in_file = !changed.written.paths().is_empty();
+    let entry = osim_html::changed(&row(record), change, detail, words);
+    if changed.earlier { entry.of_earlier_run() } else { entry }
+}
+
+/// A model of which there is nothing but its line in the summary.
+#[must_use]
+pub fn bare_entry(record: &Record, earlier: bool) -> Entry {
+    if !earlier {
+        let error = record.error_code.as_ref().zip(record.error.as_ref());
+        let error = error.map(|(code, message)| {
+            RowError::new(code.as_str(), message.as_str()).at(record.line, record.column)
+        });
+        return Entry::of_row(&row(record), error.as_ref());
+    }
+    let mut left = EarlierRun::default();
+    left.radius_factor = record.radius_factor;
+    left.stiffness_factor = record.stiffness_factor;
+    left.dissipation_factor = record.dissipation_factor;
+    left.unequal_factors = record.unequal_factors.split(' ').map(str::to_owned).collect();
+    left.warnings = record.warnings.split_ascii_whitespace().count();
+    Entry::left_by_earlier_run(&row(record), &left)
+}
+
+fn row(record: &Record) -> RunRow {
+    let mut row = RunRow::new(record.model.as_str(), record.status.describe());
+    row.row = record.row;
+    row.output.clone_from(&record.output);
+    row.contacts_mass_from_kg = record.contacts_mass_from_kg;
+    row.contacts_mass_to_kg = record.contacts_mass_to_kg;
+    row.changes = record.changes;
+    row
+}

@@ -1,0 +1,257 @@
+//! Rotations of frames, and the axis that points up in them.
+
+/// Rotation of a frame in its body, row by row.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rotation([[f64; 3]; 3]);
+
+impl Rotation {
+    /// No rotation.
+    pub const IDENTITY: Self = Self([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+
+    /// From OpenSim's `orientation`: body-fixed angles about x, then y, then z, in rad.
+    #[must_use]
+    pub fn body_fixed_xyz([x, y, z]: [f64; 3]) -> Self {
+        let (sx, cx) = (libm::sin(x), libm::cos(x));
+        let (sy, cy) = (libm::sin(y), libm::cos(y));
+        let (sz, cz) = (libm::sin(z), libm::cos(z));
+        Self([
+            [cy * cz, -cy * sz, sy],
+            [cx * sz + sx * sy * cz, cx * cz - sx * sy * sz, -sx * cy],
+            [sx * sz - cx * sy * cz, sx * cz + cx * sy * sz, cx * cy],
+        ])
+    }
+
+    /// The angles about x, then y, then z (rad) that make this rotation, as OpenSim's `orientation` has them.
+    #[must_use]
+    pub fn to_body_fixed_xyz(&self) -> [f64; 3] {
+        let [[xx, xy, xz], [_, _, yz], [_, _, zz]] = self.0;
+        let cosine = libm::sqrt(xx * xx + xy * xy);
+        [libm::atan2(-yz, zz), libm::atan2(xz, cosine), libm::atan2(-xy, xx)]
+    }
+
+    /// `first`, then this rotation: the product of their matrices.
+    #[must_use]
+    pub fn after(&self, first: &Self) -> Self {
+        let cell = |i: usize, j: usize| (0..3).map(|k| self.0[i][k] * first.0[k][j]).sum();
+        Self(std::array::from_fn(|i| std::array::from_fn(|j| cell(i, j))))
+    }
+
+    /// R v: a vector of the frame, seen from the body.
+    #[must_use]
+    pub fn to_body(&self, vector: [f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|i| (0..3).map(|k| self.0[i][k] * vector[k]).sum())
+    }
+
+    /// Rotation by `angle` (rad) about `axis`, which need not have length 1: Rodrigues' formula, R v = v cos a + (u × v) sin a +
+    /// u (u · v)(1 − cos a) with u = axis/|axis|. An axis without length or an angle of 0 turns nothing.
+    #[must_use]
+    pub fn about([x, y, z]: [f64; 3], angle: f64) -> Self {
+        let length = libm::sqrt(x * x + y * y + z * z);
+        if angle == 0.0 || length == 0.0 {
+            return Self::IDENTITY;
+        }
+        let [x, y, z] = [x / length, y / length, z / length];
+        let (s, c) = (libm::sin(angle), libm::cos(angle));
+        let t = 1.0 - c;
+        Self([
+            [t * x * x + c, t * x * y - s * z, t * x * z + s * y],
+            [t * x * y + s * z, t * y * y + c, t * y * z - s * x],
+            [t * x * z - s * y, t * y * z + s * x, t * z * z + c],
+        ])
+    }
+
+    /// Rᵀ: back from the body to the frame.
+    #[must_use]
+    pub fn inverse(&self) -> Self {
+        Self(std::array::from_fn(|i| std::array::from_fn(|j| self.0[j][i])))
+    }
+
+    /// RᵀSR v: `vector` of a frame that is turned by R, after a scaling by `factors` (S) along the axes of the body.
+    #[must_use]
+    pub fn scaled_in_frame(&self, factors: [f64; 3], vector: [f64; 3]) -> [f64; 3] {
+        if *self == Self::IDENTITY {
+            return times(factors, vector);
+        }
+        let scaled = times(factors, self.to_body(vector));
+        std::array::from_fn(|i| (0..3).map(|k| self.0[k][i] * scaled[k]).sum())
+    }
+}
+
+/// Axis by axis.
+pub(crate) fn times(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[0] * b[0], a[1] * b[1], a[2] * b[2]]
+}
+
+/// Two axes this close to up (difference of their cosines) are equally near.
+const TIE: f64 = 1e-9;
+
+/// An axis of a frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Axis {
+    /// x.
+    X,
+    /// y.
+    Y,
+    /// z.
+    Z,
+}
+
+impl Axis {
+    const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
+
+    /// Its place in a vector.
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+
+    /// The axis with the largest component of `vector` (without its sign). `own` wins a tie: another axis has to be larger by
+    /// more than `tie`.
+    fn largest(vector: [f64; 3], own: Self, tie: f64) -> Self {
+        let size = |axis: Self| vector[axis.index()].abs();
+        Self::ALL.into_iter().fold(own, |best, axis| if size(axis) > size(best) + tie { axis } else { best })
+    }
+}
+
+/// The direction away from the ground, foot flat.
+///
+/// ```
+/// use osim_model::{Axis, LevelAxis};
+///
+/// // Gravity points along -z: up is z.
+/// let up = LevelAxis::of_gravity(Some([0.0, 0.0, -9.81]));
+/// assert_eq!((up.axis, up.down), (Axis::Z, false));
+/// // A sphere grows from 0.03 m to 0.05 m: its centre rises by 0.02 m, and its bottom stays.
+/// let [x, y, z] = up.centre([0.1, 0.0, 0.03], 0.03, 0.05, |bottom| bottom);
+/// assert!(x == 0.1 && y == 0.0 && (z - 0.05).abs() < 1e-15);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct LevelAxis {
+    /// Which axis it is.
+    pub axis: Axis,
+    /// The axis points down: away from the ground is its negative direction.
+    pub down: bool,
+    /// `true` where it is an axis of the body: in each sphere's frame, the axis nearest to it is taken. `false` where it is an
+    /// axis of every sphere's own frame.
+    pub of_body: bool,
+}
+
+impl LevelAxis {
+    /// The axis of the body nearest to −`gravity` (m/s², in ground); y where a model has no gravity.
+    #[must_use]
+    pub fn of_gravity(gravity: Option<[f64; 3]>) -> Self {
+        let gravity = gravity.unwrap_or([0.0, -1.0, 0.0]);
+        let axis = Axis::largest(gravity, Axis::Y, 0.0);
+        Self { axis, down: gravity[axis.index()] > 0.0, of_body: true }
+    }
+
+    /// The same as an axis of a frame that is turned by `rotation` in its body.
+    #[must_use]
+    pub fn in_frame(self, rotation: &Rotation) -> Self {
+        if !self.of_body {
+            return self;
+        }
+        let sign = if self.down { -1.0 } else { 1.0 };
+        // The body's axis in the frame: a row of its rotation. The body's own axis wins a tie.
+        let turned: [f64; 3] = rotation.0[self.axis.index()].map(|value| sign * value);
+        let axis = Axis::largest(turned, self.axis, TIE);
+        Self { axis, down: turned[axis.index()] < 0.0, of_body: false }
+    }
+
+    fn up(self) -> [f64; 3] {
+        std::array::from_fn(|index| match index == self.axis.index() {
+            true if self.down => -1.0,
+            true => 1.0,
+            false => 0.0,
+        })
+    }
+
+    /// Where the centre goes (m) so that the bottom stays on the sole: the bottom point is `scaled` with the body, and the new
+    /// radius is added again. All lengths are in m, all places in the sphere's frame.
+    #[must_use]
+    pub fn centre(
+        self,
+        centre: [f64; 3],
+        old_radius: f64,
+        new_radius: f64,
+        scaled: impl Fn([f64; 3]) -> [f64; 3],
+    ) -> [f64; 3] {
+        let up = self.up();
+        let bottom = std::array::from_fn(|i| centre[i] - old_radius * up[i]);
+        let bottom = scaled(bottom);
+        std::array::from_fn(|i| bottom[i] + new_radius * up[i])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scaling_turns_with_the_frame() {
+        // A quarter turn about z: the frame's x is the body's y.
+        let quarter = Rotation::body_fixed_xyz([0.0, 0.0, std::f64::consts::FRAC_PI_2]);
+        let [x, y, z] = quarter.scaled_in_frame([2.0, 3.0, 5.0], [1.0, 1.0, 1.0]);
+        assert!((x - 3.0).abs() < 1e-12 && (y - 2.0).abs() < 1e-12 && (z - 5.0).abs() < 1e-12);
+        let unturned = Rotation::IDENTITY.scaled_in_frame([2.0, 3.0, 5.0], [0.1, 1.0, 1.0]);
+        assert_eq!(unturned, [0.2, 3.0, 5.0]);
+    }
+
+    #[test]
+    fn body_fixed_angles_follow_the_order_x_y_z() {
+        // Rx(a) Ry(b) applied to the z axis: (sin b, -sin a cos b, cos a cos b).
+        let (a, b) = (0.3_f64, 0.7_f64);
+        let turned = Rotation::body_fixed_xyz([a, b, 0.0]);
+        for (i, expected) in [b.sin(), -a.sin() * b.cos(), a.cos() * b.cos()].into_iter().enumerate() {
+            assert!((turned.0[i][2] - expected).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn angles_come_back() {
+        for angles in [[0.3, -0.7, 2.5], [-3.0, 1.2, 0.1], [0.0; 3]] {
+            let back = Rotation::body_fixed_xyz(angles).to_body_fixed_xyz();
+            assert!(back.into_iter().zip(angles).all(|(a, b)| (a - b).abs() < 1e-15), "{back:?}");
+        }
+    }
+
+    #[test]
+    fn turning_about_an_axis_is_turning_by_body_fixed_angles() {
+        let quarter = std::f64::consts::FRAC_PI_2;
+        // Right-handed: about z, x becomes y; about twice y, z becomes x.
+        let [x, y, z] = Rotation::about([0.0, 0.0, 1.0], quarter).to_body([1.0, 0.0, 0.0]);
+        assert!(x.abs() < 1e-15 && (y - 1.0).abs() < 1e-15 && z == 0.0);
+        let [x, y, z] = Rotation::about([0.0, 2.0, 0.0], quarter).to_body([0.0, 0.0, 1.0]);
+        assert!((x - 1.0).abs() < 1e-15 && y == 0.0 && z.abs() < 1e-15);
+        // A third of a turn about (1, 1, 1) carries x to y, y to z, z to x; its inverse carries back.
+        let third = Rotation::about([1.0, 1.0, 1.0], std::f64::consts::TAU / 3.0);
+        let turned = third.to_body([1.0, 2.0, 3.0]);
+        for (value, expected) in turned.into_iter().zip([3.0, 1.0, 2.0]) {
+            assert!((value - expected).abs() < 1e-14);
+        }
+        for (value, expected) in third.inverse().to_body(turned).into_iter().zip([1.0, 2.0, 3.0]) {
+            assert!((value - expected).abs() < 1e-14);
+        }
+        assert_eq!(Rotation::about([0.0; 3], 1.0), Rotation::IDENTITY);
+    }
+
+    #[test]
+    fn the_bottom_stays_on_the_sole() {
+        let axis = LevelAxis::of_gravity(Some([0.0, -9.81, 0.0]));
+        assert_eq!(axis, LevelAxis { axis: Axis::Y, down: false, of_body: true });
+        // Bottom at -0.06; the sole is scaled by 2, the radius by 1.5: bottom at -0.12, centre 0.06 above.
+        let [x, y, z] = axis.centre([0.1, -0.02, 0.0], 0.04, 0.06, |v| [v[0], 2.0 * v[1], v[2]]);
+        assert!((x - 0.1).abs() < 1e-15 && (y + 0.06).abs() < 1e-15 && z == 0.0);
+    }
+
+    #[test]
+    fn up_is_found_in_a_turned_frame() {
+        let up = LevelAxis::of_gravity(None);
+        // A quarter turn about z: the frame's x is the body's y; about x: its z is the body's -y.
+        let about_z = Rotation([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
+        let about_x = Rotation([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]]);
+        assert_eq!(up.in_frame(&about_z), LevelAxis { axis: Axis::X, down: false, of_body: false });
+        assert_eq!(up.in_frame(&about_x), LevelAxis { axis: Axis::Z, down: true, of_body: false });
+        let given = LevelAxis { axis: Axis::Y, down: false, of_body: false };
+        assert_eq!(given.in_frame(&about_z), given);
+    }
+}

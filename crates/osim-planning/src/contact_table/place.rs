@@ -1,0 +1,159 @@
+//! Where a contact of a table is on its body.
+
+use osim_feet::{DefaultPose, PoseFault};
+use osim_model::Placement;
+
+/// A frame this close to ground's is there, m.
+const SAME_FRAME: f64 = 1e-9;
+/// Two places that are farther from each other are not one, m.
+const SAME_PLACE: f64 = 1e-3;
+
+/// Where a table says that a contact is, m.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum TablePlace {
+    /// In the frame of its body.
+    OfBody([f64; 3]),
+    /// As MuSkeMo exports it: in its global frame, in a local one, or in both.
+    Exported {
+        /// In the global frame.
+        global_m: Option<[f64; 3]>,
+        /// In the local frame.
+        local_m: Option<[f64; 3]>,
+    },
+}
+
+/// Where a contact is in the frame of its body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct PlaceOnBody {
+    /// Its centre, m.
+    pub location_m: [f64; 3],
+    /// It was given in ground, and moved into the body at the default pose.
+    pub from_default_pose: bool,
+}
+
+/// Why it is not known where a contact is on its body.
+#[derive(Debug, Clone, PartialEq)]
+pub enum PlaceFault {
+    /// It is not known where the body is at the default pose.
+    Pose(PoseFault),
+    /// The two places are that far from each other in this model, m.
+    Disagree(f64),
+    /// Only the global place is given, and nobody said that the default pose is the one in which it was measured.
+    OnlyGlobal,
+}
+
+impl TablePlace {
+    /// The place in the frame of `body`: as given there; of an export the global one where the body's frame is that of ground at the
+    /// default pose (MuSkeMo's global mode), else the local one. What is given in ground only is moved into the body where
+    /// `posed` says that the default pose is meant.
+    ///
+    /// # Errors
+    /// Two places that differ by more than 1 mm, a global one alone, or a body of which it is not known where it is.
+    pub fn on_body<'p>(
+        &self,
+        body: &str,
+        pose: impl FnOnce() -> &'p DefaultPose,
+        posed: bool,
+    ) -> Result<PlaceOnBody, PlaceFault> {
+        let own = |location_m| PlaceOnBody { location_m, from_default_pose: false };
+        let (global, local) = match *self {
+            Self::OfBody(place) => return Ok(own(place)),
+            Self::Exported { global_m: None, local_m: None } => return Err(PlaceFault::OnlyGlobal),
+            Self::Exported { global_m: None, local_m: Some(local) } => return Ok(own(local)),
+            Self::Exported { global_m: Some(global), local_m } => (global, local_m),
+        };
+        let frame = pose().placement(body).map_err(PlaceFault::Pose)?;
+        if let Some(local) = local {
+            let apart = distance(frame.point(local), global);
+            if apart > SAME_PLACE {
+                return Err(PlaceFault::Disagree(apart));
+            }
+        }
+        match local {
+            _ if is_ground(frame) => Ok(own(global)),
+            Some(local) => Ok(own(local)),
+            None if posed => {
+                Ok(PlaceOnBody { location_m: frame.inverse().point(global), from_default_pose: true })
+            }
+            None => Err(PlaceFault::OnlyGlobal),
+        }
+    }
+}
+
+/// Whether the frame is that of ground: its origin, and the tips of its axes.
+fn is_ground(frame: &Placement) -> bool {
+    let points = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    points.into_iter().all(|point| distance(frame.point(point), point) <= SAME_FRAME)
+}
+
+fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use osim_model::Model;
+
+    use super::*;
+
+    /// `foot` hangs 1 m above ground, turned by a quarter about z: its x points up. `bone` is where ground is.
+    fn pose() -> DefaultPose {
+        let joint = |body: &str, place: &str, turn: &str| {
+            format!(
+                "<WeldJoint name=\"{body}_j\"><socket_parent_frame>at</socket_parent_frame>\
+                 <socket_child_frame>/bodyset/{body}</socket_child_frame><frames><PhysicalOffsetFrame name=\"at\">\
+                 <socket_parent>/ground</socket_parent><translation>{place}</translation>\
+                 <orientation>{turn}</orientation></PhysicalOffsetFrame></frames></WeldJoint>"
+            )
+        };
+        let text = format!(
+            "<OpenSimDocument Version=\"40000\"><Model><BodySet><objects><Body name=\"foot\"/><Body name=\"bone\"/>\
+             </objects></BodySet><JointSet><objects>{}{}</objects></JointSet></Model></OpenSimDocument>",
+            joint("foot", "0 1 0", "0 0 1.5707963267948966"),
+            joint("bone", "0 0 0", "0 0 0"),
+        );
+        DefaultPose::of(&Model::parse(text).unwrap())
+    }
+
+    fn place(global: Option<[f64; 3]>, local: Option<[f64; 3]>) -> TablePlace {
+        TablePlace::Exported { global_m: global, local_m: local }
+    }
+
+    #[track_caller]
+    fn is_at(found: Result<PlaceOnBody, PlaceFault>, at: [f64; 3], from_default_pose: bool) {
+        let found = found.unwrap();
+        assert!(distance(found.location_m, at) < 1e-15, "{found:?}");
+        assert_eq!(found.from_default_pose, from_default_pose);
+    }
+
+    #[test]
+    fn a_body_in_ground_has_global_places_and_another_one_local_ones() {
+        let pose = pose();
+        let point = Some([0.1, 0.2, 0.3]);
+        is_at(place(point, None).on_body("bone", || &pose, false), [0.1, 0.2, 0.3], false);
+        // x of the foot is y of ground, y is -x, and its origin is 1 m up.
+        let seen = Some([-0.2, 1.1, 0.3]);
+        is_at(place(seen, point).on_body("foot", || &pose, false), [0.1, 0.2, 0.3], false);
+        is_at(place(seen, None).on_body("foot", || &pose, true), [0.1, 0.2, 0.3], true);
+        is_at(place(None, point).on_body("foot", || &pose, false), [0.1, 0.2, 0.3], false);
+        is_at(TablePlace::OfBody([0.1, 0.2, 0.3]).on_body("foot", || &pose, false), [0.1, 0.2, 0.3], false);
+    }
+
+    #[test]
+    fn places_that_differ_or_are_global_alone_are_refused() {
+        let pose = pose();
+        let point = Some([0.1, 0.2, 0.3]);
+        assert_eq!(place(point, None).on_body("foot", || &pose, false), Err(PlaceFault::OnlyGlobal));
+        for (body, global) in [("foot", [-0.2, 1.1, 0.302]), ("bone", [0.1, 0.2, 0.302])] {
+            let fault = place(Some(global), point).on_body(body, || &pose, true).unwrap_err();
+            assert!(
+                matches!(fault, PlaceFault::Disagree(apart) if (apart - 0.002).abs() < 1e-12),
+                "{fault:?}"
+            );
+        }
+        let nowhere = place(point, None).on_body("hand", || &pose, true);
+        assert!(matches!(nowhere, Err(PlaceFault::Pose(_))), "{nowhere:?}");
+    }
+}

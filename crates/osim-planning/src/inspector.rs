@@ -1,0 +1,154 @@
+//! Models inspected and checked as a request says.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use osim_compare::{Factors, Placement, ScaleFile};
+use osim_inspect::{CheckResult, InspectOptions, Inspection, unexplained_slip};
+use osim_model::files::{Failure, Files, OpenModel};
+use osim_model::{Anatomy, Fault, Finding, Model, Severity};
+use osim_requests::options::{AnswerOptions, InspectionOptions, SetFiles};
+use osim_requests::{CheckRequest, InspectRequest};
+
+use crate::opening::{open, scale_file};
+use crate::trial::check_with_trials;
+
+/// Inspects models, on any thread.
+#[derive(Debug)]
+pub struct Inspector {
+    options: InspectOptions,
+    set_files: SetFiles,
+    /// The generic model's bones and the Scale Tool's factors, where a generic model is named; why not, where it cannot be
+    /// read: that is a failure of each model.
+    generic: Option<Result<(Anatomy, Option<ScaleFile>), Failure>>,
+    /// The names of both files, where they are for the places of spheres and not for factors.
+    places: Option<(PathBuf, Option<PathBuf>)>,
+    reads: Vec<PathBuf>,
+    /// Answers to questions about masses that were said; `None` where the masses were asked about already.
+    answers: Option<AnswerOptions>,
+}
+
+/// The generic model's bones and the Scale Tool's factors.
+fn generic_model(
+    from: &Path,
+    body_scale_file: Option<&Path>,
+    files: &dyn Files,
+) -> Result<(Anatomy, Option<ScaleFile>), Failure> {
+    let generic = open(from, files)?;
+    let anatomy = Anatomy::of(&generic.model).map_err(|fault| generic.failure(fault))?;
+    let file = body_scale_file.map(|path| scale_file(path, files)).transpose()?;
+    Ok((anatomy, file))
+}
+
+impl Inspector {
+    /// As `inspect` is asked; reads what is needed for all models.
+    #[must_use]
+    pub fn of_inspect(request: &InspectRequest, files: &dyn Files) -> Self {
+        let read = |from: &Path| generic_model(from, request.body_scale_file.as_deref(), files);
+        let named = request.from.iter().chain(&request.body_scale_file).cloned();
+        let reads = request.options.set_files.paths().cloned().chain(named).collect();
+        Self { generic: request.from.as_deref().map(read), reads, ..Self::asking(&request.options) }
+    }
+
+    /// As `check` is asked; reads what is needed for all models.
+    #[must_use]
+    pub fn of_check(request: &CheckRequest, files: &dyn Files) -> Self {
+        let plain = Self::asking(&request.options);
+        let Some(from) = request.from.clone() else { return plain };
+        let file = request.body_scale_file.clone();
+        let generic = Some(generic_model(&from, file.as_deref(), files));
+        let reads = plain.reads.iter().chain([&from]).chain(&file).cloned().collect();
+        Self { generic, places: Some((from, file)), reads, ..plain }
+    }
+
+    /// Inspects by these options, without a generic model.
+    #[must_use]
+    pub fn new(options: &InspectionOptions) -> Self {
+        Self {
+            options: InspectOptions::from(options),
+            set_files: options.set_files.clone(),
+            generic: None,
+            places: None,
+            reads: options.set_files.paths().cloned().collect(),
+            answers: None,
+        }
+    }
+
+    /// The same, which asks where a mass that was said looks like a slip.
+    fn asking(options: &InspectionOptions) -> Self {
+        Self { answers: Some(options.answers.clone()), ..Self::new(options) }
+    }
+
+    /// Why the generic model cannot be used, where one is named and cannot.
+    #[must_use]
+    pub fn generic_failure(&self) -> Option<&Failure> {
+        self.generic.as_ref()?.as_ref().err()
+    }
+
+    /// How models are inspected.
+    #[must_use]
+    pub fn options(&self) -> &InspectOptions {
+        &self.options
+    }
+
+    /// Files of a standalone set.
+    #[must_use]
+    pub fn set_files(&self) -> &SetFiles {
+        &self.set_files
+    }
+
+    /// Files that are read beside the models.
+    #[must_use]
+    pub fn reads(&self) -> &[PathBuf] {
+        &self.reads
+    }
+
+    /// Everything about a model.
+    ///
+    /// # Errors
+    /// The generic model cannot be read, factors cannot be determined, or a mass that was said looks like a slip.
+    pub fn inspect(&self, opened: &OpenModel) -> Result<Inspection, Failure> {
+        if let Some(answers) = &self.answers {
+            let options = &self.options;
+            let asked = answers.ask(unexplained_slip(&options.masses, &opened.model, &options.selection));
+            asked.map_err(|kind| opened.failure(Fault::new(kind)))?;
+        }
+        let generic = self.generic.as_ref().map(Result::as_ref).transpose().map_err(Failure::clone)?;
+        let (factors, placement) = match (generic, &self.places) {
+            (None, _) => (None, None),
+            (Some((generic, file)), None) => {
+                let scaled = Anatomy::of(&opened.model).map_err(|fault| opened.failure(fault))?;
+                let found = Factors::find(&scaled, generic, file.as_ref(), &BTreeMap::new());
+                (Some(found.map_err(|fault| opened.failure(fault))?), None)
+            }
+            (Some((generic, file)), Some(named)) => {
+                (None, Some(Placement::compare(&opened.model, named.clone(), generic, file.as_ref())))
+            }
+        };
+        let mut inspection = self.options.inspect(opened.name(), &opened.model, factors.as_ref());
+        inspection.placement = placement;
+        Ok(inspection)
+    }
+
+    /// What is wrong with a model that was inspected; `compiled` names files that other programs would read instead of it.
+    #[must_use]
+    pub fn check(&self, model: &Model, inspected: &Inspection, compiled: Option<&Finding>) -> CheckResult {
+        check_with_trials(&self.options, model, inspected, compiled)
+    }
+
+    /// Refuses a model that has no contacts and nothing else that is wrong with it: there is nothing to check.
+    ///
+    /// # Errors
+    /// It has none.
+    pub fn refuse_without_contacts(&self, opened: &OpenModel, inspected: &Inspection) -> Result<(), Failure> {
+        match self.options.selection.apply(&opened.model) {
+            Err(fault)
+                if fault.code() == "no-contacts"
+                    && !inspected.warnings.iter().any(|warning| warning.severity == Severity::Error) =>
+            {
+                Err(opened.failure(fault))
+            }
+            _ => Ok(()),
+        }
+    }
+}

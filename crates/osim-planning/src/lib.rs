@@ -1,0 +1,73 @@
+//! From a request and its models to a plan; sweeps, calculators, drop tests, fits and tables of rows.
+//!
+//! ```
+//! use osim_model::Model;
+//! use osim_model::files::InMemory;
+//! use osim_planning::prepare;
+//! use osim_requests::Request;
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let model = Model::parse(include_bytes!("../../osim-model/tests/data/one_foot.osim").as_slice())?;
+//! let request = Request::from_json(br#"{"verb": "rescale", "models": "one_foot.osim", "target_mass": 80}"#)?;
+//! let change = prepare(request, &InMemory::default()).map_err(|error| format!("{error:?}"))?;
+//! let plan = change.planner.plan(&model)?;
+//! assert_eq!(plan.changes[0].to, 2.0 * plan.changes[0].from);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! # Where to begin
+//!
+//! - [`prepare`] checks a request that changes models; its [`Planner`] makes a plan for each.
+//! - [`Inspector`] inspects and checks models as a request says; [`BeforeAfter`] shows a change from both sides.
+//! - [`design_sheet`], [`run_drop_test`], [`run_fit`] and [`SweepPlan`] answer what needs no plan.
+//!
+//! # What it will not do
+//!
+//! It knows no disk, only [`osim_model::files::Files`], and no terminal.
+
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+
+mod calculator;
+pub mod contact_table;
+mod drop_test;
+mod feet;
+mod fit;
+mod gravity;
+mod heat_table;
+mod inspector;
+mod opening;
+mod planner;
+mod plot;
+mod presets;
+mod remarks;
+pub mod sheet;
+mod states;
+mod subject;
+mod sweep;
+mod table;
+mod trial;
+mod verbs;
+
+pub use calculator::{DesignFigure, DesignLimit, DesignQuantity, DesignSheet, design_sheet};
+pub use drop_test::{ComparedDrop, DropColumn, DropFigure, DropResult, DropRow, run_drop_test};
+pub use feet::ModelFeet;
+pub use fit::{FitResult, run_fit};
+pub use heat_table::{HeatTable, TableColumn};
+pub use inspector::Inspector;
+pub use opening::{open_with, scale_file};
+pub use planner::{Change, Planner};
+pub use plot::{plot_bodies, plot_feet, plot_table};
+pub use presets::{find_presets, presets};
+pub use sheet::{cell, from_cell, marked, unmarked};
+pub use states::{BeforeAfter, States};
+pub use subject::may_be_file;
+pub use sweep::{SweepPlan, VariantMade};
+pub use table::{RowFault, RowRequest, Table};
+pub use trial::{changeable, check_with_trials};
+pub use verbs::any::prepare;
+
+/// The example of the README compiles.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -1,0 +1,143 @@
+//! What a request plans for each of its models.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use osim_inspect::ReferenceState;
+use osim_model::files::{Failure, Files, OpenModel};
+use osim_model::{Fault, Model};
+use osim_patch::Plan;
+use osim_requests::options::{InspectionOptions, OutputOptions, SetFiles};
+
+use crate::opening::open_with;
+
+/// Plans the change of one model after the other, on any thread.
+pub trait Planner: Send + Sync {
+    /// Plans the change of a model.
+    ///
+    /// # Errors
+    /// What only the caller can know, or what cannot be done with this model.
+    fn plan(&self, model: &Model) -> Result<Plan, Fault>;
+
+    /// The same where files beside the model say something, such as the meshes of its bones.
+    ///
+    /// # Errors
+    /// Those of [`plan`](Self::plan), with the name of the file and the place; a file that is missing or broken.
+    fn plan_beside(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
+        // Most plans follow from the model alone.
+        let _ = files;
+        self.plan(&opened.model).map_err(|fault| opened.failure(fault))
+    }
+
+    /// The same for a model that was opened: what is odd about the model itself is among the warnings. `no_note` leaves no
+    /// note in it.
+    ///
+    /// # Errors
+    /// Those of [`plan_beside`](Self::plan_beside).
+    fn plan_opened(&self, opened: &OpenModel, no_note: bool, files: &dyn Files) -> Result<Plan, Failure> {
+        let model = &opened.model;
+        let mut plan = self.plan_beside(opened, files)?;
+        if no_note {
+            plan.without_note();
+            if model.note.is_some() && !plan.is_empty() {
+                let text = "the note is removed: the next run cannot know what the contacts are made for";
+                plan.remarks.push(text.into());
+            }
+        }
+        if plan.adds_credits(model) {
+            let text = "the model has no <credits>: they are added for the note, because OpenSim drops comments when it saves";
+            plan.remarks.push(text.into());
+        }
+        let standing: Vec<_> = plan.standing_warnings(model).cloned().collect();
+        plan.warnings.splice(0..0, standing);
+        Ok(plan)
+    }
+
+    /// Files that were read beside the models.
+    fn reads(&self) -> Vec<PathBuf> {
+        Vec::new()
+    }
+
+    /// Name of the verb, as notes and reports have it.
+    fn name(&self) -> &'static str;
+
+    /// How a model would be inspected with the same options.
+    fn inspection(&self) -> InspectionOptions;
+
+    /// Gravity that the contacts are scaled to, m/s², where that is asked for.
+    fn target_gravity_m_s2(&self) -> Option<f64> {
+        None
+    }
+
+    /// What the contacts are taken from, where they are another body's.
+    fn reference(&self) -> Option<&ReferenceState> {
+        None
+    }
+
+    /// Everything its plans follow from but for the files: equal texts, equal plans.
+    fn settings(&self) -> String;
+}
+
+/// A request that was checked: where its models are, what it plans, and where results go.
+///
+/// ```
+/// use osim_model::FileId;
+/// use osim_model::files::InMemory;
+/// use osim_requests::{Request, RequestError};
+///
+/// let bytes = include_bytes!("../../osim-model/tests/data/one_foot.osim");
+/// let files = InMemory::from_iter([("one_foot.osim", bytes.as_slice())]);
+/// let json = br#"{"verb": "rescale", "models": "one_foot.osim", "target_mass": 80}"#;
+///
+/// let change = Request::from_json(json)?.prepare(&files)?;
+/// for path in &change.models {
+///     let opened = change.open(path, &files)?;
+///     let plan = change.plan(&opened, &files)?;
+///     let changed = plan.patched(&opened.model, FileId::MAIN).map_err(|fault| opened.failure(fault))?;
+///     assert!(String::from_utf8_lossy(&changed).contains("<radius>0.06</radius>"));
+/// }
+/// # Ok::<(), RequestError>(())
+/// ```
+#[non_exhaustive]
+pub struct Change {
+    /// Files and folders.
+    pub models: Vec<PathBuf>,
+    /// Where results go.
+    pub output: OutputOptions,
+    /// Files of a standalone set.
+    pub set_files: SetFiles,
+    /// What is planned for each model.
+    pub planner: Arc<dyn Planner>,
+}
+
+impl Change {
+    pub(crate) fn new(
+        models: Vec<PathBuf>,
+        output: OutputOptions,
+        set_files: SetFiles,
+        planner: impl Planner + 'static,
+    ) -> Self {
+        Self { models, output, set_files, planner: Arc::new(planner) }
+    }
+
+    /// Opens one of its models, with the files of a standalone set.
+    ///
+    /// # Errors
+    /// It cannot be read.
+    pub fn open(&self, path: &Path, files: &dyn Files) -> Result<OpenModel, Failure> {
+        open_with(path, self.set_files.beside(), files)
+    }
+
+    /// Plans for a model that was [opened](Self::open), as the request says.
+    ///
+    /// # Errors
+    /// Those of [`Planner::plan_opened`].
+    pub fn plan(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
+        self.planner.plan_opened(opened, self.output.no_note, files)
+    }
+}
+
+/// The file's name without its folders, for notes and messages.
+pub(crate) fn file_name(path: &Path) -> String {
+    path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
+}

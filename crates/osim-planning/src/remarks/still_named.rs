@@ -1,0 +1,33 @@
+//! What is said of objects that went and are still named.
+
+use osim_messages::Phrase;
+use osim_patch::{Leftover, Rebuilt, leftovers};
+
+/// Objects and names that are said, before they are counted.
+const SAID: usize = 3;
+
+/// Which objects of `rebuilt` name others that it does not have any more, one sentence for each.
+pub(crate) fn still_named(rebuilt: &Rebuilt) -> Vec<Phrase> {
+    let left = leftovers(rebuilt);
+    let one = |leftover: &Leftover| {
+        let names = shortened(&leftover.names);
+        Phrase::from(format!(
+            "{} still names {names}, gone from this model: change that in OpenSim",
+            leftover.object
+        ))
+    };
+    let mut said: Vec<Phrase> = left.iter().take(SAID).map(one).collect();
+    if let Some(more) = left.len().checked_sub(SAID).filter(|more| *more > 0) {
+        said.push(format!("and so do {more} more").into());
+    }
+    said
+}
+
+/// The first of `names`, and how many more there are.
+pub(crate) fn shortened(names: &[String]) -> String {
+    let said = names.iter().take(SAID).cloned().collect::<Vec<_>>().join(", ");
+    match names.len().checked_sub(SAID) {
+        Some(more) if more > 0 => format!("{said} and {more} more"),
+        _ => said,
+    }
+}

@@ -1,0 +1,116 @@
+//! A model before and after: seen before anything is written.
+
+use osim_inspect::series::Body;
+use osim_inspect::{CheckResult, Figures, InspectOptions, Inspection, ReferenceState, check_model};
+use osim_model::files::{Failure, ModelFiles, OpenModel};
+use osim_model::{Property, RemedyDialect};
+use osim_patch::Plan;
+
+use crate::states::states::{body, options_after};
+use crate::{ModelFeet, Planner, trial};
+
+/// What is known of both states of a model, spelled.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct BeforeAfter {
+    /// The model as it was.
+    pub before: (Inspection, CheckResult),
+    /// The old contacts under the new weight, where that is another one.
+    pub before_under_new_weight: Option<Figures>,
+    /// The model as it is written; none where nothing changes.
+    pub after: Option<(Inspection, CheckResult)>,
+    /// Both states, to be drawn.
+    pub bodies: Vec<Body>,
+    /// The feet of both states without their bones, where they are to be drawn; of one where the spheres stay as they are.
+    pub feet: Vec<ModelFeet>,
+    /// What the contacts are taken from, where they are another body's.
+    pub reference: Option<ReferenceState>,
+    /// The contacts are scaled to this gravity, m/s², and the model's is another.
+    pub target_gravity_m_s2: Option<f64>,
+}
+
+impl BeforeAfter {
+    /// Both states of a model for which `planner` has made `plan`. `changed` gives its files as they will be, under their
+    /// names; it is asked only where something changes. `feet` are kept only where that is said.
+    ///
+    /// # Errors
+    /// The new model cannot be read, which would be a defect: it is not to be written then.
+    pub fn of(
+        planner: &dyn Planner,
+        opened: &OpenModel,
+        plan: &Plan,
+        changed: impl FnOnce() -> ModelFiles,
+        (dialect, with_feet): (&dyn RemedyDialect, bool),
+    ) -> Result<Self, Failure> {
+        let before = InspectOptions::from(&planner.inspection());
+        // The new model has the same elements: what can be changed in one can be changed in the other.
+        let changes = shown_by(plan, &before, opened) || trial::changeable(&before, &opened.model).numbers;
+        let now = seen(&before, opened, changes);
+        let after = options_after(planner, &before, plan, now.0.figures.mass_kg);
+        let target = planner.target_gravity_m_s2();
+        let target_gravity_m_s2 = target.filter(|&gravity| now.0.figures.gravity_m_s2 != Some(gravity));
+        let mut both = Self {
+            before: now,
+            before_under_new_weight: None,
+            after: None,
+            bodies: Vec::new(),
+            feet: Vec::new(),
+            reference: planner.reference().cloned(),
+            target_gravity_m_s2,
+        };
+        if after.masses.model_kg != before.masses.model_kg || target_gravity_m_s2.is_some() {
+            let mut heavier = before.clone();
+            heavier.masses.model_kg = after.masses.model_kg;
+            heavier.stance.gravity_m_s2 = after.stance.gravity_m_s2;
+            both.before_under_new_weight = Some(heavier.inspect(opened.name(), &opened.model, None).figures);
+        }
+        let feet = |name: &str, opened: &OpenModel| {
+            with_feet.then(|| ModelFeet::for_page(name, opened, &before.selection)).flatten()
+        };
+        both.feet.extend(feet("before", opened));
+        both.bodies.extend(body("before", &before, opened));
+        if !plan.is_empty() {
+            let written = changed().open()?;
+            both.after = Some(seen(&after, &written, changes));
+            both.bodies.extend(body("after", &after, &written));
+            let changed = |after: &ModelFeet| both.feet.iter().any(|before| !before.has_same_spheres(after));
+            both.feet.extend(feet("after", &written).filter(changed));
+        }
+        both.spell(dialect);
+        Ok(both)
+    }
+
+    fn spell(&mut self, dialect: &dyn RemedyDialect) {
+        for (inspection, check) in std::iter::once(&mut self.before).chain(&mut self.after) {
+            inspection.spell(dialect);
+            check.spell(dialect);
+        }
+        self.before_under_new_weight.iter_mut().for_each(|figures| figures.spell(dialect));
+        let reference = self.reference.iter_mut().flat_map(|reference| &mut reference.figures);
+        reference.for_each(|figures| figures.spell(dialect));
+    }
+}
+
+fn seen(options: &InspectOptions, opened: &OpenModel, changes: bool) -> (Inspection, CheckResult) {
+    let inspection = options.inspect(opened.name(), &opened.model, None);
+    let check = check_model(
+        options,
+        &opened.model,
+        &inspection,
+        None,
+        trial::with_numbers(options, &opened.model, changes),
+    );
+    (inspection, check)
+}
+
+/// Whether `plan` shows that the numbers of the model can be changed: it changes those that remedies change, in all of the chosen
+/// forces.
+fn shown_by(plan: &Plan, options: &InspectOptions, opened: &OpenModel) -> bool {
+    let Ok(selected) = options.selection.apply(&opened.model) else { return false };
+    let forces = selected.forces.iter().filter_map(|&id| opened.model.force(id));
+    // A force without parameters of its own has none that could be changed.
+    let sets: usize = forces.map(|force| force.sets.len().max(1)).sum();
+    [Property::Stiffness, Property::Dissipation]
+        .into_iter()
+        .all(|property| plan.changes.iter().filter(|change| change.property == property).count() >= sets)
+}

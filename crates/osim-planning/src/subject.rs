@@ -1,0 +1,83 @@
+//! Is this word a model or a preset? One rule for all verbs.
+
+use std::path::Path;
+
+use contact_scaling::Preset;
+use osim_messages::{Input, phrase};
+use osim_model::files::{Files, OpenModel};
+use osim_requests::options::SetFiles;
+use osim_requests::{RequestError, RequestFault};
+
+use crate::opening::open_with;
+use crate::presets::{find_preset, preset_names};
+
+/// What a word names.
+pub(crate) enum Named {
+    Preset(Preset),
+    /// A file, which may be missing.
+    File,
+}
+
+impl Named {
+    /// The preset of this name, also where a file is called so; else a file. `input` is where the word stands, where that is to
+    /// be said.
+    ///
+    /// # Errors
+    /// It can be neither, or the file of presets cannot be read.
+    pub(crate) fn find(
+        word: &Path,
+        input: Option<Input>,
+        presets: Option<&Path>,
+        files: &dyn Files,
+    ) -> Result<Self, RequestFault> {
+        if let Some(preset) = find_preset(word, presets, files)? {
+            return Ok(Self::Preset(preset));
+        }
+        if may_be_file(word, files) {
+            return Ok(Self::File);
+        }
+        let neither = format!(
+            "'{}': there is no such file and no such preset, expected a model or one of: {}",
+            word.display(),
+            preset_names(presets, files)
+        );
+        Err(match input {
+            Some(input) => RequestFault::refused(input, phrase![input, " ", neither]),
+            None => RequestFault::general(neither),
+        })
+    }
+}
+
+/// Whether `word` names a file: it is there, is standard input, or looks like the name of one.
+pub fn may_be_file(word: &Path, files: &dyn Files) -> bool {
+    files.exists(word) || looks_like_file(word)
+}
+
+/// The same without a look at the files.
+pub(crate) fn looks_like_file(word: &Path) -> bool {
+    word.as_os_str() == "-" || word.components().count() > 1 || word.extension().is_some()
+}
+
+/// A model, or a preset.
+pub(crate) enum Subject {
+    Model(Box<OpenModel>),
+    Preset(Preset),
+}
+
+impl Subject {
+    /// The preset of this name, else the model.
+    ///
+    /// # Errors
+    /// There is neither, or the model cannot be read.
+    pub(crate) fn find(
+        path: &Path,
+        presets: Option<&Path>,
+        set_files: &SetFiles,
+        files: &dyn Files,
+    ) -> Result<Self, RequestError> {
+        Ok(match Named::find(path, None, presets, files)? {
+            Named::Preset(preset) => Self::Preset(preset),
+            Named::File => Self::Model(Box::new(open_with(path, set_files.beside(), files)?)),
+        })
+    }
+}

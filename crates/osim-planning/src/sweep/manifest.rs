@@ -1,0 +1,60 @@
+//! The table that says what is in which file.
+
+use osim_messages::shortest;
+use osim_model::Property;
+
+use super::variant::Variant;
+
+/// Properties that a manifest shows.
+const PROPERTIES: [Property; 6] = [
+    Property::Radius,
+    Property::Stiffness,
+    Property::Dissipation,
+    Property::ConstantContactForce,
+    Property::HertzSmoothing,
+    Property::HuntCrossleySmoothing,
+];
+
+/// Before the name of what a column was asked of.
+pub(super) const GRID: &str = "grid_";
+/// What a ladder asks at each step.
+pub(super) const LADDER: [&str; 1] = ["wanted_dimensionless_stiffness"];
+/// The number of the point or step, from 1, and its file.
+const FIRST: [&str; 2] = ["index", "file"];
+
+/// Names of the columns: the number and the file, what was asked, what is in the file, what follows from it.
+pub(super) fn header(asked: Vec<String>) -> Vec<String> {
+    let properties = PROPERTIES.map(|property| property.name().to_owned());
+    let follows =
+        ["relative_indentation", "dimensionless_stiffness", "restitution", "sha256"].map(str::to_owned);
+    let first = FIRST.map(str::to_owned).into_iter();
+    first.chain(asked).chain(properties).chain(follows).collect()
+}
+
+/// Whether these are the columns of some sweep's table, by grid or by ladder.
+pub(super) fn is_header<C: AsRef<str>>(columns: &[C]) -> bool {
+    let others = header(Vec::new()).len();
+    let Some(count) = columns.len().checked_sub(others) else { return false };
+    let asked: Vec<&str> = columns.iter().skip(FIRST.len()).take(count).map(AsRef::as_ref).collect();
+    let is_grid = asked.iter().all(|column| column.starts_with(GRID));
+    let whole = header(asked.iter().map(|&column| column.to_owned()).collect());
+    (is_grid || asked == LADDER) && columns.iter().map(AsRef::as_ref).eq(whole)
+}
+
+/// One variant, with its number from 1 and its file; `sha256` is that of its bytes.
+pub(super) fn row(
+    (number, file): (usize, String),
+    asked: Vec<String>,
+    variant: &Variant,
+    sha256: String,
+) -> Vec<String> {
+    let cell = |value: Option<f64>| value.map(shortest).unwrap_or_default();
+    let properties = PROPERTIES.map(|property| cell(variant.common(property)));
+    let follows = [
+        cell(variant.indentation()),
+        cell(variant.dimensionless_stiffness()),
+        cell(variant.restitution()),
+        sha256,
+    ];
+    [number.to_string(), file].into_iter().chain(asked).chain(properties).chain(follows).collect()
+}

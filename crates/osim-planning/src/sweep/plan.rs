@@ -1,0 +1,250 @@
+//! All variants of a sweep: how many, under which names, and each with its row in the table.
+
+use std::iter::StepBy;
+use std::ops::Range;
+use std::path::Path;
+
+use osim_inspect::unexplained_slip;
+use osim_messages::{Phrase, shortest};
+use osim_model::files::{Failure, ModelFiles};
+use osim_model::{MassRequest, Question};
+use osim_requests::{AxisName, RequestError, RequestFault, SweepRequest};
+
+use super::grid::{Point, along, ends, point};
+use super::ladder::Ladder;
+use super::manifest::{self, GRID, LADDER};
+use super::part::{self, padded};
+use super::stages::{self, Stages};
+use super::variant::Variant;
+
+/// A sweep over one model.
+pub struct SweepPlan<'s> {
+    request: &'s SweepRequest,
+    model: ModelFiles,
+    ladder: Option<Ladder>,
+    count: usize,
+}
+
+/// One file to make.
+struct Job {
+    /// What was asked, in the columns of the table.
+    asked: Vec<String>,
+    /// As the note has it.
+    operation: String,
+    /// The mass that the contacts are made for then, where that changes.
+    mass_kg: Option<f64>,
+    stages: Stages,
+}
+
+/// A variant that was made, in memory.
+#[non_exhaustive]
+pub struct VariantMade {
+    /// The model.
+    pub bytes: Vec<u8>,
+    /// What was done, in words.
+    pub operation: String,
+    number: usize,
+    file: String,
+    asked: Vec<String>,
+    variant: Variant,
+}
+
+impl VariantMade {
+    /// Its row in the table; `sha256` is that of its bytes.
+    #[must_use]
+    pub fn row(self, sha256: String) -> Vec<String> {
+        manifest::row((self.number, self.file), self.asked, &self.variant, sha256)
+    }
+}
+
+impl<'s> SweepPlan<'s> {
+    /// A sweep of the model whose files are `model`.
+    ///
+    /// # Errors
+    /// Those of [`SweepRequest::check`], or the model itself cannot be read, a ladder has no last step, or there is no such point.
+    pub fn new(request: &'s SweepRequest, model: ModelFiles) -> Result<Self, RequestError> {
+        request.check()?;
+        let count = request.count()?;
+        // What is wrong with the model itself is told once, not for every variant.
+        Variant::unchanged(request, &model)?;
+        let ladder = request.ladder.map(|steps| Ladder::of(request, &model, steps)).transpose()?;
+        part::check(request, count)?;
+        Ok(Self { request, model, ladder, count })
+    }
+
+    /// How many variants, of all points or steps.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Which of them this call makes, counted from 0.
+    pub fn indices(&self) -> StepBy<Range<usize>> {
+        part::of(self.request, self.count)
+    }
+
+    /// The model that they are made from.
+    #[must_use]
+    pub fn model(&self) -> &ModelFiles {
+        &self.model
+    }
+
+    /// Name of the file of variant `index`.
+    #[must_use]
+    pub fn file_name(&self, index: usize) -> String {
+        let part = match &self.ladder {
+            Some(ladder) => ladder.file_part(index),
+            None => {
+                let point = point(&self.request.grid, index);
+                format!("{}_{}", padded(index + 1, self.count), point.file_part())
+            }
+        };
+        self.named(&part, "osim")
+    }
+
+    /// Name of the table that says what is in which file, of all.
+    #[must_use]
+    pub fn table_name(&self) -> String {
+        self.named(self.kind(), "csv")
+    }
+
+    /// Name of the table of what this call makes, where that is a part of all.
+    #[must_use]
+    pub fn part_table_name(&self) -> Option<String> {
+        let part = part::of_name(self.request)?;
+        Some(self.named(self.kind(), &format!("{part}.csv")))
+    }
+
+    /// Whether the table of some part of this sweep, or of one with other points, has this name.
+    #[must_use]
+    pub fn is_part_table_name(&self, name: &str) -> bool {
+        let part = name.strip_prefix(&self.named(self.kind(), "")).and_then(|end| end.strip_suffix(".csv"));
+        part.is_some_and(part::is_of_name)
+    }
+
+    fn kind(&self) -> &'static str {
+        if self.ladder.is_some() { "ladder" } else { "sweep" }
+    }
+
+    /// `NAME_part.extension`
+    fn named(&self, part: &str, extension: &str) -> String {
+        let model = self.request.model.as_deref().and_then(Path::file_stem).unwrap_or_default();
+        format!("{}_{part}.{extension}", model.to_string_lossy())
+    }
+
+    /// The first row of the table.
+    #[must_use]
+    pub fn table_header(&self) -> Vec<String> {
+        manifest::header(match self.ladder {
+            Some(_) => LADDER.map(str::to_owned).to_vec(),
+            None => self.request.grid.iter().map(|axis| format!("{GRID}{}", axis.name.as_str())).collect(),
+        })
+    }
+
+    /// Whether these are the columns of a sweep's table, also of one that asked something else.
+    #[must_use]
+    pub fn is_table_header<C: AsRef<str>>(columns: &[C]) -> bool {
+        manifest::is_header(columns)
+    }
+
+    /// What a variant asks for may make no sense: that shows before anything is written.
+    ///
+    /// # Errors
+    /// What is wrong, with the point.
+    pub fn check_ends(&self) -> Result<(), RequestError> {
+        let points = match self.ladder {
+            Some(_) => vec![0, self.count.saturating_sub(1)],
+            None => self.asked_masses()?.into_iter().chain(ends(&self.request.grid)).collect(),
+        };
+        for index in points {
+            let job = self.job(index)?;
+            self.variant(&job).map_err(|mut failure| {
+                failure.message = at(&failure, &job);
+                // What is asked has a code, which answers it.
+                match failure.code.parse::<Question>() {
+                    Ok(_) => RequestError::Failure(failure),
+                    Err(_) => RequestFault::general(failure.message).into(),
+                }
+            })?;
+        }
+        Ok(())
+    }
+
+    /// Points whose mass looks like a slip, which need not be at an end.
+    fn asked_masses(&self) -> Result<Vec<usize>, RequestError> {
+        let masses = along(&self.request.grid, AxisName::TargetMass);
+        if masses.is_empty() {
+            return Ok(Vec::new());
+        }
+        let open = self.model.clone().open().map_err(RequestError::Failure)?;
+        let selection = self.request.choice.selection();
+        let is_asked = |kg: f64| {
+            let said = MassRequest { target_mass_kg: Some(kg), ..self.request.masses.request() };
+            unexplained_slip(&said, &open.model, &selection).is_some()
+        };
+        Ok(masses.into_iter().filter(|(_, kg)| is_asked(*kg)).map(|(index, _)| index).collect())
+    }
+
+    /// Makes variant `index`.
+    ///
+    /// # Errors
+    /// What is wrong, with the point.
+    pub fn make(&self, index: usize) -> Result<VariantMade, Failure> {
+        let job = self
+            .job(index)
+            .map_err(|fault| Failure::outside(self.model.name(), "refused", fault.phrase()))?;
+        let mut variant = self.variant(&job).map_err(|failure| {
+            let mut placed = failure.clone();
+            placed.message = at(&failure, &job);
+            placed
+        })?;
+        let bytes = std::mem::take(&mut variant.bytes);
+        Ok(VariantMade {
+            bytes,
+            operation: job.operation,
+            number: index + 1,
+            file: self.file_name(index),
+            asked: job.asked,
+            variant,
+        })
+    }
+
+    fn variant(&self, job: &Job) -> Result<Variant, Failure> {
+        Variant::of(self.request, &self.model, &job.stages, &job.operation, job.mass_kg)
+    }
+
+    /// What makes variant `index`.
+    fn job(&self, index: usize) -> Result<Job, RequestFault> {
+        match &self.ladder {
+            Some(ladder) => self.step(ladder, index),
+            None => self.point(&point(&self.request.grid, index)),
+        }
+    }
+
+    fn point(&self, point: &Point<'_>) -> Result<Job, RequestFault> {
+        Ok(Job {
+            asked: point.values.iter().map(|(_, value)| value.exact()).collect(),
+            operation: format!("sweep {point}"),
+            mass_kg: point.number(AxisName::TargetMass),
+            stages: stages::of_point(self.request, point)?,
+        })
+    }
+
+    fn step(&self, ladder: &Ladder, index: usize) -> Result<Job, RequestFault> {
+        let (number, count) = (index + 1, ladder.len());
+        let stiffness = ladder.dimensionless_stiffness(index).map(shortest).unwrap_or_default();
+        Ok(Job {
+            asked: vec![stiffness],
+            operation: format!("ladder step {number} of {count}"),
+            mass_kg: None,
+            stages: ladder.stages(self.request, index)?,
+        })
+    }
+}
+
+/// A failure with the point that it is about.
+fn at(failure: &Failure, job: &Job) -> Phrase {
+    let mut message = failure.message.clone();
+    message.push(format!(" ({})", job.operation));
+    message
+}

@@ -1,0 +1,120 @@
+//! One variant of the model: its bytes, and what is in them.
+
+use osim_inspect::{Figure, Figures, LoadSharing, Stance};
+use osim_model::files::{Failure, ModelFiles};
+use osim_model::{Fault, FileId, Mass, MassSource, Model, Property, Selected};
+use osim_requests::SweepRequest;
+
+use super::stages::Stages;
+
+/// A variant, read again from its own bytes.
+pub(super) struct Variant {
+    pub bytes: Vec<u8>,
+    values: Vec<(Property, f64)>,
+    figures: Option<Figures>,
+}
+
+impl Variant {
+    /// Does `stages` one after the other and reads what came out. The contacts are then made for `mass_kg`, else for what
+    /// the model weighs.
+    ///
+    /// # Errors
+    /// A stage that cannot be planned, or that would change an included file.
+    pub(super) fn of(
+        request: &SweepRequest,
+        model: &ModelFiles,
+        stages: &Stages,
+        operation: &str,
+        mass_kg: Option<f64>,
+    ) -> Result<Self, Failure> {
+        let mut current = model.clone();
+        for planner in stages {
+            let open = current.open()?;
+            let mut plan = planner.plan(&open.model).map_err(|fault| open.failure(fault))?;
+            plan.name_operation(operation);
+            if request.no_note {
+                plan.without_note();
+            } else {
+                plan.note_anyway();
+            }
+            if plan.files(&open.model).any(|file| file != FileId::MAIN) {
+                let message = "its contacts are in a file that it includes: make variants of that file";
+                return Err(open.failure(Fault::refused(message)));
+            }
+            let patched = plan.patched(&open.model, FileId::MAIN).map_err(|fault| open.failure(fault))?;
+            current = model.with_bytes(patched);
+        }
+        Self::read(request, current, mass_kg)
+    }
+
+    /// The model as it is.
+    ///
+    /// # Errors
+    /// It cannot be read, or the choice of forces leaves open what is meant.
+    pub(super) fn unchanged(request: &SweepRequest, model: &ModelFiles) -> Result<Self, Failure> {
+        Self::read(request, model.clone(), None)
+    }
+
+    fn read(request: &SweepRequest, model: ModelFiles, mass_kg: Option<f64>) -> Result<Self, Failure> {
+        let open = model.open()?;
+        let model = &open.model;
+        let selected = request.choice.selection().apply(model).map_err(|fault| open.failure(fault))?;
+        let given = |kg| Mass { kg, source: MassSource::Grid };
+        let mass = mass_kg.map(given).or_else(|| request.masses.request().of_model(model).ok());
+        let stance = Stance::from(&request.counts.stance_options(request.wanted.impact_speed, None));
+        let sharing = LoadSharing::of(model, &selected.forces);
+        let figures = Figures::of(model, &selected, &sharing, mass.as_ref(), &stance).ok();
+        let bytes = model.file(FileId::MAIN).bytes().to_vec();
+        Ok(Self { bytes, values: values(model, &selected), figures })
+    }
+
+    /// Every value of `property`.
+    pub(super) fn all(&self, property: Property) -> impl Iterator<Item = f64> {
+        self.values.iter().filter(move |(known, _)| *known == property).map(|(_, value)| *value)
+    }
+
+    /// The value of `property`, where it is the same everywhere.
+    pub(super) fn common(&self, property: Property) -> Option<f64> {
+        alike(self.all(property))
+    }
+
+    /// x̂ under one body weight by the Hertz law (11).
+    pub(super) fn indentation(&self) -> Option<f64> {
+        self.figure(Figure::Indentation)
+    }
+
+    /// k̂ under one body weight (B.3).
+    pub(super) fn dimensionless_stiffness(&self) -> Option<f64> {
+        self.figure(Figure::DimensionlessStiffness)
+    }
+
+    /// c_r at the impact speed, by the law of the file.
+    pub(super) fn restitution(&self) -> Option<f64> {
+        self.figure(Figure::RestitutionExact)
+    }
+
+    fn figure(&self, figure: Figure) -> Option<f64> {
+        let figures = self.figures.as_ref()?;
+        let all: Option<Vec<f64>> = figures.spheres().map(|sphere| sphere.value(figure)).collect();
+        alike(all?.into_iter())
+    }
+}
+
+/// The common value; figures of like spheres may differ in their last digits.
+fn alike(mut values: impl Iterator<Item = f64>) -> Option<f64> {
+    let first = values.next()?;
+    values.all(|value| (value - first).abs() <= 1e-12 * first.abs()).then_some(first)
+}
+
+/// Parameters of the selected forces, and radii of their spheres.
+fn values(model: &Model, selected: &Selected) -> Vec<(Property, f64)> {
+    let mut values = Vec::new();
+    for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
+        for set in &force.sets {
+            values.extend(set.values.iter().map(|value| (value.property, value.number)));
+            let spheres = set.spheres.iter().filter_map(|&id| model.sphere(id));
+            values.extend(spheres.map(|sphere| (Property::Radius, sphere.radius.number)));
+        }
+    }
+    values
+}

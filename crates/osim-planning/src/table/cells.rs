@@ -1,0 +1,184 @@
+//! One row as the fields of a request.
+
+use std::path::{Path, PathBuf};
+
+use osim_messages::{Phrase, Verb};
+use osim_model::files::Files;
+use osim_requests::values::path;
+use osim_requests::values::typed::trimmed;
+use serde_json::{Map, Value};
+
+use super::columns::{Column, Columns, Kind};
+use super::fault::RowFault;
+use crate::presets::find_preset;
+use crate::sheet::{Row, Sheet};
+use crate::subject::looks_like_file;
+use crate::verbs::any::{CHANGING, changing_verbs};
+
+/// What a row says.
+#[derive(Debug)]
+pub(super) struct Cells {
+    pub verb: Verb,
+    pub model: PathBuf,
+    pub output: Option<PathBuf>,
+    pub output_dir: Option<PathBuf>,
+    pub geometry_output: Option<PathBuf>,
+    /// Everything else.
+    pub fields: Map<String, Value>,
+}
+
+impl Cells {
+    /// Reads the cells of `row`; `folder` is the table's.
+    ///
+    /// # Errors
+    /// A cell that says nothing plain, or a row without a model or a verb.
+    pub(super) fn read(
+        row: &Row,
+        columns: &Columns,
+        sheet: &Sheet,
+        folder: &Path,
+        files: &dyn Files,
+    ) -> Result<Self, RowFault> {
+        let mut cells = Self {
+            verb: verb(row, columns)?,
+            model: PathBuf::new(),
+            output: None,
+            output_dir: None,
+            geometry_output: None,
+            fields: Map::new(),
+        };
+        for (column, cell) in filled(row, columns) {
+            match column.kind {
+                Kind::Model => cells.model = below(folder, cell),
+                Kind::Path => cells.path(&column.field, below(folder, cell)),
+                Kind::From => {
+                    let presets = presets(row, columns, folder);
+                    let from = from(folder, cell, presets.as_deref(), files);
+                    cells.say(&column.field, path::to_value(&from));
+                }
+                Kind::Value => cells.say(&column.field, number(cell, sheet, column)?),
+                Kind::List => {
+                    let items = cell.split(';').map(trimmed).filter(|item| !item.is_empty());
+                    cells.say(&column.field, items.collect::<Vec<_>>());
+                }
+                Kind::Flag if is_yes(cell, column)? => cells.say(&column.field, true),
+                Kind::Set => cells.say("set", cell),
+                Kind::Flag | Kind::Verb | Kind::Remark => {}
+            }
+        }
+        if cells.model.as_os_str().is_empty() {
+            return Err(RowFault::of(&columns.model, "empty, expected the model's file name"));
+        }
+        if cells.model.as_os_str() == "-" {
+            let message = "standard input is not a model of a manifest: name a file";
+            return Err(RowFault::of(&columns.model, message));
+        }
+        Ok(cells)
+    }
+
+    /// Whether the row has the flag.
+    pub(super) fn has(&self, flag: &str) -> bool {
+        self.fields.get(flag) == Some(&Value::Bool(true))
+    }
+
+    fn say(&mut self, field: &str, value: impl Into<Value>) {
+        self.fields.insert(field.to_owned(), value.into());
+    }
+
+    fn path(&mut self, field: &str, path: PathBuf) {
+        match field {
+            "output" => self.output = Some(path),
+            "output_dir" => self.output_dir = Some(path),
+            "geometry_output" => self.geometry_output = Some(path),
+            _ => self.say(field, path::to_value(&path)),
+        }
+    }
+}
+
+/// The cells that say something.
+fn filled<'r>(row: &'r Row, columns: &'r Columns) -> impl Iterator<Item = (&'r Column, &'r str)> {
+    let cells = row.cells.iter().map(String::as_str);
+    columns.columns.iter().zip(cells).filter(|(_, cell)| !cell.is_empty())
+}
+
+/// The verb of a row: as its cell says, else what only one verb can mean.
+fn verb(row: &Row, columns: &Columns) -> Result<Verb, RowFault> {
+    let has = |kind: Kind, field: &str| {
+        filled(row, columns)
+            .find(|(column, _)| column.kind == kind && (field.is_empty() || column.field == field))
+    };
+    if let Some((column, cell)) = has(Kind::Verb, "") {
+        let known = CHANGING.into_iter().find(|verb| verb.name().eq_ignore_ascii_case(cell));
+        return known
+            .ok_or_else(|| RowFault::of(&column.header, format!("'{cell}', expected {}", changing_verbs())));
+    }
+    if has(Kind::From, "").is_some() {
+        return Ok(Verb::Transfer);
+    }
+    if has(Kind::Set, "").is_some() {
+        return Ok(Verb::Set);
+    }
+    if has(Kind::Value, "target_mass").is_some() {
+        return Ok(Verb::Rescale);
+    }
+    let message = "what to do is missing: fill in a target mass (rescale), from (transfer), set, or verb";
+    Err(RowFault::general(message))
+}
+
+/// The row's own file of presets.
+fn presets(row: &Row, columns: &Columns, folder: &Path) -> Option<PathBuf> {
+    let (_, cell) = filled(row, columns).find(|(column, _)| column.field == "presets")?;
+    Some(below(folder, cell))
+}
+
+/// A path of the table: below the table's own folder.
+fn below(folder: &Path, path: &str) -> PathBuf {
+    if path == "-" { PathBuf::from(path) } else { folder.join(path) }
+}
+
+/// A preset, else a model below the table's folder.
+fn from(folder: &Path, cell: &str, presets: Option<&Path>, files: &dyn Files) -> PathBuf {
+    let path = below(folder, cell);
+    let is_preset = || find_preset(Path::new(cell), presets, files).is_ok_and(|preset| preset.is_some());
+    let is_file = !is_preset() && (files.exists(&path) || looks_like_file(Path::new(cell)));
+    if is_file { path } else { cell.into() }
+}
+
+/// A number may have a decimal comma where that is clear.
+fn number(cell: &str, sheet: &Sheet, column: &Column) -> Result<String, RowFault> {
+    let refused = |message: String| RowFault::of(&column.header, Phrase::from(message));
+    let digits = cell.strip_prefix(['x', 'X']).unwrap_or(cell);
+    let numeric = digits.starts_with(|c: char| c.is_ascii_digit() || c == '-' || c == '+')
+        && digits.bytes().all(|byte| byte.is_ascii_digit() || b"+-.,eE".contains(&byte));
+    if !numeric {
+        return Ok(cell.to_owned());
+    }
+    for mark in [',', '.'] {
+        // A point parts thousands only where commas are decimal.
+        if may_part_thousands(digits, mark) && (mark == ',' || sheet.decimal_commas) {
+            let (plain, point) = (digits.replace(mark, ""), digits.replace(mark, "."));
+            return Err(refused(format!("'{cell}' may be {plain} or {point}: write {plain} or {point}0")));
+        }
+    }
+    sheet.with_point(cell).map(Into::into).map_err(|why| refused(format!("'{cell}' {why}")))
+}
+
+/// `1,190` is one thing here and another there, and so is `1.190`; `0,190` is not.
+fn may_part_thousands(digits: &str, mark: char) -> bool {
+    let all_digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
+    digits.split_once(mark).is_some_and(|(head, tail)| {
+        (1..=3).contains(&head.len())
+            && all_digits(head)
+            && !head.starts_with('0')
+            && tail.len() == 3
+            && all_digits(tail)
+    })
+}
+
+fn is_yes(cell: &str, column: &Column) -> Result<bool, RowFault> {
+    match cell.to_ascii_lowercase().as_str() {
+        "yes" | "true" | "1" | "x" => Ok(true),
+        "no" | "false" | "0" => Ok(false),
+        _ => Err(RowFault::of(&column.header, format!("'{cell}', expected yes or no"))),
+    }
+}

@@ -1,0 +1,242 @@
+//! What the columns of a table are: fields of the changing verbs.
+
+use std::collections::BTreeMap;
+
+use osim_messages::{Input, Phrase, phrase};
+use osim_requests::silent_fields;
+use serde_json::Value;
+
+use crate::verbs::any::{CHANGING, changing_verbs};
+
+/// Fields of the whole run: a row cannot have its own.
+const OF_THE_RUN: [&str; 9] =
+    ["dry_run", "diff", "format", "quiet", "jobs", "summary", "resume", "shard", "report"];
+
+/// Fields that hold a path below the table's folder.
+const PATHS: [&str; 9] = [
+    "contacts",
+    "geometry_dir",
+    "presets",
+    "body_scale_file",
+    "output",
+    "geometry_output",
+    "output_dir",
+    "geometry",
+    "model",
+];
+
+/// Lists that are written with commas between their items: one cell is one list.
+const WITH_COMMAS: [&str; 2] = ["only", "keep"];
+
+/// How a cell becomes a value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// The model itself.
+    Model,
+    /// The verb, where the row's fields do not say.
+    Verb,
+    /// Assignments of `set`.
+    Set,
+    /// One value.
+    Value,
+    /// One path.
+    Path,
+    /// A model or the name of a preset.
+    From,
+    /// Several values.
+    List,
+    /// yes or no.
+    Flag,
+    /// A remark of the user.
+    Remark,
+}
+
+/// One column.
+#[derive(Debug)]
+pub(super) struct Column {
+    /// As in the first row.
+    pub header: String,
+    /// Name of the field.
+    pub field: String,
+    pub kind: Kind,
+}
+
+/// All columns of a table, in its order.
+#[derive(Debug)]
+pub(super) struct Columns {
+    pub columns: Vec<Column>,
+    /// Header of the column that names the model.
+    pub model: String,
+}
+
+impl Columns {
+    /// # Errors
+    /// No column `model`, one that appears twice, or one that is not a field of a changing verb.
+    pub(super) fn of(header: &[String]) -> Result<Self, Phrase> {
+        let known = fields();
+        let mut columns: Vec<Column> = Vec::new();
+        let mut wrong: Vec<Phrase> = Vec::new();
+        for cell in header {
+            let twice = |one: &Column, other: &Column| match one.kind {
+                // Columns without a name are nobody's.
+                Kind::Remark => !one.header.is_empty() && one.header == other.header,
+                _ => (&one.field, one.kind) == (&other.field, other.kind),
+            };
+            match column(cell, &known) {
+                Err(message) => wrong.push(message),
+                Ok(one) if columns.iter().any(|other| twice(&one, other)) => {
+                    wrong.push(format!("the column '{cell}' appears twice, expected one").into());
+                }
+                Ok(column) => columns.push(column),
+            }
+        }
+        if let Some(message) = Phrase::joined(wrong, "; ") {
+            return Err(message);
+        }
+        let Some(model) = columns.iter().find(|column| column.kind == Kind::Model) else {
+            return Err(format!("no column 'model' in the first row, which has {}", listed(header)).into());
+        };
+        let model = model.header.clone();
+        Ok(Self { columns, model })
+    }
+
+    /// The user's own columns of a row: name and text. Columns without a name are nobody's.
+    pub(super) fn remarks(&self, cells: &[String]) -> Vec<(String, String)> {
+        let own = self.columns.iter().enumerate();
+        let own = own.filter(|(_, column)| column.kind == Kind::Remark && !column.header.is_empty());
+        own.map(|(at, column)| (column.header.clone(), cells.get(at).cloned().unwrap_or_default())).collect()
+    }
+
+    /// The column of a field.
+    pub(super) fn header_of(&self, field: &str) -> Option<&str> {
+        let column =
+            self.columns.iter().find(|column| column.field == field && column.kind != Kind::Model)?;
+        Some(&column.header)
+    }
+}
+
+fn listed(header: &[String]) -> String {
+    let cells: Vec<String> = header.iter().map(|cell| format!("'{cell}'")).collect();
+    if cells.is_empty() { "nothing".to_owned() } else { cells.join(", ") }
+}
+
+fn column(cell: &str, known: &BTreeMap<String, Kind>) -> Result<Column, Phrase> {
+    // `model` is the model; the field of standalone sets, which has the same name, is written with two dashes before it.
+    let (name, dashes) = match cell.strip_prefix("--") {
+        Some(name) => (name, true),
+        None => (cell, false),
+    };
+    let field = name.to_ascii_lowercase().replace('-', "_");
+    let kind = match field.as_str() {
+        _ if cell.is_empty() || cell.starts_with('#') => Kind::Remark,
+        "model" if !dashes => Kind::Model,
+        "verb" if !dashes => Kind::Verb,
+        "set" if !dashes => Kind::Set,
+        name if OF_THE_RUN.contains(&name) => return Err(of_the_run(cell, name)),
+        name => match known.get(name) {
+            Some(kind) => *kind,
+            None => {
+                return Err(format!(
+                    "the column '{cell}' is not an option of {} (remarks begin with #){}",
+                    changing_verbs(),
+                    nearest(cell, name, known)
+                )
+                .into());
+            }
+        },
+    };
+    Ok(Column { header: cell.to_owned(), field, kind })
+}
+
+fn of_the_run(cell: &str, field: &str) -> Phrase {
+    let about = format!("the column '{cell}' is about the whole run: write ");
+    match Input::ALL.iter().find(|input| input.name() == field) {
+        Some(input) => phrase![about, *input, " after the manifest's name"],
+        None => format!("{about}{field} after the manifest's name").into(),
+    }
+}
+
+/// The field that was probably meant.
+fn nearest(cell: &str, name: &str, known: &BTreeMap<String, Kind>) -> String {
+    let flat = |text: &str| text.replace('_', "");
+    let close = known.keys().find(|field| {
+        let (a, b) = (flat(field), flat(name));
+        a.starts_with(&b) || b.starts_with(&a) || strsim::osa_distance(&a, &b) <= 2
+    });
+    match close {
+        Some(field) if cell.contains('_') => format!(": did you mean '{field}'?"),
+        Some(field) => format!(": did you mean '{}'?", field.replace('_', "-")),
+        None => String::new(),
+    }
+}
+
+/// Fields of all changing verbs, and how their cells are read.
+fn fields() -> BTreeMap<String, Kind> {
+    let all = CHANGING.into_iter().flat_map(silent_fields);
+    let named = all.filter(|(name, _)| name != "models" && name != "set");
+    named.map(|(name, silent)| (name.clone(), kind(&name, &silent))).collect()
+}
+
+fn kind(name: &str, silent: &Value) -> Kind {
+    match silent {
+        _ if name == "from" => Kind::From,
+        _ if PATHS.contains(&name) => Kind::Path,
+        _ if WITH_COMMAS.contains(&name) => Kind::Value,
+        Value::Bool(_) => Kind::Flag,
+        Value::Array(_) | Value::Object(_) => Kind::List,
+        _ => Kind::Value,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use osim_requests::schema_of;
+
+    use super::*;
+
+    #[test]
+    fn every_path_of_a_changing_verb_is_known_for_one() {
+        for verb in CHANGING {
+            let schema = schema_of(verb).unwrap();
+            for (name, property) in schema.get("properties").unwrap().as_object().unwrap() {
+                let is_path = property.to_string().contains("\"bytes\"");
+                let by_another_way =
+                    ["models", "from"].contains(&name.as_str()) || OF_THE_RUN.contains(&name.as_str());
+                assert_eq!(is_path && !by_another_way, PATHS.contains(&name.as_str()), "{name}: {property}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_column_that_is_misspelled_is_pointed_out() {
+        let columns = Columns::of(&["model".to_owned(), "target-mas".to_owned()]);
+        assert!(columns.unwrap_err().to_string().contains("did you mean 'target-mass'?"));
+        // As the reader writes names.
+        let columns = Columns::of(&["model".to_owned(), "target_mas".to_owned()]);
+        assert!(columns.unwrap_err().to_string().contains("did you mean 'target_mass'?"));
+    }
+
+    #[test]
+    fn remarks_of_one_name_are_refused_and_nameless_columns_are_not() {
+        let columns =
+            |header: &[&str]| Columns::of(&header.iter().map(|&cell| cell.to_owned()).collect::<Vec<_>>());
+        let message = columns(&["model", "#sex", "mass", "#sex"]).unwrap_err().to_string();
+        assert!(message.contains("the column '#sex' appears twice"), "{message}");
+        assert!(columns(&["model", "", "#sex", "", "#age"]).is_ok());
+    }
+
+    #[test]
+    fn all_columns_that_are_wrong_are_named_at_once() {
+        let header =
+            ["subject", "model", "target-mas", "age", "mass", "mass", "jobs", "#sex"].map(str::to_owned);
+        let message = Columns::of(&header).unwrap_err().to_string();
+        for column in ["subject", "target-mas", "age"] {
+            let wrong = format!("the column '{column}' is not an option of");
+            assert!(message.contains(&wrong), "{message}");
+        }
+        for wrong in ["'mass' appears twice", "'jobs' is about the whole run"] {
+            assert!(message.contains(wrong), "{message}");
+        }
+        assert!(!message.contains("#sex"), "{message}");
+    }
+}

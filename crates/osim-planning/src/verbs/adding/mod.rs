@@ -1,0 +1,160 @@
+//! Contacts for models that have none.
+
+mod bodies;
+mod fault;
+mod made;
+mod numbers;
+mod places;
+mod prepare;
+mod reference;
+
+use std::collections::HashSet;
+use std::path::{Path, PathBuf};
+
+use osim_inspect::ReferenceState;
+use osim_messages::Phrase;
+use osim_model::files::{Failure, Files, InMemory, OpenModel};
+use osim_model::{
+    Fault, FaultKind, FindingCode, ForceId, JointDistances, Model, Question, Selected, Selection,
+};
+use osim_patch::{Layout, Plan, Rebuilt, remove};
+use osim_requests::BodyScale;
+use osim_requests::options::{AnswerOptions, InspectionOptions};
+
+use self::fault::AddFault;
+use self::made::added;
+use self::numbers::Numbers;
+use self::places::Places;
+pub(in crate::verbs) use self::prepare::prepare;
+use self::reference::FromReference;
+use crate::planner::Planner;
+use crate::remarks::{leaning, planes_left, scale_slip, standing, too_new};
+
+/// Plans contacts for models that have none.
+struct Adding {
+    source: Source,
+    replace: bool,
+    /// Which of the model's own forces are replaced.
+    own: Selection,
+    /// Factors that were said.
+    body_scale: Vec<BodyScale>,
+    answers: AnswerOptions,
+    remarks: Vec<Phrase>,
+    reads: Vec<PathBuf>,
+    settings: String,
+}
+
+/// Where contacts come from.
+enum Source {
+    /// Places and numbers of a reference.
+    Reference(Box<FromReference>),
+    /// Places of the model's own, and numbers for them.
+    Placed(Places, Numbers),
+}
+
+impl Planner for Adding {
+    fn name(&self) -> &'static str {
+        "add"
+    }
+
+    fn inspection(&self) -> InspectionOptions {
+        match &self.source {
+            Source::Reference(own) => own.transferring.inspection(),
+            Source::Placed(_, numbers) => numbers.inspection(),
+        }
+    }
+
+    fn reference(&self) -> Option<&ReferenceState> {
+        match &self.source {
+            Source::Reference(own) => own.transferring.reference(),
+            Source::Placed(_, numbers) => numbers.reference(),
+        }
+    }
+
+    fn settings(&self) -> String {
+        self.settings.clone()
+    }
+
+    fn reads(&self) -> Vec<PathBuf> {
+        self.reads.clone()
+    }
+
+    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
+        self.plan_at((model, Path::new("")), &InMemory::default()).map_err(AddFault::fault)
+    }
+
+    fn plan_beside(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
+        let path = opened.name().to_path();
+        self.plan_at((&opened.model, &path), files).map_err(|fault| fault.failure(opened))
+    }
+}
+
+impl Adding {
+    /// Plans for the model of the file at `path`.
+    fn plan_at(&self, (model, path): (&Model, &Path), files: &dyn Files) -> Result<Plan, AddFault> {
+        self.answers.ask(scale_slip(&self.body_scale)).map_err(Fault::new)?;
+        let (bare, removed) = self.bare(model)?.unzip();
+        let base = bare.as_ref().map_or(model, Rebuilt::model);
+        let (mut plan, rebuilt, remarks) = match &self.source {
+            Source::Reference(own) => {
+                let (plan, rebuilt) = own.plan(base)?;
+                (plan, rebuilt, self.remarks.clone())
+            }
+            Source::Placed(places, numbers) => {
+                let (mut layout, remarks) = places.layout((base, path), numbers, &self.answers, files)?;
+                let (rebuilt, selected) = added(base, &mut layout)?;
+                self.ask_about_radii(rebuilt.model(), &layout)?;
+                let plan = numbers.plan(rebuilt.model(), &selected)?;
+                (plan, rebuilt, remarks)
+            }
+        };
+        plan.name_operation("add");
+        plan.warnings.retain(|warning| warning.code != FindingCode::NothingToChange);
+        plan.remarks.splice(0..0, remarks);
+        plan.remarks.extend(too_new(&rebuilt));
+        plan.remarks.extend(leaning(base, &rebuilt));
+        plan.remarks.extend(removed.and_then(|forces| planes_left(model, &forces, &rebuilt)));
+        let mut plan = plan.on(match &bare {
+            Some(bare) => rebuilt.clone().after(bare),
+            None => rebuilt.clone(),
+        });
+        plan.remarks.extend(standing(&plan, rebuilt.model()));
+        Ok(plan)
+    }
+
+    /// The model without the contacts that it has, and their forces; `None` where it has none.
+    fn bare(&self, model: &Model) -> Result<Option<(Rebuilt, Vec<ForceId>)>, Fault> {
+        let feet = Selected::those(model, |force| model.meets_half_space(force));
+        if feet.forces.is_empty() {
+            return Ok(None);
+        }
+        // A ball that meets the floor is no foot: which forces are meant is asked as `remove` asks it.
+        let own = match self.own.apply(model) {
+            Ok(own) => own,
+            Err(fault)
+                if self.own.select.is_empty() && matches!(fault.kind, FaultKind::NothingSelected { .. }) =>
+            {
+                return Ok(None);
+            }
+            Err(fault) if self.replace || !self.own.select.is_empty() => return Err(fault),
+            Err(_) => feet,
+        };
+        if self.replace {
+            return Ok(Some((remove(model, &own)?, own.forces)));
+        }
+        Err(Fault::new(FaultKind::ContactsExist { forces: model.names_of(&own.forces) }))
+    }
+
+    /// Radii that are given may be in another unit: a plan asks about those that change only.
+    fn ask_about_radii(&self, built: &Model, layout: &Layout) -> Result<(), Fault> {
+        if self.answers.has(Question::ImplausibleRadius) {
+            return Ok(());
+        }
+        let own: HashSet<&str> = layout.contacts.iter().map(|contact| contact.sphere.as_str()).collect();
+        let distances = JointDistances::of(built);
+        let spheres = built.spheres().iter().filter(|sphere| own.contains(sphere.name.as_str()));
+        let mut slips =
+            spheres.filter_map(|sphere| distances.radius_slip(sphere, sphere.radius.number, true));
+        slips.next().map_or(Ok(()), |asks| Err(Fault::new(asks)))
+    }
+}

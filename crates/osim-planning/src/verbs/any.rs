@@ -1,0 +1,51 @@
+//! Any request that changes models.
+
+use osim_messages::Verb;
+use osim_model::files::Files;
+use osim_requests::{Request, RequestError, RequestFault};
+
+use super::{adding, convert, design, note, remove, rescale, set, transfer};
+use crate::planner::Change;
+
+/// Verbs that change models.
+pub(crate) const CHANGING: [Verb; 8] = [
+    Verb::Rescale,
+    Verb::Transfer,
+    Verb::Add,
+    Verb::Remove,
+    Verb::Convert,
+    Verb::Design,
+    Verb::Set,
+    Verb::Note,
+];
+
+/// The same in words: `rescale, transfer, design, set or note`.
+pub(crate) fn changing_verbs() -> String {
+    let names = CHANGING.map(Verb::name);
+    match names.split_last() {
+        Some((last, others)) => format!("{} or {last}", others.join(", ")),
+        None => String::new(),
+    }
+}
+
+/// Checks a request that changes models, for all of them, and reads what it needs beside them. A design without models has none
+/// to change: it is [calculated](crate::design_sheet).
+///
+/// # Errors
+/// Options that say nothing, or contradict each other; a file that cannot be read; or a verb that changes nothing.
+pub fn prepare(request: impl Into<Request>, files: &dyn Files) -> Result<Change, RequestError> {
+    match request.into() {
+        Request::Rescale(request) => rescale::prepare(*request, files),
+        Request::Design(request) => Ok(design::prepare(*request)?),
+        Request::Set(request) => Ok(set::prepare(*request)?),
+        Request::Note(request) => Ok(note::prepare(*request)?),
+        Request::Add(request) => adding::prepare(*request, files),
+        Request::Convert(request) => Ok(convert::prepare(*request)?),
+        Request::Remove(request) => Ok(remove::prepare(*request)?),
+        Request::Transfer(request) => transfer::prepare(*request, files),
+        other => {
+            let message = format!("'{}', expected {}", other.verb().name(), changing_verbs());
+            Err(RequestFault::general(message).into())
+        }
+    }
+}

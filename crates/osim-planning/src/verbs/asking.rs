@@ -1,0 +1,74 @@
+//! Plans that ask before they do what looks like a slip.
+
+use std::path::PathBuf;
+
+use osim_inspect::{ReferenceState, unexplained_slip};
+use osim_model::files::{Failure, Files, OpenModel};
+use osim_model::{Fault, MassRequest, Model, Question};
+use osim_patch::Plan;
+use osim_requests::options::{AnswerOptions, InspectionOptions};
+
+use crate::planner::Planner;
+
+/// A planner that asks where a mass that was said, or a radius that it would write, looks like a slip.
+pub(crate) struct Asking<P> {
+    pub(crate) planner: P,
+    /// The masses that were said of the model.
+    pub(crate) masses: MassRequest,
+    pub(crate) answers: AnswerOptions,
+}
+
+impl<P: Planner> Asking<P> {
+    fn ask_about_masses(&self, model: &Model) -> Result<(), Fault> {
+        let selection = self.planner.inspection().choice.selection();
+        let slip = unexplained_slip(&self.masses, model, &selection);
+        self.answers.ask(slip).map_err(Fault::new)
+    }
+
+    fn ask_about_radii(&self, model: &Model, plan: Plan) -> Result<Plan, Fault> {
+        match plan.radius_slip(model) {
+            Some(fault) if !self.answers.has(Question::ImplausibleRadius) => Err(fault),
+            _ => Ok(plan),
+        }
+    }
+}
+
+impl<P: Planner> Planner for Asking<P> {
+    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
+        self.ask_about_masses(model)?;
+        let plan = self.planner.plan(model)?;
+        self.ask_about_radii(model, plan)
+    }
+
+    fn plan_beside(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
+        let model = &opened.model;
+        let failure = |fault| opened.failure(fault);
+        self.ask_about_masses(model).map_err(failure)?;
+        let plan = self.planner.plan_beside(opened, files)?;
+        self.ask_about_radii(model, plan).map_err(failure)
+    }
+
+    fn reads(&self) -> Vec<PathBuf> {
+        self.planner.reads()
+    }
+
+    fn name(&self) -> &'static str {
+        self.planner.name()
+    }
+
+    fn inspection(&self) -> InspectionOptions {
+        self.planner.inspection()
+    }
+
+    fn target_gravity_m_s2(&self) -> Option<f64> {
+        self.planner.target_gravity_m_s2()
+    }
+
+    fn reference(&self) -> Option<&ReferenceState> {
+        self.planner.reference()
+    }
+
+    fn settings(&self) -> String {
+        self.planner.settings()
+    }
+}

@@ -1,0 +1,164 @@
+//! Forces of one class as forces of the other.
+
+use osim_messages::{Input, Phrase, phrase};
+use osim_model::{Fault, ForceKind, Model, Selection};
+use osim_patch::{Convert, Converted, Deed, Plan, convert, kept_note};
+use osim_requests::options::{InspectionOptions, MassOptions, SetFiles, StanceOptions};
+use osim_requests::{ConvertRequest, Positive, RequestFault};
+use serde_json::json;
+
+use super::asking::Asking;
+use super::remove::counted;
+use super::useless::refuse_geometry_output;
+use crate::planner::{Change, Planner};
+use crate::remarks::{dropped_pairs, shortened, smoothed, still_named, too_new, too_smooth};
+
+struct Converting {
+    wanted: Convert,
+    selection: Selection,
+    inspection: InspectionOptions,
+    settings: String,
+}
+
+/// Checks the request, for all of its models.
+///
+/// # Errors
+/// No model, or no class.
+pub(super) fn prepare(request: ConvertRequest) -> Result<Change, RequestFault> {
+    let Some(to) = request.to else { return Err(RequestFault::Missing { field: "to" }) };
+    if request.models.is_empty() {
+        return Err(RequestFault::Missing { field: "models" });
+    }
+    refuse_geometry_output(&request.output)?;
+    refuse_smoothing(&request, to.kind())?;
+    let mut wanted = Convert::new(to.kind());
+    wanted.constant_contact_force = request.constant_contact_force.map(Positive::get);
+    wanted.hertz_smoothing = request.hertz_smoothing.map(Positive::get);
+    wanted.hunt_crossley_smoothing = request.hunt_crossley_smoothing.map(Positive::get);
+    wanted.strict = request.strict;
+    let smoothing =
+        [request.constant_contact_force, request.hertz_smoothing, request.hunt_crossley_smoothing];
+    let set_files = SetFiles::default();
+    let planner = Converting {
+        wanted,
+        selection: request.choice.selection(),
+        settings: json!(["convert", to, smoothing, request.strict, request.choice]).to_string(),
+        inspection: InspectionOptions::new(
+            StanceOptions::default(),
+            MassOptions::default(),
+            request.choice,
+            set_files.clone(),
+        ),
+    };
+    let asking = Asking { masses: planner.inspection.masses.request(), answers: request.answers, planner };
+    Ok(Change::new(request.models, request.output, set_files, asking))
+}
+
+/// # Errors
+/// Smoothing of forces that are not smoothed.
+fn refuse_smoothing(request: &ConvertRequest, to: ForceKind) -> Result<(), RequestFault> {
+    let smoothing = [
+        (Input::ConstantContactForce, request.constant_contact_force),
+        (Input::HertzSmoothing, request.hertz_smoothing),
+        (Input::HuntCrossleySmoothing, request.hunt_crossley_smoothing),
+    ];
+    let given = smoothing.into_iter().find_map(|(input, value)| value.map(|_| input));
+    match given.filter(|_| to == ForceKind::HuntCrossley) {
+        Some(input) => {
+            let needs =
+                phrase![input, " needs ", Input::To.being("smooth"), ": a HuntCrossleyForce is not smoothed"];
+            Err(RequestFault::refused(input, needs))
+        }
+        None => Ok(()),
+    }
+}
+
+impl Planner for Converting {
+    fn name(&self) -> &'static str {
+        "convert"
+    }
+
+    fn inspection(&self) -> InspectionOptions {
+        self.inspection.clone()
+    }
+
+    fn settings(&self) -> String {
+        self.settings.clone()
+    }
+
+    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
+        let selected = self.selection.apply_to_all(model)?;
+        let dropped = dropped_pairs(model, &selected)?;
+        let Converted { rebuilt, warnings, renamed, without_sphere, .. } =
+            convert(model, &selected, &self.wanted)?;
+        let of = |deed: Deed| rebuilt.objects.iter().filter(move |object| object.deed == deed);
+        let (old, new) = (of(Deed::Removed).count(), of(Deed::Added).count());
+        let class = self.wanted.to.as_str();
+        let changes_class = of(Deed::Removed).any(|object| object.class != class);
+        let taken = match old {
+            0 if !without_sphere.is_empty() => "no force changes".to_owned(),
+            0 if selected.forces.len() < model.forces().len() => {
+                format!("every chosen force is a {class} for one sphere already")
+            }
+            0 => format!("every force is a {class} for one sphere already"),
+            1 => format!("1 force becomes {}, one for each sphere", counted(new, class)),
+            _ => format!("{old} forces become {}, one for each sphere", counted(new, class)),
+        };
+        let named = still_named(&rebuilt);
+        let is_smoothed = changes_class && self.wanted.to == ForceKind::SmoothSphereHalfSpace;
+        let too_far = if is_smoothed { too_smooth(rebuilt.model()) } else { Vec::new() };
+        let unknown_class = too_new(&rebuilt);
+        let note = kept_note(model, &rebuilt, "convert");
+        let mut plan = Plan::of_objects(rebuilt, taken.into()).with_note(note);
+        plan.warnings.extend(warnings);
+        plan.remarks.extend(renamed_forces(&renamed));
+        plan.remarks.extend(named);
+        plan.remarks.extend(unknown_class);
+        if changes_class {
+            plan.remarks.extend(names_of_the_other_class(&plan, class));
+            plan.remarks.extend(other_class(&plan, &self.wanted));
+            plan.warnings.extend(too_far);
+        }
+        plan.remarks.extend(dropped);
+        let stays = |path: &String| format!("{path} holds no sphere and stays as it is").into();
+        plan.remarks.extend(without_sphere.iter().map(stays));
+        Ok(plan)
+    }
+}
+
+/// What other files have to name from now on.
+fn renamed_forces(renamed: &[(String, Vec<String>)]) -> Vec<Phrase> {
+    let one = |(old, new): &(String, Vec<String>)| Phrase::from(format!("{old} is now {}", new.join(", ")));
+    let mut remarks: Vec<Phrase> = renamed.iter().map(one).collect();
+    if !renamed.is_empty() {
+        let text = "other files that name these forces (analyses, goals, columns of results) have to name the new ones";
+        remarks.push(text.into());
+    }
+    remarks
+}
+
+/// Names of forces that say the class that they were.
+fn names_of_the_other_class(plan: &Plan, class: &str) -> Option<Phrase> {
+    let (hunt, smooth) = (ForceKind::HuntCrossley.as_str(), ForceKind::SmoothSphereHalfSpace.as_str());
+    let other = if class == hunt { smooth } else { hunt };
+    let new = plan.objects().iter().filter(|object| object.deed == Deed::Added);
+    let names: Vec<String> =
+        new.filter(|object| object.name.contains(other)).map(|object| object.name.clone()).collect();
+    let said = format!("names stay, also where they say the other class: {}", shortened(&names));
+    (!names.is_empty()).then(|| said.into())
+}
+
+/// How the forces differ from those that they were.
+fn other_class(plan: &Plan, wanted: &Convert) -> Vec<Phrase> {
+    match wanted.to {
+        ForceKind::HuntCrossley => vec![
+            "columns of results are named after bodies, such as force.calcn_r.force.X; MocoContactTrackingGoal takes smooth \
+             forces only"
+                .into(),
+        ],
+        _ => {
+            let given = [wanted.constant_contact_force, wanted.hertz_smoothing, wanted.hunt_crossley_smoothing];
+            smoothed(plan.objects(), given.iter().all(Option::is_some))
+        }
+    }
+}

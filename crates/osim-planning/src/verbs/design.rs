@@ -1,0 +1,194 @@
+//! Parameters from what is wanted.
+
+use contact_scaling::SharedLoad;
+use osim_inspect::LoadSharing;
+use osim_messages::{Input, Verb, phrase};
+use osim_model::{
+    CountOf, Fault, GravityFor, Mass, MassRequest, Model, Needed, RadiusRule, Selected, Selection,
+};
+use osim_patch::{Design, DesignModulus, Plan, design};
+use osim_requests::options::{CountOptions, InspectionOptions, LoadOptions, WantedOptions};
+use osim_requests::{
+    ConstantIndentation, DesignRequest, PoissonRatio, Positive, RelativeIndentation, RequestFault,
+    RestitutionCoefficient,
+};
+use serde_json::json;
+
+use super::asking::Asking;
+use crate::planner::{Change, Planner};
+
+/// Plans designs.
+pub(super) struct Designing {
+    wanted: WantedOptions,
+    load: LoadOptions,
+    counts: CountOptions,
+    selection: Selection,
+    masses: MassRequest,
+    inspection: InspectionOptions,
+    settings: String,
+}
+
+/// Checks a request that names models, for all of them. Without models it is [calculated](crate::design_sheet).
+///
+/// # Errors
+/// Options that say nothing, or contradict each other.
+pub(crate) fn prepare(request: DesignRequest) -> Result<Change, RequestFault> {
+    let (models, output, answers) = (request.models.clone(), request.output.clone(), request.answers.clone());
+    let set_files = request.set_files.clone();
+    let planner = planner(request)?;
+    let asking = Asking { masses: planner.masses.clone(), answers, planner };
+    Ok(Change::new(models, output, set_files, asking))
+}
+
+/// What plans for each model.
+///
+/// # Errors
+/// Options that say nothing, or contradict each other.
+pub(super) fn planner(request: DesignRequest) -> Result<Designing, RequestFault> {
+    check(&request)?;
+    let DesignRequest { wanted, load, masses, counts, choice, set_files, .. } = request;
+    let stance = counts.stance_options(wanted.impact_speed, load.gravity);
+    Ok(Designing {
+        settings: json!(["design", wanted, load, masses, counts, choice]).to_string(),
+        wanted,
+        load,
+        counts,
+        selection: choice.selection(),
+        masses: masses.request(),
+        inspection: InspectionOptions::new(stance, masses, choice, set_files),
+    })
+}
+
+fn check(request: &DesignRequest) -> Result<(), RequestFault> {
+    let wanted = &request.wanted;
+    let refused = |input, message| Err(RequestFault::refused(input, message));
+    if request.masses.contacts_mass.is_some() {
+        let why = phrase![
+            Input::ContactsMass,
+            " says nothing here: a design follows from ",
+            Input::Mass,
+            " and the load"
+        ];
+        return refused(Input::ContactsMass, why);
+    }
+    if wanted.indentation.is_none() && (request.load.load.is_some() || request.load.body_weights.is_some()) {
+        let why = phrase![
+            "a load says nothing without ",
+            Input::Indentation.like("X"),
+            ": leave it out, or say the indentation it should give",
+        ];
+        return Err(RequestFault::general(why));
+    }
+    if wanted.radius() == Some(RadiusRule::Isometric) {
+        let why = phrase![
+            Input::Radius.being("isometric"),
+            " says nothing here, expected keep, a radius in metres or a factor like x1.5",
+        ];
+        return refused(Input::Radius, why);
+    }
+    if wanted.stiffness.is_some() {
+        let call = Verb::Set.of_model().with(Input::Stiffness, "VALUE");
+        let why = phrase![Input::Stiffness, " is known, not designed: write it with ", call];
+        return refused(Input::Stiffness, why);
+    }
+    if wanted.indentation.is_some() && wanted.young.is_some() {
+        let why = phrase![
+            Input::Indentation,
+            " and ",
+            Input::Young,
+            " both say what the stiffness is: leave one out"
+        ];
+        return refused(Input::Indentation, why);
+    }
+    if wanted.contact_stiffness.is_some() && (wanted.indentation.is_none() || wanted.radius.is_some()) {
+        let why = phrase![
+            "with models, ",
+            Input::ContactStiffness,
+            " needs ",
+            Input::Indentation,
+            ", and gives the radius: leave out ",
+            Input::Radius,
+        ];
+        return refused(Input::ContactStiffness, why);
+    }
+    if !wanted.asks() {
+        return Err(RequestFault::general(phrase![
+            "nothing is wanted: say for example ",
+            Input::Indentation.like("X"),
+            ", ",
+            Input::Restitution.like("CR"),
+            " or ",
+            Input::ConstantIndentation.like("X"),
+        ]));
+    }
+    Ok(())
+}
+
+impl Designing {
+    fn load(&self, model: &Model, selected: &Selected) -> Result<(Option<SharedLoad>, Option<Mass>), Fault> {
+        if self.wanted.indentation.is_none() {
+            return Ok((None, None));
+        }
+        let sharing = LoadSharing::of(model, &selected.forces);
+        let count = sharing.count(self.counts.spheres(), self.counts.stance_limbs(), CountOf::Model)?;
+        let (load_n, mass) = match self.load.load {
+            Some(load) => (load.get(), None),
+            None => {
+                let mass = self.masses.of_model(model)?;
+                let gravity = self.load.gravity().or(model.gravity()).filter(|&gravity| gravity > 0.0);
+                let Some(gravity) = gravity else {
+                    return Err(Fault::new(Needed::Gravity { purpose: GravityFor::Load }));
+                };
+                (mass.kg * gravity * self.load.body_weights(), Some(mass))
+            }
+        };
+        Ok((Some(SharedLoad::new(load_n, count).map_err(Fault::new)?), mass))
+    }
+}
+
+impl Planner for Designing {
+    fn name(&self) -> &'static str {
+        "design"
+    }
+
+    fn inspection(&self) -> InspectionOptions {
+        self.inspection.clone()
+    }
+
+    fn settings(&self) -> String {
+        self.settings.clone()
+    }
+
+    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
+        self.plan_for(model, &self.selection.apply(model)?)
+    }
+}
+
+impl Designing {
+    /// Plans for the forces `selected` of `model`.
+    pub(super) fn plan_for(&self, model: &Model, selected: &Selected) -> Result<Plan, Fault> {
+        let asked = &self.wanted;
+        let (load, mass) = self.load(model, selected)?;
+        let young = asked.young.map(Positive::get).zip(asked.poisson.map(PoissonRatio::get));
+        let width = |width: Option<Positive>| width.map(|width| (asked.threshold.get(), width.get()));
+        let mut wanted = Design::default();
+        wanted.modulus = match (asked.indentation.map(RelativeIndentation::get), young) {
+            (Some(x), _) => Some(DesignModulus::Indentation(x)),
+            (None, Some((young_n_m2, poisson))) => Some(DesignModulus::Young { young_n_m2, poisson }),
+            (None, None) => None,
+        };
+        wanted.load = load;
+        wanted.restitution = asked
+            .restitution
+            .map(RestitutionCoefficient::get)
+            .map(|restitution| (restitution, asked.impact_speed.map(Positive::get)));
+        wanted.constant_indentation = asked.constant_indentation.map(ConstantIndentation::get);
+        wanted.state_width = width(asked.state_width);
+        wanted.speed_width = width(asked.speed_width);
+        wanted.radius = asked.radius().unwrap_or(RadiusRule::Keep);
+        wanted.contact_stiffness_n_m = asked.contact_stiffness.map(Positive::get);
+        wanted.mass = mass;
+        wanted.gravity_m_s2 = self.load.gravity();
+        design(model, selected, &wanted)
+    }
+}

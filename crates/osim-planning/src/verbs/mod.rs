@@ -1,0 +1,17 @@
+//! What each changing verb plans for a model.
+
+mod adding;
+pub(crate) mod any;
+mod asking;
+mod convert;
+pub(crate) mod design;
+mod following;
+mod note;
+mod operation;
+mod reference;
+mod remove;
+pub(crate) mod rescale;
+pub(crate) mod set;
+mod transfer;
+mod transferring;
+mod useless;

@@ -1,0 +1,97 @@
+//! Contacts out of models.
+
+use osim_messages::{Input, Phrase, phrase, readable};
+use osim_model::{Fault, Model, Note, Selection};
+use osim_patch::{Deed, Plan, note_of_rest, remove};
+use osim_requests::options::{InspectionOptions, MassOptions, SetFiles, StanceOptions};
+use osim_requests::{RemoveRequest, RequestFault};
+use serde_json::json;
+
+use super::asking::Asking;
+use super::useless::refuse_geometry_output;
+use crate::planner::{Change, Planner};
+use crate::remarks::still_named;
+
+struct Removing {
+    selection: Selection,
+    inspection: InspectionOptions,
+    settings: String,
+}
+
+/// Checks the request, for all of its models.
+///
+/// # Errors
+/// No model.
+pub(super) fn prepare(request: RemoveRequest) -> Result<Change, RequestFault> {
+    let RemoveRequest { models, choice, output, run: _, answers } = request;
+    if models.is_empty() {
+        return Err(RequestFault::Missing { field: "models" });
+    }
+    refuse_geometry_output(&output)?;
+    let set_files = SetFiles::default();
+    let planner = Removing {
+        selection: choice.selection(),
+        settings: json!(["remove", choice]).to_string(),
+        inspection: InspectionOptions::new(
+            StanceOptions::default(),
+            MassOptions::default(),
+            choice,
+            set_files.clone(),
+        ),
+    };
+    let asking = Asking { masses: planner.inspection.masses.request(), answers, planner };
+    Ok(Change::new(models, output, set_files, asking))
+}
+
+impl Planner for Removing {
+    fn name(&self) -> &'static str {
+        "remove"
+    }
+
+    fn inspection(&self) -> InspectionOptions {
+        self.inspection.clone()
+    }
+
+    fn settings(&self) -> String {
+        self.settings.clone()
+    }
+
+    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
+        let selected = self.selection.apply(model)?;
+        let rebuilt = remove(model, &selected)?;
+        let count = |class: &str| {
+            let gone = rebuilt.objects.iter().filter(|object| object.deed == Deed::Removed);
+            gone.filter(|object| object.class == class).count()
+        };
+        let spheres = count("ContactSphere");
+        let planes = count("ContactHalfSpace");
+        let forces = rebuilt.objects.len() - spheres - planes;
+        let floor = if planes > 0 { ", and the floor that was made for them" } else { "" };
+        let (forces, spheres) = (counted(forces, "force"), counted(spheres, "sphere"));
+        let taken = format!("removes {forces} and {spheres}{floor}; no other number changes");
+        let note = note_of_rest(model, &rebuilt);
+        let named = still_named(&rebuilt);
+        let mut plan = Plan::of_objects(rebuilt, taken.into());
+        plan.remarks.extend(named);
+        if let Some(note) = &note {
+            plan.remarks.push(note_stays(note));
+        }
+        Ok(plan.with_note(note))
+    }
+}
+
+/// `1 force`, `2 forces`.
+pub(super) fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
+
+/// What is said of a note where contacts are left.
+fn note_stays(note: &Note) -> Phrase {
+    let mut said = phrase!["contacts are left, and so is the note in the file, as one about a part of them"];
+    if let Some(kg) = note.mass_kg {
+        said.push(": for the next change say ");
+        said.push(Input::ContactsMass.being(readable(kg)));
+        said.push(" if these are still made for that mass");
+    }
+    said
+}

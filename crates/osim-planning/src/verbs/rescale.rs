@@ -1,0 +1,151 @@
+//! A model's own contacts at another mass.
+
+use std::path::PathBuf;
+
+use osim_compare::ScaleFile;
+use osim_inspect::misplaced_spheres;
+use osim_messages::{Input, phrase};
+use osim_model::files::Files;
+use osim_model::{Fault, MassRequest, Model, Needed, NoteDoubt, RadiusRule, Selection};
+use osim_patch::{Plan, Rescale, rescale};
+use osim_requests::options::{InspectionOptions, ScalingOptions, StanceOptions};
+use osim_requests::{Acceleration, Radius, RequestError, RequestFault, RescaleRequest};
+use serde_json::json;
+
+use super::asking::Asking;
+use super::following::Following;
+use super::operation::{operation, refuse_again};
+use crate::opening::scale_file;
+use crate::planner::{Change, Planner};
+use crate::remarks::refuse_known;
+
+struct Rescaling {
+    target_mass_kg: f64,
+    masses: MassRequest,
+    selection: Selection,
+    scaling: ScalingOptions,
+    following: Following,
+    reads: Vec<PathBuf>,
+    may_repeat: bool,
+    inspection: InspectionOptions,
+    settings: String,
+}
+
+/// Checks the request and reads the ScaleSet where one is named, for all of its models.
+///
+/// # Errors
+/// The target is missing, the options leave nothing to do, or the ScaleSet cannot be read.
+pub(super) fn prepare(request: RescaleRequest, files: &dyn Files) -> Result<Change, RequestError> {
+    let bodies = request.body_scale_file.as_deref().map(|path| scale_file(path, files)).transpose()?;
+    Ok(with_bodies(request, bodies)?)
+}
+
+/// The same with what the ScaleSet says.
+///
+/// # Errors
+/// The target is missing, or the options leave nothing to do.
+pub(crate) fn with_bodies(
+    request: RescaleRequest,
+    bodies: Option<ScaleFile>,
+) -> Result<Change, RequestFault> {
+    let RescaleRequest {
+        models,
+        target_mass,
+        masses,
+        scaling,
+        body_scale_file,
+        follow_bodies,
+        choice,
+        output,
+        run: _,
+        answers,
+        set_files,
+    } = request;
+    let Some(target) = target_mass else {
+        return Err(RequestFault::refused(
+            Input::TargetMass,
+            phrase![
+                "the target is missing: say which mass the contacts should be made for with ",
+                Input::TargetMass.like("KG"),
+            ],
+        ));
+    };
+    scaling.check()?;
+    let named = body_scale_file.as_ref().map(|path| path.to_string_lossy());
+    let settings = json!(["rescale", target, masses, scaling, choice, named, follow_bodies]).to_string();
+    let planner = Rescaling {
+        target_mass_kg: target.get(),
+        masses: MassRequest { target_mass_kg: Some(target.get()), ..masses.request() },
+        selection: choice.selection(),
+        scaling,
+        following: match bodies {
+            Some(file) => Following::File(file),
+            None if follow_bodies => Following::Note,
+            None => Following::Nothing,
+        },
+        reads: body_scale_file.into_iter().collect(),
+        may_repeat: output.may_repeat(),
+        inspection: InspectionOptions::new(StanceOptions::default(), masses, choice, set_files.clone()),
+        settings,
+    };
+    let asking = Asking { masses: planner.masses.clone(), answers, planner };
+    Ok(Change::new(models, output, set_files, asking))
+}
+
+impl Planner for Rescaling {
+    fn name(&self) -> &'static str {
+        "rescale"
+    }
+
+    fn inspection(&self) -> InspectionOptions {
+        self.inspection.clone()
+    }
+
+    fn target_gravity_m_s2(&self) -> Option<f64> {
+        self.scaling.target_gravity.map(Acceleration::get)
+    }
+
+    fn reads(&self) -> Vec<PathBuf> {
+        self.reads.clone()
+    }
+
+    fn settings(&self) -> String {
+        self.settings.clone()
+    }
+
+    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
+        let selected = self.selection.apply(model)?;
+        let scaling = &self.scaling;
+        let radius = scaling.radius.map(Radius::rule);
+        let operation = operation(self.following.operation(), radius);
+        if matches!(radius, Some(RadiusRule::Factor(_))) {
+            refuse_again(model, &operation, self.may_repeat)?;
+        }
+        let (contacts_mass, mut warnings) = self.masses.of_contacts(model)?;
+        refuse_known(model, &selected, &contacts_mass, Input::ContactsMass)?;
+        let bodies = self.following.factors(model)?;
+        if bodies.is_some() && !contacts_mass.source.is_of_contacts() {
+            // What the bodies weigh now, the contacts were not made for.
+            return Err(Fault::new(Needed::ContactsMass {
+                noted_kg: None,
+                doubt: NoteDoubt::Absent,
+                input: Input::ContactsMass,
+            }));
+        }
+        if bodies.is_none() {
+            warnings.extend(misplaced_spheres(model));
+        }
+        let mut wanted = Rescale::new(self.target_mass_kg, contacts_mass);
+        wanted.radius = radius.unwrap_or(RadiusRule::Isometric);
+        wanted.properties = scaling.properties();
+        wanted.dissipation_by = scaling.dissipation();
+        wanted.target_gravity_m_s2 = scaling.target_gravity.map(Acceleration::get);
+        wanted.contacts_gravity_m_s2 = scaling.contacts_gravity.map(Acceleration::get);
+        wanted.level = scaling.level_axis(model.gravity_m_s2);
+        wanted.bodies = bodies;
+        let mut plan = rescale(model, &selected, &wanted)?;
+        plan.name_operation(&operation);
+        plan.warnings.append(&mut warnings);
+        Ok(plan)
+    }
+}

@@ -1,0 +1,75 @@
+//! Plain changes.
+
+use osim_model::{Fault, Mass, MassRequest, MassSource, Model, Selection};
+use osim_patch::{Plan, Set, set};
+use osim_requests::options::{InspectionOptions, StanceOptions};
+use osim_requests::{Assignments, RequestFault, SetRequest};
+use serde_json::json;
+
+use super::asking::Asking;
+use crate::planner::{Change, Planner};
+
+struct Setting {
+    assignments: Assignments,
+    selection: Selection,
+    masses: MassRequest,
+    may_repeat: bool,
+    inspection: InspectionOptions,
+    settings: String,
+}
+
+/// Checks the request, for all of its models.
+///
+/// # Errors
+/// No model, or nothing to set.
+pub(crate) fn prepare(request: SetRequest) -> Result<Change, RequestFault> {
+    let SetRequest { models, set, masses, choice, output, run: _, answers, set_files } = request;
+    if models.is_empty() {
+        return Err(RequestFault::Missing { field: "models" });
+    }
+    if set.is_empty() {
+        return Err(RequestFault::general(
+            "nothing to set, expected PROPERTY=VALUE or PROPERTY=xFACTOR, for example stiffness=x2",
+        ));
+    }
+    let planner = Setting {
+        settings: json!(["set", set, masses, choice]).to_string(),
+        assignments: set,
+        selection: choice.selection(),
+        masses: masses.request(),
+        may_repeat: output.may_repeat(),
+        inspection: InspectionOptions::new(StanceOptions::default(), masses, choice, set_files.clone()),
+    };
+    let asking = Asking { masses: planner.masses.clone(), answers, planner };
+    Ok(Change::new(models, output, set_files, asking))
+}
+
+impl Planner for Setting {
+    fn name(&self) -> &'static str {
+        "set"
+    }
+
+    fn inspection(&self) -> InspectionOptions {
+        self.inspection.clone()
+    }
+
+    fn settings(&self) -> String {
+        self.settings.clone()
+    }
+
+    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
+        let selected = self.selection.apply(model)?;
+        // A plain change needs no mass; where one is known, the note goes on saying it.
+        let of_note = || Some(Mass { kg: model.note.as_ref()?.mass_kg?, source: MassSource::Note });
+        let (contacts_mass, mut warnings) = match self.masses.of_contacts(model) {
+            Ok((mass, warnings)) => (Some(mass), warnings),
+            Err(_) => (of_note(), Vec::new()),
+        };
+        let mut wanted = Set::new(self.assignments.as_slice().to_vec());
+        wanted.contacts_mass = contacts_mass;
+        wanted.again = self.may_repeat;
+        let mut plan = set(model, &selected, &wanted)?;
+        plan.warnings.append(&mut warnings);
+        Ok(plan)
+    }
+}

@@ -1,0 +1,139 @@
+//! What can be wrong with a request, before any model is read.
+
+use osim_messages::{Dialect, Input, Phrase, phrase, shown};
+use osim_model::files::Failure;
+
+/// What is wrong with a request.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum RequestFault {
+    /// It has no field of this name.
+    UnknownField {
+        /// The name as it was given.
+        field: String,
+        /// A field that was probably meant.
+        nearest: Option<String>,
+    },
+    /// A value cannot be taken.
+    BadValue {
+        /// Name of the field.
+        field: String,
+        /// The value as it was given.
+        value: String,
+        /// What was expected.
+        reason: String,
+    },
+    /// A field has to be said.
+    Missing {
+        /// Its name.
+        field: &'static str,
+    },
+    /// A field says nothing without another.
+    Needs {
+        /// Its name.
+        field: &'static str,
+        /// The other's.
+        other: &'static str,
+    },
+    /// Only one of two fields can be said.
+    Excludes {
+        /// The name of one.
+        field: &'static str,
+        /// The other's.
+        other: &'static str,
+    },
+    /// It makes no sense, whatever the model.
+    Refused {
+        /// The field that it is about, where it is one.
+        input: Option<Input>,
+        /// Why, and what to do.
+        message: Phrase,
+    },
+}
+
+impl RequestFault {
+    /// A request that makes no sense because of `input`.
+    pub fn refused(input: Input, message: impl Into<Phrase>) -> Self {
+        Self::Refused { input: Some(input), message: message.into() }
+    }
+
+    /// The same, because of several things or of none.
+    pub fn general(message: impl Into<Phrase>) -> Self {
+        Self::Refused { input: None, message: message.into() }
+    }
+
+    /// The name of the field that it is about, where it is one.
+    #[must_use]
+    pub fn field(&self) -> Option<&str> {
+        match self {
+            Self::UnknownField { field, .. } | Self::BadValue { field, .. } => Some(field),
+            Self::Missing { field } | Self::Needs { field, .. } | Self::Excludes { field, .. } => Some(field),
+            Self::Refused { input, .. } => input.map(Input::name),
+        }
+    }
+
+    /// What is wrong, with inputs as data.
+    #[must_use]
+    pub fn phrase(&self) -> Phrase {
+        match self {
+            Self::UnknownField { field, nearest: Some(nearest) } => {
+                phrase![format!("there is no '{field}' in this request: did you mean "), &named(nearest), "?"]
+            }
+            Self::UnknownField { field, nearest: None } => {
+                format!("there is no '{field}' in this request").into()
+            }
+            Self::BadValue { field, value, reason } => {
+                phrase![&named(field), format!(" '{}': {reason}", shown(value))]
+            }
+            Self::Missing { field } => phrase![&named(field), " is missing"],
+            Self::Needs { field, other } => phrase![&named(field), " says nothing without ", &named(other)],
+            Self::Excludes { field, other } => {
+                phrase![&named(field), " and ", &named(other), " exclude each other: leave one out"]
+            }
+            Self::Refused { message, .. } => message.clone(),
+        }
+    }
+
+    /// The same in the words of a front end.
+    #[must_use]
+    pub fn spelled(&self, dialect: &dyn Dialect) -> String {
+        self.phrase().spelled(dialect)
+    }
+}
+
+/// A field as front ends know it.
+fn named(field: &str) -> Phrase {
+    match Input::ALL.iter().find(|input| input.name() == field) {
+        Some(input) => (*input).into(),
+        None => format!("`{field}`").into(),
+    }
+}
+
+impl std::fmt::Display for RequestFault {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.phrase().fmt(f)
+    }
+}
+
+impl std::error::Error for RequestFault {}
+
+/// Why a request cannot be begun: the request or a file. A match on it is complete, so that no error is lost.
+#[derive(Debug, Clone, PartialEq)]
+pub enum RequestError {
+    /// The request itself is wrong.
+    Fault(RequestFault),
+    /// A file that it needs cannot be used.
+    Failure(Failure),
+}
+
+impl From<RequestFault> for RequestError {
+    fn from(fault: RequestFault) -> Self {
+        Self::Fault(fault)
+    }
+}
+
+impl From<Failure> for RequestError {
+    fn from(failure: Failure) -> Self {
+        Self::Failure(failure)
+    }
+}

@@ -1,0 +1,38 @@
+//! Masses: which one is meant.
+
+use osim_model::{MassRequest, Pattern};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::values::{Kilograms, serial};
+
+/// Masses: which one is meant.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "Masses"))]
+#[serde(default)]
+pub struct MassOptions {
+    /// Mass the contacts are made for now, kg [default: the note, else `mass`]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "KG", allow_hyphen_values = true))]
+    pub contacts_mass: Option<Kilograms>,
+    /// What this model weighs, kg [default: the sum of its bodies]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "KG", allow_hyphen_values = true))]
+    pub mass: Option<Kilograms>,
+    /// Leave these bodies out of the sum (props, platforms); may be repeated
+    #[cfg_attr(feature = "clap", arg(long, value_name = "GLOB", hide_short_help = true))]
+    #[serde(deserialize_with = "serial::from_texts", serialize_with = "serial::as_texts")]
+    #[schemars(with = "Vec<String>")]
+    pub exclude_body: Vec<Pattern>,
+}
+
+impl MassOptions {
+    /// The same, as models are asked for it.
+    #[must_use]
+    pub fn request(&self) -> MassRequest {
+        MassRequest {
+            contacts_kg: self.contacts_mass.map(Kilograms::get),
+            model_kg: self.mass.map(Kilograms::get),
+            exclude_bodies: self.exclude_body.clone(),
+            target_mass_kg: None,
+        }
+    }
+}

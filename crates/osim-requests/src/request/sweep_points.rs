@@ -1,0 +1,99 @@
+//! How many models a sweep makes, and whether its axes go together: what can be known without the model.
+
+use osim_messages::{Input, Phrase, phrase};
+use osim_model::{Property, Question};
+
+use super::library::SweepRequest;
+use crate::fault::RequestFault;
+use crate::values::{Axis, AxisName};
+
+/// More models than this are made only where that was said.
+const MANY: usize = 10_000;
+
+impl SweepRequest {
+    /// Checks what can be known without the model.
+    ///
+    /// # Errors
+    /// Axes that undo each other, or so many models that they are made only where that was said.
+    pub fn check(&self) -> Result<(), RequestFault> {
+        self.check_axes()?;
+        let count = self.count()?;
+        // One point is one model. A share asks, too: all shares together, and the call that ends them, make as many.
+        if self.is_large() && self.point.is_none() && !self.answers.has(Question::ManyModels) && !self.dry_run
+        {
+            let message = phrase![
+                format!("{count} models would be made, more than 10,000: say "),
+                &Question::ManyModels.answer(),
+                ", or give fewer values",
+            ];
+            return Err(RequestFault::general(message));
+        }
+        Ok(())
+    }
+
+    /// So many models that they are made only where that was said.
+    #[must_use]
+    pub fn is_large(&self) -> bool {
+        self.count().is_ok_and(|count| count > MANY)
+    }
+
+    /// Checks that axes do not undo each other.
+    ///
+    /// # Errors
+    /// Which do.
+    pub fn check_axes(&self) -> Result<(), RequestFault> {
+        check_axes(self)
+    }
+
+    /// How many models are made.
+    ///
+    /// # Errors
+    /// More than can be counted.
+    pub fn count(&self) -> Result<usize, RequestFault> {
+        let made = self.ladder.map_or_else(|| points(&self.grid), |steps| usize::try_from(steps).ok());
+        made.ok_or_else(|| RequestFault::general("more models than can be counted: give fewer values"))
+    }
+}
+
+/// Number of points; `None` beyond counting.
+fn points(axes: &[Axis]) -> Option<usize> {
+    axes.iter().try_fold(1_usize, |count, axis| count.checked_mul(axis.values.len()))
+}
+
+/// Axes that would undo each other.
+///
+/// # Errors
+/// Which.
+fn check_axes(request: &SweepRequest) -> Result<(), RequestFault> {
+    let has = |name: AxisName| request.grid.iter().any(|axis| axis.name == name);
+    let refused = |message: Phrase| Err(RequestFault::refused(Input::Grid, message));
+    for (index, axis) in request.grid.iter().enumerate() {
+        if request.grid.iter().take(index).any(|other| other.name == axis.name) {
+            return refused(phrase![
+                Input::Grid,
+                format!(" {}: given twice, expected one list of values", axis.name.as_str()),
+            ]);
+        }
+    }
+    let wanted = &request.wanted;
+    for (quantity, input, given, property) in [
+        (AxisName::Indentation, Input::Indentation, wanted.indentation.is_some(), Property::Stiffness),
+        (AxisName::Restitution, Input::Restitution, wanted.restitution.is_some(), Property::Dissipation),
+    ] {
+        if has(quantity) && given {
+            return refused(phrase![
+                input,
+                " and ",
+                Input::Grid,
+                format!(" {} both say what it is: leave one out", quantity.as_str()),
+            ]);
+        }
+        if (has(quantity) || given) && has(AxisName::Property(property)) {
+            return refused(
+                format!("{} and {property} both say what {property} is: leave one out", quantity.as_str())
+                    .into(),
+            );
+        }
+    }
+    Ok(())
+}

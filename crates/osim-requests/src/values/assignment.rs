@@ -1,0 +1,144 @@
+//! What happens to properties: `stiffness=x2 dissipation=1`.
+
+use std::borrow::Cow;
+
+use osim_messages::shortest;
+use osim_model::{Assignment, Property};
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::Error;
+use serde::ser::SerializeMap;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde_json::Value;
+
+use crate::values::typed::{LENGTHS, factor, number, number_in, trimmed};
+
+/// Properties and what happens to them, in the order in which they were said.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Assignments(Vec<(Property, Assignment)>);
+
+impl JsonSchema for Assignments {
+    fn schema_name() -> Cow<'static, str> {
+        "Assignments".into()
+    }
+
+    /// Properties with a value or a factor each, or the text that [`Assignments::read`] takes.
+    fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
+        json_schema!({"anyOf": [
+            {
+                "type": "object",
+                "additionalProperties": {"anyOf": [
+                    {"type": "number", "minimum": 0},
+                    {"type": "string", "pattern": "^[xX]?[0-9.eE+-]+$"},
+                ]},
+            },
+            {"type": "string", "pattern": "="},
+        ]})
+    }
+
+    fn inline_schema() -> bool {
+        true
+    }
+}
+
+/// Reads one `PROPERTY=VALUE` or `PROPERTY=xFACTOR`, its two sides given apart.
+///
+/// # Errors
+/// An unknown property, or a value that is not a number.
+pub fn assignment(name: &str, text: &str) -> Result<(Property, Assignment), String> {
+    let property: Property = trimmed(name).parse()?;
+    let text = trimmed(text);
+    let value = match factor(text) {
+        Some(factor) => number(factor).map(Assignment::Factor),
+        None if property == Property::Radius => {
+            number_in(text, "a radius in m", LENGTHS).map(Assignment::Value)
+        }
+        None => number(text).map(Assignment::Value),
+    };
+    value.map(|value| (property, value)).map_err(|why| format!("{name}={text}: {why}"))
+}
+
+impl Assignments {
+    /// Adds one.
+    ///
+    /// # Errors
+    /// The property is there already.
+    pub fn add(&mut self, (property, value): (Property, Assignment)) -> Result<(), String> {
+        if self.0.iter().any(|(known, _)| *known == property) {
+            return Err(format!("{property} is set twice"));
+        }
+        self.0.push((property, value));
+        Ok(())
+    }
+
+    /// All of them.
+    #[must_use]
+    pub fn as_slice(&self) -> &[(Property, Assignment)] {
+        &self.0
+    }
+
+    /// `true` where nothing is set.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// From `stiffness=x2 dissipation=1`, with blanks or semicolons between them.
+    ///
+    /// # Errors
+    /// A text that is not an assignment, or a property that appears twice.
+    pub fn read(text: &str) -> Result<Self, String> {
+        let mut all = Self::default();
+        for item in text.split([' ', ';']).filter(|item| !item.is_empty()) {
+            let (name, value) = item
+                .split_once('=')
+                .ok_or_else(|| format!("'{item}', expected PROPERTY=VALUE or PROPERTY=xFACTOR"))?;
+            all.add(assignment(name, value)?)?;
+        }
+        Ok(all)
+    }
+}
+
+impl FromIterator<(Property, Assignment)> for Assignments {
+    fn from_iter<I: IntoIterator<Item = (Property, Assignment)>>(all: I) -> Self {
+        Self(all.into_iter().collect())
+    }
+}
+
+impl Serialize for Assignments {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(self.0.len()))?;
+        for (property, value) in &self.0 {
+            match value {
+                Assignment::Factor(factor) => {
+                    map.serialize_entry(property.name(), &format!("x{}", shortest(*factor)))?;
+                }
+                Assignment::Value(value) => map.serialize_entry(property.name(), value)?,
+            }
+        }
+        map.end()
+    }
+}
+
+impl<'d> Deserialize<'d> for Assignments {
+    /// From a map, or from the text that [`Assignments::read`] takes.
+    fn deserialize<D: Deserializer<'d>>(deserializer: D) -> Result<Self, D::Error> {
+        let mut all = Self::default();
+        match Value::deserialize(deserializer)? {
+            Value::Object(properties) => {
+                for (name, value) in properties {
+                    let text = match &value {
+                        Value::Number(number) => number.as_f64().map(shortest).unwrap_or_default(),
+                        Value::String(text) => text.clone(),
+                        other => other.to_string(),
+                    };
+                    all.add(assignment(&name, &text).map_err(D::Error::custom)?).map_err(D::Error::custom)?;
+                }
+                Ok(all)
+            }
+            Value::String(text) => Self::read(&text).map_err(D::Error::custom),
+            other => Err(D::Error::custom(format!(
+                "expected properties with their values, such as {{\"stiffness\": \"x2\"}}, found {other}"
+            ))),
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! Scale factors of a body, in words.
+
+use std::borrow::Cow;
+use std::fmt;
+use std::str::FromStr;
+
+use osim_messages::shortest;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serializer};
+use serde_json::{Value, json};
+
+use super::serial::from_texts;
+use crate::values::typed::{positive_number, trimmed};
+
+/// `BODY=x,y,z`: three factors above 0; `BODY=f` is the same one along all axes.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct BodyScale {
+    /// Name of the body.
+    pub body: String,
+    /// Along x, y and z.
+    pub factors: [f64; 3],
+}
+
+/// What is expected of a text.
+const EXPECTED: &str =
+    "expected BODY=x,y,z with three factors above 0, or BODY=f with one, like calcn_r=1.1,1.05,1.1";
+/// Factors beyond this, or below 1 over this, belong to no body.
+const LARGEST: f64 = 1e9;
+
+impl FromStr for BodyScale {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (body, factors) = text.split_once('=').ok_or(EXPECTED)?;
+        let factors: Vec<f64> = factors
+            .split(',')
+            .map(positive_number)
+            .collect::<Result<_, _>>()
+            .map_err(|_| EXPECTED.to_owned())?;
+        let factors = match *factors {
+            [x, y, z] => [x, y, z],
+            [factor] => [factor; 3],
+            _ => return Err(EXPECTED.to_owned()),
+        };
+        if !factors.iter().all(is_factor) {
+            return Err(format!("{EXPECTED}, each from 1e-9 to 1e9"));
+        }
+        Ok(Self { body: trimmed(body).to_owned(), factors })
+    }
+}
+
+fn is_factor(factor: &f64) -> bool {
+    (1.0 / LARGEST..=LARGEST).contains(factor)
+}
+
+impl fmt::Display for BodyScale {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}={}", self.body, self.factors.map(shortest).join(","))
+    }
+}
+
+/// Reads factors from a map of bodies to three numbers or one, or from texts such as `calcn_r=1.1,1.05,1.1`.
+///
+/// # Errors
+/// A text or numbers that are not factors.
+pub fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<BodyScale>, D::Error> {
+    match Value::deserialize(deserializer)? {
+        Value::Object(bodies) => {
+            let scale = |(body, factors): (String, Value)| {
+                let expected = || {
+                    D::Error::custom(format!(
+                        "{body}: expected three factors above 0, or one, from 1e-9 to 1e9"
+                    ))
+                };
+                let one = factors.as_f64().map(|factor| [factor; 3]);
+                let factors: [f64; 3] = match one {
+                    Some(factors) => factors,
+                    None => serde_json::from_value(factors).map_err(|_| expected())?,
+                };
+                if factors.iter().all(is_factor) { Ok(BodyScale { body, factors }) } else { Err(expected()) }
+            };
+            bodies.into_iter().map(scale).collect()
+        }
+        texts => from_texts(texts).map_err(D::Error::custom),
+    }
+}
+
+/// Writes factors as a map of bodies.
+///
+/// # Errors
+/// Those of the serialiser.
+pub fn serialize<S: Serializer>(scales: &[BodyScale], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(scales.iter().map(|scale| (&scale.body, scale.factors)))
+}
+
+/// The schema of both.
+pub struct BodyScaleSchema;
+
+impl JsonSchema for BodyScaleSchema {
+    fn schema_name() -> Cow<'static, str> {
+        "BodyScale".into()
+    }
+
+    fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
+        let text = json!({"type": "string", "pattern": "="});
+        let factor = json!({"type": "number", "minimum": 1e-9, "maximum": 1e9});
+        json_schema!({"anyOf": [
+            {
+                "type": "object",
+                "additionalProperties": {"anyOf": [
+                    {"type": "array", "items": factor, "minItems": 3, "maxItems": 3},
+                    factor,
+                ]},
+            },
+            text,
+            {"type": "array", "items": text},
+        ]})
+    }
+
+    fn inline_schema() -> bool {
+        true
+    }
+}

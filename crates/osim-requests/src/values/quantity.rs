@@ -1,0 +1,249 @@
+//! Numbers with a domain: each is checked once, where it is read.
+
+use std::borrow::Cow;
+use std::fmt;
+use std::str::FromStr;
+
+use osim_messages::shortest;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use super::serial::from_text;
+use crate::values::typed::{
+    LENGTHS, MASSES, converted, not_negative, plain, positive, positive_number, trimmed,
+};
+
+macro_rules! quantities {
+    ($($(#[doc = $doc:literal])+ $name:ident = $read:expr, $schema:tt;)+) => {$(
+        $(#[doc = $doc])+
+        ///
+        /// Read from a plain number, or from the text of one; anything else is refused with what to write.
+        #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+        pub struct $name(f64);
+
+        impl $name {
+            /// The number.
+            #[must_use]
+            pub const fn get(self) -> f64 {
+                self.0
+            }
+
+            /// A number that was checked.
+            ///
+            /// # Errors
+            /// It lies outside the domain: what was expected.
+            pub fn new(value: f64) -> Result<Self, String> {
+                shortest(value).parse()
+            }
+        }
+
+        impl FromStr for $name {
+            type Err = String;
+
+            fn from_str(text: &str) -> Result<Self, String> {
+                let read: fn(&str) -> Result<f64, String> = $read;
+                read(text).map(Self)
+            }
+        }
+
+        impl fmt::Display for $name {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str(&shortest(self.0))
+            }
+        }
+
+        impl Serialize for $name {
+            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                serializer.serialize_f64(self.0)
+            }
+        }
+
+        impl<'d> Deserialize<'d> for $name {
+            fn deserialize<D: Deserializer<'d>>(deserializer: D) -> Result<Self, D::Error> {
+                from_text(deserializer)
+            }
+        }
+
+        impl JsonSchema for $name {
+            fn schema_name() -> Cow<'static, str> {
+                stringify!($name).into()
+            }
+
+            fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
+                json_schema!($schema)
+            }
+
+            fn inline_schema() -> bool {
+                true
+            }
+        }
+    )+};
+}
+
+quantities! {
+    /// A mass in kg, above 0.
+    Kilograms = |text| positive(text, "a mass in kg", MASSES),
+        {"type": "number", "exclusiveMinimum": 0};
+
+    /// An acceleration in m/s², above 0.
+    Acceleration = |text| {
+        positive(text, "an acceleration in m/s2", &[("m/s2", 1.0), ("m/s^2", 1.0), ("g", 9.80665)])
+    }, {"type": "number", "exclusiveMinimum": 0};
+
+    /// A number above 0, in the unit of its field.
+    Positive = positive_number, {"type": "number", "exclusiveMinimum": 0};
+
+    /// A number, 0 or more, in the unit of its field.
+    NotNegative = |text| not_negative(text, "a number", &[]), {"type": "number", "minimum": 0};
+
+    /// A length in m, 0 or more.
+    Metres = |text| not_negative(text, "metres", LENGTHS), {"type": "number", "minimum": 0};
+
+    /// x̂, an indentation over the radius: above 0, at most 1.
+    RelativeIndentation = |text| {
+        let expected = "a relative indentation (x/R) above 0, at most 1";
+        let x = positive(text, expected, &[])?;
+        if x <= 1.0 { Ok(x) } else { Err(format!("expected {expected}")) }
+    }, {"type": "number", "exclusiveMinimum": 0, "maximum": 1};
+
+    /// √cf/R: above 0, for OpenSim computes nothing from a cf of 0.
+    ConstantIndentation = |text| match plain(trimmed(text)) {
+        Some(0.0) => Err(format!(
+            "expected a number above 0, such as {}: it would make constant_contact_force 0, and OpenSim computes NaN with 0 \
+             whenever the sphere does not slip",
+            contact_scaling::limits::SUGGESTED_CONSTANT_INDENTATION
+        )),
+        _ => positive_number(text),
+    }, {"type": "number", "exclusiveMinimum": 0};
+
+    /// t, the share of a transition that counts as outside it: between 0 and 0.5.
+    Threshold = |text| {
+        let expected = "a threshold between 0 and 0.5";
+        let t = positive(text, expected, &[])?;
+        if t < 0.5 { Ok(t) } else { Err(format!("expected {expected}")) }
+    }, {"type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 0.5};
+
+    /// c_r, a coefficient of restitution: 0 to 1.
+    RestitutionCoefficient = |text| match plain(trimmed(text)) {
+        Some(value) if (0.0..=1.0).contains(&value) => Ok(value),
+        _ => Err("expected a coefficient of restitution from 0 to 1".to_owned()),
+    }, {"type": "number", "minimum": 0, "maximum": 1};
+
+    /// ν, Poisson's ratio: above -1, at most 0.5.
+    PoissonRatio = |text| match plain(trimmed(text)) {
+        Some(value) if value > -1.0 && value <= 0.5 => Ok(value),
+        _ => Err("expected a Poisson's ratio above -1, at most 0.5".to_owned()),
+    }, {"type": "number", "exclusiveMinimum": -1, "maximum": 0.5};
+
+    /// A width of a figure in mm, 20 to 1000.
+    FigureWidth = |text| {
+        let expected = "a width in mm from 20 to 1000";
+        let width = positive(text, expected, &[("mm", 1.0), ("cm", 10.0)])?;
+        if (20.0..=1000.0).contains(&width) { Ok(width) } else { Err(format!("expected {expected}")) }
+    }, {"type": "number", "minimum": 20, "maximum": 1000};
+
+    /// A size of letters in points of 1/72 inch, 4 to 40.
+    FontSize = |text| {
+        let expected = "a size of letters in points from 4 to 40";
+        let size = positive(text, expected, &[("pt", 1.0)])?;
+        if (4.0..=40.0).contains(&size) { Ok(size) } else { Err(format!("expected {expected}")) }
+    }, {"type": "number", "minimum": 4, "maximum": 40};
+
+    /// A number of things, 1 or more.
+    Count = |text| match trimmed(text).parse::<u32>() {
+        Ok(count) if count >= 1 => Ok(f64::from(count)),
+        _ => Err("expected a whole number, 1 or more".to_owned()),
+    }, {"type": "integer", "minimum": 1};
+}
+
+impl Kilograms {
+    /// A number, with its unit or without, such as `20`, `20kg` or `20g`.
+    #[must_use]
+    pub fn with_unit(text: &str) -> Option<Self> {
+        converted(text, MASSES).map(Self).or_else(|| text.parse().ok())
+    }
+}
+
+impl Default for FontSize {
+    /// What journals ask for at least.
+    fn default() -> Self {
+        Self(7.0)
+    }
+}
+
+impl Count {
+    /// One.
+    pub const ONE: Self = Self(1.0);
+}
+
+impl Positive {
+    /// How long a drop is followed where none is given, s.
+    pub const DROP_DURATION_S: Self = Self(2.0);
+    /// k̂ of the first step of a ladder where none is given: that of the softest contacts of the paper's Fig. 1(C).
+    pub const SOFT_STIFFNESS: Self = Self(1.2);
+}
+
+impl Threshold {
+    /// The threshold of section C.2.
+    pub const OF_THE_PAPER: Self = Self(contact_scaling::limits::TRANSITION_THRESHOLD);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn plain_numbers_are_taken() {
+        assert_eq!("1190".parse::<Kilograms>().map(Kilograms::get), Ok(1190.0));
+        assert_eq!(" 2.09e-2 ".parse::<Kilograms>().map(Kilograms::get), Ok(0.0209));
+        assert_eq!(Count::new(4.0).map(Count::get), Ok(4.0));
+    }
+
+    #[test]
+    fn anything_else_is_refused_with_what_to_type() {
+        for (text, hint) in [
+            ("1190kg", "type 1190"),
+            ("20.9g", "type 0.0209"),
+            ("20.9 g", "type 0.0209"),
+            ("20.9G", "type 0.0209"),
+            ("1500mg", "type 0.0015"),
+            ("2.5t", "type 2500"),
+            // 44 times 0.45359237 is 19.95806428, 100 times 45.359237, both exact.
+            ("44lb", "type 19.95806428"),
+            ("44 lbs", "type 19.95806428"),
+            ("100LB", "type 45.359237"),
+            // 16 oz are 1 lb.
+            ("16oz", "type 0.45359237"),
+            ("7 stone", "here, expected a mass in kg"),
+            ("3Mg", "here, expected a mass in kg"),
+            ("0,0209", "type 0.0209"),
+            ("1,190", "1190"),
+            ("-3", "above 0"),
+            ("0", "above 0"),
+            ("inf", "a mass in kg"),
+            ("nan", "a mass in kg"),
+            ("heavy", "a mass in kg"),
+            ("1e999", "above 0"),
+        ] {
+            let refused = text.parse::<Kilograms>().unwrap_err();
+            assert!(refused.contains(hint), "{text}: {refused}");
+        }
+        assert_eq!("-0.1".parse::<NotNegative>().unwrap_err(), "expected a number, 0 or more");
+        assert_eq!("0".parse::<NotNegative>().unwrap().get(), 0.0);
+        assert_eq!("-0.1".parse::<Metres>().unwrap_err(), "expected metres, 0 or more");
+        assert!("5 mm".parse::<Metres>().unwrap_err().ends_with("type 0.005"));
+        assert!("1.5".parse::<Count>().is_err());
+        assert!("0.5".parse::<Threshold>().is_err());
+        assert!("1.01".parse::<RelativeIndentation>().is_err());
+    }
+
+    #[test]
+    fn json_has_the_number_or_its_text() {
+        assert_eq!(serde_json::from_str::<Kilograms>("62").unwrap().get(), 62.0);
+        assert_eq!(serde_json::from_str::<Kilograms>("\"62\"").unwrap().get(), 62.0);
+        assert_eq!(serde_json::to_string(&Count::new(4.0).unwrap()).unwrap(), "4.0");
+        let refused = serde_json::from_str::<Kilograms>("\"62kg\"").unwrap_err().to_string();
+        assert!(refused.contains("type 62"), "{refused}");
+        assert!(serde_json::from_str::<Kilograms>("-1").is_err());
+    }
+}

@@ -1,0 +1,120 @@
+//! A share of the models, for job arrays on clusters.
+
+use std::fmt;
+use std::iter::StepBy;
+use std::ops::Range;
+use std::path::Path;
+use std::str::FromStr;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use sha2::{Digest, Sha256};
+
+use super::serial::from_text;
+use crate::values::typed::trimmed;
+
+/// Share `i` (from 1) of `n`: `i/n`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, JsonSchema)]
+#[schemars(inline, with = "String")]
+pub struct Shard {
+    index: u64,
+    count: u64,
+}
+
+impl Shard {
+    /// Whether number `number` is in this share.
+    #[must_use]
+    pub const fn has_number(self, number: u64) -> bool {
+        number % self.count == self.index - 1
+    }
+
+    /// Which of `count` things in a row are in this share, counted from 0: every n-th, so that neighbours, which are about as
+    /// much work, are spread over all shares.
+    pub fn of(self, count: usize) -> StepBy<Range<usize>> {
+        // No computer has more things than it can count.
+        let whole = |number: u64| usize::try_from(number).unwrap_or(usize::MAX);
+        (whole(self.index - 1)..count).step_by(whole(self.count))
+    }
+
+    /// The share as a part of a file's name: names of all shares sort as the shares do.
+    #[must_use]
+    pub fn file_part(self) -> String {
+        let count = self.count.to_string();
+        format!("shard-{:0width$}-of-{count}", self.index, width = count.len())
+    }
+
+    /// Whether a model of this name is in this share.
+    ///
+    /// It belongs to the share of its name, so that it stays there when other models come or go while the shares are at
+    /// work.
+    #[must_use]
+    pub fn has_name(self, name: &Path) -> bool {
+        self.has_number(of_name(name.as_os_str().as_encoded_bytes()))
+    }
+}
+
+fn of_name(name: &[u8]) -> u64 {
+    // Windows parts folders with `\`; the share is the same there.
+    let name: Vec<u8> = name.iter().map(|&byte| if byte == b'\\' { b'/' } else { byte }).collect();
+    let digest = Sha256::digest(&name);
+    digest.iter().take(8).fold(0, |number, &byte| number << 8 | u64::from(byte))
+}
+
+impl FromStr for Shard {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let expected = || "expected i/n with i from 1 to n, such as 2/8".to_owned();
+        let (index, count) = text.split_once('/').ok_or_else(expected)?;
+        let whole = |text: &str| trimmed(text).parse::<u64>().map_err(|_| expected());
+        let shard = Self { index: whole(index)?, count: whole(count)? };
+        if (1..=shard.count).contains(&shard.index) { Ok(shard) } else { Err(expected()) }
+    }
+}
+
+impl fmt::Display for Shard {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}/{}", self.index, self.count)
+    }
+}
+
+impl Serialize for Shard {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl<'d> Deserialize<'d> for Shard {
+    fn deserialize<D: Deserializer<'d>>(deserializer: D) -> Result<Self, D::Error> {
+        from_text(deserializer)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_share_is_i_of_n() {
+        assert_eq!("2/8".parse(), Ok(Shard { index: 2, count: 8 }));
+        for text in ["0/8", "9/8", "1/0", "1", "a/b", "1/8/2", "-1/8"] {
+            assert!(text.parse::<Shard>().is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn every_thing_in_a_row_is_in_one_share() {
+        let of = |text: &str, count| text.parse::<Shard>().unwrap().of(count).collect::<Vec<_>>();
+        assert_eq!([of("1/3", 7), of("2/3", 7), of("3/3", 7)], [vec![0, 3, 6], vec![1, 4], vec![2, 5]]);
+        assert_eq!([of("1/1", 2), of("3/4", 2), of("4/4", 0)], [vec![0, 1], vec![], vec![]]);
+        assert_eq!("18446744073709551615/18446744073709551615".parse::<Shard>().unwrap().of(2).len(), 0);
+        assert_eq!("2/12".parse::<Shard>().unwrap().file_part(), "shard-02-of-12");
+    }
+
+    #[test]
+    fn the_share_of_a_name_never_changes() {
+        // First 8 bytes of `printf 'a/x.osim' | sha256sum`.
+        assert_eq!(of_name(b"a/x.osim"), 0xdc2e_ddeb_2914_d027);
+        assert_eq!(of_name(b"a\\x.osim"), of_name(b"a/x.osim"));
+    }
+}

@@ -1,0 +1,144 @@
+//! Numbers along an axis, in words: `FROM..TO/COUNT`.
+
+use osim_messages::shortest;
+
+use super::blanks::trimmed;
+use super::decimal::{factor, plain};
+
+/// A range as it is written; what its ends mean is for the reader to say.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range<'t> {
+    /// The first value.
+    pub first: &'t str,
+    /// The last value.
+    pub last: &'t str,
+    /// How many there are, both ends among them.
+    pub count: u32,
+}
+
+impl<'t> Range<'t> {
+    /// Whether `text` is meant as a range.
+    #[must_use]
+    pub fn is_meant(text: &str) -> bool {
+        text.contains("..")
+    }
+
+    /// Reads a range of 2 to `most` values; `None` where it is none.
+    #[must_use]
+    pub fn read(text: &'t str, most: u32) -> Option<Self> {
+        let (first, rest) = text.split_once("..")?;
+        let (last, count) = rest.split_once('/')?;
+        let count = trimmed(count).parse().ok().filter(|count| (2..=most).contains(count))?;
+        Some(Self { first: trimmed(first), last: trimmed(last), count })
+    }
+
+    /// Whether both ends are factors, or both numbers; `None` where they are unlike.
+    #[must_use]
+    pub fn are_factors(&self) -> Option<bool> {
+        let is_factor = factor(self.first).is_some();
+        (is_factor == factor(self.last).is_some()).then_some(is_factor)
+    }
+}
+
+/// The range that one with colons is, as it is written here; `None` where there are no colons between numbers, or it is empty.
+#[must_use]
+pub fn respelled(text: &str) -> Option<String> {
+    Colons::read(text)?.range
+}
+
+/// What to write for a range with colons, as MATLAB has it: FROM:STEP:TO, or FROM:TO with steps of 1. `None` where there are no
+/// colons between numbers.
+#[must_use]
+pub fn with_colons(text: &str) -> Option<String> {
+    let here = "ranges are FROM..TO/COUNT here, equally spaced in their logarithm";
+    Some(match Colons::read(text)? {
+        Colons { range: Some(range), has_steps: true } => {
+            let colons = "FROM:STEP:TO, as in MATLAB, has steps of equal size";
+            format!("{here}: {colons}; write {range}, or the values with commas")
+        }
+        Colons { range: Some(range), .. } => format!("{here}: write {range}"),
+        Colons { range: None, .. } => here.to_owned(),
+    })
+}
+
+/// Numbers with colons between them.
+struct Colons {
+    /// What is meant; `None` where it has no values.
+    range: Option<String>,
+    /// FROM:STEP:TO; otherwise FROM:TO:COUNT.
+    has_steps: bool,
+}
+
+impl Colons {
+    fn read(text: &str) -> Option<Self> {
+        let number = |part: &str| plain(factor(part).unwrap_or(part));
+        let parts: Option<Vec<(&str, f64)>> =
+            text.split(':').map(trimmed).map(|part| Some((part, number(part)?))).collect();
+        let (from, middle, to) = match parts?.as_slice() {
+            [from, to] => (*from, ("1", 1.0), *to),
+            [from, middle, to] => (*from, *middle, *to),
+            _ => return None,
+        };
+        let count = ((to.1 - from.1) / middle.1).floor() + 1.0;
+        if count >= 2.0 && middle.1 > 0.0 {
+            let range = format!("{}..{}/{}", from.0, to.0, shortest(count));
+            return Some(Self { range: Some(range), has_steps: true });
+        }
+        // From 1e5 in steps of 1e6 to 10 is nothing: a number of values is meant.
+        let is_count = to.1 >= 2.0 && to.1.fract() == 0.0 && from.1 < middle.1;
+        let range = is_count.then(|| format!("{}..{}/{}", from.0, middle.0, to.0));
+        Some(Self { range, has_steps: false })
+    }
+}
+
+/// `count` numbers from `first` to `last`, equally far apart in their logarithms, both ends exact.
+pub fn spaced(first: f64, last: f64, count: u32) -> impl Iterator<Item = f64> {
+    let steps = f64::from(count - 1);
+    (0..count).map(move |index| match index {
+        0 => first,
+        _ if index + 1 == count => last,
+        _ => first * (last / first).powf(f64::from(index) / steps),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_range_has_two_ends_and_a_count() {
+        assert_eq!(Range::read("x0.1 .. x10 / 9", 9), Some(Range { first: "x0.1", last: "x10", count: 9 }));
+        for refused in ["1..4", "1/3", "1..4/1", "1..4/10", "1..4/x", "1..4/-2", ""] {
+            assert_eq!(Range::read(refused, 9), None, "{refused}");
+        }
+    }
+
+    #[test]
+    fn ranges_of_matlab_are_answered_with_the_right_spelling() {
+        for (text, said) in [
+            // In MATLAB this is empty: ten values are meant.
+            ("1e5:1e6:10", "write 1e5..1e6/10"),
+            ("x0.1:x10:9", "write x0.1..x10/9"),
+            // 1, 3, 5, 7, 9.
+            ("1:2:9", "write 1..9/5,"),
+            ("1e5:1e5:1e6", "write 1e5..1e6/10,"),
+            // 2, 3, 4.
+            ("2:4", "write 2..4/3,"),
+            ("9:2:1", "FROM..TO/COUNT"),
+        ] {
+            let found = with_colons(text).unwrap_or_default();
+            assert!(found.contains(said), "{text}: {found}");
+        }
+        for text in ["1..4/3", "5", "a:b", "", "1:2:3:4"] {
+            assert_eq!(with_colons(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn ends_are_exact_and_the_middle_is_the_geometric_mean() {
+        // 0.1 * 100^(1/2) = 1.
+        let values: Vec<f64> = spaced(0.1, 10.0, 3).collect();
+        assert_eq!((values[0], values[2]), (0.1, 10.0));
+        assert!((values[1] - 1.0).abs() < 1e-15);
+    }
+}
