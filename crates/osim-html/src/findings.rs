@@ -3,9 +3,9 @@
 use std::collections::HashMap;
 
 use maud::{Markup, html};
-use osim_inspect::CheckResult;
+use osim_inspect::{CheckResult, Found};
 use osim_messages::readable;
-use osim_model::{Finding, FindingCode};
+use osim_model::FindingCode;
 
 use super::fragment::Fragment;
 use super::shell::command_line;
@@ -15,7 +15,7 @@ pub(super) const SECTION: (&str, &str) = ("findings", "Findings");
 
 /// Findings of a model that was inspected.
 pub(super) fn of_model(fragment: &mut Fragment, found: &CheckResult) {
-    let findings: Vec<&Finding> = found.findings.iter().collect();
+    let findings: Vec<&Found> = found.findings.iter().collect();
     let list = list(&items(fragment, &findings, Lines::Only, Commands::Shown));
     let body = html! {
         @if found.findings.is_empty() { p { "Nothing to say: all figures are within the limits." } }
@@ -36,11 +36,11 @@ pub(super) struct After<'r> {
 /// Findings before and after: what came, what stayed, what went.
 pub(super) fn of_change(fragment: &mut Fragment, now: &CheckResult, new: &After<'_>) {
     let pairs = paired(&now.findings, &new.found.findings);
-    let comes: Vec<&Finding> =
+    let comes: Vec<&Found> =
         pairs.iter().filter(|(_, before)| before.is_none()).map(|(one, _)| *one).collect();
     let kin = Kin::of(&new.found.findings);
-    let gone = |one: &&Finding| kin.nearest(one).is_none();
-    let goes: Vec<&Finding> = now.findings.iter().filter(gone).collect();
+    let gone = |one: &&Found| kin.nearest(one).is_none();
+    let goes: Vec<&Found> = now.findings.iter().filter(gone).collect();
     let commands = if new.in_file { Commands::Shown } else { Commands::Left };
     let comes = items(fragment, &comes, Lines::New, commands);
     let stays: Vec<Markup> = pairs
@@ -68,7 +68,7 @@ pub(super) fn of_change(fragment: &mut Fragment, now: &CheckResult, new: &After<
 }
 
 /// Each new finding with the old one that says the same, if there is one.
-fn paired<'f>(now: &'f [Finding], new: &'f [Finding]) -> Vec<(&'f Finding, Option<&'f Finding>)> {
+fn paired<'f>(now: &'f [Found], new: &'f [Found]) -> Vec<(&'f Found, Option<&'f Found>)> {
     let kin = Kin::of(now);
     new.iter().map(|one| (one, kin.nearest(one))).collect()
 }
@@ -79,7 +79,7 @@ const DEPTH: [FindingCode; 3] =
 
 /// Findings to which others may be akin, the first of each kind.
 struct Kin<'f> {
-    findings: &'f [Finding],
+    findings: &'f [Found],
     /// What is said of spheres is shown once for all of them, at the worst, which may be another one after the change.
     of_spheres: HashMap<FindingCode, usize>,
     at_place: HashMap<(FindingCode, Option<&'f str>), usize>,
@@ -87,7 +87,7 @@ struct Kin<'f> {
 }
 
 impl<'f> Kin<'f> {
-    fn of(findings: &'f [Finding]) -> Self {
+    fn of(findings: &'f [Found]) -> Self {
         let mut kin =
             Self { findings, of_spheres: HashMap::new(), at_place: HashMap::new(), of_code: HashMap::new() };
         for (at, one) in findings.iter().enumerate() {
@@ -101,7 +101,7 @@ impl<'f> Kin<'f> {
     }
 
     /// The first finding that says the same as `one`, else the first that is another step of the same ladder.
-    fn nearest(&self, one: &Finding) -> Option<&'f Finding> {
+    fn nearest(&self, one: &Found) -> Option<&'f Found> {
         let of_spheres = self.of_spheres.get(&one.code).filter(|_| !one.spheres.is_empty());
         let same = of_spheres.into_iter().chain(self.at_place.get(&(one.code, one.place.as_deref()))).min();
         let steps = DEPTH.iter().filter(|code| **code != one.code && DEPTH.contains(&one.code));
@@ -111,7 +111,7 @@ impl<'f> Kin<'f> {
 }
 
 /// What the finding was before, where that differs.
-fn was(fragment: &mut Fragment, one: &Finding, before: &Finding) -> Markup {
+fn was(fragment: &mut Fragment, one: &Found, before: &Found) -> Markup {
     let other = before.code != one.code;
     let (message, message_before) = (one.message.to_string(), before.message.to_string());
     html! {
@@ -144,11 +144,11 @@ fn list(items: &[Markup]) -> Markup {
     html! { @if !items.is_empty() { ul.findings { @for item in items { li { (item) } } } } }
 }
 
-fn items(fragment: &mut Fragment, findings: &[&Finding], lines: Lines, commands: Commands) -> Vec<Markup> {
+fn items(fragment: &mut Fragment, findings: &[&Found], lines: Lines, commands: Commands) -> Vec<Markup> {
     findings.iter().map(|finding| item(fragment, finding, lines, commands)).collect()
 }
 
-fn item(fragment: &mut Fragment, finding: &Finding, lines: Lines, commands: Commands) -> Markup {
+fn item(fragment: &mut Fragment, finding: &Found, lines: Lines, commands: Commands) -> Markup {
     let message = finding.message.to_string();
     let place = finding.place.as_deref().filter(|place| !message.contains(*place));
     let file = match lines {
@@ -176,14 +176,16 @@ fn item(fragment: &mut Fragment, finding: &Finding, lines: Lines, commands: Comm
 
 #[cfg(test)]
 mod tests {
+    use osim_model::Finding;
+
     use super::*;
 
-    fn finding(code: FindingCode, place: &str, spheres: &[&str]) -> Finding {
+    fn finding(code: FindingCode, place: &str, spheres: &[&str]) -> Found {
         let spheres = spheres.iter().map(|&name| name.to_owned()).collect();
-        Finding::new(code, "").about(place).of_spheres(spheres)
+        Finding::new(code, "").about(place).of_spheres(spheres).into()
     }
 
-    fn are_akin(old: &Finding, new: &Finding) -> bool {
+    fn are_akin(old: &Found, new: &Found) -> bool {
         Kin::of(std::slice::from_ref(old)).nearest(new).is_some()
     }
 

@@ -18,8 +18,8 @@
 //!
 //! # What it will not do
 //!
-//! It knows no files, no terminal and no HTML, nor how a remedy is spelled: a [`Remedy`](osim_model::Remedy) is data, which a front end prints or
-//! applies.
+//! It knows no files, no terminal and no HTML, nor how a remedy is spelled: a remedy is a [`Request`](osim_requests::Request), which a front
+//! end prints or runs.
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
@@ -37,7 +37,7 @@ mod serialized;
 pub mod series;
 
 pub use figures::{Figure, Figures, LimbFigures, LimitCheck, Shown, SphereFigures};
-pub use findings::{Changeable, CheckResult, Counts, check_model, misplaced_spheres};
+pub use findings::{Changeable, CheckResult, Counts, Found, check_model, misplaced_spheres};
 pub use inspection::{
     ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,
     InspectedLimb, InspectedSphere, Inspection, Origins, Parameters,

@@ -6,6 +6,8 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Serialize, Serializer};
 use serde_json::{Map, Value};
 
+use crate::findings::Found;
+
 /// Raised when a field of any result changes its meaning or goes away.
 pub const SCHEMA_VERSION: u32 = 1;
 
@@ -45,8 +47,14 @@ impl From<&Finding> for FindingRecord {
             place: finding.place.clone(),
             spheres: finding.spheres.clone(),
             line: finding.line,
-            command: finding.command.clone(),
+            command: None,
         }
+    }
+}
+
+impl From<&Found> for FindingRecord {
+    fn from(found: &Found) -> Self {
+        Self { command: found.command.clone(), ..Self::from(&found.finding) }
     }
 }
 
@@ -56,6 +64,14 @@ impl From<&Finding> for FindingRecord {
 /// Those of the serialiser.
 pub(crate) fn records<S: Serializer>(findings: &[Finding], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_seq(findings.iter().map(FindingRecord::from))
+}
+
+/// Serialises what was found as records.
+///
+/// # Errors
+/// Those of the serialiser.
+pub(crate) fn found_records<S: Serializer>(found: &[Found], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(found.iter().map(FindingRecord::from))
 }
 
 /// Serialises a phrase that may be absent as its text.

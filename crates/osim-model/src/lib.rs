@@ -86,10 +86,7 @@ pub use fault::{
     CountOf, Excerpt, FactorQuestion, Fault, FaultKind, FileId, GravityFor, MassSlip, Needed, NeedsAnswer,
     NoteDoubt, Question, RadiusFrom, TreeOfForces, probable_units,
 };
-pub use finding::{
-    Finding, FindingCode, Remedy, RemedyChange, RemedyDesign, RemedyDialect, RemedyLoad, Repair, Seen,
-    Severity,
-};
+pub use finding::{Finding, FindingCode, Repair, Seen, Severity};
 pub use following::{MovedSpheres, RadiusAxis};
 pub use ground_planes::GroundPlane;
 pub use limbs::{Limb, Limbs};

@@ -9,11 +9,10 @@ use osim_library::run::{
     run_options,
 };
 use osim_library::{LibraryFault, folder_of};
-use osim_model::RemedyDialect;
 use osim_model::files::{Failure, Files};
 use osim_planning::prepare;
-use osim_requests::Request;
 use osim_requests::options::RunOptions;
+use osim_requests::{Request, Speller};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyDict;
@@ -34,7 +33,7 @@ struct Reporter<'r> {
 impl FrontEnd for Reporter<'_> {
     type Shown = Option<Entry>;
 
-    fn dialect(&self) -> &dyn RemedyDialect {
+    fn dialect(&self) -> &dyn Speller {
         WORDS
     }
 

@@ -27,9 +27,9 @@ mod fault;
 mod json;
 pub mod options;
 mod relation;
-mod remedy;
 mod request;
 mod schema;
+mod speller;
 mod unique;
 pub mod values;
 
@@ -42,6 +42,7 @@ pub use request::{
     Request, RescaleRequest, SeriesFormat, SetRequest, SweepRequest, TransferRequest, fig1, schema_of,
     silent_fields,
 };
+pub use speller::Speller;
 pub use values::{
     Acceleration, Assignments, Axis, AxisName, BodyMap, BodyScale, ConstantIndentation, ContactOnset, Count,
     Dpi, DropHeight, FigureWidth, FontSize, Grid, GridValue, Height, Kilograms, Metres, NewRadius,

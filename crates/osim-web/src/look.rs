@@ -1,9 +1,8 @@
 //! What is in a model, and what is wrong with it.
 
 use osim_html::{DetailLevel, Entry, Explained, Section, Sections};
-use osim_inspect::{CheckResult, FindingRecord, Inspection};
+use osim_inspect::{CheckResult, FindingRecord, Found, Inspection};
 use osim_messages::Verb;
-use osim_model::Finding;
 use osim_planning::{Inspector, ModelFeet};
 use osim_report::dialect::{FrontEnd, Page};
 use osim_requests::Request;
@@ -45,8 +44,8 @@ struct RemedyShown {
 
 impl FindingShown {
     /// `finding`, which was spelled.
-    fn of(finding: &Finding) -> Self {
-        let request = finding.remedy.as_ref().and_then(|remedy| Request::try_from(remedy).ok());
+    fn of(finding: &Found) -> Self {
+        let request = finding.remedy.as_ref();
         let remedy = request
             .zip(finding.command.clone())
             .map(|(request, text)| RemedyShown { text, request: request.to_map() });

@@ -3,9 +3,10 @@
 use osim_html::{DetailLevel, Entry};
 use osim_library::page::entry;
 use osim_library::run::{ChangedModel, Detail, FrontEnd, Written};
-use osim_model::{FileId, RemedyDialect};
+use osim_model::FileId;
 use osim_report::json::{PlanRecord, line};
 use osim_report::plan;
+use osim_requests::Speller;
 use osim_requests::options::{RunFormat, RunOptions};
 
 use crate::interrupt;
@@ -45,7 +46,7 @@ pub(super) struct Shower<'s> {
 impl FrontEnd for Shower<'_> {
     type Shown = Shown;
 
-    fn dialect(&self) -> &dyn RemedyDialect {
+    fn dialect(&self) -> &dyn Speller {
         // A front end's words are words for remedies, too.
         self.words
     }

@@ -1,39 +1,55 @@
 //! Questions that a remedy would be asked: what was found answers them, so that its command runs as it is printed.
 
-use osim_model::{JointDistances, MassRequest, Model, NeedsAnswer, Question, Remedy, RemedyChange};
+use osim_model::{JointDistances, MassRequest, Model, NeedsAnswer, Question, Selection};
+use osim_requests::options::{AnswerOptions, ForceOptions, MassOptions};
+use osim_requests::{Kilograms, Request, RescaleRequest};
 
 use crate::known::unexplained_slip;
 
 /// Answers what `remedy` would be asked for `model`.
-pub(super) fn answer(remedy: &mut Remedy, model: &Model, masses: &MassRequest) {
-    let load = remedy.load.as_ref();
-    let said = MassRequest {
-        contacts_kg: None,
-        model_kg: load.and_then(|load| load.mass_kg),
-        target_mass_kg: None,
-        ..masses.clone()
-    };
-    let asked_of = |said: &MassRequest| unexplained_slip(said, model, &remedy.selection);
-    let asked: Vec<NeedsAnswer> = match &remedy.change {
-        RemedyChange::Rescale { contacts_mass_kg, target_mass_kg } => {
-            let distances = JointDistances::of(model);
-            let ratio = (target_mass_kg / contacts_mass_kg).cbrt();
-            let of_masses = asked_of(&MassRequest {
-                contacts_kg: Some(*contacts_mass_kg),
-                target_mass_kg: Some(*target_mass_kg),
-                ..said
-            });
-            let of_radii = model.spheres().iter().filter_map(|sphere| {
-                let radius_m = sphere.radius_m().ok()?;
-                distances.radius_slip(sphere, radius_m * ratio, false)
-            });
-            of_masses.into_iter().chain(of_radii).collect()
-        }
-        RemedyChange::FollowNote { target_mass_kg, .. } => {
-            asked_of(&MassRequest { target_mass_kg: Some(*target_mass_kg), ..said }).into_iter().collect()
-        }
-        _ => asked_of(&said).into_iter().collect(),
+pub(super) fn answer(remedy: &mut Request, model: &Model, masses: &MassRequest) {
+    let asked = match remedy {
+        Request::Rescale(request) => of_rescale(request, model, masses),
+        Request::Transfer(request) => asked_of(&said(&request.masses, masses), model, &request.choice),
+        Request::Design(request) => asked_of(&said(&request.masses, masses), model, &request.choice),
+        Request::Convert(request) => asked_of(&said(&MassOptions::default(), masses), model, &request.choice),
+        Request::Set(request) => asked_of(&said(&request.masses, masses), model, &request.choice),
+        _ => Vec::new(),
     };
     let is_asked = |question: &Question| asked.iter().any(|asks| asks.question() == *question);
-    remedy.yes = Question::ALL.into_iter().filter(is_asked).collect();
+    let yes = Question::ALL.into_iter().filter(is_asked).collect();
+    if let Some(answers) = remedy.answers_mut() {
+        *answers = AnswerOptions::new(yes);
+    }
+}
+
+/// What a remedy says of masses.
+fn said(own: &MassOptions, masses: &MassRequest) -> MassRequest {
+    MassRequest {
+        contacts_kg: None,
+        model_kg: own.mass.map(Kilograms::get),
+        target_mass_kg: None,
+        ..masses.clone()
+    }
+}
+
+fn asked_of(said: &MassRequest, model: &Model, choice: &ForceOptions) -> Vec<NeedsAnswer> {
+    let selection: Selection = choice.selection();
+    unexplained_slip(said, model, &selection).into_iter().collect()
+}
+
+fn of_rescale(request: &RescaleRequest, model: &Model, masses: &MassRequest) -> Vec<NeedsAnswer> {
+    let target_mass_kg = request.target_mass.map(Kilograms::get);
+    let contacts_kg = request.masses.contacts_mass.map(Kilograms::get);
+    let said = MassRequest { contacts_kg, target_mass_kg, ..said(&request.masses, masses) };
+    let mut asked = asked_of(&said, model, &request.choice);
+    if let (Some(contacts_kg), Some(target_mass_kg)) = (contacts_kg, target_mass_kg) {
+        let distances = JointDistances::of(model);
+        let ratio = (target_mass_kg / contacts_kg).cbrt();
+        asked.extend(model.spheres().iter().filter_map(|sphere| {
+            let radius_m = sphere.radius_m().ok()?;
+            distances.radius_slip(sphere, radius_m * ratio, false)
+        }));
+    }
+    asked
 }

@@ -5,6 +5,7 @@
 use osim_model::{Finding, FindingCode, Model};
 
 use super::answers::answer;
+use super::found::Found;
 use super::places::Places;
 use super::remedy::Remedies;
 use super::result::CheckResult;
@@ -59,17 +60,17 @@ pub fn check_model(
     let mut findings = traps::findings(model, inspected, &remedies);
     if let Some(mismatch) = mismatch {
         let disagree = findings.iter_mut().filter(|finding| finding.code == FindingCode::MassSourcesDisagree);
-        disagree.for_each(|finding| finding.message.push(&mismatch.aside()));
+        disagree.for_each(|finding| finding.finding.message.push(&mismatch.aside()));
     }
     // What spheres do that stand where they should not is nobody's question.
     if !places.were_left_behind() {
         findings.extend(limits::findings(inspected, &remedies));
     }
     findings.extend(another_mass);
-    findings.extend(another_gravity);
+    findings.extend(another_gravity.map(Found::from));
     findings.extend(placed);
-    findings.extend(compiled.cloned());
-    for remedy in findings.iter_mut().filter_map(|finding| finding.remedy.as_mut()) {
+    findings.extend(compiled.cloned().map(Found::from));
+    for remedy in findings.iter_mut().filter_map(|found| found.remedy.as_mut()) {
         answer(remedy, model, &options.masses);
     }
     CheckResult::new(inspected, known::as_published(inspected, findings))

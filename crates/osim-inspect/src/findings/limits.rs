@@ -4,6 +4,7 @@ use contact_scaling::limits;
 use osim_messages::{four_significant, readable};
 use osim_model::{Finding, FindingCode, same_mass};
 
+use super::found::Found;
 use super::remedy::Remedies;
 use crate::figures::{Figure, SphereFigures};
 use crate::inspection::{InspectedForce, Inspection};
@@ -17,12 +18,12 @@ pub(super) fn another_mass(
     inspected: &Inspection,
     remedies: &Remedies<'_>,
     places_are_right: bool,
-) -> Option<Finding> {
+) -> Option<Found> {
     Limits::new(inspected, remedies).another_mass(places_are_right)
 }
 
 /// Everything else that the figures show.
-pub(super) fn findings(inspected: &Inspection, remedies: &Remedies<'_>) -> Vec<Finding> {
+pub(super) fn findings(inspected: &Inspection, remedies: &Remedies<'_>) -> Vec<Found> {
     let limits = Limits::new(inspected, remedies);
     let found = [
         limits.sunk_in(),
@@ -95,23 +96,23 @@ impl<'l> Limits<'l> {
         }
     }
 
-    fn sunk_in(&self) -> Option<Finding> {
+    fn sunk_in(&self) -> Option<Found> {
         let found = self.concerned(|sphere| sphere.value(Figure::Indentation).filter(|&x| x >= CENTRE))?;
         let x = four_significant(found.most);
         let text = format!("at body weight on one limb x/R is {x} by Hertz: in up to the centre");
         let remedy = self.remedies.indentation(&self.spheres, 1.0);
-        Some(self.about(FindingCode::SunkIn, &text, &found).with_remedy(remedy))
+        Some(Found::new(self.about(FindingCode::SunkIn, &text, &found), remedy))
     }
 
-    fn beyond_hertz(&self) -> Option<Finding> {
+    fn beyond_hertz(&self) -> Option<Found> {
         let found = self.concerned(|sphere| beyond(sphere, Figure::Indentation).filter(|&x| x < CENTRE))?;
         let (x, limit) = (four_significant(found.most), limits::INDENTATION.in_words());
         let text = format!("at body weight on one limb x/R is {x} by Hertz, {limit}");
         let remedy = self.remedies.indentation(&self.spheres, 1.0);
-        Some(self.about(FindingCode::BeyondHertz, &text, &found).with_remedy(remedy))
+        Some(Found::new(self.about(FindingCode::BeyondHertz, &text, &found), remedy))
     }
 
-    fn beyond_hertz_at_two(&self) -> Option<Finding> {
+    fn beyond_hertz_at_two(&self) -> Option<Found> {
         let only_at_two = |sphere: &SphereFigures| {
             beyond(sphere, Figure::IndentationAtTwo)
                 .filter(|_| sphere.is_within(Figure::Indentation) == Some(true))
@@ -120,10 +121,10 @@ impl<'l> Limits<'l> {
         let (x, limit) = (four_significant(found.most), limits::INDENTATION.in_words());
         let text = format!("at two body weights on one limb x/R is {x} by Hertz, {limit}");
         let remedy = self.remedies.indentation(&self.spheres, 2.0);
-        Some(self.about(FindingCode::BeyondHertzAtTwo, &text, &found).with_remedy(remedy))
+        Some(Found::new(self.about(FindingCode::BeyondHertzAtTwo, &text, &found), remedy))
     }
 
-    fn beyond_hunt_crossley(&self) -> Option<Finding> {
+    fn beyond_hunt_crossley(&self) -> Option<Found> {
         let speed = self.inspected.figures.impact_speed_m_s?;
         // The largest dissipation has the least restitution.
         let found = self.concerned(|sphere| {
@@ -138,46 +139,46 @@ impl<'l> Limits<'l> {
             limits::RESTITUTION.in_words()
         );
         let remedy = self.remedies.restitution(speed, found.most);
-        Some(self.about_force(FindingCode::BeyondHuntCrossley, &text, &found).with_remedy(remedy))
+        Some(Found::new(self.about_force(FindingCode::BeyondHuntCrossley, &text, &found), remedy))
     }
 
-    fn constant_indentation(&self) -> Option<Finding> {
+    fn constant_indentation(&self) -> Option<Found> {
         let found = self.concerned(|sphere| beyond(sphere, Figure::ConstantIndentation))?;
         let limit = limits::CONSTANT_INDENTATION;
         let x = four_significant(found.most);
         let text = format!("sqrt(constant_contact_force)/R is {x}, {}", limit.in_words());
         let remedy = self.remedies.constant_indentation(limit.value);
-        Some(self.about_force(FindingCode::LargeConstantIndentation, &text, &found).with_remedy(remedy))
+        Some(Found::new(self.about_force(FindingCode::LargeConstantIndentation, &text, &found), remedy))
     }
 
-    fn transition(&self) -> Option<Finding> {
+    fn transition(&self) -> Option<Found> {
         let found = self.concerned(|sphere| beyond(sphere, Figure::TransitionWidth))?;
         let (width, limit) = (four_significant(found.most), limits::TRANSITION_WIDTH.in_words());
         let text = format!("contact sets in over {width} R, {limit}");
         let finding = self.about_force(FindingCode::WideTransition, &text, &found);
-        Some(finding.with_remedy(self.remedies.transition()))
+        Some(Found::new(finding, self.remedies.transition()))
     }
 
-    fn before_contact(&self) -> Option<Finding> {
+    fn before_contact(&self) -> Option<Found> {
         let found = self.concerned(|sphere| beyond(sphere, Figure::TouchingShare))?;
         let force = found.worst.value(Figure::ForceJustTouching).map(four_significant).unwrap_or_default();
         let share = four_significant(found.most);
         let text = format!("just touching, a sphere carries {force} N, {share} of its share of body weight");
         let finding = self.about_force(FindingCode::ForceBeforeContact, &text, &found);
-        Some(finding.with_remedy(self.remedies.touching(&self.spheres)))
+        Some(Found::new(finding, self.remedies.touching(&self.spheres)))
     }
 
-    fn floats(&self) -> Option<Finding> {
+    fn floats(&self) -> Option<Found> {
         let above = |sphere: &SphereFigures| {
             sphere.value(Figure::IndentationModelLaw).filter(|&x| x <= 0.0).map(|x| -x)
         };
         let found = self.concerned(above)?;
         let text = format!("body weight is carried {} R above the floor", four_significant(found.most));
         let finding = self.about_force(FindingCode::Floats, &text, &found);
-        Some(finding.with_remedy(self.remedies.floating(&self.spheres)))
+        Some(Found::new(finding, self.remedies.floating(&self.spheres)))
     }
 
-    fn another_mass(&self, places_are_right: bool) -> Option<Finding> {
+    fn another_mass(&self, places_are_right: bool) -> Option<Found> {
         let mass = self.inspected.mass_kg?;
         let known = self.inspected.known_contacts?;
         let unsaid =
@@ -193,6 +194,6 @@ impl<'l> Limits<'l> {
             four_significant(mass)
         );
         let remedy = places_are_right.then(|| self.remedies.rescale(made_for, mass)).flatten();
-        Some(Finding::new(FindingCode::ContactsOfAnotherMass, text).with_remedy(remedy))
+        Some(Found::new(Finding::new(FindingCode::ContactsOfAnotherMass, text), remedy))
     }
 }

@@ -2,6 +2,7 @@
 
 mod answers;
 mod check;
+mod found;
 mod known;
 mod limits;
 mod places;
@@ -10,5 +11,6 @@ mod result;
 mod traps;
 
 pub use check::{Changeable, check_model};
+pub use found::Found;
 pub use places::misplaced_spheres;
 pub use result::{CheckResult, Counts};

@@ -3,6 +3,7 @@
 use osim_compare::{Evidence, Placement};
 use osim_model::{Finding, FindingCode, Model, Note, ScaledSinceNote};
 
+use super::found::Found;
 use super::remedy::Remedies;
 use crate::inspection::Inspection;
 
@@ -64,22 +65,22 @@ impl<'i> Places<'i> {
         }
     }
 
-    pub(super) fn findings(&self, model: &Model, remedies: &Remedies<'_>) -> Vec<Finding> {
+    pub(super) fn findings(&self, model: &Model, remedies: &Remedies<'_>) -> Vec<Found> {
         match self {
             Self::Alone(evidence) => {
-                let remedy = matches!(evidence, Evidence::Note(_)).then(|| remedies.follow_by_note(model));
-                let found = evidence.finding(model).into_iter();
-                found.map(|finding| finding.with_remedy(remedy.clone().flatten())).collect()
+                let is_noted = matches!(evidence, Evidence::Note(_));
+                let remedy = || is_noted.then(|| remedies.follow_by_note(model)).flatten();
+                evidence.finding(model).into_iter().map(|finding| Found::new(finding, remedy())).collect()
             }
             Self::NotCompared(placement, evidence) => {
                 let alone = Self::Alone(evidence.clone()).findings(model, remedies);
                 // Where the file shows nothing, that it cannot be compared is said once.
                 let shown = alone.into_iter().filter(|one| one.code != FindingCode::SpheresNotCompared);
-                placement.findings().into_iter().chain(shown).collect()
+                placement.findings().into_iter().map(Found::from).chain(shown).collect()
             }
             Self::Compared(placement) => {
                 let found = placement.findings().into_iter();
-                found.map(|finding| finding.with_remedy(remedies.follow(placement))).collect()
+                found.map(|finding| Found::new(finding, remedies.follow(placement))).collect()
             }
         }
     }

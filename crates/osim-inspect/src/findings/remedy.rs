@@ -2,6 +2,7 @@
 
 use std::cell::OnceCell;
 use std::collections::HashSet;
+use std::path::PathBuf;
 
 use contact_scaling::limits;
 use osim_compare::{Placement, is_stretched};
@@ -9,8 +10,16 @@ use osim_feet::{DefaultPose, sphere_pairs};
 use osim_messages::{Verb, readable};
 use osim_model::files::FileName;
 use osim_model::{
-    Assignment, FileId, Force, ForceId, ForceKind, Model, Pattern, Property, Remedy, RemedyChange,
-    RemedyDesign, RemedyLoad, Selection, Sphere,
+    Assignment, FileId, Force, ForceId, ForceKind, Model, Pattern, Property, Selection, Sphere,
+};
+use osim_requests::options::{
+    ClassChoice, CountOptions, FollowOptions, ForceOptions, LoadOptions, MassOptions, MovedChoice,
+    ScalingOptions, SetFiles, WantedOptions,
+};
+use osim_requests::{
+    Acceleration, Assignments, ConstantIndentation, ConvertRequest, Count, DesignRequest, Kilograms,
+    Positive, RelativeIndentation, Request, RescaleRequest, RestitutionCoefficient, SetRequest,
+    TransferRequest,
 };
 
 use crate::figures::{Figure, SphereFigures};
@@ -20,12 +29,12 @@ use crate::options::InspectOptions;
 /// The preset whose contacts are proposed where a model's own make no sense.
 const PROPOSED_PRESET: &str = "falisse2022";
 
-/// What all remedies for one model share.
+/// What all remedies for one model share. A remedy is a request: it is asked like any other.
 pub(super) struct Remedies<'m> {
     /// `None` for standard input, which cannot be read twice, for a model that is not changed as it is, and where something
     /// else has to be done first.
-    model: Option<FileName>,
-    load: RemedyLoad,
+    model: Option<PathBuf>,
+    load: Load,
     options: &'m InspectOptions,
     /// Some force gives spheres of different size or material one modulus, so that no design serves all of them; all numbers
     /// are multiplied then.
@@ -42,6 +51,14 @@ pub(super) struct Remedies<'m> {
     divisible: OnceCell<HashSet<ForceId>>,
 }
 
+/// Whose weight is carried, and by how many spheres: what was said of it is said again.
+struct Load {
+    masses: MassOptions,
+    counts: CountOptions,
+    /// Gravity that the model's own file does not say.
+    gravity: Option<Acceleration>,
+}
+
 impl<'m> Remedies<'m> {
     pub(super) fn new(
         inspected: &Inspection,
@@ -53,15 +70,23 @@ impl<'m> Remedies<'m> {
         // What the bodies do not say has to be said again; likewise a gravity that the model's own file does not say,
         // because its contacts are scaled to it first.
         let of_figures = figures.mass_kg.filter(|_| inspected.mass_kg.is_none());
-        let load = RemedyLoad {
-            mass_kg: options.masses.model_kg.or(of_figures),
-            gravity_m_s2: figures.gravity_m_s2.filter(|_| figures.gravity_m_s2 != inspected.gravity_m_s2),
-            exclude_bodies: options.masses.exclude_bodies.clone(),
-            spheres: stance.spheres,
-            stance_limbs: Some(stance.limbs).filter(|&limbs| limbs != 1.0),
+        let mass = options.masses.model_kg.or(of_figures);
+        let gravity = figures.gravity_m_s2.filter(|_| figures.gravity_m_s2 != inspected.gravity_m_s2);
+        let said = |number: Option<f64>| number.and_then(|number| Count::new(number).ok());
+        let load = Load {
+            masses: MassOptions {
+                mass: mass.and_then(|kg| Kilograms::new(kg).ok()),
+                exclude_body: options.masses.exclude_bodies.clone(),
+                ..MassOptions::default()
+            },
+            counts: CountOptions {
+                spheres: said(stance.spheres),
+                stance_limbs: said(Some(stance.limbs)).unwrap_or(Count::ONE),
+            },
+            gravity: gravity.and_then(|gravity| Acceleration::new(gravity).ok()),
         };
-        let model = (inspected.model != "-" && changes)
-            .then(|| FileName::from_parts(inspected.model.clone(), inspected.model_bytes.clone()));
+        let name = || FileName::from_parts(inspected.model.clone(), inspected.model_bytes.clone()).to_path();
+        let model = (inspected.model != "-" && changes).then(name);
         let counted = inspected.spheres_per_limb.is_some() || stance.spheres.is_some();
         let weighed = inspected.figures.mass_kg.is_some();
         let body_kg = inspected.mass_kg;
@@ -88,32 +113,50 @@ impl<'m> Remedies<'m> {
         Self { model: None, ..self }
     }
 
-    fn remedy(&self, change: RemedyChange, with_load: bool) -> Option<Remedy> {
-        if !self.radii_may_change && changes_radii(&change) {
-            return None;
-        }
-        Some(Remedy {
-            model: self.model.clone()?,
-            change,
-            load: with_load.then(|| self.load.clone()),
-            selection: self.options.selection.clone(),
-            geometry: self.options.geometry.clone(),
-            set_model: self.options.model.clone(),
-            yes: Vec::new(),
+    /// The model that a remedy changes; `changes_radii` says whether radii are among what it writes.
+    fn models(&self, changes_radii: bool) -> Option<Vec<PathBuf>> {
+        (!changes_radii || self.radii_may_change).then(|| self.model.clone().map(|model| vec![model]))?
+    }
+
+    /// The choice of forces that was made, again.
+    fn choice(&self) -> ForceOptions {
+        let Selection { select, exclude, skip_disabled, .. } = self.options.selection.clone();
+        ForceOptions { select, exclude, skip_disabled }
+    }
+
+    fn set_files(&self) -> SetFiles {
+        SetFiles { geometry: self.options.geometry.clone(), model: self.options.model.clone() }
+    }
+
+    /// A design of parameters, which needs no load.
+    fn design(&self, wanted: WantedOptions) -> Option<DesignRequest> {
+        let (choice, set_files) = (self.choice(), self.set_files());
+        Some(DesignRequest {
+            models: self.models(false)?,
+            wanted,
+            choice,
+            set_files,
+            ..DesignRequest::default()
         })
     }
 
-    fn design(&self, wanted: RemedyDesign, with_load: bool) -> Option<Remedy> {
-        self.remedy(RemedyChange::Design(wanted), with_load)
+    fn set(&self, assignments: Vec<(Property, Assignment)>) -> Option<SetRequest> {
+        let changes_radii = assignments.iter().any(|(property, _)| *property == Property::Radius);
+        Some(SetRequest {
+            models: self.models(changes_radii)?,
+            set: assignments.into_iter().collect::<Assignments>(),
+            choice: self.choice(),
+            set_files: self.set_files(),
+            ..SetRequest::default()
+        })
     }
 
-    fn factor(&self, property: Property, factor: f64) -> Option<Remedy> {
-        let assignments = vec![(property, Assignment::Factor(factor))];
-        self.remedy(RemedyChange::Set { assignments }, false)
+    fn factor(&self, property: Property, factor: f64) -> Option<Request> {
+        self.set(vec![(property, Assignment::Factor(factor))]).map(Request::from)
     }
 
     /// Brings x̂ down to the limit under `body_weights`; where the law is smoothed, its constant indentation with it.
-    pub(super) fn indentation(&self, spheres: &[&SphereFigures], body_weights: f64) -> Option<Remedy> {
+    pub(super) fn indentation(&self, spheres: &[&SphereFigures], body_weights: f64) -> Option<Request> {
         let limit = limits::INDENTATION.value;
         if self.joined || !self.counted {
             // The sphere that sinks in most decides. x̂ follows E*^(-2/3) (11).
@@ -125,119 +168,159 @@ impl<'m> Remedies<'m> {
         let smooth = spheres.iter().any(|sphere| sphere.value(Figure::ConstantIndentation).is_some());
         // x̂ at body weight once it is at the limit under the load asked for.
         let x_hat = limit / body_weights.powf(2.0 / 3.0);
-        let wanted = RemedyDesign {
-            indentation: Some(limit),
-            body_weights: Some(body_weights).filter(|&weights| weights != 1.0),
-            constant_indentation: smooth.then(|| constant_indentation_below(x_hat)),
-            ..RemedyDesign::default()
+        let constant = smooth.then(|| constant_indentation_below(x_hat));
+        let wanted = WantedOptions {
+            indentation: Some(RelativeIndentation::new(limit).ok()?),
+            constant_indentation: constant.map(ConstantIndentation::new).transpose().ok()?,
+            ..WantedOptions::default()
         };
-        self.design(wanted, true)
+        let body_weights = Some(body_weights).filter(|&weights| weights != 1.0);
+        let load = LoadOptions {
+            body_weights: body_weights.map(Positive::new).transpose().ok()?,
+            gravity: self.load.gravity,
+            ..LoadOptions::default()
+        };
+        let (masses, counts) = (self.load.masses.clone(), self.load.counts.clone());
+        Some(DesignRequest { load, masses, counts, ..self.design(wanted)? }.into())
     }
 
     /// Brings the restitution up to the limit, from the largest dissipation that is there.
-    pub(super) fn restitution(&self, impact_speed_m_s: f64, dissipation_s_m: f64) -> Option<Remedy> {
+    pub(super) fn restitution(&self, impact_speed_m_s: f64, dissipation_s_m: f64) -> Option<Request> {
         let limit = limits::RESTITUTION.value;
         if self.joined {
             let factor = (1.0 - limit) / impact_speed_m_s / dissipation_s_m;
             return self.factor(Property::Dissipation, two_digits_below(factor));
         }
-        let wanted = RemedyDesign {
-            restitution: Some(limit),
-            impact_speed_m_s: Some((impact_speed_m_s * 1e4).ceil() / 1e4),
-            ..RemedyDesign::default()
+        let wanted = WantedOptions {
+            restitution: Some(RestitutionCoefficient::new(limit).ok()?),
+            impact_speed: Some(Positive::new((impact_speed_m_s * 1e4).ceil() / 1e4).ok()?),
+            ..WantedOptions::default()
         };
-        self.design(wanted, false)
+        self.design(wanted).map(Request::from)
     }
 
     /// One force for each sphere of `force`; of all forces, where all can be divided and nobody chose among them.
-    pub(super) fn one_sphere_each(&self, model: &Model, force: &Force) -> Option<Remedy> {
-        let remedy = self.remedy(RemedyChange::Convert { to: ForceKind::HuntCrossley }, false)?;
+    pub(super) fn one_sphere_each(&self, model: &Model, force: &Force) -> Option<Request> {
+        let models = self.models(false)?;
         let divisible = self.divisible.get_or_init(|| divisible(model));
         if !divisible.contains(&force.id) {
             return None;
         }
-        let everything = Selection::default();
-        if self.options.selection == everything && divisible.len() == model.forces().len() {
-            return Some(Remedy { selection: everything, ..remedy });
-        }
-        let select = vec![exactly(&force.name)?];
-        Some(Remedy { selection: Selection { select, ..everything }, ..remedy })
+        let all = self.options.selection == Selection::default() && divisible.len() == model.forces().len();
+        let select = if all { Vec::new() } else { vec![exactly(&force.name)?] };
+        let choice = ForceOptions { select, ..ForceOptions::default() };
+        let to = ClassChoice::of(ForceKind::HuntCrossley);
+        Some(ConvertRequest { models, to, choice, ..ConvertRequest::default() }.into())
     }
 
-    pub(super) fn constant_indentation(&self, constant_indentation: f64) -> Option<Remedy> {
-        let constant_indentation = Some(constant_indentation);
-        self.design(RemedyDesign { constant_indentation, ..RemedyDesign::default() }, false)
+    pub(super) fn constant_indentation(&self, constant_indentation: f64) -> Option<Request> {
+        let constant_indentation = Some(ConstantIndentation::new(constant_indentation).ok()?);
+        self.design(WantedOptions { constant_indentation, ..WantedOptions::default() }).map(Request::from)
     }
 
-    pub(super) fn transition(&self) -> Option<Remedy> {
-        self.design(
-            RemedyDesign { state_width: Some(limits::SUGGESTED_TRANSITION_WIDTH), ..RemedyDesign::default() },
-            false,
-        )
+    pub(super) fn transition(&self) -> Option<Request> {
+        let state_width = Some(Positive::new(limits::SUGGESTED_TRANSITION_WIDTH).ok()?);
+        self.design(WantedOptions { state_width, ..WantedOptions::default() }).map(Request::from)
     }
 
     /// Brings the force just touching down to a tenth of the share of the weight.
-    pub(super) fn touching(&self, spheres: &[&SphereFigures]) -> Option<Remedy> {
+    pub(super) fn touching(&self, spheres: &[&SphereFigures]) -> Option<Request> {
         self.constant_indentation(touching_indentation(spheres)?)
     }
 
     /// Brings spheres that float to the floor. Where contact sets in over a long way that has to be shorter, too: far above
     /// the floor the force of (C.1) is large again.
-    pub(super) fn floating(&self, spheres: &[&SphereFigures]) -> Option<Remedy> {
+    pub(super) fn floating(&self, spheres: &[&SphereFigures]) -> Option<Request> {
         let wide = spheres.iter().any(|sphere| sphere.is_within(Figure::TransitionWidth) == Some(false));
-        let wanted = RemedyDesign {
-            constant_indentation: Some(touching_indentation(spheres)?),
-            state_width: wide.then_some(limits::SUGGESTED_TRANSITION_WIDTH),
-            ..RemedyDesign::default()
+        let width = wide.then_some(limits::SUGGESTED_TRANSITION_WIDTH);
+        let wanted = WantedOptions {
+            constant_indentation: Some(ConstantIndentation::new(touching_indentation(spheres)?).ok()?),
+            state_width: width.map(Positive::new).transpose().ok()?,
+            ..WantedOptions::default()
         };
-        self.design(wanted, false)
+        self.design(wanted).map(Request::from)
     }
 
     /// Scales contacts that were made for another body to this one.
-    pub(super) fn rescale(&self, contacts_kg: f64, target_mass_kg: f64) -> Option<Remedy> {
-        let change = RemedyChange::Rescale {
-            contacts_mass_kg: rounded(contacts_kg),
-            target_mass_kg: rounded(target_mass_kg),
-        };
-        self.remedy(change, false)
+    pub(super) fn rescale(&self, contacts_mass_kg: f64, target_mass_kg: f64) -> Option<Request> {
+        let contacts_mass = Some(Kilograms::new(rounded(contacts_mass_kg)).ok()?);
+        Some(
+            RescaleRequest {
+                models: self.models(true)?,
+                target_mass: Some(Kilograms::new(rounded(target_mass_kg)).ok()?),
+                masses: MassOptions { contacts_mass, ..MassOptions::default() },
+                choice: self.choice(),
+                set_files: self.set_files(),
+                ..RescaleRequest::default()
+            }
+            .into(),
+        )
     }
 
     /// The model's own contacts at the mass of its body, on spheres that follow it by the sizes in the note.
-    pub(super) fn follow_by_note(&self, model: &Model) -> Option<Remedy> {
+    pub(super) fn follow_by_note(&self, model: &Model) -> Option<Request> {
         let since = model.scaled_since_note().filter(|_| model.doubt_about_note().is_none())?;
         if !since.has_all_carriers(model) {
             return None;
         }
         // What the model weighs otherwise is for the user to say.
-        let target_mass_kg = rounded(self.body_kg.filter(|_| self.load.mass_kg.is_none())?);
+        let target_mass_kg = rounded(self.body_kg.filter(|_| self.load.masses.mass.is_none())?);
         // A rescaling since then may have changed radii, and bottoms with them.
         let untouched = model.note.as_ref().is_some_and(|note| note.operation == Verb::Note.name());
         let level = untouched && !since.factors.values().any(|factors| is_stretched(*factors));
-        self.remedy(RemedyChange::FollowNote { target_mass_kg, level }, true)
+        Some(
+            RescaleRequest {
+                models: self.models(true)?,
+                target_mass: Some(Kilograms::new(target_mass_kg).ok()?),
+                follow_bodies: true,
+                scaling: ScalingOptions { level, ..ScalingOptions::default() },
+                masses: self.load.masses.clone(),
+                choice: self.choice(),
+                set_files: self.set_files(),
+                ..RescaleRequest::default()
+            }
+            .into(),
+        )
+    }
+
+    /// Contacts of another model or preset, under the load that was said.
+    fn transfer(&self, from: PathBuf) -> Option<TransferRequest> {
+        Some(TransferRequest {
+            models: self.models(true)?,
+            from: Some(from),
+            masses: self.load.masses.clone(),
+            counts: self.load.counts.clone(),
+            choice: self.choice(),
+            set_files: self.set_files(),
+            ..TransferRequest::default()
+        })
     }
 
     /// Contacts of the model that OpenSim scaled, on spheres that follow their bodies.
-    pub(super) fn follow(&self, placement: &Placement) -> Option<Remedy> {
-        let change = RemedyChange::Follow {
-            from: placement.from.clone(),
+    pub(super) fn follow(&self, placement: &Placement) -> Option<Request> {
+        if !placement.can_follow() {
+            return None;
+        }
+        let follow = FollowOptions {
+            follow_bodies: true,
             body_scale_file: placement.body_scale_file.clone(),
-            level: placement.suits_level,
-            replace_moved: placement.has_resized(),
+            moved_spheres: placement.has_resized().then_some(MovedChoice::Replace),
+            ..FollowOptions::default()
         };
-        placement.can_follow().then(|| self.remedy(change, true)).flatten()
+        let scaling = ScalingOptions { level: placement.suits_level, ..ScalingOptions::default() };
+        Some(TransferRequest { follow, scaling, ..self.transfer(placement.from.clone())? }.into())
     }
 
     /// Contacts of a published model.
-    pub(super) fn preset(&self) -> Option<Remedy> {
+    pub(super) fn preset(&self) -> Option<Request> {
         // A transfer takes the model's own gravity.
-        let own_gravity = self.load.gravity_m_s2.is_none();
-        (own_gravity && self.weighed && self.counted)
-            .then(|| self.remedy(RemedyChange::Transfer { from: PROPOSED_PRESET }, true))
-            .flatten()
+        let own_gravity = self.load.gravity.is_none();
+        let known = own_gravity && self.weighed && self.counted;
+        known.then(|| self.transfer(PROPOSED_PRESET.into()).map(Request::from))?
     }
 
     /// Writes values into one force.
-    pub(super) fn copy(&self, force: &str, values: &[(Property, f64)]) -> Option<Remedy> {
+    pub(super) fn copy(&self, force: &str, values: &[(Property, f64)]) -> Option<Request> {
         let selection = &self.options.selection;
         // A value that nobody may set is no repair of the other side.
         let can_be_set = values.iter().all(|(property, value)| property.allows(*value));
@@ -245,9 +328,9 @@ impl<'m> Remedies<'m> {
             return None;
         }
         let assignments = values.iter().map(|(property, value)| (*property, Assignment::Value(*value)));
-        let remedy = self.remedy(RemedyChange::Set { assignments: assignments.collect() }, false)?;
-        let select = vec![exactly(force)?];
-        Some(Remedy { selection: Selection { select, ..selection.clone() }, ..remedy })
+        let set = self.set(assignments.collect())?;
+        let choice = ForceOptions { select: vec![exactly(force)?], ..self.choice() };
+        Some(SetRequest { choice, ..set }.into())
     }
 }
 
@@ -282,17 +365,6 @@ fn divisible(model: &Model) -> HashSet<ForceId> {
 fn exactly(name: &str) -> Option<Pattern> {
     let is_plain = !name.contains(['*', '?', '[', ']', '{', '}', '\\', '!']);
     if is_plain { name.parse().ok() } else { None }
-}
-
-/// Whether radii are among what `change` writes.
-fn changes_radii(change: &RemedyChange) -> bool {
-    match change {
-        RemedyChange::Set { assignments } => {
-            assignments.iter().any(|(property, _)| *property == Property::Radius)
-        }
-        RemedyChange::Design(_) | RemedyChange::Convert { .. } => false,
-        _ => true,
-    }
 }
 
 /// In as many digits as people read.

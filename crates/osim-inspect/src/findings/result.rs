@@ -2,12 +2,14 @@
 
 use std::cmp::Reverse;
 
-use osim_model::{Finding, FindingCode, RemedyDialect, Severity};
+use osim_model::{FindingCode, Severity};
+use osim_requests::Speller;
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use super::found::Found;
 use crate::inspection::Inspection;
-use crate::serialized::{FindingRecord, SCHEMA_VERSION, records};
+use crate::serialized::{FindingRecord, SCHEMA_VERSION, found_records};
 
 /// Everything found in one model. Serialised it is the JSON contract of `check`; `docs/json.md` describes it.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
@@ -24,9 +26,9 @@ pub struct CheckResult {
     /// How many of each severity.
     pub counts: Counts,
     /// From the worst to the least; equally bad ones in the order of the register.
-    #[serde(serialize_with = "records")]
+    #[serde(serialize_with = "found_records")]
     #[schemars(with = "Vec<FindingRecord>")]
-    pub findings: Vec<Finding>,
+    pub findings: Vec<Found>,
 }
 
 /// How many findings of each severity.
@@ -70,9 +72,9 @@ impl Counts {
 impl CheckResult {
     /// Everything found in a model, in any order.
     #[must_use]
-    pub fn new(inspected: &Inspection, mut findings: Vec<Finding>) -> Self {
+    pub fn new(inspected: &Inspection, mut findings: Vec<Found>) -> Self {
         // What spheres do where they should not be is a symptom.
-        let is_symptom = |finding: &Finding| {
+        let is_symptom = |finding: &Found| {
             !matches!(finding.code, FindingCode::SpheresLeftBehind | FindingCode::SpheresMisplaced)
         };
         findings.sort_by_key(|finding| {
@@ -100,7 +102,7 @@ impl CheckResult {
     }
 
     /// Spells everything it says in the words of a front end.
-    pub fn spell(&mut self, dialect: &dyn RemedyDialect) {
-        self.findings.iter_mut().for_each(|finding| finding.spell_with_remedy(dialect));
+    pub fn spell(&mut self, speller: &dyn Speller) {
+        self.findings.iter_mut().for_each(|finding| finding.spell(speller));
     }
 }

@@ -3,21 +3,21 @@
 use std::cell::LazyCell;
 
 use contact_scaling::limits;
-use osim_model::{
-    BothSides, Finding, FindingCode, Force, ForceId, GravityFor, Model, Needed, Property, Remedy,
-};
+use osim_model::{BothSides, Finding, FindingCode, Force, ForceId, GravityFor, Model, Needed, Property};
+use osim_requests::Request;
 
+use super::found::Found;
 use super::remedy::Remedies;
 use crate::inspection::Inspection;
 
 /// Everything that the model shows apart from its figures.
-pub(super) fn findings(model: &Model, inspected: &Inspection, remedies: &Remedies<'_>) -> Vec<Finding> {
+pub(super) fn findings(model: &Model, inspected: &Inspection, remedies: &Remedies<'_>) -> Vec<Found> {
     let sides = LazyCell::new(|| model.both_sides());
     let with_remedy =
-        |finding: &Finding| finding.clone().with_remedy(remedy(model, &sides, finding, remedies));
-    let mut found: Vec<Finding> = inspected.warnings.iter().map(with_remedy).collect();
-    found.extend(model.remarks_on(&meeting_half_space(model)));
-    found.extend(unknown(inspected));
+        |finding: &Finding| Found::new(finding.clone(), remedy(model, &sides, finding, remedies));
+    let mut found: Vec<Found> = inspected.warnings.iter().map(with_remedy).collect();
+    found.extend(model.remarks_on(&meeting_half_space(model)).into_iter().map(Found::from));
+    found.extend(unknown(inspected).into_iter().map(Found::from));
     found
 }
 
@@ -32,7 +32,7 @@ fn remedy<'m>(
     sides: &LazyCell<BothSides<'m>, impl FnOnce() -> BothSides<'m>>,
     finding: &Finding,
     remedies: &Remedies<'_>,
-) -> Option<Remedy> {
+) -> Option<Request> {
     match finding.code {
         FindingCode::DefaultStiffness => remedies.preset(),
         FindingCode::ZeroConstantContactForce => {

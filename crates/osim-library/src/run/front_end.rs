@@ -1,9 +1,9 @@
 //! Who asks for a run: what it wants of each model, and in whose words messages are.
 
-use osim_model::RemedyDialect;
 use osim_model::files::OpenModel;
 use osim_patch::Plan;
 use osim_planning::BeforeAfter;
+use osim_requests::Speller;
 
 use super::record::Record;
 use super::task::Task;
@@ -28,7 +28,7 @@ pub trait FrontEnd: Sync {
     type Shown: Send;
 
     /// The words of all messages.
-    fn dialect(&self) -> &dyn RemedyDialect;
+    fn dialect(&self) -> &dyn Speller;
 
     /// What is wanted of each model.
     fn detail(&self) -> Detail;

@@ -4,10 +4,11 @@ use std::path::Path;
 use std::sync::Arc;
 
 use osim_messages::{Input, phrase};
+use osim_model::FileId;
 use osim_model::files::{Failure, Files, ModelFiles, OpenModel};
-use osim_model::{FileId, RemedyDialect};
 use osim_patch::Plan;
 use osim_planning::{BeforeAfter, Change, Planner};
+use osim_requests::Speller;
 use osim_requests::options::{OutputOptions, RunOptions, SetFiles};
 
 use super::destination::Destination;
@@ -48,7 +49,7 @@ impl PlannedModel {
         loaded: Loaded,
         change: &Change,
         files: &dyn Files,
-        dialect: &dyn RemedyDialect,
+        dialect: &dyn Speller,
     ) -> Result<Self, Failure> {
         let Loaded { files: model, origin } = loaded;
         let kept = model.with_bytes(Vec::new());
@@ -95,7 +96,7 @@ impl PlannedModel {
     /// The new model cannot be read, which would be a defect.
     pub fn shown<T>(
         &self,
-        (dialect, feet): (&dyn RemedyDialect, bool),
+        (dialect, feet): (&dyn Speller, bool),
         show: impl FnOnce(ChangedModel<'_>) -> T,
     ) -> Result<T, Failure> {
         let task = self.task(&OutputOptions::default());

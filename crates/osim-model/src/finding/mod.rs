@@ -1,14 +1,11 @@
-//! Things a user should know about a model or a change, each with a stable code, an explanation and, where there is one, a
-//! change that puts it right.
+//! Things a user should know about a model or a change, each with a stable code and an explanation.
 
 mod register;
-mod remedy;
 mod severity;
 
 use osim_messages::{Dialect, Phrase};
 
 pub use register::{FindingCode, Repair};
-pub use remedy::{Remedy, RemedyChange, RemedyDesign, RemedyDialect, RemedyLoad};
 pub use severity::{Seen, Severity};
 
 /// One thing to know, about a model or about a change of it.
@@ -46,10 +43,6 @@ pub struct Finding {
     pub spheres: Vec<String>,
     /// Line in the model, from 1, where there is one.
     pub line: Option<usize>,
-    /// A change that puts it right; `None` where only the user can know what to write.
-    pub remedy: Option<Remedy>,
-    /// The same in the words of a front end, once [`Finding::spell`] was given them.
-    pub command: Option<String>,
 }
 
 impl Finding {
@@ -64,8 +57,6 @@ impl Finding {
             place: None,
             spheres: Vec::new(),
             line: None,
-            remedy: None,
-            command: None,
         }
     }
 
@@ -104,22 +95,10 @@ impl Finding {
         self.severity < self.code.severity()
     }
 
-    /// The same with a change that puts it right, where there is one.
-    #[must_use]
-    pub fn with_remedy(self, remedy: Option<Remedy>) -> Self {
-        Self { remedy, ..self }
-    }
-
     /// Spells what it says in the words of a front end.
     pub fn spell(&mut self, dialect: &dyn Dialect) {
         for phrase in [&mut self.message, &mut self.why, &mut self.advice] {
             phrase.spell(dialect);
         }
-    }
-
-    /// Spells its remedy, too.
-    pub fn spell_with_remedy(&mut self, dialect: &dyn RemedyDialect) {
-        self.spell(dialect);
-        self.command = self.remedy.as_ref().map(|remedy| dialect.remedy(remedy));
     }
 }

@@ -1,11 +1,12 @@
 //! What is said of forces that are smoothed and were not.
 
 use contact_scaling::SmoothingValues;
-use osim_inspect::{InspectOptions, check_model};
+use osim_inspect::{Found, InspectOptions, check_model};
+use osim_requests::{ConstantIndentation, Request};
 
 use crate::trial;
 use osim_messages::{Input, Phrase, Verb, readable};
-use osim_model::{Finding, FindingCode, ForceKind, Model, Property, RemedyChange};
+use osim_model::{Finding, FindingCode, ForceKind, Model, Property};
 use osim_patch::{Deed, ObjectChange};
 
 /// Different numbers that are said, before they are counted.
@@ -79,13 +80,13 @@ pub(crate) fn too_smooth(model: &Model) -> Vec<Finding> {
 }
 
 /// The finding about a model that is not written yet: lines are not known, and what puts it right is to be said of the result.
-fn with_way_out(mut finding: Finding) -> Finding {
-    let remedy = finding.remedy.take();
+fn with_way_out(found: Found) -> Finding {
+    let Found { mut finding, remedy, .. } = found;
     finding.line = None;
     finding.message.push(": smooth less with ");
     finding.message.push(Input::ConstantContactForce.like("M2"));
-    let design = remedy.and_then(|remedy| match remedy.change {
-        RemedyChange::Design(design) => design.constant_indentation,
+    let design = remedy.and_then(|remedy| match remedy {
+        Request::Design(design) => design.wanted.constant_indentation.map(ConstantIndentation::get),
         _ => None,
     });
     if let Some(indentation) = design {

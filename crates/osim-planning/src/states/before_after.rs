@@ -2,9 +2,10 @@
 
 use osim_inspect::series::Body;
 use osim_inspect::{CheckResult, Figures, InspectOptions, Inspection, ReferenceState, check_model};
+use osim_model::Property;
 use osim_model::files::{Failure, ModelFiles, OpenModel};
-use osim_model::{Property, RemedyDialect};
 use osim_patch::Plan;
+use osim_requests::Speller;
 
 use crate::states::states::{body, options_after};
 use crate::{ModelFeet, Planner, trial};
@@ -40,7 +41,7 @@ impl BeforeAfter {
         opened: &OpenModel,
         plan: &Plan,
         changed: impl FnOnce() -> ModelFiles,
-        (dialect, with_feet): (&dyn RemedyDialect, bool),
+        (dialect, with_feet): (&dyn Speller, bool),
     ) -> Result<Self, Failure> {
         let before = InspectOptions::from(&planner.inspection());
         // The new model has the same elements: what can be changed in one can be changed in the other.
@@ -80,7 +81,7 @@ impl BeforeAfter {
         Ok(both)
     }
 
-    fn spell(&mut self, dialect: &dyn RemedyDialect) {
+    fn spell(&mut self, dialect: &dyn Speller) {
         for (inspection, check) in std::iter::once(&mut self.before).chain(&mut self.after) {
             inspection.spell(dialect);
             check.spell(dialect);

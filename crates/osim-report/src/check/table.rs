@@ -1,8 +1,8 @@
 //! Findings of one model, for people.
 
-use osim_inspect::CheckResult;
+use osim_inspect::{CheckResult, Found};
 use osim_messages::one_line;
-use osim_model::{Finding, FindingCode};
+use osim_model::FindingCode;
 
 use crate::layout::{Colour, severity, wrapped, wrapped_with_path};
 
@@ -13,7 +13,7 @@ use crate::layout::{Colour, severity, wrapped, wrapped_with_path};
 pub fn text(found: &CheckResult, prompt: &str, colour: Colour) -> String {
     let known = found.findings.iter().find(|finding| finding.code == FindingCode::KnownContacts);
     let clean = known.filter(|_| found.counts.error + found.counts.warn == 0);
-    let shown: Vec<&Finding> = found
+    let shown: Vec<&Found> = found
         .findings
         .iter()
         .filter(|finding| !finding.is_as_published() && clean.is_none_or(|known| known.code != finding.code))
@@ -49,7 +49,7 @@ fn published(found: &CheckResult) -> String {
     if codes.is_empty() { String::new() } else { format!(" (as published: {})", codes.join(", ")) }
 }
 
-fn block(first: &Finding, alike: &[&Finding], more: &str, (prompt, colour): (&str, Colour)) -> String {
+fn block(first: &Found, alike: &[&Found], more: &str, (prompt, colour): (&str, Colour)) -> String {
     let mut text = format!("{} {}\n", severity(first.severity, colour), first.code);
     for finding in alike {
         let line = finding.line.map(|line| format!("line {line}: ")).unwrap_or_default();

@@ -3,7 +3,8 @@
 use std::borrow::Cow;
 
 use osim_messages::{Call, Dialect, Example, Input, Verb, shortest};
-use osim_model::{Assignment, Remedy, RemedyDialect};
+use osim_model::Assignment;
+use osim_requests::{Request, Speller};
 
 use super::front_end::FrontEnd;
 use super::remedy::{InputValue, RemedyParts, is_assignment};
@@ -61,14 +62,14 @@ impl Dialect for CommandLine {
     }
 }
 
-impl RemedyDialect for CommandLine {
-    fn remedy(&self, remedy: &Remedy) -> String {
-        let Some(parts) = RemedyParts::of(remedy) else { return String::new() };
+impl Speller for CommandLine {
+    fn request(&self, request: &Request) -> String {
+        let parts = RemedyParts::of(request);
         let mut words = vec![PROGRAM.to_owned()];
         if parts.verb != Verb::Rescale {
             words.push(parts.verb.name().to_owned());
         }
-        words.push(shell_quoted(&model_word(&remedy.model)));
+        words.push(shell_quoted(&model_word(&parts.model)));
         words.extend(parts.assignments.iter().map(|(property, assignment)| match assignment {
             Assignment::Factor(factor) => format!("{property}=x{}", shortest(*factor)),
             Assignment::Value(value) => format!("{property}={}", shortest(*value)),

@@ -1,10 +1,10 @@
 //! What a front end spells beyond sentences.
 
 use osim_messages::Call;
-use osim_model::RemedyDialect;
+use osim_requests::Speller;
 
 /// The words of a front end, for calls that stand alone too.
-pub trait FrontEnd: RemedyDialect {
+pub trait FrontEnd: Speller {
     /// A call that stands alone, to be copied: on a command line it begins with the name of the program.
     fn command(&self, call: &Call) -> String {
         self.call(call)

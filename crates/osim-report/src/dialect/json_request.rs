@@ -1,8 +1,8 @@
 //! The words of requests in JSON.
 
 use osim_messages::{Call, Dialect, Example, Input, Verb};
-use osim_model::{Remedy, RemedyDialect};
-use osim_requests::Request;
+
+use osim_requests::{Request, Speller};
 use serde_json::Value;
 
 use super::front_end::FrontEnd;
@@ -47,10 +47,9 @@ impl Dialect for JsonRequest {
     }
 }
 
-impl RemedyDialect for JsonRequest {
-    fn remedy(&self, remedy: &Remedy) -> String {
-        // A remedy that this version does not know says nothing.
-        Request::try_from(remedy).map(|request| request.to_json()).unwrap_or_default()
+impl Speller for JsonRequest {
+    fn request(&self, request: &Request) -> String {
+        request.to_json()
     }
 }
 

@@ -1,7 +1,8 @@
 //! The words of a page with fields and buttons.
 
 use osim_messages::{Call, Dialect, Example, Input, Verb, readable};
-use osim_model::{Assignment, Remedy, RemedyDialect};
+use osim_model::Assignment;
+use osim_requests::{Request, Speller};
 
 use super::front_end::FrontEnd;
 use super::remedy::{InputValue, RemedyParts};
@@ -38,9 +39,9 @@ impl Dialect for Page {
     }
 }
 
-impl RemedyDialect for Page {
-    fn remedy(&self, remedy: &Remedy) -> String {
-        let Some(parts) = RemedyParts::of(remedy) else { return String::new() };
+impl Speller for Page {
+    fn request(&self, request: &Request) -> String {
+        let parts = RemedyParts::of(request);
         let mut wanted: Vec<String> = parts
             .assignments
             .iter()

@@ -1,7 +1,8 @@
 //! The words of the Python package.
 
 use osim_messages::{Call, Dialect, Example, Input, Verb, shortest};
-use osim_model::{Assignment, Remedy, RemedyDialect};
+use osim_model::Assignment;
+use osim_requests::{Request, Speller};
 
 use super::front_end::FrontEnd;
 use super::remedy::{InputValue, RemedyParts};
@@ -41,10 +42,10 @@ impl Dialect for Python {
     }
 }
 
-impl RemedyDialect for Python {
-    fn remedy(&self, remedy: &Remedy) -> String {
-        let Some(parts) = RemedyParts::of(remedy) else { return String::new() };
-        let mut arguments = vec![python_quoted(&remedy.model)];
+impl Speller for Python {
+    fn request(&self, request: &Request) -> String {
+        let parts = RemedyParts::of(request);
+        let mut arguments = vec![python_quoted(&parts.model)];
         arguments.extend(parts.assignments.iter().map(|(property, assignment)| match assignment {
             Assignment::Factor(factor) => {
                 format!("{property}={}", python_quoted(&format!("x{}", shortest(*factor))))

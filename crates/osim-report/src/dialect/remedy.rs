@@ -1,10 +1,9 @@
 //! The inputs of a remedy, in the order in which they are written.
 
-use std::path::{Path, PathBuf};
-
 use osim_messages::{Call, Input, Verb};
-use osim_model::{Assignment, Property, Remedy, RemedyChange};
+use osim_model::{Assignment, Property};
 use osim_requests::Request;
+use osim_requests::values::path;
 use serde_json::Value;
 
 /// What comes first where a remedy has it; the rest follows in the order of its request.
@@ -49,6 +48,8 @@ pub(super) enum InputValue {
 /// A remedy, taken apart.
 pub(super) struct RemedyParts {
     pub(super) verb: Verb,
+    /// The model as it was named.
+    pub(super) model: String,
     /// Properties and what happens to them.
     pub(super) assignments: Vec<(Property, Assignment)>,
     pub(super) inputs: Vec<(Input, InputValue)>,
@@ -56,24 +57,28 @@ pub(super) struct RemedyParts {
 
 impl RemedyParts {
     /// The fields of its request, but for the model; `None` for a change that this version does not know.
-    pub(super) fn of(remedy: &Remedy) -> Option<Self> {
-        let request = Request::try_from(remedy).ok()?;
-        let assignments = match &request {
+    pub(super) fn of(request: &Request) -> Self {
+        let assignments = match request {
             Request::Set(request) => request.set.as_slice().to_vec(),
             _ => Vec::new(),
         };
+        let mut fields = request.to_map();
+        let model = match fields.shift_remove("models") {
+            Some(Value::Array(models)) => models.first().map(name_of).unwrap_or_default(),
+            Some(model) => name_of(&model),
+            None => String::new(),
+        };
         let input = |name: &str| Input::ALL.iter().copied().find(|input| input.name() == name);
-        let fields = request.to_map().into_iter();
         let mut inputs: Vec<(Input, InputValue)> =
-            fields.filter_map(|(name, value)| input(&name).zip(value_of(remedy, &name, value))).collect();
+            fields.into_iter().filter_map(|(name, value)| input(&name).zip(value_of(value))).collect();
         let place = |input: Input| ORDER.iter().position(|known| *known == input).unwrap_or(ORDER.len());
         inputs.sort_by_key(|(input, _)| place(*input));
-        Some(Self { verb: request.verb(), assignments, inputs })
+        Self { verb: request.verb(), model, assignments, inputs }
     }
 }
 
-/// The value of the field `name`.
-fn value_of(remedy: &Remedy, name: &str, value: Value) -> Option<InputValue> {
+/// What a field says.
+fn value_of(value: Value) -> Option<InputValue> {
     Some(match value {
         Value::Number(number) => InputValue::Number(number.as_f64()?),
         Value::String(text) => InputValue::Text(text),
@@ -81,22 +86,12 @@ fn value_of(remedy: &Remedy, name: &str, value: Value) -> Option<InputValue> {
         Value::Array(patterns) => {
             InputValue::Patterns(patterns.iter().filter_map(Value::as_str).map(str::to_owned).collect())
         }
-        // The name of a file that is no text.
-        _ => InputValue::Text(file_of(remedy, name)?.display().to_string()),
+        other => InputValue::Text(name_of(&other)),
     })
 }
 
-/// A file of a remedy, by the name of its input.
-fn file_of<'r>(remedy: &'r Remedy, name: &str) -> Option<&'r Path> {
-    let (from, factors) = match &remedy.change {
-        RemedyChange::Follow { from, body_scale_file, .. } => (Some(from), body_scale_file.as_ref()),
-        _ => (None, None),
-    };
-    let files = [
-        (Input::Geometry, remedy.geometry.as_ref()),
-        (Input::Model, remedy.set_model.as_ref()),
-        (Input::From, from),
-        (Input::BodyScaleFile, factors),
-    ];
-    files.into_iter().find(|(input, _)| input.name() == name)?.1.map(PathBuf::as_path)
+/// The name of a file, which may be no text: then it is its bytes.
+fn name_of(value: &Value) -> String {
+    let path = path::optional::deserialize(value.clone()).ok().flatten();
+    path.map_or_else(|| value.to_string(), |path| path.display().to_string())
 }

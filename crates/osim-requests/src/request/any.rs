@@ -21,7 +21,7 @@ use super::set::SetRequest;
 use super::transfer::TransferRequest;
 use crate::dictionary;
 use crate::fault::RequestFault;
-use crate::options::RunOptions;
+use crate::options::{AnswerOptions, RunOptions};
 #[cfg(feature = "clap")]
 use crate::relation::Relation;
 use crate::schema::schema;
@@ -101,6 +101,21 @@ macro_rules! requests {
 }
 
 impl Request {
+    /// Answers to questions, of a verb that changes models.
+    pub fn answers_mut(&mut self) -> Option<&mut AnswerOptions> {
+        Some(match self {
+            Self::Rescale(request) => &mut request.answers,
+            Self::Transfer(request) => &mut request.answers,
+            Self::Add(request) => &mut request.answers,
+            Self::Remove(request) => &mut request.answers,
+            Self::Convert(request) => &mut request.answers,
+            Self::Design(request) => &mut request.answers,
+            Self::Set(request) => &mut request.answers,
+            Self::Note(request) => &mut request.answers,
+            _ => return None,
+        })
+    }
+
     /// How to go about the work, of a verb that changes models.
     #[must_use]
     pub fn run_options(&self) -> Option<&RunOptions> {
