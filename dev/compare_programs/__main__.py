@@ -1,152 +1,322 @@
 """Proves that a changed program does what the old one did: the same calls, the same bytes.
 
-    python3 dev/compare_programs OLD NEW --fixtures fixtures [--corpus FOLDER] [--jobs 2] [--quick]
-
-Both programs do thousands of cases, each in a fresh folder of the same name with the same files. Exit status, both
-streams and every file that is there afterwards are compared byte for byte. Both programs need the same version number,
-since files record it. Exit status: 0 if nothing differs, else 1.
-
-`--map MAP.json` is for fields of JSON that changed on purpose: {"old_name": "new_name", "added": ["only_in_new"]}
-(also "columns" and "added_columns", the same for tables). Which options there are, and what can be explained, is read
-from the old program.
-
-The modules: `calls` (how a case is written), `store` and `texts` (files), `models`, `particular`, `options` and
-`damaged` (the cases; tables of them in `files_tables`, `verb_tables` and `other_tables`), `run` with `changes` and
-`streams` (one case), `differ` and `same` (what counts as the same), `report`.
+Both do each call of `calls.txt` (tables, every model of the fixtures and of the corpus, every option that the old
+program's help names), each example of the docs, and many of these again as JSON for the verb `request`, in a fresh folder
+of the same name. Exit status, both streams and every file that is there afterwards are compared byte by byte, once the
+map of what changed on purpose (`renames.py`) was applied to what the old program left. Both need the same version number.
+Exit status: 1 if anything differs, or, in a full run, if an entry of the map was never used.
 """
 
 import argparse
-import math
+import contextlib
+import difflib
+import functools
+import io
+import itertools
+import json
 import multiprocessing
+import os
+import re
+import shlex
+import shutil
+import subprocess
 import sys
 import tempfile
 import time
 import zlib
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Iterator
+from dataclasses import dataclass, field
 from pathlib import Path
 
-import damaged
-import models
-import options
-import particular
-import report
-from calls import Case
-from run import Ground, Result, Settings, remove
-from same import Map, Rules
-from store import Store
+from renames import Entry, Map
 
-QUICK = 10
-# A device that is always full; not every system has one.
-FULL = Path("/dev/full")
-# A folder in memory: the programs wait for the disk after each file.
-MEMORY = Path("/dev/shm")
+TOP = Path(__file__).resolve().parents[2]
+FIXTURES = TOP / "fixtures"
+# A quick run does one case in so many; of the calls in turn, each model has one in so many; so many kinds of differences are shown.
+QUICK, EVERY, SHOWN = 10, 12, 20
+ENVIRONMENT = {"PATH": "/usr/bin:/bin", "COLUMNS": "100", "NO_COLOR": "1", "LC_ALL": "C.UTF-8", "TERM": "dumb", "TZ": "UTC"}
+TOKEN = re.compile(r"[\w./+-]+")
+# What the words of a call without an option are in a request; of other verbs they are models.
+FIRST = {"batch": "manifest", "drop-test": "subject", "explain": "topics", "fit": "file", "presets": "name", "sweep": "model"}
 
 
 def main() -> int:
     """Does all of it; gives the exit status."""
     args = arguments()
-    sys.stdout.reconfigure(errors="backslashreplace")  # type: ignore[union-attr]
-    store = Store(args.fixtures.resolve(), args.corpus and args.corpus.resolve())
-    chosen = all_cases(store, args.old.resolve())
-    chosen = quick(chosen) if args.quick else chosen
-    chosen = [case for case in chosen if all(word in case.call for word in args.only)]
-    if args.list:
-        print("\n".join(case.call for case in chosen))
-        return 0
-    changed = Map.read(args.map) if args.map else Map()
-    print("\n".join([f"{len(chosen)} cases", *changed.lines()]), flush=True)
+    cases = Cases(args.corpus and args.corpus.resolve(), args.old.resolve())
+    chosen = [call for call in dict.fromkeys(cases.all()) if call and all(word in call for word in args.only)]
+    chosen = [call for call in chosen if zlib.crc32(call.encode()) % QUICK == 0] if args.quick else chosen
+    changed = Map(args.map)
     began = time.monotonic()
-    results = compare(chosen, args, Rules(changed, args.ignore_settings, args.models_only))
-    print(report.table(chosen, results))
-    print(f"{time.monotonic() - began:.0f} s")
-    found = report.groups(results)
-    if found:
-        print("\nWhat differs, by its first differing line:\n" + report.told_groups(chosen, found))
-        print("\nSome of it in full:\n" + report.told_cases(chosen, found, args.show))
-    return 1 if found else 0
+    with tempfile.TemporaryDirectory(prefix="compare_programs-", dir="/dev/shm" if Path("/dev/shm").is_dir() else None) as folder:
+        ground = Ground(cases, args.old.resolve(), args.new.resolve(), changed, Path(folder))
+        with multiprocessing.Pool(args.jobs) as pool:
+            results = list(pool.imap_unordered(ground.compare, chosen, chunksize=8))
+    differing = sorted((result for result in results if result.differences), key=lambda result: result.call)
+    changed.used = sum((result.used for result in results), Counter())
+    unused = [] if args.quick or args.only else [entry for entry in changed.entries if not changed.used[entry]]
+    total = sum((result.counts for result in results), Counter())
+    print("\n".join([*shown(differing), *changed.lines(), *(f"error: never used: {entry}" for entry in unused)]))
+    counted = ", ".join(f"{total[name]} {name}" for name in ("calls", "calls that fail", "written files", "bytes of files and streams"))
+    print(f"{len(results)} cases, {counted}: {len(differing)} cases differ; {time.monotonic() - began:.0f} s")
+    return 1 if differing or unused or not results else 0
 
 
 def arguments() -> argparse.Namespace:
     """The command line."""
-    parser = argparse.ArgumentParser(prog="compare_programs", description="Compare two builds of osim-contact-scale.")
+    parser = argparse.ArgumentParser(prog="compare_programs")
     parser.add_argument("old", type=Path, help="the program as it was")
     parser.add_argument("new", type=Path, help="the program as it is now")
-    parser.add_argument("--fixtures", type=Path, required=True, help="the project's folder of fixtures")
     parser.add_argument("--corpus", type=Path, help="a folder with models of other people")
+    parser.add_argument("--map", type=Path, help="what changed on purpose; renames.py says how it is written")
     parser.add_argument("--jobs", type=int, default=2, help="cases at once (default: 2)")
-    parser.add_argument("--quick", action="store_true", help=f"one case in {QUICK}, some of each kind")
+    parser.add_argument("--quick", action="store_true", help=f"one case in {QUICK}, always the same ones")
     parser.add_argument("--only", action="append", default=[], metavar="WORD", help="cases whose call holds WORD")
-    parser.add_argument("--list", action="store_true", help="print the cases and do nothing")
-    parser.add_argument("--map", type=Path, help="names of JSON fields that changed on purpose")
-    parser.add_argument("--ignore-settings", action="store_true", help="do not compare the digest of settings in summaries")
-    parser.add_argument("--models-only", action="store_true", help="compare exit statuses and models, not what is said")
-    parser.add_argument("--show", type=int, default=10, metavar="N", help="differing cases shown in full (default: 10)")
-    parser.add_argument("--time-limit", type=float, default=60, metavar="S", help="for each call (default: 60 s)")
-    parser.add_argument("--work", type=Path, default=MEMORY if MEMORY.is_dir() else None, help="where to make folders")
     return parser.parse_args()
 
 
-def all_cases(store: Store, old: Path) -> list[Case]:
-    """Every case, no call twice."""
-    cases: dict[str, Case] = {}
-    for source in (models.cases(store), particular.cases(store, old), options.cases(store, old), damaged.cases(store)):
-        for case in source:
-            if not case.call.endswith("> full") or FULL.exists():
-                cases.setdefault(case.call, case)
-    return list(cases.values())
+class Cases:
+    """All calls, and the files that each names."""
+
+    def __init__(self, corpus: Path | None, old: Path) -> None:
+        self.old = old
+        self.tables: dict[str, list[str]] = defaultdict(list)
+        for line in (Path(__file__).parent / "calls.txt").read_text("utf-8").splitlines():
+            if line.startswith("== "):
+                name = line.removeprefix("== ")
+            elif line and not line.startswith("#"):
+                self.tables[name].append(line)
+        self.texts = dict(line.split(" ", 1) for line in self.tables["tables"])
+        found = [path for top in (FIXTURES, corpus) if top for path in sorted(top.rglob("*")) if path.is_file()]
+        self.models = sorted({path.name for path in found if path.suffix in (".osim", ".xml")})
+        short = dict(word.split("=") for line in self.tables["files"] for word in line.split())
+        self.files = {path.name: path for path in reversed(found)} | {name: FIXTURES / path for name, path in short.items()}
+
+    def all(self) -> Iterator[str]:
+        """Every call."""
+        pages = [page.read_text("utf-8") for page in [TOP / "README.md", *sorted((TOP / "docs").glob("*.md"))]]
+        documents = [re.findall(r"^\$ osim-contact-scale (.*)", page, re.MULTILINE) for page in pages]
+        typed = [*self.tables["once"], *itertools.chain(*documents), *map(" && ".join, documents), *self.with_options()]
+        yield from (line for call in typed for line in (call, self.as_json(call)))
+        yield from (line.replace("{t}", name) for line in self.tables["each table"] for name in self.texts)
+        for number, model in enumerate(self.models):
+            step = 3 if self.files[model].parent.name == "bad" else 1
+            yield from (line.replace("{m}", model) for line in self.tables["each model"][number % step :: step])
+            for line in self.tables["each model in turn"][number % EVERY :: EVERY]:
+                yield from (line.replace("{m}", model), self.as_json(line.replace("{m}", model)))
+
+    def with_options(self) -> Iterator[str]:
+        """Every option of every verb: with a value that makes sense, twice, with another one, and with wrong values."""
+        values = dict(word.split("=", 1) for line in self.tables["values"] for word in line.split())
+        for base in self.tables["options"]:
+            verb = base.split()[0]
+            yield from (f"{verb} --help", f"COLUMNS=60 {verb} -h", f"man {verb}", verb)
+            valued = options(self.old, verb)
+            good = [f"{name}={values.get(name, 1)}" if takes else name for name, takes in valued.items()]
+            for at, option in enumerate(good):
+                yield from (f"{base} {option} {other}" for other in ("", option, good[(at * 7 + 3) % len(good)]))
+            for line in self.tables["wrong"]:
+                yield from (line.replace("{base}", base).replace("{option}", name) for name, takes in valued.items() if takes)
+
+    def as_json(self, call: str) -> str:
+        """The same call as a request in JSON; empty where that is not possible."""
+        verb, *words = shlex.split(call) or [""]
+        if verb not in {base.split()[0] for base in self.tables["options"]} or {"&&", "<", ">"}.intersection(words):
+            return ""
+        with contextlib.suppress(SystemExit), contextlib.redirect_stderr(io.StringIO()):
+            found = {name: value for name, value in vars(parser(self.old, verb).parse_intermixed_args(words)).items() if value}
+            first = found.pop("first", [])
+            if verb == "set":
+                found["set"] = [dict(word.split("=", 1) for word in first if "=" in word)]
+            if verb == "plot" and first:
+                found["kind"] = [first.pop(0)]
+            found[FIRST.get(verb, "models")] = [word for word in first if verb != "set" or "=" not in word]
+            lists = {name: [number(word) for word in value] for name, value in found.items() if value}
+            request = {"verb": verb} | {name: value[0] if len(value) == 1 and name != "models" else value for name, value in lists.items()}
+            return f":put request.json {shlex.quote(json.dumps(request))} && request request.json"
+        return ""
+
+    def put(self, text: str, here: Path) -> None:
+        """Copies the files that a call or a table names into a folder."""
+        for token in dict.fromkeys(TOKEN.findall(re.sub(r"\\[nrt]", " ", text))):
+            name = token.removeprefix("./")
+            for folder in (name.split("/")[1], "table1", "scale_tool") if name.startswith("fixtures/") else ():
+                if (FIXTURES / folder).is_dir():
+                    shutil.copytree(FIXTURES / folder, here / "fixtures" / folder, dirs_exist_ok=True)
+            for inner in [name] if name in self.files else [one for one in self.files if one.startswith(f"{name.split('/')[0]}/")]:
+                self.put_file(self.files[inner], here / inner)
+            if name in self.texts:
+                write(here / name, bytes_of(self.texts[name]))
+                self.put(self.texts[name], here)
+
+    def put_file(self, source: Path, target: Path) -> None:
+        """A file with what it includes; meshes beside a model are linked."""
+        data = source.read_bytes()
+        write(target, data)
+        for included in re.findall(r'\bfile="([\w.-]+)"', data.decode("latin-1")) if source.suffix in (".osim", ".xml") else ():
+            if (source.parent / included).is_file():
+                write(target.parent / included, (source.parent / included).read_bytes())
+        if (source.parent / "Geometry").is_dir() and not (target.parent / "Geometry").exists():
+            (target.parent / "Geometry").symlink_to(source.parent / "Geometry")
 
 
-def quick(cases: list[Case]) -> list[Case]:
-    """A tenth of the cases of each family and verb, always the same ones."""
-    kinds: dict[tuple[str, str], list[Case]] = defaultdict(list)
-    for case in cases:
-        kinds[case.family, case.verb].append(case)
-    kept: set[str] = set()
-    for members in kinds.values():
-        mixed = sorted(members, key=lambda case: zlib.crc32(case.call.encode("utf-8", "surrogateescape")))
-        kept.update(case.call for case in mixed[: math.ceil(len(mixed) / QUICK)])
-    return [case for case in cases if case.call in kept]
+@functools.cache
+def options(program: Path, verb: str) -> dict[str, bool]:
+    """The long options of a verb, and whether each takes a value."""
+    told = subprocess.run([program, verb, "--help"], capture_output=True, check=True, text=True).stdout
+    found = re.findall(r"^(?:  -\w, |      )(--[a-z-]+)( <)?", told, re.MULTILINE)
+    return {name: bool(value) for name, value in found if name not in ("--help", "--version")}
 
 
-def compare(cases: list[Case], args: argparse.Namespace, rules: Rules) -> list[Result]:
-    """The results of all cases, in their order."""
-    folder = Path(tempfile.mkdtemp(prefix="compare_programs-", dir=args.work)).resolve()
-    settings = Settings(args.old.resolve(), args.new.resolve(), folder, args.time_limit, rules)
-    number = multiprocessing.Value("i", 0)
-    try:
-        with multiprocessing.Pool(args.jobs, begin, (settings, number)) as pool:
-            done = pool.imap_unordered(one, enumerate(cases), chunksize=4)
-            return sorted(watched(done, len(cases)), key=lambda result: result.case)
-    finally:
-        remove(folder)
+@functools.cache
+def parser(program: Path, verb: str) -> argparse.ArgumentParser:
+    """Reads the words of a verb; each option is a list."""
+    made = argparse.ArgumentParser(add_help=False, allow_abbrev=False)
+    made.add_argument("first", nargs="*")
+    for name, takes in options(program, verb).items():
+        short = {"--output": ["-o"], "--output-dir": ["-d"]}.get(name, [])
+        made.add_argument(*short, name, **({"action": "append"} if takes else {"action": "store_const", "const": [True]}))
+    return made
 
 
-def begin(settings: Settings, number) -> None:  # type: ignore[no-untyped-def]
-    """Gives a worker its folder."""
-    global ground
-    with number.get_lock():
-        number.value += 1
-        ground = Ground(settings, number.value)
+def number(word: object) -> object:
+    """A word as JSON has it: what is written as a number is one."""
+    return json.loads(word) if isinstance(word, str) and re.fullmatch(r"-?\d+(\.\d+)?(e-?\d+)?", word) else word
 
 
-def one(numbered: tuple[int, Case]) -> Result:
-    """One case, in a worker."""
-    return ground.compare(*numbered)
+@dataclass
+class Result:
+    """What came of a case."""
+
+    call: str
+    counts: Counter[str]
+    used: Counter[Entry]
+    # Each: what differs, old, new.
+    differences: list[tuple[str, bytes, bytes]] = field(default_factory=list)
 
 
-def watched(results: Iterator[Result], count: int) -> Iterator[Result]:
-    """Tells on a terminal how far it is."""
-    differ = 0
-    for done, result in enumerate(results, start=1):
-        differ += bool(result.differences)
-        if sys.stderr.isatty() and (done % 50 == 0 or done == count):
-            end = "\n" if done == count else ""
-            print(f"\r{done} of {count}, {differ} differ", end=end, file=sys.stderr, flush=True)
-        yield result
+@dataclass
+class Ground:
+    """Where both programs do each case, one after the other: each process has its own folder."""
+
+    cases: Cases
+    old: Path
+    new: Path
+    map: Map
+    folder: Path
+
+    @property
+    def top(self) -> Path:
+        """The folder of this process."""
+        return self.folder / f"worker{os.getpid()}"
+
+    def compare(self, call: str) -> Result:
+        """Both programs do the case; files that the case itself put there are compared without the map."""
+        self.map.used = Counter()
+        (old, given), (new, _) = self.run(self.old, call), self.run(self.new, call)
+        failed = sum(left["exit status"] != b"0" for left in old)
+        result = Result(call, Counter({"calls": len(old), "calls that fail": failed}), self.map.used)
+        for step, (mine, theirs) in enumerate(zip(old, new, strict=True)):
+            for name in sorted({*mine, *theirs}):
+                one, other = mine.get(name, b"(absent)"), theirs.get(name, b"(absent)")
+                if (name, one) not in given:
+                    is_new = step == 0 or old[step - 1].get(name) != one
+                    result.counts["written files"] += is_new and name.startswith("file ")
+                    result.counts["bytes of files and streams"] += len(one) * is_new
+                    one, other = self.map.apply(one, name, True), self.map.apply(other, name, False)
+                if one != other:
+                    result.differences.append((f"call {step + 1}: {name}", one, other))
+        if result.differences and self.run(self.old, call)[0] != old:
+            result.differences.insert(0, ("the old program does not do the same twice", b"", b""))
+        return result
+
+    def run(self, program: Path, call: str) -> tuple[list[dict[str, bytes]], set[tuple[str, bytes]]]:
+        """What each call of a case left, by what it is; and what was put into the folder before."""
+        shutil.rmtree(self.top, ignore_errors=True)
+        for name in ("here", "home", "tmp"):
+            (self.top / name).mkdir(parents=True)
+        here = self.top / "here"
+        self.cases.put(call, here)
+        left: list[dict[str, bytes]] = []
+        given: set[tuple[str, bytes]] = set()
+        for step in call.split(" && "):
+            words = shlex.split(step)
+            if words and words[0].startswith(":"):
+                with contextlib.suppress(FileNotFoundError):
+                    change(here, *words)
+            else:
+                given.update(set(self.files().items()) - set(left[-1].items() if left else ()))
+                left.append(self.call(program, words) | self.files())
+        return left, given
+
+    def call(self, program: Path, words: list[str]) -> dict[str, bytes]:
+        """One call: exit status and both streams."""
+        environment = ENVIRONMENT | {"HOME": str(self.top / "home"), "TMPDIR": str(self.top / "tmp")}
+        while words and re.match(r"[A-Z][A-Z_]*=", words[0]):
+            environment.update([words.pop(0).split("=", 1)])
+        here = self.top / "here"
+        stdin = (here / words[-1]).read_bytes() if words[-2:-1] == ["<"] else b""
+        with open("/dev/full", "wb") if words[-2:-1] == [">"] else contextlib.nullcontext(subprocess.PIPE) as stdout:
+            done = subprocess.run(
+                ["osim-contact-scale", *(words[:-2] if words[-2:-1] in (["<"], [">"]) else words)],
+                executable=program, cwd=here, env=environment, input=stdin, stdout=stdout, stderr=subprocess.PIPE, timeout=120, check=False,
+            )  # fmt: skip
+        return {"exit status": b"%d" % done.returncode, "standard output": done.stdout or b"", "standard error": done.stderr}
+
+    def files(self) -> dict[str, bytes]:
+        """Everything in the folder, by kind, permissions and name."""
+        found = {}
+        for path in self.top.rglob("*"):
+            kind = "link" if path.is_symlink() else "folder" if path.is_dir() else "file"
+            name = f"{kind} {path.lstat().st_mode & 0o777:o} {path.relative_to(self.top)}"
+            found[name] = path.read_bytes() if kind == "file" else b""
+        return found
 
 
-ground: Ground
+def bytes_of(text: str) -> bytes:
+    """The bytes of a text with \\n, \\t, \\r and \\xHH."""
+    return re.sub(rb"\\(n|t|r|x[0-9a-f]{2})", lambda match: match.group().decode("unicode_escape").encode("latin-1"), text.encode())
+
+
+def write(path: Path, data: bytes) -> None:
+    """Writes a file, with the folders above it."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_bytes(data)
+
+
+def change(here: Path, verb: str, name: str, *rest: str) -> None:
+    """A step that changes the folder."""
+    path = here / name
+    if verb in (":mkdir", ":rm"):
+        path.mkdir() if verb == ":mkdir" else path.unlink()
+        return
+    old = b"" if verb == ":put" else path.read_bytes()
+    word = bytes_of(rest[0])
+    changed = {":put": (path, word), ":copy": (here / rest[0], old), ":edit": (path, old.replace(word, rest[-1].encode()))}
+    write(*changed.get(verb) or (path, old[: -int(word)]))
+
+
+def shown(differing: list[Result]) -> list[str]:
+    """What differs, by what differs first: how many cases, some of them, and what differs in one of them."""
+    groups: dict[tuple[str, str], list[Result]] = defaultdict(list)
+    for result in differing:
+        part, old, new = result.differences[0]
+        kind = re.sub(r".*(\.\w+)$", r"file *\1", re.sub(r"^call \d+: ", "", part))
+        groups[kind, re.sub(r"[\w./]*\d[\w.]*|[\w/-]+\.\w+", "#", " ".join(changes(old, new)[:2]))[:200]].append(result)
+    told = []
+    for (kind, _), members in sorted(groups.items(), key=lambda item: -len(item[1]))[:SHOWN]:
+        told += [f"{len(members)} cases differ in {kind}:", *(f"    {member.call[:300]}" for member in members[:4])]
+        for part, old, new in members[0].differences[:3]:
+            told += [f"  {part}", *(f"    {line[:300]}" for line in changes(old, new)[:8])]
+    return told + ([f"... and {len(groups) - SHOWN} more kinds of differences"] if len(groups) > SHOWN else [])
+
+
+def changes(old: bytes, new: bytes) -> list[str]:
+    """The lines that differ; of long ones the part that does."""
+    sides = [re.split(r"\n|(?<=[,>;]) ?(?=.{80})", side[:300_000].decode("utf-8", "backslashreplace")) for side in (old, new)]
+    return [line for line in difflib.unified_diff(*sides, n=0, lineterm="") if line[:2] not in ("--", "++", "@@")]
+
 
 if __name__ == "__main__":
     sys.exit(main())
