@@ -1,0 +1,135 @@
+//! The direction of arrows between crates.
+//!
+//! To add, move or rename a crate, change [`FLOORS`]; a crate that is missing there fails the test, and so does a name without a crate.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+/// The crates from the lowest floor to the highest. Each depends only on lower floors, and not on its neighbours.
+pub const FLOORS: &[&[&str]] = &[
+    &["contact-plots", "contact-scaling", "osim-messages", "osim-xml"],
+    &["osim-model"],
+    &["osim-compare", "osim-feet", "osim-requests"],
+    &["osim-inspect", "osim-patch"],
+    &["osim-planning"],
+    &["osim-figures", "osim-report"],
+    &["osim-html"],
+    &["osim-library"],
+    // The front ends.
+    &["osim-contact-scale", "osim-python", "osim-web"],
+];
+
+/// The crates of a workspace, each with the crates that it depends on, those of its tests aside.
+pub type Crates = BTreeMap<String, Vec<String>>;
+
+/// Reads the manifests of all crates in a folder.
+///
+/// # Errors
+/// A manifest that cannot be read.
+pub fn crates(folder: &Path) -> Result<Crates, String> {
+    let entries = fs::read_dir(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    let mut found = Crates::new();
+    for entry in entries.flatten().filter(|entry| entry.path().join("Cargo.toml").is_file()) {
+        let manifest = entry.path().join("Cargo.toml");
+        let text =
+            fs::read_to_string(&manifest).map_err(|error| format!("{}: {error}", manifest.display()))?;
+        let table: toml::Table = text.parse().map_err(|error| format!("{}: {error}", manifest.display()))?;
+        found.insert(entry.file_name().to_string_lossy().into_owned(), dependencies(&table));
+    }
+    Ok(found)
+}
+
+/// What a manifest, or the part of it about one system, depends on.
+fn dependencies(table: &toml::Table) -> Vec<String> {
+    let inner = |name: &str| table.get(name).and_then(toml::Value::as_table);
+    let mut found = Vec::new();
+    for (name, value) in ["dependencies", "build-dependencies"].into_iter().filter_map(inner).flatten() {
+        found.push(value.get("package").and_then(toml::Value::as_str).unwrap_or(name).to_owned());
+    }
+    let systems = inner("target").into_iter().flatten().filter_map(|(_, value)| value.as_table());
+    found.extend(systems.flat_map(dependencies));
+    found
+}
+
+/// Arrows that do not point down, crates without a floor, and names without a crate.
+#[must_use]
+pub fn faults(floors: &[&[&str]], crates: &Crates) -> Vec<String> {
+    let floor = |name: &str| floors.iter().position(|floor| floor.contains(&name));
+    let mut found: Vec<String> = floors
+        .iter()
+        .copied()
+        .flatten()
+        .filter(|name| !crates.contains_key(**name))
+        .map(|name| format!("the table of floors names {name}, which is not a crate"))
+        .collect();
+    for (from, dependencies) in crates {
+        let Some(own) = floor(from) else {
+            found.push(format!("{from} is missing from the table of floors"));
+            continue;
+        };
+        let upwards = dependencies.iter().filter(|to| floor(to).is_some_and(|other| other >= own));
+        found.extend(upwards.map(|to| format!("{from} depends on {to}, which is not on a lower floor")));
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn crates(of: &[(&str, &[&str])]) -> Crates {
+        of.iter()
+            .map(|(name, on)| ((*name).to_owned(), on.iter().map(|on| (*on).to_owned()).collect()))
+            .collect()
+    }
+
+    /// The layout for which the table was written.
+    #[test]
+    fn the_layout_passes() {
+        let arrows: &[(&str, &[&str])] = &[
+            ("contact-plots", &["plotters"]),
+            ("contact-scaling", &[]),
+            ("osim-messages", &[]),
+            ("osim-xml", &["quick-xml"]),
+            ("osim-model", &["osim-xml", "osim-messages", "contact-scaling"]),
+            ("osim-requests", &["osim-model", "osim-messages"]),
+            ("osim-feet", &["osim-model"]),
+            ("osim-compare", &["osim-model"]),
+            ("osim-inspect", &["osim-requests", "osim-feet", "osim-compare"]),
+            ("osim-patch", &["osim-compare", "osim-model"]),
+            ("osim-planning", &["osim-inspect", "osim-patch"]),
+            ("osim-figures", &["osim-planning", "contact-plots"]),
+            ("osim-report", &["osim-planning"]),
+            ("osim-html", &["osim-report", "osim-figures"]),
+            ("osim-library", &["osim-html"]),
+            ("osim-contact-scale", &["osim-library", "clap"]),
+            ("osim-python", &["osim-library"]),
+            ("osim-web", &["osim-html"]),
+        ];
+        assert_eq!(faults(FLOORS, &crates(arrows)), Vec::<String>::new());
+    }
+
+    #[test]
+    fn arrows_upwards_and_sideways_and_names_without_a_crate() {
+        let floors: &[&[&str]] = &[&["a"], &["b", "c"], &["gone"]];
+        let found =
+            faults(floors, &crates(&[("a", &["c"]), ("b", &["a", "c"]), ("c", &["a"]), ("new", &[])]));
+        let expected = [
+            "the table of floors names gone, which is not a crate",
+            "a depends on c, which is not on a lower floor",
+            "b depends on c, which is not on a lower floor",
+            "new is missing from the table of floors",
+        ];
+        assert_eq!(found, expected);
+    }
+
+    #[test]
+    fn dependencies_of_a_manifest() -> Result<(), toml::de::Error> {
+        let manifest: toml::Table = "[dependencies]\na.workspace = true\nrenamed = { package = 'b' }\n\
+            [target.'cfg(unix)'.dependencies]\nc = '1'\n[dev-dependencies]\nd = '1'\n"
+            .parse()?;
+        assert_eq!(dependencies(&manifest), ["a", "b", "c"]);
+        Ok(())
+    }
+}

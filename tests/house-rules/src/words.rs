@@ -1,0 +1,120 @@
+//! Words that texts must not use, and what to write instead.
+
+use regex::Regex;
+use serde::Deserialize;
+use serde::de::{Deserializer, Error};
+
+use crate::module::Tree;
+
+/// A list of words that texts must not use: `words.toml`.
+#[derive(Debug, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Words {
+    /// Words of any text.
+    pub word: Vec<Word>,
+    /// Names of fields in JSON Schemas.
+    #[serde(default)]
+    pub field: Vec<Word>,
+}
+
+/// One of them, with examples that are refused, and that pass.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Word {
+    /// What must not be written: a regular expression for whole words. A blank also fits the end of a line.
+    #[serde(deserialize_with = "pattern")]
+    pub not: Regex,
+    /// What to write instead.
+    pub say: String,
+    /// Where it may be written nevertheless, with what is around it.
+    #[serde(default, deserialize_with = "some_pattern")]
+    pub unless: Option<Regex>,
+    /// Texts that are refused.
+    pub wrong: Vec<String>,
+    /// Texts that pass.
+    #[serde(default)]
+    pub right: Vec<String>,
+}
+
+impl Words {
+    /// What must not be written in a text that people read, which begins on a line.
+    #[must_use]
+    pub fn in_text(&self, file: &str, line: usize, text: &str) -> Vec<String> {
+        self.word.iter().flat_map(|word| word.in_text(file, line, text, |_| true)).collect()
+    }
+
+    /// What must not be written in a JSON Schema. In names, `_` separates the words.
+    #[must_use]
+    pub fn in_schema(&self, file: &str, text: &str) -> Vec<String> {
+        let mut found = self.in_text(file, 1, &text.replace('_', " "));
+        found.extend(
+            self.field.iter().flat_map(|field| field.in_text(file, 1, text, |rest| rest.starts_with("\":"))),
+        );
+        found
+    }
+
+    /// What must not be written in the strings and doc comments of a crate: names in `{}` and code in backticks aside.
+    #[must_use]
+    pub fn in_code(&self, tree: &Tree) -> Vec<String> {
+        let is_name = |inside: &str| !inside.contains(|c: char| c.is_ascii_whitespace());
+        let mut found = Vec::new();
+        for module in tree.values() {
+            for token in &module.texts {
+                let text = if token.is_doc() {
+                    without(&token.text, ['`', '`'], |_| true)
+                } else {
+                    without(&token.text, ['{', '}'], is_name)
+                };
+                found.extend(self.in_text(&module.file, token.line, &text));
+            }
+        }
+        found
+    }
+}
+
+impl Word {
+    /// Every place of the word in a text that begins on `line`, where `fits` holds for what comes after it.
+    #[must_use]
+    pub fn in_text(&self, file: &str, line: usize, text: &str, fits: impl Fn(&str) -> bool) -> Vec<String> {
+        let allowed: Vec<_> = self.unless.iter().flat_map(|unless| unless.find_iter(text)).collect();
+        let is_allowed = |found: &regex::Match<'_>| {
+            allowed.iter().any(|around| around.start() <= found.start() && found.end() <= around.end())
+        };
+        let found = self.not.find_iter(text).filter(|found| !is_allowed(found) && fits(&text[found.end()..]));
+        found
+            .map(|found| {
+                let line = line + text[..found.start()].matches('\n').count();
+                let written = found.as_str().split_ascii_whitespace().collect::<Vec<_>>().join(" ");
+                format!("{file}:{line}: not '{written}', but {}", self.say)
+            })
+            .collect()
+    }
+}
+
+/// A text with blanks in the place of what is between two marks, where it `fits`. Lines stay.
+fn without(text: &str, [open, close]: [char; 2], fits: impl Fn(&str) -> bool) -> String {
+    let mut left = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some((before, after)) = rest.split_once(open) {
+        left.push_str(before);
+        left.push(open);
+        rest = after;
+        if let Some((inside, after)) = after.split_once(close).filter(|(inside, _)| fits(inside)) {
+            left.extend(inside.chars().map(|c| if c == '\n' { c } else { ' ' }));
+            left.push(close);
+            rest = after;
+        }
+    }
+    left.push_str(rest);
+    left
+}
+
+fn pattern<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Regex, D::Error> {
+    let written = String::deserialize(deserializer)?;
+    Regex::new(&format!(r"(?i)\b(?:{})\b", written.replace(' ', r"\s+"))).map_err(D::Error::custom)
+}
+
+fn some_pattern<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<Regex>, D::Error> {
+    let written = String::deserialize(deserializer)?;
+    Regex::new(&format!("(?i){}", written.replace(' ', r"\s+"))).map(Some).map_err(D::Error::custom)
+}

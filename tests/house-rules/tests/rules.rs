@@ -1,0 +1,176 @@
+//! That each rule can fail, and what must pass: small crates in one string, a file after each `// name` line.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    missing_docs,
+    reason = "a test fails by panicking"
+)]
+
+use house_rules::module::{Sources, Tree, trees};
+use house_rules::tokens::{tokens, without_tests};
+use house_rules::{circles, texts, words::Words};
+
+/// The library of a crate.
+fn library(files: &str) -> Tree {
+    let mut sources = Sources::new();
+    for file in files.split("\n// ").skip(1) {
+        let (name, code) = file.split_once('\n').unwrap();
+        sources.insert(format!("src/{name}"), without_tests(&tokens(code)).0);
+    }
+    trees(&sources).unwrap().remove(0)
+}
+
+#[track_caller]
+fn circle(files: &str) {
+    assert_eq!(circles::circles(&library(files)).len(), 1, "{files}");
+}
+
+#[track_caller]
+fn passes(files: &str) {
+    assert_eq!(circles::circles(&library(files)), Vec::<String>::new(), "{files}");
+}
+
+/// Modules `a` and `b`, where `b` uses `a`, and `a` is this code.
+#[track_caller]
+fn circle_with(code: &str) {
+    circle(&format!(
+        "\n// lib.rs\nmod a; mod b; mod facade;\n// a.rs\n{code}\npub struct A;\n// b.rs\nuse crate::a::A; pub struct B(pub A); pub fn f() {{}}\n// facade.rs\npub use crate::b::{{B, f}};\npub use crate::b as other;\n"
+    ));
+}
+
+#[track_caller]
+fn passes_with(code: &str) {
+    passes(&format!(
+        "\n// lib.rs\nmod a; mod b; mod facade;\n// a.rs\n{code}\npub struct A;\n// b.rs\nuse crate::a::A; pub struct B(pub A); pub fn f() {{}}\n// facade.rs\npub use crate::b::{{B, f}};\n"
+    ));
+}
+
+#[test]
+fn circles_however_they_are_written() {
+    circle_with("use crate::b::B;");
+    circle_with("use super::b::{self, B as C};");
+    circle_with("use crate::{b::{B}, other};");
+    circle_with("fn g() { use crate::b::B; }");
+    circle_with("fn g() { crate::b::f() }");
+    circle_with("fn g(x: Option<Box<crate::b::B>>) {}");
+    circle_with("impl From<super::b::B> for A {}");
+    circle_with("use crate::b; fn g() { b::f() }");
+    circle_with("use super::b as c; fn g() { c::f() }");
+    circle_with("use crate::b::*;");
+    circle_with("#[serde(with = \"super::b\")] struct C;");
+    circle_with("fn g() { write!(x, \"{}\", crate::b::f()) }");
+    circle_with("macro_rules! m { () => { $crate::b::f() } }");
+    circle_with(
+        "#[cfg(windows)] use crate::b as system; #[cfg(unix)] use std::fs as system; fn g() { system::f() }",
+    );
+}
+
+#[test]
+fn circles_through_facades() {
+    circle_with("use crate::facade::B;");
+    circle_with("fn g() { crate::facade::f() }");
+    circle_with("use crate::facade::other; fn g() { other::f() }");
+    circle_with("use crate::facade::*;");
+    // What the parent defines, and its child uses.
+    circle(
+        "\n// lib.rs\nmod a;\n// a/mod.rs\nmod b; pub use b::B; pub struct A;\n// a/b.rs\nuse super::A; pub struct B;\n",
+    );
+    circle("\n// lib.rs\nmod b; pub use b::B; pub struct A;\n// b.rs\nuse crate::A; pub struct B;\n");
+    // The facade passes on what the child has from elsewhere, and so uses the child.
+    circle(
+        "\n// lib.rs\nmod a; mod c;\n// a/mod.rs\nmod b; pub use b::C; pub struct A;\n// a/b.rs\npub use crate::c::C; use super::A;\n// c.rs\npub struct C;\n",
+    );
+}
+
+#[test]
+fn circles_of_three_of_macros_and_within_a_file() {
+    circle(
+        "\n// lib.rs\nmod a; mod b; mod c;\n// a.rs\nuse crate::b::f; pub fn a() {}\n// b.rs\nuse crate::c::g; pub fn f() {}\n// c.rs\nuse crate::a::a; pub fn g() {}\n",
+    );
+    circle(
+        "\n// lib.rs\nmod a; mod b;\n// a.rs\nuse crate::b::B; #[macro_export] macro_rules! four { () => { 4 } }\n// b.rs\npub struct B; fn f() { crate::four!() }\n",
+    );
+    circle("\n// lib.rs\nmod a { pub fn f() { super::b::f() } } mod b { pub fn f() { super::a::f() } }\n");
+    // A function and a module of one name.
+    circle(
+        "\n// lib.rs\nmod a; mod run;\n// a.rs\nuse super::run; pub fn run() { run::run() }\n// run.rs\npub fn run() { crate::a::run() }\n",
+    );
+}
+
+#[test]
+fn no_circles() {
+    passes_with("");
+    passes_with("use b::B; fn g() { b::f() }");
+    passes_with("/// [`crate::b::B`]\n// crate::b::B\nconst T: &str = \"crate::b::B\";");
+    passes_with("#[cfg(test)] mod tests { use crate::b::B; }");
+    passes_with("#[test] fn g() { crate::b::f() }");
+    passes_with("pub(in crate::b) fn g() { x.b(); $b::f(); ::b::f(); <T as U>::b::f() }");
+    passes_with("use std::b; fn g() { b::f() }");
+    // Children that use each other by way of a `mod.rs` that only passes on.
+    passes(
+        "\n// lib.rs\nmod plan;\n// plan/mod.rs\nmod draft; mod set; pub use draft::Draft; use set::Set;\n// plan/draft.rs\npub struct Draft;\n// plan/set.rs\nuse super::Draft; pub struct Set;\n",
+    );
+    passes(
+        "\n// lib.rs\nmod p;\n// p/mod.rs\nmod a; mod b; pub fn f() { a::f() }\n// p/a.rs\nuse super::b; pub fn f() { b::f() }\n// p/b.rs\npub fn f() {}\n",
+    );
+    passes(
+        "\n// lib.rs\nmod a; mod words;\n// a.rs\nuse crate::words::Words;\n// words.rs\npub use outside::Words;\n",
+    );
+    passes(
+        "\n// lib.rs\nmod a; mod b; pub use a::A;\n// a.rs\nuse crate::b::{B, Made}; pub struct A;\n// b.rs\nmake! { Made } pub struct B;\n",
+    );
+}
+
+#[test]
+fn a_circle_says_where_it_is() {
+    let found = circles::circles(&library(
+        "\n// lib.rs\nmod a; mod b;\n// a.rs\n\nuse crate::b::B;\n// b.rs\nuse super::a::A;\n",
+    ));
+    let expected = "2 modules use each other in a circle:\n  crate::a -> crate::b: crate::b::B (src/a.rs:2)\n  crate::b -> crate::a: super::a::A (src/b.rs:1)";
+    assert_eq!(found, [expected]);
+}
+
+#[test]
+fn a_module_without_a_file_is_an_error() {
+    let sources = Sources::from([("src/lib.rs".to_owned(), tokens("mod a;"))]);
+    assert_eq!(trees(&sources).unwrap_err(), "src/lib.rs: no file for `mod a`");
+}
+
+#[test]
+fn options_in_texts() {
+    let code = "\n// lib.rs\n/// --docs\nfn f() { g(\"give\n --target-mass KG, or '--radius-'\", \"a--b <!-- c --> -- ---d\", r#\"[--raw]\"#); } // --comment\n\
+                #[cfg(test)] mod tests { const A: &str = \"--test\"; }\n";
+    assert_eq!(
+        texts::options(&library(code)),
+        ["src/lib.rs:3: --target-mass", "src/lib.rs:3: --radius", "src/lib.rs:3: --raw"]
+    );
+}
+
+#[test]
+fn the_world_outside() {
+    let code = "\n// lib.rs\nuse std::{fs, io, fmt};\nuse std::process::Command;\nfn f() { fs::read(x); io::stdout(); io::Error::last(); fmt::Error }\n\
+                fn g() { std::env::args(); other::fs::read() }\n#[cfg(test)] use std::net;\n";
+    let expected = [
+        "src/lib.rs:1: std::fs",
+        "src/lib.rs:2: std::process::Command",
+        "src/lib.rs:3: std::fs::read",
+        "src/lib.rs:3: std::io::stdout",
+        "src/lib.rs:4: std::env::args",
+    ];
+    assert_eq!(texts::outside(&library(code)), expected);
+}
+
+#[test]
+fn words_in_code() {
+    let words: Words = toml::from_str(
+        "[[word]]\nnot = 'told of'\nsay = 'reported'\nunless = 'told of (all|none)'\nwrong = ['told of']",
+    )
+    .unwrap();
+    let code = "\n// lib.rs\n/// It is Told\n/// of. Not `told of`.\nfn told_of() { f(\"{told_of} it is told of\", \"told of all\"); } // told of\n";
+    let expected = ["src/lib.rs:1: not 'Told of', but reported", "src/lib.rs:3: not 'told of', but reported"];
+    let mut found = words.in_code(&library(code));
+    found.sort();
+    assert_eq!(found, expected.map(|found| found.replace("Told /// of", "Told of")));
+}
