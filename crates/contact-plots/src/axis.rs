@@ -17,7 +17,7 @@ pub struct Axis {
     pub label: String,
     /// What it covers at least; it grows to hold all points.
     pub range: Option<(f64, f64)>,
-    /// What it covers exactly, where that is wanted: what is outside is not drawn.
+    /// The limits of the axis, if it is to cover exactly these: what is outside is not drawn.
     pub limits: Option<(f64, f64)>,
     /// Equal ratios are equally far apart.
     pub logarithmic: bool,

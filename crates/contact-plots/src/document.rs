@@ -45,7 +45,7 @@ impl Title {
     }
 }
 
-/// What is said of a document, and how large it is.
+/// The title and the names of a document, and how large it is.
 pub(crate) struct Sheet<'s> {
     /// As wide as `paper` makes a figure of this width.
     pub(crate) width: Width,

@@ -133,7 +133,7 @@ impl Drawing {
         if found.len() == 1 { Ok(()) } else { Err(PlotError::NoAxis { which, found }) }
     }
 
-    /// All numbers that are drawn, in the order in which they are; those that limits of an axis hide, too.
+    /// All numbers that are drawn, in the order of drawing, with those that limits of an axis hide.
     #[must_use]
     pub fn data(&self) -> Vec<Datum> {
         match self {

@@ -54,7 +54,7 @@ pub struct Mark {
     pub label: String,
     /// Where it is.
     pub at: Point,
-    /// Its colour; the dash says nothing here.
+    /// Its colour; the dash has no meaning here.
     pub look: Look,
 }
 

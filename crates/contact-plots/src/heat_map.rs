@@ -97,7 +97,7 @@ fn edges(values: &[f64], axis: &Axis) -> Result<Vec<f64>, PlotError> {
     Ok(std::iter::once(lowest).chain(inner).chain([highest]).collect())
 }
 
-/// Where everything of a heat map goes; places along an axis are logarithms where that is logarithmic.
+/// Where everything of a heat map goes; places along a logarithmic axis are logarithms.
 struct HeatLayout {
     width_pt: f64,
     title: Title,

@@ -9,7 +9,7 @@ use krilla_svg::{SurfaceExt, SvgSettings};
 use crate::error::PlotError;
 use crate::tree::{UNITS_PER_INCH, tree};
 
-/// PDF counts so many points to the inch.
+/// Points to the inch in PDF.
 const POINTS_PER_INCH: f32 = 72.0;
 
 /// A figure as the bytes of a PDF file with one page of its size on paper. Its text can be selected and searched, and the

@@ -61,7 +61,7 @@ pub fn text(panel: &Panel, columns: usize, rows: usize) -> Result<String, PlotEr
     Ok(text)
 }
 
-/// Labels below their ticks, as far as they do not run into each other.
+/// Labels below their ticks, without those that would run into each other.
 fn below(labels: &[(usize, String)], margin: usize, columns: usize) -> String {
     let mut line = String::new();
     for (at, label) in labels {

@@ -9,7 +9,7 @@ use crate::font::FONT;
 
 /// The name of the font.
 const FONT_NAME: &str = "Arimo";
-/// `usvg` counts so many units to the inch.
+/// Units to the inch in `usvg`.
 pub(crate) const UNITS_PER_INCH: f32 = 96.0;
 
 /// The font, read when the first picture is made.

@@ -85,7 +85,7 @@ impl DimensionlessContact {
 
     /// Relative indentation x̂ under body weight by the Hertz law: (3 / (4 Ê))^(2/3).
     ///
-    /// It is (11) solved for x̂, and says nothing of cf and bd; a smoothed law rests elsewhere.
+    /// It is (11) solved for x̂, without cf and bd; a smoothed law rests elsewhere.
     #[must_use]
     pub fn relative_indentation(&self) -> f64 {
         design::depth_of(1.0, self.modulus, 1.0)

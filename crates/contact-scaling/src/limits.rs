@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// A design that asks for a limit lands on it but for the last bits, which is within.
+/// A design that asks for a limit gets it except for the last bits, which counts as within.
 const LAST_BITS: f64 = 1e-9;
 
 /// On which side of a limit a figure has to be.
@@ -45,7 +45,7 @@ impl Limit {
         Self { value, bound: Bound::AtLeast, what, source }
     }
 
-    /// Whether `figure` is within the limit, or on it but for the last bits (1e-9 of it). NaN is not.
+    /// Whether `figure` is within the limit, or on it except for the last bits (1e-9 of it). NaN is not.
     #[must_use]
     pub fn admits(&self, figure: f64) -> bool {
         match self.bound {

@@ -25,7 +25,7 @@ pub struct ForceCurves {
 }
 
 impl ForceCurves {
-    /// The name of the curve that is the law of the file, with what is said of it.
+    /// The name of the curve that is the law of the file, with its remark.
     fn remarked(&self, label: &str) -> String {
         if self.remark.is_empty() { label.to_owned() } else { format!("{label} ({})", self.remark) }
     }

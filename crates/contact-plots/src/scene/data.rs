@@ -93,7 +93,7 @@ pub struct View {
 pub struct Block {
     /// What it is.
     pub title: String,
-    /// What is said below it, a paragraph each.
+    /// Remarks below it, a paragraph each.
     pub remarks: Vec<String>,
     /// Its views.
     pub views: Vec<View>,

@@ -32,7 +32,7 @@ pub struct FirstContact {
     pub end: Option<Lift>,
     /// Restitution of an impact without gravity at this speed, by the law itself.
     pub restitution_exact: f64,
-    /// The same by (13); `None` where that is below 0.
+    /// The same by (13); `None` if the result is below 0.
     pub restitution_approximate: Option<f64>,
 }
 

@@ -23,7 +23,7 @@ pub enum Doubt {
         /// The parameter.
         parameter: Parameter,
     },
-    /// Nothing is left over, as with calculated data: how sure the parameters are cannot be said, and their intervals are not
+    /// Nothing is left over, as with calculated data: how sure the parameters are is not known, and their intervals are not
     /// numbers.
     NoResiduals,
 }

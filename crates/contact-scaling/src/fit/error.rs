@@ -79,7 +79,7 @@ pub enum FitError {
     NotConverged,
 }
 
-/// Of a force that never changes there is no R squared.
+/// A force that never changes has no R squared.
 fn r_squared_in_words(r_squared: f64) -> String {
     if r_squared.is_finite() {
         format!(" (R squared is {r_squared:?})")

@@ -12,12 +12,12 @@ pub struct Compared {
     pub printed: &'static str,
     /// As it is computed, in the unit of the paper.
     pub computed: f64,
-    /// As it is computed from the rounded number that the paper prints for the human, where that is another way to it.
+    /// As it is computed from the rounded number that the paper prints for the human, if it can also be computed in this way.
     pub from_rounded: Option<f64>,
 }
 
 impl Compared {
-    /// The printed number; NaN where it is none.
+    /// The printed number; NaN if it is not a number.
     #[must_use]
     pub fn printed_value(&self) -> f64 {
         self.printed.parse().unwrap_or(f64::NAN)
