@@ -24,7 +24,7 @@ pub fn shortest(value: f64) -> String {
     format!("{value:e}")
 }
 
-/// A number for people: exact where that is short, else eight significant digits.
+/// A number for people: exact if the exact text is short, else eight significant digits.
 #[must_use]
 pub fn readable(value: f64) -> String {
     const SHORT: usize = 10;

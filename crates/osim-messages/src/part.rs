@@ -35,7 +35,7 @@ pub struct Call {
     pub verb: Verb,
     /// Whether it names the model: as `MODEL`.
     pub with_model: bool,
-    /// What is said, in this order.
+    /// The inputs that the call gives, in this order.
     pub inputs: Vec<(Input, Option<Example>)>,
 }
 

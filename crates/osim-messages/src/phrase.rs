@@ -157,7 +157,7 @@ impl IntoParts for &'static str {
     }
 }
 
-/// Text that was put together may have names from outside in it: it goes on one line, and what cannot be seen is escaped.
+/// Text that was put together may have names from outside in it: it is shown on one line, with what cannot be seen escaped.
 impl IntoParts for String {
     fn into_parts(self) -> Vec<Part> {
         vec![Part::Text(Cow::Owned(one_line(self)))]

@@ -105,10 +105,10 @@ pub fn is_seen(letter: char) -> bool {
     !escaped || format!("a{letter}").escape_debug().count() == 2
 }
 
-/// Text that is printed, of many lines: what it has from outside cannot steer a terminal. Line ends, tabs and no-break
+/// Returns text of many lines so that nothing in it from outside can steer a terminal. Line ends, tabs and no-break
 /// spaces stay.
 ///
-/// Names are shown by [`shown`] already; this is the last door, for texts in which that was forgotten.
+/// Names are shown by [`shown`] already; this is the last check, for texts in which that was forgotten.
 ///
 /// ```
 /// use osim_messages::harmless;

@@ -376,7 +376,7 @@ mod tests {
             spliced(TEXT, &[(TEXT.find("<d/>").unwrap(), text)]);
         }
         let tree = Tree::scan("<a>12</a>").unwrap();
-        // Something gave way, or the edit is said wrong: a whole scan.
+        // Something gave way, or the edit is wrongly described: a whole scan.
         assert_eq!(tree.edited("<a>3</a>", &[(3..5, 1)]).unwrap().bytes(), b"<a>3</a>");
         assert_eq!(tree.edited("<a>123</a>", &[(5..5, 9)]).unwrap().bytes(), b"<a>123</a>");
         assert_eq!(tree.edited("<a>12</a>", &[(5..5, usize::MAX)]).unwrap().bytes(), b"<a>12</a>");

@@ -7,7 +7,7 @@
 //! | white space | that of C: blank, tab, line feed, vertical tab, form feed, carriage return. A no-break space or a byte order mark is a letter |
 //! | around a value | left out, but not where it comes from CDATA or a reference: after a number, a flag or a list it then spoils all of it (`12&#32;` is the default), in a path or name it is a letter |
 //! | comments | before and after a value they do not count; one inside, an element, an instruction, a second CDATA section, or text beside CDATA, and OpenSim refuses the model ([`RawText::whole`]) |
-//! | values of one kind | words, each read as far as it looks like one (`1,5e6` is 1); one word of which nothing can be read spoils all, and the default counts |
+//! | values of one kind | words, each read as far as it looks like one (`1,5e6` is 1); one word that cannot be read at all spoils everything, and the default counts |
 //! | number | of the words the first; `nan` and `inf` only as a whole word, in any case; above the range of a double: unreadable |
 //! | three numbers | the first three of 3, 6, 9 ... words; commas and brackets have no meaning (`0.1,0.2,0.3` is one word) |
 //! | flag | `true` or `false` in any case as a whole word, else a whole number at the start of the word: 0 is false, 1 is true (`0.0`, `00`, `-0`, `0abc`, `1abc`), others cannot be read |
@@ -42,7 +42,8 @@ pub fn words(text: &str) -> impl Iterator<Item = &str> {
     text.split(is_white).filter(|word| !word.is_empty())
 }
 
-/// The words of a value that may be several; none where white space from CDATA or a reference ends the text, which spoils it.
+/// The words of a value that may be several. There are none if white space from CDATA or a reference ends the text, which spoils
+/// it.
 ///
 /// ```
 /// use osim_xml::opensim_text::list;
@@ -73,7 +74,7 @@ pub fn number(raw: &RawText) -> Result<f64, NumberFault> {
     let mut alone = true;
     for other in tokens {
         alone = false;
-        // One later word that is no number spoils the whole text.
+        // One later word that is not a number spoils the whole text.
         if number_at_start(other).is_none() {
             return Err(NumberFault::Unreadable);
         }

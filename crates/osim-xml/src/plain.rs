@@ -45,7 +45,7 @@ struct Scan<'t> {
 
 impl Scan<'_> {
     fn byte(&self, at: usize) -> u8 {
-        // No tag or text goes on behind the end: 0 was refused before and matches nothing.
+        // No tag or text continues after the end: 0 was refused before and matches nothing.
         self.bytes.get(at).copied().unwrap_or(0)
     }
 

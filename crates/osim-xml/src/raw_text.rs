@@ -17,7 +17,8 @@ pub struct RawText {
     /// The bytes that hold the text without the white space around it; what an edit replaces.
     /// Empty (at the place where text would start) when there is none.
     pub span: Range<usize>,
-    /// `false` when a comment, an element or a second section of CDATA is inside the text: OpenSim reads such a value as an error.
+    /// Whether the text is in one piece. With a comment, an element or a second section of CDATA in it, OpenSim reads the value
+    /// as an error.
     pub whole: bool,
 }
 
