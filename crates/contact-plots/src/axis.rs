@@ -19,7 +19,7 @@ pub struct Axis {
     pub range: Option<(f64, f64)>,
     /// The limits of the axis, if it is to cover exactly these: what is outside is not drawn.
     pub limits: Option<(f64, f64)>,
-    /// Equal ratios are equally far apart.
+    /// Whether equal ratios are equally far apart.
     pub logarithmic: bool,
 }
 

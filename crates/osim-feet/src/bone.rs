@@ -14,7 +14,7 @@ pub struct Bone {
     pub points_m: Vec<[f64; 3]>,
     /// The file that was read; empty where the points are from elsewhere.
     pub file: PathBuf,
-    /// The file is that of the other side: its points were mirrored in z.
+    /// Whether the file is that of the other side: then its points were mirrored in z.
     pub mirrored: bool,
 }
 

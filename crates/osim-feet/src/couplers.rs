@@ -8,7 +8,7 @@ use crate::pose_fault::PoseFault;
 
 /// OpenSim leaves coordinates that are this close to what a constraint says.
 const ASSEMBLED: f64 = 1e-10;
-/// Constraints that depend on each other are followed so far.
+/// Passes over constraints that depend on each other, at most.
 const PASSES: usize = 8;
 /// From this version on, a constraint says whether it is enforced, not whether it is disabled.
 const ENFORCED: u32 = 30509;
@@ -117,7 +117,7 @@ fn coupler(document: &Document, constraint: ElementId) -> Option<Coupler<'_>> {
     })
 }
 
-/// Gives dependent coordinates the values that follow, and the names of those of which nothing is known.
+/// Sets dependent coordinates to the values that follow. Returns the names of those whose values are not known.
 fn couple(values: &mut HashMap<String, f64>, couplers: &[Coupler<'_>]) -> Vec<String> {
     let mut unknown = Vec::new();
     for pass in 0..PASSES {

@@ -139,7 +139,7 @@ impl Places<'_> {
     }
 }
 
-/// Whether two ways end at one place; where one is not known, the other counts.
+/// Whether two ways end at one place; if one is not known, the other counts.
 fn same(known: &Result<Placement, PoseFault>, other: &Result<Placement, PoseFault>) -> bool {
     let (Ok(known), Ok(other)) = (known, other) else { return true };
     [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].into_iter().all(|point| {

@@ -137,7 +137,7 @@ impl FeetFault {
     }
 }
 
-/// So many names are shown, so that a message stays readable.
+/// Names that are shown at most, so that a message stays readable.
 const SHOWN: usize = 20;
 
 fn shown(names: &[String]) -> String {

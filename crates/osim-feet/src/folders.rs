@@ -42,7 +42,7 @@ impl MeshFolders {
         self.0.iter().map(PathBuf::as_path)
     }
 
-    /// The file that is meant by `mesh`, as a model spells it, and whether it is that of the other side: first the name itself
+    /// Returns the file that `mesh` names, as a model spells it, and whether it is that of the other side: first the name itself
     /// in each folder, then each of its other names.
     pub(crate) fn find(&self, mesh: &str, files: &dyn Files) -> Option<(PathBuf, bool)> {
         let as_written = Some((mesh.to_owned(), false));

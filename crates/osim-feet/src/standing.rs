@@ -49,7 +49,7 @@ pub struct Standing {
 }
 
 impl Standing {
-    /// That of `spheres` of `model`; `None` where there is no sphere, or not one floor.
+    /// The distance of the `spheres` of `model`; `None` if there is no sphere, or not exactly one floor.
     ///
     /// # Errors
     /// It is not known where a body is at the default pose.

@@ -9,7 +9,7 @@ use crate::sole::Sole;
 
 /// What tilts a foot by less than this does not matter, rad: 0.3 degrees.
 const TILTS: f64 = 0.005;
-/// So many coordinates are named.
+/// Coordinates that are named at most.
 const NAMED: usize = 4;
 /// Joints above a body, at most.
 const MOST_JOINTS: usize = 64;

@@ -150,7 +150,7 @@ fn flag_of_word(word: &str) -> Option<bool> {
     }
 }
 
-/// `isDisabled` of documents up to 30508, which OpenSim reads by a rule of its own.
+/// Whether `isDisabled` of documents up to 30508 is true. OpenSim reads it by a rule of its own.
 ///
 /// ```
 /// use osim_xml::opensim_text::is_disabled;

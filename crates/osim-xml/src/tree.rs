@@ -183,7 +183,7 @@ impl Tree {
         })
     }
 
-    /// `true` for `<tag/>`.
+    /// Whether it is written as `<tag/>`.
     #[must_use]
     pub fn is_empty_tag(&self, id: ElementId) -> bool {
         let element = self.element(id);

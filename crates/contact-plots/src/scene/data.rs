@@ -32,7 +32,7 @@ pub struct Ball {
     pub radius: f64,
     /// Which state it shows.
     pub state: State,
-    /// It is outside of what it belongs to: drawn so that nobody overlooks it.
+    /// Whether it is outside of what it belongs to: then it is drawn so that nobody overlooks it.
     pub astray: bool,
 }
 
@@ -76,7 +76,7 @@ pub struct View {
     pub x_label: String,
     /// What is written along the vertical axis, with its unit.
     pub y_label: String,
-    /// Values of the vertical axis grow downwards.
+    /// Whether values of the vertical axis grow downwards.
     pub y_down: bool,
     /// Outlines, below everything else.
     pub outlines: Vec<Outline>,

@@ -12,7 +12,7 @@ use super::bones::{self, BonePair};
 const EXPLAINED_M: f64 = 1e-6;
 /// Factors of meshes that differ by more than this (relative) are not the same.
 const SAME_FACTOR: f64 = 1e-6;
-/// Offsets shorter than this say nothing about a factor, m.
+/// Offsets shorter than this do not show a factor, m.
 pub(super) const SHORTEST_OFFSET_M: f64 = 1e-6;
 
 /// What shows that a model is not a scaled copy of another one.

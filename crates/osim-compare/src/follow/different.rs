@@ -1,4 +1,4 @@
-//! Factors between models of which neither is a scaled copy of the other.
+//! Factors between models if neither is a scaled copy of the other.
 
 use std::collections::{HashMap, HashSet};
 
@@ -12,8 +12,8 @@ use super::sources::{AGREEMENT, Pairs, Sources};
 /// Meshes of one body that differ by more than this (relative) need an answer.
 const SAME_BODY: f64 = 0.01;
 
-/// Bodies at the end of a limb that nothing says anything about take the factors of the body they hang on. Where one side of a
-/// pair does, the other does.
+/// Bodies at the end of a limb, for which there is no source, take the factors of the body they hang on. If one side of a pair
+/// does, the other does.
 pub(super) fn hang_on(
     factors: &mut [BodyFactors],
     by_name: &ByName,
@@ -89,7 +89,7 @@ fn is_given(axes: &[Option<AxisFactor>; 3]) -> bool {
     axes.iter().flatten().any(|axis| axis.source <= FactorSource::ScaleFile)
 }
 
-/// What only the user can decide: meshes of one body that differ, sides that differ, a body that nothing says anything about.
+/// What only the user can decide: meshes of one body that differ, sides that differ, a body for which there is no source.
 pub(super) fn ask(factors: &mut [BodyFactors], by_name: &ByName, said: &[Sources<'_>]) {
     let pairs = Pairs::of(said);
     let questions: Vec<Option<FactorQuestion>> = said

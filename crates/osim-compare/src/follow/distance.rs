@@ -6,7 +6,7 @@ use osim_model::{Anatomy, AnatomyJoint};
 
 use super::body_factors::length;
 
-/// A joint nearer to the body's origin than this says nothing about its size, m.
+/// A joint nearer to the body's origin than this does not show its size, m.
 const SHORTEST_DISTANCE_M: f64 = 0.02;
 
 /// Where a joint below a body is in both models, seen from the origin of the body at the default pose.

@@ -80,7 +80,7 @@ impl ScaleFile {
         self.0.get(body).copied()
     }
 
-    /// Sees that the file's factors lead from `reference` to `scaled`, as far as joints on bodies that carry spheres say it.
+    /// Checks that the file's factors lead from `reference` to `scaled`, by the joints on bodies that carry spheres.
     ///
     /// # Errors
     /// They do not: the file belongs to another generic model.

@@ -15,11 +15,11 @@ const AGREEMENT_IN_A_COPY: f64 = 0.01;
 /// Sources that differ by more than this between different models disagree.
 pub(super) const AGREEMENT: f64 = 0.05;
 
-/// What is said of one body.
+/// What each source says about one body.
 #[derive(Debug)]
 pub(super) struct Sources<'a> {
     pub(super) body: &'a str,
-    /// In the order in which they are taken.
+    /// Sources with their factors, in the order in which they count.
     pub(super) said: Vec<(FactorSource, [Option<f64>; 3])>,
     /// Meshes that show the same bone.
     pub(super) meshes: Vec<BonePair>,

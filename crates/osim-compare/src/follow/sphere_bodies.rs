@@ -7,7 +7,7 @@ use osim_model::{Anatomy, Fault, Model};
 use super::copy::Difference;
 use super::factors::Factors;
 
-/// How the bodies that carry spheres were scaled, as far as two models say it.
+/// How the bodies that carry spheres were scaled, as two models show it.
 ///
 /// ```
 /// use osim_model::Model;
@@ -30,7 +30,7 @@ use super::factors::Factors;
 pub struct SphereBodies {
     /// What shows that the model is not a scaled copy of the reference; `None` where it is one.
     pub difference: Option<Difference>,
-    /// Factors along x, y and z of each body that carries spheres in either model; `None` where something has to be asked.
+    /// Factors along x, y and z of each body that carries spheres in either model; `None` if something has to be asked.
     pub factors: BTreeMap<String, Option<[f64; 3]>>,
 }
 

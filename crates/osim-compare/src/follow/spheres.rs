@@ -31,7 +31,7 @@ pub struct FollowRequest {
     pub level: Option<LevelAxis>,
     /// What to do with spheres that were changed already.
     pub moved: MovedSpheres,
-    /// Radii stay as they are in the scaled model.
+    /// Whether radii stay as they are in the scaled model.
     pub keep_radii: bool,
     /// Radii that do not follow from factors; where there are none, `radius_axis` counts.
     pub own_radii: Option<OwnRadii>,
@@ -104,7 +104,7 @@ impl Follow {
         self.spheres.get(&sphere)
     }
 
-    /// Sees that every contact sphere of the `reference`, by name, is in the scaled model.
+    /// Checks that every contact sphere of the `reference`, by name, is in the scaled model.
     ///
     /// # Errors
     /// Some are not: their names.
@@ -193,7 +193,7 @@ fn follow_one(
     Followed { old_radius_m: old.radius_m, radius_m, location_m }
 }
 
-/// `true` where the scaled model's sphere is not the generic one's any more.
+/// Whether the scaled model's sphere is no longer as in the generic model.
 fn differs(now: &AnatomySphere, old: &AnatomySphere) -> bool {
     let limit = UNTOUCHED * old.radius_m;
     let moved = now.location_m.iter().zip(old.location_m).any(|(now, old)| (now - old).abs() > limit);

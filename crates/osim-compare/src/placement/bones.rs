@@ -76,7 +76,7 @@ impl Bones {
         self.bodies.get(body).is_some_and(|bone| bone.is_foot)
     }
 
-    /// From the heel to the tip of the standard foot of which `body` is the hind part, along its x, m.
+    /// From the heel to the tip of the standard foot, if `body` is its hind part, along its x, m.
     pub(super) fn standard_foot(&self, body: &str) -> Option<[f64; 2]> {
         self.bodies.get(body)?.standard_foot
     }

@@ -27,13 +27,13 @@ pub struct Placement {
     pub body_scale_file: Option<PathBuf>,
     /// Each sphere that both models have.
     pub spheres: Vec<PlacedSphere>,
-    /// Spheres that one of the models does not have, or has on another body: what is said of each.
+    /// Spheres that one of the models does not have, or has on another body: a remark about each.
     pub unmatched: Vec<Phrase>,
     /// Why they cannot be compared, in words.
     pub unknown: Option<Phrase>,
     /// Whether no foot was stretched so much that level soles would be wrong, and some is not scaled alike along all axes.
     pub suits_level: bool,
-    /// Radii are as this program wrote them: its note says so.
+    /// Whether radii are as this program wrote them, by its note.
     noted_radii: bool,
 }
 
@@ -53,9 +53,9 @@ pub struct PlacedSphere {
     pub was_m: [f64; 3],
     /// Where it belongs: the place there times the factors of its body.
     pub belongs_m: [f64; 3],
-    /// It is there, or its bottom is on the scaled sole.
+    /// Whether it is where it belongs, or its bottom is on the scaled sole.
     pub follows: bool,
-    /// It is as it was, its radius too.
+    /// Whether it is as it was, its radius too.
     untouched: bool,
 }
 
@@ -250,7 +250,7 @@ fn on_sole(now: &AnatomySphere, old: &AnatomySphere, factors: [f64; 3], up: Leve
     up.in_frame(&now.rotation).centre(old.location_m, old.radius_m, now.radius_m, scaled)
 }
 
-/// As a transfer asks it before it moves a sphere.
+/// Whether a sphere is as it was, as a transfer asks before it moves one.
 fn is_untouched(now: &AnatomySphere, old: &AnatomySphere) -> bool {
     let same = |a: f64, b: f64| (a - b).abs() <= UNTOUCHED * old.radius_m;
     same(now.radius_m, old.radius_m) && now.location_m.iter().zip(old.location_m).all(|(a, b)| same(*a, b))

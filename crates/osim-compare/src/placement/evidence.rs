@@ -12,7 +12,7 @@ use super::reach::{Reach, reaches};
 pub enum Evidence {
     /// By the note: bodies were scaled and the spheres stayed.
     Note(ScaledSinceNote),
-    /// A published layout stands on bones of another size.
+    /// A published layout is on bones of another size.
     OtherSize(LayoutAnswer),
     /// Spheres reach further than published ones.
     Reach(Vec<Reach>),

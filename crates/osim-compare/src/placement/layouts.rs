@@ -1,6 +1,6 @@
 //! Published layouts of contact spheres, `layouts.json`, and the sizes of bones on which they were published.
 //!
-//! A layout is known again by its places. Where its licence does not allow copying, the table has a digest of the places, in
+//! A layout is recognised by its places. If its licence does not allow copying, the table has a digest of the places, in
 //! whole micrometres, from which they cannot be read.
 
 use std::cell::OnceCell;
@@ -96,7 +96,7 @@ pub(super) fn answer(model: &Model, bones: &Bones) -> Option<LayoutAnswer> {
     Some(LayoutAnswer::OtherSize { title: &layout.title, body, here, published })
 }
 
-/// Where the spheres that stand are; `None` where one cannot be said, or there are none.
+/// Where the spheres that stand are; `None` if the place of one is not known, or there are none.
 fn places(model: &Model) -> Option<Vec<Place>> {
     let spheres = model.loaded_spheres(&model.force_ids());
     let place = |&id| {

@@ -89,7 +89,7 @@ pub(super) fn reaches(model: &Model, bones: &Bones) -> Vec<Reach> {
 
 /// J of a sphere with its centre and radius, for the next joint that is farthest from the body's origin.
 ///
-/// `None` without a next joint, or where it is nearer than a radius: such a joint says nothing about the length of the bone.
+/// `None` without a next joint, or if it is nearer than a radius: such a joint does not show the length of the bone.
 fn reach_to_joint(bones: &Bones, body: &str, sphere: (SphereId, [f64; 3], f64)) -> Option<Reach> {
     let (id, centre, radius_m) = sphere;
     let dot = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();

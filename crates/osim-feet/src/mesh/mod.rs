@@ -16,7 +16,7 @@ use std::collections::HashSet;
 
 pub use fault::MeshFault;
 
-/// Coordinates and factors up to this one, of which products are finite.
+/// The largest coordinate or factor: products of these are finite.
 const LARGEST: f64 = 1e9;
 /// Points closer to a line than this part of its length are in it: single precision has seven digits.
 const SAME_LINE: f64 = 1e-6;

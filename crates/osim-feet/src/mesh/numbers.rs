@@ -2,7 +2,7 @@
 
 use super::fault::MeshFault;
 
-/// A mesh may have so many points.
+/// Points that a mesh may have at most.
 pub(super) const MOST_POINTS: usize = 2_000_000;
 
 /// Triples of numbers in text; `what` they are, for messages.

@@ -39,7 +39,7 @@ impl<'b> Coding<'b> {
         }
     }
 
-    /// The array that stands as base64 in the file.
+    /// The array that is in the file as base64.
     pub(super) fn of_text(&self, text: &str) -> Result<Vec<u8>, MeshFault> {
         self.unpacked(&decoded(text.bytes())?)
     }

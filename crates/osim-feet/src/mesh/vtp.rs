@@ -1,4 +1,4 @@
-//! VTK's polygonal data, of which the points are read.
+//! VTK's polygonal data: only its points are read.
 
 use osim_xml::opensim_text::{trimmed, words};
 use osim_xml::{ElementId, SyntaxFault, Tree};

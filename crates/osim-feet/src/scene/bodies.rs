@@ -21,7 +21,7 @@ const LONGEST_CHAIN: usize = 64;
 pub struct FootBodies {
     /// Its bodies, the one on which the others hang first.
     pub bodies: Vec<String>,
-    /// Right or left, where that is known.
+    /// Right or left, if known.
     pub side: Option<Side>,
     /// Its spheres, in file order.
     pub spheres: Vec<SphereId>,

@@ -20,7 +20,7 @@ const SHOWN: f64 = 0.8;
 pub enum FootFrame {
     /// Ground, at the default pose.
     Ground,
-    /// The frame of a body of its own: where that is in ground is not known.
+    /// The frame of a body: it is not known where that body is in ground.
     Body {
         /// The body.
         name: String,
@@ -51,7 +51,7 @@ pub struct FootSphere {
     pub centre_m: [f64; 3],
     /// Its radius, m.
     pub radius_m: f64,
-    /// It is known to be where it should not be. Callers that know it set it.
+    /// Whether it is known to be in the wrong place. Callers that know it set it.
     pub misplaced: bool,
 }
 
@@ -73,19 +73,19 @@ pub struct FootBone {
 pub struct Foot {
     /// The body on which its others hang.
     pub name: String,
-    /// Right or left, where that is known.
+    /// Right or left, if known.
     pub side: Option<Side>,
     /// What its places are seen from.
     pub frame: FootFrame,
     /// Where the origin of its first body is, m.
     pub origin_m: [f64; 3],
-    /// The directions in which it is looked at.
+    /// The directions from which it is drawn.
     pub axes: ViewAxes,
     /// Its joints.
     pub joints: Vec<FootJoint>,
     /// Its spheres, in file order.
     pub spheres: Vec<FootSphere>,
-    /// Its bones, as far as meshes are at hand.
+    /// Its bones, those whose meshes are available.
     pub bones: Vec<FootBone>,
     /// The floor.
     pub floor: FloorPlace,
@@ -158,7 +158,7 @@ impl Foot {
         }
     }
 
-    /// The lowest place of the spheres, or where there is none of the bones, or of the joints: its height, m.
+    /// The height of the lowest sphere, m; without spheres that of the bones, else that of the joints.
     #[must_use]
     pub fn lowest_m(&self) -> Option<f64> {
         let up = |point: [f64; 3]| dot(self.axes.up, point);
@@ -249,7 +249,7 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
 struct Places<'p> {
     anatomy: &'p Anatomy,
     top: &'p str,
-    /// Why the first body cannot be placed in ground, where that is so.
+    /// Why the first body cannot be placed in ground, if it cannot.
     fault: Option<PoseFault>,
     pose: &'p DefaultPose,
 }
@@ -271,7 +271,8 @@ impl<'p> Places<'p> {
         }
     }
 
-    /// Through the joints between the body and the first one of the foot, or down to the one on which that hangs.
+    /// The point in the frame of the foot's first body, m: through the joints between them, or down to the body on which that
+    /// hangs.
     fn in_top(&self, body: &str, point_m: [f64; 3]) -> Option<[f64; 3]> {
         let (mut at, mut point) = (body, point_m);
         for _ in 0..=self.anatomy.bodies.len() {

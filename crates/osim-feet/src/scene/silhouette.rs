@@ -13,7 +13,7 @@ const CELL: f64 = 1.0 / 150.0;
 /// A line around more corners than this is not looked at further.
 const MOST: usize = 600;
 
-/// The line around points of a plane, closed, without its first point again: the convex hull, of which long lines give way to
+/// The line around points of a plane, closed, without its first point again. It is the convex hull, whose long lines give way to
 /// points inside, longest first, until none is longer than 6 % of the width or the height, or than a few times the distance of
 /// points (the characteristic shape of Duckham, Kulik, Worboys and Galton, Pattern Recognition 41, 2008). No point is outside,
 /// and the line does not cross itself.
@@ -116,8 +116,8 @@ impl Shape {
             .max_by(|a, b| distance(a.1, a.2).total_cmp(&distance(b.1, b.2)))
     }
 
-    /// The point that sees an edge under the largest angle, so that no other one is in the circle around the three; nothing where
-    /// that is already on the line.
+    /// The point that sees an edge under the largest angle, so that no other one is in the circle around the three; `None` if
+    /// that point is already on the line.
     fn nearest_inside(&self, from: Point, to: Point) -> Option<usize> {
         let seen = |point: &Point| {
             let area = turn(from, to, *point);

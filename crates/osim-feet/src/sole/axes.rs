@@ -77,7 +77,7 @@ fn on_grid(value: f64) -> f64 {
     (value / GRID).round() * GRID
 }
 
-/// The part of a vector along the ground, with length 1; none where it is shorter than `least`.
+/// The part of a vector along the ground, with length 1; `None` if it is shorter than `least`.
 fn along_ground(up: [f64; 3], vector: [f64; 3], least: f64) -> Option<[f64; 3]> {
     let rise = dot(vector, up);
     let flat: [f64; 3] = std::array::from_fn(|i| vector[i] - rise * up[i]);

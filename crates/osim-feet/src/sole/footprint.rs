@@ -39,7 +39,7 @@ impl Footprint {
         flat(self.of_length, self.pitch_rad) && flat(self.of_width, self.roll_rad)
     }
 
-    /// That of all points of a foot, of which some are `near` the ground.
+    /// The footprint of all points of a foot; those `near` the ground are given, too.
     pub(super) fn of(flat: &[Flat], near: &[[f64; 2]]) -> Self {
         let mut whole: Vec<[f64; 2]> = flat.iter().map(|point| point.at).collect();
         whole.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));

@@ -20,9 +20,9 @@ use crate::fault::FeetFault;
 
 pub use self::footprint::Footprint;
 
-/// What is near the ground: so far above the lowest point, as a part of the foot's greatest extent along the ground.
+/// What counts as near the ground: height above the lowest point, as a part of the foot's greatest extent along the ground.
 const NEAR: f64 = 0.1;
-/// As many spheres may be under one limb.
+/// Spheres that may be under one limb at most.
 const MOST_SPHERES: usize = 60;
 /// Of the points in a square of this size, one counts, m; and in one of this part of the foot's length.
 const CELL: f64 = 1e-3;
@@ -83,7 +83,7 @@ pub struct SoleSphere {
 /// are mirror images where the bones are.
 ///
 /// # Errors
-/// No gravity, a body of which the place is not known, a radius that is not above 0, no sphere, or bottoms closer than 1 mm.
+/// No gravity, a body whose place is not known, a radius that is not above 0, no sphere, or bottoms closer than 1 mm.
 pub fn soles(model: &Model, bones: &[Bone], request: &SoleRequest) -> Result<Vec<Sole>, FeetFault> {
     check(request)?;
     let up = up_of(model).ok_or(FeetFault::NoGravity)?;

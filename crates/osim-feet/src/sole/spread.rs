@@ -8,13 +8,13 @@ const CLOSEST: f64 = 1e-3;
 const COVERED: f64 = 0.9;
 /// Extremes are one where they are closer than this part of the length.
 const ONE_PLACE: f64 = 0.15;
-/// An outline that is so many times as long as wide has a direction of its own; another one points forward.
+/// An outline that is this many times as long as wide has a direction of its own; a shorter one points forward.
 const LONG: f64 = 1.5;
-/// Corners of the outline that are looked at: those farthest in so many directions.
+/// Directions in which the farthest corners of the outline are looked at.
 const DIRECTIONS: u32 = 48;
 /// What differs by less than this part is equal, and the first counts: bones that are their own mirror image have two of each.
 const EQUAL: f64 = 1e-9;
-/// Spheres between the extremes are moved so many times, at most.
+/// How often spheres between the extremes are moved, at most.
 const PASSES: usize = 20;
 
 /// `count` bottoms: in the `corners` of the outline, and for the rest under some of the points that are `near` the ground.
