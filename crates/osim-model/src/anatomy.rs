@@ -33,7 +33,7 @@ pub struct Anatomy {
     pub spheres: Vec<AnatomySphere>,
     /// Joints between bodies of the files, in file order; those to ground are not among them.
     pub joints: Vec<AnatomyJoint>,
-    /// It has some bodies of a larger model, too few to recognise scaled copies of that model.
+    /// Whether it has some bodies of a larger model, too few to recognise scaled copies of that model.
     pub is_fragment: bool,
     index: AnatomyIndex,
 }
@@ -245,7 +245,7 @@ impl Anatomy {
         None
     }
 
-    /// The same bones, of which `body` is called `name`.
+    /// The same bones, with `name` as the name of `body`.
     #[must_use]
     pub fn with_name(mut self, body: &str, name: &str) -> Self {
         let renamed = |known: &mut String| {

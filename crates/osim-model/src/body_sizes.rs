@@ -48,8 +48,8 @@ impl ScaledSinceNote {
 }
 
 impl Model {
-    /// What OpenSim's scaling did to the bodies that carry spheres, from the note alone. `None` where there is no note with
-    /// sizes, or spheres were moved since it was written.
+    /// What OpenSim's scaling did to the bodies that carry spheres, from the note alone. `None` if there is no note with sizes,
+    /// or spheres were moved since it was written.
     #[must_use]
     pub fn scaled_since_note(&self) -> Option<ScaledSinceNote> {
         let note = self.note.as_ref().filter(|note| !note.sizes.is_empty())?;

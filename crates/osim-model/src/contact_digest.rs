@@ -1,4 +1,4 @@
-//! Digests of all contact values and of the spheres' places, by which a note knows its contacts again.
+//! Digests of all contact values and of the spheres' places, by which a note recognises its contacts.
 
 use sha2::{Digest, Sha256};
 
@@ -9,7 +9,7 @@ use crate::note::Scope;
 use crate::property::Property;
 use osim_xml::ElementId;
 
-/// Which number of a model: of which object in which file, and which property.
+/// The key of a number of a model: its file, its object and its property.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ValueKey {
     file: FileId,
@@ -75,7 +75,7 @@ impl Model {
         first_digits(hash)
     }
 
-    /// Why the note's word on the contacts cannot be taken; `None` where it can, or where there is no note.
+    /// Why the note about the contacts cannot be relied on; `None` if it can, or if there is no note.
     #[must_use]
     pub fn doubt_about_note(&self) -> Option<NoteDoubt> {
         if self.note_fault.is_some() {

@@ -1,4 +1,4 @@
-//! Contacts of classes that are not Hertz's, as far as they share spheres with those that are.
+//! Contacts of classes that are not Hertz's, if they share spheres with those that are.
 
 use std::collections::HashMap;
 

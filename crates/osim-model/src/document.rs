@@ -153,7 +153,7 @@ impl Document {
         };
         let offset = if raw.span.is_empty() { self.tree.span(element).start } else { raw.span.start };
         let span = if raw.span.is_empty() { self.tree.span(element) } else { raw.span };
-        // A blank that is not ASCII looks like one and is none: show it.
+        // A blank that is not ASCII looks like one and does not count as one: show it.
         let text = if raw.text.is_ascii() { raw.text } else { raw.text.escape_default().to_string() };
         Value { property, number, origin: Origin::Element, span: Some(span), fault, text, offset }
     }
@@ -320,7 +320,7 @@ fn version_and_data_root(tree: &Tree) -> Result<(u32, ElementId), Fault> {
     }
 }
 
-/// Whether `file="…"` may stand somewhere in `bytes`: cheap, and never `false` where it does.
+/// Whether `file="…"` may be somewhere in `bytes`: cheap, and never `false` if it is there.
 ///
 /// Most models include nothing; finding that out must not cost a scan.
 #[must_use]

@@ -1,4 +1,4 @@
-//! How spheres follow bodies that were scaled: what can be said of it.
+//! How spheres follow bodies that were scaled: what a request can choose.
 
 /// How a radius follows from three factors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -36,7 +36,7 @@ impl RadiusAxis {
     }
 }
 
-/// What to do with spheres of the scaled model that somebody moved or resized already.
+/// What to do with spheres of the scaled model that were moved or resized already.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum MovedSpheres {

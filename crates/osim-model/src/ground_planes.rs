@@ -41,7 +41,7 @@ impl Model {
         self.ground_planes().into_iter().filter(|plane| off(plane) <= LEVEL * LEVEL).collect()
     }
 
-    /// The direction against gravity in ground, of length 1; y where there is no gravity.
+    /// The direction against gravity in ground, of length 1; y without gravity.
     #[must_use]
     pub fn up(&self) -> [f64; 3] {
         let gravity = self.gravity_m_s2.unwrap_or_default();

@@ -14,7 +14,7 @@ use crate::side::Side;
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Limb {
-    /// First body below the place where left and right part.
+    /// First body below the place where left and right separate.
     pub name: String,
     /// Its side.
     pub side: Side,
@@ -64,7 +64,7 @@ impl Limbs {
         }
     }
 
-    /// How many spheres each limb has, where all have equally many.
+    /// How many spheres each limb has, if all have equally many.
     ///
     /// # Errors
     /// Why there is no such number: the limbs are not known, or differ.
@@ -133,7 +133,7 @@ impl Model {
         self.force_ids().into_iter().filter(same).collect()
     }
 
-    /// `true` when a moving sphere of `force` can touch a half-space on another body.
+    /// Whether a moving sphere of `force` can touch a half-space on another body.
     #[must_use]
     pub fn meets_half_space(&self, force: &Force) -> bool {
         force.spheres().into_iter().filter_map(|id| self.sphere(id)).any(|sphere| {

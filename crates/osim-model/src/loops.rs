@@ -9,7 +9,7 @@ use crate::components::{Base, ComponentId};
 pub(crate) struct JointLink {
     pub joint: ComponentId,
     pub ends: [Base; 2],
-    /// A WeldJoint or a FreeJoint: where one of these is in a loop, OpenSim counts a body twice.
+    /// Whether it is a WeldJoint or a FreeJoint: with one of these in a loop, OpenSim counts a body twice.
     pub counts_twice: bool,
 }
 

@@ -10,7 +10,7 @@ use crate::pattern::{Pattern, any_matches};
 /// Masses closer than this (relative) count as one: a scale is not read better than to 0.1 %.
 pub const SAME_MASS: f64 = 1e-3;
 
-/// What the user says about masses. Say what is known and take the rest from [`MassRequest::default`]: fields may be added.
+/// What the user says about masses. Give what is known and take the rest from [`MassRequest::default`]: fields may be added.
 ///
 /// ```
 /// # let model = osim_model::Model::parse(include_bytes!("../tests/data/one_foot.osim").as_slice())?;
@@ -41,7 +41,7 @@ pub struct MassRequest {
     pub exclude_bodies: Vec<Pattern>,
 }
 
-/// Who said how heavy.
+/// The source of a mass.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum MassSource {
@@ -51,7 +51,7 @@ pub enum MassSource {
     Note,
     /// The caller, of the model.
     Mass,
-    /// The sum of so many bodies.
+    /// The sum of the bodies, with their number.
     Bodies(usize),
     /// A preset of this name.
     Preset(String),
@@ -108,7 +108,7 @@ pub struct Mass {
 }
 
 impl Mass {
-    /// As the mass that contacts were made for, in words. Where nobody says it of the contacts, it is taken.
+    /// As the mass that contacts were made for, in words. If no source is about the contacts, it is taken.
     #[must_use]
     pub fn made_for(&self) -> Phrase {
         let taken =
@@ -121,7 +121,8 @@ impl MassRequest {
     /// What the model weighs: as said, else the sum of its bodies, left to right in file order.
     ///
     /// # Errors
-    /// A body without a mass, no body at all, a sum that is not above 0, or a loop of joints of which OpenSim counts a body twice.
+    /// A body without a mass, no body at all, a sum that is not above 0, or a loop of joints in which OpenSim counts a body
+    /// twice.
     pub fn of_model(&self, model: &Model) -> Result<Mass, Fault> {
         if let Some(kg) = self.model_kg {
             return Ok(Mass { kg: positive_mass(Input::Mass, kg)?, source: MassSource::Mass });

@@ -86,7 +86,7 @@ impl Property {
         }
     }
 
-    /// The domain in which the contact laws hold, checked before anything is scaled.
+    /// Whether `value` is in the domain in which the contact laws hold; checked before anything is scaled.
     #[must_use]
     pub fn allows(self, value: f64) -> bool {
         value.is_finite() && if self.may_be_zero() { value >= 0.0 } else { value > 0.0 }

@@ -42,7 +42,7 @@ impl PropertySet {
         self
     }
 
-    /// Only those of `only` (all, where that is empty) and none of `keep`.
+    /// Restricts the set to those of `only` (all, if it is empty) without those of `keep`.
     #[must_use]
     pub fn restricted(mut self, only: &[Property], keep: &[Property]) -> Self {
         self.0.retain(|property| (only.is_empty() || only.contains(property)) && !keep.contains(property));
@@ -55,7 +55,7 @@ impl PropertySet {
         self.0.contains(&property)
     }
 
-    /// `true` when nothing the paper scales is left behind (a radius may stay: the others then follow from that).
+    /// Whether everything that the paper scales is in it (a radius may stay: the others then follow from that).
     #[must_use]
     pub fn is_complete(&self) -> bool {
         Self::default().0.iter().all(|&property| property == Property::Radius || self.contains(property))

@@ -82,7 +82,7 @@ impl Model {
         Ok(model)
     }
 
-    /// The same model with other bytes of its main file, of which `edits` says where they are new, as for [`Document::edited`];
+    /// The same model with other bytes of its main file; `edits` says where these are new, as for [`Document::edited`];
     /// the files beside it stay.
     ///
     /// # Errors

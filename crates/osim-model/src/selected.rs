@@ -17,7 +17,7 @@ use crate::selection::Selection;
 pub struct Selected {
     /// Their handles, in file order.
     pub forces: Vec<ForceId>,
-    /// `false` when a force of the default choice is missing.
+    /// Whether every force of the default choice is among them.
     pub complete: bool,
 }
 

@@ -26,6 +26,6 @@ pub struct Selection {
     pub select: Vec<Pattern>,
     /// Never forces whose name is as one of these says.
     pub exclude: Vec<Pattern>,
-    /// Leave out forces that are switched off.
+    /// Whether forces that are switched off are left out.
     pub skip_disabled: bool,
 }

@@ -42,7 +42,7 @@ impl Body {
     }
 }
 
-/// The joint tree: who hangs on whom.
+/// The joint tree: which body hangs on which.
 #[derive(Debug, Default)]
 pub(crate) struct Skeleton {
     pub bodies: Vec<Body>,
@@ -170,12 +170,12 @@ impl Skeleton {
         }
     }
 
-    /// The body above `body` that is joined to ground: itself, where it hangs on no other one.
+    /// The body above `body` that is joined to ground: `body` itself if it hangs on no other one.
     pub(crate) fn top(&self, body: ComponentId) -> ComponentId {
         self.tops.get(&body).copied().unwrap_or(body)
     }
 
-    /// `true` for ground and for bodies welded to it: what stands there is terrain.
+    /// Whether it is ground or a body welded to ground: what is there is terrain.
     pub(crate) fn is_fixed(&self, base: Base) -> bool {
         match base {
             Base::Ground => true,

@@ -20,12 +20,12 @@ const LIGHTEST_KG: f64 = 1e-6;
 const HEAVIEST_KG: f64 = 200e3;
 /// Joints of one body whose distance from all others is looked at: more than a body has.
 const OUTERMOST: usize = 32;
-/// Bones are so many times as long as a sphere's radius, where nothing else is known: a shank of 0.43 m, a radius of 0.032 m.
+/// How many times as long as a sphere's radius bones are, if nothing else is known: a shank of 0.43 m, a radius of 0.032 m.
 const BONES: f64 = 13.0;
-/// So many times the bodies' mass a target looks like grams: 1000 times, for a body within a factor of 5.
+/// From this many times the bodies' mass on, a target looks like grams: 1000 times, for a body within a factor of 5.
 const GRAMS_OF_A_TARGET: std::ops::RangeInclusive<f64> = 200.0..=5000.0;
 
-/// Whether `kg`, which the caller said as `input`, looks like a slip for a model whose bodies weigh `bodies_kg` together.
+/// Whether `kg`, which the caller gave as `input`, looks like a slip for a model whose bodies weigh `bodies_kg` together.
 #[must_use]
 pub fn mass_slip(input: Input, kg: f64, bodies_kg: Option<f64>) -> Option<NeedsAnswer> {
     // What the bodies weigh is the right unit.
@@ -54,8 +54,8 @@ impl MassRequest {
         bodies.of_model(model).ok().map(|mass| mass.kg)
     }
 
-    /// The masses said that look like slips for this model. What its note says is none; and who says the target in the unit of the
-    /// bodies says the other masses in it, too.
+    /// The masses said that look like slips for this model. What its note says is not a slip; and a caller who gives the target
+    /// in the unit of the bodies gives the other masses in it, too.
     #[must_use]
     pub fn slips(&self, model: &Model) -> Vec<NeedsAnswer> {
         let said = [
@@ -112,8 +112,8 @@ impl JointDistances {
         }
     }
 
-    /// The longest distance between two joints of one body: of the body that carries `sphere` and of those that it is joined
-    /// to; where none of them has two joints that are apart, of all bodies. `None` where no body has.
+    /// The longest distance between two joints of one body: of the body that carries `sphere` and of those that it is joined to.
+    /// If none of these has two joints that are apart, all bodies count; `None` if no body has any.
     #[must_use]
     pub fn around(&self, sphere: &Sphere) -> Option<f64> {
         self.around_body(sphere.body.as_ref()?)
@@ -125,12 +125,12 @@ impl JointDistances {
         self.around_m.get(body).copied().or(self.longest_of_all_m)
     }
 
-    /// Whether `sphere` would be larger than the bones around it with this radius. `said` where the caller said it as a length,
+    /// Whether `sphere` would be larger than the bones around it with this radius. `said` if the caller gave it as a length,
     /// which may be in another unit.
     #[must_use]
     pub fn radius_slip(&self, sphere: &Sphere, radius_m: f64, said: bool) -> Option<NeedsAnswer> {
         let longest_m = self.around(sphere)?;
-        // A sphere that is new has the radius that was said.
+        // A sphere that is new has the radius that the caller gave.
         let usual = if sphere.radius.number == radius_m { longest_m / BONES } else { sphere.radius.number };
         let said_for = said.then_some(usual);
         let sphere = sphere.name.clone();

@@ -1,4 +1,4 @@
-//! Effective numbers: what OpenSim uses, and where that stands.
+//! Effective numbers: what OpenSim uses, and where it is.
 
 use std::ops::Range;
 
@@ -30,7 +30,7 @@ impl Origin {
     }
 }
 
-/// An effective number: what OpenSim uses, where it stands and whether its text is one plain number.
+/// An effective number: what OpenSim uses, where it is and whether its text is one plain number.
 ///
 /// ```
 /// use osim_model::{Model, Origin, Property, SetId};

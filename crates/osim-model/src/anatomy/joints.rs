@@ -1,4 +1,4 @@
-//! Joints between bodies: where they are on both, and how the bodies stand to each other at the default pose.
+//! Joints between bodies: where they are on both, and how the bodies are placed to each other at the default pose.
 
 use std::sync::OnceLock;
 
@@ -56,9 +56,9 @@ pub struct ModelJoint {
     element: ElementId,
     in_parent: Placement,
     in_child: Placement,
-    /// It is in its child, as documents before version 4 have it.
+    /// Whether it is in its child, as in documents before version 4.
     in_body: bool,
-    /// Such a joint may say that the child moves the parent.
+    /// Whether the child moves the parent, which such a joint may say.
     reversed: bool,
 }
 
@@ -107,7 +107,7 @@ pub(crate) struct Joints {
 }
 
 impl Joints {
-    /// All joints of the files. One whose frames lead nowhere is left out: its limb says nothing then.
+    /// All joints of the files. One whose frames lead nowhere is left out: nothing is known of its limb then.
     pub(super) fn read(&self, components: &Components) -> &[(ComponentId, ModelJoint)] {
         let joints = components.tree.iter().filter(|(id, _)| components.tag(*id).ends_with("Joint"));
         self.all.get_or_init(|| joints.filter_map(|(id, _)| Some((id, read_one(components, id)?))).collect())
@@ -197,7 +197,7 @@ fn end(
     Some((body.map(|body| components.name(body)), placement))
 }
 
-/// The body that carries a frame (`None` is ground), and the frame on it; nothing where the frame leads nowhere.
+/// The body that carries a frame (`None` is ground), and the frame on it; outer `None` if the frame leads nowhere.
 pub(super) fn on_base(
     components: &Components,
     frame: Option<ComponentId>,

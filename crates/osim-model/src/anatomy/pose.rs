@@ -1,4 +1,4 @@
-//! How the two frames of a joint stand to each other at given values of its coordinates.
+//! How the two frames of a joint are placed to each other at given values of its coordinates.
 
 use osim_xml::{ElementId, opensim_text};
 
@@ -10,7 +10,7 @@ use crate::reference_frame::{Placement, Rotation, times};
 const ROTATIONS: [&str; 3] = ["rotation1", "rotation2", "rotation3"];
 const TRANSLATIONS: [&str; 3] = ["translation1", "translation2", "translation3"];
 
-/// The child's frame of the joint at `element` in its parent's; `None` where that is not known. `values` are those of its
+/// The child's frame of the joint at `element` in its parent's; `None` if it is not known. `values` are those of its
 /// coordinates, in their order, with their names.
 pub(super) fn motion(document: &Document, element: ElementId, values: &[(&str, f64)]) -> Option<Placement> {
     let value = |index: usize| values.get(index).map_or(0.0, |(_, value)| *value);

@@ -29,12 +29,12 @@ pub(crate) struct Components {
     pub(crate) tree: ComponentTree,
 }
 
-/// What a socket says: the text and where it stands.
+/// What a socket says: the text and where it is.
 #[derive(Debug, Clone)]
 pub(crate) struct Connectee {
     pub text: String,
     pub element: ElementId,
-    /// Spelled as in documents that name bodies instead of giving paths.
+    /// Whether it is spelled as in documents that name bodies instead of giving paths.
     pub legacy: bool,
 }
 
@@ -52,7 +52,7 @@ pub(crate) enum Base {
 pub(crate) struct Found {
     /// `None` is ground, which no file spells out.
     pub component: Option<ComponentId>,
-    /// The path as written led nowhere; the only component with that last segment was taken.
+    /// Whether the path as written led nowhere, so that the only component with that last segment was taken.
     pub by_name: bool,
 }
 
@@ -235,7 +235,7 @@ impl Components {
     }
 }
 
-/// The component of the main file in which `element` stands.
+/// The component of the main file that contains `element`.
 fn component_above(main: &Document, components: &ComponentTree, element: ElementId) -> Option<ComponentId> {
     let tree = main.tree();
     let mut at = tree.parent(element);

@@ -1,6 +1,6 @@
 //! The components of a model and their paths: which elements OpenSim turns into objects, and what they are called.
 //!
-//! One pass over the elements in file order gives every element its role. ComponentTree are the items of `<objects>`,
+//! One pass over the elements in file order gives every element its role. Components are the items of `<objects>`,
 //! `<components>`, `<frames>` and of a Body's `<Joint>`, sets, and ground; everything else is a property. `<defaults>` of the data root is left out: its objects are not part of the model.
 
 use std::collections::{HashMap, HashSet};
@@ -72,7 +72,7 @@ impl ComponentTree {
                 continue;
             }
             let tag = tree.name(id);
-            // What stands in another file hangs here once that file is added.
+            // What is in another file hangs here once that file is added.
             let role = if document.file_of(id).is_some() {
                 Role::Nothing
             } else if is_root {
@@ -196,7 +196,7 @@ impl ComponentTree {
 
     /// The object that is written as `element` of `file`.
     pub(crate) fn of_element(&self, file: FileId, element: ElementId) -> Option<ComponentId> {
-        // ComponentTree of one file are in element order.
+        // Components of one file are in element order.
         let start = self.list.partition_point(|object| object.file < file);
         let end = self.list.partition_point(|object| object.file <= file);
         let of_file = self.list.get(start..end)?;

@@ -44,7 +44,7 @@ pub struct Force {
     pub path: String,
     /// Class.
     pub kind: ForceKind,
-    /// `false` when it is switched off (`appliesForce`, or `isDisabled` in old documents).
+    /// Whether it is switched on (`appliesForce`, or `isDisabled` in old documents).
     pub applies: bool,
     /// One for a `SmoothSphereHalfSpaceForce`, one per `ContactParameters` for a `HuntCrossleyForce`.
     pub sets: Vec<ParameterSet>,
@@ -73,7 +73,7 @@ pub struct ParameterSet {
     pub other_surfaces: usize,
     /// Effective values, in OpenSim's order; `transition_velocity` among them for a `SmoothSphereHalfSpaceForce`.
     pub values: Vec<Value>,
-    /// The whole set is in `<defaults>`, where other forces find it too.
+    /// Whether the whole set is in `<defaults>`, where other forces find it too.
     pub inherited: bool,
     /// Line of its element, from 1.
     pub line: usize,
@@ -107,7 +107,7 @@ impl Force {
         all.copied().filter(|&sphere| seen.insert(sphere)).collect()
     }
 
-    /// A parameter set; `None` where there is none: the handle is another force's.
+    /// A parameter set; `None` if there is none: then the handle is another force's.
     #[must_use]
     pub fn set(&self, set: SetId) -> Option<&ParameterSet> {
         self.sets.get(set.0)
@@ -130,7 +130,7 @@ impl Force {
         value.checked().map(Some).map_err(|fault| fault.of(self.path.clone()).in_file(self.file))
     }
 
-    /// Where `property` of parameter set `set`, or of the force itself, stands; `None` where the class has no such property.
+    /// Where `property` of parameter set `set`, or of the force itself, is; `None` where the class has no such property.
     #[must_use]
     pub fn slot(&self, set: SetId, property: Property) -> Option<Slot> {
         let own = self.set(set).and_then(|set| Some((set, set.value(property)?)));

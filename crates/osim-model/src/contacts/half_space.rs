@@ -89,7 +89,7 @@ impl HalfSpace {
 }
 
 impl PartialEq for HalfSpace {
-    /// The same one of a model.
+    /// Whether both are the same half-space of a model.
     fn eq(&self, other: &Self) -> bool {
         self.component == other.component
     }

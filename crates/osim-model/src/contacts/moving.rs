@@ -18,7 +18,7 @@ pub fn root_mean_square(radii: impl Iterator<Item = f64> + Clone) -> f64 {
     }
 }
 
-/// The spheres of `forces` that stand neither on ground nor on a body welded to it, each once, in file order: those whose radii
+/// The spheres of `forces` that are neither on ground nor on a body welded to it, each once, in file order: those whose radii
 /// may change.
 #[must_use]
 pub fn moving_spheres(model: &Model, forces: &[ForceId]) -> Vec<SphereId> {

@@ -122,7 +122,7 @@ impl<'r> ContactReader<'r> {
         });
     }
 
-    /// The frame a geometry is attached to: its path and the body behind it.
+    /// The frame a geometry is attached to: its path and the body that carries it.
     fn attachment(&mut self, id: ComponentId, socket: &str, legacy: &[&str]) -> Result<Attachment, Fault> {
         let Some(connectee) = self.components.connectee(id, socket, legacy) else {
             return Err(self.components.unresolved(id, "", "frame it is attached to"));
@@ -367,7 +367,7 @@ const LAST_VERSION_WITH_IS_DISABLED: u32 = 30508;
 const CONTACT_PARAMETERS_SET: &str = "HuntCrossleyForce::ContactParametersSet";
 
 /// The list of parameter sets, in any of its three spellings. OpenSim prefers the wrapper `<contact_parameters>`, then
-/// the set of that name, then one without a name (documents of version 2), wherever they stand.
+/// the set of that name, then one without a name (documents of version 2), wherever they are.
 fn parameter_sets_of(document: &Document, force: ElementId) -> Option<ElementId> {
     let tree = document.tree();
     if let Some(wrapper) = tree.child(force, "contact_parameters") {

@@ -6,7 +6,7 @@ use crate::class::Class;
 use crate::fault::FileId;
 use osim_xml::ElementId;
 
-/// Where the text of a property stands, or the object that would get it.
+/// Where the text of a property is, or the object that would get it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Slot {
@@ -14,7 +14,7 @@ pub struct Slot {
     pub file: FileId,
     /// The object that has the property.
     pub object: ElementId,
-    /// Its class, which says in which order its elements stand.
+    /// Its class, which says the order of its elements.
     pub class: Class,
     /// Tag of the property's element.
     pub tag: &'static str,

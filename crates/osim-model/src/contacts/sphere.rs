@@ -28,7 +28,7 @@ pub struct Sphere {
     pub frame: String,
     /// Name of the body that carries the frame; `None` is ground or a body in a file that was not given.
     pub body: Option<String>,
-    /// On ground or on a body welded to ground: terrain, never resized.
+    /// Whether it is on ground or on a body welded to ground: terrain, never resized.
     pub fixed: bool,
     /// Line of its element, from 1.
     pub line: usize,
@@ -66,13 +66,13 @@ impl Sphere {
         self.spelling == SphereSpelling::InsideForce
     }
 
-    /// Where its radius stands.
+    /// Where its radius is in the file.
     #[must_use]
     pub fn radius_slot(&self) -> Slot {
         self.slot(self.spelling.radius_tag(), self.radius.span.clone(), self.radius.offset)
     }
 
-    /// Where its location stands.
+    /// Where its location is in the file.
     #[must_use]
     pub fn location_slot(&self) -> Slot {
         let offset = self.location_span.as_ref().map_or(self.start, |span| span.start);

@@ -2,7 +2,7 @@
 
 use osim_messages::{Input, Phrase, phrase};
 
-/// What has to be said about the factors of a body.
+/// What has to be answered about the factors of a body.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum FactorQuestion {

@@ -86,7 +86,7 @@ pub enum FaultKind {
     },
     /// Something that only the caller can know.
     Needed(Needed),
-    /// Something that looks like a slip, and is done only when the caller says that it is meant.
+    /// Something that looks like a slip, and is done only if the caller confirms it.
     NeedsAnswer(NeedsAnswer),
     /// A model that is to get contacts has some.
     ContactsExist {
@@ -114,19 +114,19 @@ pub enum FaultKind {
     BadInput {
         /// Which.
         input: Input,
-        /// What was said.
+        /// The number that the caller gave.
         value: f64,
         /// The domain, in words.
         expected: &'static str,
     },
     /// Scale factors for a body that is not there.
     UnknownBody {
-        /// The name that was said.
+        /// The name that the caller gave.
         body: String,
     },
     /// A sphere that is not in the reference.
     UnknownReferenceSphere {
-        /// The name that was said.
+        /// The name that the caller gave.
         sphere: String,
         /// Name of the reference.
         reference: String,

@@ -6,7 +6,7 @@ use super::factor_question::FactorQuestion;
 use super::note_doubt::NoteDoubt;
 use super::way_out::{GravityFor, RadiusFrom, contacts_mass, known_contacts_mass, shared_sphere};
 
-/// Something that has to be said, because the files do not say it.
+/// Something that has to be asked, because it is not in the files.
 ///
 /// Each variant says what is not known; [`Needed::inputs`] are the fields that answer it.
 ///
@@ -47,7 +47,7 @@ pub enum Needed {
         noted_kg: Option<f64>,
         /// Why it is in doubt.
         doubt: NoteDoubt,
-        /// Where it can be said: [`Input::ReferenceMass`] of contacts that others are made from.
+        /// The field that answers it: [`Input::ReferenceMass`] for contacts that others are made from.
         input: Input,
     },
     /// The gravity that the contacts were made for: the note in the file cannot be relied on.
@@ -105,7 +105,7 @@ pub enum Needed {
     BodyFactors {
         /// Name of the body.
         body: String,
-        /// Axes of which nothing says it.
+        /// Axes whose factor is not known.
         axes: Vec<&'static str>,
     },
     /// How large a body is against that of another model.
@@ -370,7 +370,7 @@ impl Needed {
                 Input::BodyScaleFile.like("FILE"),
             ],
             Self::Gravity { purpose } => purpose.phrase(),
-            // HeightRatio; the others were answered before.
+            // `HeightRatio`; the others were answered before.
             _ => phrase![
                 Input::Rule.being("predsim"),
                 " needs the ratio of heights: say ",

@@ -1,4 +1,4 @@
-//! What looks like a slip: a number that is read as it is, and is done only when the caller says that it is meant.
+//! What looks like a slip: a number that is read as it is, and is done only if the caller confirms it.
 
 use std::fmt;
 use std::str::FromStr;
@@ -104,9 +104,9 @@ pub enum NeedsAnswer {
     Mass {
         /// Which.
         input: Input,
-        /// What was said, kg.
+        /// The mass that the caller gave, kg.
         kg: f64,
-        /// What the bodies of its model weigh together, where that is known, kg.
+        /// What the bodies of its model weigh together, kg, if known.
         bodies_kg: Option<f64>,
         /// Why it looks like a slip.
         slip: MassSlip,
@@ -186,7 +186,7 @@ fn mass(input: Input, kg: f64, bodies_kg: Option<f64>, slip: MassSlip) -> Phrase
     phrase![input.being(readable(kg)), format!(" is {why}")]
 }
 
-/// The units, and how many of them are a metre, in which a length was probably said that is so many `times` as long as usual.
+/// The units in which a length was probably given that is `times` as long as usual, and how many of each are a metre.
 ///
 /// ```
 /// use osim_model::probable_units;

@@ -40,7 +40,7 @@ impl GravityFor {
         Self::Figures,
     ];
 
-    /// What answers it, and its unit; nothing where only the file can.
+    /// What answers it, and its unit; `None` if only the file can.
     const fn answers(self) -> &'static [(Input, &'static str)] {
         match self {
             Self::Weight => &[(Input::Gravity, "G")],
@@ -112,7 +112,7 @@ pub(super) fn shared_sphere(sphere: &str, changed: &str, left: &[String], can_ch
     text
 }
 
-/// Asks what contacts were made for, of which the note is in doubt: the model's own, or those of a reference.
+/// Asks what contacts with a doubtful note were made for: the model's own, or those of a reference.
 pub(super) fn contacts_mass(noted_kg: Option<f64>, doubt: NoteDoubt, input: Input) -> Phrase {
     let noted = noted_kg.map(|kg| format!(" (the note says {} kg)", readable(kg)));
     let what =

@@ -21,7 +21,7 @@ pub struct Failure {
     pub column: Option<usize>,
     /// The line itself.
     pub excerpt: Option<Excerpt>,
-    /// It could be done if something were said that must not be guessed.
+    /// Whether it could be done if the caller answered something that must not be guessed.
     pub needs_answer: bool,
 }
 

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use osim_messages::shown_whole;
 
-/// A file as it was named: text, and the bytes of the name where that is not UTF-8 and the text only an approximation.
+/// A file as it was named: text, and the bytes of the name if it is not UTF-8 and the text only an approximation.
 ///
 /// It prints on one line, with what cannot be seen escaped; [`Deref`] gives the text itself.
 ///

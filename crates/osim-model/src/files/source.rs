@@ -59,7 +59,7 @@ impl FileError {
         Self(why.into())
     }
 
-    /// There is no such file.
+    /// The error that there is no such file.
     #[must_use]
     pub fn not_found() -> Self {
         Self::new("there is no such file: check the name and the folder")

@@ -128,10 +128,10 @@ impl Axis {
 pub struct LevelAxis {
     /// Which axis it is.
     pub axis: Axis,
-    /// The axis points down: away from the ground is its negative direction.
+    /// Whether the axis points down: then away from the ground is its negative direction.
     pub down: bool,
-    /// `true` where it is an axis of the body: in each sphere's frame, the axis nearest to it is taken. `false` where it is an
-    /// axis of every sphere's own frame.
+    /// Whether it is an axis of the body: then in each sphere's frame the nearest axis is taken. Otherwise it is an axis of every
+    /// sphere's own frame.
     pub of_body: bool,
 }
 

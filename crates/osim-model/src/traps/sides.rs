@@ -42,7 +42,7 @@ impl<'m> BothSides<'m> {
         self.by_path.get(path).copied()
     }
 
-    /// The force on the right that has the name of `left` but for the side.
+    /// The force on the right that has the name of `left` apart from the side.
     #[must_use]
     pub fn right_of(&self, left: &Force) -> Option<&'m Force> {
         self.right.get(&without_side(&left.name)).copied()
@@ -58,7 +58,7 @@ impl<'m> BothSides<'m> {
     }
 }
 
-/// The first force on the right of each name but for the side.
+/// The first force on the right of each name, names without their side.
 fn right_forces(model: &Model) -> HashMap<String, &Force> {
     let mut right = HashMap::new();
     for force in model.forces().iter().filter(|force| Side::of_name(&force.name) == Some(Side::Right)) {
@@ -95,7 +95,7 @@ fn spheres<'m>(model: &'m Model, force: &Force) -> Vec<&'m Sphere> {
     force.spheres().into_iter().filter_map(|id| model.sphere(id)).collect()
 }
 
-/// The first thing in which they differ, in words.
+/// The first difference between them, in words.
 fn difference(model: &Model, left: &Force, right: &Force) -> Option<String> {
     let differing = left.sets.iter().zip(&right.sets).find_map(|(left, right)| {
         left.values.iter().zip(&right.values).find(|(l, r)| l.number != r.number && !l.number.is_nan())

@@ -1,4 +1,4 @@
-//! How contacts are put together: what OpenSim, Simbody or a later change stumble over.
+//! How contacts are put together: what is a problem for OpenSim, Simbody or a later change.
 
 use std::collections::{HashMap, HashSet};
 
@@ -84,7 +84,7 @@ pub(super) fn loops_of_joints(model: &Model) -> Vec<Finding> {
     ignored.chain(cut).collect()
 }
 
-/// Traps that are seen from the component tree itmodel.
+/// Traps that are seen from the component tree itself.
 pub(super) fn special_components(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
     for sphere in model.spheres().iter().filter(|sphere| sphere.is_inside_force()) {

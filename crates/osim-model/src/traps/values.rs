@@ -13,7 +13,7 @@ use osim_xml::opensim_text::is_plain_triple;
 pub(super) fn numbers(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
     let parameters = model.forces().iter().flat_map(|force| {
-        // Of the older class, what is not in its sets.
+        // For the older class, what is not in its sets.
         let beside = (force.kind == ForceKind::HuntCrossley).then_some(&force.transition_velocity);
         let own = force.sets.iter().flat_map(|set| &set.values);
         own.chain(beside).map(move |value| (force.path.as_str(), force.file, value))
@@ -65,7 +65,7 @@ fn triple(
     let text = document.tree().raw_text(element).text;
     let [x, y, z] = read;
     let (code, text) = if !is_plain_triple(&text) {
-        // A blank that is not ASCII looks like one and is none: show it.
+        // A blank that is not ASCII looks like one and does not count as one: show it.
         let text = if text.is_ascii() { text } else { text.escape_default().to_string() };
         (FindingCode::OddNumber, format!("is '{text}', which OpenSim reads as {x} {y} {z}"))
     } else if !read.iter().all(|value| value.is_finite()) {
@@ -145,7 +145,7 @@ pub(super) fn contact_defaults(model: &Model) -> Vec<Finding> {
     found
 }
 
-/// Said by a warning of its own.
+/// Whether it has the default stiffness, which has a warning of its own.
 fn is_default_stiffness(value: &Value) -> bool {
     value.property == Property::Stiffness && value.origin == Origin::ClassDefault
 }
