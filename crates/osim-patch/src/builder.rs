@@ -153,7 +153,7 @@ impl<'m> PlanBuilder<'m> {
             };
             return Err(Fault::at(kind, change.slot.offset).of(change.path).in_file(change.slot.file));
         }
-        // A value that is computed anew may differ in its last bits and mean the same; a given one is taken exactly.
+        // A value that is computed again may differ in its last bits and mean the same; a given one is taken exactly.
         let computed = change.factor.is_none() && change.equation != "given";
         let same = computed && (change.to - change.from).abs() <= SAME_VALUE * change.from.abs();
         if same || change.to.to_bits() == change.from.to_bits() {

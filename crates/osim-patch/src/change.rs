@@ -50,7 +50,7 @@ pub struct Change {
     pub equation: &'static str,
     /// Line of the number, from 1, or of the object that gets it.
     pub line: usize,
-    /// `true` where the element is absent and is inserted.
+    /// Whether the element is absent and is inserted.
     pub inserted: bool,
     pub(crate) slot: Slot,
 }
@@ -88,7 +88,7 @@ pub struct Move {
     pub equation: &'static str,
     /// Line of the location, from 1, or of the sphere that gets one.
     pub line: usize,
-    /// `true` where the element is absent and is inserted.
+    /// Whether the element is absent and is inserted.
     pub inserted: bool,
     pub(crate) slot: Slot,
 }

@@ -1,4 +1,4 @@
-//! Contacts that are scaled to another gravity: the ratio, and what is said of it.
+//! Contacts that are scaled to another gravity: the ratio, and its words.
 
 use osim_messages::{Input, readable};
 use osim_model::{Fault, FaultKind, GravityFor, Needed};
@@ -11,7 +11,7 @@ pub(crate) struct GravityChange {
 }
 
 impl GravityChange {
-    /// From `now` to `target`; `now_for` says whose gravity is missing where `now` is not there.
+    /// From `now` to `target`; `now_for` says whose gravity is missing if `now` is `None`.
     ///
     /// # Errors
     /// A target that is not above 0, or a gravity that nobody knows.
@@ -38,7 +38,7 @@ impl GravityChange {
         }
     }
 
-    /// Which gravities were taken, for the end of a sentence; nothing without a target.
+    /// Which gravities were taken, for the end of a sentence; empty without a target.
     pub(crate) fn described(self) -> String {
         self.said.unwrap_or_default()
     }

@@ -113,12 +113,12 @@ pub(crate) fn with_white_space_before(tree: &Tree, span: Range<usize>) -> Range<
     span.start - white_space_before(tree, span.start).len()..span.end
 }
 
-/// Line end and indentation before byte `at`; empty where something else stands on that line.
+/// Line end and indentation before byte `at`; empty if something else is on that line.
 pub(crate) fn white_space_before(tree: &Tree, at: usize) -> String {
     let before = tree.slice(0..at);
     let space = &before[before.trim_ascii_end().len()..];
     match space.rfind('\n') {
-        // One line end only, also where blank lines stand between elements.
+        // One line end only, also with blank lines between elements.
         Some(newline) => {
             let start = if space[..newline].ends_with('\r') { newline - 1 } else { newline };
             space[start..].to_owned()

@@ -43,8 +43,8 @@ pub fn note(model: &Model, mass_kg: f64, gravity_m_s2: Option<f64>) -> Result<Pl
     Ok(plan)
 }
 
-/// The note of `model` after an `operation` that makes it `rebuilt` and leaves what contacts were made for; `None` where it has none.
-/// Where contacts were changed since the note was written, it goes on saying so.
+/// The note of `model` after an `operation` that makes it `rebuilt` and leaves what contacts were made for; `None` if it has
+/// none. If contacts were changed since the note was written, the new note says so, too.
 #[must_use]
 pub fn kept_note(model: &Model, rebuilt: &Rebuilt, operation: &str) -> Option<Note> {
     let (old, new) = (model.note.as_ref()?, rebuilt.model());

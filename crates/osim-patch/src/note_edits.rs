@@ -63,8 +63,8 @@ fn opened(document: &Document) -> Option<char> {
 }
 
 /// Sizes of the bodies for which the spheres are placed: today's where all spheres of a body `followed` it, else those that the
-/// earlier note gives while the places stay, else today's. A model that OpenSim scaled after the note was written goes on saying
-/// which size its spheres belong to, until they follow their bodies. A body of which only some followed has no one size.
+/// earlier note gives while the places stay, else today's. The note of a model that OpenSim scaled later still says which size
+/// its spheres belong to, until they follow their bodies. A body has no one size if only some of its spheres followed.
 pub(crate) fn sizes(model: &Model, followed: Option<&BTreeSet<SphereId>>) -> Vec<BodySize> {
     let noted = model.note.as_ref().filter(|note| !note.sizes.is_empty() && is_unmoved(note, model));
     let noted: HashMap<&str, &BodySize> =

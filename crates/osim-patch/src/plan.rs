@@ -55,7 +55,7 @@ pub struct Plan {
     pub taken: Phrase,
     /// Things the user should know.
     pub warnings: Vec<Finding>,
-    /// What the change leaves as it is, said once.
+    /// What the change leaves as it is, one remark for all.
     pub remarks: Vec<Phrase>,
     note: Option<Note>,
     note_anyway: bool,
@@ -103,7 +103,7 @@ pub(crate) struct Contents {
     pub(crate) remarks: Vec<Phrase>,
 }
 
-/// A mass as people write it: a sum of bodies leaves 20.000000000000018 kg, of which only 15 digits mean something.
+/// A mass as people write it: a sum of bodies may be 20.000000000000018 kg, and only 15 digits mean something.
 fn without_last_bits(kg: f64) -> f64 {
     format!("{kg:.14e}").parse().unwrap_or(kg)
 }
@@ -124,7 +124,7 @@ impl Plan {
         self.note = None;
     }
 
-    /// Records in the note what was done, where that is more than the verb: `rescale radius=x2`.
+    /// Records in the note what was done, if it is more than the verb: `rescale radius=x2`.
     pub fn name_operation(&mut self, operation: &str) {
         if let Some(note) = &mut self.note {
             note.operation = Note::operation_text(operation);
@@ -139,13 +139,13 @@ impl Plan {
         }
     }
 
-    /// The note that would be written; none when nothing changes.
+    /// The note that would be written; `None` if nothing changes.
     #[must_use]
     pub fn note(&self) -> Option<&Note> {
         self.note.as_ref().filter(|_| !self.is_empty())
     }
 
-    /// `true` when the output equals the input byte for byte.
+    /// Whether the output equals the input byte for byte.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         let numbers = self.changes.is_empty() && self.moves.is_empty();
@@ -253,7 +253,7 @@ impl Plan {
         })
     }
 
-    /// Spells everything it says in the words of a front end.
+    /// Spells all its messages in the words of a front end.
     pub fn spell(&mut self, dialect: &dyn Dialect) {
         self.taken.spell(dialect);
         self.remarks.iter_mut().for_each(|remark| remark.spell(dialect));

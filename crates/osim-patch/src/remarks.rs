@@ -1,4 +1,4 @@
-//! What is said of a change beside its numbers.
+//! Remarks about a change beside its numbers.
 
 use osim_messages::{Phrase, readable};
 use osim_model::{Finding, FindingCode, ForceId, ForceKind, Property, PropertySet};
@@ -9,7 +9,7 @@ use crate::radii::Radii;
 /// What every change of plain numbers leaves as it is.
 pub const PLACES_STAY: &str = "body masses and sphere locations stay as they are";
 
-/// Said where contacts are scaled to a gravity that is not the model's own.
+/// The remark if contacts are scaled to a gravity that is not the model's.
 pub(crate) const GRAVITY_STAYS: &str = "the model's own <gravity> stays as it is: set it in OpenSim";
 
 /// Says what is special about the chosen forces.

@@ -50,12 +50,12 @@ pub struct Set {
     pub assignments: Vec<(Property, Assignment)>,
     /// The mass that the contacts were made for, where known; it stays.
     pub contacts_mass: Option<Mass>,
-    /// Apply factors once more to a file whose note says they were applied already.
+    /// Whether to apply factors once more to a file whose note says they were applied already.
     pub again: bool,
 }
 
 impl Set {
-    /// These assignments, where nothing is known of the mass.
+    /// These assignments, if nothing is known of the mass.
     #[must_use]
     pub fn new(assignments: Vec<(Property, Assignment)>) -> Self {
         Self { assignments, ..Self::default() }
@@ -70,7 +70,7 @@ impl Set {
     }
 }
 
-/// Plans plain changes of the forces `selected` of `model`, in which nothing else follows: see [`Set`] for an example.
+/// Plans plain changes of the forces `selected` of `model`; nothing else follows from them: see [`Set`] for an example.
 ///
 /// # Errors
 /// - A value outside the domain of its property, a property that none of the forces has, and the errors of
@@ -136,7 +136,7 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
                 .map(|mass| mass.kg),
             gravity_m_s2: model.contacts_gravity(),
             scope: Scope::Partial,
-            // Every change since the last whole rescaling counts: none may be applied twice without a word.
+            // Every change since the last whole rescaling counts: none may be applied twice without a question.
             operation: &before.map_or(operation.clone(), |before| format!("{before}{AND}{operation}")),
         },
     ))

@@ -30,8 +30,8 @@ impl NewContact {
         Ok(())
     }
 
-    /// The same with a value for each parameter of its class: where none is given OpenSim's default, and for smoothing, of which the
-    /// defaults are for no size, that of Falisse et al. (2022), without dimensions, at this radius.
+    /// The same with a value for each parameter of its class. What is not given gets OpenSim's default. OpenSim's smoothing suits
+    /// no size, so smoothing is that of Falisse et al. (2022), without dimensions, at this radius.
     ///
     /// ```
     /// use osim_model::{ForceKind, Property};

@@ -32,7 +32,7 @@ pub struct Convert {
     pub hertz_smoothing: Option<f64>,
     /// The same of `hunt_crossley_smoothing`, s/m.
     pub hunt_crossley_smoothing: Option<f64>,
-    /// Refuse where sphere and half-space have parameters of their own that differ, instead of warning.
+    /// Whether to refuse, instead of warning, if sphere and half-space have parameters of their own that differ.
     pub strict: bool,
 }
 
@@ -50,7 +50,7 @@ impl Convert {
     }
 }
 
-/// A model whose forces are of another class, and what is to be said of it.
+/// A model whose forces are of another class, with remarks.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Converted {
@@ -71,7 +71,7 @@ pub struct Converted {
 /// - A set that stands alone, or one in another file.
 /// - A force without a half-space, or a sphere on the half-space's own body: by name.
 /// - Values that are not plain numbers.
-/// - Surfaces with parameters of their own, where that is to be refused.
+/// - Surfaces with parameters of their own, if these are to be refused.
 pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<Converted, Fault> {
     refuse_parts(model)?;
     let document = model.document();

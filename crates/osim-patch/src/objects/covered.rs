@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-/// Spans in order, of which none is inside another one.
+/// Spans in order, none inside another one.
 pub(super) struct Covered(Vec<Range<usize>>);
 
 impl Covered {

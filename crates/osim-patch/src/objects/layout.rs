@@ -43,7 +43,7 @@ impl NewContact {
 #[derive(Debug, Clone, PartialEq, Default)]
 #[non_exhaustive]
 pub struct Layout {
-    /// In the order in which they are written.
+    /// The contacts, in the order in which they are written.
     pub contacts: Vec<NewContact>,
     /// Name of the floor where one has to be made; `floor` where it is empty.
     pub floor: String,

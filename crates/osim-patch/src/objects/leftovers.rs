@@ -1,4 +1,4 @@
-//! Places of a file that name objects which went: OpenSim reads the file all the same, and finds less.
+//! Places of a file that name objects which were removed: OpenSim still reads the file, and finds less.
 
 use std::collections::{HashMap, HashSet};
 

@@ -8,7 +8,7 @@ use osim_model::{Fault, FileId, Model, refuse_name_in_paths};
 pub(super) struct Names(HashSet<String>);
 
 impl Names {
-    /// Those of the contact geometry and the forces of `model`: OpenSim renames the second of one name without a word.
+    /// Those of the contact geometry and the forces of `model`: OpenSim renames the second of one name without a warning.
     pub(super) fn of(model: &Model) -> Self {
         let geometry = model.spheres().iter().map(|sphere| sphere.name.clone());
         let planes = model.half_spaces().into_iter().map(|plane| plane.name);

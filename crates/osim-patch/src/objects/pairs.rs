@@ -8,7 +8,7 @@ pub(crate) struct Pair {
     pub(crate) plane: HalfSpace,
     /// Parameters of both surfaces, as one force for the two alone would have them; the transition velocity among them.
     pub(crate) values: Vec<(Property, f64)>,
-    /// Sphere and half-space have parameters of their own that differ: the values are composites (A.3).
+    /// Whether sphere and half-space have parameters of their own that differ: then the values are composites (A.3).
     pub(crate) is_composite: bool,
 }
 

@@ -6,7 +6,7 @@ const MODELS: [(&str, &str); 2] = [
     ("moco-2d-gait", include_str!("presets/moco-2d-gait.osim")),
 ];
 
-/// The preset of that name as a model, where it is known where its spheres are.
+/// The preset of that name as a model, if the places of its spheres are known.
 ///
 /// ```
 /// use osim_model::Model;

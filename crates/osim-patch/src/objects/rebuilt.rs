@@ -89,7 +89,7 @@ impl Rebuilt {
 }
 
 impl PartialEq for Rebuilt {
-    /// The same bytes and the same objects.
+    /// Whether bytes and objects are the same.
     fn eq(&self, other: &Self) -> bool {
         let bytes = |of: &'_ Self| of.model.file(FileId::MAIN).bytes().to_vec();
         self.objects == other.objects && self.made == other.made && bytes(self) == bytes(other)

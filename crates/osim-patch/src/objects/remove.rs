@@ -179,7 +179,7 @@ fn refuse_users(model: &Model, elements: &[ElementId], names: &HashSet<String>) 
     Ok(())
 }
 
-/// Elements that name contact geometry.
+/// Whether elements of this name name contact geometry.
 fn is_reference(tag: &str) -> bool {
     tag == "geometry"
         || tag == "socket_sphere"

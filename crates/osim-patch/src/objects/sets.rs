@@ -141,7 +141,7 @@ impl Set {
         }
     }
 
-    /// `made` without what says something of this set.
+    /// `made` without what is about this set.
     pub(super) fn forgotten(&self, made: &str) -> String {
         let Letters { set, objects, opened } = self.letters;
         let own = |letter: char| {
@@ -150,7 +150,7 @@ impl Set {
         made.chars().filter(|&letter| !own(letter)).collect()
     }
 
-    /// Takes what `add` made of the set back, where none of its members stays: `None` where it made nothing.
+    /// Takes back what `add` made of the set, if none of its members stays; `None` if it made nothing.
     pub(super) fn restored(&self, tree: &Tree, model: ElementId, made: &str) -> Option<(ElementId, String)> {
         let set = self.element(tree, model)?;
         let form = |letters: &[(char, Form); 3]| {

@@ -116,8 +116,8 @@ fn has_default(document: &Document, class: Class, tag: &str) -> bool {
     object.is_some_and(|object| tree.child(object, tag).is_some())
 }
 
-/// How the list of a HuntCrossleyForce calls geometry: members of the geometry set by their names, but for those that have the name
-/// of a component of the model itself, which OpenSim would find first.
+/// How the list of a HuntCrossleyForce calls geometry: members of the geometry set by their names, except those that have the
+/// name of a component of the model itself, which OpenSim would find first.
 pub(super) struct InList(HashSet<String>);
 
 impl InList {

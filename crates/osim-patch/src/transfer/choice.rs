@@ -100,7 +100,7 @@ impl<'t> Choice<'t> {
     pub(crate) fn of_sphere(&self, model: &Model, sphere: SphereId) -> &'t ReferenceContact {
         match self {
             Self::One(contact) | Self::Named { contact, .. } => contact,
-            // `make` has seen that every name is there.
+            // `make` has checked that every name is there.
             Self::Paired { first, by_name } => by_name.get(name_of(model, sphere)).unwrap_or(first),
         }
     }

@@ -47,7 +47,7 @@ pub fn reference_of_model(
 }
 
 /// The contacts of `layout` as a reference called `name`, which were made for `mass`, for `sphere_count` spheres that share its
-/// weight, and for a gravity where that is known.
+/// weight, and for a gravity if known.
 ///
 /// ```
 /// use osim_model::{ForceKind, Mass, MassSource, Property};

@@ -114,8 +114,8 @@ pub struct Transfer {
     pub mass: Mass,
     /// Spheres n that share this model's weight.
     pub sphere_count: f64,
-    /// Each sphere has its own in the reference, and how many share the weight is not known: of the two counts only their ratio
-    /// says something.
+    /// Whether each sphere has its own in the reference, and how many share the weight is not known: then only the ratio of the
+    /// two counts has a meaning.
     pub counts_cancel: bool,
     /// What happens to the radii.
     pub radius: RadiusRule,
@@ -132,7 +132,7 @@ pub struct Transfer {
     pub level: Option<LevelAxis>,
     /// By which rule E₁* and α follow.
     pub rule: ScalingRule,
-    /// Refuse instead of warning where spheres of one force follow bodies with different factors.
+    /// Whether to refuse, instead of warning, if spheres of one force follow bodies with different factors.
     pub strict: bool,
 }
 

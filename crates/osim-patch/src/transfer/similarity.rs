@@ -1,4 +1,4 @@
-//! What is said of a transfer whose spheres follow their bodies: the spread of their factors, and figures to compare by.
+//! Remarks about a transfer whose spheres follow their bodies: the spread of their factors, and figures to compare by.
 
 use contact_scaling::{Contact, DimensionlessContact, RatioValues, Ratios, Scale, ScaleValues, restitution};
 use osim_messages::Phrase;
@@ -9,7 +9,7 @@ use super::request::{ScalingRule, Transfer};
 use crate::builder::PlanBuilder;
 use crate::radii::Radii;
 
-/// More than this between the factors of one force's spheres is said (relative).
+/// A larger difference (relative) between the factors of one force's spheres is reported.
 const SPREAD: f64 = 0.01;
 
 /// Spheres of one modulus that follow bodies of different factors.
