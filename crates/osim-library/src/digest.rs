@@ -10,14 +10,14 @@ pub fn sha256(bytes: &[u8]) -> String {
     sha256_of_parts(std::iter::once(bytes))
 }
 
-/// The same of bytes that lie in several places.
+/// The same of bytes that are in several places.
 pub fn sha256_of_parts<'p>(parts: impl Iterator<Item = &'p [u8]>) -> String {
     let mut hash = Sha256::new();
     parts.for_each(|part| hash.update(part));
     hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// Used in the place of a name where very many are compared: no two names that anybody ever met share one.
+/// Used in the place of a name where very many are compared: no two known names share one.
 pub(crate) type NameDigest = [u8; 16];
 
 /// The first half of the SHA-256 of a name.

@@ -34,7 +34,7 @@ impl LibraryFault {
         ])
     }
 
-    /// A model holds what an earlier run wrote by other options. A factor would come on top of the one before.
+    /// A model holds what an earlier run wrote by other options. A factor would be applied on top of the one before.
     pub(crate) fn changed_before() -> Self {
         Self::new(phrase![
             "an earlier run changed this model by other options, and this change would come on top of that: bring back \
@@ -78,7 +78,7 @@ impl Display for LibraryFault {
 
 impl std::error::Error for LibraryFault {}
 
-/// Says what could not be done, where something else says why.
+/// Adds what could not be done to an error that says why.
 pub(crate) trait Context<T> {
     /// # Errors
     /// The same, after `what`.

@@ -38,7 +38,7 @@ impl Folders {
         }
     }
 
-    /// Names in `folder` that may be compiled models; none where it does not exist yet or cannot be read.
+    /// Names in `folder` that may be compiled models; empty if it does not exist yet or cannot be read.
     fn names_of_compiled(&mut self, folder: &Path, tidy: bool) -> Vec<String> {
         let mut compiled = Vec::new();
         for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
@@ -46,7 +46,7 @@ impl Folders {
             if name.as_encoded_bytes().starts_with(b"F_") {
                 compiled.push(name.to_string_lossy().into_owned());
             } else if tidy && temporary::is_left_over(folder, &name) {
-                // Whoever may not remove it may not write here either, and is told so.
+                // A user who may not remove it may not write here either, and gets that error.
                 drop(std::fs::remove_file(entry.path()));
             } else if tidy && replaced::is_left_over(folder, &name) {
                 self.replaced.push(entry.path());

@@ -62,8 +62,8 @@ impl Partial {
         }
     }
 
-    /// Opens that of `whole` for this run alone, with the whole lines that are there if it goes on with them. `way_out` is
-    /// what to do where another run has it.
+    /// Opens that of `whole` for this run alone, with the whole lines that are there if it goes on with them. `way_out` is what
+    /// to do if another run has it.
     ///
     /// # Errors
     /// It cannot be written, or another run has it.
@@ -99,7 +99,7 @@ impl Partial {
         Ok(())
     }
 
-    /// The whole file is there: this one is no longer needed.
+    /// Removes it, once the whole file is there.
     ///
     /// # Errors
     /// The folder cannot be changed.
@@ -122,7 +122,7 @@ fn whole_lines(file: &mut File) -> std::io::Result<u64> {
     end_of_lines(file, length)
 }
 
-/// The next line comes after so many bytes.
+/// Cuts the file to `length` bytes: the next line comes after them.
 fn cut(file: &mut File, length: u64) -> std::io::Result<()> {
     file.set_len(length)?;
     file.seek(SeekFrom::Start(length)).map(|_| ())

@@ -22,7 +22,8 @@ pub fn threads(asked: Option<NonZeroUsize>, items: usize) -> usize {
 
 /// Does `work` for every item on `threads` threads and hands the results to `each` in the order of the items.
 ///
-/// A panic of `work` goes on on the thread that called: it would be a defect, and nobody must wait for a result that never comes.
+/// A panic of `work` continues on the thread that called: it would be a defect, and nobody must wait for a result that never
+/// comes.
 ///
 /// # Errors
 /// The first error of `each`: no further item is begun. Or the threads cannot be started.

@@ -1,4 +1,4 @@
-//! The one door through which files come in: everything that this project reads of a disk is opened here.
+//! The one door through which files come in: everything that this project reads from a disk is opened here.
 //!
 //! What a name leads to is decided by those who made the file, not by those who run the program: a pipe that nobody writes into, a
 //! device that never ends, a file larger than the memory. So a file is opened without waiting, the opened file itself is
@@ -135,7 +135,7 @@ pub(crate) fn ordinary(path: &Path) -> Result<Vec<u8>, Refusal> {
     read(path, Kinds::Ordinary).map(|(bytes, _)| bytes)
 }
 
-/// The first bytes of an ordinary file, `most` of them where there are so many.
+/// The first bytes of an ordinary file, at most `most` of them.
 ///
 /// # Errors
 /// It is not there, cannot be read, or is not an ordinary file.
@@ -177,7 +177,8 @@ pub(crate) fn alone(path: &Path) -> std::io::Result<Option<File>> {
     Ok(file)
 }
 
-/// Whether another process has a file [`alone`]. To ask keeps nobody from opening it so but for that moment, and nobody from asking.
+/// Whether another process has a file [`alone`]. Asking keeps others from opening it so only for that moment, and does not keep
+/// them from asking.
 ///
 /// # Errors
 /// It is there and cannot be opened.

@@ -43,7 +43,7 @@ pub(super) fn is_device(metadata: &Metadata) -> bool {
     metadata.file_type().is_char_device()
 }
 
-/// No name is one by itself.
+/// Whether a name is that of a device: on Unix a name alone never is.
 pub(super) fn is_device_name(_path: &Path) -> bool {
     false
 }

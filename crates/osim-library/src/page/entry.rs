@@ -30,7 +30,7 @@ pub fn entry(changed: &ChangedModel<'_>, both: &BeforeAfter, detail: DetailLevel
     if changed.earlier { entry.of_earlier_run() } else { entry }
 }
 
-/// A model of which there is nothing but its line in the summary.
+/// A model with only its line in the summary.
 #[must_use]
 pub fn bare_entry(record: &Record, earlier: bool) -> Entry {
     if !earlier {

@@ -19,7 +19,7 @@ const HEAD: usize = 1024;
 pub enum Replace {
     /// Nothing.
     Never,
-    /// Pages of this program: a run that goes on writes its page again.
+    /// Pages of this program: a resumed run writes its page again.
     Pages,
     /// Any file.
     Files,
@@ -63,7 +63,8 @@ impl ReportPage {
         Ok(Self { prepared, page: Page::new(about, kept, words) })
     }
 
-    /// Begins the page about a run, the call `asked`; what could not even be listed is on it already. None where none is asked for.
+    /// Begins the page about a run, the call `asked`; what could not even be listed is on it already. `None` if no page is asked
+    /// for.
     ///
     /// # Errors
     /// Those of [`begin`](Self::begin).
@@ -83,7 +84,7 @@ impl ReportPage {
         let about = About::new(verb, request.is_one().then(shown), Columns::Changes, asked);
         let replace = match (request.force, run.goes_on()) {
             (true, _) => Replace::Files,
-            // A run that goes on writes its page again, as it does its summary.
+            // A resumed run writes its page again, as it does its summary.
             (false, true) => Replace::Pages,
             (false, false) => Replace::Never,
         };
@@ -109,7 +110,7 @@ impl ReportPage {
     }
 }
 
-/// `true` for a page that this program wrote, which says so in its head.
+/// Whether this program wrote the page, which says so in its head.
 fn is_page(path: &Path) -> bool {
     head(path, HEAD).is_ok_and(|head| memchr::memmem::find(&head, GENERATOR.as_bytes()).is_some())
 }

@@ -84,7 +84,7 @@ impl Survey<'_> {
         found
     }
 
-    /// The model on the page, where one is asked for.
+    /// The model on the page, if a page is asked for.
     pub fn entry(&self, inspected: &Inspected, found: &CheckResult) -> Entry {
         let files: Vec<(String, String)> =
             inspected.opened.files().map(|(name, bytes)| (name.to_owned(), crate::sha256(bytes))).collect();
@@ -101,7 +101,7 @@ impl Survey<'_> {
         )
     }
 
-    /// The feet of a model, with the bones whose meshes are at hand.
+    /// The feet of a model, with the bones whose meshes are available.
     fn feet(&self, opened: &OpenModel) -> Option<ModelFeet> {
         let path = opened.name().to_path();
         let mut feet = ModelFeet::for_page(opened.name(), opened, &self.inspector.options().selection)?;

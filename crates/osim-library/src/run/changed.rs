@@ -1,4 +1,4 @@
-//! What a plan makes of one property, as far as it is the same everywhere.
+//! What a plan makes of one property, if it is the same everywhere.
 
 use osim_model::Property;
 use osim_patch::{Change, Plan};
@@ -9,13 +9,13 @@ const ROUNDING: f64 = 1e-12;
 /// Old value, new value and factor of a property.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Changed {
-    /// Where all that change were the same.
+    /// The old value, if all that change had the same.
     pub(super) from: Option<f64>,
-    /// Where all that change become the same.
+    /// The new value, if all that change get the same.
     pub(super) to: Option<f64>,
-    /// New over old, where that is the same everywhere.
+    /// New over old, if it is the same everywhere.
     pub(super) factor: Option<f64>,
-    /// The factor is not the same everywhere.
+    /// Whether the factor is not the same everywhere.
     pub(super) unequal: bool,
 }
 

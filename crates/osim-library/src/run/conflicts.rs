@@ -113,7 +113,7 @@ impl<'p> PathConflicts<'p> {
         Ok(())
     }
 
-    /// Equal for names that Windows and macOS take for one. Names that are not UTF-8 have no case that anybody knows of.
+    /// Equal for names that Windows and macOS take for one. Names that are not UTF-8 have no known case.
     fn without_case(&mut self, path: &Path) -> NameDigest {
         let name: OsString = match self.resolver.resolved(path).into_os_string().into_string() {
             Ok(text) => text.to_lowercase().into(),

@@ -71,7 +71,7 @@ fn with_remarks(lines: Vec<u8>, record: &Record) -> Result<Vec<u8>, LibraryFault
     csv.into_inner().map_err(said)
 }
 
-/// What another library says.
+/// The error of another library.
 fn said(error: impl std::fmt::Display) -> LibraryFault {
     LibraryFault::new(error.to_string())
 }

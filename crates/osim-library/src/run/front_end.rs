@@ -17,7 +17,7 @@ pub enum Detail {
     Result,
     /// Figures and findings of both states.
     BeforeAfter {
-        /// With the feet of both.
+        /// Whether with the feet of both.
         feet: bool,
     },
 }
@@ -62,6 +62,6 @@ pub struct ChangedModel<'c> {
     pub record: &'c Record,
     /// Both states, where they were wanted.
     pub before_after: Option<BeforeAfter>,
-    /// It was done by an earlier run: nothing was written now.
+    /// Whether it was done by an earlier run: then nothing was written now.
     pub earlier: bool,
 }

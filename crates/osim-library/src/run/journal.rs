@@ -1,6 +1,6 @@
 //! A summary: one line per model, in order; and while the run lasts, `FILE.partial` in the order of the work.
 //!
-//! A run that goes on compares what the lines say with what is there.
+//! A resumed run compares what the lines say with what is there.
 
 use std::path::Path;
 use std::sync::Mutex;
@@ -35,7 +35,7 @@ struct Summary {
     file: Prepared,
     /// Names of the user's own columns; none before the first line.
     remarks: Option<Vec<String>>,
-    /// Why it is not whole; then no more is added.
+    /// Why it is not whole; then nothing further is added.
     broken: Option<LibraryFault>,
 }
 
@@ -50,7 +50,7 @@ impl Summary {
 
 impl Journal {
     /// # Errors
-    /// A summary of that name is there, and nothing says that the run goes on with it or replaces it; or another run is
+    /// A summary of that name is there, and the run neither resumes nor replaces it; or another run is
     /// writing it.
     pub(super) fn begin(options: &RunOptions, force: bool) -> Result<Option<Self>, LibraryFault> {
         let Some(path) = &options.summary else { return Ok(None) };
@@ -89,7 +89,7 @@ impl Journal {
         partial.add(&line)
     }
 
-    /// The next model in order. Whether that went well, [`finish`](Self::finish) says: models do not wait for it.
+    /// Adds the next model in order. [`finish`](Self::finish) says whether that went well: models do not wait for it.
     pub(super) fn add(&self, record: &Record) {
         let Ok(mut summary) = self.summary.lock() else { return };
         if summary.broken.is_none() {
@@ -119,7 +119,7 @@ impl Journal {
         summary.add(self.form, &kept)
     }
 
-    /// The summary is whole; the partial one is no longer needed.
+    /// Ends the summary: it is whole, and the partial one is no longer needed.
     ///
     /// # Errors
     /// The summary could not be written. What is done stays in the partial one.

@@ -76,7 +76,7 @@ impl<F: FrontEnd> ModelJob<'_, F> {
         }
         record.sha256_input = inputs.first().cloned();
         let Loaded { files, origin } = loaded;
-        // The files are read once more as they will be: only where that is wanted. The model's own bytes will be others.
+        // The files are read once more as they will be, only if that is wanted. The model's own bytes will be others.
         let kept = (detail != Detail::Result).then(|| files.with_bytes(Vec::new()));
         let opened = files.open()?;
         let plan = self.plan(&opened, record)?;
@@ -99,8 +99,7 @@ impl<F: FrontEnd> ModelJob<'_, F> {
         Ok(Outcome { record: record.clone(), earlier: false, shown: Some(shown), failure: None })
     }
 
-    /// A model that an earlier run has done, where details are wanted. None where it was changed itself: what it was before is
-    /// gone.
+    /// A model that an earlier run has done, if details are wanted. `None` if it was changed itself: what it was before is gone.
     fn show_again(
         &self,
         loaded: Loaded,
@@ -150,7 +149,7 @@ impl<F: FrontEnd> ModelJob<'_, F> {
         }
     }
 
-    /// Digest of everything the output follows from but for the model: with the files that belong to it. `inputs` has the
+    /// Digest of everything the output follows from except the model, with the files that belong to it. `inputs` has the
     /// digests of all its files, the model first.
     fn settings_digest(&self, inputs: &[String]) -> String {
         let own = self.task.settings.digest();

@@ -13,7 +13,7 @@ pub struct Outcome<S> {
     pub record: Record,
     /// Done by an earlier run.
     pub earlier: bool,
-    /// What the front end shows of it; none where there is nothing but the record.
+    /// What the front end shows of it; `None` if there is only the record.
     pub shown: Option<S>,
     /// What went wrong.
     pub failure: Option<Failure>,

@@ -29,7 +29,7 @@ use crate::write::other_names;
 /// A model with the change that is planned for it.
 pub struct PlannedModel {
     source: Source,
-    /// Its files, but for its own bytes.
+    /// Its files, without its own bytes.
     files: ModelFiles,
     opened: OpenModel,
     origin: Origin,
@@ -90,7 +90,7 @@ impl PlannedModel {
         all.map_err(|fault| self.opened.failure(fault))
     }
 
-    /// Shows it with both of its states, as a run shows a model that it has not written; `feet` where those are to be drawn.
+    /// Shows it with both of its states, as a run shows a model that it has not written; with `feet` if these are to be drawn.
     ///
     /// # Errors
     /// The new model cannot be read, which would be a defect.
@@ -120,8 +120,8 @@ impl PlannedModel {
         }))
     }
 
-    /// Writes what was planned, as `output` says; nothing where nothing changes and no output is named. With what is to be
-    /// said of the files there.
+    /// Writes what was planned, as `output` says; nothing if nothing changes and no output is named. Returns remarks about the
+    /// files there, too.
     ///
     /// # Errors
     /// An output that is standard output or one of the inputs, something there that may not be replaced, a model that changed

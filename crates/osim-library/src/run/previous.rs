@@ -21,7 +21,7 @@ use crate::fault::LibraryFault;
 use crate::partial::Partial;
 use crate::paths::{Resolver, folder_of, resolved};
 
-/// Records of earlier runs: of each only where its line is, so that a million of them take no more than their places.
+/// Records of earlier runs, for each only the place of its line: a million of them take little memory.
 #[derive(Default)]
 pub(super) struct PreviousRun {
     /// The summary and the partial one, oldest first.
@@ -58,8 +58,8 @@ pub(super) enum Previous {
 }
 
 impl PreviousRun {
-    /// Reads the summary, whole or partial, that a run goes on with; `own` are the user's own columns in this run, `None` where that is
-    /// not known.
+    /// Reads the summary, whole or partial, that a run resumes; `own` are the user's own columns in this run, `None` if not
+    /// known.
     ///
     /// # Errors
     /// It is not a summary of this tool.
@@ -132,8 +132,8 @@ impl PreviousRun {
         Ok(found)
     }
 
-    /// Keeps in `record`, of a model that was not done, what an earlier run left as its output: a later run that goes on
-    /// still knows it for ours.
+    /// Keeps in the `record` of a model that was not done what an earlier run left as its output: a later run that resumes still
+    /// recognises it as ours.
     pub(super) fn left_behind(&self, record: &mut Record) {
         if let Some(wrote) = self.last_written(record) {
             *record = wrote.left_behind(record);
@@ -151,7 +151,7 @@ impl PreviousRun {
     }
 
     fn last_written(&self, now: &Record) -> Option<Record> {
-        // A line that was read once and cannot be read again says nothing.
+        // A line that was read once and cannot be read again counts as none.
         let records = if self.is_empty() { Vec::new() } else { self.records(now).unwrap_or_default() };
         records.into_iter().rev().find(|record| record.sha256_output.is_some())
     }

@@ -14,7 +14,7 @@ use crate::door;
 use crate::fault::{Context, LibraryFault};
 use crate::partial::end_of_lines;
 
-/// A summary, whole or partial, that stays open: a run that goes on replaces its name, not the file.
+/// A summary, whole or partial, that stays open: a resumed run replaces its name, not the file.
 pub(super) struct PreviousLines {
     form: Form,
     file: Mutex<File>,
@@ -36,8 +36,8 @@ impl PreviousLines {
         Ok(Self { form, file: Mutex::new(file), end, header: csv::StringRecord::new() })
     }
 
-    /// Calls `each` with every record and where its line begins. `own` are the user's own columns in this run, `None` where that is
-    /// not known.
+    /// Calls `each` with every record and where its line begins. `own` are the user's own columns in this run, `None` if not
+    /// known.
     ///
     /// # Errors
     /// The lines hold something else; also where a table has another header and not one line.

@@ -29,9 +29,9 @@ pub struct RunRequest {
     pub remarks: Vec<String>,
     /// Files that were read to know the tasks, such as a manifest.
     pub reads: Vec<PathBuf>,
-    /// Replace an existing summary or report.
+    /// Whether an existing summary or report is replaced.
     pub force: bool,
-    /// The bytes of its models were given: their names need not be those of files.
+    /// Whether the bytes of its models were given: then their names need not be those of files.
     pub(super) from_memory: bool,
 }
 
@@ -68,13 +68,13 @@ impl RunRequest {
         Self { verb, tasks, reads: table.into_iter().collect(), force, ..Self::default() }
     }
 
-    /// `true` where the run is about one model.
+    /// Whether the run is about one model.
     #[must_use]
     pub fn is_one(&self) -> bool {
         self.tasks.len() + self.failures.len() == 1
     }
 
-    /// Nothing is written over what is read, and no file is written twice.
+    /// Checks that nothing is written over what is read, and no file twice.
     pub(super) fn check_files(&self, run: &RunOptions) -> Result<(), LibraryFault> {
         let mut conflicts = PathConflicts::default();
         self.reads.iter().for_each(|path| conflicts.read(path.as_path()));
@@ -86,7 +86,7 @@ impl RunRequest {
             }
             // The files of settings are compared once for all of their models.
             if !known.is_some_and(|settings| Arc::ptr_eq(settings, &task.settings)) {
-                // A reference is read before the first model, so a folder's run may change it; rows may not lean on that.
+                // A reference is read before the first model, so a folder's run may change it; rows may not rely on that.
                 task.settings.reads().into_iter().for_each(|path| {
                     if task.row.is_some() { conflicts.read_again(path) } else { conflicts.read(path) }
                 });

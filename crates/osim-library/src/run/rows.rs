@@ -19,7 +19,7 @@ use super::task::Task;
 use crate::fault::LibraryFault;
 use crate::source::{OrdinaryFiles, Source};
 
-/// What the rows of a table come to.
+/// What can be done with the rows of a table.
 pub enum Rows {
     /// Every row can be done.
     Run(RunRequest),
@@ -56,7 +56,7 @@ impl<'r> RowReader<'r> {
     /// It is not a table with a column `model`, or it has no rows.
     pub fn read(&self, table: &[u8], name: &str, folder: &Path) -> Result<Rows, LibraryFault> {
         let Self { request } = *self;
-        // `.` in front of every path would only be in the way.
+        // Without `.` in front of every path.
         let folder = if folder == Path::new(".") { Path::new("") } else { folder };
         let table = Table::read(table, folder).map_err(|fault| LibraryFault::new(fault).within(name))?;
         let rows = TableRows {
@@ -85,7 +85,7 @@ type Known = HashMap<String, Arc<JobSettings>>;
 /// The rows of one table, and what is asked for all of them.
 struct TableRows<'r> {
     table: Table,
-    /// Where results go, for rows that do not say.
+    /// Where results go, for rows without a file.
     call: &'r OutputOptions,
     /// The folder that rows may write into; `None` is anywhere.
     inside: Option<Inside>,

@@ -44,7 +44,7 @@ impl JobSettings {
         self.set_files.paths().cloned().chain(self.planner.reads()).collect()
     }
 
-    /// Digest of everything an output follows from but for the model itself.
+    /// Digest of everything an output follows from except the model itself.
     pub(super) fn digest(&self) -> &str {
         self.digest.get_or_init(|| {
             let mut text = format!("{}\nno note: {}\n", self.planner.settings(), self.no_note);

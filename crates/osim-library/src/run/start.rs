@@ -51,25 +51,25 @@ impl<'r> Run<'r> {
         &self.request
     }
 
-    /// Reads what an earlier run did, where the run goes on with it.
+    /// Reads what an earlier run did, if the run resumes it.
     ///
     /// # Errors
-    /// Its summary is none, or was edited.
+    /// What is there is not a summary, or was edited.
     pub fn read_previous(&mut self) -> Result<(), LibraryFault> {
-        // All rows of a table have the same columns. A share without a model says nothing of them.
+        // All rows of a table have the same columns. A share without a model does not show them.
         let own = |task: &Task| task.remarks.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
         let own = self.request.tasks.first().map(own);
         self.context.previous = PreviousRun::read(self.context.run, own.as_deref())?;
         Ok(())
     }
 
-    /// Whether the run goes on with an earlier one.
+    /// Whether the run resumes an earlier one.
     #[must_use]
     pub fn goes_on(&self) -> bool {
         !self.context.previous.is_empty()
     }
 
-    /// Begins the summary, where one is asked for, and looks at the folders that are written into.
+    /// Begins the summary, if one is asked for, and looks at the folders that are written into.
     ///
     /// # Errors
     /// The summary cannot be written, or is there already.
@@ -94,8 +94,8 @@ impl<'r> Run<'r> {
 
     /// Does all tasks on as many threads as there are processors; `report` gets each in the order of the tasks, on this thread.
     ///
-    /// Every task is reported and has its line in the summary, also those that were not begun: who wants to end a run early says so
-    /// by [`FrontEnd::is_interrupted`]. So a run that was stopped can go on.
+    /// Every task is reported and has its line in the summary, also those that were not begun. A caller that wants to end a run
+    /// early says so by [`FrontEnd::is_interrupted`]. So a run that was stopped can go on.
     ///
     /// # Errors
     /// Threads cannot be started.
@@ -136,7 +136,7 @@ impl<'r> Run<'r> {
         ModelJob { context: &self.context, front_end, task }.run()
     }
 
-    /// Ends the summary, where one is asked for.
+    /// Ends the summary, if one is asked for.
     ///
     /// # Errors
     /// It could not be written.
@@ -145,7 +145,7 @@ impl<'r> Run<'r> {
         journal.map_or(Ok(()), |journal| journal.finish(previous, &self.request.tasks))
     }
 
-    /// What a run that was killed left of models that it changed themselves, where it had to be kept: a line for each.
+    /// What a run that was killed left of models that it changed themselves, if it had to be kept: a line for each.
     #[must_use]
     pub fn kept(&self) -> &[String] {
         &self.kept

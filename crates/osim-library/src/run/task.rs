@@ -19,7 +19,7 @@ pub struct Task {
     pub destination: Destination,
     /// Where the changed geometry set of a standalone force set goes.
     pub geometry_output: Option<PathBuf>,
-    /// The output was asked for by name: it is written even where nothing changes.
+    /// Whether the output was asked for by name: then it is written even if nothing changes.
     pub(super) asked: bool,
     pub(super) settings: Arc<JobSettings>,
     /// Row of the manifest, from 1.

@@ -164,7 +164,7 @@ impl<'w> PreparedFiles<'w> {
                     .map_err(|fault| fault.within("the backup could not be kept, so nothing was changed"))?;
                 self.backups.extend(prepared);
                 backed_up = Some(kept.clone());
-                // As the model was named; behind a link, the backup lies where the model really is.
+                // As the model was named; behind a link, the backup is where the model really is.
                 let beside = kept.file_name().filter(|_| !path.is_symlink());
                 self.kept.push(beside.map(|name| path.with_file_name(name)).unwrap_or(kept));
             }

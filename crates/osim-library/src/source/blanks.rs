@@ -19,8 +19,7 @@ pub struct SplitName {
 }
 
 impl SplitName {
-    /// The first run of words of which none is a file and which are one together, or which look like one: the last is the first
-    /// with the ending of a model.
+    /// The first run of words that are files only together, or look like one: the last is the first with the ending of a model.
     #[must_use]
     pub fn find(words: &[PathBuf]) -> Option<Self> {
         (0..words.len()).find_map(|start| Self::at(words, start))

@@ -12,7 +12,7 @@ use crate::door::{self, Kinds};
 use crate::fault::{Context, LibraryFault};
 
 /// The disk: paths are those of the file system, and `-` is standard input. For names that the user gave: pipes and devices
-/// are read too. What a file that was read names in turn is an ordinary file.
+/// are read too. A file that is named in a file that was read has to be an ordinary file.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Disk;
 

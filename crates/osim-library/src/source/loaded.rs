@@ -113,7 +113,7 @@ impl Files for MemoryFirst<'_> {
 }
 
 impl Origin {
-    /// A file of the model as it was when it was read; none for standard input.
+    /// A file of the model as it was when it was read; `None` for standard input.
     #[must_use]
     pub fn stamp_of(&self, file: FileId) -> Option<&Stamp> {
         let path = if file == FileId::MAIN { &self.path } else { self.companions.get(&file)? };

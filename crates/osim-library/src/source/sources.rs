@@ -23,7 +23,7 @@ pub struct Source {
     pub path: PathBuf,
     /// The folder that was named, when the model was found by walking it.
     pub folder: Option<Arc<Path>>,
-    /// The user gave this very name: it may be a pipe. Names in folders and tables are those of ordinary files.
+    /// Whether the user gave this very name: then it may be a pipe. Names in folders and tables are those of ordinary files.
     pub named: bool,
 }
 
@@ -164,7 +164,7 @@ fn has_name_of_model(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("osim"))
 }
 
-/// A link that leads nowhere and, by its name, never led to a model or a folder.
+/// Whether it is a link that leads nowhere and, by its name, never led to a model or a folder.
 fn is_dead_link_beside_models(error: &walkdir::Error) -> bool {
     let path = error.path().filter(|path| path.extension().is_some() && !has_name_of_model(path));
     error.loop_ancestor().is_none() && path.is_some_and(is_dead_link)
@@ -192,7 +192,7 @@ fn unreadable(folder: &Path, error: &walkdir::Error) -> Failure {
         _ if is_dead_link(path) => {
             "a link that leads nowhere: remove it, or bring back what it leads to".to_owned()
         }
-        // Without the path, which stands before it.
+        // Without the path, which is before it.
         (None, Some(error)) => format!("cannot be read: {}", door::reason(error)),
         (None, None) => "cannot be read".to_owned(),
     };

@@ -46,7 +46,7 @@ impl Known {
     }
 }
 
-/// Whether `table` and its partial table, as far as they are there, are those of a sweep.
+/// Whether `table` and its partial table, if they are there, are those of a sweep.
 pub(super) fn is_of_sweep(table: &Path) -> bool {
     Known::default().add(table, |_, _| Ok(())).is_ok()
 }
@@ -57,7 +57,7 @@ fn key(file: &str, sha256: &str) -> NameDigest {
     digest::of_name(format!("{sha256}/{file}").as_ref())
 }
 
-/// Calls `each` with file and digest of every line; of none where no such table is there.
+/// Calls `each` with file and digest of every line; never if there is no such table.
 fn each(
     path: &Path,
     may_be_cut: bool,
@@ -124,7 +124,7 @@ fn columns(first: &[u8]) -> Result<(usize, usize), LibraryFault> {
     }
 }
 
-/// What another library says.
+/// The error of another library.
 fn said(error: impl std::fmt::Display) -> LibraryFault {
     LibraryFault::new(error.to_string())
 }

@@ -1,4 +1,4 @@
-//! Files that sweeps into a folder made: what a sweep that goes on may take for its own.
+//! Files that sweeps into a folder made: what a resumed sweep may take for its own.
 //!
 //! They are in the tables of the last sweep that came to its end, and, name and digest alone, in `TABLE.partial`, which stays
 //! until every variant is made. That a file is as it should be needs neither: its bytes say it.
@@ -14,7 +14,7 @@ use crate::fault::LibraryFault;
 use crate::folders::make_folder_of;
 use crate::partial::Partial;
 
-/// What was made, and where that is written down.
+/// What was made, and the table that records it.
 pub(super) struct MadeFiles<'t> {
     tables: &'t Tables<'t>,
     /// By the table of this run.
@@ -25,7 +25,7 @@ pub(super) struct MadeFiles<'t> {
 }
 
 impl<'t> MadeFiles<'t> {
-    /// Begins the partial table of the run's table, with what is known if the sweep goes on.
+    /// Begins the partial table of the run's table, with what is known if the sweep resumes.
     ///
     /// # Errors
     /// What is there is not the table of a sweep, or another one is being made.
@@ -46,7 +46,7 @@ impl<'t> MadeFiles<'t> {
         make_folder_of(tables.own())?;
         let way_out = phrase!["write into another folder with ", Input::OutputDir.like("DIR")];
         let mut partial = Partial::open(tables.own(), resume, &way_out)?;
-        // The new table may get its name without the files of which this sweep makes nothing: they stay known.
+        // The new table may get its name without the files that this sweep does not make: they stay known.
         if !only_in_table.is_empty() {
             add(&mut partial, &only_in_table)?;
         }
@@ -67,7 +67,7 @@ impl<'t> MadeFiles<'t> {
         self.known_elsewhere.get_or_init(|| known_by(self.tables)).as_ref().map_err(LibraryFault::clone)
     }
 
-    /// The file is complete and about to take its name, or has it.
+    /// Records that the file is complete and about to take its name, or has it.
     ///
     /// # Errors
     /// There is no room for its line.

@@ -48,7 +48,7 @@ pub struct SweepRun<'s> {
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct SweepEnd {
-    /// The table of what this run made, where it made something.
+    /// The table of what this run made, if it made something.
     pub manifest: Option<PathBuf>,
     /// Variants that were made.
     pub made: usize,
@@ -103,7 +103,7 @@ impl<'s> SweepRun<'s> {
         self.request.point.map(|point| self.plan.file_name(point.saturating_sub(1)))
     }
 
-    /// So many that they are made only where that was said.
+    /// Whether there are so many that they are made only if the user confirms it.
     #[must_use]
     pub fn is_large(&self) -> bool {
         self.request.is_large()
@@ -135,8 +135,8 @@ impl<'s> SweepRun<'s> {
         self.plan.check_ends()
     }
 
-    /// Makes all variants, or those of its part; `report` is called for each, in order, on this thread, with what went wrong where it could not be made.
-    /// Who wants to end it early says so by [`SweepFrontEnd::is_interrupted`].
+    /// Makes all variants, or those of its part; `report` is called for each, in order, on this thread, with what went wrong if
+    /// it could not be made. A caller that wants to end it early says so by [`SweepFrontEnd::is_interrupted`].
     ///
     /// # Errors
     /// Something is there already, or the table cannot be written.
@@ -255,7 +255,7 @@ impl<'s> SweepRun<'s> {
         }
     }
 
-    /// Writes a variant, with its name and digest; `true` where it was there already.
+    /// Writes a variant, with its name and digest. Returns whether it was there already.
     fn write(
         &self,
         path: &Path,
@@ -282,7 +282,7 @@ impl<'s> SweepRun<'s> {
         }
     }
 
-    /// How a variant may be written; none where it is there, byte for byte. `is_ours` knows digests of what earlier sweeps made
+    /// How a variant may be written; `None` if it is there, byte for byte. `is_ours` knows digests of what earlier sweeps made
     /// under its name.
     fn mode_of(
         &self,

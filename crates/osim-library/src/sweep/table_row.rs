@@ -4,7 +4,7 @@ use osim_planning::cell;
 
 use crate::fault::LibraryFault;
 
-/// The cells as one line of CSV, none of them a formula.
+/// The cells as one line of CSV; no cell is a formula.
 pub(super) fn line(cells: &[String]) -> Result<Vec<u8>, LibraryFault> {
     let said = |error: String| LibraryFault::new(error);
     let mut writer = csv::Writer::from_writer(Vec::new());

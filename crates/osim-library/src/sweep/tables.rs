@@ -47,12 +47,12 @@ impl<'p> Tables<'p> {
         whole.into_iter().chain(parts.filter(|part| *part != self.own()))
     }
 
-    /// Tables of parts that the whole one replaces: none where this run makes a part.
+    /// Tables of parts that the whole one replaces: empty if this run makes a part.
     pub(super) fn replaced(&self) -> impl Iterator<Item = &Path> {
         self.others().filter(|_| !self.is_part())
     }
 
-    /// Tables of parts of which there is the table itself, or what is done so far.
+    /// Tables of parts that are there, whole or partial.
     fn parts(&self) -> &BTreeSet<PathBuf> {
         self.parts.get_or_init(|| {
             let entries = std::fs::read_dir(self.folder).into_iter().flatten().flatten();
@@ -76,8 +76,8 @@ impl<'p> Tables<'p> {
         self.replaced().try_for_each(|part| Partial::check_free(part, &way_out))
     }
 
-    /// The table of the whole has its name: those of parts that were there when this run began say nothing more. What another program
-    /// saved is not ours to remove.
+    /// The table of the whole has its name: those of parts that were there when this run began are no longer needed. What another
+    /// program saved is not ours to remove.
     ///
     /// # Errors
     /// The folder cannot be changed.

@@ -40,7 +40,7 @@ pub(crate) struct Successor<'b> {
 
 /// A successor in its place.
 pub(crate) struct InPlace<'b> {
-    /// Under its name is what it displaced; none where that is gone, because files cannot be exchanged here.
+    /// Under its name is what it displaced; `None` if that is gone, because files cannot be exchanged here.
     displaced: Option<NamedTempFile>,
     target: PathBuf,
     shown: PathBuf,
@@ -200,7 +200,7 @@ fn as_read(backup: &Option<PathBuf>) -> String {
     backup.as_ref().map_or_else(String::new, |backup| format!(" (as it was read: {})", backup.display()))
 }
 
-/// A model that has other names too, of which each would keep the old model.
+/// A finding about a model that has other names, too: each would keep the old model.
 pub(crate) fn other_names(path: &Path) -> Option<Finding> {
     let others =
         names_of(&std::fs::metadata(resolved(path)).ok()?).checked_sub(1).filter(|&others| others > 0)?;

@@ -36,7 +36,7 @@ pub enum Mode {
     InPlace,
 }
 
-/// Bytes are added as they come; that they are all there, [`commit`](Prepared::commit) says.
+/// Bytes are added as they come; [`commit`](Prepared::commit) is called when they are all there.
 impl Write for Prepared {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
         self.temporary.write(bytes)
@@ -62,7 +62,7 @@ impl Prepared {
         Self::of_parts(target, std::iter::once(bytes), like, mode)
     }
 
-    /// The same of bytes that lie in several places.
+    /// The same of bytes that are in several places.
     ///
     /// # Errors
     /// As [`new`](Self::new).

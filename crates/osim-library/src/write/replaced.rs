@@ -18,7 +18,7 @@ use crate::door;
 
 const INFIX: &str = ".replaced-";
 
-/// Most file systems know no longer names.
+/// Most file systems do not allow longer names.
 const LONGEST: usize = 255;
 
 /// Gives a complete successor of `target` its name for the exchange. From here on nothing removes it by itself.
@@ -84,7 +84,7 @@ pub(crate) fn settle(left: &Path) -> Option<PathBuf> {
     let bytes = door::ordinary(left).ok()?;
     let model = left.with_file_name(model);
     if digest(&[&bytes]) == of_successor {
-        // Whoever may not remove it may not write here either, and is told so.
+        // A user who may not remove it may not write here either, and gets that error.
         drop(std::fs::remove_file(left));
         return None;
     }
@@ -107,7 +107,7 @@ pub(super) fn become_backup(file: &Path, backup: &Path) {
     }
 }
 
-/// Gives a file that is somebody's work the name of a further backup of `target`; none where that cannot be.
+/// Gives a file that is somebody's work the name of a further backup of `target`; `None` if that is not possible.
 pub(super) fn kept(mut file: TempPath, target: &Path) -> Option<PathBuf> {
     for name in backup_names(target) {
         match file.persist_noclobber(&name) {
@@ -122,7 +122,7 @@ pub(super) fn kept(mut file: TempPath, target: &Path) -> Option<PathBuf> {
     None
 }
 
-/// Whether the file has these bytes, which may lie in several places.
+/// Whether the file has these bytes, which may be in several places.
 pub(super) fn is(path: &Path, parts: &[&[u8]]) -> bool {
     let Ok(bytes) = door::ordinary(path) else { return false };
     let mut rest = bytes.as_slice();

@@ -67,13 +67,13 @@ fn is_alive(process: u32) -> bool {
     process.is_some_and(|process| process::test_kill_process(process) != Err(Errno::SRCH))
 }
 
-/// A process that is alive has the file open, which [`nobody_has_open`] sees there.
+/// Whether the process is alive, which is not asked here: one that is has the file open, and [`nobody_has_open`] sees that.
 #[cfg(windows)]
 fn is_alive(_process: u32) -> bool {
     false
 }
 
-/// What is not an ordinary file was not made here: it stays.
+/// Whether nobody has the file open. What is not an ordinary file was not made here: it stays.
 fn nobody_has_open(path: &Path) -> bool {
     door::to_lock(path).is_ok_and(|file| file.try_lock().is_ok())
 }
