@@ -7,7 +7,7 @@ use osim_requests::DropHeight;
 
 use super::names::title;
 
-/// How much longer than until all are at rest, where nobody says how long.
+/// How much longer than until all are at rest a fall is drawn, if no duration is given.
 const AFTER_REST: f64 = 1.15;
 
 /// Force over body weight of bodies that fall from `height`, for `duration_s`. Without it they are followed for 20 √(R/g) of the

@@ -8,7 +8,7 @@ use super::axes::{force_axis, indentation_axis};
 use super::limits::hertz_limit;
 use super::names::title;
 
-/// A vertical axis ends at so many times the weight's share of one sphere where curves go further: running animals push so hard,
+/// A vertical axis ends at this many times the weight's share of one sphere if curves go further: running animals push this hard,
 /// and what happens at rest can still be seen.
 const SHARES_SHOWN: f64 = 3.0;
 

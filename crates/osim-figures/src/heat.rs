@@ -50,8 +50,8 @@ pub fn heat(
 
 const STIFFNESS: &str = "stiffness E₁* (N/m²)";
 const DISSIPATION: &str = "dissipation α (s/m)";
-/// Where the largest value is more than so many times the smallest, equal ratios have equal steps of colour: else most of the
-/// map would be of one.
+/// If the largest value is more than this many times the smallest, equal ratios have equal steps of colour: else most of the map
+/// would have one.
 const WIDE: f64 = 8.0;
 
 /// How a quantity becomes a colour.

@@ -5,7 +5,7 @@ use contact_scaling::limits;
 
 /// Where the axis ends: a sphere that is pressed in by more than its radius is wrong, by however much.
 const TOP: f64 = 1.0;
-/// Each model has a dot where there are at most so many.
+/// Each model has a dot if there are at most this many.
 const DOTS: usize = 60;
 
 /// x̂ at rest of each model in one state, in any order.

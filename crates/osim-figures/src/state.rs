@@ -35,7 +35,7 @@ pub fn state(
                    its law";
         return Err(failure(bodies, Phrase::template(why)));
     }
-    // Thresholds are a contact's own; several would be a forest of lines.
+    // Thresholds are a contact's own; several would be too many lines.
     if curves.len() > 1 {
         marked.clear();
     }

@@ -1,9 +1,9 @@
-//! What is said beside a figure.
+//! Remarks beside a figure.
 
 use osim_inspect::series::Body;
 use osim_messages::{Dialect, readable};
 
-/// What each body is taken to weigh and to stand on, one line each; why not, where that is not known and not needed.
+/// What each body is taken to weigh and to stand on, one line each; or why it is not known, if it is not needed.
 #[must_use]
 pub fn weights(bodies: &[Body], dialect: &dyn Dialect) -> String {
     let line = |body: &Body| match &body.weight {

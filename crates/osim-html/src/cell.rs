@@ -6,14 +6,14 @@ pub(super) struct Cell {
     pub(super) text: String,
     /// A second line: the factor below old and new values.
     pub(super) below: String,
-    /// A figure outside its limit.
+    /// Whether it is a figure outside its limit.
     pub(super) outside: bool,
-    /// Words, not numbers.
+    /// Whether it has words, not numbers.
     pub(super) words: bool,
 }
 
 impl Cell {
-    /// How the style sheet knows it.
+    /// Its class in the style sheet.
     pub(super) fn class(&self) -> Option<&'static str> {
         match (self.words, self.outside, self.text.contains(' ')) {
             (true, ..) => Some("words"),

@@ -35,11 +35,11 @@ pub struct Changed<'c> {
     pub after: Option<(&'c Inspection, &'c CheckResult)>,
     /// States of the model to be drawn.
     pub bodies: Vec<Body>,
-    /// The feet of these states, the last with its bones; none where they are not drawn.
+    /// The feet of these states, the last with its bones; empty if they are not drawn.
     pub feet: Vec<ModelFeet>,
     /// What the contacts are taken from, where they are another body's.
     pub reference: Option<&'c ReferenceState>,
-    /// The new model is in a file.
+    /// Whether the new model is in a file.
     pub in_file: bool,
     /// The gravity the contacts are scaled to, where the model's is another, m/s².
     pub target_gravity_m_s2: Option<f64>,
@@ -48,7 +48,7 @@ pub struct Changed<'c> {
 }
 
 impl<'c> Changed<'c> {
-    /// A plan for a model as it was, of which nothing was written yet.
+    /// A plan for a model as it was, not written yet.
     #[must_use]
     pub fn new(plan: &'c Plan, before: (&'c Inspection, &'c CheckResult), files: Files) -> Self {
         Self {
@@ -65,7 +65,7 @@ impl<'c> Changed<'c> {
         }
     }
 
-    /// A plan with all that is known of both states of its model; whether that is in a file, its caller says.
+    /// A plan with all that is known of both states of its model; its caller says whether that is in a file.
     #[must_use]
     pub fn of_states(plan: &'c Plan, states: &'c BeforeAfter, files: Files) -> Self {
         let before = (&states.before.0, &states.before.1);

@@ -16,7 +16,7 @@ pub enum DetailLevel {
 }
 
 impl DetailLevel {
-    /// That of each model on a page about so many.
+    /// The level for each model on a page about this many.
     #[must_use]
     pub const fn of(models: usize) -> Self {
         match models {

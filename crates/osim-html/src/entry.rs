@@ -26,17 +26,17 @@ pub struct Entry {
     pub(super) model: String,
     /// The outcome in words.
     pub(super) outcome: String,
-    /// An earlier run has done it.
+    /// Whether an earlier run has done it.
     pub(super) earlier: bool,
-    /// It could not be done.
+    /// Whether it could not be done.
     pub(super) failed: bool,
-    /// After the outcome, in the order of the columns; none where there is nothing but the outcome.
+    /// The cells after the outcome, in the order of the columns; empty if there is only the outcome.
     pub(super) cells: Vec<Cell>,
     /// After its name where its details are closed.
     pub(super) summary: String,
     /// Everything else about it; `None` where it could not be done.
     pub(super) fragment: Option<Box<Fragment>>,
-    /// What was wrong, where it could not be done.
+    /// What was wrong, if it could not be done.
     pub(super) error: Option<&'static ErrorCode>,
     /// What the page counts.
     pub(super) facts: Option<Facts>,
@@ -99,7 +99,7 @@ impl Entry {
         Self { earlier: true, ..self }
     }
 
-    /// A model that an earlier run has done, of which there is nothing but what that run has left.
+    /// A model that an earlier run has done, with only what that run has left.
     #[must_use]
     pub fn left_by_earlier_run(row: &RunRow, earlier: &EarlierRun) -> Self {
         let factor = |factor: Option<f64>, property: Property| {
@@ -123,7 +123,7 @@ impl Entry {
         Self { cells, earlier: true, ..Self::not_done(&row.name(), row.status.clone()) }
     }
 
-    /// A model that was to be changed, of which there is nothing but its row, and what was wrong where it failed.
+    /// A model that was to be changed, with only its row, and what was wrong if it failed.
     #[must_use]
     pub fn of_row(row: &RunRow, failed: Option<&RowError>) -> Self {
         let became = match failed {
@@ -150,7 +150,7 @@ impl Entry {
         Self::not_done(model, "skipped: no contacts".to_owned())
     }
 
-    /// A model of which there is nothing but the outcome.
+    /// A model with only the outcome.
     fn not_done(model: &str, became: String) -> Self {
         Self {
             model: model.to_owned(),

@@ -122,7 +122,7 @@ pub(super) fn section(topics: &Topics, dialect: &dyn Dialect) -> String {
     .0
 }
 
-/// Each topic by itself, in the order of the registers: its anchor, and what is said of it.
+/// Each topic by itself, in the order of the registers: its anchor, and its explanation.
 pub(super) fn each(topics: &Topics, dialect: &dyn Dialect) -> Vec<(String, Markup)> {
     let equations = explain::equations().filter(|equation| topics.equations.contains(equation.label));
     let equations =

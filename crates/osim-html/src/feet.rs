@@ -8,7 +8,7 @@ use super::fragment::Fragment;
 
 const SECTION: (&str, &str) = ("feet", "Feet from the side and from above");
 
-/// The section: `states` of one model, the last with its bones. Nothing where there are no feet.
+/// The section: `states` of one model, the last with its bones. Nothing without feet.
 pub(super) fn section(fragment: &mut Fragment, states: &[ModelFeet]) {
     if let Some(figure) = fragment.wants(SECTION.0).then(|| figure(states)).flatten() {
         fragment.section(SECTION.0, SECTION.1, &figure);

@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-/// A file by its name and the SHA-256 of its bytes; the digest is empty where there are no bytes.
+/// A file by its name and the SHA-256 of its bytes; the digest is empty if there are no bytes.
 pub type NamedDigest = (String, String);
 
 /// The files of a change.

@@ -24,10 +24,10 @@ pub(super) fn of_model(fragment: &mut Fragment, found: &CheckResult) {
     fragment.section(SECTION.0, SECTION.1, &body);
 }
 
-/// The new model, as far as its findings are concerned.
+/// What findings have to know of the new model.
 pub(super) struct After<'r> {
     pub(super) found: &'r CheckResult,
-    /// It is in a file, so that commands can name it.
+    /// Whether it is in a file, so that commands can name it.
     pub(super) in_file: bool,
     /// Contacts are scaled to a gravity that the model's file does not say yet, m/s².
     pub(super) gravity_m_s2: Option<f64>,
@@ -80,7 +80,7 @@ const DEPTH: [FindingCode; 3] =
 /// Findings to which others may be akin, the first of each kind.
 struct Kin<'f> {
     findings: &'f [Found],
-    /// What is said of spheres is shown once for all of them, at the worst, which may be another one after the change.
+    /// A finding about spheres is shown once for all of them, at the worst sphere, which may be another one after the change.
     of_spheres: HashMap<FindingCode, usize>,
     at_place: HashMap<(FindingCode, Option<&'f str>), usize>,
     of_code: HashMap<FindingCode, usize>,

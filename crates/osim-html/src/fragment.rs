@@ -13,7 +13,7 @@ pub(super) struct Fragment {
     /// In their order.
     pub(super) sections: Vec<Section>,
     pub(super) topics: Topics,
-    /// The sections that are asked for; all where that is not said.
+    /// The sections that are asked for; `None` for all.
     wanted: Option<Vec<String>>,
 }
 
@@ -22,12 +22,12 @@ impl Fragment {
         Self { detail, sections: Vec::new(), topics: Topics::default(), wanted: None }
     }
 
-    /// A model alone, of which only some sections are asked for.
+    /// A model alone, with only the sections that are asked for.
     pub(super) fn of_some(wanted: Option<&[String]>) -> Self {
         Self { wanted: wanted.map(<[String]>::to_vec), ..Self::new(DetailLevel::Alone) }
     }
 
-    /// Whether the section `id` is asked for. What is not need not be made.
+    /// Whether the section `id` is asked for. The others need not be made.
     pub(super) fn wants(&self, id: &str) -> bool {
         self.wanted.as_ref().is_none_or(|wanted| wanted.iter().any(|one| one == id))
     }
@@ -67,12 +67,12 @@ impl Fragment {
     }
 }
 
-/// A table in a box of its own, which scrolls where the page is too narrow; `name` says what it is to those who hear it.
+/// A table in a box of its own, which scrolls where the page is too narrow; `name` says what it is in screen readers.
 pub(super) fn boxed(name: &str, table: &Markup) -> Markup {
     html! { div.wide role="group" aria-label=(name) tabindex="0" { (table) } }
 }
 
-/// A table under `caption` with one row of headers; those that begin with a blank stand above words, not numbers.
+/// A table under `caption` with one row of headers; those that begin with a blank are above words, not numbers.
 pub(super) fn table(name: &str, caption: &str, headers: &[&str], rows: &[Markup]) -> Markup {
     let table = html! {
         table {

@@ -27,16 +27,16 @@ pub(super) struct Tally {
     models: usize,
     failed: usize,
     earlier: usize,
-    /// Different ones, in the order in which they came; a run has one, a manifest may have many.
+    /// The different references, in order of appearance; a run has one, a manifest may have many.
     references: Vec<String>,
-    /// Of those that did not fail, in the order in which they came.
+    /// The outcomes of models that did not fail, with their numbers, in order of appearance.
     outcomes: Vec<(String, usize)>,
     /// Those that were inspected.
     seen: usize,
     /// Of these, those with errors, with warnings, with remarks.
     with: [usize; 3],
     findings: BTreeMap<(FindingCode, Severity), usize>,
-    /// x̂ of each model in each state, as far as it is known.
+    /// x̂ of each model in each state, if known.
     before: Vec<f64>,
     not_scaled: Vec<f64>,
     now: Vec<f64>,

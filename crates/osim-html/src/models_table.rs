@@ -30,7 +30,7 @@ pub enum Columns {
 }
 
 impl Columns {
-    /// Those that begin with a blank stand above words, not numbers.
+    /// Those that begin with a blank are above words, not numbers.
     fn headers(self) -> &'static [&'static str] {
         match self {
             Self::Changes => &[
@@ -77,7 +77,7 @@ impl Columns {
     }
 }
 
-/// The table as far as its first row; `left_out` says what the page does not show.
+/// The beginning of the table, before its first row; `left_out` says what the page does not show.
 pub(super) fn table_opening(columns: Columns, left_out: &[String]) -> String {
     let (id, title) = MODELS;
     let before = html! {
@@ -128,7 +128,7 @@ fn of_cell(cell: &Cell) -> Markup {
     }
 }
 
-/// The first section as far as the failures.
+/// The beginning of the first section, before the failures.
 pub(super) fn glance_opening(counts: &Markup) -> String {
     let (id, title) = glance::SECTION;
     format!(
@@ -137,7 +137,7 @@ pub(super) fn glance_opening(counts: &Markup) -> String {
     )
 }
 
-/// The table of failed models as far as its first row.
+/// The beginning of the table of failed models, before its first row.
 pub(super) fn failures_opening(columns: Columns) -> String {
     let title = "Failed models";
     let head = html! {

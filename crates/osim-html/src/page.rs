@@ -44,7 +44,7 @@ pub struct Page<'d, S> {
     tally: Tally,
     chosen: Chosen,
     in_full: usize,
-    /// Some model is a row only, because it is not among the first.
+    /// Whether some model is a row only, because it is not among the first.
     rows_only: bool,
     /// The first thing that went wrong.
     broken: Option<io::Error>,
@@ -78,7 +78,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
         }
     }
 
-    /// The next model. A page that cannot be kept is no reason to leave models undone: [`Page::finish`] says what went wrong.
+    /// Adds the next model. If the page cannot be kept, models are still done: [`Page::finish`] says what went wrong.
     pub fn add(&mut self, entry: Entry) {
         if self.broken.is_none() {
             self.broken = self.try_add(entry).err();
@@ -175,7 +175,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
         page.write_all(harmless(&shell::asked(self.about.verb, &self.about.asked)).as_bytes())
     }
 
-    /// How the style sheet knows which page it is.
+    /// The class of the page in the style sheet.
     fn class(&self) -> &'static str {
         match (self.about.model.is_none(), self.tally.models() > OPEN_ON_PAPER) {
             (false, _) => "one open-on-paper",

@@ -29,7 +29,7 @@ pub(super) fn section(fragment: &mut Fragment, bodies: &[Body], has_reference: b
     }
 }
 
-/// The section about the contact state of a smoothed law, where it is asked for; there is none without smoothing.
+/// The section about the contact state of a smoothed law, if it is asked for; there is none without smoothing.
 pub(super) fn state_section(fragment: &mut Fragment, bodies: &[Body]) {
     let svg = fragment.names(STATE.0).then(|| state(bodies).ok()).flatten();
     if let Some(svg) = svg {
@@ -75,7 +75,7 @@ fn plot(what: &str, svg: &str) -> Markup {
     html! { figure { div.plot { (PreEscaped(svg)) } figcaption { (what) } } }
 }
 
-/// What was drawn. Which forces are shown was chosen for the whole page, so nothing is said of choosing others.
+/// What was drawn. Which forces are shown was chosen for the whole page, so a failure does not propose to choose others.
 fn drawn(bodies: &[Body], figure: Result<Figure, PlotError>) -> Result<String, Failure> {
     let name = bodies.first().map(|body| body.name.clone()).unwrap_or_default();
     let svg = figure.and_then(|figure| Drawing::Panels(figure).svg(Paper::default()));

@@ -146,7 +146,7 @@ fn verdict(name: &str, equal: bool, changed: bool) -> String {
     format!("{is} not that of {name} in all numbers: the rows of this table show which differ.")
 }
 
-/// Whether both have the same numbers, as far as both have them: a HuntCrossleyForce has no smoothing.
+/// Whether the numbers that both have are the same: a HuntCrossleyForce has no smoothing.
 fn agree(one: &DimensionlessContact, other: &DimensionlessContact) -> bool {
     let numbers = |contact: &DimensionlessContact| {
         [

@@ -55,7 +55,7 @@ pub struct RowError {
 }
 
 impl RunRow {
-    /// A model of which nothing changed yet.
+    /// A model in which nothing changed yet.
     pub fn new(model: impl Into<String>, status: impl Into<String>) -> Self {
         Self { model: model.into(), status: status.into(), ..Self::default() }
     }

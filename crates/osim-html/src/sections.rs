@@ -44,8 +44,8 @@ impl Sections {
         Self { sections: sections.collect(), explained: explained.collect() }
     }
 
-    /// What changes, from the plan alone, and those plots that are `wanted` of `bodies`: both states of the model, and what the contacts are taken from
-    /// where that is another body. Nothing else of the model is computed: for pictures that follow a slider.
+    /// What changes, from the plan alone, and those plots that are `wanted` of `bodies`: both states of the model, and what the
+    /// contacts are taken from, if it is another body. Nothing else of the model is computed: for pictures that follow a slider.
     #[must_use]
     pub fn of_plan(
         plan: &Plan,
@@ -64,7 +64,7 @@ impl Sections {
         Self::of(fragment, dialect)
     }
 
-    /// Those sections of a change whose names are `wanted`; all where that is not said.
+    /// Those sections of a change whose names are `wanted`; `None` for all.
     #[must_use]
     pub fn of_change(changed: Changed<'_>, wanted: Option<&[String]>, dialect: &dyn Dialect) -> Self {
         let mut fragment = Fragment::of_some(wanted);

@@ -8,7 +8,7 @@ const STYLE: &str = include_str!("style.css");
 pub(super) const ASKED: (&str, &str) = ("asked", "The command of this page");
 pub(super) const ORIGIN: (&str, &str) = ("origin", "Program and citation");
 
-/// By this a page is known for one that was made here; the version follows.
+/// The mark by which pages of this program are recognised; the version follows.
 pub const GENERATOR: &str = "<meta name=\"generator\" content=\"osim-contact-scale ";
 
 /// Van Bijlert (2026), as CITATION.cff has it.

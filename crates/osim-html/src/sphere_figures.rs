@@ -19,7 +19,7 @@ const ABREAST: usize = 6;
 pub(super) struct State<'s> {
     pub(super) name: String,
     pub(super) figures: &'s Figures,
-    /// It is another body, whose spheres may have other names.
+    /// Whether it is another body, whose spheres may have other names.
     pub(super) is_reference: bool,
 }
 

@@ -106,7 +106,7 @@ fn remarks(foot: &Foot, before: Option<(&Foot, [f64; 3])>) -> Vec<String> {
     remarks
 }
 
-/// What is said of the floor where it is not drawn.
+/// Why the floor is not drawn, in words.
 fn floor_in_words(foot: &Foot) -> Option<String> {
     let metres = |value: f64| format!("{} m", four_significant(value)).replace('-', "−");
     match &foot.floor {

@@ -1,10 +1,10 @@
-//! What is said beside a picture of feet.
+//! Remarks beside a picture of feet.
 
 use osim_feet::{FeetFault, FootFrame};
 use osim_messages::{Dialect, Input, phrase, shown};
 use osim_planning::ModelFeet;
 
-/// What is drawn of each state, one line each; what was not at hand, and what is wrong with the places of spheres.
+/// What is drawn of each state, one line each; what was not available, and what is wrong with the places of spheres.
 #[must_use]
 pub fn feet_notes(states: &[ModelFeet], dialect: &dyn Dialect) -> String {
     states.iter().map(|state| of_state(state, dialect)).collect()

@@ -13,7 +13,7 @@ use crate::limits::{hertz_limit, thresholds};
 /// Whose sphere the figure is taken to show.
 const EMU: &str = "emu";
 
-/// Curves go so many radii to either side.
+/// Radii that curves go to either side.
 const REACH: f64 = 0.5;
 
 const UNITS: Units = Units { indentation: IndentationUnit::Relative, force: ForceUnit::Newton };

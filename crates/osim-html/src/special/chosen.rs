@@ -20,9 +20,9 @@ const CONTACTS: usize = 256;
 pub(crate) struct Drawn {
     /// Its states.
     pub(crate) bodies: Vec<Body>,
-    /// The last of them is the reference.
+    /// Whether the last of them is the reference.
     pub(crate) has_reference: bool,
-    /// The feet of these states; none where a page leaves them out.
+    /// The feet of these states; empty if a page leaves them out.
     pub(crate) feet: Vec<ModelFeet>,
 }
 

@@ -16,7 +16,7 @@ pub(crate) struct Facts {
     pub(crate) indentation: Indentation,
     /// Findings in it; after a change in the new one.
     pub(crate) counts: Counts,
-    /// Each code once, with the worst that is said of it.
+    /// Each code once, with its worst severity.
     pub(crate) codes: BTreeMap<FindingCode, Severity>,
     /// Its contact without dimensions: models with equal texts have the same contact.
     pub(crate) contact: Option<String>,
@@ -29,9 +29,9 @@ pub(crate) struct Facts {
 pub(crate) struct Indentation {
     /// Before a change.
     pub(crate) before: Option<f64>,
-    /// The old contacts under the new weight, where that is another one.
+    /// The old contacts under the new weight, if it differs.
     pub(crate) not_scaled: Option<f64>,
-    /// After a change; of a model that was only read, as it is.
+    /// The model after a change, or as it is if it was only read.
     pub(crate) now: Option<f64>,
 }
 
