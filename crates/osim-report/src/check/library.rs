@@ -22,7 +22,7 @@ impl LibraryTable {
     pub fn add(&mut self, found: &CheckResult) {
         let mut seen: Option<(Severity, FindingCode)> = None;
         for finding in &found.findings {
-            // Findings come sorted, so that one code stands together.
+            // Findings are sorted, so that those of one code are together.
             let kind = (finding.severity, finding.code);
             if seen.replace(kind) == Some(kind) {
                 continue;

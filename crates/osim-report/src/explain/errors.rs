@@ -73,7 +73,7 @@ const fn code(code: &'static str, means: &'static str, way_out: &'static str) ->
     ErrorCode { code, means, way_out }
 }
 
-// In backticks stand inputs and calls.
+// Inputs and calls are in backticks.
 
 const FILE: &[ErrorCode] = &[
     code(

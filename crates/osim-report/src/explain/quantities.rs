@@ -38,7 +38,7 @@ static ALL: LazyLock<Vec<QuantityTopic>> = LazyLock::new(|| {
     // What several registers have is explained once.
     let mut first = "";
     for mut topic in properties.chain(registers) {
-        // Registers say "The same ..." of what stands before.
+        // Registers say "The same ..." about what is before.
         match topic.what.strip_prefix("The same ") {
             Some(rest) => topic.what = format!("As {first}, but {rest}"),
             None => first = topic.name,

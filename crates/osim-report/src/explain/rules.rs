@@ -14,7 +14,7 @@ const fn symbol(symbol: &'static str, meaning: &'static str, unit: &'static str)
 const R_A: Symbol = symbol("R_a", "radius of the sphere before, or in the generic model", "m");
 const R_B: Symbol = symbol("R_b", "radius of the sphere to be written", "m");
 
-/// Rules by the word that is printed. In backticks stand inputs.
+/// Rules by the word that is printed. Inputs are in backticks.
 pub(super) const ALL: &[Equation] = &[
     Equation {
         label: "given",

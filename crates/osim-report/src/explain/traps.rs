@@ -12,7 +12,7 @@ const fn trap(name: &'static str, symbols: &'static [&'static str], trap: &'stat
     Trap { name, symbols, trap }
 }
 
-/// Every trap. In backticks stand inputs and calls.
+/// Every trap. Inputs and calls are in backticks.
 pub(super) const ALL: &[Trap] = &[
     trap(
         "stiffness",

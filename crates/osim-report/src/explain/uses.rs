@@ -2,13 +2,13 @@
 
 use osim_messages::Phrase;
 
-/// Where the equation called `label` meets the user; nothing for a label that is not known.
+/// Where the equation called `label` meets the user; empty for a label that is not known.
 #[must_use]
 pub fn uses(label: &str) -> Phrase {
     Phrase::template(template(label))
 }
 
-/// In backticks stand inputs and calls.
+/// Inputs and calls are in backticks.
 fn template(label: &str) -> &'static str {
     match label {
         "1" => "fit: modulus and contact onset; drop-test: force of a HuntCrossleyForce; inspect",

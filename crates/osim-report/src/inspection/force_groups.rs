@@ -22,7 +22,7 @@ pub fn groups(inspected: &Inspection) -> Vec<(Vec<String>, Vec<&InspectedForce>)
     groups
 }
 
-/// `true` where a number of the force is not in the object itself.
+/// Whether a number of the force is not in the object itself.
 pub fn has_default(force: &InspectedForce) -> bool {
     Property::ALL.iter().any(|&property| force.origin.is_default(property))
 }
@@ -69,7 +69,7 @@ fn parameters(force: &InspectedForce) -> Vec<String> {
     ]
 }
 
-/// What the cells are made from: where it is equal, they are, too.
+/// What the cells are made from: if it is equal, so are they.
 fn exact_parameters(force: &InspectedForce) -> (Vec<(Option<u64>, bool)>, Option<u64>) {
     let one = |&property: &Property| {
         (force.parameters.get(property).map(f64::to_bits), force.origin.is_default(property))
@@ -77,7 +77,7 @@ fn exact_parameters(force: &InspectedForce) -> (Vec<(Option<u64>, bool)>, Option
     (Property::ALL.iter().map(one).collect(), force.composite_modulus_n_m2.map(f64::to_bits))
 }
 
-/// A number of the file: exact where that is short.
+/// A number of the file: exact if the exact text is short.
 fn short(value: f64) -> String {
     let exact = readable(value);
     if exact.len() <= 8 { exact } else { four_significant(value) }

@@ -80,7 +80,7 @@ impl Column {
         }
     }
 
-    /// Numbers end at one place.
+    /// Whether the column has numbers, which end at one place.
     const fn is_number(self) -> bool {
         !matches!(self, Self::Class | Self::Findings)
     }
@@ -126,7 +126,7 @@ impl ModelsTable {
     /// Names are whole and no column is left out where lines have no end, in a file or a pipe.
     #[must_use]
     pub fn text(&self, width: Option<usize>, dialect: &dyn Dialect, colour: Colour) -> String {
-        // A line that ends has no room for the folder in which they all are.
+        // A line with an end has no room for the folder that they are all in.
         let folder = width.map(|_| self.common_folder()).unwrap_or_default();
         let (columns, name_width) = self.fitting(width, folder);
         let headings: Vec<&str> =
@@ -202,7 +202,7 @@ impl ModelsTable {
     }
 }
 
-/// A name as far as its last folder, with the mark at its end.
+/// The folders of a name, with the mark at its end.
 fn folder_of(name: &str) -> &str {
     name.rfind(['/', '\\']).and_then(|end| name.get(..=end)).unwrap_or_default()
 }
@@ -244,7 +244,7 @@ fn shared_by(inspected: &Inspection) -> String {
     if text == NOTHING { "?".to_owned() } else { text }
 }
 
-/// In place of a value that there is not.
+/// In place of a missing value.
 const NOTHING: &str = "-";
 
 fn class(inspected: &Inspection) -> &'static str {

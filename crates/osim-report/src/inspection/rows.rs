@@ -6,9 +6,9 @@ use osim_messages::four_significant;
 /// What the spheres of a table have in common.
 #[derive(Clone, Copy)]
 pub struct Spheres {
-    /// Spheres of a limb differ.
+    /// Whether spheres of a limb differ.
     pub mixed: bool,
-    /// Some follow the smoothed law.
+    /// Whether some follow the smoothed law.
     pub smooth: bool,
 }
 
@@ -19,7 +19,7 @@ impl Spheres {
         Self { mixed, smooth }
     }
 
-    /// The figures that say something about them, in their order.
+    /// The figures that are shown for them, in their order.
     pub fn figures(self) -> impl Iterator<Item = Figure> {
         let shown = move |figure: &Figure| match figure.shown() {
             Shown::Always => true,
@@ -32,7 +32,7 @@ impl Spheres {
     }
 }
 
-/// The first cell of a row; restitution says at which speed (m/s) where that is one.
+/// The first cell of a row; for restitution with the impact speed (m/s), if there is one.
 pub fn heading(figure: Figure, impact_speed_m_s: Option<f64>) -> String {
     match (figure, impact_speed_m_s) {
         (Figure::RestitutionExact, Some(speed)) => format!("restitution at {} m/s", four_significant(speed)),
@@ -45,7 +45,7 @@ pub fn limit(figure: Figure) -> String {
     figure.info().limit.map(ToString::to_string).unwrap_or_default()
 }
 
-/// The figure as shown, and whether it is within its limit; nothing where it is not known.
+/// The figure as shown, and whether it is within its limit; `None` if it is not known.
 pub fn value(figure: Figure, sphere: &SphereFigures) -> Option<(String, bool)> {
     let within = sphere.is_within(figure);
     match (sphere.value(figure), within) {
@@ -56,7 +56,7 @@ pub fn value(figure: Figure, sphere: &SphereFigures) -> Option<(String, bool)> {
     }
 }
 
-/// The figures of which something is shown.
+/// The figures that are shown.
 fn shown() -> impl Iterator<Item = Figure> {
     Figure::ALL.iter().copied().filter(|figure| figure.shown() != Shown::Nowhere)
 }
@@ -66,7 +66,7 @@ pub fn key(sphere: &SphereFigures) -> Vec<String> {
     shown().map(|figure| sphere.value(figure).map(four_significant).unwrap_or_default()).collect()
 }
 
-/// The same without a text, in all digits: where this is equal, the key is, too.
+/// The same without a text, in all digits: if this is equal, so is the key.
 pub fn exact_key(sphere: &SphereFigures) -> Vec<Option<u64>> {
     shown().map(|figure| sphere.value(figure).map(f64::to_bits)).collect()
 }

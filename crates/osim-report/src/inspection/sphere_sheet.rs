@@ -22,7 +22,7 @@ struct Alike<'a> {
     mixed: bool,
 }
 
-/// The figures; nothing where there are none and nothing is to be said of that.
+/// The figures; empty if there are none and no reason is to be given.
 pub(super) fn text(inspected: &Inspection, dialect: &dyn Dialect) -> String {
     let groups = groups(inspected);
     let mut text = String::new();

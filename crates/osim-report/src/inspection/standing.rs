@@ -38,7 +38,7 @@ pub fn equally_deep(figures: &Figures) -> Vec<EquallyDeep<'_>> {
     rows
 }
 
-/// Depths that differ by more than rounding, and no sphere that hangs above the floor.
+/// Whether depths differ by more than rounding, and no sphere hangs above the floor.
 fn stands_unevenly(limb: &LimbFigures) -> bool {
     const ROUNDING: f64 = 1e-6;
     let differs = |sphere: &osim_inspect::SphereFigures| {

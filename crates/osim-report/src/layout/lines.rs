@@ -29,7 +29,7 @@ pub fn wrapped(text: &str, indent: &str) -> String {
     in_lines(&paragraph(text), indent)
 }
 
-/// The same of a file and what is said of it: the reader has to find the file again, so its path is shown whole.
+/// The same for a text about a file: the reader has to find the file again, so its path is shown whole.
 pub(crate) fn wrapped_with_path(path: &str, text: &str, indent: &str) -> String {
     in_lines(&format!("{}: {}", shown_whole(path), paragraph(text)), indent)
 }

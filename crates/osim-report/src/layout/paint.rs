@@ -3,7 +3,7 @@
 use anstyle::{AnsiColor, Style};
 use osim_model::Severity;
 
-/// Stands after a figure that is outside its limit.
+/// The mark after a figure that is outside its limit.
 pub const OUTSIDE: char = '!';
 
 const OUTSIDE_STYLE: Style = AnsiColor::Yellow.on_default().bold();
@@ -27,7 +27,7 @@ pub(crate) fn painted(text: &str, colour: Colour) -> String {
     let mut out = String::with_capacity(text.len());
     let mut rest = text;
     while let Some((before, after)) = rest.split_once(" !") {
-        // The figure begins behind the blanks between the columns.
+        // The figure begins after the blanks between the columns.
         let (skipped, figure) = before.rsplit_once("  ").unwrap_or(("", before));
         let gap = if skipped.len() + figure.len() < before.len() { "  " } else { "" };
         out.push_str(&format!("{skipped}{gap}{OUTSIDE_STYLE}{figure} {OUTSIDE}{OUTSIDE_STYLE:#}"));

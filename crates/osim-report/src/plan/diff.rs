@@ -10,7 +10,7 @@ const CONTEXT: u32 = 1;
 /// Differences between the bytes of a model before and after, under these names.
 #[must_use]
 pub fn unified_diff(old: &[u8], new: &[u8], old_name: &str, new_name: &str) -> String {
-    // Bytes that are no UTF-8 are the same on both sides; a diff is for reading, so they may be shown as replacements.
+    // Bytes that are not UTF-8 are the same on both sides; a diff is for reading, so they may be shown as replacements.
     let (old, new) = (String::from_utf8_lossy(old), String::from_utf8_lossy(new));
     let input = InternedInput::new(old.as_ref(), new.as_ref());
     let mut diff = Diff::compute(Algorithm::Myers, &input);
@@ -35,7 +35,7 @@ impl Lines<'_> {
     }
 }
 
-/// Where lines begin, from 1, and how many they are. Where there are none, that is the line before them.
+/// Where lines begin, from 1, and how many they are. Without lines, it is the line before them.
 struct Place(u32, u32);
 
 impl fmt::Display for Place {

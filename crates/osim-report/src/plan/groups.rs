@@ -32,7 +32,7 @@ pub fn whose(group: &[&Change]) -> String {
     }
 }
 
-/// The properties of which there are several groups, which need names.
+/// The properties with several groups, which need names.
 pub fn several_groups(groups: &[Vec<&Change>]) -> HashSet<Property> {
     let mut seen = HashSet::new();
     let properties = groups.iter().filter_map(|group| group.first()).map(|change| change.property);

@@ -85,7 +85,7 @@ fn limits(drop: &DropResult) -> String {
     text
 }
 
-/// A difference; what is left of rounding is none.
+/// A difference; what rounding leaves counts as 0.
 fn apart(difference: f64) -> String {
     if difference < ROUNDING { "below 1e-9".to_owned() } else { format!("{difference:.3e}") }
 }
@@ -100,7 +100,7 @@ pub fn drop_chart(drop: &DropResult) -> String {
         .map(|sample| (DropColumn::Time.value(report, sample), DropColumn::ForceBw.value(report, sample)));
     let mut panel = Panel::new("", Axis::new("time (s)"), Axis::new("force/body weight"));
     panel.curves.push(Curve { label: String::new(), points: points.collect(), look: Look::series(0) });
-    // One sample alone is no curve; the figures say all.
+    // One sample alone is not a curve; the figures are enough.
     let chart = contact_plots::text(&panel, WIDTH, CHART_ROWS);
     chart.map_or_else(|_| String::new(), |chart| format!("\n{chart}"))
 }
