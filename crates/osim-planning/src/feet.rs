@@ -7,7 +7,7 @@ use osim_inspect::misplaced_spheres;
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::{Anatomy, Fault, Finding, ForceId, Model, Selection, SphereId};
 
-/// A page shows the feet of models with at most so many spheres and bodies.
+/// Spheres and bodies that a model may have at most for its feet to be on a page.
 const MOST_SPHERES: usize = 200;
 const MOST_BODIES: usize = 1000;
 
@@ -44,7 +44,7 @@ impl ModelFeet {
         Ok(found)
     }
 
-    /// The same for a page: nothing where there are no feet, or so many spheres or bodies that a page should not show them.
+    /// The same for a page: `None` without feet, or with more spheres or bodies than a page should show.
     #[must_use]
     pub fn for_page(name: &str, opened: &OpenModel, selection: &Selection) -> Option<Self> {
         let model = &opened.model;
@@ -63,7 +63,7 @@ impl ModelFeet {
         Ok(Self { name: name.to_owned(), feet, misplaced, missing: Vec::new(), anatomy, pose, bodies })
     }
 
-    /// Adds the bones whose meshes are at hand: in the folder of the model, in its `Geometry`, or in `geometry_dir`.
+    /// Adds the bones whose meshes are available: in the folder of the model, in its `Geometry`, or in `geometry_dir`.
     pub fn add_bones(
         &mut self,
         (model, path): (&Model, &Path),

@@ -24,7 +24,7 @@ pub struct Inspector {
     /// The names of both files, where they are for the places of spheres and not for factors.
     places: Option<(PathBuf, Option<PathBuf>)>,
     reads: Vec<PathBuf>,
-    /// Answers to questions about masses that were said; `None` where the masses were asked about already.
+    /// Answers to questions about masses that the caller gave; `None` if the masses were asked about already.
     answers: Option<AnswerOptions>,
 }
 
@@ -74,7 +74,7 @@ impl Inspector {
         }
     }
 
-    /// The same, which asks where a mass that was said looks like a slip.
+    /// The same, which asks if a mass that the caller gave looks like a slip.
     fn asking(options: &InspectionOptions) -> Self {
         Self { answers: Some(options.answers.clone()), ..Self::new(options) }
     }
@@ -106,7 +106,7 @@ impl Inspector {
     /// Everything about a model.
     ///
     /// # Errors
-    /// The generic model cannot be read, factors cannot be determined, or a mass that was said looks like a slip.
+    /// The generic model cannot be read, factors cannot be determined, or a mass that the caller gave looks like a slip.
     pub fn inspect(&self, opened: &OpenModel) -> Result<Inspection, Failure> {
         if let Some(answers) = &self.answers {
             let options = &self.options;

@@ -64,7 +64,7 @@ pub trait Planner: Send + Sync {
     /// How a model would be inspected with the same options.
     fn inspection(&self) -> InspectionOptions;
 
-    /// Gravity that the contacts are scaled to, m/s², where that is asked for.
+    /// Gravity that the contacts are scaled to, m/s², if it is asked for.
     fn target_gravity_m_s2(&self) -> Option<f64> {
         None
     }
@@ -74,7 +74,7 @@ pub trait Planner: Send + Sync {
         None
     }
 
-    /// Everything its plans follow from but for the files: equal texts, equal plans.
+    /// Everything its plans follow from except the files: equal texts, equal plans.
     fn settings(&self) -> String;
 }
 

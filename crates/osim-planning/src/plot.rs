@@ -15,7 +15,7 @@ use crate::feet::ModelFeet;
 use crate::heat_table::HeatTable;
 use crate::subject::Subject;
 
-/// The table of which a column is drawn, where that is wanted.
+/// The table that a column is drawn from, if the request names one.
 ///
 /// # Errors
 /// As [`HeatTable::read`].
@@ -74,7 +74,7 @@ fn feet_of(
     Ok((feet, Some(scaled)))
 }
 
-/// All bodies of the figure: those that were named, each followed by its scaled request where one is asked for.
+/// All bodies of the figure: those that were named, each followed by its scaled self if a target mass is given.
 ///
 /// # Errors
 /// A name that is neither a model's nor a preset's, or a model that cannot be read.

@@ -19,8 +19,7 @@ pub(crate) enum Named {
 }
 
 impl Named {
-    /// The preset of this name, also where a file is called so; else a file. `input` is where the word stands, where that is to
-    /// be said.
+    /// The preset of this name, also where a file is called so; else a file. `input` is the field of the word, for messages.
     ///
     /// # Errors
     /// It can be neither, or the file of presets cannot be read.
@@ -53,7 +52,7 @@ pub fn may_be_file(word: &Path, files: &dyn Files) -> bool {
     files.exists(word) || looks_like_file(word)
 }
 
-/// The same without a look at the files.
+/// Whether `word` looks like the name of a file, without a look at the files.
 pub(crate) fn looks_like_file(word: &Path) -> bool {
     word.as_os_str() == "-" || word.components().count() > 1 || word.extension().is_some()
 }

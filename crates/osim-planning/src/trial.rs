@@ -15,7 +15,7 @@ pub(crate) fn with_numbers(options: &InspectOptions, model: &Model, numbers: boo
     Changeable { numbers, radii: !numbers || radii_may_change(options, model) }
 }
 
-/// Returns `false` where a sphere is used by a force that would not change with it, which is tried, too.
+/// Whether radii may change: no sphere is used by a force that would not change with it. This is tried.
 fn radii_may_change(options: &InspectOptions, model: &Model) -> bool {
     let mut trial = Set::new(vec![(Property::Radius, Assignment::Factor(2.0))]);
     trial.again = true;
@@ -23,7 +23,7 @@ fn radii_may_change(options: &InspectOptions, model: &Model) -> bool {
     !plan.is_err_and(|fault| matches!(fault.kind, FaultKind::Needed(Needed::SharedSphere { .. })))
 }
 
-/// Returns `true` where the numbers of `model` can be changed, which is tried: a remedy that would be refused is no help.
+/// Whether the numbers of `model` can be changed. This is tried: a remedy that would be refused does not help.
 fn can_be_changed(options: &InspectOptions, model: &Model) -> bool {
     let assignments =
         vec![(Property::Dissipation, Assignment::Value(0.0)), (Property::Stiffness, Assignment::Value(1.0))];

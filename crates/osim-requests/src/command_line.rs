@@ -9,7 +9,7 @@ use crate::fault::RequestFault;
 use crate::relation::Relation;
 use crate::request::relations_of;
 
-/// Teaches the parser of a verb which options have to be said and which exclude each other: the same rules as for dictionaries.
+/// Teaches the parser of a verb which options are required and which exclude each other: the same rules as for dictionaries.
 /// What an option [needs](check) it is not taught: clap forgets that where the other one is excluded by a third.
 #[must_use]
 pub fn with_relations(command: Command, verb: Verb) -> Command {
@@ -30,7 +30,7 @@ pub fn with_relations(command: Command, verb: Verb) -> Command {
 /// Checks that the options which were typed for a verb go together, as a dictionary is checked.
 ///
 /// # Errors
-/// The first that says nothing without another.
+/// The first that has no meaning without another.
 pub fn check(matches: &ArgMatches, verb: Verb) -> Result<(), RequestFault> {
     let typed = |id: &str| matches.value_source(id) == Some(ValueSource::CommandLine);
     let typed: Vec<&str> = matches.ids().map(clap::Id::as_str).filter(|id| typed(id)).collect();

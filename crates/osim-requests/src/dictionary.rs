@@ -10,10 +10,10 @@ use crate::relation::Relation;
 /// A name that is this like another was probably meant.
 const NEAR: usize = 2;
 
-/// Reads a request from its fields. A field that is null says nothing.
+/// Reads a request from its fields. A field that is null counts as absent.
 ///
 /// # Errors
-/// A field that there is not, a value that cannot be taken, or fields that do not go together.
+/// A field that does not exist, a value that cannot be taken, or fields that do not go together.
 pub(crate) fn read<T>(fields: Map<String, Value>, relations: &[&[Relation]]) -> Result<T, RequestFault>
 where
     T: Default + Serialize + DeserializeOwned,
@@ -42,7 +42,7 @@ pub(crate) fn check<T: Default + Serialize>(
     check_fields(&said(request), relations)
 }
 
-/// The fields of a request that say something of their own.
+/// The fields of a request that differ from their defaults.
 pub(crate) fn said<T: Default + Serialize>(request: &T) -> Map<String, Value> {
     let silent = map(&T::default());
     map(request).into_iter().filter(|(name, value)| silent.get(name) != Some(value)).collect()
@@ -52,7 +52,7 @@ pub(crate) fn said<T: Default + Serialize>(request: &T) -> Map<String, Value> {
 pub(crate) fn map(request: &impl Serialize) -> Map<String, Value> {
     match serde_json::to_value(request) {
         Ok(Value::Object(fields)) => fields,
-        // Requests are structs: nothing else comes of them.
+        // Requests are structs: nothing else can result.
         _ => Map::new(),
     }
 }
@@ -67,7 +67,7 @@ fn check_fields(fields: &Map<String, Value>, relations: &[&[Relation]]) -> Resul
     check_relations(says, relations.iter().copied().flatten().copied())
 }
 
-/// Checks that the fields which say something go together.
+/// Checks that the fields for which `says` is true go together.
 ///
 /// # Errors
 /// The first that do not.

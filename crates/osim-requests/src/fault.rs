@@ -23,19 +23,19 @@ pub enum RequestFault {
         /// What was expected.
         reason: String,
     },
-    /// A field has to be said.
+    /// A field is missing.
     Missing {
         /// Its name.
         field: &'static str,
     },
-    /// A field says nothing without another.
+    /// A field has no meaning without another.
     Needs {
         /// Its name.
         field: &'static str,
         /// The other's.
         other: &'static str,
     },
-    /// Only one of two fields can be said.
+    /// Only one of two fields can be given.
     Excludes {
         /// The name of one.
         field: &'static str,

@@ -69,7 +69,7 @@ impl Request {
         Self::read(known, fields)
     }
 
-    /// The request as a JSON object: what says nothing is left out.
+    /// The request as a JSON object, without fields that have their defaults.
     #[must_use]
     pub fn to_json(&self) -> String {
         Value::Object(self.to_map()).to_string()

@@ -3,15 +3,15 @@
 /// How options depend on each other; each is named by its field.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Relation {
-    /// It has to be said.
+    /// It is required.
     Required(&'static str),
-    /// It has to be said in a dictionary; the command line asks for it in its own words.
+    /// It is required in a dictionary; the command line asks for it in its own words.
     Expected(&'static str),
-    /// It has to be said where the other is not.
+    /// It is required if the other is absent.
     RequiredUnless(&'static str, &'static str),
-    /// It says nothing without the other.
+    /// It has no meaning without the other.
     Needs(&'static str, &'static str),
-    /// Only one of the two can be said.
+    /// Only one of the two can be given.
     Excludes(&'static str, &'static str),
 }
 

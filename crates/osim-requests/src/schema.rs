@@ -15,7 +15,7 @@ pub(crate) fn schema<T: JsonSchema>(verb: Verb, relations: &[&[Relation]]) -> Sc
     if let Value::Object(properties) = properties {
         let named = std::mem::take(properties);
         properties.insert("verb".to_owned(), json!({"const": verb.name()}));
-        // What says nothing may be null.
+        // What may be absent may be null.
         properties.extend(named.into_iter().map(|(name, schema)| (name, or_null(schema))));
     }
     object.insert("additionalProperties".to_owned(), false.into());
@@ -43,7 +43,7 @@ pub(crate) fn schema<T: JsonSchema>(verb: Verb, relations: &[&[Relation]]) -> Sc
     schema
 }
 
-/// That a field says something: it is there, and is neither null, nor false, nor empty.
+/// The schema that a field is given: it is there, and is neither null, nor false, nor empty.
 fn says(field: &str) -> Value {
     json!({
         "required": [field],

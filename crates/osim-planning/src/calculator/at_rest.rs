@@ -1,4 +1,4 @@
-//! What is left of the Hertz force at rest, where a design says enough of a smoothed contact.
+//! What is left of the Hertz force at rest, if a design gives enough of a smoothed contact.
 
 use contact_scaling::sizing::{Known, Sizing, SizingError};
 use contact_scaling::{SmoothingValues, restitution, smoothing};
@@ -8,7 +8,7 @@ use osim_requests::{Positive, RequestFault, RestitutionCoefficient};
 
 use super::given::{Given, refused};
 
-/// A radius that dissipation and sizing both depend on is found by turns; each brings it at least three times closer.
+/// Turns in which a radius is found that dissipation and sizing both depend on; each brings it at least three times closer.
 const TURNS: u32 = 60;
 
 /// A smoothed contact at rest, as (C.9) has it at speed 0.
@@ -18,7 +18,7 @@ pub(super) struct AtRest {
     pub(super) speed_state: f64,
     dissipation_s_m: f64,
     smoothing_s_m: f64,
-    /// Nobody said the smoothing: it is OpenSim's.
+    /// Whether the smoothing is OpenSim's, because none was given.
     is_default: bool,
 }
 
@@ -57,7 +57,7 @@ impl AtRest {
         self.speed_state != 1.0
     }
 
-    /// What to know of it, where it is seen.
+    /// What to know about it where it is shown.
     pub(super) fn note(self) -> Option<String> {
         let share = readable(self.speed_state);
         let default = if self.is_default { " (OpenSim's default)" } else { "" };

@@ -16,7 +16,7 @@ use super::sheet::DesignSheet;
 /// Calculates a design that names no model.
 ///
 /// # Errors
-/// Too little is known, or it contradicts itself; or something is said that only makes sense with a model.
+/// Too little is known, or it contradicts itself; or something is given that only makes sense with a model.
 pub fn design_sheet(request: &DesignRequest) -> Result<DesignSheet, RequestFault> {
     if let Some(input) = without_meaning(request) {
         let message = phrase![input, " needs a model to work on: name one, or leave it out"];
@@ -46,7 +46,7 @@ pub fn design_sheet(request: &DesignRequest) -> Result<DesignSheet, RequestFault
     Ok(sheet)
 }
 
-/// Something that only makes sense with a model.
+/// The first input that only makes sense with a model.
 fn without_meaning(request: &DesignRequest) -> Option<Input> {
     let output = &request.output;
     let given = [

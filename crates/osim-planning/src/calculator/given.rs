@@ -1,4 +1,4 @@
-//! What is said of a design, before anything is derived.
+//! What a request for a design gives, before anything is derived.
 
 use contact_scaling::sizing::Known;
 use contact_scaling::{DomainError, SharedLoad, modulus};
@@ -21,7 +21,7 @@ pub(super) struct Given {
     pub(super) modulus: ModulusFrom,
     indentation: Option<f64>,
     contact_stiffness: Option<f64>,
-    /// The load is what the spheres carry at rest.
+    /// Whether the load is what the spheres carry at rest.
     pub(super) is_body_weight: bool,
 }
 
@@ -34,7 +34,7 @@ pub(super) enum ModulusFrom {
 }
 
 impl ModulusFrom {
-    /// The equation it follows by, where that is another than the register has.
+    /// The equation it follows by, if it is another than the register has.
     pub(super) fn equation(self) -> Option<&'static str> {
         match self {
             Self::Young => Some("A.1, A.5"),
@@ -114,7 +114,7 @@ impl Given {
         }
     }
 
-    /// Something is wanted that only follows from a whole sizing.
+    /// Whether something is wanted that only follows from a whole sizing.
     pub(super) fn needs_sizing(&self) -> bool {
         self.indentation.is_some() || self.contact_stiffness.is_some()
     }
@@ -186,7 +186,7 @@ impl Given {
         }
     }
 
-    /// What disagrees, by the name and in the unit in which it was said.
+    /// What disagrees, by the name and in the unit in which it was given.
     pub(super) fn contradiction(&self, quantity: &str, given: f64, follows: f64) -> RequestFault {
         let surface = |composite| {
             modulus::of_equal_surfaces(composite, modulus::MixingRule::Sherman).unwrap_or(composite)

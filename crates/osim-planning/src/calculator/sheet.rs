@@ -67,7 +67,7 @@ impl DesignSheet {
         self.add_by(quantity.info().equation, quantity, value, given);
     }
 
-    /// A figure that depends on the force at rest: by (C.9), too, where that is not the Hertz force.
+    /// A figure that depends on the force at rest: by (C.9), too, if that is not the Hertz force.
     pub(super) fn add_at_rest(&mut self, smoothed: bool, quantity: DesignQuantity, value: f64, given: bool) {
         let equation = quantity.info().equation;
         let equation = if smoothed { format!("{equation}, C.9").into() } else { Cow::from(equation) };

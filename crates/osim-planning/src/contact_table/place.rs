@@ -29,7 +29,7 @@ pub enum TablePlace {
 pub struct PlaceOnBody {
     /// Its centre, m.
     pub location_m: [f64; 3],
-    /// It was given in ground, and moved into the body at the default pose.
+    /// Whether it was given in ground, and moved into the body at the default pose.
     pub from_default_pose: bool,
 }
 
@@ -40,17 +40,17 @@ pub enum PlaceFault {
     Pose(PoseFault),
     /// The two places are that far from each other in this model, m.
     Disagree(f64),
-    /// Only the global place is given, and nobody said that the default pose is the one in which it was measured.
+    /// Only the global place is given, and nobody confirmed that it was measured at the default pose.
     OnlyGlobal,
 }
 
 impl TablePlace {
     /// The place in the frame of `body`: as given there; of an export the global one where the body's frame is that of ground at the
-    /// default pose (MuSkeMo's global mode), else the local one. What is given in ground only is moved into the body where
-    /// `posed` says that the default pose is meant.
+    /// default pose (MuSkeMo's global mode), else the local one. What is given in ground only is moved into the body if `posed`
+    /// says that it was measured at the default pose.
     ///
     /// # Errors
-    /// Two places that differ by more than 1 mm, a global one alone, or a body of which it is not known where it is.
+    /// Two places that differ by more than 1 mm, a global one alone, or a body whose place is not known.
     pub fn on_body<'p>(
         &self,
         body: &str,

@@ -111,7 +111,7 @@ impl DropFigure {
         self.entry().row
     }
 
-    /// Every drop has it; else it may be absent.
+    /// Whether every drop has it; else it may be absent.
     #[must_use]
     pub const fn is_always_known(self) -> bool {
         matches!(self.entry().value, Always(_))

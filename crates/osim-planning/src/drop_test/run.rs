@@ -23,7 +23,7 @@ struct Falling {
     mismatch: Option<MassMismatch>,
 }
 
-/// What is said of one of the two bodies; what is about the first says nothing about the other.
+/// What the request says about one of the two bodies; what is about the first does not count for the other.
 struct Own {
     mass_kg: Option<f64>,
     spheres: Option<f64>,

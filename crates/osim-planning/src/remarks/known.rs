@@ -5,7 +5,7 @@ use osim_messages::Input;
 use osim_model::{Fault, Mass, Model, Needed, Selected, same_mass};
 
 /// Refuses to take what the bodies weigh where the contacts are known ones that were made for another mass, which `input` can
-/// say.
+/// give.
 pub(crate) fn refuse_known(
     model: &Model,
     selected: &Selected,

@@ -1,4 +1,4 @@
-//! What is to be said when contacts are made, converted or removed, beside the numbers that change: remarks about the result,
+//! Remarks when contacts are made, converted or removed, beside the numbers that change: remarks about the result,
 //! questions about values that are probably in another unit, and what is refused.
 
 mod class_age;

@@ -1,4 +1,4 @@
-//! What is said of planes that new contacts do not meet.
+//! Remarks about planes that new contacts do not meet.
 
 use std::collections::BTreeSet;
 

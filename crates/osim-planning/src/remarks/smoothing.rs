@@ -1,4 +1,4 @@
-//! What is said of forces that are smoothed and were not.
+//! Remarks about forces that are smoothed and were not.
 
 use contact_scaling::SmoothingValues;
 use osim_inspect::{Found, InspectOptions, check_model};
@@ -9,7 +9,7 @@ use osim_messages::{Input, Phrase, Verb, readable};
 use osim_model::{Finding, FindingCode, ForceKind, Model, Property};
 use osim_patch::{Deed, ObjectChange};
 
-/// Different numbers that are said, before they are counted.
+/// Different numbers that are listed; more are counted.
 const SAID: usize = 3;
 const PROPERTIES: [Property; 3] =
     [Property::ConstantContactForce, Property::HertzSmoothing, Property::HuntCrossleySmoothing];
@@ -79,7 +79,7 @@ pub(crate) fn too_smooth(model: &Model) -> Vec<Finding> {
         .collect()
 }
 
-/// The finding about a model that is not written yet: lines are not known, and what puts it right is to be said of the result.
+/// The finding about a model that is not written yet: lines are not known, and a remedy is about the result.
 fn with_way_out(found: Found) -> Finding {
     let Found { mut finding, remedy, .. } = found;
     finding.line = None;

@@ -4,10 +4,10 @@ use osim_feet::{DefaultPose, SpherePair, sphere_pairs};
 use osim_messages::Phrase;
 use osim_model::{Fault, FaultKind, Force, Model, Selected, SphereId};
 
-/// Pairs that are named, before they are counted.
+/// Pairs that are named; more are counted.
 const NAMED: usize = 3;
 
-/// What is said of contacts between spheres that end, one sentence for each force.
+/// Remarks about contacts between spheres that end, one sentence for each force.
 ///
 /// # Errors
 /// Two spheres touch at the default pose, or it is not known whether they do: what keeps them apart now would be gone.

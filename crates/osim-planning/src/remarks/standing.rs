@@ -1,4 +1,4 @@
-//! What is said of where new spheres are over the floor.
+//! Remarks about where new spheres are over the floor.
 
 use osim_feet::{PlacedSphere, Standing};
 use osim_messages::{Phrase, readable};
@@ -9,7 +9,7 @@ use osim_patch::Plan;
 const ON_FLOOR_M: f64 = 1e-4;
 
 /// How far the spheres that `plan` adds are from the floor of `built`, the model with them, at the default pose, and which
-/// coordinate puts the lowest on it. Nothing where there are several floors.
+/// coordinate puts the lowest on it. `None` if there are several floors.
 pub(crate) fn standing(plan: &Plan, built: &Model) -> Option<Phrase> {
     let spheres: Vec<PlacedSphere<'_>> = plan
         .new_spheres()

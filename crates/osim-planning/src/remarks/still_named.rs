@@ -1,9 +1,9 @@
-//! What is said of objects that went and are still named.
+//! Remarks about objects that were removed and are still named.
 
 use osim_messages::Phrase;
 use osim_patch::{Leftover, Rebuilt, leftovers};
 
-/// Objects and names that are said, before they are counted.
+/// Objects and names that are listed; more are counted.
 const SAID: usize = 3;
 
 /// Which objects of `rebuilt` name others that it does not have any more, one sentence for each.

@@ -5,8 +5,8 @@ use osim_messages::{Input, four_significant, phrase, readable, shown};
 use osim_model::{Anatomy, JointDistances, Model, NeedsAnswer, Question, probable_units};
 use osim_requests::BodyScale;
 
-/// A sphere is at most so many times as far from the joints of its body as the longest distance between joints around it. Published ones
-/// are closer than half of it; in centimetres they would be some tens of times as far.
+/// A sphere is at most this many times as far from the joints of its body as the longest distance between joints around it.
+/// Published ones are closer than half of that distance; in centimetres they would be some tens of times as far.
 const FAR: f64 = 3.0;
 /// What is usual, as a part of that distance: the ball of a human foot and its shank.
 const USUAL: f64 = 0.4;
@@ -34,7 +34,7 @@ impl Bones {
         Self { anatomy: Anatomy::of(model).ok(), distances: JointDistances::of(model) }
     }
 
-    /// How far a place is from the nearest joint of `body`, or its origin; `None` where nothing says how large the bones are.
+    /// How far a place is from the nearest joint of `body`, or its origin; `None` if it is not known how large the bones are.
     pub(crate) fn distance(&self, body: &str, place_m: [f64; 3]) -> Option<Distance> {
         let longest_m = self.distances.around_body(body)?;
         let anatomy = self.anatomy.as_ref()?;

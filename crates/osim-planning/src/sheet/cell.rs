@@ -11,9 +11,9 @@ const ESCAPE: &str = "\\u{";
 
 /// The text as a cell of CSV, from which [`from_cell`] makes the text again.
 ///
-/// Control characters, line ends and marks that turn the direction of writing are `\u{1b}`: who prints the table, with `cat` for
-/// example, sees them, and each record is one line. A text that would look like that itself begins with `\u{5c}`, which is
-/// the `\`. What spreadsheets would run is [`marked`].
+/// Control characters, line ends and marks that turn the direction of writing are `\u{1b}`: those who print the table, with `cat`
+/// for example, see them, and each record is one line. A text that would look like that itself begins with `\u{5c}`, which is the
+/// `\`. What spreadsheets would run is [`marked`].
 ///
 /// ```
 /// use osim_planning::sheet::{cell, from_cell};
@@ -104,7 +104,7 @@ fn steers(letter: char) -> bool {
     letter.is_control() || matches!(letter, '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
-/// The letter whose number begins `text`, and what follows; `None` where that is one which is never written so.
+/// The letter whose number begins `text`, and what follows; `None` if it is a letter that is never written so.
 fn escaped_letter(text: &str) -> Option<(char, &str)> {
     let (digits, rest) = text.split_once('}')?;
     let letter = char::from_u32(u32::from_str_radix(digits, 16).ok()?)?;

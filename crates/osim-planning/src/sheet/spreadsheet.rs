@@ -26,7 +26,8 @@ pub struct Sheet {
     /// What follows.
     pub rows: Vec<Row>,
     delimiter: u8,
-    /// A country's spreadsheet wrote it whose decimal mark is the comma: semicolons separate the cells, or some number has one.
+    /// Whether a spreadsheet wrote it in a country whose decimal mark is the comma: semicolons separate the cells, or some number
+    /// has one.
     pub decimal_commas: bool,
 }
 
@@ -36,7 +37,7 @@ pub struct Sheet {
 pub struct Row {
     /// Line in the file; the header is line 1.
     pub line: u64,
-    /// In the order of the header.
+    /// The cells, in the order of the header.
     pub cells: Vec<String>,
 }
 
@@ -159,7 +160,7 @@ fn delimiter(bytes: &[u8]) -> u8 {
     [b';', b'\t'].into_iter().find(|delimiter| first.contains(delimiter)).unwrap_or(b',')
 }
 
-/// `true` for a number with a comma, such as `0,5`.
+/// Whether it is a number with a comma, such as `0,5`.
 fn has_comma(cell: &str) -> bool {
     let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
     cell.split_once(',').is_some_and(|(head, tail)| digits(head) && digits(tail))

@@ -2,7 +2,7 @@
 
 use csv::StringRecord;
 
-/// So many rows are named.
+/// Rows that are named at most.
 const NAMED: usize = 20;
 
 /// What is known of such rows.

@@ -16,9 +16,9 @@ use crate::{ModelFeet, Planner, trial};
 pub struct BeforeAfter {
     /// The model as it was.
     pub before: (Inspection, CheckResult),
-    /// The old contacts under the new weight, where that is another one.
+    /// The old contacts under the new weight, if it differs.
     pub before_under_new_weight: Option<Figures>,
-    /// The model as it is written; none where nothing changes.
+    /// The model as it is written; `None` if nothing changes.
     pub after: Option<(Inspection, CheckResult)>,
     /// Both states, to be drawn.
     pub bodies: Vec<Body>,
@@ -32,7 +32,7 @@ pub struct BeforeAfter {
 
 impl BeforeAfter {
     /// Both states of a model for which `planner` has made `plan`. `changed` gives its files as they will be, under their
-    /// names; it is asked only where something changes. `feet` are kept only where that is said.
+    /// names; it is called only if something changes. Feet are kept only with `feet`.
     ///
     /// # Errors
     /// The new model cannot be read, which would be a defect: it is not to be written then.

@@ -1,4 +1,4 @@
-//! Both states of a model, as far as they are drawn.
+//! Both states of a model, for drawing.
 
 use osim_inspect::InspectOptions;
 use osim_inspect::series::Body;
@@ -51,7 +51,7 @@ pub(crate) fn options_after(
 ) -> InspectOptions {
     let mut options = before.clone();
     let target_mass_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
-    // The note says it; without one somebody has to.
+    // The note has it; without one the caller has to give it.
     options.masses.contacts_kg = target_mass_kg.filter(|_| plan.note().is_none());
     if let Some(kg) = target_mass_kg.filter(|_| planner.name() == "rescale")
         && weighs_kg.is_none_or(|weighs| !same_mass(weighs, kg))

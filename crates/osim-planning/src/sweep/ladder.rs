@@ -18,7 +18,7 @@ pub(super) struct Ladder {
 }
 
 impl Ladder {
-    /// Finds where the model stands and where the last step ends.
+    /// Finds where the model begins and where the last step ends.
     ///
     /// # Errors
     /// The last step cannot be designed, or is softer than the first.
@@ -87,7 +87,7 @@ impl Ladder {
     }
 }
 
-/// The largest α of the forces that are meant, s/m.
+/// The largest α of the selected forces, s/m.
 fn dissipation(variant: &Variant) -> f64 {
     variant.all(Property::Dissipation).fold(0.0, f64::max)
 }

@@ -15,7 +15,7 @@ const PROPERTIES: [Property; 6] = [
     Property::HuntCrossleySmoothing,
 ];
 
-/// Before the name of what a column was asked of.
+/// What is before the name of what was asked, in the name of a column.
 pub(super) const GRID: &str = "grid_";
 /// What a ladder asks at each step.
 pub(super) const LADDER: [&str; 1] = ["wanted_dimensionless_stiffness"];

@@ -31,7 +31,7 @@ pub(super) fn check(request: &SweepRequest, count: usize) -> Result<(), RequestF
     Err(RequestFault::refused(Input::Point, message))
 }
 
-/// What the name of the table of a part has before its end; none where all is made.
+/// What the name of the table of a part has before its end; `None` if all is made.
 pub(super) fn of_name(request: &SweepRequest) -> Option<String> {
     // Without zeros before it, as the job of an array knows its own number.
     let point = request.point.map(|point| format!("{POINT}{point}"));

@@ -31,7 +31,7 @@ struct Job {
     asked: Vec<String>,
     /// As the note has it.
     operation: String,
-    /// The mass that the contacts are made for then, where that changes.
+    /// The mass that the contacts are made for then, if it changes.
     mass_kg: Option<f64>,
     stages: Stages,
 }
@@ -65,7 +65,7 @@ impl<'s> SweepPlan<'s> {
     pub fn new(request: &'s SweepRequest, model: ModelFiles) -> Result<Self, RequestError> {
         request.check()?;
         let count = request.count()?;
-        // What is wrong with the model itself is told once, not for every variant.
+        // What is wrong with the model itself is reported once, not for every variant.
         Variant::unchanged(request, &model)?;
         let ladder = request.ladder.map(|steps| Ladder::of(request, &model, steps)).transpose()?;
         part::check(request, count)?;
@@ -108,7 +108,7 @@ impl<'s> SweepPlan<'s> {
         self.named(self.kind(), "csv")
     }
 
-    /// Name of the table of what this call makes, where that is a part of all.
+    /// Name of the table of what this call makes, if it is a part of all.
     #[must_use]
     pub fn part_table_name(&self) -> Option<String> {
         let part = part::of_name(self.request)?;

@@ -1,4 +1,4 @@
-//! What is done to the model at a point: rescaled, then set, then designed, as far as the point asks.
+//! What is done to the model at a point: rescaled, then set, then designed, each if the point asks for it.
 
 use std::sync::Arc;
 
@@ -19,7 +19,7 @@ pub(super) type Stages = Vec<Arc<dyn Planner>>;
 /// The stages of a point of a grid.
 ///
 /// # Errors
-/// Values that say nothing together.
+/// Values that do not go together.
 pub(super) fn of_point(request: &SweepRequest, point: &Point<'_>) -> Result<Stages, RequestFault> {
     let (indentation, restitution) =
         (point.number(AxisName::Indentation), point.number(AxisName::Restitution));

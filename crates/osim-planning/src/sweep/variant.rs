@@ -15,7 +15,7 @@ pub(super) struct Variant {
 }
 
 impl Variant {
-    /// Does `stages` one after the other and reads what came out. The contacts are then made for `mass_kg`, else for what
+    /// Does `stages` one after the other and reads the result. The contacts are then made for `mass_kg`, else for what
     /// the model weighs.
     ///
     /// # Errors
@@ -50,7 +50,7 @@ impl Variant {
     /// The model as it is.
     ///
     /// # Errors
-    /// It cannot be read, or the choice of forces leaves open what is meant.
+    /// It cannot be read, or the choice of forces is not clear.
     pub(super) fn unchanged(request: &SweepRequest, model: &ModelFiles) -> Result<Self, Failure> {
         Self::read(request, model.clone(), None)
     }

@@ -31,7 +31,7 @@ impl Cells {
     /// Reads the cells of `row`; `folder` is the table's.
     ///
     /// # Errors
-    /// A cell that says nothing plain, or a row without a model or a verb.
+    /// A cell that is not clear, or a row without a model or a verb.
     pub(super) fn read(
         row: &Row,
         columns: &Columns,
@@ -95,7 +95,7 @@ impl Cells {
     }
 }
 
-/// The cells that say something.
+/// The cells that are not empty.
 fn filled<'r>(row: &'r Row, columns: &'r Columns) -> impl Iterator<Item = (&'r Column, &'r str)> {
     let cells = row.cells.iter().map(String::as_str);
     columns.columns.iter().zip(cells).filter(|(_, cell)| !cell.is_empty())
@@ -144,7 +144,7 @@ fn from(folder: &Path, cell: &str, presets: Option<&Path>, files: &dyn Files) ->
     if is_file { path } else { cell.into() }
 }
 
-/// A number may have a decimal comma where that is clear.
+/// A number may have a decimal comma if it is clear that it is one.
 fn number(cell: &str, sheet: &Sheet, column: &Column) -> Result<String, RowFault> {
     let refused = |message: String| RowFault::of(&column.header, Phrase::from(message));
     let digits = cell.strip_prefix(['x', 'X']).unwrap_or(cell);
@@ -154,7 +154,7 @@ fn number(cell: &str, sheet: &Sheet, column: &Column) -> Result<String, RowFault
         return Ok(cell.to_owned());
     }
     for mark in [',', '.'] {
-        // A point parts thousands only where commas are decimal.
+        // A point separates thousands only where commas are decimal.
         if may_part_thousands(digits, mark) && (mark == ',' || sheet.decimal_commas) {
             let (plain, point) = (digits.replace(mark, ""), digits.replace(mark, "."));
             return Err(refused(format!("'{cell}' may be {plain} or {point}: write {plain} or {point}0")));
@@ -163,7 +163,8 @@ fn number(cell: &str, sheet: &Sheet, column: &Column) -> Result<String, RowFault
     sheet.with_point(cell).map(Into::into).map_err(|why| refused(format!("'{cell}' {why}")))
 }
 
-/// `1,190` is one thing here and another there, and so is `1.190`; `0,190` is not.
+/// Whether `mark` may separate thousands: `1,190` is one number in some countries and another in others, and so is `1.190`;
+/// `0,190` is not.
 fn may_part_thousands(digits: &str, mark: char) -> bool {
     let all_digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
     digits.split_once(mark).is_some_and(|(head, tail)| {

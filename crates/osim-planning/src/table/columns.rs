@@ -78,7 +78,7 @@ impl Columns {
         let mut wrong: Vec<Phrase> = Vec::new();
         for cell in header {
             let twice = |one: &Column, other: &Column| match one.kind {
-                // Columns without a name are nobody's.
+                // Columns without a name are ignored.
                 Kind::Remark => !one.header.is_empty() && one.header == other.header,
                 _ => (&one.field, one.kind) == (&other.field, other.kind),
             };
@@ -100,7 +100,7 @@ impl Columns {
         Ok(Self { columns, model })
     }
 
-    /// The user's own columns of a row: name and text. Columns without a name are nobody's.
+    /// The user's own columns of a row: name and text. Columns without a name are ignored.
     pub(super) fn remarks(&self, cells: &[String]) -> Vec<(String, String)> {
         let own = self.columns.iter().enumerate();
         let own = own.filter(|(_, column)| column.kind == Kind::Remark && !column.header.is_empty());

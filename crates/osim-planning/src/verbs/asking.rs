@@ -10,10 +10,10 @@ use osim_requests::options::{AnswerOptions, InspectionOptions};
 
 use crate::planner::Planner;
 
-/// A planner that asks where a mass that was said, or a radius that it would write, looks like a slip.
+/// A planner that asks if a mass that the caller gave, or a radius that it would write, looks like a slip.
 pub(crate) struct Asking<P> {
     pub(crate) planner: P,
-    /// The masses that were said of the model.
+    /// The masses that the caller gave for the model.
     pub(crate) masses: MassRequest,
     pub(crate) answers: AnswerOptions,
 }

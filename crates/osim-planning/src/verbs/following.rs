@@ -59,7 +59,7 @@ fn of_note(model: &Model) -> Result<ScaleFile, Fault> {
     Ok(ScaleFile::of_factors(since.factors))
 }
 
-/// Sees that the ScaleSet is that of this model.
+/// Checks that the ScaleSet is that of this model.
 fn compare(since: &ScaledSinceNote, file: &ScaleFile) -> Result<(), Fault> {
     for (body, noted) in &since.factors {
         let given = file.of(body)?;

@@ -18,7 +18,7 @@ use crate::planner::file_name;
 use crate::remarks::refuse_known;
 use crate::subject::Named;
 
-/// What published contacts of a reference count for that were made for another mass than its bodies weigh.
+/// Which mass counts for published contacts of a reference that were made for another one than its bodies weigh.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum KnownMass {
     /// Nobody but the caller knows.

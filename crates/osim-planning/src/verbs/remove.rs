@@ -85,7 +85,7 @@ pub(super) fn counted(count: usize, what: &str) -> String {
     format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
-/// What is said of a note where contacts are left.
+/// The remark about a note if contacts are left.
 fn note_stays(note: &Note) -> Phrase {
     let mut said = phrase!["contacts are left, and so is the note in the file, as one about a part of them"];
     if let Some(kg) = note.mass_kg {

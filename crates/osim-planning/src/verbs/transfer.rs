@@ -149,7 +149,7 @@ fn check(request: &TransferRequest) -> Result<(), RequestFault> {
     check_radii(request)
 }
 
-/// Combinations of radii and places that say nothing.
+/// Combinations of radii and places that have no meaning.
 fn check_radii(request: &TransferRequest) -> Result<(), RequestFault> {
     let (scaling, follow) = (&request.scaling, &request.follow);
     let rule = scaling.radius.map(Radius::rule);

@@ -17,7 +17,7 @@ use super::operation::{operation, refuse_again};
 use super::reference::Generic;
 use crate::planner::Planner;
 
-/// What was said of the reference, so that it counts for more than what its file says.
+/// What the caller gave about the reference: it counts for more than what its file says.
 pub(super) struct ReferenceSaid {
     pub(super) spheres: bool,
     pub(super) gravity: bool,
@@ -27,11 +27,11 @@ pub(super) struct ReferenceSaid {
 struct SphereCounts {
     here: f64,
     there: f64,
-    /// Neither is known, only their ratio.
+    /// Whether neither is known, only their ratio.
     cancel: bool,
 }
 
-/// Plans transfers, of which the reference was read once for all models.
+/// Plans transfers whose reference was read once for all models.
 pub(super) struct Transferring {
     pub(super) counts: CountOptions,
     pub(super) follow: FollowOptions,

@@ -12,7 +12,7 @@ use serde_json::Value;
 
 use crate::values::typed::{LENGTHS, factor, number, number_in, trimmed};
 
-/// Properties and what happens to them, in the order in which they were said.
+/// Properties and what happens to them, in the order in which they were given.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Assignments(Vec<(Property, Assignment)>);
 
@@ -76,7 +76,7 @@ impl Assignments {
         &self.0
     }
 
-    /// `true` where nothing is set.
+    /// Whether nothing is set.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()

@@ -81,7 +81,7 @@ pub struct GridValue {
     pub label: String,
     /// The number.
     pub number: f64,
-    /// A factor of what the model has.
+    /// Whether it is a factor of what the model has.
     pub is_factor: bool,
 }
 
@@ -123,7 +123,7 @@ impl FromStr for Axis {
                 values.push(value(name, trimmed(item))?);
             }
         }
-        // Two values that differ only behind the sixth digit would have one file.
+        // Two values that differ only after the sixth digit would have one file.
         let (mut exact, mut labels) = (HashSet::new(), HashSet::new());
         for value in &values {
             if !exact.insert(value.exact()) || !labels.insert(value.label.as_str()) {

@@ -54,7 +54,7 @@ impl Shard {
 }
 
 fn of_name(name: &[u8]) -> u64 {
-    // Windows parts folders with `\`; the share is the same there.
+    // Windows separates folders with `\`; the share is the same there.
     let name: Vec<u8> = name.iter().map(|&byte| if byte == b'\\' { b'/' } else { byte }).collect();
     let digest = Sha256::digest(&name);
     digest.iter().take(8).fold(0, |number, &byte| number << 8 | u64::from(byte))

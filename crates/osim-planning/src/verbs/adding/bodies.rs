@@ -6,7 +6,7 @@ use osim_requests::values::typed::trimmed;
 
 /// Where OpenSim has bodies, in its paths.
 const BODY_SET: &str = "/bodyset/";
-/// Names that differ in so many letters are probably one.
+/// Names that differ in at most this many letters are probably one.
 const NEAR: usize = 2;
 
 /// The bodies of a list, each once: names with commas or semicolons between them, in one text or in several.

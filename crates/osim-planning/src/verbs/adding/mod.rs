@@ -36,7 +36,7 @@ struct Adding {
     replace: bool,
     /// Which of the model's own forces are replaced.
     own: Selection,
-    /// Factors that were said.
+    /// Factors that the caller gave.
     body_scale: Vec<BodyScale>,
     answers: AnswerOptions,
     remarks: Vec<Phrase>,
@@ -128,7 +128,7 @@ impl Adding {
         if feet.forces.is_empty() {
             return Ok(None);
         }
-        // A ball that meets the floor is no foot: which forces are meant is asked as `remove` asks it.
+        // A ball that meets the floor is not a foot: the choice of forces is asked for as `remove` asks for it.
         let own = match self.own.apply(model) {
             Ok(own) => own,
             Err(fault)

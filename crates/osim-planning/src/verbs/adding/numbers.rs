@@ -32,7 +32,7 @@ pub(super) struct OfReference {
 /// What is wanted.
 pub(super) struct Wanted {
     pub(super) kind: ForceKind,
-    /// Friction that was said.
+    /// Friction that the caller gave.
     pub(super) friction: Vec<(Property, f64)>,
     pub(super) designing: Designing,
     /// What comes from OpenSim's defaults.
@@ -40,7 +40,7 @@ pub(super) struct Wanted {
 }
 
 impl Numbers {
-    /// By how much radii that nobody says are larger in `model` than in the reference: by (8).
+    /// By how much radii that are not given are larger in `model` than in the reference: by (8).
     ///
     /// # Errors
     /// There is no reference, or a mass that is not known.
@@ -51,7 +51,7 @@ impl Numbers {
         Ok(ratios.radius())
     }
 
-    /// The radius in the reference of what the sphere called `name` is like, m.
+    /// The radius of the sphere in the reference that the sphere called `name` is made from, m.
     ///
     /// # Errors
     /// There is no reference, or its radii differ and it has no sphere of that name.
@@ -89,7 +89,7 @@ impl Numbers {
             Self::Wanted(wanted) => {
                 let mut contact = NewContact::new(wanted.kind, force, name);
                 contact.values.clone_from(&wanted.friction);
-                // Any will do: the plan says another one, and a force without stiffness is none.
+                // Any value will do: the plan gives another one, and a force must have a stiffness.
                 contact.set_value(Property::Stiffness, 1.0);
                 contact.radius_m = radius_m;
                 return contact.with_defaults();
@@ -150,7 +150,7 @@ impl OfReference {
         }
     }
 
-    /// The radius in the reference of what a sphere called `name` is like; `None` where that is not clear.
+    /// The radius of the sphere in the reference that a sphere called `name` is made from; `None` if that is not clear.
     fn radius(&self, name: Option<&str>) -> Result<Option<f64>, Fault> {
         let like = self.like(name)?;
         let named = self.transferring.reference_sphere.is_some() || Some(like.sphere.as_str()) == name;

@@ -28,9 +28,9 @@ pub(super) struct TablePlaces {
     /// As messages name it.
     pub(super) name: String,
     pub(super) table: ContactTable,
-    /// What is given in ground is meant at the default pose.
+    /// Whether places that are given in ground are those at the default pose.
     pub(super) posed: bool,
-    /// Radius of all spheres, m, where the table has none and one was said.
+    /// Radius of all spheres, m, if the table has none and one was given.
     pub(super) radius_m: Option<f64>,
 }
 
@@ -40,12 +40,12 @@ pub(super) struct FeetPlaces {
     pub(super) count: usize,
     pub(super) pad_m: f64,
     pub(super) geometry_dir: Option<PathBuf>,
-    /// Radius of all spheres, m, where one was said.
+    /// Radius of all spheres, m, if one was given.
     pub(super) radius_m: Option<f64>,
 }
 
 impl Places {
-    /// Whether radii were said, in the table or for all.
+    /// Whether radii were given, in the table or for all.
     pub(super) fn has_radii(&self) -> bool {
         match self {
             Self::Table(table) => table.table.has_radii || table.radius_m.is_some(),
@@ -53,8 +53,8 @@ impl Places {
         }
     }
 
-    /// The contacts of `model`, which is the file at `path`, with the numbers that they have before they are planned, and what is
-    /// to be said of the places.
+    /// The contacts of `model`, which is the file at `path`, with the numbers that they have before they are planned, and remarks
+    /// about the places.
     pub(super) fn layout(
         &self,
         (model, path): (&Model, &Path),
@@ -88,7 +88,7 @@ impl Places {
     }
 }
 
-/// How large spheres are, where nobody said so.
+/// How large spheres are, if no radius was given.
 fn radii_of_reference(layout: &Layout) -> Option<Phrase> {
     let radii = || layout.contacts.iter().map(|contact| contact.radius_m);
     let (least, most) = (radii().reduce(f64::min)?, radii().reduce(f64::max)?);

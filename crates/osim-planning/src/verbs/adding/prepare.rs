@@ -242,7 +242,7 @@ fn wanted(request: &AddRequest) -> Result<Wanted, RequestFault> {
     })
 }
 
-/// What OpenSim's defaults say, because nobody else does.
+/// What comes from OpenSim's defaults, because nothing else gives it.
 fn of_defaults(request: &AddRequest, kind: ForceKind) -> Vec<Phrase> {
     let numbers = &request.numbers;
     let class = osim_model::Class::ContactParameters;

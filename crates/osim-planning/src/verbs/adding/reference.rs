@@ -26,7 +26,7 @@ pub(super) struct FromReference {
     /// Gives the contacts the size of each model.
     pub(super) transferring: Transferring,
     pub(super) generic: Generic,
-    /// Bodies that were said to take spheres.
+    /// Bodies that are to take spheres, as the caller gave them.
     pub(super) maps: Vec<BodyMap>,
 }
 

@@ -65,7 +65,7 @@ pub fn positive(text: &str, expected: &str, units: &[UnitSpelling]) -> Result<f6
 #[must_use]
 pub fn converted(text: &str, units: &[UnitSpelling]) -> Option<f64> {
     let small = text.to_ascii_lowercase();
-    // In capitals, M is no small matter.
+    // A capital M is another unit, a million times as large or more.
     let small = if text.ends_with("Mg") || text.contains("Mm") { text } else { small.as_str() };
     let (value, factor) = units.iter().find_map(|(unit, factor)| {
         let number = trimmed(small.strip_suffix(unit)?);

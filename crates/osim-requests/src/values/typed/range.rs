@@ -23,7 +23,7 @@ impl<'t> Range<'t> {
         text.contains("..")
     }
 
-    /// Reads a range of 2 to `most` values; `None` where it is none.
+    /// Reads a range of 2 to `most` values; `None` if it is not a range.
     #[must_use]
     pub fn read(text: &'t str, most: u32) -> Option<Self> {
         let (first, rest) = text.split_once("..")?;
@@ -40,7 +40,7 @@ impl<'t> Range<'t> {
     }
 }
 
-/// The range that one with colons is, as it is written here; `None` where there are no colons between numbers, or it is empty.
+/// The range with colons as it is written here; `None` if there are no colons between numbers, or it is empty.
 #[must_use]
 pub fn respelled(text: &str) -> Option<String> {
     Colons::read(text)?.range
@@ -63,9 +63,9 @@ pub fn with_colons(text: &str) -> Option<String> {
 
 /// Numbers with colons between them.
 struct Colons {
-    /// What is meant; `None` where it has no values.
+    /// The range as it is written here; `None` if it has no values.
     range: Option<String>,
-    /// FROM:STEP:TO; otherwise FROM:TO:COUNT.
+    /// Whether it is FROM:STEP:TO; otherwise FROM:TO:COUNT.
     has_steps: bool,
 }
 
@@ -84,7 +84,7 @@ impl Colons {
             let range = format!("{}..{}/{}", from.0, to.0, shortest(count));
             return Some(Self { range: Some(range), has_steps: true });
         }
-        // From 1e5 in steps of 1e6 to 10 is nothing: a number of values is meant.
+        // From 1e5 in steps of 1e6 to 10 is nothing: the last number is how many values there are.
         let is_count = to.1 >= 2.0 && to.1.fract() == 0.0 && from.1 < middle.1;
         let range = is_count.then(|| format!("{}..{}/{}", from.0, middle.0, to.0));
         Some(Self { range, has_steps: false })
@@ -116,7 +116,7 @@ mod tests {
     #[test]
     fn ranges_of_matlab_are_answered_with_the_right_spelling() {
         for (text, said) in [
-            // In MATLAB this is empty: ten values are meant.
+            // In MATLAB this is empty: the last number is how many values there are.
             ("1e5:1e6:10", "write 1e5..1e6/10"),
             ("x0.1:x10:9", "write x0.1..x10/9"),
             // 1, 3, 5, 7, 9.
