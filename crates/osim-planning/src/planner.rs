@@ -83,13 +83,14 @@ pub trait Planner: Send + Sync {
 /// ```
 /// use osim_model::FileId;
 /// use osim_model::files::InMemory;
+/// use osim_planning::prepare;
 /// use osim_requests::{Request, RequestError};
 ///
 /// let bytes = include_bytes!("../../osim-model/tests/data/one_foot.osim");
 /// let files = InMemory::from_iter([("one_foot.osim", bytes.as_slice())]);
 /// let json = br#"{"verb": "rescale", "models": "one_foot.osim", "target_mass": 80}"#;
 ///
-/// let change = Request::from_json(json)?.prepare(&files)?;
+/// let change = prepare(Request::from_json(json)?, &files)?;
 /// for path in &change.models {
 ///     let opened = change.open(path, &files)?;
 ///     let plan = change.plan(&opened, &files)?;

@@ -4,7 +4,7 @@
 //!
 //! # What it will not do
 //!
-//! It knows no terminal and no Python: what is wrong is a [`LibraryFault`](osim_library::LibraryFault), which its caller spells.
+//! It knows no terminal and no Python: what is wrong is a [`LibraryFault`](crate::LibraryFault), which its caller spells.
 
 mod entry;
 mod nameless_file;

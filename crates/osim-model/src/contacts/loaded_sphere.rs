@@ -11,7 +11,7 @@ use crate::{Fault, Force, ForceId, Model, Property, SetId, SphereId};
 /// use osim_model::{Model, Selection};
 /// use osim_model::loaded_spheres;
 ///
-/// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
+/// # let bytes: &[u8] = include_bytes!("../../tests/data/one_foot.osim");
 /// let model = Model::parse(bytes)?;
 /// let selected = Selection::default().apply(&model)?;
 /// let spheres = loaded_spheres(&model, &selected.forces)?;
