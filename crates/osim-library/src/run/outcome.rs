@@ -11,7 +11,7 @@ use super::task::Task;
 pub struct Outcome<S> {
     /// The same in one line of a summary.
     pub record: Record,
-    /// Done by an earlier run.
+    /// Whether it was done by an earlier run.
     pub earlier: bool,
     /// What the front end shows of it; `None` if there is only the record.
     pub shown: Option<S>,

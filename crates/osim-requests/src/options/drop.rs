@@ -77,7 +77,7 @@ impl ContactNumbers {
         }
     }
 
-    /// Gravity, where it is said.
+    /// Gravity, if given.
     pub fn gravity(&self) -> Option<f64> {
         self.gravity.map(Acceleration::get)
     }

@@ -30,7 +30,7 @@ impl Default for CountOptions {
 }
 
 impl CountOptions {
-    /// n, where it is said.
+    /// n, if given.
     pub fn spheres(&self) -> Option<f64> {
         self.spheres.map(Count::get)
     }
@@ -100,12 +100,12 @@ impl LoadOptions {
     /// Which of its fields need or exclude others.
     pub const RELATIONS: &'static [Relation] = &[Relation::Excludes("load", "body_weights")];
 
-    /// The load in body weights, where none is said in newtons.
+    /// The load in body weights, if none is given in newtons.
     pub fn body_weights(&self) -> f64 {
         self.body_weights.map_or(1.0, Positive::get)
     }
 
-    /// Gravity, where it is said.
+    /// Gravity, if given.
     pub fn gravity(&self) -> Option<f64> {
         self.gravity.map(Acceleration::get)
     }

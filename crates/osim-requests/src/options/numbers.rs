@@ -109,7 +109,7 @@ impl NumberOptions {
         }
     }
 
-    /// Friction: what was said of each property.
+    /// Each friction property with its value, if given.
     pub fn friction(&self) -> [(Property, Option<f64>); 4] {
         [
             (Property::StaticFriction, self.static_friction.map(NotNegative::get)),

@@ -55,7 +55,7 @@ impl OutputOptions {
         Relation::Needs("no_backup", "in_place"),
     ];
 
-    /// Whether a factor may be applied to a model whose note says that it was applied already: a new file is no mistake.
+    /// Whether a factor may be applied to a model whose note says that it was applied already: a new file is not a mistake.
     pub fn may_repeat(&self) -> bool {
         self.force || !self.in_place
     }

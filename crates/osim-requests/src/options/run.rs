@@ -97,7 +97,7 @@ impl RunOptions {
     pub const RELATIONS: &'static [Relation] =
         &[Relation::Needs("resume", "summary"), Relation::Excludes("resume", "dry_run")];
 
-    /// `true` where results are shown as JSON.
+    /// Whether results are shown as JSON.
     #[must_use]
     pub fn is_json(&self) -> bool {
         self.format == Some(RunFormat::Json)

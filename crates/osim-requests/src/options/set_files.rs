@@ -32,7 +32,7 @@ impl SetFiles {
         Beside { geometry: self.geometry.as_deref(), model: self.model.as_deref() }
     }
 
-    /// Both files, as far as they are named.
+    /// Both files, those that are named.
     pub fn paths(&self) -> impl Iterator<Item = &PathBuf> {
         [&self.geometry, &self.model].into_iter().flatten()
     }

@@ -86,7 +86,7 @@ impl WantedOptions {
         self.radius.map(Radius::rule)
     }
 
-    /// Whether something is said that a contact would follow from.
+    /// Whether something is given that a contact would follow from.
     pub fn asks(&self) -> bool {
         self.indentation.is_some()
             || self.young.is_some()

@@ -80,7 +80,7 @@ macro_rules! requests {
             match verb { $(Verb::$variant => Some(schema::<$type>(verb, $relations)),)+ _ => None }
         }
 
-        /// The fields of a request for `verb` that says nothing.
+        /// The fields of a request for `verb` with their defaults.
         #[must_use]
         pub fn silent_fields(verb: Verb) -> Map<String, Value> {
             match verb { $(Verb::$variant => dictionary::map(&<$type>::default()),)+ _ => Map::new() }

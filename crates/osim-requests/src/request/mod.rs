@@ -1,4 +1,4 @@
-//! A request for each verb: everything that can be said, typed.
+//! A request for each verb: everything that can be asked, typed.
 
 mod add;
 mod any;

@@ -139,7 +139,7 @@ impl PlotRequest {
 }
 
 impl PlotRequest {
-    /// `true` for a figure of the paper, which shows its own animals.
+    /// Whether it is a figure of the paper, which shows its own animals.
     #[must_use]
     pub fn is_of_paper(&self) -> bool {
         matches!(self.kind, Some(PlotKind::Fig4 | PlotKind::FigC5))
@@ -170,7 +170,7 @@ impl PlotRequest {
         Ok(())
     }
 
-    /// Refuses what says nothing beside a table.
+    /// Refuses what has no meaning beside a table.
     ///
     /// # Errors
     /// A model, or a figure of another kind.
@@ -186,7 +186,7 @@ impl PlotRequest {
         Ok(())
     }
 
-    /// `true` for a figure of feet, which shows where spheres are and not what they do.
+    /// Whether it is a figure of feet, which shows where spheres are and not what they do.
     #[must_use]
     pub fn is_of_feet(&self) -> bool {
         self.kind == Some(PlotKind::Feet)

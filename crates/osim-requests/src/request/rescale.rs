@@ -79,7 +79,7 @@ impl RescaleRequest {
         RunOptions::RELATIONS,
     ];
 
-    /// `true` when something is said that makes sense for a change only.
+    /// Whether something is given that makes sense for a change only.
     #[must_use]
     pub fn asks_for_change(&self) -> bool {
         let (scaling, output, run) = (&self.scaling, &self.output, &self.run);

@@ -7,14 +7,14 @@ use super::library::SweepRequest;
 use crate::fault::RequestFault;
 use crate::values::{Axis, AxisName};
 
-/// More models than this are made only where that was said.
+/// More models than this are made only if the caller confirms it.
 const MANY: usize = 10_000;
 
 impl SweepRequest {
     /// Checks what can be known without the model.
     ///
     /// # Errors
-    /// Axes that undo each other, or so many models that they are made only where that was said.
+    /// Axes that undo each other, or so many models that they are made only if the caller confirms it.
     pub fn check(&self) -> Result<(), RequestFault> {
         self.check_axes()?;
         let count = self.count()?;
@@ -31,7 +31,7 @@ impl SweepRequest {
         Ok(())
     }
 
-    /// So many models that they are made only where that was said.
+    /// Whether there are so many models that they are made only if the caller confirms it.
     #[must_use]
     pub fn is_large(&self) -> bool {
         self.count().is_ok_and(|count| count > MANY)
