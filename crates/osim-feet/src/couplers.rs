@@ -8,7 +8,7 @@ use crate::pose_fault::PoseFault;
 
 /// OpenSim leaves coordinates that are this close to what a constraint says.
 const ASSEMBLED: f64 = 1e-10;
-/// Passes over constraints that depend on each other, at most.
+/// How often constraints that depend on each other are followed, at most.
 const PASSES: usize = 8;
 /// From this version on, a constraint says whether it is enforced, not whether it is disabled.
 const ENFORCED: u32 = 30509;
