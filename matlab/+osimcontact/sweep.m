@@ -6,7 +6,7 @@ function results = sweep(varargin)
 %
 %   Options, each a NAME and a VALUE (target_mass and TargetMass are the same):
 %     grid: Values of a property (stiffness=1e5,1e6), factors (stiffness=x0.1,x1,x10), a logarithmic
-%         range (stiffness=x0.1..x10/9), or values of indentation, restitution or target-mass. Takes a
+%         range (stiffness=x0.1..x10/9), or values of indentation, restitution or target_mass. Takes a
 %         struct or containers.Map, a text or a cell array of these.
 %     ladder: N steps from a soft contact to indentation and restitution, to search for a gait in turn.
 %         Takes a whole number.

@@ -61,7 +61,9 @@ class Result:
     objects : pandas.DataFrame or list of dict
         Whole objects that are added or removed.
     contacts_mass_kg : dict or None
-        The mass that the contacts are made for: `from`, its `source`, and `to`.
+        The mass that the contacts were made for before: its `value` and its `source`; None where nobody knows.
+    target_mass_kg : float or None
+        The mass that the contacts are made for afterwards.
     warnings : Findings
         What is to be said of this change.
     notes : tuple of str
@@ -101,8 +103,13 @@ class Result:
 
     @property
     def contacts_mass_kg(self) -> dict[str, Any] | None:
-        masses: dict[str, Any] | None = self.record["contacts_mass_kg"]
-        return masses
+        mass: dict[str, Any] | None = self.record["contacts_mass_kg"]
+        return mass
+
+    @property
+    def target_mass_kg(self) -> float | None:
+        mass: float | None = self.record["target_mass_kg"]
+        return mass
 
     @property
     def changes(self) -> Any:

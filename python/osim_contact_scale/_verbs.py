@@ -1248,7 +1248,7 @@ def sweep(
         Path of a model.
     grid : str or list of str or dict, optional
         Values of a property (stiffness=1e5,1e6), factors (stiffness=x0.1,x1,x10), a logarithmic range
-        (stiffness=x0.1..x10/9), or values of indentation, restitution or target-mass; one or several in a list.
+        (stiffness=x0.1..x10/9), or values of indentation, restitution or target_mass; one or several in a list.
     ladder : int, optional
         N steps from a soft contact to `indentation` and `restitution`, to search for a gait in turn.
     soft : float, optional

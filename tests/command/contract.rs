@@ -12,7 +12,8 @@ pub(crate) struct Plan {
     pub(crate) output: Option<String>,
     #[serde(default)]
     pub(crate) geometry_output: Option<String>,
-    pub(crate) contacts_mass_kg: Option<Masses>,
+    pub(crate) contacts_mass_kg: Option<Mass>,
+    pub(crate) target_mass_kg: Option<f64>,
     pub(crate) objects: Vec<Object>,
     pub(crate) changes: Vec<Change>,
     pub(crate) warnings: Vec<Finding>,
@@ -24,8 +25,8 @@ impl Plan {
     /// What the contacts were made for, where that was read, and what they are made for after.
     #[track_caller]
     pub(crate) fn masses(&self) -> (f64, &str, f64) {
-        let masses = self.contacts_mass_kg.as_ref().expect("the run tells its masses");
-        (masses.from, masses.source.as_str(), masses.to)
+        let before = self.contacts_mass_kg.as_ref().expect("the run tells its masses");
+        (before.value, before.source.as_str(), self.target_mass_kg.expect("the run tells its masses"))
     }
 }
 
@@ -40,14 +41,6 @@ pub(crate) struct Object {
     pub(crate) location_m: Option<[f64; 3]>,
     pub(crate) radius_m: Option<f64>,
     pub(crate) parameters: Option<BTreeMap<String, f64>>,
-}
-
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct Masses {
-    pub(crate) from: f64,
-    pub(crate) source: String,
-    pub(crate) to: f64,
 }
 
 #[derive(Debug, Deserialize)]

@@ -269,8 +269,8 @@ fn outputs_and_their_absence_are_named() {
     assert_eq!(plan("human.osim --target-mass 5 --format json --dry-run").output, None);
     let same = plan("human.osim --target-mass 62 --format json");
     assert_eq!((same.output.as_deref(), same.changes.len()), (None, 0));
-    let (from, _, to) = same.masses();
-    assert_eq!((from, to), (62.0, 62.0));
+    let (contacts_mass_kg, _, target_mass_kg) = same.masses();
+    assert_eq!((contacts_mass_kg, target_mass_kg), (62.0, 62.0));
     assert_eq!(same.warnings[0].code, "already-at-target");
     assert!(same.warnings[0].line.is_none() && same.warnings[0].message.contains("--contacts-mass"));
     assert_eq!(

@@ -132,7 +132,7 @@ fn tables_have_a_column_for_answers() {
 #[test]
 fn sweeps_ask_before_they_write() {
     let bench = Bench::human();
-    let call = "sweep human.osim --grid target-mass=50,137";
+    let call = "sweep human.osim --grid target_mass=50,137";
     asks(bench.run(call), "sweep");
     bench.run(&format!("{call} --yes implausible-mass")).done();
 }

@@ -92,6 +92,9 @@ fn masses_properties_and_designs_go_together() {
     bench.run("sweep emu.osim --grid target-mass=5,500 --no-note -d out").done();
     bench.run("emu.osim --target-mass 500 --no-note -o one.osim").done();
     assert_eq!(bench.read("out/emu_2_target-mass-500.osim"), bench.read("one.osim"));
+    let of_grid: Vec<String> =
+        rows(&bench, "out/emu_sweep.csv").iter().map(|row| row["grid_target_mass"].clone()).collect();
+    assert_eq!(of_grid, ["5", "500"]);
     // Similar contacts sink in alike under the weight that they stand for.
     let found: Vec<f64> = rows(&bench, "out/emu_sweep.csv")
         .iter()
@@ -166,7 +169,7 @@ fn what_makes_no_sense_is_refused_before_anything_is_written() {
         ("emu.osim --grid stiffness=x2 --grid stiffness=x3", "given twice"),
         ("emu.osim --grid stiffness=x0.1..x10", "expected a range"),
         ("emu.osim --grid indentation=0.1 --grid stiffness=x2", "both say"),
-        ("emu.osim --grid indentation=0.1 --grid target-mass=2", "contradict"),
+        ("emu.osim --grid indentation=0.1 --grid target_mass=2", "contradict"),
         ("emu.osim --grid indentation=0.1 --indentation 0.2", "both say"),
         ("emu.osim --ladder 1 --indentation 0.16", "2 steps or more"),
         ("emu.osim --ladder 3 --indentation 0.16 --soft 20", "--soft"),

@@ -77,8 +77,8 @@ fn same_page(bench: &Bench, verb: Verb, words: &str, json: &serde_json::Value) {
     let (shown, names) = (changed.opened.name().to_string(), changed.names());
     let mut row = RunRow::new(shown.as_str(), "written");
     row.output = names.first().cloned();
-    row.contacts_mass_from_kg = changed.plan.masses.as_ref().map(|masses| masses.from.kg);
-    row.contacts_mass_to_kg = changed.plan.masses.as_ref().map(|masses| masses.target_mass_kg);
+    row.contacts_mass_kg = changed.plan.masses.as_ref().map(|masses| masses.contacts_mass.kg);
+    row.target_mass_kg = changed.plan.masses.as_ref().map(|masses| masses.target_mass_kg);
     row.changes = changed.plan.changes.len() + changed.plan.moves.len();
     let outputs = changed.results.iter().zip(&names).map(|(made, name)| (name.clone(), digest(&made.bytes)));
     let told = Files {

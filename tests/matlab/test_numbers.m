@@ -40,7 +40,7 @@ function requests_and_answers_have_all_digits()
     done = osimcontact.set('human.osim', 'set', struct('stiffness', stiffness), 'dry_run', true);
     must(numel(done.changes) == 12 && all([done.changes.to] == stiffness), 'the stiffness is %.17g', done.changes(1).to);
     done = osimcontact.rescale('human.osim', 'target_mass', stiffness / 1000, 'dry_run', true);
-    must(done.contacts_mass_kg.to == stiffness / 1000, 'the mass is %.17g', done.contacts_mass_kg.to);
+    must(done.target_mass_kg == stiffness / 1000, 'the mass is %.17g', done.target_mass_kg);
 end
 
 function answers_have_the_bits_of_their_text()

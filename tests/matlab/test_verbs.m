@@ -54,7 +54,7 @@ end
 function names_in_every_spelling()
     for name = {'target_mass', 'TargetMass', 'targetmass', 'TARGET_MASS', 'Target_Mass'}
         done = osimcontact.rescale('human.osim', name{1}, 500, 'DryRun', true);
-        must(done.contacts_mass_kg.to == 500 && isempty(done.output), '%s is not heeded', name{1});
+        must(done.target_mass_kg == 500 && isempty(done.output), '%s is not heeded', name{1});
     end
 end
 

@@ -71,3 +71,8 @@ def rescale(model, target_mass, output, *more):
     if Path(model).stem in ASKED and "--contacts-mass" not in more:
         more = (*more, "--contacts-mass", repr(inspect(model).report["mass_kg"]))
     return run(model, "--target-mass", repr(target_mass), *YES, "-o", output, *more)
+
+
+def masses(report):
+    """The mass that contacts were made for before a change, and the one that they are made for after it, kg."""
+    return report["contacts_mass_kg"]["value"], report["target_mass_kg"]

@@ -65,5 +65,5 @@ def test_opensim_reads_it(rescaled, readings):
     model, outcome, output = rescaled
     planned = compare.plan(outcome.report)
     compare.plan_is_what_opensim_reads(planned, readings[model], readings[output])
-    wanted = compare.expected(readings[model], 500.0 / outcome.report["contacts_mass_kg"]["from"])
+    wanted = compare.expected(readings[model], 500.0 / outcome.report["contacts_mass_kg"]["value"])
     compare.plan_follows_the_rule(planned, wanted, readings[model])

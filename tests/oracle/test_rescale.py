@@ -35,14 +35,14 @@ def rescaled(readings, tmp_path_factory):
 def test_opensim_reads_the_plan_and_nothing_else_differs(path, rescaled, readings):
     outcome, output = rescaled[path]
     assert outcome.status == 0, outcome
-    contacts = outcome.report["contacts_mass_kg"]
-    assert contacts["to"] == MU * mass(readings[path])
+    contacts, target = command.masses(outcome.report)
+    assert target == MU * mass(readings[path])
     before, after = readings[path], readings[output]
     if path.name in RENAMED:
         return renamed(outcome.report, before, after)
     planned = compare.plan(outcome.report)
     compare.plan_is_what_opensim_reads(planned, before, after)
-    wanted = compare.expected(before, contacts["to"] / contacts["from"])
+    wanted = compare.expected(before, target / contacts)
     compare.plan_follows_the_rule(planned, wanted, before)
 
 
@@ -66,8 +66,8 @@ def test_a_model_opensim_cannot_connect_is_refused_or_scaled_right(path, rescale
     if outcome.status:
         assert outcome.status == 1 and outcome.error["code"] and not output.exists(), outcome
         return
-    contacts = outcome.report["contacts_mass_kg"]
-    factor = rules.factors(MU, rules.isometric(contacts["to"] / contacts["from"]))
+    contacts, target = command.masses(outcome.report)
+    factor = rules.factors(MU, rules.isometric(target / contacts))
     for change in outcome.report["changes"]:
         assert rules.close(change["to"], change["from"] * factor[change["property"]]), change
     known = {entry["path"]: entry for entry in readings[path]["forces"] + readings[path]["spheres"]}
@@ -103,7 +103,7 @@ def test_with_radii_kept_stiffness_alone_goes_with_mass(path, tmp_path, readings
         assert outcome.status == 1 and outcome.error["code"] and not output.exists(), outcome
         return
     assert outcome.status == 0, outcome
-    planned, contacts = compare.plan(outcome.report), outcome.report["contacts_mass_kg"]
+    planned, (contacts, target) = compare.plan(outcome.report), command.masses(outcome.report)
     compare.plan_is_what_opensim_reads(planned, readings[path], readings[output])
-    wanted = compare.expected(readings[path], contacts["to"] / contacts["from"], rho=1.0)
+    wanted = compare.expected(readings[path], target / contacts, rho=1.0)
     compare.plan_follows_the_rule(planned, wanted, readings[path])

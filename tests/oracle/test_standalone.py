@@ -35,17 +35,17 @@ def test_rescaled_sets_are_read_inside_a_model(tmp_path, readings):
     outcome = rescale(FORMAT / "standalone_ForceSet.xml", GEOMETRY, MODEL, tmp_path)
     host = shutil.copy(FORMAT / "file_both_sets.osim", tmp_path)
     before, after = readings[FORMAT / "file_both_sets.osim"], readings[host]
-    planned, contacts = compare.plan(outcome.report), outcome.report["contacts_mass_kg"]
+    planned, (contacts, target) = compare.plan(outcome.report), command.masses(outcome.report)
     compare.values_are_what_opensim_reads(planned, before, after)  # OpenSim prints only the files' names
-    compare.plan_follows_the_rule(planned, compare.expected(before, contacts["to"] / contacts["from"]), before)
+    compare.plan_follows_the_rule(planned, compare.expected(before, target / contacts), before)
 
 
 @pytest.mark.skipif(not models.CORPUS, reason=models.NO_CORPUS)
 def test_rescaled_sets_of_moco_3d_walking(tmp_path, readings):
     forces, geometry, model = moco()
     outcome = rescale(forces, geometry, model, tmp_path)
-    contacts = outcome.report["contacts_mass_kg"]
-    factor = rules.factors(contacts["to"] / contacts["from"], rules.isometric(contacts["to"] / contacts["from"]))
+    contacts, target = command.masses(outcome.report)
+    factor = rules.factors(target / contacts, rules.isometric(target / contacts))
     for old, new in zip(readings[forces]["forces"], readings[tmp_path / forces.name]["forces"], strict=True):
         for name, text in old["parameters"].items():
             wanted = float.fromhex(text) * factor.get(name, 1.0)

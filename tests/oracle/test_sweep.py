@@ -15,7 +15,7 @@ SAMPLE = 12
 SWEEPS = {
     "grid": ("--grid", "stiffness=x0.1..x10/9", "--grid", "dissipation=0.1..4/9"),
     "design": ("--grid", "indentation=0.05,0.1,0.16", "--grid", "restitution=0.8,0.9"),
-    "masses": ("--grid", "target-mass=0.0209..1190/7", *command.YES),
+    "masses": ("--grid", "target_mass=0.0209..1190/7", *command.YES),
     "ladder": ("--ladder", "5", "--indentation", "0.16", "--restitution", "0.8"),
 }
 SWEPT = [path for path in models.fixtures("reads") if path.name in ("giraffe_smooth_sphere.osim", "mouse_hunt_crossley.osim")]

@@ -57,6 +57,6 @@ def test_rescaled_by_the_rule(seed, made, readings):
     assert outcome.status == 0, (story, outcome)
     planned = compare.plan(outcome.report)
     compare.plan_is_what_opensim_reads(planned, readings[path], readings[output])
-    contacts = outcome.report["contacts_mass_kg"]
-    wanted = compare.expected(readings[path], contacts["to"] / contacts["from"])
+    contacts, target = command.masses(outcome.report)
+    wanted = compare.expected(readings[path], target / contacts)
     compare.plan_follows_the_rule(planned, wanted, readings[path])

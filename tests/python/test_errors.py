@@ -156,7 +156,7 @@ def test_a_missing_number_is_not_taken_for_none(missing):
 
 def test_numbers_of_numpy_are_numbers():
     for kind in (np.longdouble, np.float32, np.int16, np.array):
-        assert ocs.rescale(HUMAN, target_mass=kind(50)).contacts_mass_kg["to"] == 50
+        assert ocs.rescale(HUMAN, target_mass=kind(50)).target_mass_kg == 50
 
 
 def test_names_that_no_file_has(tmp_path, monkeypatch):

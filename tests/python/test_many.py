@@ -42,7 +42,7 @@ def test_a_table_gives_what_batch_gives(lab, tmp_path):
     ]
     subprocess.run(command, check=True, capture_output=True)
     lines = [json.loads(line) for line in (tmp_path / "lab.ndjson").read_text().splitlines()]
-    for name in ("stiffness_to", "stiffness_factor", "radius_to_m", "contacts_mass_to_kg"):
+    for name in ("stiffness_to", "stiffness_factor", "radius_to_m", "target_mass_kg"):
         assert list(frame[name]) == [line[name] for line in lines]
         assert frame[name].dtype == "float64"
     for path in (tmp_path / "command").iterdir():
@@ -69,7 +69,7 @@ def test_forms_of_tables(form, lab, tmp_path):
 def test_missing_cells_say_nothing(lab, tmp_path):
     lab["contacts_mass"] = [70.0] + [float("nan")] * 9
     frame = ocs.rescale_many(lab, output_dir=tmp_path / "new")
-    assert frame["contacts_mass_from_kg"][0] == 70 and set(frame["contacts_mass_from_kg"][1:]) == {62.0}
+    assert frame["contacts_mass_kg"][0] == 70 and set(frame["contacts_mass_kg"][1:]) == {62.0}
 
 
 def test_wrong_rows_are_all_named_and_nothing_is_written(lab, tmp_path):

@@ -70,7 +70,7 @@ def test_a_result_and_its_own_model_are_two(human):
         assert found == pytest.approx(radii, rel=1e-14)
     # Two names are refused where there is one curve.
     assert "old" in ocs.plot("force", human, larger, axes="real", label=["old", "new"]).svg
-    assert ocs.transfer(larger, from_=human, mass=1190).record["contacts_mass_kg"]["from"] == 62
+    assert ocs.transfer(larger, from_=human, mass=1190).record["contacts_mass_kg"]["value"] == 62
 
 
 def test_other_models_of_a_call_may_be_in_memory():

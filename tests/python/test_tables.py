@@ -97,7 +97,7 @@ def test_gaps_in_columns_of_counts_and_of_yes_and_no():
 
 def test_numbers_stay_what_they_are_beside_texts_with_commas():
     """A text such as `0,5` makes `71.125` ambiguous in a file; a number of Python is not."""
-    assert list(tried(target_mass=71.125, **{"#dose": "0,5"})["contacts_mass_to_kg"]) == [71.125]
+    assert list(tried(target_mass=71.125, **{"#dose": "0,5"})["target_mass_kg"]) == [71.125]
 
 
 def test_own_columns_come_back_as_they_were():

@@ -17,9 +17,9 @@ pub struct RunRow {
     /// The outcome, in words.
     pub status: String,
     /// What its contacts were made for, kg.
-    pub contacts_mass_from_kg: Option<f64>,
+    pub contacts_mass_kg: Option<f64>,
     /// The mass they are made for afterwards, kg.
-    pub contacts_mass_to_kg: Option<f64>,
+    pub target_mass_kg: Option<f64>,
     /// How many numbers and places changed.
     pub changes: usize,
 }
@@ -71,9 +71,13 @@ impl RunRow {
 
     /// The cells that any change has: both masses, and how many changes.
     pub(super) fn cells(&self) -> Vec<Cell> {
-        let masses = match (self.contacts_mass_from_kg, self.contacts_mass_to_kg) {
-            (Some(from), Some(to)) => format!("{} → {}", readable(from), readable(to)),
-            (from, to) => from.or(to).map(readable).unwrap_or_default(),
+        let masses = match (self.contacts_mass_kg, self.target_mass_kg) {
+            (Some(contacts_mass_kg), Some(target_mass_kg)) => {
+                format!("{} → {}", readable(contacts_mass_kg), readable(target_mass_kg))
+            }
+            (contacts_mass_kg, target_mass_kg) => {
+                contacts_mass_kg.or(target_mass_kg).map(readable).unwrap_or_default()
+            }
         };
         vec![masses.into(), self.changes.to_string().into()]
     }

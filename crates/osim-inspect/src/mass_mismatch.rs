@@ -7,7 +7,7 @@ use osim_model::{MassRequest, MassSource, Model, mass_slip, same_mass};
 #[derive(Debug, Clone, PartialEq)]
 pub struct MassMismatch {
     body_kg: f64,
-    contacts_kg: f64,
+    contacts_mass_kg: f64,
 }
 
 impl MassMismatch {
@@ -20,13 +20,13 @@ impl MassMismatch {
         let body = masses.of_model(model).ok()?;
         let (contacts, _) = masses.of_contacts(model).ok()?;
         let noted = contacts.source == MassSource::Note && !same_mass(contacts.kg, body.kg);
-        noted.then_some(Self { body_kg: body.kg, contacts_kg: contacts.kg })
+        noted.then_some(Self { body_kg: body.kg, contacts_mass_kg: contacts.kg })
     }
 
     /// What the contacts do is computed under their own body.
     #[must_use]
     pub fn message(&self) -> Phrase {
-        let (body, contacts) = (readable(self.body_kg), readable(self.contacts_kg));
+        let (body, contacts) = (readable(self.body_kg), readable(self.contacts_mass_kg));
         phrase![
             format!(
                 "its contacts are made for {contacts} kg (note in the file) and carry its body of {body} kg here: say "
@@ -39,7 +39,7 @@ impl MassMismatch {
 
     /// The same after a finding.
     pub(crate) fn aside(&self) -> Phrase {
-        let (body, contacts) = (readable(self.body_kg), readable(self.contacts_kg));
+        let (body, contacts) = (readable(self.body_kg), readable(self.contacts_mass_kg));
         phrase![
             format!("; figures are those under {body} kg: for the others say "),
             Input::Mass.being(contacts),
@@ -49,7 +49,7 @@ impl MassMismatch {
 
     /// What is said with the mass of the contacts, where that would be asked about.
     fn answer(&self) -> Phrase {
-        match mass_slip(Input::Mass, self.contacts_kg, Some(self.body_kg)) {
+        match mass_slip(Input::Mass, self.contacts_mass_kg, Some(self.body_kg)) {
             Some(asks) => phrase![" with ", &asks.question().answer()],
             None => Phrase::default(),
         }

@@ -86,7 +86,7 @@ impl Model {
             Some(NoteDoubt::ValuesChanged)
         } else if note.scope == Scope::Partial {
             Some(NoteDoubt::Partial)
-        } else if note.mass_kg.is_none() {
+        } else if note.contacts_mass_kg.is_none() {
             Some(NoteDoubt::MassUnknown)
         } else {
             None

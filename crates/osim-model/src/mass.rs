@@ -21,7 +21,7 @@ pub const SAME_MASS: f64 = 1e-3;
 /// assert_eq!((mass.kg, mass.source), (10.0, MassSource::Bodies(1)));
 ///
 /// // The contacts were made for another mass, and the user knows which.
-/// let said = MassRequest { contacts_kg: Some(62.0), ..MassRequest::default() };
+/// let said = MassRequest { contacts_mass_kg: Some(62.0), ..MassRequest::default() };
 /// let (mass, warnings) = said.of_contacts(&model)?;
 /// assert_eq!((mass.kg, mass.source), (62.0, MassSource::ContactsMass));
 /// // The bodies say something else, which may be a mistake.
@@ -31,7 +31,7 @@ pub const SAME_MASS: f64 = 1e-3;
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct MassRequest {
     /// The mass that the contacts in the file were made for, kg.
-    pub contacts_kg: Option<f64>,
+    pub contacts_mass_kg: Option<f64>,
     /// What the model weighs, kg.
     pub model_kg: Option<f64>,
     /// The mass that the contacts will be scaled to, kg. A source that says this mass is no reason for a warning: the bodies
@@ -148,8 +148,8 @@ impl MassRequest {
     /// # Errors
     /// A note that no longer fits the file, or any error of [`MassRequest::of_model`].
     pub fn of_contacts(&self, model: &Model) -> Result<(Mass, Vec<Finding>), Fault> {
-        let noted_kg = model.note.as_ref().and_then(|note| note.mass_kg);
-        let mass = if let Some(kg) = self.contacts_kg {
+        let noted_kg = model.note.as_ref().and_then(|note| note.contacts_mass_kg);
+        let mass = if let Some(kg) = self.contacts_mass_kg {
             Mass { kg: positive_mass(Input::ContactsMass, kg)?, source: MassSource::ContactsMass }
         } else if let Some(doubt) = model.doubt_about_note() {
             return Err(Fault::new(Needed::ContactsMass { noted_kg, doubt, input: Input::ContactsMass }));
@@ -165,7 +165,7 @@ impl MassRequest {
     /// A warning for each other source that disagrees with the mass that was `taken`.
     #[must_use]
     pub fn disagreements(&self, model: &Model, taken: &Mass) -> Vec<Finding> {
-        let noted = model.note.as_ref().and_then(|note| note.mass_kg);
+        let noted = model.note.as_ref().and_then(|note| note.contacts_mass_kg);
         let noted = noted.filter(|_| taken.source != MassSource::Note);
         self.disagreements_with(model, taken, noted.map(|kg| (kg, "the note in the file".into())))
     }
@@ -188,7 +188,7 @@ impl MassRequest {
         // The usual case: the body was scaled to the target already, and the user says what the contacts were made for.
         let expected = |kg: f64| {
             matches!(taken.source, MassSource::ContactsMass | MassSource::Note)
-                && self.target_mass_kg.is_some_and(|target| same_mass(kg, target))
+                && self.target_mass_kg.is_some_and(|target_mass_kg| same_mass(kg, target_mass_kg))
         };
         let differs = |kg: f64| !same_mass(kg, taken.kg) && !expected(kg);
         let warning = |(kg, source): (f64, Phrase)| {

@@ -60,16 +60,18 @@ impl MassRequest {
     pub fn slips(&self, model: &Model) -> Vec<NeedsAnswer> {
         let said = [
             (Input::TargetMass, self.target_mass_kg),
-            (Input::ContactsMass, self.contacts_kg),
+            (Input::ContactsMass, self.contacts_mass_kg),
             (Input::Mass, self.model_kg),
         ];
         if said.iter().all(|(_, kg)| kg.is_none()) {
             return Vec::new();
         }
-        let noted_kg = model.note.as_ref().and_then(|note| note.mass_kg);
+        let noted_kg = model.note.as_ref().and_then(|note| note.contacts_mass_kg);
         let bodies_kg = self.bodies_kg(model);
-        let unit_is_known =
-            self.target_mass_kg.zip(bodies_kg).is_some_and(|(target, bodies)| same_mass(target, bodies));
+        let unit_is_known = self
+            .target_mass_kg
+            .zip(bodies_kg)
+            .is_some_and(|(target_mass_kg, bodies)| same_mass(target_mass_kg, bodies));
         let asks = |(input, kg): (Input, Option<f64>)| {
             let kg = kg.filter(|&kg| !noted_kg.is_some_and(|noted| same_mass(kg, noted)))?;
             let asks = mass_slip(input, kg, bodies_kg)?;

@@ -82,7 +82,7 @@ pub struct Design {
     /// count then.
     pub contact_stiffness_n_m: Option<f64>,
     /// Mass that the result is made for, where the load is body weight.
-    pub mass: Option<Mass>,
+    pub target_mass: Option<Mass>,
     /// Gravity, m/s², where it is not the model's.
     pub gravity_m_s2: Option<f64>,
 }
@@ -99,7 +99,7 @@ impl Default for Design {
             speed_width: None,
             radius: RadiusRule::Keep,
             contact_stiffness_n_m: None,
-            mass: None,
+            target_mass: None,
             gravity_m_s2: None,
         }
     }
@@ -143,13 +143,13 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
         warnings.push(Finding::new(FindingCode::NothingToChange, text));
     }
     let smooth = selected.forces.iter().filter_map(|&id| model.force(id)).any(is_smooth);
-    let masses = wanted.mass.clone().map(|from| Masses { target_mass_kg: from.kg, from });
+    let masses = wanted.target_mass.clone().map(Masses::same);
     Ok(Plan::new(
         model,
         Contents { changes, moves, masses, taken: wanted.taken(), warnings, remarks },
         &NoteFacts {
             followed: None,
-            mass_kg: wanted.mass.as_ref().map(|mass| mass.kg),
+            target_mass_kg: wanted.target_mass.as_ref().map(|mass| mass.kg),
             gravity_m_s2: wanted.gravity_m_s2.or(model.gravity()),
             scope: if wanted.is_complete(smooth) && selected.complete { Scope::All } else { Scope::Partial },
             operation: "design",
@@ -324,7 +324,7 @@ impl Design {
         if let Some(load) = &self.load {
             parts.push(format!("{} N on {} spheres", readable(load.load_n()), load.sphere_count()).into());
         }
-        if let Some(mass) = &self.mass {
+        if let Some(mass) = &self.target_mass {
             let weighs = format!("model weighs {} kg (", readable(mass.kg));
             parts.push(phrase![weighs, &mass.source.describe(), ")"]);
         }

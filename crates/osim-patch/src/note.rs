@@ -6,7 +6,7 @@ use osim_model::{Fault, Finding, FindingCode, Mass, MassSource, Model, Note, Sco
 use crate::objects::Rebuilt;
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
 
-/// Plans a note that the contacts of `model` were made for `mass_kg` at `gravity_m_s2`, as they are. Later changes need not be
+/// Plans a note that the contacts of `model` were made for `contacts_mass_kg` at `gravity_m_s2`, as they are. Later changes need not be
 /// given that mass again, also after OpenSim has saved or scaled the model.
 ///
 /// ```
@@ -26,13 +26,18 @@ use crate::plan::{Contents, Masses, NoteFacts, Plan};
 ///
 /// # Errors
 /// A mass that is not above 0.
-pub fn note(model: &Model, mass_kg: f64, gravity_m_s2: Option<f64>) -> Result<Plan, Fault> {
-    let kg = positive_mass(Input::ContactsMass, mass_kg)?;
-    let from = Mass { kg, source: MassSource::ContactsMass };
-    let taken = phrase![&from.made_for(), ": the note in the file says so; no number changes"];
-    let facts =
-        NoteFacts { mass_kg: Some(kg), gravity_m_s2, scope: Scope::All, operation: "note", followed: None };
-    let masses = Some(Masses { target_mass_kg: kg, from });
+pub fn note(model: &Model, contacts_mass_kg: f64, gravity_m_s2: Option<f64>) -> Result<Plan, Fault> {
+    let kg = positive_mass(Input::ContactsMass, contacts_mass_kg)?;
+    let contacts_mass = Mass { kg, source: MassSource::ContactsMass };
+    let taken = phrase![&contacts_mass.made_for(), ": the note in the file says so; no number changes"];
+    let facts = NoteFacts {
+        target_mass_kg: Some(kg),
+        gravity_m_s2,
+        scope: Scope::All,
+        operation: "note",
+        followed: None,
+    };
+    let masses = Some(Masses::same(contacts_mass));
     let mut plan = Plan::new(model, Contents { masses, taken, ..Contents::default() }, &facts);
     plan.note_anyway();
     if plan.note().zip(model.note.as_ref()).is_some_and(|(new, old)| says_the_same(new, old)) {
@@ -78,7 +83,7 @@ pub(crate) fn has_rest(model: &Model, rebuilt: &Model) -> bool {
 fn says_the_same(new: &Note, old: &Note) -> bool {
     let facts = |note: &Note| {
         (
-            note.mass_kg,
+            note.contacts_mass_kg,
             note.gravity_m_s2,
             note.scope,
             note.digest.clone(),

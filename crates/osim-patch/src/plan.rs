@@ -35,7 +35,7 @@ use crate::objects::{EarlierNote, ObjectChange, Rebuilt};
 /// assert_eq!(rows.collect::<Vec<_>>()[..2], ["radius 0.03 -> 0.06", "stiffness 1000000 -> 2000000"]);
 /// assert!(plan.warnings.is_empty());
 /// // The file will say what its contacts were made for.
-/// assert_eq!(plan.note().and_then(|note| note.mass_kg), Some(80.0));
+/// assert_eq!(plan.note().and_then(|note| note.contacts_mass_kg), Some(80.0));
 ///
 /// // What to write.
 /// let patched = plan.patched(&model, FileId::MAIN)?;
@@ -67,10 +67,17 @@ pub struct Plan {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Masses {
-    /// Before (for a transfer: the mass that the reference's contacts were made for).
-    pub from: Mass,
-    /// Afterwards, kg.
+    /// What they were made for before (in a transfer: the mass that the reference's contacts were made for).
+    pub contacts_mass: Mass,
+    /// What they are made for afterwards, kg.
     pub target_mass_kg: f64,
+}
+
+impl Masses {
+    /// Those of a change after which the contacts are made for the same mass as before.
+    pub(crate) fn same(contacts_mass: Mass) -> Self {
+        Self { target_mass_kg: contacts_mass.kg, contacts_mass }
+    }
 }
 
 /// Why a sphere moves that follows its body.
@@ -84,7 +91,7 @@ struct Absent {
 
 /// What the note of a plan says beside the values.
 pub(crate) struct NoteFacts<'o> {
-    pub(crate) mass_kg: Option<f64>,
+    pub(crate) target_mass_kg: Option<f64>,
     pub(crate) gravity_m_s2: Option<f64>,
     pub(crate) scope: Scope,
     pub(crate) operation: &'o str,
@@ -163,7 +170,7 @@ impl Plan {
             moves.iter().map(|place| (place.path.as_str(), place.to)).collect();
         let note = Some(Note {
             version: env!("CARGO_PKG_VERSION").to_owned(),
-            mass_kg: facts.mass_kg.map(without_last_bits),
+            contacts_mass_kg: facts.target_mass_kg.map(without_last_bits),
             gravity_m_s2: facts.gravity_m_s2,
             scope: facts.scope,
             operation: Note::operation_text(facts.operation),

@@ -94,19 +94,20 @@ impl Rescale {
 ///   ([`Needed::SharedSphere`]).
 /// - A mass or gravity that is not above 0, or that is not known ([`Needed::Gravity`], [`Needed::ContactsGravity`]).
 pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<Plan, Fault> {
-    let target = positive_mass(Input::TargetMass, wanted.target_mass_kg)?;
-    let origin = wanted.contacts_mass.kg;
+    let target_mass_kg = positive_mass(Input::TargetMass, wanted.target_mass_kg)?;
+    let contacts_mass_kg = wanted.contacts_mass.kg;
     let mut plan = PlanBuilder::new(model);
     let gravity = gravity_now(model, wanted)?;
     let change = GravityChange::new(gravity, wanted.target_gravity_m_s2, GravityFor::Contacts)?;
     let gravity = change.ratio;
     let other_radius = matches!(wanted.radius, RadiusRule::Metres(_) | RadiusRule::Factor(_));
-    if same_mass(target, origin) && gravity == 1.0 && !other_radius && wanted.bodies.is_none() {
-        plan.warnings.push(already_there(origin, &wanted.contacts_mass));
+    let is_there = same_mass(target_mass_kg, contacts_mass_kg);
+    if is_there && gravity == 1.0 && !other_radius && wanted.bodies.is_none() {
+        plan.warnings.push(already_there(&wanted.contacts_mass));
         return Ok(finish(plan, wanted, selected, None, change));
     }
     // A mass within a thousandth is the same: numbers stay, and only spheres move.
-    let mass = if same_mass(target, origin) && wanted.bodies.is_some() { 1.0 } else { target / origin };
+    let mass = if is_there && wanted.bodies.is_some() { 1.0 } else { target_mass_kg / contacts_mass_kg };
     let isometric = Ratios::isometric(mass).map_err(Fault::new)?.radius();
     let radii = Radii::plan(
         &mut plan,
@@ -163,10 +164,10 @@ fn gravity_now(model: &Model, wanted: &Rescale) -> Result<Option<f64>, Fault> {
     }
 }
 
-fn already_there(origin: f64, mass: &Mass) -> Finding {
+fn already_there(contacts_mass: &Mass) -> Finding {
     let message = phrase![
-        format!("contacts are taken as made for {} kg already (", readable(origin)),
-        &mass.source.describe(),
+        format!("contacts are taken as made for {} kg already (", readable(contacts_mass.kg)),
+        &contacts_mass.source.describe(),
         "); if they were made for another mass, say ",
         Input::ContactsMass.like("KG"),
         " or ",
@@ -199,20 +200,21 @@ fn finish(
         }
     }
     let target_mass_kg = if nothing { wanted.contacts_mass.kg } else { wanted.target_mass_kg };
-    let from = wanted.contacts_mass.clone();
-    let mut taken = from.made_for();
+    let contacts_mass = wanted.contacts_mass.clone();
+    let mut taken = contacts_mass.made_for();
     if !nothing {
-        let ratio = readable(target_mass_kg / from.kg);
+        let ratio = readable(target_mass_kg / contacts_mass.kg);
         taken.push(format!("; scaled to {} kg (mass x{ratio})", readable(target_mass_kg)));
         taken.push(gravity.described());
     }
     let all = selected.complete && wanted.properties.is_complete();
+    let masses = Some(Masses { contacts_mass, target_mass_kg });
     Plan::new(
         model,
-        Contents { changes, moves, masses: Some(Masses { from, target_mass_kg }), taken, warnings, remarks },
+        Contents { changes, moves, masses, taken, warnings, remarks },
         &NoteFacts {
             followed: radii.filter(|_| wanted.bodies.is_some()).map(Radii::spheres).as_ref(),
-            mass_kg: Some(wanted.target_mass_kg),
+            target_mass_kg: Some(wanted.target_mass_kg),
             gravity_m_s2: wanted.target_gravity_m_s2.or(model.contacts_gravity()),
             scope: if all { Scope::All } else { Scope::Partial },
             operation: if wanted.bodies.is_some() { FOLLOWING } else { "rescale" },

@@ -122,14 +122,14 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
         taken.push("; ");
     }
     taken.push(format!("{operation}; nothing else follows"));
-    let masses = wanted.contacts_mass.clone().map(|from| Masses { target_mass_kg: from.kg, from });
+    let masses = wanted.contacts_mass.clone().map(Masses::same);
     Ok(Plan::new(
         model,
         Contents { changes, moves, masses, taken, warnings, remarks: vec![] },
         &NoteFacts {
             followed: None,
             // What the bodies weigh is not yet what the contacts were made for.
-            mass_kg: wanted
+            target_mass_kg: wanted
                 .contacts_mass
                 .as_ref()
                 .filter(|mass| mass.source.is_of_contacts())

@@ -99,7 +99,7 @@ fn the_comment_of_an_earlier_version_moves_into_the_credits() {
     let text = String::from_utf8_lossy(there.bytes()).into_owned();
     assert!(!text.contains("<!-- osim-contact-scale"), "{text}");
     assert!(text.contains("<credits>[contacts made for 123 kg at 9.81 m/s2 ("), "{text}");
-    assert_eq!(there.plan().masses.as_ref().unwrap().from.kg, 61.5);
+    assert_eq!(there.plan().masses.as_ref().unwrap().contacts_mass.kg, 61.5);
 }
 
 #[test]
@@ -146,7 +146,7 @@ fn of_two_notes_the_one_counts_that_fits_the_values() {
         )
     };
     let with = |text: &str, comment: &str| text.replacen("<Model name=\"one_foot\">", comment, 1);
-    let mass = |text: &str| Model::parse(text).unwrap().note.unwrap().mass_kg;
+    let mass = |text: &str| Model::parse(text).unwrap().note.unwrap().contacts_mass_kg;
     // Both fit: that of the credits. One fits: that one. None: that of the credits, which is then not believed.
     assert_eq!(mass(&with(&right, &comment(70.0, &note.digest))), Some(62.0));
     assert_eq!(mass(&with(&right, &comment(70.0, "0000000000000000"))), Some(62.0));
@@ -233,9 +233,9 @@ fn bytes_of_others_stay_as_they_are_whatever_their_encoding() {
     let text = fixture("format/credits_some.osim");
     let at = position(&text, b"A. Author").unwrap();
     let odd = [&text[..at], ODD, b"; ", &text[at..]].concat();
-    let noted = |bytes: &[u8], mass_kg: f64| {
+    let noted = |bytes: &[u8], contacts_mass_kg: f64| {
         let model = Model::parse(bytes).unwrap();
-        note(&model, mass_kg, Some(9.81)).unwrap().patched(&model, FileId::MAIN).unwrap()
+        note(&model, contacts_mass_kg, Some(9.81)).unwrap().patched(&model, FileId::MAIN).unwrap()
     };
     let with = noted(&odd, 62.0);
     assert!(position(&with, ODD).is_some(), "{}", String::from_utf8_lossy(&with));

@@ -141,7 +141,10 @@ fn a_part_can_go_first_and_then_the_rest() {
 
         let half = Model::parse(after_removal(&with, &["force_heel"])).unwrap();
         let note = half.note.clone().unwrap();
-        assert_eq!((note.mass_kg, note.gravity_m_s2, note.scope), (Some(62.0), Some(9.81), Scope::Partial));
+        assert_eq!(
+            (note.contacts_mass_kg, note.gravity_m_s2, note.scope),
+            (Some(62.0), Some(9.81), Scope::Partial)
+        );
         assert_eq!(note.made, made);
         assert_eq!(half.doubt_about_note(), Some(osim_model::NoteDoubt::Partial));
 
@@ -212,12 +215,16 @@ fn an_old_note_is_there_again() {
             let rebuilt = add_contacts(&model, &mut layout(ForceKind::SmoothSphereHalfSpace)).unwrap();
             let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81)).unwrap().on(rebuilt);
             let with = Model::parse(plan.patched(&model, FileId::MAIN).unwrap()).unwrap();
-            assert_eq!(with.note.as_ref().and_then(|note| note.mass_kg), Some(62.0), "the new one counts");
+            assert_eq!(
+                with.note.as_ref().and_then(|note| note.contacts_mass_kg),
+                Some(62.0),
+                "the new one counts"
+            );
             assert_eq!(with.doubt_about_note(), None);
             // A change in between replaces the new one alone.
             let plan = osim_patch::note(&with, 70.0, Some(9.81)).unwrap();
             let noted = Model::parse(plan.patched(&with, FileId::MAIN).unwrap()).unwrap();
-            assert_eq!(noted.note.as_ref().and_then(|note| note.mass_kg), Some(70.0));
+            assert_eq!(noted.note.as_ref().and_then(|note| note.contacts_mass_kg), Some(70.0));
             for with in [with, noted] {
                 assert_eq!(String::from_utf8_lossy(&after_removal(&with, &[])), text);
             }

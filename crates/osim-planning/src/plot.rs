@@ -66,11 +66,12 @@ fn feet_of(
     // Of a standalone set, the model beside it says where the bones are.
     let beside = request.set_files.model.as_deref().unwrap_or(path);
     feet.add_bones((&open.model, beside), geometry, files);
-    let Some(target) = request.target_mass else { return Ok((feet, None)) };
+    let Some(target_mass) = request.target_mass else { return Ok((feet, None)) };
     let failed = |fault| open.failure(fault);
-    let (from, _) = request.masses.request().of_contacts(&open.model).map_err(failed)?;
-    let ratios = Ratios::isometric(target.get() / from.kg).map_err(|error| failed(Fault::new(error)))?;
-    let scaled = feet.with_radii(format!("scaled to {} kg", readable(target.get())), ratios.radius());
+    let (contacts_mass, _) = request.masses.request().of_contacts(&open.model).map_err(failed)?;
+    let ratios =
+        Ratios::isometric(target_mass.get() / contacts_mass.kg).map_err(|error| failed(Fault::new(error)))?;
+    let scaled = feet.with_radii(format!("scaled to {} kg", readable(target_mass.get())), ratios.radius());
     Ok((feet, Some(scaled)))
 }
 
@@ -82,7 +83,8 @@ pub fn plot_bodies(request: &PlotRequest, files: &dyn Files) -> Result<Vec<Body>
     let mut bodies = Vec::new();
     for path in &request.models {
         let body = body(request, path, &name_of(request, path), files)?;
-        let scaled = request.target_mass.map(|target| body.scaled(target.get())).transpose()?;
+        let scaled =
+            request.target_mass_kg().map(|target_mass_kg| body.scaled(target_mass_kg)).transpose()?;
         bodies.push(body);
         bodies.extend(scaled);
     }

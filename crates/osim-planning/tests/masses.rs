@@ -78,7 +78,7 @@ fn spheres_without_figures_are_not_those_of_a_preset() {
 #[test]
 fn who_says_what_the_contacts_are_made_for_knows_it() {
     for masses in [
-        MassRequest { contacts_kg: Some(90.0), ..MassRequest::default() },
+        MassRequest { contacts_mass_kg: Some(90.0), ..MassRequest::default() },
         MassRequest { model_kg: Some(90.0), ..MassRequest::default() },
     ] {
         let result =
@@ -94,7 +94,7 @@ fn noted(text: &str, kg: f64) -> String {
     let model = Model::parse(text).unwrap();
     let note = Note {
         version: "0.1.0".to_owned(),
-        mass_kg: Some(kg),
+        contacts_mass_kg: Some(kg),
         gravity_m_s2: Some(10.0),
         scope: Scope::All,
         operation: "rescale".to_owned(),
@@ -127,7 +127,7 @@ fn masses_that_agree_or_are_said_are_no_mismatch() {
     for masses in [
         MassRequest { model_kg: Some(80.0), ..MassRequest::default() },
         MassRequest { model_kg: Some(75.5), ..MassRequest::default() },
-        MassRequest { contacts_kg: Some(75.5), ..MassRequest::default() },
+        MassRequest { contacts_mass_kg: Some(75.5), ..MassRequest::default() },
     ] {
         assert_eq!(mismatch(&text, &masses), None, "{masses:?}");
     }

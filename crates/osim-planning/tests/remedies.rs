@@ -305,7 +305,7 @@ fn a_gravity_that_is_the_models_own_is_not_said() {
 #[test]
 fn a_mass_that_no_body_says_is_said() {
     let text = foot(&[Smooth { stiffness: 3e6, ..SOLE }]).replace("<mass>60</mass>", "<mass>0</mass>");
-    let masses = MassRequest { contacts_kg: Some(60.0), ..MassRequest::default() };
+    let masses = MassRequest { contacts_mass_kg: Some(60.0), ..MassRequest::default() };
     let result = check_with("foot.osim", &text, &InspectOptions { masses, ..InspectOptions::default() });
     assert_eq!(load(&result, FindingCode::BeyondHertz).mass_kg, Some(60.0));
 }

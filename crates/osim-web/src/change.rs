@@ -197,8 +197,8 @@ impl Planned {
         row.output = (!plan.is_empty())
             .then(|| self.results.first().map(|made| made.name.display().to_string()))
             .flatten();
-        row.contacts_mass_from_kg = plan.masses.as_ref().map(|masses| masses.from.kg);
-        row.contacts_mass_to_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
+        row.contacts_mass_kg = plan.masses.as_ref().map(|masses| masses.contacts_mass.kg);
+        row.target_mass_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
         row.changes = plan.changes.len() + plan.moves.len();
         let mut shown = osim_html::Changed::of_states(plan, &both, self.files());
         shown.in_file = !plan.is_empty();

@@ -64,7 +64,8 @@ export interface Inspected {
 
 /** What the page reads of a change; schemas/results/change.schema.json has all of it. */
 export interface ChangeRecord {
-  contacts_mass_kg: { from: number; source: string; to: number } | null;
+  contacts_mass_kg: { value: number; source: string } | null;
+  target_mass_kg: number | null;
   objects: { change: string; class: string; name: string }[];
   changes: { property: string; from: unknown; to: unknown; factor: number | null }[];
   warnings: { message: string }[];

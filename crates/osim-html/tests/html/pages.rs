@@ -106,8 +106,8 @@ fn a_change_is_shown_before_and_after() {
     let options = InspectOptions::default();
     let (before, found) = support::inspected(&options, &model, &CommandLine);
     let mut row = RunRow::new(&**model.name(), "dry run: nothing written");
-    row.contacts_mass_from_kg = Some(62.0);
-    row.contacts_mass_to_kg = Some(500.0);
+    row.contacts_mass_kg = Some(62.0);
+    row.target_mass_kg = Some(500.0);
     row.changes = plan.changes.len();
     let change = || Changed::new(&plan, (&before, &found), Files::default());
     let one = changed(&row, change(), DetailLevel::Alone, &CommandLine);

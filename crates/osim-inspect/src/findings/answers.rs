@@ -26,7 +26,7 @@ pub(super) fn answer(remedy: &mut Request, model: &Model, masses: &MassRequest) 
 /// What a remedy says of masses.
 fn said(own: &MassOptions, masses: &MassRequest) -> MassRequest {
     MassRequest {
-        contacts_kg: None,
+        contacts_mass_kg: None,
         model_kg: own.mass.map(Kilograms::get),
         target_mass_kg: None,
         ..masses.clone()
@@ -40,12 +40,12 @@ fn asked_of(said: &MassRequest, model: &Model, choice: &ForceOptions) -> Vec<Nee
 
 fn of_rescale(request: &RescaleRequest, model: &Model, masses: &MassRequest) -> Vec<NeedsAnswer> {
     let target_mass_kg = request.target_mass.map(Kilograms::get);
-    let contacts_kg = request.masses.contacts_mass.map(Kilograms::get);
-    let said = MassRequest { contacts_kg, target_mass_kg, ..said(&request.masses, masses) };
+    let contacts_mass_kg = request.masses.contacts_mass.map(Kilograms::get);
+    let said = MassRequest { contacts_mass_kg, target_mass_kg, ..said(&request.masses, masses) };
     let mut asked = asked_of(&said, model, &request.choice);
-    if let (Some(contacts_kg), Some(target_mass_kg)) = (contacts_kg, target_mass_kg) {
+    if let (Some(contacts_mass_kg), Some(target_mass_kg)) = (contacts_mass_kg, target_mass_kg) {
         let distances = JointDistances::of(model);
-        let ratio = (target_mass_kg / contacts_kg).cbrt();
+        let ratio = (target_mass_kg / contacts_mass_kg).cbrt();
         asked.extend(model.spheres().iter().filter_map(|sphere| {
             let radius_m = sphere.radius_m().ok()?;
             distances.radius_slip(sphere, radius_m * ratio, false)

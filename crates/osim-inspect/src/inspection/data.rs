@@ -91,7 +91,9 @@ pub struct ContactsMass {
 }
 
 impl ContactsMass {
-    pub(super) fn new(mass: &Mass) -> Self {
+    /// The mass that contacts are made for, with its source as scripts and as people read it.
+    #[must_use]
+    pub fn new(mass: &Mass) -> Self {
         Self {
             value: mass.kg,
             source: mass.source.as_str(),

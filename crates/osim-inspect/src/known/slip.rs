@@ -42,8 +42,8 @@ mod tests {
         Model::parse(format!("{}{lighter}{}", &text[..start], &text[end..])).unwrap()
     }
 
-    fn asked(model: &Model, contacts_kg: Option<f64>, target_mass_kg: Option<f64>) -> Option<MassSlip> {
-        let said = MassRequest { contacts_kg, target_mass_kg, ..MassRequest::default() };
+    fn asked(model: &Model, contacts_mass_kg: Option<f64>, target_mass_kg: Option<f64>) -> Option<MassSlip> {
+        let said = MassRequest { contacts_mass_kg, target_mass_kg, ..MassRequest::default() };
         match unexplained_slip(&said, model, &Selection::default())? {
             NeedsAnswer::Mass { slip, .. } => Some(slip),
             _ => None,
@@ -54,7 +54,7 @@ mod tests {
     fn a_mass_that_known_contacts_or_the_target_explain_is_not_asked_about() {
         let (known, own) = (child("1000000"), child("1020000"));
         assert!((MassRequest::default().bodies_kg(&own).unwrap() - 28.0).abs() < 1e-9);
-        for (model, contacts, target, expected) in [
+        for (model, contacts_mass_kg, target_mass_kg, expected) in [
             (&known, Some(62.0), Some(28.0), None),
             (&known, Some(62.0), None, None),
             // Nobody's contacts, and a target in the unit of the bodies.
@@ -64,14 +64,18 @@ mod tests {
             (&own, Some(62.0), Some(30.0), Some(MassSlip::Pounds)),
             (&own, Some(28_000.0), Some(28.0), Some(MassSlip::Grams)),
         ] {
-            assert_eq!(asked(model, contacts, target), expected, "{contacts:?} {target:?}");
+            assert_eq!(
+                asked(model, contacts_mass_kg, target_mass_kg),
+                expected,
+                "{contacts_mass_kg:?} {target_mass_kg:?}"
+            );
         }
     }
 
     #[test]
     fn a_target_in_grams_is_asked_about_for_a_body_of_another_size_too() {
         let model = child("1000000");
-        for (target, expected) in [
+        for (target_mass_kg, expected) in [
             (20_000.0, Some(MassSlip::Grams)),
             (28.0 * 201.0, Some(MassSlip::Grams)),
             (28.0 * 4999.0, Some(MassSlip::Grams)),
@@ -79,7 +83,7 @@ mod tests {
             (28.0 * 5001.0, None),
             (28.0, None),
         ] {
-            assert_eq!(asked(&model, None, Some(target)), expected, "{target}");
+            assert_eq!(asked(&model, None, Some(target_mass_kg)), expected, "{target_mass_kg}");
         }
         let said = MassRequest { target_mass_kg: Some(20_000.0), ..MassRequest::default() };
         let asks = unexplained_slip(&said, &model, &Selection::default()).unwrap().phrase().to_string();

@@ -125,7 +125,7 @@ impl Body {
             spheres: vec![Spheres::new(law, sphere_count)?],
         };
         let kind = SphereKind::new(scale.radius_m(), preset.contact);
-        let contacts_mass_kg = Ok(masses.contacts_kg.unwrap_or(scale.mass_kg()));
+        let contacts_mass_kg = Ok(masses.contacts_mass_kg.unwrap_or(scale.mass_kg()));
         Ok(Self {
             name: preset.name.to_string(),
             kinds: vec![kind],
@@ -145,9 +145,9 @@ impl Body {
     /// # Errors
     /// The mass its contacts are made for is not known, or the ratio leaves the range of numbers.
     pub fn scaled(&self, target_mass_kg: f64) -> Result<Self, Failure> {
-        let from_kg = *self.contacts_mass_kg.as_ref().map_err(Failure::clone)?;
+        let contacts_mass_kg = *self.contacts_mass_kg.as_ref().map_err(Failure::clone)?;
         let failed = |error: DomainError| self.failure(&error);
-        let ratios = Ratios::isometric(target_mass_kg / from_kg).map_err(failed)?;
+        let ratios = Ratios::isometric(target_mass_kg / contacts_mass_kg).map_err(failed)?;
         let kinds = self.kinds.iter().map(|kind| SphereKind {
             spheres: kind.spheres.clone(),
             radius_m: kind.radius_m * ratios.radius(),

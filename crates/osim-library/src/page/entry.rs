@@ -53,8 +53,8 @@ fn row(record: &Record) -> RunRow {
     let mut row = RunRow::new(record.model.as_str(), record.status.describe());
     row.row = record.row;
     row.output.clone_from(&record.output);
-    row.contacts_mass_from_kg = record.contacts_mass_from_kg;
-    row.contacts_mass_to_kg = record.contacts_mass_to_kg;
+    row.contacts_mass_kg = record.contacts_mass_kg;
+    row.target_mass_kg = record.target_mass_kg;
     row.changes = record.changes;
     row
 }

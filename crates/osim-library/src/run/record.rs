@@ -72,11 +72,11 @@ pub struct Record {
     /// The outcome.
     pub status: Status,
     /// What the contacts were made for before.
-    pub contacts_mass_from_kg: Option<f64>,
+    pub contacts_mass_kg: Option<f64>,
     /// Who said so.
     pub contacts_mass_source: Option<String>,
     /// The mass they are made for afterwards.
-    pub contacts_mass_to_kg: Option<f64>,
+    pub target_mass_kg: Option<f64>,
     /// How many whole objects are added or removed.
     pub objects: usize,
     /// How many numbers and places change.
@@ -241,9 +241,9 @@ impl Record {
     /// What a plan does, in one line.
     pub(super) fn planned(&mut self, plan: &Plan) {
         if let Some(masses) = &plan.masses {
-            self.contacts_mass_from_kg = Some(masses.from.kg);
-            self.contacts_mass_source = Some(masses.from.source.as_str().to_owned());
-            self.contacts_mass_to_kg = Some(masses.target_mass_kg);
+            self.contacts_mass_kg = Some(masses.contacts_mass.kg);
+            self.contacts_mass_source = Some(masses.contacts_mass.source.as_str().to_owned());
+            self.target_mass_kg = Some(masses.target_mass_kg);
         }
         self.objects = plan.objects().len();
         self.changes = plan.changes.len() + plan.moves.len();

@@ -22,9 +22,10 @@ impl Note {
     fn parse_earlier(text: &str) -> Option<Self> {
         let (version, rest) = text.strip_prefix(EARLIER)?.trim_ascii_start().split_once(": ")?;
         let mut fields = rest.split("; ");
-        let mass_kg = mass_kg(fields.next()?.strip_prefix("contacts stand for ")?).or_else(|| {
-            rest.split_once(';').and_then(|(mass, _)| mass.ends_with(" unknown kg").then_some(None))
-        })?;
+        let contacts_mass_kg =
+            mass_kg(fields.next()?.strip_prefix("contacts stand for ")?).or_else(|| {
+                rest.split_once(';').and_then(|(mass, _)| mass.ends_with(" unknown kg").then_some(None))
+            })?;
         let gravity_m_s2 = gravity_m_s2(fields.next()?.strip_prefix("gravity ")?)?;
         let scope = match fields.next()?.strip_prefix("scope ")? {
             "all" => Scope::All,
@@ -35,7 +36,8 @@ impl Note {
         let digest = fields.next()?.strip_prefix("digest ")?.to_owned();
         let (version, made) = (version.to_owned(), Self::nothing_made());
         let (sizes, places) = (Vec::new(), None);
-        let note = Self { version, mass_kg, gravity_m_s2, scope, operation, sizes, digest, places, made };
+        let note =
+            Self { version, contacts_mass_kg, gravity_m_s2, scope, operation, sizes, digest, places, made };
         fields.next().is_none().then_some(note)
     }
 }
@@ -72,12 +74,15 @@ mod tests {
         let text = "osim-contact-scale 0.1.0: contacts stand for 500 kg; gravity 9.80665 m/s2; scope all; by rescale; \
                     digest 0123456789abcdef";
         let note = Note::parse_earlier(text).unwrap();
-        assert_eq!((note.mass_kg, note.gravity_m_s2, note.scope), (Some(500.0), Some(9.80665), Scope::All));
+        assert_eq!(
+            (note.contacts_mass_kg, note.gravity_m_s2, note.scope),
+            (Some(500.0), Some(9.80665), Scope::All)
+        );
         assert_eq!((note.operation.as_str(), note.digest.as_str()), ("rescale", "0123456789abcdef"));
         assert_eq!((note.places, note.sizes), (None, vec![]));
         let unknown = text.replace("500 kg", "unknown kg").replace("9.80665 m/s2", "unknown");
         let note = Note::parse_earlier(&unknown).unwrap();
-        assert_eq!((note.mass_kg, note.gravity_m_s2), (None, None));
+        assert_eq!((note.contacts_mass_kg, note.gravity_m_s2), (None, None));
     }
 
     #[test]

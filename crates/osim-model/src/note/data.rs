@@ -18,7 +18,7 @@ pub enum Scope {
 /// <credits>A. Author; [contacts made for 500 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by rescale; sizes calcn_r=0.9,1,1; digest 0123456789abcdef; places fedcba9876543210; made -)]</credits>
 /// </Model></OpenSimDocument>"#;
 /// let note = Note::find(&Document::parse(text)?).expect("there is a note");
-/// assert_eq!((note.mass_kg, note.gravity_m_s2, note.scope), (Some(500.0), Some(9.81), Scope::All));
+/// assert_eq!((note.contacts_mass_kg, note.gravity_m_s2, note.scope), (Some(500.0), Some(9.81), Scope::All));
 /// assert_eq!((note.sizes[0].body.as_str(), note.sizes[0].factors), ("calcn_r", [0.9, 1.0, 1.0]));
 /// // It is written as it was read.
 /// assert!(text.contains(&note.text()));
@@ -29,7 +29,7 @@ pub struct Note {
     /// Version of the tool that wrote it.
     pub version: String,
     /// Mass the contacts were made for, kg; `None` where nobody knew.
-    pub mass_kg: Option<f64>,
+    pub contacts_mass_kg: Option<f64>,
     /// Gravity the contacts were made for, m/s²; `None` where the model has none.
     pub gravity_m_s2: Option<f64>,
     /// All contacts or only some.

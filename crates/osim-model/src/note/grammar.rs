@@ -33,7 +33,7 @@ impl Note {
         let sizes: Vec<String> = self.sizes.iter().map(BodySize::text).collect();
         format!(
             "{BEGINS}{} at {}{NAMES}{}; {scope}; by {}; sizes {}; digest {}; places {}; made {}{ENDS}",
-            known(self.mass_kg, "kg"),
+            known(self.contacts_mass_kg, "kg"),
             known(self.gravity_m_s2, "m/s2"),
             self.version,
             plain(&self.operation),
@@ -70,7 +70,7 @@ impl Note {
         }
         let note = Self {
             version,
-            mass_kg: mass_kg(mass)?,
+            contacts_mass_kg: mass_kg(mass)?,
             gravity_m_s2: gravity_m_s2(gravity)?,
             scope,
             operation,
@@ -180,7 +180,7 @@ mod tests {
     fn note() -> Note {
         Note {
             version: "0.1.0".into(),
-            mass_kg: Some(0.0209),
+            contacts_mass_kg: Some(0.0209),
             gravity_m_s2: Some(9.80665),
             scope: Scope::Partial,
             operation: "set stiffness=x2".into(),
@@ -203,7 +203,7 @@ mod tests {
     #[test]
     fn a_note_reads_back_as_written() {
         let nothing_known = Note {
-            mass_kg: None,
+            contacts_mass_kg: None,
             gravity_m_s2: None,
             sizes: vec![],
             places: None,

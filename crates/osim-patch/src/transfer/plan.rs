@@ -37,7 +37,7 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
     let mut plan = PlanBuilder::new(model);
     let chosen = Choice::make(model, selected, wanted)?;
     let reference = &wanted.reference;
-    let mass = wanted.mass.kg / reference.mass.kg;
+    let mass = wanted.target_mass.kg / reference.mass.kg;
     let isometric = Ratios::isometric(mass).map_err(Fault::new)?.radius();
     let change =
         GravityChange::new(reference.gravity_m_s2, wanted.target_gravity_m_s2, GravityFor::Reference)?;
@@ -192,21 +192,22 @@ fn finish(
     let mut taken = phrase![
         format!("contacts of {} ({} kg, ", reference.name, readable(reference.mass.kg)),
         &reference.mass.source.describe(),
-        format!("; {}) for {} kg (", count(reference.sphere_count), readable(wanted.mass.kg)),
-        &wanted.mass.source.describe(),
+        format!("; {}) for {} kg (", count(reference.sphere_count), readable(wanted.target_mass.kg)),
+        &wanted.target_mass.source.describe(),
         format!("; {})", count(wanted.sphere_count)),
     ];
     if wanted.rule == ScalingRule::Paper {
         taken.push(gravity.described());
     }
-    let masses = Some(Masses { from: reference.mass.clone(), target_mass_kg: wanted.mass.kg });
+    let masses =
+        Some(Masses { contacts_mass: reference.mass.clone(), target_mass_kg: wanted.target_mass.kg });
     let all = complete && wanted.properties.is_complete();
     Plan::new(
         model,
         Contents { changes, moves, masses, taken, warnings, remarks },
         &NoteFacts {
             followed: wanted.follow.as_ref().map(|_| radii.spheres()).as_ref(),
-            mass_kg: Some(wanted.mass.kg),
+            target_mass_kg: Some(wanted.target_mass.kg),
             // Without a target, the gravity that the reference's contacts were made for.
             gravity_m_s2: wanted.target_gravity_m_s2.or(wanted.reference.gravity_m_s2).or(model.gravity()),
             scope: if all { Scope::All } else { Scope::Partial },

@@ -110,8 +110,8 @@ pub struct Transfer {
     /// Name of the sphere of the reference whose contact all get; `None`: the one that all have there, else that of the sphere
     /// of the same name.
     pub reference_sphere: Option<String>,
-    /// What this model weighs.
-    pub mass: Mass,
+    /// What this model weighs: the mass that the contacts are scaled to.
+    pub target_mass: Mass,
     /// Spheres n that share this model's weight.
     pub sphere_count: f64,
     /// Whether each sphere has its own in the reference, and how many share the weight is not known: then only the ratio of the
@@ -137,13 +137,13 @@ pub struct Transfer {
 }
 
 impl Transfer {
-    /// Everything the paper scales, with radii as they are: `mass` and `sphere_count` are those of the model that is changed.
+    /// Everything the paper scales, with radii as they are: `target_mass` and `sphere_count` are those of the model that is changed.
     #[must_use]
-    pub fn new(reference: Reference, mass: Mass, sphere_count: f64) -> Self {
+    pub fn new(reference: Reference, target_mass: Mass, sphere_count: f64) -> Self {
         Self {
             reference,
             reference_sphere: None,
-            mass,
+            target_mass,
             sphere_count,
             counts_cancel: false,
             radius: RadiusRule::Keep,

@@ -32,7 +32,7 @@ pub(crate) fn plan(
     gravity: f64,
 ) -> Result<(), Fault> {
     let ratios = Ratios::new(RatioValues {
-        mass: wanted.mass.kg / wanted.reference.mass.kg,
+        mass: wanted.target_mass.kg / wanted.reference.mass.kg,
         sphere_count: wanted.sphere_count / wanted.reference.sphere_count,
         radius: radius_ratio(plan, force, wanted, radii),
         gravity,

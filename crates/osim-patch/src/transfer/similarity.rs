@@ -68,7 +68,7 @@ pub(crate) fn similarity(
         gravity_m_s2: gravity,
     });
     let here = Scale::new(ScaleValues {
-        mass_kg: wanted.mass.kg,
+        mass_kg: wanted.target_mass.kg,
         radius_m: radii.mean_new(force),
         sphere_count: wanted.sphere_count,
         gravity_m_s2: here_gravity,
@@ -77,7 +77,7 @@ pub(crate) fn similarity(
     let contact = match wanted.rule {
         ScalingRule::Paper => {
             let values = RatioValues {
-                mass: wanted.mass.kg / wanted.reference.mass.kg,
+                mass: wanted.target_mass.kg / wanted.reference.mass.kg,
                 sphere_count: wanted.sphere_count / wanted.reference.sphere_count,
                 radius: radii.mean_new(force) / from.radius_m,
                 gravity: gravity_ratio,
@@ -87,7 +87,7 @@ pub(crate) fn similarity(
         ScalingRule::PredSim { height_ratio } => {
             let mut values = from.contact.values();
             values.plane_strain_modulus *=
-                wanted.mass.kg / wanted.reference.mass.kg / (height_ratio * height_ratio);
+                wanted.target_mass.kg / wanted.reference.mass.kg / (height_ratio * height_ratio);
             values.dissipation /= height_ratio;
             Contact::new(values).ok()?
         }

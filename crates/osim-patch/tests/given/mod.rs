@@ -195,8 +195,8 @@ impl Given {
         self
     }
 
-    pub(crate) fn standing_for(mut self, contacts_kg: f64) -> Self {
-        self.masses.contacts_kg = Some(contacts_kg);
+    pub(crate) fn standing_for(mut self, contacts_mass_kg: f64) -> Self {
+        self.masses.contacts_mass_kg = Some(contacts_mass_kg);
         self
     }
 

@@ -52,11 +52,11 @@ pub(crate) fn options_after(
     let mut options = before.clone();
     let target_mass_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
     // The note has it; without one the caller has to give it.
-    options.masses.contacts_kg = target_mass_kg.filter(|_| plan.note().is_none());
-    if let Some(kg) = target_mass_kg.filter(|_| planner.name() == "rescale")
-        && weighs_kg.is_none_or(|weighs| !same_mass(weighs, kg))
+    options.masses.contacts_mass_kg = target_mass_kg.filter(|_| plan.note().is_none());
+    if let Some(target_mass_kg) = target_mass_kg.filter(|_| planner.name() == "rescale")
+        && weighs_kg.is_none_or(|weighs| !same_mass(weighs, target_mass_kg))
     {
-        options.masses.model_kg = Some(kg);
+        options.masses.model_kg = Some(target_mass_kg);
     }
     // A gravity that figures are asked for (as in a design) is that of both states.
     options.stance.gravity_m_s2 = planner.target_gravity_m_s2().or(options.stance.gravity_m_s2);

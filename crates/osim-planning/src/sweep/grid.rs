@@ -13,7 +13,7 @@ pub(super) struct Point<'g> {
 impl fmt::Display for Point<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let each: Vec<String> =
-            self.values.iter().map(|(name, value)| format!("{}={}", name.as_str(), value.label)).collect();
+            self.values.iter().map(|(name, value)| format!("{}={}", in_files(*name), value.label)).collect();
         f.write_str(&each.join(" "))
     }
 }
@@ -21,13 +21,21 @@ impl fmt::Display for Point<'_> {
 impl Point<'_> {
     /// The point in a file's name.
     pub(super) fn file_part(&self) -> String {
-        let each = self.values.iter().map(|(name, value)| format!("{}-{}", name.as_str(), value.label));
+        let each = self.values.iter().map(|(name, value)| format!("{}-{}", in_files(*name), value.label));
         each.collect::<Vec<_>>().join("_")
     }
 
     /// The value of an axis.
     pub(super) fn number(&self, wanted: AxisName) -> Option<f64> {
         self.values.iter().find(|(name, _)| *name == wanted).map(|(_, value)| value.number)
+    }
+}
+
+/// The axis in notes and in names of files, as those that people have already say it.
+fn in_files(name: AxisName) -> &'static str {
+    match name {
+        AxisName::TargetMass => "target-mass",
+        other => other.as_str(),
     }
 }
 
@@ -97,7 +105,7 @@ mod tests {
 
     #[test]
     fn points_along_an_axis_have_each_of_its_numbers() {
-        let axes = [axis("target-mass=3,1,2"), axis("dissipation=0.5,4")];
+        let axes = [axis("target_mass=3,1,2"), axis("dissipation=0.5,4")];
         let name = axes[0].name;
         let points: Vec<String> =
             along(&axes, name).into_iter().map(|(index, _)| point(&axes, index).to_string()).collect();

@@ -32,7 +32,7 @@ struct Job {
     /// As the note has it.
     operation: String,
     /// The mass that the contacts are made for then, if it changes.
-    mass_kg: Option<f64>,
+    target_mass_kg: Option<f64>,
     stages: Stages,
 }
 
@@ -178,11 +178,16 @@ impl<'s> SweepPlan<'s> {
         }
         let open = self.model.clone().open().map_err(RequestError::Failure)?;
         let selection = self.request.choice.selection();
-        let is_asked = |kg: f64| {
-            let said = MassRequest { target_mass_kg: Some(kg), ..self.request.masses.request() };
+        let is_asked = |target_mass_kg: f64| {
+            let target_mass_kg = Some(target_mass_kg);
+            let said = MassRequest { target_mass_kg, ..self.request.masses.request() };
             unexplained_slip(&said, &open.model, &selection).is_some()
         };
-        Ok(masses.into_iter().filter(|(_, kg)| is_asked(*kg)).map(|(index, _)| index).collect())
+        Ok(masses
+            .into_iter()
+            .filter(|(_, target_mass_kg)| is_asked(*target_mass_kg))
+            .map(|(index, _)| index)
+            .collect())
     }
 
     /// Makes variant `index`.
@@ -210,7 +215,7 @@ impl<'s> SweepPlan<'s> {
     }
 
     fn variant(&self, job: &Job) -> Result<Variant, Failure> {
-        Variant::of(self.request, &self.model, &job.stages, &job.operation, job.mass_kg)
+        Variant::of(self.request, &self.model, &job.stages, &job.operation, job.target_mass_kg)
     }
 
     /// What makes variant `index`.
@@ -225,7 +230,7 @@ impl<'s> SweepPlan<'s> {
         Ok(Job {
             asked: point.values.iter().map(|(_, value)| value.exact()).collect(),
             operation: format!("sweep {point}"),
-            mass_kg: point.number(AxisName::TargetMass),
+            target_mass_kg: point.number(AxisName::TargetMass),
             stages: stages::of_point(self.request, point)?,
         })
     }
@@ -236,7 +241,7 @@ impl<'s> SweepPlan<'s> {
         Ok(Job {
             asked: vec![stiffness],
             operation: format!("ladder step {number} of {count}"),
-            mass_kg: None,
+            target_mass_kg: None,
             stages: ladder.stages(self.request, index)?,
         })
     }

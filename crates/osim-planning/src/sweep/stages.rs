@@ -27,13 +27,13 @@ pub(super) fn of_point(request: &SweepRequest, point: &Point<'_>) -> Result<Stag
     let designs =
         indentation.is_some() || restitution.is_some() || wanted.asks() || wanted.contact_stiffness.is_some();
     let mut stages = Stages::new();
-    if let Some(mass) = point.number(AxisName::TargetMass) {
+    if let Some(target_mass_kg) = point.number(AxisName::TargetMass) {
         if designs {
             return Err(RequestFault::general(
-                "target-mass and a design (indentation, restitution, ...) contradict each other in one sweep",
+                "target_mass and a design (indentation, restitution, ...) contradict each other in one sweep",
             ));
         }
-        stages.push(rescale(request, mass)?);
+        stages.push(rescale(request, target_mass_kg)?);
     }
     let assignments: Vec<(Property, Assignment)> = point
         .values
@@ -104,9 +104,9 @@ pub(super) fn set(
     set::prepare(set).map(|change| change.planner)
 }
 
-fn rescale(request: &SweepRequest, target_mass: f64) -> Result<Arc<dyn Planner>, RequestFault> {
+fn rescale(request: &SweepRequest, target_mass_kg: f64) -> Result<Arc<dyn Planner>, RequestFault> {
     let target_mass =
-        Kilograms::new(target_mass).map_err(|why| RequestFault::refused(Input::TargetMass, why))?;
+        Kilograms::new(target_mass_kg).map_err(|why| RequestFault::refused(Input::TargetMass, why))?;
     let request = RescaleRequest {
         target_mass: Some(target_mass),
         masses: request.masses.clone(),

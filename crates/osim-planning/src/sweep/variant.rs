@@ -15,7 +15,7 @@ pub(super) struct Variant {
 }
 
 impl Variant {
-    /// Does `stages` one after the other and reads the result. The contacts are then made for `mass_kg`, else for what
+    /// Does `stages` one after the other and reads the result. The contacts are then made for `target_mass_kg`, else for what
     /// the model weighs.
     ///
     /// # Errors
@@ -25,7 +25,7 @@ impl Variant {
         model: &ModelFiles,
         stages: &Stages,
         operation: &str,
-        mass_kg: Option<f64>,
+        target_mass_kg: Option<f64>,
     ) -> Result<Self, Failure> {
         let mut current = model.clone();
         for planner in stages {
@@ -44,7 +44,7 @@ impl Variant {
             let patched = plan.patched(&open.model, FileId::MAIN).map_err(|fault| open.failure(fault))?;
             current = model.with_bytes(patched);
         }
-        Self::read(request, current, mass_kg)
+        Self::read(request, current, target_mass_kg)
     }
 
     /// The model as it is.
@@ -55,12 +55,12 @@ impl Variant {
         Self::read(request, model.clone(), None)
     }
 
-    fn read(request: &SweepRequest, model: ModelFiles, mass_kg: Option<f64>) -> Result<Self, Failure> {
+    fn read(request: &SweepRequest, model: ModelFiles, target_mass_kg: Option<f64>) -> Result<Self, Failure> {
         let open = model.open()?;
         let model = &open.model;
         let selected = request.choice.selection().apply(model).map_err(|fault| open.failure(fault))?;
         let given = |kg| Mass { kg, source: MassSource::Grid };
-        let mass = mass_kg.map(given).or_else(|| request.masses.request().of_model(model).ok());
+        let mass = target_mass_kg.map(given).or_else(|| request.masses.request().of_model(model).ok());
         let stance = Stance::from(&request.counts.stance_options(request.wanted.impact_speed, None));
         let sharing = LoadSharing::of(model, &selected.forces);
         let figures = Figures::of(model, &selected, &sharing, mass.as_ref(), &stance).ok();

@@ -168,7 +168,7 @@ impl Designing {
     /// Plans for the forces `selected` of `model`.
     pub(super) fn plan_for(&self, model: &Model, selected: &Selected) -> Result<Plan, Fault> {
         let asked = &self.wanted;
-        let (load, mass) = self.load(model, selected)?;
+        let (load, target_mass) = self.load(model, selected)?;
         let young = asked.young.map(Positive::get).zip(asked.poisson.map(PoissonRatio::get));
         let width = |width: Option<Positive>| width.map(|width| (asked.threshold.get(), width.get()));
         let mut wanted = Design::default();
@@ -187,7 +187,7 @@ impl Designing {
         wanted.speed_width = width(asked.speed_width);
         wanted.radius = asked.radius().unwrap_or(RadiusRule::Keep);
         wanted.contact_stiffness_n_m = asked.contact_stiffness.map(Positive::get);
-        wanted.mass = mass;
+        wanted.target_mass = target_mass;
         wanted.gravity_m_s2 = self.load.gravity();
         design(model, selected, &wanted)
     }

@@ -11,7 +11,7 @@ use super::asking::Asking;
 use crate::planner::{Change, Planner};
 
 struct Noting {
-    mass_kg: f64,
+    contacts_mass_kg: f64,
     gravity_m_s2: Option<f64>,
     inspection: InspectionOptions,
     settings: String,
@@ -26,7 +26,7 @@ pub(super) fn prepare(request: NoteRequest) -> Result<Change, RequestFault> {
     if models.is_empty() {
         return Err(RequestFault::Missing { field: "models" });
     }
-    let Some(mass) = contacts_mass else {
+    let Some(contacts_mass) = contacts_mass else {
         return Err(RequestFault::general(phrase![
             "the mass is missing: say which mass the contacts in the file were made for with ",
             Input::ContactsMass.like("KG"),
@@ -36,9 +36,9 @@ pub(super) fn prepare(request: NoteRequest) -> Result<Change, RequestFault> {
         return Err(RequestFault::general(phrase!["a note is written or not: leave out ", Input::NoNote]));
     }
     let mut masses = MassOptions::default();
-    masses.contacts_mass = Some(mass);
+    masses.contacts_mass = Some(contacts_mass);
     let planner = Noting {
-        mass_kg: mass.get(),
+        contacts_mass_kg: contacts_mass.get(),
         gravity_m_s2: contacts_gravity.map(Acceleration::get),
         inspection: InspectionOptions::new(
             StanceOptions::default(),
@@ -46,7 +46,7 @@ pub(super) fn prepare(request: NoteRequest) -> Result<Change, RequestFault> {
             ForceOptions::default(),
             set_files.clone(),
         ),
-        settings: json!(["note", mass, contacts_gravity]).to_string(),
+        settings: json!(["note", contacts_mass, contacts_gravity]).to_string(),
     };
     let asking = Asking { masses: planner.inspection.masses.request(), answers, planner };
     Ok(Change::new(models, output, set_files, asking))
@@ -66,6 +66,6 @@ impl Planner for Noting {
     }
 
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
-        note(model, self.mass_kg, self.gravity_m_s2.or(model.gravity()))
+        note(model, self.contacts_mass_kg, self.gravity_m_s2.or(model.gravity()))
     }
 }

@@ -34,7 +34,7 @@ struct Rescaling {
 /// Checks the request and reads the ScaleSet where one is named, for all of its models.
 ///
 /// # Errors
-/// The target is missing, the options leave nothing to do, or the ScaleSet cannot be read.
+/// The target mass is missing, the options leave nothing to do, or the ScaleSet cannot be read.
 pub(super) fn prepare(request: RescaleRequest, files: &dyn Files) -> Result<Change, RequestError> {
     let bodies = request.body_scale_file.as_deref().map(|path| scale_file(path, files)).transpose()?;
     Ok(with_bodies(request, bodies)?)
@@ -43,7 +43,7 @@ pub(super) fn prepare(request: RescaleRequest, files: &dyn Files) -> Result<Chan
 /// The same with what the ScaleSet says.
 ///
 /// # Errors
-/// The target is missing, or the options leave nothing to do.
+/// The target mass is missing, or the options leave nothing to do.
 pub(crate) fn with_bodies(
     request: RescaleRequest,
     bodies: Option<ScaleFile>,
@@ -61,7 +61,7 @@ pub(crate) fn with_bodies(
         answers,
         set_files,
     } = request;
-    let Some(target) = target_mass else {
+    let Some(target_mass) = target_mass else {
         return Err(RequestFault::refused(
             Input::TargetMass,
             phrase![
@@ -72,10 +72,10 @@ pub(crate) fn with_bodies(
     };
     scaling.check()?;
     let named = body_scale_file.as_ref().map(|path| path.to_string_lossy());
-    let settings = json!(["rescale", target, masses, scaling, choice, named, follow_bodies]).to_string();
+    let settings = json!(["rescale", target_mass, masses, scaling, choice, named, follow_bodies]).to_string();
     let planner = Rescaling {
-        target_mass_kg: target.get(),
-        masses: MassRequest { target_mass_kg: Some(target.get()), ..masses.request() },
+        target_mass_kg: target_mass.get(),
+        masses: MassRequest { target_mass_kg: Some(target_mass.get()), ..masses.request() },
         selection: choice.selection(),
         scaling,
         following: match bodies {

@@ -60,7 +60,7 @@ impl Planner for Setting {
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         let selected = self.selection.apply(model)?;
         // A plain change needs no mass; if one is known, the new note has it, too.
-        let of_note = || Some(Mass { kg: model.note.as_ref()?.mass_kg?, source: MassSource::Note });
+        let of_note = || Some(Mass { kg: model.note.as_ref()?.contacts_mass_kg?, source: MassSource::Note });
         let (contacts_mass, mut warnings) = match self.masses.of_contacts(model) {
             Ok((mass, warnings)) => (Some(mass), warnings),
             Err(_) => (of_note(), Vec::new()),

@@ -109,9 +109,9 @@ impl Transferring {
         if matches!(radius, Some(RadiusRule::Factor(_))) {
             refuse_again(model, &operation, self.may_repeat)?;
         }
-        let mass = self.masses.of_model(model)?;
-        warnings.extend(self.masses.disagreements_of_weight(model, &mass));
-        let mut wanted = Transfer::new(reference.clone(), mass, counts.here);
+        let target_mass = self.masses.of_model(model)?;
+        warnings.extend(self.masses.disagreements_of_weight(model, &target_mass));
+        let mut wanted = Transfer::new(reference.clone(), target_mass, counts.here);
         wanted.reference.sphere_count = counts.there;
         wanted.counts_cancel = counts.cancel;
         wanted.reference_sphere.clone_from(&self.reference_sphere);

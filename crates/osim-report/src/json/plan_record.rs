@@ -3,11 +3,11 @@
 use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 
-use osim_inspect::{FindingRecord, SCHEMA_VERSION};
+use osim_inspect::{ContactsMass, FindingRecord, SCHEMA_VERSION};
 use osim_messages::Phrase;
 use osim_model::Model;
 use osim_model::files::FileName;
-use osim_patch::{Change, Deed, Masses, Move, NewSphere, ObjectChange, Plan};
+use osim_patch::{Change, Deed, Move, NewSphere, ObjectChange, Plan};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -34,8 +34,10 @@ pub struct PlanRecord {
     /// Its name in bytes, where that is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub geometry_output_bytes: Option<Vec<u8>>,
-    /// The mass that the contacts are made for; null where nobody knows.
-    pub contacts_mass_kg: Option<MassesRecord>,
+    /// The mass that the contacts were made for before; null where nobody knows.
+    pub contacts_mass_kg: Option<ContactsMass>,
+    /// The mass that the contacts are made for afterwards, kg; null where `contacts_mass_kg` is.
+    pub target_mass_kg: Option<f64>,
     /// Whole objects that are added or removed. Numbers of objects that are added change `from` what they are made from.
     pub objects: Vec<ObjectRecord>,
     /// Numbers that change, then sphere centres that move.
@@ -47,19 +49,6 @@ pub struct PlanRecord {
     /// The credits of the new model as OpenSim reads them, with the note about its contacts; null where it has none. Set them, too,
     /// where changes are made in a model in memory.
     pub credits: Option<String>,
-}
-
-/// The mass that the contacts are made for, before and after.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
-#[non_exhaustive]
-pub struct MassesRecord {
-    /// Before, kg.
-    pub from: f64,
-    /// Who said so, as a word for scripts.
-    pub source: &'static str,
-    /// Afterwards, kg.
-    pub to: f64,
 }
 
 /// One object that is added or removed.
@@ -151,7 +140,8 @@ impl PlanRecord {
             output_bytes: output_bytes.flatten(),
             geometry_output,
             geometry_output_bytes: geometry_output_bytes.flatten(),
-            contacts_mass_kg: plan.masses.as_ref().map(MassesRecord::from),
+            contacts_mass_kg: plan.masses.as_ref().map(|masses| ContactsMass::new(&masses.contacts_mass)),
+            target_mass_kg: plan.masses.as_ref().map(|masses| masses.target_mass_kg),
             objects: ObjectRecord::all(plan),
             changes: numbers.chain(plan.moves.iter().map(ChangeRecord::from)).collect(),
             warnings: plan.warnings.iter().map(FindingRecord::from).collect(),
@@ -182,12 +172,6 @@ impl ObjectRecord {
             }
         };
         plan.objects().iter().map(record).collect()
-    }
-}
-
-impl From<&Masses> for MassesRecord {
-    fn from(masses: &Masses) -> Self {
-        Self { from: masses.from.kg, source: masses.from.source.as_str(), to: masses.target_mass_kg }
     }
 }
 

@@ -17,7 +17,7 @@ fn a_plan_is_one_line_with_its_fields_in_order() {
         PlanRecord::new(&plan, &model.model, Path::new("mouse.osim"), Some(Path::new("rat.osim")), None);
     let text = line(&record);
     assert!(text.ends_with("}\n") && text.lines().count() == 1, "{text}");
-    let head = r#"{"schema_version":1,"model":"mouse.osim","output":"rat.osim","contacts_mass_kg":{"from":0.0209,"source":"bodies","to":0.1},"objects":[],"changes":[{"force":null,"path":"/contactgeometryset/"#;
+    let head = r#"{"schema_version":1,"model":"mouse.osim","output":"rat.osim","contacts_mass_kg":{"value":0.0209,"source":"bodies"},"target_mass_kg":0.1,"objects":[],"changes":[{"force":null,"path":"/contactgeometryset/"#;
     assert!(text.starts_with(head), "{text}");
     let value: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!(value["changes"].as_array().unwrap().len(), plan.changes.len());

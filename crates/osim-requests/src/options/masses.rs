@@ -29,7 +29,7 @@ impl MassOptions {
     #[must_use]
     pub fn request(&self) -> MassRequest {
         MassRequest {
-            contacts_kg: self.contacts_mass.map(Kilograms::get),
+            contacts_mass_kg: self.contacts_mass.map(Kilograms::get),
             model_kg: self.mass.map(Kilograms::get),
             exclude_bodies: self.exclude_body.clone(),
             target_mass_kg: None,

@@ -56,7 +56,7 @@ pub struct SweepRequest {
     #[schemars(with = "Option<path::PathSchema>")]
     pub model: Option<PathBuf>,
     /// Values of a property (stiffness=1e5,1e6), factors (stiffness=x0.1,x1,x10), a logarithmic range
-    /// (stiffness=x0.1..x10/9), or values of indentation, restitution or target-mass; may be repeated
+    /// (stiffness=x0.1..x10/9), or values of indentation, restitution or target_mass; may be repeated
     #[cfg_attr(feature = "clap", arg(long, value_name = "NAME=V,V,..."))]
     #[serde(deserialize_with = "axis::deserialize", serialize_with = "serial::as_texts")]
     #[schemars(with = "axis::AxesSchema")]

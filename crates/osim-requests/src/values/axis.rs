@@ -52,7 +52,7 @@ impl AxisName {
             Self::Property(property) => property.name(),
             Self::Indentation => "indentation",
             Self::Restitution => "restitution",
-            Self::TargetMass => "target-mass",
+            Self::TargetMass => "target_mass",
         }
     }
 }
