@@ -86,7 +86,7 @@ fn a_plan_at_hand_is_enough_and_says_the_same_as_check() {
             let before = found(&*change.planner, &changed.opened);
             let planned = Planned(&*change.planner);
             let both =
-                BeforeAfter::of(&planned, &changed.opened, &changed.plan, new_files, (&CommandLine, false))
+                BeforeAfter::of(&planned, &changed.opened, &changed.plan, new_files, &CommandLine, false)
                     .unwrap();
             assert_eq!(
                 serde_json::to_value(&both.before.1).unwrap(),

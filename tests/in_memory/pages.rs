@@ -45,7 +45,7 @@ fn of_an_inspection() {
     inspected.spell(&CommandLine);
     found.spell(&CommandLine);
     let mut feet = ModelFeet::of(opened.name(), &opened, &inspector.options().selection).unwrap();
-    feet.add_bones((&opened.model, &request.models[0]), None, &files);
+    feet.add_bones(&opened.model, &request.models[0], None, &files);
     let entry = osim_html::inspected(
         inspector.options(),
         &opened,
@@ -71,7 +71,7 @@ fn same_page(bench: &Bench, verb: Verb, words: &str, json: &serde_json::Value) {
     let changed = Changed::new(&change, path, &files).unwrap();
     let new_files = || changed_files(path, &change.set_files.beside(), &files, &changed);
     let both =
-        BeforeAfter::of(&*change.planner, &changed.opened, &changed.plan, new_files, (&CommandLine, true))
+        BeforeAfter::of(&*change.planner, &changed.opened, &changed.plan, new_files, &CommandLine, true)
             .unwrap();
 
     let (shown, names) = (changed.opened.name().to_string(), changed.names());
@@ -88,7 +88,7 @@ fn same_page(bench: &Bench, verb: Verb, words: &str, json: &serde_json::Value) {
     };
     let mut shows = osim_html::Changed::of_states(&changed.plan, &both, told);
     if let Some(feet) = shows.feet.last_mut() {
-        feet.add_bones((&changed.opened.model, path), None, &files);
+        feet.add_bones(&changed.opened.model, path, None, &files);
     }
     shows.in_file = true;
     let entry = osim_html::changed(&row, shows, DetailLevel::Alone, &CommandLine);

@@ -40,13 +40,13 @@ pub fn sphere_pairs(model: &Model, pose: &DefaultPose, force: &Force) -> Vec<Sph
         pairs.extend(others.map(|other| SpherePair {
             one: one.id,
             other: other.id,
-            gap_m: gap_m(model, pose, (one, other)),
+            gap_m: gap_m(model, pose, one, other),
         }));
     }
     pairs
 }
 
-fn gap_m(model: &Model, pose: &DefaultPose, (one, other): (&Sphere, &Sphere)) -> Result<f64, String> {
+fn gap_m(model: &Model, pose: &DefaultPose, one: &Sphere, other: &Sphere) -> Result<f64, String> {
     let (a, b) = (centre_m(model, pose, one)?, centre_m(model, pose, other)?);
     let distance = a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
     let radius = |sphere: &Sphere| sphere.radius_m().map_err(|fault| fault.to_string());

@@ -72,7 +72,7 @@ fn feet(model: &Model) -> Feet {
     let anatomy = Anatomy::of(model).unwrap();
     let pose = DefaultPose::of(model);
     let spheres: Vec<SphereId> = model.spheres().iter().map(|sphere| sphere.id).collect();
-    let found = FootBodies::find(model, &anatomy, (&spheres, &model.force_ids()), &pose);
+    let found = FootBodies::find(model, &anatomy, &spheres, &model.force_ids(), &pose);
     let feet = found.iter().map(|bodies| Foot::of(model, &anatomy, bodies, &pose)).collect();
     Feet { anatomy, pose, found, feet }
 }

@@ -29,7 +29,12 @@ pub fn heat(
     let title = wanted_title.map_or_else(|| format!("{}: {}", words.title, body.name), str::to_owned);
     let now = format!("{} now", body.name);
     if let Some(profile) = series.profile {
-        return Ok(Drawing::Panels(curve(profile, series.limit, &words, (title, &body.name, now))));
+        return Ok(Drawing::Panels(curve(
+            profile,
+            series.limit,
+            &words,
+            Texts { title, body: &body.name, now },
+        )));
     }
     Ok(Drawing::HeatMap(HeatMap {
         title,
@@ -61,13 +66,18 @@ pub(super) fn value_axis(label: &str, values: &[Vec<Option<f64>>]) -> Axis {
     if low > 0.0 && high > WIDE * low { Axis::logarithmic(label) } else { Axis::new(label) }
 }
 
+/// What a curve says beside its axes.
+struct Texts<'t> {
+    title: String,
+    /// Name of the body.
+    body: &'t str,
+    /// At the point where the body is now.
+    now: String,
+}
+
 /// The quantity along the one parameter that changes it.
-fn curve(
-    profile: Profile,
-    limit: Option<f64>,
-    words: &Words,
-    (title, body, now): (String, &str, String),
-) -> Figure {
+fn curve(profile: Profile, limit: Option<f64>, words: &Words, texts: Texts<'_>) -> Figure {
+    let Texts { title, body, now } = texts;
     let (axis, other) = match profile.along {
         Parameter::Stiffness => (STIFFNESS, "dissipation α"),
         Parameter::Dissipation => (DISSIPATION, "stiffness E₁*"),

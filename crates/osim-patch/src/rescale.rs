@@ -126,7 +126,7 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
         let values = RatioValues { mass, sphere_count: 1.0, radius: radii.ratio(force), gravity };
         let ratios = Ratios::new(values).map_err(Fault::new)?;
         for set in &force.sets {
-            scale_set(&mut plan, (force.id, set.id), &ratios, wanted)?;
+            scale_set(&mut plan, force.id, set.id, &ratios, wanted)?;
         }
     }
     if plan.changes.is_empty() && plan.moves.is_empty() {
@@ -138,7 +138,8 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
 
 fn scale_set(
     plan: &mut PlanBuilder<'_>,
-    (force, set): (ForceId, SetId),
+    force: ForceId,
+    set: SetId,
     ratios: &Ratios,
     wanted: &Rescale,
 ) -> Result<(), Fault> {

@@ -56,20 +56,15 @@ impl ModelFeet {
         let anatomy = Anatomy::of(model)?;
         let pose = DefaultPose::of(model);
         let (spheres, forces) = chosen(model, selection)?;
-        let bodies = FootBodies::find(model, &anatomy, (&spheres, &forces), &pose);
+        let bodies = FootBodies::find(model, &anatomy, &spheres, &forces, &pose);
         let mut feet: Vec<Foot> = bodies.iter().map(|foot| Foot::of(model, &anatomy, foot, &pose)).collect();
         let misplaced = misplaced_spheres(model);
         mark(&mut feet, misplaced.as_ref());
         Ok(Self { name: name.to_owned(), feet, misplaced, missing: Vec::new(), anatomy, pose, bodies })
     }
 
-    /// Adds the bones whose meshes are available: in the folder of the model, in its `Geometry`, or in `geometry_dir`.
-    pub fn add_bones(
-        &mut self,
-        (model, path): (&Model, &Path),
-        geometry_dir: Option<&Path>,
-        files: &dyn Files,
-    ) {
+    /// Adds the bones whose meshes are at hand: in the folder of the model, in its `Geometry`, or in `geometry_dir`.
+    pub fn add_bones(&mut self, model: &Model, path: &Path, geometry_dir: Option<&Path>, files: &dyn Files) {
         let mut folders = MeshFolders::of_model(path);
         if let Some(folder) = geometry_dir {
             folders = folders.and(folder);

@@ -22,10 +22,17 @@ pub struct Inspector {
     /// read: that is a failure of each model.
     generic: Option<Result<(Anatomy, Option<ScaleFile>), Failure>>,
     /// The names of both files, where they are for the places of spheres and not for factors.
-    places: Option<(PathBuf, Option<PathBuf>)>,
+    places: Option<OriginalFiles>,
     reads: Vec<PathBuf>,
     /// Answers to questions about masses that the caller gave; `None` if the masses were asked about already.
     answers: Option<AnswerOptions>,
+}
+
+/// Names of the files that say where spheres belong.
+#[derive(Debug)]
+struct OriginalFiles {
+    from: PathBuf,
+    body_scale_file: Option<PathBuf>,
 }
 
 /// The generic model's bones and the Scale Tool's factors.
@@ -58,7 +65,7 @@ impl Inspector {
         let file = request.body_scale_file.clone();
         let generic = Some(generic_model(&from, file.as_deref(), files));
         let reads = plain.reads.iter().chain([&from]).chain(&file).cloned().collect();
-        Self { generic, places: Some((from, file)), reads, ..plain }
+        Self { generic, places: Some(OriginalFiles { from, body_scale_file: file }), reads, ..plain }
     }
 
     /// Inspects by these options, without a generic model.
@@ -121,8 +128,10 @@ impl Inspector {
                 let found = Factors::find(&scaled, generic, file.as_ref(), &BTreeMap::new());
                 (Some(found.map_err(|fault| opened.failure(fault))?), None)
             }
-            (Some((generic, file)), Some(named)) => {
-                (None, Some(Placement::compare(&opened.model, named.clone(), generic, file.as_ref())))
+            (Some((generic, file)), Some(OriginalFiles { from, body_scale_file })) => {
+                let (model, body_scale_file) = (&opened.model, body_scale_file.as_deref());
+                let placement = Placement::compare(model, from, body_scale_file, generic, file.as_ref());
+                (None, Some(placement))
             }
         };
         let mut inspection = self.options.inspect(opened.name(), &opened.model, factors.as_ref());

@@ -65,7 +65,7 @@ fn feet_of(
     let geometry = request.geometry_dir.as_deref();
     // Of a standalone set, the model beside it says where the bones are.
     let beside = request.set_files.model.as_deref().unwrap_or(path);
-    feet.add_bones((&open.model, beside), geometry, files);
+    feet.add_bones(&open.model, beside, geometry, files);
     let Some(target_mass) = request.target_mass else { return Ok((feet, None)) };
     let failed = |fault| open.failure(fault);
     let (contacts_mass, _) = request.masses.request().of_contacts(&open.model).map_err(failed)?;

@@ -8,6 +8,8 @@
     reason = "a test fails by panicking"
 )]
 
+use std::path::Path;
+
 use osim_compare::Placement;
 use osim_inspect::{CheckResult, InspectOptions};
 use osim_model::{Anatomy, FileId, FindingCode, Mass, MassSource, Model, RemedyChange, Selection, Severity};
@@ -40,7 +42,7 @@ fn check(text: &str, generic: Option<&str>) -> CheckResult {
     let mut inspected = options.inspect("scaled.osim", &model, None);
     inspected.placement = generic.map(|generic| {
         let original = Anatomy::of(&Model::parse(generic).unwrap()).unwrap();
-        Placement::compare(&model, ("generic.osim".into(), None), &original, None)
+        Placement::compare(&model, Path::new("generic.osim"), None, &original, None)
     });
     check_with_trials(&options, &model, &inspected, None)
 }

@@ -168,7 +168,7 @@ impl Planned {
     /// that put the findings right.
     fn checked<'py>(&self, py: Python<'py>) -> PyResult<Vec<Checked<'py>>> {
         let both = guarded(py, || {
-            let both = self.model.shown((&PythonWords, false), |changed| changed.before_after)?;
+            let both = self.model.shown(&PythonWords, false, |changed| changed.before_after)?;
             let Some(both) = both else { return Ok(Vec::new()) };
             let after = both.after.map(|(_, found)| found);
             Ok(std::iter::once(both.before.1).chain(after).collect::<Vec<_>>())
@@ -188,7 +188,7 @@ impl Planned {
     fn page(&self, py: Python<'_>, verb: &str, call: String) -> PyResult<String> {
         guarded(py, || {
             let detail = DetailLevel::of(1);
-            let entry = self.model.shown((&PythonWords, detail.has_feet()), |mut changed| {
+            let entry = self.model.shown(&PythonWords, detail.has_feet(), |mut changed| {
                 let both = changed.before_after.take();
                 both.map(|both| entry(&changed, &both, detail, WORDS))
             })?;

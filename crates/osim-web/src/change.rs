@@ -113,9 +113,9 @@ impl Planned {
         let opened = &self.opened.model;
         let planner = &*self.change.planner;
         let mut both =
-            BeforeAfter::of(planner, opened, &self.plan, || self.as_files(), (self.words, with_feet))?;
+            BeforeAfter::of(planner, opened, &self.plan, || self.as_files(), self.words, with_feet)?;
         if let Some(feet) = both.feet.last_mut() {
-            feet.add_bones((&opened.model, &self.opened.path), None, shelf);
+            feet.add_bones(&opened.model, &self.opened.path, None, shelf);
         }
         Ok(both)
     }

@@ -86,7 +86,7 @@ fn seen(
 /// The feet of the model with its bones, where a page can show them.
 fn feet(inspector: &Inspector, opened: &Opened, shelf: &Shelf) -> Option<ModelFeet> {
     let mut feet = ModelFeet::for_page(opened.model.name(), &opened.model, &inspector.options().selection)?;
-    feet.add_bones((&opened.model.model, &opened.path), None, shelf);
+    feet.add_bones(&opened.model.model, &opened.path, None, shelf);
     Some(feet)
 }
 

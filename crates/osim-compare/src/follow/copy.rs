@@ -82,8 +82,8 @@ pub(super) fn difference(scaled: &Anatomy, reference: &Anatomy) -> Option<Differ
         let shared = scaled.bodies.iter().filter(|body| reference.has_body(body));
         shared.into_iter().find_map(|body| {
             let meshes = bones::pairs(scaled, reference, body);
-            let said = (meshes.as_slice(), joints.on(body));
-            AXES.iter().enumerate().find_map(|(axis, name)| unexplained(body, said, (axis, name)))
+            let joints = joints.on(body);
+            AXES.iter().enumerate().find_map(|(axis, name)| unexplained(body, &meshes, joints, axis, name))
         })
     })
 }
@@ -102,8 +102,13 @@ fn other_joint(scaled: &Anatomy, reference: &Anatomy) -> Option<Difference> {
     })
 }
 
-/// Offset of a joint: its name, where it is in the reference and in the scaled model, m.
-pub(super) type SharedOffset<'a> = (&'a str, [f64; 3], [f64; 3]);
+/// Where a joint is on a body, in the reference and in the scaled model.
+#[derive(Clone, Copy)]
+pub(super) struct SharedOffset<'a> {
+    pub(super) joint: &'a str,
+    pub(super) old_m: [f64; 3],
+    pub(super) new_m: [f64; 3],
+}
 
 /// The joints that both models have between the same bodies, by the bodies on which they are.
 pub(super) struct SharedJoints<'a>(HashMap<&'a str, Vec<SharedOffset<'a>>>);
@@ -118,30 +123,33 @@ impl<'a> SharedJoints<'a> {
         let mut found = Self(HashMap::new());
         for joint in &scaled.joints {
             let Some(old) = there.get(&ends(joint)) else { continue };
-            found.push(&joint.parent, (&joint.name, old.in_parent_m, joint.in_parent_m));
-            found.push(&joint.child, (&joint.name, old.in_child_m, joint.in_child_m));
+            let offset = |old_m, new_m| SharedOffset { joint: &joint.name, old_m, new_m };
+            found.push(&joint.parent, offset(old.in_parent_m, joint.in_parent_m));
+            found.push(&joint.child, offset(old.in_child_m, joint.in_child_m));
         }
         found
     }
 
-    fn push(&mut self, body: &'a str, joint: (&'a str, [f64; 3], [f64; 3])) {
-        self.0.entry(body).or_default().push(joint);
+    fn push(&mut self, body: &'a str, offset: SharedOffset<'a>) {
+        self.0.entry(body).or_default().push(offset);
     }
 
-    /// Offsets on `body`: name of the joint, old and new, m, in file order.
-    pub(super) fn on(&self, body: &str) -> &[(&'a str, [f64; 3], [f64; 3])] {
+    /// Offsets on `body`, in file order.
+    pub(super) fn on(&self, body: &str) -> &[SharedOffset<'a>] {
         self.0.get(body).map(Vec::as_slice).unwrap_or_default()
     }
 }
 
 fn unexplained(
     body: &str,
-    (meshes, joints): (&[BonePair], &[SharedOffset<'_>]),
-    (axis, name): (usize, &'static str),
+    meshes: &[BonePair],
+    joints: &[SharedOffset<'_>],
+    axis: usize,
+    name: &'static str,
 ) -> Option<Difference> {
     let meshes: Vec<f64> = meshes.iter().filter_map(|pair| pair.factors[axis]).collect();
     let offsets: Vec<(&str, f64, f64)> =
-        joints.iter().map(|(joint, old, new)| (*joint, old[axis], new[axis])).collect();
+        joints.iter().map(|offset| (offset.joint, offset.old_m[axis], offset.new_m[axis])).collect();
     let longest = offsets
         .iter()
         .filter(|(_, old, _)| old.abs() > SHORTEST_OFFSET_M)

@@ -102,7 +102,7 @@ pub(super) fn ask(factors: &mut [BodyFactors], by_name: &ByName, said: &[Sources
             let of_meshes = || meshes_differ(sources).filter(|_| takes(&axes, FactorSource::Mesh));
             let of_sides = || {
                 let other = pairs.other_side(sources.body)?;
-                sides_differ((sources.body, &axes), (other.body, &by_name.axes(factors, other.body)))
+                sides_differ(sources.body, &axes, other.body, &by_name.axes(factors, other.body))
             };
             let nothing = || FactorQuestion::Nothing { body: sources.body.to_owned() };
             of_meshes().or_else(of_sides).or_else(|| axes.iter().all(Option::is_none).then(nothing))
@@ -136,8 +136,10 @@ fn meshes_differ(sources: &Sources<'_>) -> Option<FactorQuestion> {
 
 /// Two sides that are not of one size.
 fn sides_differ(
-    (body, axes): (&str, &[Option<AxisFactor>; 3]),
-    (other, others): (&str, &[Option<AxisFactor>; 3]),
+    body: &str,
+    axes: &[Option<AxisFactor>; 3],
+    other: &str,
+    others: &[Option<AxisFactor>; 3],
 ) -> Option<FactorQuestion> {
     let ([Some(x), Some(y), Some(z)], [Some(a), Some(b), Some(c)]) = (*axes, *others) else { return None };
     if is_given(others) {

@@ -80,7 +80,7 @@ impl Factors {
         let said: Vec<Sources> = scaled
             .bodies
             .iter()
-            .map(|body| Sources::of(scaled, reference, body, (file, given.get(body)), distances.as_ref()))
+            .map(|body| Sources::of(scaled, reference, body, file, given.get(body), distances.as_ref()))
             .collect();
         let mut factors = Self {
             bodies: Vec::new(),

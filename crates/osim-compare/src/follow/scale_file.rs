@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use osim_model::{Anatomy, Document, FactorQuestion, Fault, FaultKind, Needed};
 
 use super::body_factors::length;
-use super::copy::SharedJoints;
+use super::copy::{SharedJoints, SharedOffset};
 
 /// A joint that is further than this from where the file puts it, relative to its distance from the body's origin, says that
 /// the file was applied to another model.
@@ -93,7 +93,7 @@ impl ScaleFile {
         let joints = SharedJoints::of(scaled, reference);
         for &body in bodies {
             let Some(factors) = self.factors(body) else { continue };
-            for &(joint, old, new) in joints.on(body) {
+            for &SharedOffset { joint, old_m: old, new_m: new } in joints.on(body) {
                 let expected: [f64; 3] = std::array::from_fn(|axis| old[axis] * factors[axis]);
                 let apart: [f64; 3] = std::array::from_fn(|axis| new[axis] - expected[axis]);
                 if length(apart) > SPELLING_M + OTHER_REFERENCE * length(expected) {

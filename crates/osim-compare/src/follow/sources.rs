@@ -33,7 +33,8 @@ impl<'a> Sources<'a> {
         scaled: &'a Anatomy,
         reference: &Anatomy,
         body: &'a str,
-        (file, given): (Option<&ScaleFile>, Option<&[f64; 3]>),
+        file: Option<&ScaleFile>,
+        given: Option<&[f64; 3]>,
         distances: Option<&Distances<'a>>,
     ) -> Self {
         let in_a_copy = distances.is_none();

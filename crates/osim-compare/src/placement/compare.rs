@@ -1,7 +1,7 @@
 //! The spheres of a scaled model compared with those of the model that was scaled: exact.
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use osim_messages::{Input, Phrase, Verb, phrase};
 use osim_model::{Anatomy, AnatomySphere, Fault, Finding, FindingCode, LevelAxis, Model, Note};
@@ -69,13 +69,14 @@ impl Placement {
     #[must_use]
     pub fn compare(
         model: &Model,
-        (from, body_scale_file): (PathBuf, Option<PathBuf>),
+        from: &Path,
+        body_scale_file: Option<&Path>,
         original: &Anatomy,
         file: Option<&ScaleFile>,
     ) -> Self {
         let unknown = |why| Self {
-            from: from.clone(),
-            body_scale_file: body_scale_file.clone(),
+            from: from.to_owned(),
+            body_scale_file: body_scale_file.map(Path::to_owned),
             spheres: Vec::new(),
             unmatched: Vec::new(),
             unknown: Some(why),

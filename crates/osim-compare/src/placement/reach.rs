@@ -65,7 +65,7 @@ pub(super) fn reaches(model: &Model, bones: &Bones) -> Vec<Reach> {
     for id in model.loaded_spheres(&model.force_ids()) {
         let (Some(sphere), Some(centre)) = (model.sphere(id), model.centre_m(id)) else { continue };
         let Some(body) = sphere.body.as_deref().filter(|body| bones.is_foot(body)) else { continue };
-        found.extend(reach_to_joint(bones, body, (id, centre, sphere.radius.number)));
+        found.extend(reach_to_joint(bones, body, id, centre, sphere.radius.number));
         let hind = |body: &str| bones.standard_foot(body).map(|ends| (body.to_owned(), ends));
         let above = || {
             let joint = bones.joint_above(body)?;
@@ -89,14 +89,19 @@ pub(super) fn reaches(model: &Model, bones: &Bones) -> Vec<Reach> {
 
 /// J of a sphere with its centre and radius, for the next joint that is farthest from the body's origin.
 ///
-/// `None` without a next joint, or if it is nearer than a radius: such a joint does not show the length of the bone.
-fn reach_to_joint(bones: &Bones, body: &str, sphere: (SphereId, [f64; 3], f64)) -> Option<Reach> {
-    let (id, centre, radius_m) = sphere;
+/// `None` without a next joint, or where it is nearer than a radius: such a joint says nothing about the length of the bone.
+fn reach_to_joint(
+    bones: &Bones,
+    body: &str,
+    sphere: SphereId,
+    centre: [f64; 3],
+    radius_m: f64,
+) -> Option<Reach> {
     let dot = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let (squared, joint) = bones.farthest_joint(body)?;
     let value = dot(centre, joint.in_parent_m) / squared;
     (squared > radius_m * radius_m).then(|| Reach {
-        sphere: id,
+        sphere,
         value,
         of: joint.name.clone(),
         measure: Measure::J,

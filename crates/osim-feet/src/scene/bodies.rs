@@ -35,7 +35,8 @@ impl FootBodies {
     pub fn find(
         model: &Model,
         anatomy: &Anatomy,
-        (spheres, forces): (&[SphereId], &[ForceId]),
+        spheres: &[SphereId],
+        forces: &[ForceId],
         pose: &DefaultPose,
     ) -> Vec<Self> {
         let tree = Tree { anatomy };

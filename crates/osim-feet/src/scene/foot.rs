@@ -120,7 +120,7 @@ impl Foot {
                 .cloned()
                 .collect(),
         };
-        foot.add_joints(anatomy, bodies, (&places, &model.joints()));
+        foot.add_joints(anatomy, bodies, &places, &model.joints());
         foot
     }
 
@@ -211,7 +211,8 @@ impl Foot {
         &mut self,
         anatomy: &Anatomy,
         bodies: &FootBodies,
-        (places, joints): (&Places<'_>, &[ModelJoint]),
+        places: &Places<'_>,
+        joints: &[ModelJoint],
     ) {
         let place = |joint: &AnatomyJoint| places.joint(joint, joints);
         for body in &bodies.bodies {

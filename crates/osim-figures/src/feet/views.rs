@@ -35,7 +35,7 @@ fn view(foot: &Foot, before: Option<(&Foot, [f64; 3])>, from: From) -> View {
         ..View::default()
     };
     if let Some((other, shift)) = before {
-        add_before(&mut view, foot, (other, shift), from);
+        add_before(&mut view, foot, other, shift, from);
     }
     let seen = |point: [f64; 3]| seen(foot, point, from);
     view.outlines.extend(outlines(foot, [0.0; 3], from, State::Now));
@@ -58,7 +58,7 @@ fn view(foot: &Foot, before: Option<(&Foot, [f64; 3])>, from: From) -> View {
 }
 
 /// What another state has elsewhere: its spheres, and its bones where they are of another size.
-fn add_before(view: &mut View, foot: &Foot, (other, shift): (&Foot, [f64; 3]), from: From) {
+fn add_before(view: &mut View, foot: &Foot, other: &Foot, shift: [f64; 3], from: From) {
     let moved = |point: [f64; 3]| -> [f64; 3] { std::array::from_fn(|i| point[i] + shift[i]) };
     let differs = |sphere: &&FootSphere| {
         let at = moved(sphere.centre_m);

@@ -23,7 +23,7 @@ pub fn entry(changed: &ChangedModel<'_>, both: &BeforeAfter, detail: DetailLevel
     let files = Files { inputs: inputs.collect(), result, outputs };
     let mut change = Changed::of_states(changed.plan, both, files);
     if let Some(feet) = change.feet.last_mut() {
-        feet.add_bones((&changed.opened.model, &changed.task.source.path), None, &Disk);
+        feet.add_bones(&changed.opened.model, &changed.task.source.path, None, &Disk);
     }
     change.in_file = !changed.written.paths().is_empty();
     let entry = osim_html::changed(&row(record), change, detail, words);

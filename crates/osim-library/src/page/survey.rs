@@ -105,7 +105,7 @@ impl Survey<'_> {
     fn feet(&self, opened: &OpenModel) -> Option<ModelFeet> {
         let path = opened.name().to_path();
         let mut feet = ModelFeet::for_page(opened.name(), opened, &self.inspector.options().selection)?;
-        feet.add_bones((&opened.model, &path), None, &Disk);
+        feet.add_bones(&opened.model, &path, None, &Disk);
         Some(feet)
     }
 }

@@ -58,7 +58,7 @@ impl<F: FrontEnd> ModelJob<'_, F> {
                 let previous = self.context.previous.of(task, input, record);
                 match previous.map_err(|fault| fault.of_model(loaded.files.name().clone(), "output"))? {
                     Previous::Holds(record) => {
-                        let shown = self.show_again(loaded, &record, (detail, &inputs));
+                        let shown = self.show_again(loaded, &record, detail, &inputs);
                         return Ok(Outcome { record: *record, earlier: true, shown, failure: None });
                     }
                     Previous::Outdated => force = true,
@@ -83,7 +83,7 @@ impl<F: FrontEnd> ModelJob<'_, F> {
         let results = Results::of(task, &plan, &opened.model).map_err(|fault| opened.failure(fault))?;
         let before_after = self.before_after(kept.as_ref(), &opened, &plan, &results, detail)?;
         let written = self
-            .write(&opened, &origin, &plan, &results, (force, record))
+            .write(&opened, &origin, &plan, &results, force, record)
             .map_err(|fault| fault.of_model(opened.name(), "output"))?;
         let shown = self.front_end.show(ChangedModel {
             task,
@@ -104,7 +104,8 @@ impl<F: FrontEnd> ModelJob<'_, F> {
         &self,
         loaded: Loaded,
         record: &Record,
-        (detail, inputs): (Detail, &[String]),
+        detail: Detail,
+        inputs: &[String],
     ) -> Option<F::Shown> {
         let task = self.task;
         if task.settings.in_place || detail == Detail::Result {
@@ -141,9 +142,9 @@ impl<F: FrontEnd> ModelJob<'_, F> {
     ) -> Result<Option<BeforeAfter>, Failure> {
         match (files, detail) {
             (Some(files), Detail::BeforeAfter { feet }) => {
-                let how = (self.front_end.dialect(), feet);
+                let (planner, dialect) = (self.task.settings.planner(), self.front_end.dialect());
                 let changed = || changed(self.task, files, results);
-                BeforeAfter::of(self.task.settings.planner(), opened, plan, changed, how).map(Some)
+                BeforeAfter::of(planner, opened, plan, changed, dialect, feet).map(Some)
             }
             _ => Ok(None),
         }
@@ -191,7 +192,8 @@ impl<F: FrontEnd> ModelJob<'_, F> {
         origin: &Origin,
         plan: &Plan,
         results: &Results<'_>,
-        (force, record): (bool, &mut Record),
+        force: bool,
+        record: &mut Record,
     ) -> Result<Written, LibraryFault> {
         if self.context.run.dry_run {
             record.status = Status::DryRun;

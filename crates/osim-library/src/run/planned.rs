@@ -90,20 +90,21 @@ impl PlannedModel {
         all.map_err(|fault| self.opened.failure(fault))
     }
 
-    /// Shows it with both of its states, as a run shows a model that it has not written; with `feet` if these are to be drawn.
+    /// Shows it with both of its states, as a run shows a model that it has not written; `with_feet` where those are to be drawn.
     ///
     /// # Errors
     /// The new model cannot be read, which would be a defect.
     pub fn shown<T>(
         &self,
-        (dialect, feet): (&dyn Speller, bool),
+        dialect: &dyn Speller,
+        with_feet: bool,
         show: impl FnOnce(ChangedModel<'_>) -> T,
     ) -> Result<T, Failure> {
         let task = self.task(&OutputOptions::default());
         let results =
             Results::of(&task, &self.plan, &self.opened.model).map_err(|fault| self.opened.failure(fault))?;
         let new = || changed(&task, &self.files, &results);
-        let both = BeforeAfter::of(&*self.planner, &self.opened, &self.plan, new, (dialect, feet))?;
+        let both = BeforeAfter::of(&*self.planner, &self.opened, &self.plan, new, dialect, with_feet)?;
         let mut record = Record { status: Status::DryRun, ..Record::of_task(&task) };
         record.planned(&self.plan);
         let inputs: Vec<String> = self.opened.files().map(|(_, bytes)| sha256(bytes)).collect();

@@ -244,7 +244,7 @@ impl<'s> SweepRun<'s> {
         };
         let operation = variant.operation.clone();
         let digest = sha256(&variant.bytes);
-        let written = self.write(&path, &variant.bytes, files, (&name, &digest));
+        let written = self.write(&path, &variant.bytes, files, &name, &digest);
         match written.and_then(|earlier| Ok((line(&variant.row(digest))?, earlier))) {
             Ok((row, earlier)) => Made::Row(row, earlier),
             Err(fault) => {
@@ -261,7 +261,8 @@ impl<'s> SweepRun<'s> {
         path: &Path,
         bytes: &[u8],
         files: &MadeFiles,
-        (name, digest): (&str, &str),
+        name: &str,
+        digest: &str,
     ) -> Result<bool, LibraryFault> {
         self.origin.find_included_from(path)?;
         let Some(mode) = self.mode_of(path, bytes, |there| files.knows(name, there))? else {

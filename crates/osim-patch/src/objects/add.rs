@@ -76,7 +76,7 @@ pub fn add_contacts(model: &Model, layout: &mut Layout) -> Result<Rebuilt, Fault
         let carrier = Carrier { name: &body.name, path: &body.path };
         geometry.push(spelling::sphere(version, &carrier, contact));
         objects.push(added("ContactSphere", &contact.sphere, &sphere, Some(&contact.body)));
-        forces.push(force(model.document(), &list, contact, (&sphere, &plane)));
+        forces.push(force(model.document(), &list, contact, &Surfaces { sphere: &sphere, plane: &plane }));
         let path = format!("/forceset/{}", contact.force);
         force_objects.push(added(contact.kind.as_str(), &contact.force, &path, Some(&contact.body)));
     }
@@ -107,13 +107,14 @@ fn check(contact: &NewContact) -> Result<(), Fault> {
     Ok(())
 }
 
-fn force(document: &Document, list: &InList, contact: &NewContact, (sphere, plane): (&str, &str)) -> Node {
+fn force(document: &Document, list: &InList, contact: &NewContact, paths: &Surfaces<'_>) -> Node {
     // In the list of a HuntCrossleyForce, members of the geometry set are called by their names.
-    let (sphere, plane) = match contact.kind {
-        osim_model::ForceKind::HuntCrossley => (list.call(sphere), list.call(plane)),
-        _ => (sphere, plane),
+    let surfaces = match contact.kind {
+        osim_model::ForceKind::HuntCrossley => {
+            Surfaces { sphere: list.call(paths.sphere), plane: list.call(paths.plane) }
+        }
+        _ => Surfaces { sphere: paths.sphere, plane: paths.plane },
     };
-    let surfaces = Surfaces { sphere, plane };
     spelling::force(document, contact.kind, &contact.force, &surfaces, &contact.values, true)
 }
 

@@ -97,7 +97,7 @@ pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<C
         if let Some(pair) = pairs.iter().find(|pair| pair.is_composite) {
             made.warnings.push(composite(model, force, pair, wanted)?);
         }
-        let (edit, new) = divided(model, force, &pairs, wanted, (&mut names, &list))?;
+        let (edit, new) = divided(model, force, &pairs, wanted, &mut names, &list)?;
         edits.push(edit);
         let own: Vec<String> = new.iter().map(|object| object.name.clone()).collect();
         if own != [force.name.clone()] {
@@ -180,7 +180,8 @@ fn divided(
     force: &Force,
     pairs: &[Pair],
     wanted: &Convert,
-    (names, list): (&mut Names, &InList),
+    names: &mut Names,
+    list: &InList,
 ) -> Result<(Edit, Vec<ObjectChange>), Fault> {
     let tree = model.document().tree();
     let span = tree.span(force.element());

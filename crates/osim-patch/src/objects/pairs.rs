@@ -35,7 +35,8 @@ pub(crate) fn pairs(model: &Model, force: &Force) -> Result<Vec<Pair>, Fault> {
                 let (here, there) = (of(set.id)?, of(plane_set.id)?);
                 let is_composite = here != there;
                 let values = if is_composite {
-                    composite(surfaces.together(set.id, plane_set.id)?, &here, &there)
+                    let (modulus, dissipation) = surfaces.together(set.id, plane_set.id)?;
+                    composite(modulus, dissipation, &here, &there)
                 } else {
                     here
                 };
@@ -58,7 +59,8 @@ fn of_set(force: &Force, set: SetId) -> Result<Vec<(Property, f64)>, Fault> {
 
 /// Modulus and α by (A.3) and (A.4); of each friction the value that Simbody uses, 2ab/(a + b).
 fn composite(
-    (modulus, dissipation): (f64, f64),
+    modulus: f64,
+    dissipation: f64,
     here: &[(Property, f64)],
     there: &[(Property, f64)],
 ) -> Vec<(Property, f64)> {

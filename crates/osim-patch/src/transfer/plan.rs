@@ -96,7 +96,7 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
         target.plan(&mut plan, wanted)?;
     }
     if wanted.follow.is_some() || wanted.rule != ScalingRule::Paper {
-        plan.remarks.extend(similarity(model, selected, wanted, &chosen, (&radii, gravity)));
+        plan.remarks.extend(similarity(model, selected, wanted, &chosen, &radii, gravity));
     }
     let whole = !without_smoothing;
     if without_smoothing {

@@ -60,7 +60,7 @@ pub fn reference_of_model(
 /// layout.contacts.push(heel);
 ///
 /// let mass = Mass { kg: 62.0, source: MassSource::ReferenceMass };
-/// let reference = reference_of_layout("human", &layout, (mass, 6.0, Some(9.81)))?;
+/// let reference = reference_of_layout("human", &layout, mass, 6.0, Some(9.81))?;
 /// assert_eq!(reference.contacts[0].contact.plane_strain_modulus(), 1e6);
 /// assert_eq!(reference.contacts[0].radius_m, 0.03);
 /// # Ok::<(), osim_model::Fault>(())
@@ -71,7 +71,9 @@ pub fn reference_of_model(
 pub fn reference_of_layout(
     name: &str,
     layout: &Layout,
-    (mass, sphere_count, gravity_m_s2): (Mass, f64, Option<f64>),
+    mass: Mass,
+    sphere_count: f64,
+    gravity_m_s2: Option<f64>,
 ) -> Result<Reference, Fault> {
     let contacts = layout.contacts.iter().map(contact_of_new).collect::<Result<_, Fault>>()?;
     Ok(Reference { name: name.to_owned(), mass, sphere_count, gravity_m_s2, contacts })

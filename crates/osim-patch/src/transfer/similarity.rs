@@ -51,7 +51,8 @@ pub(crate) fn similarity(
     selected: &Selected,
     wanted: &Transfer,
     chosen: &Choice<'_>,
-    (radii, gravity_ratio): (&Radii, f64),
+    radii: &Radii,
+    gravity_ratio: f64,
 ) -> Option<Phrase> {
     // Without a count nothing is known of indentations.
     if wanted.counts_cancel {

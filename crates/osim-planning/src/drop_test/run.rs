@@ -121,8 +121,9 @@ fn of_model(request: &DropTestRequest, open: &OpenModel, own: &Own) -> Result<Fa
         };
         return Err(Fault::new(Needed::Gravity { purpose }));
     };
-    let falling = falling(request, open.name(), spheres, (mass.kg, gravity), count)
-        .map_err(|error| Fault::refused(error.to_string()))?;
+    let weight = Weight { mass_kg: mass.kg, gravity_m_s2: gravity, sphere_count: count };
+    let falling =
+        falling(request, open.name(), spheres, &weight).map_err(|error| Fault::refused(error.to_string()))?;
     let mismatch = MassMismatch::find(model, &masses);
     Ok(Falling { mismatch, ..falling })
 }
@@ -130,10 +131,14 @@ fn of_model(request: &DropTestRequest, open: &OpenModel, own: &Own) -> Result<Fa
 fn of_preset(request: &DropTestRequest, preset: &Preset, own: &Own) -> Result<Falling, RequestFault> {
     let scale = &preset.scale;
     let count = own.spheres.unwrap_or(scale.sphere_count());
-    let weight = (own.mass_kg.unwrap_or(scale.mass_kg()), own.gravity_m_s2.unwrap_or(scale.gravity_m_s2()));
+    let weight = Weight {
+        mass_kg: own.mass_kg.unwrap_or(scale.mass_kg()),
+        gravity_m_s2: own.gravity_m_s2.unwrap_or(scale.gravity_m_s2()),
+        sphere_count: count,
+    };
     let spheres = Law::of(&preset.contact, scale.radius_m()).and_then(|law| Spheres::new(law, count));
     let spheres = vec![spheres.map_err(refused)?];
-    falling(request, &*preset.name, spheres, weight, count).map_err(refused)
+    falling(request, &*preset.name, spheres, &weight).map_err(refused)
 }
 
 fn of_numbers(request: &DropTestRequest) -> Result<Falling, RequestFault> {
@@ -158,21 +163,28 @@ fn of_numbers(request: &DropTestRequest) -> Result<Falling, RequestFault> {
     let values = ContactValues { plane_strain_modulus, dissipation, smoothing: numbers.smoothing()? };
     let law = Contact::new(values).and_then(|contact| Law::of(&contact, radius));
     let spheres = vec![law.and_then(|law| Spheres::new(law, count)).map_err(refused)?];
-    let gravity = numbers.gravity().unwrap_or(STANDARD_GRAVITY_M_S2);
-    falling(request, "the numbers given", spheres, (mass, gravity), count).map_err(refused)
+    let gravity_m_s2 = numbers.gravity().unwrap_or(STANDARD_GRAVITY_M_S2);
+    let weight = Weight { mass_kg: mass, gravity_m_s2, sphere_count: count };
+    falling(request, "the numbers given", spheres, &weight).map_err(refused)
 }
 
-/// A body of this mass under this gravity.
+/// What falls: a mass, under a gravity, on so many spheres.
+struct Weight {
+    mass_kg: f64,
+    gravity_m_s2: f64,
+    sphere_count: f64,
+}
+
+/// A body of this weight.
 fn falling(
     request: &DropTestRequest,
     name: impl Into<FileName>,
     spheres: Vec<Spheres>,
-    (mass_kg, gravity_m_s2): (f64, f64),
-    sphere_count: f64,
+    weight: &Weight,
 ) -> Result<Falling, DropError> {
     let values = DropValues {
-        mass_kg,
-        gravity_m_s2,
+        mass_kg: weight.mass_kg,
+        gravity_m_s2: weight.gravity_m_s2,
         height_m: 0.0,
         duration_s: request.duration.get(),
         samples: request.samples.get() as usize,
@@ -180,7 +192,7 @@ fn falling(
     let on_ground = DropTest::new(spheres, values)?;
     let height_m = request.height.get().metres(on_ground.reference_radius_m());
     let test = DropTest::new(on_ground.spheres().to_vec(), DropValues { height_m, ..values })?;
-    Ok(Falling { name: name.into(), test, sphere_count, mismatch: None })
+    Ok(Falling { name: name.into(), test, sphere_count: weight.sphere_count, mismatch: None })
 }
 
 fn refused(error: impl std::fmt::Display) -> RequestFault {

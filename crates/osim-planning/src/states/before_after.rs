@@ -32,7 +32,7 @@ pub struct BeforeAfter {
 
 impl BeforeAfter {
     /// Both states of a model for which `planner` has made `plan`. `changed` gives its files as they will be, under their
-    /// names; it is called only if something changes. Feet are kept only with `feet`.
+    /// names; it is asked only where something changes. The states are spelled by `dialect`, and have feet `with_feet`.
     ///
     /// # Errors
     /// The new model cannot be read, which would be a defect: it is not to be written then.
@@ -41,7 +41,8 @@ impl BeforeAfter {
         opened: &OpenModel,
         plan: &Plan,
         changed: impl FnOnce() -> ModelFiles,
-        (dialect, with_feet): (&dyn Speller, bool),
+        dialect: &dyn Speller,
+        with_feet: bool,
     ) -> Result<Self, Failure> {
         let before = InspectOptions::from(&planner.inspection());
         // The new model has the same elements: what can be changed in one can be changed in the other.

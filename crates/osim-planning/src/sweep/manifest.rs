@@ -43,7 +43,8 @@ pub(super) fn is_header<C: AsRef<str>>(columns: &[C]) -> bool {
 
 /// One variant, with its number from 1 and its file; `sha256` is that of its bytes.
 pub(super) fn row(
-    (number, file): (usize, String),
+    number: usize,
+    file: String,
     asked: Vec<String>,
     variant: &Variant,
     sha256: String,

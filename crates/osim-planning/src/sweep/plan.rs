@@ -53,7 +53,7 @@ impl VariantMade {
     /// Its row in the table; `sha256` is that of its bytes.
     #[must_use]
     pub fn row(self, sha256: String) -> Vec<String> {
-        manifest::row((self.number, self.file), self.asked, &self.variant, sha256)
+        manifest::row(self.number, self.file, self.asked, &self.variant, sha256)
     }
 }
 

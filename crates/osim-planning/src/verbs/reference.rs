@@ -92,7 +92,7 @@ pub(super) fn reference_from_file(
 ) -> Result<(Reference, ReferenceState, Option<Generic>), Failure> {
     // A scaled copy of the reference keeps what its contacts are to its bodies.
     let known = if request.follow.follow_bodies { KnownMass::AsBodies } else { KnownMass::Asked };
-    let read = || of_opened(request, from, (&open(from, files)?, known), files);
+    let read = || of_opened(request, from, &open(from, files)?, known, files);
     read().map_err(|failure: Failure| match failure.code {
         // The usual way out is about the model that gets the contacts.
         "incomplete-set" => {
@@ -112,11 +112,12 @@ pub(super) fn reference_from_file(
 pub(super) fn of_opened(
     request: &TransferRequest,
     from: &Path,
-    (open, known): (&OpenModel, KnownMass),
+    open: &OpenModel,
+    known: KnownMass,
     files: &dyn Files,
 ) -> Result<(Reference, ReferenceState, Option<Generic>), Failure> {
     let (reference, sphere_count) =
-        reference_from_model((&open.model, known), request, from).map_err(|fault| open.failure(fault))?;
+        reference_from_model(&open.model, known, request, from).map_err(|fault| open.failure(fault))?;
     let state = state(request, from, open, &reference);
     if !request.follow.follow_bodies {
         return Ok((reference, state, None));
@@ -136,7 +137,8 @@ fn state(request: &TransferRequest, from: &Path, open: &OpenModel, reference: &R
 }
 
 fn reference_from_model(
-    (model, known): (&Model, KnownMass),
+    model: &Model,
+    known: KnownMass,
     request: &TransferRequest,
     from: &Path,
 ) -> Result<(Reference, Result<f64, Fault>), Fault> {

@@ -97,12 +97,12 @@ impl Transferring {
     ) -> Result<Plan, Fault> {
         let (follow, mut warnings, mut remarks) = match generic {
             Some(generic) => {
-                let (follow, factors) = self.follow(model, selected, (reference, generic))?;
+                let (follow, factors) = self.follow(model, selected, reference, generic)?;
                 (Some(follow), factors.warnings, factors.remarks)
             }
             None => (None, Vec::new(), Vec::new()),
         };
-        let counts = self.sphere_counts(model, selected, (reference, generic))?;
+        let counts = self.sphere_counts(model, selected, reference, generic)?;
         let radius = self.scaling.radius.map(Radius::rule);
         let verb = if follow.is_some() { TRANSFER_FOLLOWING } else { "transfer" };
         let operation = operation(verb, radius);
@@ -134,7 +134,8 @@ impl Transferring {
         &self,
         model: &Model,
         selected: &Selected,
-        (reference, generic): (&Reference, &Generic),
+        reference: &Reference,
+        generic: &Generic,
     ) -> Result<(Follow, Factors), Fault> {
         let scaled = Anatomy::of(model)?;
         let factors = Factors::find(&scaled, &generic.anatomy, generic.file.as_ref(), &self.follow.given())?;
@@ -165,7 +166,8 @@ impl Transferring {
         &self,
         model: &Model,
         selected: &Selected,
-        (reference, generic): (&Reference, Option<&Generic>),
+        reference: &Reference,
+        generic: Option<&Generic>,
     ) -> Result<SphereCounts, Fault> {
         let limbs = self.counts.stance_limbs();
         let here =

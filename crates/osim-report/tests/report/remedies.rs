@@ -1,5 +1,7 @@
 //! Remedies, as each front end gives them.
 
+use std::path::Path;
+
 use osim_compare::Placement;
 use osim_inspect::InspectOptions;
 use osim_model::{Anatomy, Pattern};
@@ -81,10 +83,10 @@ fn spheres_follow_by_the_words_of_each_front_end() {
     let original = Anatomy::of(&open("scale_tool/generic_smooth.osim").model).unwrap();
     let options = InspectOptions::default();
     let mut review = String::new();
-    for file in [None, Some("scale set.xml".into())] {
+    for file in [None, Some(Path::new("scale set.xml"))] {
         let mut inspected = options.inspect("scaled.osim", &model.model, None);
-        let named = ("generic.osim".into(), file);
-        inspected.placement = Some(Placement::compare(&model.model, named, &original, None));
+        let from = Path::new("generic.osim");
+        inspected.placement = Some(Placement::compare(&model.model, from, file, &original, None));
         for words in [&CommandLine as &dyn FrontEnd, &Python, &Page, &JsonRequest] {
             let mut found = check_with_trials(&options, &model.model, &inspected, None);
             found.spell(words);

@@ -80,18 +80,18 @@ impl Planner for Adding {
     }
 
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
-        self.plan_at((model, Path::new("")), &InMemory::default()).map_err(AddFault::fault)
+        self.plan_at(model, Path::new(""), &InMemory::default()).map_err(AddFault::fault)
     }
 
     fn plan_beside(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
         let path = opened.name().to_path();
-        self.plan_at((&opened.model, &path), files).map_err(|fault| fault.failure(opened))
+        self.plan_at(&opened.model, &path, files).map_err(|fault| fault.failure(opened))
     }
 }
 
 impl Adding {
     /// Plans for the model of the file at `path`.
-    fn plan_at(&self, (model, path): (&Model, &Path), files: &dyn Files) -> Result<Plan, AddFault> {
+    fn plan_at(&self, model: &Model, path: &Path, files: &dyn Files) -> Result<Plan, AddFault> {
         self.answers.ask(scale_slip(&self.body_scale)).map_err(Fault::new)?;
         let (bare, removed) = self.bare(model)?.unzip();
         let base = bare.as_ref().map_or(model, Rebuilt::model);
@@ -101,7 +101,7 @@ impl Adding {
                 (plan, rebuilt, self.remarks.clone())
             }
             Source::Placed(places, numbers) => {
-                let (mut layout, remarks) = places.layout((base, path), numbers, &self.answers, files)?;
+                let (mut layout, remarks) = places.layout(base, path, numbers, &self.answers, files)?;
                 let (rebuilt, selected) = added(base, &mut layout)?;
                 self.ask_about_radii(rebuilt.model(), &layout)?;
                 let plan = numbers.plan(rebuilt.model(), &selected)?;

@@ -57,7 +57,8 @@ impl Places {
     /// about the places.
     pub(super) fn layout(
         &self,
-        (model, path): (&Model, &Path),
+        model: &Model,
+        path: &Path,
         numbers: &Numbers,
         answers: &AnswerOptions,
         files: &dyn Files,
@@ -74,7 +75,7 @@ impl Places {
                     Some(said) => said,
                     None => numbers.radius(None)? * numbers.growth(model)?,
                 };
-                for sole in feet.soles((model, path), radius_m, files, &mut remarks)? {
+                for sole in feet.soles(model, path, radius_m, files, &mut remarks)? {
                     answers.ask(pad_slip(&sole, feet.pad_m)).map_err(Fault::new)?;
                     answers.ask(tilted(&sole, model)).map_err(Fault::new)?;
                     layout.contacts.extend(under(&sole, numbers)?);
@@ -200,7 +201,8 @@ impl TablePlaces {
 impl FeetPlaces {
     fn soles(
         &self,
-        (model, path): (&Model, &Path),
+        model: &Model,
+        path: &Path,
         radius_m: f64,
         files: &dyn Files,
         remarks: &mut Vec<Phrase>,

@@ -160,7 +160,7 @@ fn whole_reference(
 ) -> Result<(FromReference, bool, Vec<Phrase>), RequestError> {
     let (opened, is_file) = reference(from, files)?;
     let transfer = transfer(request, from);
-    let referenced = of_opened(&transfer, from, (&opened, KnownMass::Asked), files)?;
+    let referenced = of_opened(&transfer, from, &opened, KnownMass::Asked, files)?;
     let (_, _, Some(generic)) = &referenced else {
         return Err(RequestFault::Missing { field: "from" }.into());
     };
@@ -185,16 +185,16 @@ fn numbers_of(
 ) -> Result<(OfReference, bool), RequestError> {
     let (opened, is_file) = reference(from, files)?;
     let transfer = transfer(request, from);
-    let referenced = of_opened(&transfer, from, (&opened, KnownMass::Asked), files)?;
+    let referenced = of_opened(&transfer, from, &opened, KnownMass::Asked, files)?;
     let layout = selection(request)
         .apply(&opened.model)
         .and_then(|selected| contacts_of(request, &opened.model, &selected))
         .map_err(|fault| opened.failure(fault))?;
     let transferring = super::super::transfer::planner(transfer, referenced, is_file);
     let known = &transferring.reference;
-    let facts = (known.mass.clone(), known.sphere_count, known.gravity_m_s2);
-    let reference =
-        reference_of_layout(&known.name, &layout, facts).map_err(|fault| opened.failure(fault))?;
+    let (mass, sphere_count) = (known.mass.clone(), known.sphere_count);
+    let reference = reference_of_layout(&known.name, &layout, mass, sphere_count, known.gravity_m_s2)
+        .map_err(|fault| opened.failure(fault))?;
     Ok((OfReference { layout, reference, transferring }, is_file))
 }
 
