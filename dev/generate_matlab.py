@@ -14,7 +14,7 @@ import textwrap
 from pathlib import Path
 
 import request_schemas
-from matlab_texts import EXAMPLES, LEFT_OUT, NO_STANDARD_STREAMS, POSITIONAL, RESULTS, WITHOUT_MODELS
+from matlab_texts import EXAMPLES, LEFT_OUT, NO_STANDARD_STREAMS, RESULTS, WITHOUT_MODELS
 
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGE = ROOT / "matlab/+osimcontact"
@@ -84,7 +84,7 @@ def described(field, used):
 
 def help_of(verb, options, used):
     name = function_name(verb.name)
-    positional = POSITIONAL.get(verb.name, [])
+    positional = list(verb.positional)
     fields = {field.name: field for field in verb.fields}
     lines = [f"%{name.upper()} {first_sentence(verb.summary)}"]
     arguments = ", ".join([argument.upper() for argument in positional] + ["NAME, VALUE, ..."])
@@ -129,9 +129,7 @@ def top_fields(result):
 
 
 def verb_file(verb, used):
-    left_out = {field.name for field in verb.fields if field.name in LEFT_OUT}
-    positional = POSITIONAL.get(verb.name, [])
-    options = [f for f in verb.fields if f.name not in left_out and f.name not in positional]
+    options = [f for f in verb.fields if f.group != LEFT_OUT and f.name not in verb.positional]
     text = [f"function results = {function_name(verb.name)}(varargin)", *help_of(verb, options, used), "", MADE,
             f"    results = osimcontact.internal.run_verb({quoted(function_name(verb.name))}, varargin);", "end", ""]
     return "\n".join(text)
@@ -142,8 +140,8 @@ def declared_file(verbs):
              "%DECLARED What a function of this package takes and gives: options, what comes before them, results.", "", MADE,
              "    switch name"]
     for verb in verbs:
-        names = [field.name for field in verb.fields if field.name not in LEFT_OUT]
-        positional = POSITIONAL.get(verb.name, [])
+        names = [field.name for field in verb.fields if field.group != LEFT_OUT]
+        positional = list(verb.positional)
         required = [argument for argument in positional if argument in verb.required]
         if positional[:len(required)] != required:
             sys.exit(f"{verb.name}: what must be given comes first among what has no name: {positional}")
@@ -159,8 +157,13 @@ def declared_file(verbs):
     lines += ["        otherwise", "            error('osimcontact:usage', 'there is no verb ''%s''', name);", "    end",
               "    verb.name = name;",
               "    verb.gives_json = ~isempty(verb.result);",
-              f"    verb.left_out = {cell(LEFT_OUT)};", "end", ""]
+              f"    verb.left_out = {cell(left_out(verbs))};", "end", ""]
     return "\n".join(lines)
+
+
+def left_out(verbs):
+    """The options without use in MATLAB, each once."""
+    return list(dict.fromkeys(field.name for verb in verbs for field in verb.fields if field.group == LEFT_OUT))
 
 
 def shape_of(schema, definitions):
@@ -241,9 +244,9 @@ def files():
         sys.exit(f"in dev/matlab_texts.py and in schemas/requests/ there are not the same verbs: {', '.join(sorted(missing))}")
     used = set()
     made = {PACKAGE / f"{function_name(verb.name)}.m": verb_file(verb, used) for verb in verbs}
-    idle = (set(NO_STANDARD_STREAMS) - used) | (set(LEFT_OUT) - {f.name for verb in verbs for f in verb.fields})
+    idle = set(NO_STANDARD_STREAMS) - used
     if idle:
-        sys.exit(f"no option says or is this any more, take it out of dev/matlab_texts.py: {', '.join(sorted(idle))}")
+        sys.exit(f"no option says this any more, take it out of dev/matlab_texts.py: {', '.join(sorted(idle))}")
     made[PACKAGE / "Contents.m"] = contents_file(verbs)
     made[PACKAGE / "+internal/declared.m"] = declared_file(verbs)
     made[PACKAGE / "+internal/shapes.m"] = shapes_file()

@@ -18,27 +18,18 @@ from request_schemas import Field, Verb, verbs
 OUTPUT = Path(__file__).resolve().parent.parent / "python" / "osim_contact_scale" / "_verbs.py"
 
 WRITTEN = "a plan is written by Result.write"
-SHOWN = "Python shows results itself"
+SHOWN = "Python shows results itself, and has no exit status"
 MANY = "these are for many models at once: rescale_many and many have them"
-# Fields that are no keywords, with the reason.
+# Groups of fields that are no keywords, with the reason. How results are shown is none of any function.
+GROUPS_LEFT_OUT = {
+    "change": {"output": WRITTEN, "many": MANY},
+    "plot": {"output": "Figure.save"},
+    "reproduce": {"output": "Reproduction has the table, plot the figures"},
+}
+# Single fields that are no keywords, with the reason.
 LEFT_OUT = {
-    "change": {
-        "output": WRITTEN, "geometry_output": WRITTEN, "output_dir": WRITTEN, "in_place": WRITTEN, "no_backup": WRITTEN,
-        "force": WRITTEN, "dry_run": "a plan writes nothing", "diff": "Result.diff", "report": "Result.report",
-        "format": SHOWN, "quiet": SHOWN, "jobs": MANY, "summary": MANY, "resume": MANY, "shard": MANY,
-    },
-    "survey": {"format": SHOWN, "full": SHOWN, "deny": "there is no exit status in Python"},
-    "drop-test": {"format": SHOWN},
-    "fit": {"format": SHOWN},
-    "explain": {"format": SHOWN, "ascii": SHOWN},
-    "presets": {"format": SHOWN},
-    "plot": {"output": "Figure.save", "data": "Figure.save and Figure.data", "force": "Figure.save"},
-    "reproduce": {"format": SHOWN, "output_dir": "Reproduction has the table, plot the figures", "force": "it writes nothing"},
-    "sweep": {"format": SHOWN, "quiet": SHOWN},
-    "batch": {
-        "format": SHOWN, "quiet": SHOWN, "diff": SHOWN,
-        "output": "a column of the table", "geometry_output": "a column of the table",
-    },
+    "change": {"dry_run": "a plan writes nothing", "report": "Result.report"},
+    "batch": {"output": "a column of the table", "geometry_output": "a column of the table"},
 }
 
 # OpenSim's properties, which `set` takes by their names.
@@ -147,12 +138,18 @@ def keyword_of(name: str) -> str:
 
 
 def fields_of(verb: Verb, shape: Shape) -> list[Field]:
-    left_out = LEFT_OUT.get(shape.group, {})
+    left_out, groups = LEFT_OUT.get(shape.group, {}), {"shown": SHOWN, **GROUPS_LEFT_OUT.get(shape.group, {})}
     unknown = [name for name in left_out if name not in {field.name for field in verb.fields}]
-    if unknown and shape.group not in ("change", "survey"):
+    if unknown:
         raise SystemExit(f"{verb.name} has no {', '.join(unknown)}: take it out of LEFT_OUT")
+    idle = set(GROUPS_LEFT_OUT.get(shape.group, {})) - {field.group for field in verb.fields}
+    if idle:
+        raise SystemExit(f"{verb.name} has no field of {', '.join(sorted(idle))}: take it out of GROUPS_LEFT_OUT")
     positional = {field for *_, field in shape.positional}
-    return [field for field in verb.fields if field.name not in left_out and field.name not in positional and field.name != "set"]
+    if positional != set(verb.positional):
+        raise SystemExit(f"{verb.name} has no names for {', '.join(verb.positional)}: put them into its shape")
+    said = [field for field in verb.fields if field.name not in left_out and field.group not in groups]
+    return [field for field in said if field.name not in positional and field.name != "set"]
 
 
 def type_of(field: Field) -> str:

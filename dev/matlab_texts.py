@@ -1,26 +1,5 @@
 """What dev/generate_matlab.py says of the verbs beside what the schemas say: how they are called from MATLAB."""
 
-# What comes before the options, without a name; the first ones must be given where the request needs them.
-POSITIONAL = {
-    "add": ["models"],
-    "batch": ["manifest"],
-    "check": ["models"],
-    "convert": ["models"],
-    "design": ["models"],
-    "drop-test": ["subject"],
-    "explain": ["topics"],
-    "fit": ["file"],
-    "inspect": ["models"],
-    "note": ["models"],
-    "plot": ["kind", "models"],
-    "presets": ["name"],
-    "remove": ["models"],
-    "rescale": ["models"],
-    "set": ["models"],
-    "sweep": ["model"],
-    "transfer": ["models"],
-}
-
 # The schema in schemas/results/ of what a verb gives; None: it gives no JSON.
 RESULTS = {
     "rescale": "change",
@@ -46,15 +25,8 @@ RESULTS = {
 # Verbs that may be called without a model, and what they give then.
 WITHOUT_MODELS = {"design": "design"}
 
-# Options that have no use in MATLAB, and why.
-LEFT_OUT = {
-    "format": "results are data",
-    "quiet": "nothing is printed",
-    "diff": "it is text for a terminal; results have every number that changes",
-    "full": "it is about a printed table",
-    "ascii": "results have both spellings",
-    "deny": "it decides the exit status; results have the number of findings of each severity",
-}
+# The group of options that has no use in MATLAB: results are data, and nothing is printed.
+LEFT_OUT = "shown"
 
 # Words of descriptions that hold for a terminal only, and what stands there instead.
 NO_STANDARD_STREAMS = {

@@ -1,7 +1,7 @@
 """The verbs and their fields, as the JSON Schemas in schemas/requests/ have them.
 
 The schemas are made from the Rust types of the requests. What Python and MATLAB say of an option is made from them in turn,
-so that an option is declared once.
+so that an option is declared once. `x-group` and `x-positional` are words of this project: see crates/osim-requests/src/schema.rs.
 """
 
 import json
@@ -24,6 +24,8 @@ class Field:
     choices: tuple[str, ...]
     """The texts that it takes, where there are no others."""
     default: object
+    group: str | None
+    """What it is about, where it says nothing about contacts: output, many or shown."""
 
 
 @dataclass(frozen=True)
@@ -34,6 +36,8 @@ class Verb:
     summary: str
     fields: tuple[Field, ...]
     required: frozenset[str]
+    positional: tuple[str, ...]
+    """The options that a call has without their names, in its order."""
 
 
 def verbs() -> list[Verb]:
@@ -48,7 +52,8 @@ def _verb(path: Path) -> Verb:
     )
     summary = re.split(r"\n\s*\n|```", schema["description"])[0].strip()
     required = frozenset(name for name in schema.get("required", []) if name != "verb")
-    return Verb(path.name.removesuffix(".schema.json"), summary, fields, required)
+    positional = tuple(schema.get("x-positional", []))
+    return Verb(path.name.removesuffix(".schema.json"), summary, fields, required, positional)
 
 
 def _field(name: str, schema: dict) -> Field:
@@ -62,6 +67,7 @@ def _field(name: str, schema: dict) -> Field:
         kinds=frozenset(kinds),
         choices=() if free_text else tuple(choices),
         default=schema.get("default"),
+        group=schema.get("x-group"),
     )
 
 

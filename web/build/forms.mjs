@@ -5,7 +5,7 @@ import { join } from "node:path";
 
 import { field } from "./field.mjs";
 import { labels } from "./labels.mjs";
-import { CALCULATOR, GROUPS, LEFT_OUT, ONLY_WITH_MODEL, VERBS } from "./layout.mjs";
+import { CALCULATOR, GROUPS, GROUPS_LEFT_OUT, LEFT_OUT, ONLY_WITH_MODEL, VERBS } from "./layout.mjs";
 import { ROOT } from "./paths.mjs";
 import { relations } from "./relations.mjs";
 
@@ -25,11 +25,15 @@ export function forms() {
 function form(verb, usual, names, without = []) {
   const schema = JSON.parse(readFileSync(join(ROOT, `schemas/requests/${verb}.schema.json`), "utf8"));
   const fields = Object.entries(schema.properties)
-    .filter(([name]) => name !== "verb" && !(name in LEFT_OUT) && !without.includes(name))
+    .filter(([name, declared]) => name !== "verb" && !isLeftOut(name, declared) && !without.includes(name))
     .map(([name, declared]) => ({ ...field(name, declared, names), ...place(verb, name, usual) }));
   const known = new Set(fields.map(({ name }) => name));
   const required = (schema.required ?? []).filter((name) => known.has(name));
   return { verb, fields: ordered(fields, usual), required, ...relations(schema.allOf ?? [], known) };
+}
+
+function isLeftOut(name, { "x-group": group }) {
+  return name in LEFT_OUT || (group !== undefined && group in GROUPS_LEFT_OUT);
 }
 
 /** Usual fields stand first; every other one belongs to a group. */

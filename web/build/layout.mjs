@@ -1,16 +1,14 @@
 // What only the page knows about fields: which it has no use for, which come first, and how the others are grouped.
 
-const WRITTEN = "the page downloads results";
-const TERMINAL = "it is about a terminal or a disk";
-const MANY = "the page asks for one model at a time";
+/** Groups of fields that no form has, by their names in the schemas, with the reason. */
+export const GROUPS_LEFT_OUT = {
+  output: "the page downloads results", many: "the page asks for one model at a time", shown: "the page shows results itself",
+};
 
-/** Fields that no form has, with the reason. */
+/** Single fields that no form has, with the reason. */
 export const LEFT_OUT = {
-  models: "it is the model that is open",
-  output: WRITTEN, geometry_output: WRITTEN, output_dir: WRITTEN, in_place: WRITTEN, no_backup: WRITTEN, force: WRITTEN,
-  dry_run: "nothing is written before it is downloaded", diff: "the page has a button for it", report: "the page has a button for it",
-  format: TERMINAL, quiet: TERMINAL, full: TERMINAL, geometry_dir: "meshes are among the files that are open",
-  jobs: MANY, summary: MANY, resume: MANY, shard: MANY,
+  models: "it is the model that is open", geometry_dir: "meshes are among the files that are open",
+  dry_run: "nothing is written before it is downloaded", report: "the page has a button for it",
 };
 
 /** Fields of the calculator's form that say something about a model, which it has none of. */

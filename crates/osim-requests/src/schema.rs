@@ -1,10 +1,15 @@
 //! Schemas of requests, from their types.
+//!
+//! Beside the words of JSON Schema they have two of their own, for what is made from them: `x-positional`, the fields that a call
+//! has without their names, and `x-group`, what a field is about that says nothing about contacts.
 
 use osim_messages::Verb;
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema};
 use serde_json::{Map, Value, json};
 
+use crate::group::FieldGroup;
+use crate::positional::positional;
 use crate::relation::Relation;
 
 /// The schema of the requests `T` for `verb`.
@@ -15,8 +20,14 @@ pub(crate) fn schema<T: JsonSchema>(verb: Verb, relations: &[&[Relation]]) -> Sc
     if let Value::Object(properties) = properties {
         let named = std::mem::take(properties);
         properties.insert("verb".to_owned(), json!({"const": verb.name()}));
-        // What may be absent may be null.
-        properties.extend(named.into_iter().map(|(name, schema)| (name, or_null(schema))));
+        // What says nothing may be null.
+        properties.extend(named.into_iter().map(|(name, schema)| {
+            let schema = in_group(&name, or_null(schema));
+            (name, schema)
+        }));
+    }
+    if !positional(verb).is_empty() {
+        object.insert("x-positional".to_owned(), positional(verb).into());
     }
     object.insert("additionalProperties".to_owned(), false.into());
     let mut required = vec![Value::from("verb")];
@@ -43,7 +54,15 @@ pub(crate) fn schema<T: JsonSchema>(verb: Verb, relations: &[&[Relation]]) -> Sc
     schema
 }
 
-/// The schema that a field is given: it is there, and is neither null, nor false, nor empty.
+/// The schema of the field `name` with its group, where it has one.
+fn in_group(name: &str, mut schema: Value) -> Value {
+    if let (Some(group), Some(object)) = (FieldGroup::of(name), schema.as_object_mut()) {
+        object.insert("x-group".to_owned(), group.name().into());
+    }
+    schema
+}
+
+/// That a field says something: it is there, and is neither null, nor false, nor empty.
 fn says(field: &str) -> Value {
     json!({
         "required": [field],

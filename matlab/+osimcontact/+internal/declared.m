@@ -184,5 +184,5 @@ function verb = declared(name)
     end
     verb.name = name;
     verb.gives_json = ~isempty(verb.result);
-    verb.left_out = {'format', 'quiet', 'diff', 'full', 'ascii', 'deny'};
+    verb.left_out = {'diff', 'format', 'quiet', 'deny', 'ascii', 'full'};
 end

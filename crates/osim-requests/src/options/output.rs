@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::dictionary;
 use crate::relation::Relation;
 use crate::values::path;
 
@@ -55,7 +56,13 @@ impl OutputOptions {
         Relation::Needs("no_backup", "in_place"),
     ];
 
-    /// Whether a factor may be applied to a model whose note says that it was applied already: a new file is not a mistake.
+    /// Whether a field of this name says which files results are written to. All of its fields do, but for the one that is about
+    /// what is in them.
+    pub(crate) fn is_about_files(field: &str) -> bool {
+        field != "no_note" && dictionary::map(&Self::default()).contains_key(field)
+    }
+
+    /// Whether a factor may be applied to a model whose note says that it was applied already: a new file is no mistake.
     pub fn may_repeat(&self) -> bool {
         self.force || !self.in_place
     }

@@ -97,7 +97,10 @@ impl RunOptions {
     pub const RELATIONS: &'static [Relation] =
         &[Relation::Needs("resume", "summary"), Relation::Excludes("resume", "dry_run")];
 
-    /// Whether results are shown as JSON.
+    /// The fields that are about many models at once.
+    pub(crate) const OF_MANY: [&'static str; 4] = ["jobs", "summary", "resume", "shard"];
+
+    /// `true` where results are shown as JSON.
     #[must_use]
     pub fn is_json(&self) -> bool {
         self.format == Some(RunFormat::Json)
