@@ -11,9 +11,9 @@ use osim_inspect::{Figure, Quantity};
 use osim_messages::{Call, Dialect, Example, Input, Phrase, Verb};
 use osim_model::{FindingCode, Repair, Seen, Severity};
 use osim_planning::{DesignQuantity, DropColumn, DropFigure, DropRow};
-use osim_report::dialect::CommandLine;
 use osim_report::explain::ErrorGroup;
 use osim_requests::schema_of;
+use osim_requests::spell::CommandLine;
 
 /// The words of the command line, marked as code.
 struct Markdown;

@@ -8,8 +8,8 @@ use osim_model::files::{InMemory, ModelFiles, OpenModel};
 use osim_model::{Fault, Model};
 use osim_patch::Plan;
 use osim_planning::{BeforeAfter, Change, Planner, changeable, check_with_trials, prepare};
-use osim_report::dialect::CommandLine;
 use osim_requests::options::InspectionOptions;
+use osim_requests::spell::CommandLine;
 use serde_json::json;
 
 use crate::front_end::{Changed, read};

@@ -7,9 +7,9 @@ use osim_model::FindingCode;
 use osim_model::files::InMemory;
 use osim_planning::{Inspector, open_with, prepare};
 use osim_report::check::{LibraryTable, csv_rows, text};
-use osim_report::dialect::{CommandLine, FrontEnd};
 use osim_report::json::line;
 use osim_report::layout::Colour;
+use osim_requests::spell::{CommandLine, FrontEnd};
 use osim_requests::{CheckRequest, Request};
 use serde_json::json;
 
@@ -106,7 +106,7 @@ fn a_remedy_in_the_words_of_requests_is_a_request() {
         open_with(Path::new("human.osim"), inspector.set_files().beside(), &files_of(&bench)).unwrap();
     let inspected = inspector.inspect(&opened).unwrap();
     let mut found = inspector.check(&opened.model, &inspected, None);
-    found.spell(&osim_report::dialect::JsonRequest);
+    found.spell(&osim_requests::spell::JsonRequest);
     let asked = json!({"verb": "check", "models": ["human.osim"], "format": "json"}).to_string();
     assert_eq!(line(&found), bench.run_with("request -", asked.as_bytes()).out());
 }

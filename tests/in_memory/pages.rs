@@ -8,7 +8,7 @@ use osim_html::{
 use osim_messages::Verb;
 use osim_model::files::{Beside, InMemory, ModelFiles, OpenModel};
 use osim_planning::{BeforeAfter, Inspector, ModelFeet, open_with, prepare};
-use osim_report::dialect::CommandLine;
+use osim_requests::spell::CommandLine;
 use serde_json::json;
 use sha2::{Digest, Sha256};
 

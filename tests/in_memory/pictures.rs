@@ -2,7 +2,7 @@
 
 use osim_figures as figures;
 use osim_planning::plot_bodies;
-use osim_report::dialect::CommandLine;
+use osim_requests::spell::CommandLine;
 use serde_json::{Value, json};
 
 use crate::front_end::{files_of, request};

@@ -1,7 +1,6 @@
 //! Verbs that compute and change nothing: drops, fits, designs without a model, presets, explanations.
 
 use osim_planning::{design_sheet, find_presets, run_drop_test, run_fit};
-use osim_report::dialect::CommandLine;
 use osim_report::explain::{Letters, answer};
 use osim_report::json::{FailureRecord, line};
 use osim_report::messages::mass_mismatch;
@@ -10,6 +9,7 @@ use osim_report::results::{
     DropRecord, FitRecord, PresetRecord, design_sheet_text, drop_csv, drop_text, fit_text, preset_text,
 };
 use osim_requests::RequestError;
+use osim_requests::spell::CommandLine;
 use serde_json::json;
 
 use crate::front_end::{files_of, request};

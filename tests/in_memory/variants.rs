@@ -75,5 +75,5 @@ fn axes_that_undo_each_other() {
     let model = ModelFiles::read(path, files.read(path).unwrap(), Beside::default(), &files).unwrap();
     let Err(osim_requests::RequestError::Fault(fault)) = SweepPlan::new(&request, model) else { panic!() };
     let ran = bench.run("sweep human.osim --grid stiffness=1e5 --grid indentation=0.1").usage();
-    assert_eq!(format!("error: {}\n", fault.spelled(&osim_report::dialect::CommandLine)), ran.err());
+    assert_eq!(format!("error: {}\n", fault.spelled(&osim_requests::spell::CommandLine)), ran.err());
 }

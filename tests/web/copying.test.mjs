@@ -13,7 +13,7 @@ inChromium("the change is spelled for a terminal, for Python and for MATLAB", as
   await user.open(HUMAN);
   await user.field("Target mass (kg)").fill("500");
   await user.done("my human.scaled.osim");
-  assert.match(await user.spelled("Command"), /^osim-contact-scale rescale ["']my human\.osim["'] --target-mass 500$/);
+  assert.match(await user.spelled("Command"), /^osim-contact-scale rescale "my human\.osim" --target-mass 500$/);
   const python = await user.spelled("Python");
   assert.match(python, /import osim_contact_scale/);
   assert.match(python, /rescale\("my human\.osim", target_mass=500/);

@@ -1,7 +1,7 @@
 //! The words in which this program says what can be said: those of its command line, or of a request in JSON.
 
 pub(crate) use osim_library::page::Words;
-use osim_report::dialect::{CommandLine, JsonRequest};
+use osim_requests::spell::{CommandLine, JsonRequest};
 
 /// Options as they are typed.
 pub(crate) static WORDS: Words = &CommandLine;

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use osim_messages::{Input, Verb, harmless};
-use osim_report::dialect::FrontEnd;
+use osim_requests::spell::FrontEnd;
 
 use super::about::About;
 use super::deferred::DeferredText;
@@ -23,7 +23,7 @@ const OPEN_ON_PAPER: usize = 20;
 ///
 /// ```
 /// use osim_messages::Verb;
-/// use osim_report::dialect::CommandLine;
+/// use osim_requests::spell::CommandLine;
 /// use osim_html::{About, Columns, Entry, InMemory, Kept, Page};
 ///
 /// let about = About::new(Verb::Check, None, Columns::Inspections, "osim-contact-scale check models");

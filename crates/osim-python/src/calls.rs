@@ -5,7 +5,6 @@ use std::path::PathBuf;
 
 use osim_model::Property;
 use osim_planning::{design_sheet, find_presets, run_drop_test, run_fit};
-use osim_report::dialect::Python as PythonWords;
 use osim_report::explain::{Letters, answer};
 use osim_report::messages::mass_mismatch;
 use osim_report::reproduce::{ReproductionRecord, fig1_text, reproduction_text};
@@ -13,6 +12,7 @@ use osim_report::results::{
     DropRecord, FitRecord, PresetRecord, design_sheet_text, drop_text, fit_text, preset_text,
 };
 use osim_requests::Request;
+use osim_requests::spell::Python as PythonWords;
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyDict;

@@ -8,7 +8,7 @@ use osim_figures as figures;
 use osim_inspect::series::Body;
 use osim_messages::Input;
 use osim_planning::{plot_bodies, plot_feet, plot_table};
-use osim_report::dialect::Python as PythonWords;
+use osim_requests::spell::Python as PythonWords;
 use osim_requests::{PlotRequest, Request, RequestFault};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;

@@ -11,8 +11,9 @@ use osim_library::run::{
 use osim_library::{LibraryFault, folder_of};
 use osim_model::files::{Failure, Files};
 use osim_planning::prepare;
+use osim_requests::Request;
 use osim_requests::options::RunOptions;
-use osim_requests::{Request, Speller};
+use osim_requests::spell::Speller;
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyDict;

@@ -12,10 +12,10 @@ use osim_library::{Folders, LibraryFault, Loaded, Source, Sources, in_order, thr
 use osim_messages::Verb;
 use osim_model::files::Failure;
 use osim_planning::Inspector;
-use osim_report::dialect::JsonRequest;
 use osim_report::json::FailureRecord;
 use osim_requests::Request;
 use osim_requests::options::ReportOptions;
+use osim_requests::spell::JsonRequest;
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyDict;

@@ -2,12 +2,12 @@
 //!
 //! Data goes in, text comes out: [`inspection`], [`check`] and [`plan`] make tables, [`json`] records, and [`explain`] what an equation
 //! or a code means. What the reader can say or do is
-//! spelled by a [`dialect`].
+//! spelled by a [front end](osim_requests::spell::FrontEnd).
 //!
 //! ```
 //! use osim_inspect::InspectOptions;
 //! use osim_model::Model;
-//! use osim_report::dialect::CommandLine;
+//! use osim_requests::spell::CommandLine;
 //! use osim_report::inspection;
 //! use osim_report::layout::Colour;
 //!
@@ -29,7 +29,6 @@
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 pub mod check;
-pub mod dialect;
 pub mod explain;
 pub mod inspection;
 pub mod json;

@@ -31,7 +31,7 @@ mod positional;
 mod relation;
 mod request;
 mod schema;
-mod speller;
+pub mod spell;
 mod unique;
 pub mod values;
 
@@ -44,7 +44,6 @@ pub use request::{
     Request, RescaleRequest, SeriesFormat, SetRequest, SweepRequest, TransferRequest, fig1, schema_of,
     silent_fields,
 };
-pub use speller::Speller;
 pub use values::{
     Acceleration, Assignments, Axis, AxisName, BodyMap, BodyScale, ConstantIndentation, ContactOnset, Count,
     Dpi, DropHeight, FigureWidth, FontSize, Grid, GridValue, Height, Kilograms, Metres, NewRadius,

@@ -8,10 +8,10 @@ use osim_model::FileId;
 use osim_model::files::{Failure, ModelFiles};
 use osim_patch::Plan;
 use osim_planning::{BeforeAfter, Change, States};
-use osim_report::dialect::FrontEnd;
 use osim_report::json::PlanRecord;
 use osim_report::plan::unified_diff;
 use osim_requests::options::OutputOptions;
+use osim_requests::spell::FrontEnd;
 use serde::Serialize;
 
 use crate::look::FindingShown;

@@ -5,9 +5,9 @@ use std::rc::Rc;
 
 use osim_model::files::{Failure, Files};
 use osim_planning::{Change, Inspector, prepare};
-use osim_report::dialect::{CommandLine, FrontEnd, Page};
 use osim_requests::Request;
 use osim_requests::options::SetFiles;
+use osim_requests::spell::{CommandLine, FrontEnd, Page, Speller};
 use serde::Serialize;
 use serde_json::json;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -18,7 +18,8 @@ use crate::problem::Problem;
 use crate::question::{Fields, Question};
 use crate::report::{Report, name_of};
 use crate::shelf::Shelf;
-use crate::{knowledge, look, spelled};
+use crate::spelled::Calls;
+use crate::{knowledge, look};
 
 /// Models that stay open: a page looks at one and compares it with another.
 const KEPT: usize = 4;
@@ -119,7 +120,7 @@ impl Engine {
             Question::Keep => self.keep(),
             Question::Report { request } => ok(self.report(request)?),
             Question::Calculate { request } => ok(knowledge::calculate(&Request::from_map(request)?)?),
-            Question::Spell { request } => ok(spelled::calls(&Request::from_map(request)?)),
+            Question::Spell { request } => ok(Calls::of(&Request::from_map(request)?)),
             Question::Explain { topic } => ok(json!({ "text": knowledge::explain(&topic)? })),
             Question::Presets { fields } => ok(knowledge::presets(fields, &self.shelf)?),
         }
@@ -189,5 +190,5 @@ impl Engine {
 /// The command that writes the report about the model `path`.
 fn asked(fields: &mut Fields, path: &Path) -> Result<String, Problem> {
     fields.insert("report".to_owned(), name_of(path).into());
-    Ok(spelled::in_report(&Request::from_map(fields.clone())?))
+    Ok(CommandLine.request(&Request::from_map(fields.clone())?))
 }

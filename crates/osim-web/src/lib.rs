@@ -18,7 +18,7 @@ mod problem;
 mod question;
 mod report;
 mod shelf;
-pub mod spelled;
+mod spelled;
 
 pub use engine::Engine;
 pub use question::Question;

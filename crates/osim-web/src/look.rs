@@ -4,8 +4,8 @@ use osim_html::{DetailLevel, Entry, Explained, Section, Sections};
 use osim_inspect::{CheckResult, FindingRecord, Found, Inspection};
 use osim_messages::Verb;
 use osim_planning::{Inspector, ModelFeet};
-use osim_report::dialect::{FrontEnd, Page};
 use osim_requests::Request;
+use osim_requests::spell::{FrontEnd, Page};
 use serde::Serialize;
 use serde_json::{Map, Value};
 

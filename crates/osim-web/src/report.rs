@@ -4,7 +4,7 @@ use std::path::Path;
 
 use osim_html::{About, Columns, Entry, InMemory, Kept, Page};
 use osim_messages::Verb;
-use osim_report::dialect::CommandLine;
+use osim_requests::spell::CommandLine;
 use serde::Serialize;
 
 use crate::problem::Problem;

@@ -1,6 +1,6 @@
 //! The call as it was typed, for reports.
 
-use osim_report::dialect::shell_quoted;
+use osim_requests::spell::shell_quoted;
 
 /// The command line, each word quoted where a shell asks for it.
 pub(super) fn asked() -> String {

@@ -6,8 +6,8 @@ use osim_library::run::{ChangedModel, Detail, FrontEnd, Written};
 use osim_model::FileId;
 use osim_report::json::{PlanRecord, line};
 use osim_report::plan;
-use osim_requests::Speller;
 use osim_requests::options::{RunFormat, RunOptions};
+use osim_requests::spell::Speller;
 
 use crate::interrupt;
 use crate::progress::Progress;

@@ -4,7 +4,7 @@ use contact_plots::{Drawing, ForceAxis, IndentationAxis, Paper, figure, force_fi
 use osim_figures::{self as figures, Axes};
 use osim_inspect::InspectOptions;
 use osim_inspect::series::{Body, HeatRequest};
-use osim_report::dialect::{CommandLine, Python};
+use osim_requests::spell::{CommandLine, Python};
 use osim_requests::{DropHeight, HeatQuantity};
 
 use crate::support::open;

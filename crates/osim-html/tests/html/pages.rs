@@ -8,7 +8,7 @@ use osim_inspect::InspectOptions;
 use osim_messages::Verb;
 use osim_model::files::{Failure, OpenModel};
 use osim_planning::ModelFeet;
-use osim_report::dialect::{CommandLine, FrontEnd, Python};
+use osim_requests::spell::{CommandLine, FrontEnd, Python};
 
 use crate::support::{self, open, rescaled};
 

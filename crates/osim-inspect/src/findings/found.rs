@@ -3,7 +3,8 @@
 use std::ops::Deref;
 
 use osim_model::{Finding, Severity};
-use osim_requests::{Request, Speller};
+use osim_requests::Request;
+use osim_requests::spell::Speller;
 
 /// Something found in a model, and the request that puts it right. It reads like its [`Finding`], which says where it applies.
 #[derive(Debug, Clone, PartialEq)]

@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 
 use osim_model::{FindingCode, Severity};
-use osim_requests::Speller;
+use osim_requests::spell::Speller;
 use schemars::JsonSchema;
 use serde::Serialize;
 

@@ -3,7 +3,7 @@
 use osim_model::files::OpenModel;
 use osim_patch::Plan;
 use osim_planning::BeforeAfter;
-use osim_requests::Speller;
+use osim_requests::spell::Speller;
 
 use super::record::Record;
 use super::task::Task;

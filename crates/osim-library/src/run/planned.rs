@@ -8,8 +8,8 @@ use osim_model::FileId;
 use osim_model::files::{Failure, Files, ModelFiles, OpenModel};
 use osim_patch::Plan;
 use osim_planning::{BeforeAfter, Change, Planner};
-use osim_requests::Speller;
 use osim_requests::options::{OutputOptions, RunOptions, SetFiles};
+use osim_requests::spell::Speller;
 
 use super::destination::Destination;
 use super::front_end::ChangedModel;

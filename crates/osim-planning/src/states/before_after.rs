@@ -5,7 +5,7 @@ use osim_inspect::{CheckResult, Figures, InspectOptions, Inspection, ReferenceSt
 use osim_model::Property;
 use osim_model::files::{Failure, ModelFiles, OpenModel};
 use osim_patch::Plan;
-use osim_requests::Speller;
+use osim_requests::spell::Speller;
 
 use crate::states::states::{body, options_after};
 use crate::{ModelFeet, Planner, trial};

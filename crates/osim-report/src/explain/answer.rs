@@ -7,8 +7,8 @@ use super::letters::Letters;
 use super::record::TopicRecord;
 use super::text::{list, text};
 use super::topic::{Topic, UnknownTopic};
-use crate::dialect::FrontEnd;
 use crate::json::line;
+use osim_requests::spell::FrontEnd;
 
 /// Explains what is named; where nothing is, lists everything.
 ///

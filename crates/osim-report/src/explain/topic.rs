@@ -7,7 +7,7 @@ use osim_model::{FindingCode, Question};
 use super::equations::{equation, equations};
 use super::errors::{ErrorCode, errors};
 use super::quantities::{QuantityTopic, quantities, quantity};
-use crate::dialect::FrontEnd;
+use osim_requests::spell::FrontEnd;
 
 /// Something that can be explained.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -118,7 +118,7 @@ impl UnknownTopic {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::dialect::CommandLine;
+    use osim_requests::spell::CommandLine;
 
     #[test]
     fn topics_are_found_as_they_are_printed() {

@@ -1,8 +1,8 @@
 //! Explanations of every topic.
 
-use osim_report::dialect::{CommandLine, FrontEnd, Page, Python};
 use osim_report::explain::{self, Letters, Topic, TopicRecord};
 use osim_report::json::line;
+use osim_requests::spell::{CommandLine, FrontEnd, Page, Python};
 
 /// Columns of a line: the hat of x̂ takes none.
 fn columns(line: &str) -> usize {

@@ -2,7 +2,7 @@
 
 use osim_messages::Input;
 use osim_model::{CountOf, FactorQuestion, Fault, GravityFor, Needed, NoteDoubt, RadiusFrom, TreeOfForces};
-use osim_report::dialect::{CommandLine, JsonRequest, Page, Python};
+use osim_requests::spell::{CommandLine, JsonRequest, Page, Python};
 
 /// One example of every question.
 fn examples() -> Vec<Needed> {

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use osim_model::files::Failure;
 use osim_model::{Fault, Needed};
-use osim_report::dialect::{CommandLine, Python};
 use osim_report::json::{FailureRecord, PlanRecord, line};
+use osim_requests::spell::{CommandLine, Python};
 
 use crate::support::{open, rescaled};
 

@@ -6,8 +6,8 @@ use osim_compare::Placement;
 use osim_inspect::InspectOptions;
 use osim_model::{Anatomy, Pattern};
 use osim_planning::check_with_trials;
-use osim_report::dialect::{CommandLine, FrontEnd, JsonRequest, Page, Python};
 use osim_requests::Request;
+use osim_requests::spell::{CommandLine, FrontEnd, JsonRequest, Page, Python};
 
 use crate::support::open;
 

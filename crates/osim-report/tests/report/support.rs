@@ -7,7 +7,7 @@ use osim_model::files::{Beside, FileError, Files, ModelFiles, OpenModel};
 use osim_model::{MassRequest, Model};
 use osim_patch::{Plan, Rescale, rescale};
 use osim_planning::check_with_trials;
-use osim_report::dialect::FrontEnd;
+use osim_requests::spell::FrontEnd;
 
 struct Disk;
 

@@ -2,9 +2,9 @@
 
 use osim_inspect::InspectOptions;
 use osim_model::FileId;
-use osim_report::dialect::{CommandLine, FrontEnd, Python};
 use osim_report::layout::Colour;
 use osim_report::{check, inspection, plan};
+use osim_requests::spell::{CommandLine, FrontEnd, Python};
 
 use crate::support::{inspected, open, rescaled};
 

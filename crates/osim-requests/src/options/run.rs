@@ -100,7 +100,7 @@ impl RunOptions {
     /// The fields that are about many models at once.
     pub(crate) const OF_MANY: [&'static str; 4] = ["jobs", "summary", "resume", "shard"];
 
-    /// `true` where results are shown as JSON.
+    /// Whether results are shown as JSON.
     #[must_use]
     pub fn is_json(&self) -> bool {
         self.format == Some(RunFormat::Json)

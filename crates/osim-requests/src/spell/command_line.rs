@@ -2,22 +2,25 @@
 
 use std::borrow::Cow;
 
-use osim_messages::{Call, Dialect, Example, Input, Verb, shortest};
-use osim_model::Assignment;
-use osim_requests::{Request, Speller};
+use osim_messages::{Call, Dialect, Example, Input, Verb};
 
+use super::fields::{Field, FieldValue, Fields, is_assignment};
 use super::front_end::FrontEnd;
-use super::remedy::{InputValue, RemedyParts, is_assignment};
 use super::shell::shell_quoted;
+use super::speller::Speller;
+use crate::request::Request;
 
 /// Name of the program.
 const PROGRAM: &str = "osim-contact-scale";
+
+/// Options that take all values of a list in one word, separated by commas. Others are repeated.
+const WITH_COMMAS: [&str; 3] = ["feet", "keep", "only"];
 
 /// The command line: `--mass KG`, `design MODEL --indentation 0.16`.
 ///
 /// ```
 /// use osim_messages::{Input, phrase};
-/// use osim_report::dialect::CommandLine;
+/// use osim_requests::spell::CommandLine;
 ///
 /// let way_out = phrase!["say what the model weighs with ", Input::Mass.like("KG")];
 /// assert_eq!(way_out.spelled(&CommandLine), "say what the model weighs with --mass KG");
@@ -33,7 +36,7 @@ impl Dialect for CommandLine {
             }
             (Input::Output, None | Some(Example::Placeholder(_))) => "-o".to_owned(),
             (Input::OutputDir, None | Some(Example::Placeholder(_))) => "-d".to_owned(),
-            _ => option(input),
+            _ => option(input.name()),
         };
         example.map_or_else(|| name.clone(), |example| format!("{name} {example}"))
     }
@@ -63,31 +66,44 @@ impl Dialect for CommandLine {
 }
 
 impl Speller for CommandLine {
+    /// The line for a terminal: for POSIX shells, and for PowerShell and cmd where nothing in it would be expanded by a POSIX shell.
     fn request(&self, request: &Request) -> String {
-        let parts = RemedyParts::of(request);
-        let mut words = vec![PROGRAM.to_owned()];
-        if parts.verb != Verb::Rescale {
-            words.push(parts.verb.name().to_owned());
-        }
-        words.push(shell_quoted(&model_word(&parts.model)));
-        words.extend(parts.assignments.iter().map(|(property, assignment)| match assignment {
-            Assignment::Factor(factor) => format!("{property}=x{}", shortest(*factor)),
-            Assignment::Value(value) => format!("{property}={}", shortest(*value)),
-        }));
-        for (input, value) in &parts.inputs {
-            let mut say = |value: &str| match value.starts_with('-') {
-                true => words.push(format!("{}={}", option(*input), shell_quoted(value))),
-                false => words.extend([option(*input), shell_quoted(value)]),
-            };
-            match value {
-                InputValue::Number(value) => say(&shortest(*value)),
-                InputValue::Text(text) => say(text),
-                InputValue::Patterns(patterns) => patterns.iter().for_each(|pattern| say(pattern)),
-                InputValue::Flag => words.push(option(*input)),
-            }
-        }
+        let fields = Fields::of(request);
+        let mut words = vec![PROGRAM.to_owned(), fields.verb.name().to_owned()];
+        words.extend(fields.positional.iter().flat_map(positional_words));
+        words.extend(fields.options.iter().flat_map(option_words));
         words.join(" ")
     }
+}
+
+/// What has no option, in one or several words.
+fn positional_words((_, value): &Field) -> Vec<String> {
+    value.items().iter().map(|item| shell_quoted(&file_word(&item.text()))).collect()
+}
+
+/// An option with what it says, in one or several words.
+fn option_words((name, value): &Field) -> Vec<String> {
+    let option = option(name);
+    let valued = |text: String| match text.starts_with('-') {
+        true => format!("{option}={}", shell_quoted(&text)),
+        false => format!("{option} {}", shell_quoted(&text)),
+    };
+    match value {
+        FieldValue::Map(properties) if name == "set" => {
+            properties.iter().map(|entry| shell_quoted(&assigned(entry))).collect()
+        }
+        FieldValue::Map(entries) => entries.iter().map(|entry| valued(assigned(entry))).collect(),
+        FieldValue::Flag => vec![option],
+        FieldValue::List(items) if !WITH_COMMAS.contains(&name.as_str()) => {
+            items.iter().map(|item| valued(item.text())).collect()
+        }
+        value => vec![valued(value.text())],
+    }
+}
+
+/// `stiffness=x2`, `calcn_r=1.1,1.05,1.1`.
+fn assigned((name, value): &Field) -> String {
+    format!("{name}={}", value.text())
 }
 
 impl FrontEnd for CommandLine {
@@ -113,21 +129,20 @@ fn is_positional(input: Input) -> bool {
     matches!(input, Input::Kind | Input::Topics)
 }
 
-/// The name of a file as a word that is neither an option nor a verb.
-fn model_word(name: &str) -> Cow<'_, str> {
-    let is_option = name.starts_with('-') && name != "-";
-    let may_be_verb = !name.contains(['.', '/', '\\']) && name != "-";
-    if is_option || may_be_verb { format!("./{name}").into() } else { name.into() }
+/// The name of a file as a word that is not an option.
+fn file_word(name: &str) -> Cow<'_, str> {
+    if name.starts_with('-') && name != "-" { format!("./{name}").into() } else { name.into() }
 }
 
-fn option(input: Input) -> String {
-    format!("--{}", input.name().replace('_', "-"))
+fn option(field: &str) -> String {
+    format!("--{}", field.replace('_', "-"))
 }
 
 #[cfg(test)]
 mod tests {
     use osim_messages::Phrase;
     use osim_model::FindingCode;
+    use serde_json::{Value, json};
 
     use super::*;
 
@@ -135,10 +150,32 @@ mod tests {
         Phrase::template(template).spelled(&CommandLine)
     }
 
+    #[track_caller]
+    fn is_spelled(request: &Value, expected: &str) {
+        let request = Request::from_json(request.to_string().as_bytes()).unwrap();
+        assert_eq!(CommandLine.request(&request), format!("{PROGRAM} {expected}"));
+    }
+
     #[test]
-    fn a_model_is_never_an_option_or_a_verb() {
-        let words = ["-y.osim", "set", "foot.osim", "a/b", "-"].map(model_word);
-        assert_eq!(words, ["./-y.osim", "./set", "foot.osim", "a/b", "-"]);
+    fn what_begins_with_a_hyphen_is_not_an_option() {
+        is_spelled(
+            &json!({"verb": "rescale", "models": ["-x.osim", "-"], "level": true, "level_axis": "-y", "output": "-o.osim"}),
+            "rescale ./-x.osim - --level --level-axis=-y --output=-o.osim",
+        );
+    }
+
+    #[test]
+    fn lists_and_maps_are_as_each_option_takes_them() {
+        is_spelled(
+            &json!({"verb": "transfer", "models": "a.osim", "from": "falisse2022", "follow_bodies": true,
+                "body_scale": {"calcn_r": [1.1, 1.05, 1.1], "foot l": 2}, "only": ["stiffness", "radius"], "select": ["*_r", "toe"]}),
+            "transfer a.osim --from falisse2022 --follow-bodies --body-scale \"calcn_r=1.1,1.05,1.1\" \
+             --body-scale \"foot l=2,2,2\" --only \"stiffness,radius\" --select \"*_r\" --select toe",
+        );
+        is_spelled(
+            &json!({"verb": "set", "models": "a.osim", "set": {"stiffness": "x2", "dissipation": 1.5}, "in_place": true}),
+            "set a.osim stiffness=x2 dissipation=1.5 --in-place",
+        );
     }
 
     #[test]

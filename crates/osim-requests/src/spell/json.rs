@@ -1,18 +1,18 @@
 //! The words of requests in JSON.
 
 use osim_messages::{Call, Dialect, Example, Input, Verb};
-
-use osim_requests::{Request, Speller};
 use serde_json::Value;
 
+use super::fields::is_assignment;
 use super::front_end::FrontEnd;
-use super::remedy::is_assignment;
+use super::speller::Speller;
+use crate::request::Request;
 
 /// A request in JSON: `"mass": KG`, `{"verb": "design", "models": ["model.osim"], "indentation": 0.16}`.
 ///
 /// ```
 /// use osim_messages::{Dialect, Input, Verb, phrase};
-/// use osim_report::dialect::JsonRequest;
+/// use osim_requests::spell::JsonRequest;
 ///
 /// let way_out = phrase!["say what the model weighs with ", Input::Mass.like("KG")];
 /// assert_eq!(way_out.spelled(&JsonRequest), "say what the model weighs with \"mass\": KG");

@@ -1,7 +1,8 @@
-//! What a front end spells beyond sentences.
+//! What a front end spells beyond requests and sentences.
 
 use osim_messages::Call;
-use osim_requests::Speller;
+
+use super::speller::Speller;
 
 /// The words of a front end, for calls that stand alone too.
 pub trait FrontEnd: Speller {

@@ -7,40 +7,27 @@ use std::path::PathBuf;
 use clap::{Args, Command};
 use osim_messages::Verb;
 use osim_requests::command_line::{check, with_relations};
+use osim_requests::spell::{CommandLine, Python, Speller};
 use osim_requests::{
-    AddRequest, CheckRequest, ConvertRequest, DesignRequest, InspectRequest, NoteRequest, RemoveRequest,
-    Request, RescaleRequest, SetRequest, TransferRequest, assignment, schema_of,
+    AddRequest, BatchRequest, CheckRequest, ConvertRequest, DesignRequest, DropTestRequest, ExplainRequest,
+    FitRequest, InspectRequest, NoteRequest, PlotRequest, PresetsRequest, RemoveRequest, ReproduceRequest,
+    Request, RescaleRequest, SetRequest, SweepRequest, TransferRequest, assignment, schema_of,
 };
-use osim_web::spelled::{Calls, calls};
 use serde_json::{Map, Value, json};
-
-/// The verbs of a page.
-const VERBS: [Verb; 10] = [
-    Verb::Rescale,
-    Verb::Transfer,
-    Verb::Add,
-    Verb::Convert,
-    Verb::Remove,
-    Verb::Set,
-    Verb::Design,
-    Verb::Note,
-    Verb::Inspect,
-    Verb::Check,
-];
 
 fn request(json: &Value) -> Request {
     Request::from_json(json.to_string().as_bytes()).unwrap_or_else(|fault| panic!("{json}: {fault:?}"))
 }
 
-fn spelled(json: &Value) -> Calls {
-    calls(&request(json))
+fn command(request: &Request) -> String {
+    CommandLine.request(request)
 }
 
 /// The request that the command would make of a line.
 fn read_back(line: &str) -> Request {
     let words = shlex::split(line).unwrap_or_else(|| panic!("no shell takes this: {line}"));
     assert_eq!(words[0], "osim-contact-scale");
-    let verb = VERBS.into_iter().find(|verb| verb.name() == words[1]).unwrap();
+    let verb = Verb::ALL.iter().copied().find(|verb| verb.name() == words[1]).unwrap();
     let words = &words[1..];
     match verb {
         Verb::Rescale => parsed::<RescaleRequest>(verb, words).into(),
@@ -52,6 +39,14 @@ fn read_back(line: &str) -> Request {
         Verb::Note => parsed::<NoteRequest>(verb, words).into(),
         Verb::Inspect => parsed::<InspectRequest>(verb, words).into(),
         Verb::Check => parsed::<CheckRequest>(verb, words).into(),
+        Verb::Batch => parsed::<BatchRequest>(verb, words).into(),
+        Verb::Sweep => parsed::<SweepRequest>(verb, words).into(),
+        Verb::DropTest => parsed::<DropTestRequest>(verb, words).into(),
+        Verb::Plot => parsed::<PlotRequest>(verb, words).into(),
+        Verb::Fit => parsed::<FitRequest>(verb, words).into(),
+        Verb::Reproduce => parsed::<ReproduceRequest>(verb, words).into(),
+        Verb::Presets => parsed::<PresetsRequest>(verb, words).into(),
+        Verb::Explain => parsed::<ExplainRequest>(verb, words).into(),
         _ => parsed::<SetArgs>(verb, words).request().into(),
     }
 }
@@ -90,7 +85,7 @@ const EXAMPLES: &str = r##"{
     "models": ["a.osim", "my models/b.osim"], "from": "my generic.osim", "to": "hunt-crossley",
     "set": {"stiffness": "x2", "dissipation": 1.5, "radius": "x0.5"},
     "target_mass": 500, "contacts_mass": 62.5, "mass": 0.0209, "exclude_body": ["cart", "*board"],
-    "radius": 0.04, "level": true, "level_axis": "-y", "only": ["stiffness", "radius"], "keep": ["dissipation"],
+    "radius": 0.04, "level": true, "level_axis": "-y", "only": ["stiffness", "radius"], "keep": ["dissipation", "radius"],
     "dissipation_by": "mass", "friction": true, "contacts_gravity": 9.81, "target_gravity": 1.62,
     "body_scale_file": "ScaleSet 1.xml", "follow_bodies": true, "select": ["*_r", "toe?"], "exclude": ["heel_[lr]"],
     "skip_disabled": true, "output": "$new.osim", "geometry_output": "g.xml", "output_dir": "it's/here", "in_place": true,
@@ -105,8 +100,24 @@ const EXAMPLES: &str = r##"{
     "constant_indentation": 0.05, "state_width": 1e-6, "speed_width": 0.1, "threshold": 0.02, "static_friction": 0.8,
     "dynamic_friction": 0.7, "viscous_friction": 0.5, "transition_velocity": 0.2, "load": 608, "body_weights": 2,
     "gravity": 1.62, "contact_stiffness": 1e16, "stiffness": 3067776, "constant_contact_force": 1e-5,
-    "hertz_smoothing": 300, "hunt_crossley_smoothing": 50, "full": true, "deny": "warn"
+    "hertz_smoothing": 300, "hunt_crossley_smoothing": 50, "full": true, "deny": "warn",
+    "manifest": "masses 1.csv", "allow_outside": true, "grid": {"stiffness": "x0.1..x10/9", "indentation": [0.1, 0.2]}, "ladder": 5,
+    "soft": 2.5, "point": 3, "subject": "a.osim", "height": "x0.5", "duration": 1.5, "samples": 501, "compare": "falisse2022",
+    "compare_spheres": 4, "kind": "sweep", "data": "a.csv", "axes": "real", "quantity": "peak-force", "table": "sweep.csv",
+    "value_column": "my result", "x_column": "a", "y_column": "b", "value_range": "-1..2", "title": "two \"models\"",
+    "label": ["one", "-2"], "width": 190, "font_size": 8, "x_range": "-0.1..0.2", "y_range": "0..1", "dpi": 300,
+    "file": "measured.csv", "onset": -0.001, "branch": "loading", "indentation_column": "x [mm]", "force_column": "F",
+    "speed_column": "v", "time_column": "t", "indentation_unit": "mm", "force_unit": "kN", "speed_unit": "mm/s", "time_unit": "ms",
+    "dissipation": 1.5, "name": "falisse2022", "topics": ["C.2", "x/R"], "ascii": true
 }"##;
+
+/// Another value where the example is none for this verb.
+fn example_of(verb: Verb, field: &str) -> Option<Value> {
+    match (verb, field) {
+        (Verb::Plot, "stiffness" | "dissipation") => Some("x0.5..x2/3".into()),
+        _ => None,
+    }
+}
 
 /// What `field` says nothing without, as the schema has it.
 fn needed<'s>(schema: &'s Value, field: &str) -> Vec<&'s str> {
@@ -118,13 +129,19 @@ fn needed<'s>(schema: &'s Value, field: &str) -> Vec<&'s str> {
 /// A request with this field, and with what it needs.
 fn with_field(verb: Verb, schema: &Value, field: &str) -> Value {
     let examples: Map<String, Value> = serde_json::from_str(EXAMPLES).unwrap();
-    let mut said = json!({"verb": verb.name(), "models": "a.osim"});
+    let mut said = json!({"verb": verb.name()});
+    if schema["properties"].get("models").is_some() {
+        said["models"] = "a.osim".into();
+    }
     let required = schema["required"].as_array().into_iter().flatten().filter_map(Value::as_str);
     let mut wanted: Vec<&str> = required.filter(|name| !["verb", "models"].contains(name)).collect();
+    // A sweep has one of two.
+    wanted.extend((verb == Verb::Sweep && !["ladder", "soft"].contains(&field)).then_some("grid"));
     wanted.push(field);
     while let Some(name) = wanted.pop() {
         if said.get(name).is_none() || name == "models" {
-            said[name] = examples.get(name).unwrap_or_else(|| panic!("no example of {name}")).clone();
+            let example = || examples.get(name).unwrap_or_else(|| panic!("no example of {name}")).clone();
+            said[name] = example_of(verb, name).unwrap_or_else(example);
             wanted.extend(needed(schema, name));
         }
     }
@@ -133,15 +150,77 @@ fn with_field(verb: Verb, schema: &Value, field: &str) -> Value {
 
 #[test]
 fn every_field_of_every_verb_comes_back() {
-    for verb in VERBS {
+    for &verb in Verb::ALL {
         let schema = schema_of(verb).unwrap().to_value();
         for field in schema["properties"].as_object().unwrap().keys().filter(|field| *field != "verb") {
             let request = request(&with_field(verb, &schema, field));
             assert!(request.to_map().contains_key(field), "{verb:?}: {field} says nothing");
-            let line = calls(&request).command;
+            let line = command(&request);
             assert_eq!(read_back(&line), request, "{line}");
         }
     }
+}
+
+/// The arguments of a verb, as the command has them.
+fn arguments_of(verb: Verb) -> Command {
+    let command = Command::new(verb.name());
+    match verb {
+        Verb::Rescale => RescaleRequest::augment_args(command),
+        Verb::Transfer => TransferRequest::augment_args(command),
+        Verb::Add => AddRequest::augment_args(command),
+        Verb::Remove => RemoveRequest::augment_args(command),
+        Verb::Convert => ConvertRequest::augment_args(command),
+        Verb::Design => DesignRequest::augment_args(command),
+        Verb::Note => NoteRequest::augment_args(command),
+        Verb::Batch => BatchRequest::augment_args(command),
+        Verb::Sweep => SweepRequest::augment_args(command),
+        Verb::Inspect => InspectRequest::augment_args(command),
+        Verb::Check => CheckRequest::augment_args(command),
+        Verb::DropTest => DropTestRequest::augment_args(command),
+        Verb::Plot => PlotRequest::augment_args(command),
+        Verb::Fit => FitRequest::augment_args(command),
+        Verb::Reproduce => ReproduceRequest::augment_args(command),
+        Verb::Presets => PresetsRequest::augment_args(command),
+        Verb::Explain => ExplainRequest::augment_args(command),
+        _ => SetRequest::augment_args(command),
+    }
+}
+
+/// What calls have without a name is what the command takes so, but for `set`, which has models and assignments in one list.
+#[test]
+fn what_has_no_name_has_none_on_a_command_line() {
+    for &verb in Verb::ALL.iter().filter(|verb| **verb != Verb::Set) {
+        let command = arguments_of(verb);
+        let taken: Vec<&str> = command.get_positionals().map(|argument| argument.get_id().as_str()).collect();
+        let schema = schema_of(verb).unwrap().to_value();
+        let declared = schema["x-positional"].as_array().into_iter().flatten().filter_map(Value::as_str);
+        assert_eq!(declared.collect::<Vec<_>>(), taken, "{verb:?}");
+    }
+}
+
+#[test]
+fn lists_are_one_word_with_commas_where_an_option_takes_one() {
+    let mut lists = 0;
+    for &verb in Verb::ALL {
+        let schema = schema_of(verb).unwrap().to_value();
+        for argument in arguments_of(verb).get_arguments().filter(|argument| !argument.is_positional()) {
+            let request = request(&with_field(verb, &schema, argument.get_id().as_str()));
+            let Some(Value::Array(items)) = request.to_map().remove(argument.get_id().as_str()) else {
+                continue;
+            };
+            let line = command(&request);
+            let option = format!("--{}", argument.get_long().unwrap());
+            let times = shlex::split(&line)
+                .unwrap()
+                .iter()
+                .filter(|word| word.split('=').next() == Some(&option))
+                .count();
+            let expected = if argument.get_value_delimiter() == Some(',') { 1 } else { items.len() };
+            assert_eq!(times, expected, "{line}");
+            lists += usize::from(items.len() > 1);
+        }
+    }
+    assert!(lists > 10, "{lists} lists");
 }
 
 #[test]
@@ -183,7 +262,7 @@ fn hard_texts_come_back() {
             "verb": "transfer", "models": [format!("{text}.osim")], "from": text, "output": text, "follow_bodies": true,
             "reference_sphere": text,
         }));
-        let line = calls(&request).command;
+        let line = command(&request);
         let Request::Transfer(back) = read_back(&line) else { panic!("{line}") };
         let mut back = *back;
         let model = back.models[0].to_str().unwrap().to_owned();
@@ -200,7 +279,7 @@ fn hard_names_of_bodies_come_back() {
         let request = request(&json!({
             "verb": "add", "models": "a.osim", "from": "b.osim", "body_scale": {body: [1.1, 1e-6, 3]}, "body_map": [format!("{body}={body}")],
         }));
-        let line = calls(&request).command;
+        let line = command(&request);
         assert_eq!(read_back(&line), request, "{line}");
     }
 }
@@ -208,10 +287,10 @@ fn hard_names_of_bodies_come_back() {
 #[test]
 fn a_calculation_has_no_model() {
     let design = json!({"verb": "design", "radius": 0.032, "indentation": 0.16, "mass": 62, "spheres": 6, "quiet": true});
-    let calls = spelled(&design);
-    assert_eq!(read_back(&calls.command), request(&design));
+    let design = request(&design);
+    assert_eq!(read_back(&command(&design)), design);
     assert_eq!(
-        calls.python,
+        Python.script(&design),
         "import osim_contact_scale as ocs\n\n\
          result = ocs.design(radius=0.032, indentation=0.16, mass=62, spheres=6)\n\
          print(result)"
@@ -220,7 +299,7 @@ fn a_calculation_has_no_model() {
 
 #[track_caller]
 fn is_in_python(json: &Value, expected: &[&str]) {
-    let lines = spelled(json).python;
+    let lines = Python.script(&request(json));
     assert_eq!(lines.lines().skip(2).collect::<Vec<_>>(), expected);
 }
 

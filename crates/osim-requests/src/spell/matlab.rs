@@ -1,9 +1,96 @@
-//! A line of MATLAB or GNU Octave.
+//! The words of MATLAB and GNU Octave.
 
-use super::fields::{FieldValue, Fields};
+use osim_messages::{Call, Dialect, Example, Input, Verb};
 
-/// What has no use in MATLAB, because results are structs.
-const LEFT_OUT: [&str; 5] = ["format", "quiet", "diff", "full", "deny"];
+use super::fields::{FieldValue, Fields, digits, is_assignment};
+use super::front_end::FrontEnd;
+use super::speller::Speller;
+use crate::group::FieldGroup;
+use crate::request::Request;
+
+/// MATLAB and GNU Octave: `'Mass', KG`, `osimcontact.design('model.osim', 'Indentation', 0.16)`.
+///
+/// ```
+/// use osim_messages::{Dialect, Input, Verb};
+/// use osim_requests::spell::Matlab;
+///
+/// let call = Verb::DropTest.of_model().saying(Input::Duration, "2");
+/// assert_eq!(Matlab.call(&call), "osimcontact.drop_test('model.osim', 'Duration', 2)");
+/// ```
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Matlab;
+
+impl Dialect for Matlab {
+    fn input(&self, input: Input, example: Option<&Example>) -> String {
+        let name = quoted(&option(input.name()));
+        match example {
+            Some(example) => format!("{name}, {}", value_of(example)),
+            None if input.is_flag() => format!("{name}, true"),
+            None => name,
+        }
+    }
+
+    fn call(&self, call: &Call) -> String {
+        let is_positional = |input: Input| matches!(input, Input::Kind | Input::Topics);
+        let mut arguments = Vec::new();
+        let inputs = &call.inputs;
+        let first = inputs.iter().filter(|(input, _)| is_positional(*input));
+        arguments.extend(first.filter_map(|(_, example)| example.as_ref().map(value_of)));
+        arguments.extend(call.with_model.then(|| quoted("model.osim")));
+        let set = inputs.iter().filter(|(input, _)| is_assignment(call, *input));
+        let set: Vec<String> = set
+            .filter_map(|(input, example)| {
+                Some(format!("{}, {}", quoted(input.name()), value_of(example.as_ref()?)))
+            })
+            .collect();
+        arguments.extend((!set.is_empty()).then(|| format!("'Set', struct({})", set.join(", "))));
+        let named = inputs.iter().filter(|(input, _)| !is_assignment(call, *input) && !is_positional(*input));
+        arguments.extend(named.map(|(input, example)| self.input(*input, example.as_ref())));
+        function(call.verb, &arguments)
+    }
+}
+
+impl Speller for Matlab {
+    /// The call. Results are structs: how a terminal would show them is left out.
+    fn request(&self, request: &Request) -> String {
+        let fields = Fields::of(request);
+        let mut arguments: Vec<String> = fields
+            .positional
+            .iter()
+            .map(|(_, value)| match value {
+                FieldValue::List(items) if items.len() == 1 => literal(&items[0]),
+                value => literal(value),
+            })
+            .collect();
+        for (name, value) in fields.without(&[FieldGroup::Shown]) {
+            arguments.extend([quoted(&option(name)), literal(value)]);
+        }
+        function(fields.verb, &arguments)
+    }
+
+    fn script(&self, request: &Request) -> String {
+        format!("result = {};", self.request(request))
+    }
+}
+
+impl FrontEnd for Matlab {
+    fn word(&self, name: &str) -> String {
+        quoted(name)
+    }
+}
+
+fn function(verb: Verb, arguments: &[String]) -> String {
+    format!("osimcontact.{}({})", verb.name().replace('-', "_"), arguments.join(", "))
+}
+
+/// A placeholder, or a number, as it is; everything else is a text.
+fn value_of(example: &Example) -> String {
+    match example {
+        Example::Placeholder(word) if !word.contains(['.', ',', '=']) => word.to_string(),
+        Example::Value(value) if value.parse::<f64>().is_ok_and(f64::is_finite) => value.clone(),
+        example => quoted(&example.to_string()),
+    }
+}
 
 /// Words that cannot be the name of a field.
 const RESERVED: [&str; 20] = [
@@ -32,19 +119,6 @@ const RESERVED: [&str; 20] = [
 /// The longest name of a field.
 const LONGEST: usize = 63;
 
-/// The line.
-pub(super) fn matlab(fields: &Fields) -> String {
-    let mut arguments = match fields.models.as_slice() {
-        [] => Vec::new(),
-        [model] => vec![quoted(model)],
-        models => vec![cell(models.iter().map(|model| quoted(model)))],
-    };
-    for (name, value) in fields.without(&LEFT_OUT) {
-        arguments.extend([quoted(&option(name)), literal(value)]);
-    }
-    format!("result = osimcontact.{}({});", fields.verb.name().replace('-', "_"), arguments.join(", "))
-}
-
 /// `TargetMass` for `target_mass`.
 fn option(name: &str) -> String {
     let capital = |word: &str| {
@@ -57,7 +131,7 @@ fn option(name: &str) -> String {
 fn literal(value: &FieldValue) -> String {
     match value {
         FieldValue::Flag => "true".to_owned(),
-        FieldValue::Number(number) => number.clone(),
+        FieldValue::Number(number) => digits(number),
         FieldValue::Text(text) => quoted(text),
         FieldValue::List(items) if items.iter().all(|item| matches!(item, FieldValue::Number(_))) => {
             format!("[{}]", items.iter().map(literal).collect::<Vec<_>>().join(", "))
@@ -107,7 +181,7 @@ fn quoted(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use osim_requests::Request;
+    use osim_messages::Phrase;
     use serde_json::{Value, json};
 
     use super::*;
@@ -115,7 +189,7 @@ mod tests {
     #[track_caller]
     fn is_spelled(request: &Value, expected: &str) {
         let request = Request::from_json(request.to_string().as_bytes()).unwrap();
-        assert_eq!(matlab(&Fields::of(&request)), format!("result = osimcontact.{expected};"));
+        assert_eq!(Matlab.script(&request), format!("result = osimcontact.{expected};"));
     }
 
     #[test]
@@ -132,6 +206,26 @@ mod tests {
     }
 
     #[test]
+    fn sentences_have_calls_that_can_be_run() {
+        for (template, expected) in [
+            (
+                "`mass=KG`, `mass`, `strict`, `radius=keep`",
+                "'Mass', KG, 'Mass', 'Strict', true, 'Radius', 'keep'",
+            ),
+            (
+                "`set MODEL stiffness=x2 select=heel*`",
+                "osimcontact.set('model.osim', 'Set', struct('stiffness', 'x2'), 'Select', 'heel*')",
+            ),
+            (
+                "`plot MODEL output=FILE.svg kind=force`",
+                "osimcontact.plot('force', 'model.osim', 'Output', 'FILE.svg')",
+            ),
+        ] {
+            assert_eq!(Phrase::template(template).spelled(&Matlab), expected);
+        }
+    }
+
+    #[test]
     fn options_are_pairs_of_a_name_and_a_value() {
         is_spelled(
             &json!({"verb": "rescale", "models": "human.osim", "target_mass": 500, "level": true, "diff": true, "quiet": true}),
@@ -144,6 +238,10 @@ mod tests {
         is_spelled(
             &json!({"verb": "add", "models": "bare.osim", "from": "-x.osim", "class": "smooth"}),
             "add('bare.osim', 'From', '-x.osim', 'Class', 'smooth')",
+        );
+        is_spelled(
+            &json!({"verb": "plot", "kind": "force", "models": ["a.osim", "b.osim"], "output": "a.svg"}),
+            "plot('force', {'a.osim', 'b.osim'}, 'Output', 'a.svg')",
         );
     }
 

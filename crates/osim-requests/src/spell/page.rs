@@ -1,0 +1,141 @@
+//! The words of a page with fields and buttons.
+
+use osim_messages::{Call, Dialect, Example, Input, Verb, readable};
+
+use super::fields::{Field, FieldValue, Fields};
+use super::front_end::FrontEnd;
+use super::speller::Speller;
+use crate::request::Request;
+
+/// The button that answers a question.
+const MEANT: &str = "“It is meant as it is: go on”";
+
+/// A page: the field “mass of the model”.
+///
+/// ```
+/// use osim_messages::{Input, phrase};
+/// use osim_requests::spell::Page;
+///
+/// let way_out = phrase!["say what the model weighs with ", Input::Mass.like("KG")];
+/// assert_eq!(way_out.spelled(&Page), "say what the model weighs with the field “mass of the model”");
+/// ```
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Page;
+
+impl Dialect for Page {
+    fn input(&self, input: Input, example: Option<&Example>) -> String {
+        match example {
+            _ if input == Input::Yes => MEANT.to_owned(),
+            Some(Example::Value(value)) => format!("the field “{}” ({value})", input.label()),
+            _ => format!("the field “{}”", input.label()),
+        }
+    }
+
+    fn call(&self, call: &Call) -> String {
+        let inputs: Vec<String> =
+            call.inputs.iter().map(|(input, example)| self.input(*input, example.as_ref())).collect();
+        let with = if inputs.is_empty() { String::new() } else { format!(" with {}", inputs.join(" and ")) };
+        format!("“{}”{with}", call.verb.name())
+    }
+}
+
+impl Speller for Page {
+    /// What is done, and the fields with what they say; not the model, which is open.
+    fn request(&self, request: &Request) -> String {
+        let fields = Fields::of(request);
+        let wanted: Vec<String> = fields.options.iter().flat_map(field_words).collect();
+        let what = done(fields.verb);
+        match wanted.as_slice() {
+            [] => format!("{what}."),
+            wanted => format!("{what}: {}.", wanted.join(", ")),
+        }
+    }
+}
+
+/// What is done, as the page has it.
+fn done(verb: Verb) -> &'static str {
+    match verb {
+        Verb::Rescale => "Scale the contacts",
+        Verb::Transfer => "Take the contacts of another model",
+        Verb::Add => "Add contacts",
+        Verb::Remove => "Remove the contacts",
+        Verb::Convert => "Convert the forces",
+        Verb::Design => "Design the contacts",
+        Verb::Set => "Set",
+        verb => verb.name(),
+    }
+}
+
+/// A field with what it says; each property that is set.
+fn field_words((name, value): &Field) -> Vec<String> {
+    let label =
+        Input::ALL.iter().find(|input| input.name() == name).map_or(name.as_str(), |input| input.label());
+    match value {
+        FieldValue::Map(properties) if name == "set" => properties.iter().map(assigned).collect(),
+        FieldValue::Map(entries) => {
+            entries.iter().map(|(name, value)| format!("“{label}” {name} {}", shown(value))).collect()
+        }
+        FieldValue::Flag => vec![format!("“{label}”")],
+        value => vec![format!("“{label}” {}", shown(value))],
+    }
+}
+
+/// `stiffness × 2`, `dissipation 1.5`.
+fn assigned((property, value): &Field) -> String {
+    let factor = match value {
+        FieldValue::Text(text) => text.strip_prefix('x').and_then(|factor| factor.parse().ok()),
+        _ => None,
+    };
+    match factor {
+        Some(factor) => format!("{property} × {}", readable(factor)),
+        None => format!("{property} {}", shown(value)),
+    }
+}
+
+fn shown(value: &FieldValue) -> String {
+    match value {
+        FieldValue::Number(number) => number.as_f64().map_or_else(|| number.to_string(), readable),
+        FieldValue::List(items) => items.iter().map(shown).collect::<Vec<_>>().join(" and "),
+        value => value.text(),
+    }
+}
+
+impl FrontEnd for Page {}
+
+#[cfg(test)]
+mod tests {
+    use osim_messages::Phrase;
+    use serde_json::json;
+
+    use super::*;
+
+    #[test]
+    fn requests_are_fields_with_what_they_say() {
+        for (request, expected) in [
+            (
+                json!({"verb": "set", "models": "a.osim", "set": {"stiffness": "x2", "dissipation": 1.5}, "select": ["*_r", "toe"]}),
+                "Set: stiffness × 2, dissipation 1.5, “forces to choose” *_r and toe.",
+            ),
+            (
+                json!({"verb": "transfer", "models": "a.osim", "from": "g.osim", "follow_bodies": true, "body_scale": {"toes": [1, 2, 3]}}),
+                "Take the contacts of another model: “where the contacts come from” g.osim, “spheres follow their bodies”, \
+                 “scale factors of a body” toes 1 and 2 and 3.",
+            ),
+            (json!({"verb": "remove", "models": "a.osim"}), "Remove the contacts."),
+        ] {
+            let request = Request::from_json(request.to_string().as_bytes()).unwrap();
+            assert_eq!(Page.request(&request), expected);
+        }
+    }
+
+    #[test]
+    fn fields_have_their_labels() {
+        let text =
+            Phrase::template("leave radii as they are with `radius=keep`; `design MODEL indentation=0.16`");
+        assert_eq!(
+            text.spelled(&Page),
+            "leave radii as they are with the field “radius” (keep); “design” with the field “relative indentation” \
+             (0.16)"
+        );
+    }
+}

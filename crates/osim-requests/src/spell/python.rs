@@ -1,0 +1,395 @@
+//! The words of the Python package.
+
+use std::borrow::Cow;
+
+use osim_messages::{Call, Dialect, Example, Input, Verb};
+
+use super::fields::{Field, FieldValue, Fields, digits};
+use super::front_end::FrontEnd;
+use super::speller::Speller;
+use crate::group::FieldGroup;
+use crate::request::Request;
+
+const IMPORT: &str = "import osim_contact_scale as ocs";
+const SHOWN: &str = "print(result)";
+
+/// What a plan of one model does not take as a keyword, but is done with it when it is there.
+const OF_PLAN: [&str; 2] = ["dry_run", "report"];
+
+/// What a row of a table says, not a call for all rows.
+const OF_ROW: [&str; 2] = ["output", "geometry_output"];
+
+/// Fields with names of files or folders, in which Python's `~` is the home folder.
+const PATHS: [&str; 19] = [
+    "body_scale_file",
+    "compare",
+    "contacts",
+    "data",
+    "file",
+    "from",
+    "geometry",
+    "geometry_dir",
+    "geometry_output",
+    "manifest",
+    "model",
+    "models",
+    "output",
+    "output_dir",
+    "presets",
+    "report",
+    "subject",
+    "summary",
+    "table",
+];
+
+/// Python: `mass=KG`, `ocs.design("model.osim", indentation=0.16)`.
+///
+/// ```
+/// use osim_messages::{Input, Verb};
+/// use osim_messages::Dialect;
+/// use osim_requests::spell::Python;
+///
+/// let call = Verb::Transfer.of_model().saying(Input::From, "falisse2022");
+/// assert_eq!(Python.call(&call), r#"ocs.transfer("model.osim", from_="falisse2022")"#);
+/// ```
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Python;
+
+impl Dialect for Python {
+    fn input(&self, input: Input, example: Option<&Example>) -> String {
+        let value = match example {
+            Some(example) => value_of(example),
+            None if input.is_flag() => "True".to_owned(),
+            None => String::new(),
+        };
+        format!("{}={value}", python_keyword(input.name()))
+    }
+
+    fn call(&self, call: &Call) -> String {
+        let mut arguments = Vec::new();
+        arguments.extend(call.inputs.iter().filter_map(|(input, example)| {
+            Some(value_of(example.as_ref().filter(|_| is_positional(*input))?))
+        }));
+        arguments.extend(call.with_model.then(|| python_quoted("model.osim")));
+        let named = call.inputs.iter().filter(|(input, example)| !is_positional(*input) || example.is_none());
+        arguments.extend(named.map(|(input, example)| self.input(*input, example.as_ref())));
+        function(call.verb, &arguments)
+    }
+}
+
+impl Speller for Python {
+    /// The call that plans the change of one model, makes that of many, or answers.
+    fn request(&self, request: &Request) -> String {
+        call_of(&Fields::of(request))
+    }
+
+    /// Lines from the import on, which write and print what comes of the call.
+    fn script(&self, request: &Request) -> String {
+        let fields = Fields::of(request);
+        let mut lines = vec![IMPORT.to_owned(), String::new(), format!("result = {}", call_of(&fields))];
+        lines.extend(match fields.verb {
+            Verb::Inspect => vec!["print(result.models)".to_owned()],
+            Verb::Check => vec!["print(result.findings)".to_owned()],
+            Verb::Plot => drawn(&fields),
+            _ if is_plan(&fields) => carried_out(&fields),
+            _ => vec![SHOWN.to_owned()],
+        });
+        lines.join("\n")
+    }
+}
+
+/// Whether the call plans the change of one model, and leaves it to the caller to write it.
+fn is_plan(fields: &Fields) -> bool {
+    fields.changes && fields.models().len() == 1 && fields.only(FieldGroup::Many).next().is_none()
+}
+
+fn call_of(fields: &Fields) -> String {
+    let mut arguments: Vec<String> =
+        fields.positional.iter().flat_map(|field| words(fields.verb, field)).collect();
+    let left_out: &[&str] = match fields.verb {
+        Verb::Batch => &OF_ROW,
+        _ if fields.changes => &OF_PLAN,
+        _ => &[],
+    };
+    let groups: &[FieldGroup] = match fields.verb {
+        Verb::Plot | Verb::Reproduce => &[FieldGroup::Shown, FieldGroup::Output],
+        _ if fields.changes => &[FieldGroup::Shown, FieldGroup::Output, FieldGroup::Many],
+        _ => &[FieldGroup::Shown],
+    };
+    if fields.changes && !is_plan(fields) && !fields.models().is_empty() {
+        return many(fields);
+    }
+    let named = fields.without(groups).filter(|(name, _)| !left_out.contains(&name.as_str()));
+    arguments.extend(keywords(named));
+    function(fields.verb, &arguments)
+}
+
+/// The call that changes many models, and writes them.
+fn many(fields: &Fields) -> String {
+    let models = fields.models().iter().map(|model| literal("models", model));
+    let mut arguments = vec![python_quoted(fields.verb.name()), format!("[{}]", joined(models))];
+    arguments.extend(keywords(fields.without(&[FieldGroup::Shown])));
+    format!("ocs.many({})", joined(arguments.into_iter()))
+}
+
+/// What has no keyword: one value alone, and several as a list, but where the function takes any number.
+fn words(verb: Verb, (name, value): &Field) -> Vec<String> {
+    match value {
+        FieldValue::List(items) if items.len() == 1 || matches!(verb, Verb::Plot | Verb::Explain) => {
+            items.iter().map(|item| literal(name, item)).collect()
+        }
+        value => vec![literal(name, value)],
+    }
+}
+
+/// What becomes of a plan: it is written, or only printed.
+fn carried_out(fields: &Fields) -> Vec<String> {
+    let mut lines = vec![match fields.option("dry_run") {
+        Some(_) => SHOWN.to_owned(),
+        None => format!("result.write({})", joined(keywords(fields.only(FieldGroup::Output)))),
+    }];
+    if fields.option("diff").is_some() {
+        lines.push("print(result.diff())".to_owned());
+    }
+    lines.extend(fields.option("report").map(|report| saved("report", "report", report, fields)));
+    lines
+}
+
+/// The files of a figure.
+fn drawn(fields: &Fields) -> Vec<String> {
+    let file = |name| Some(saved("save", name, fields.option(name)?, fields));
+    ["output", "data"].into_iter().filter_map(file).collect()
+}
+
+/// The file of the field `name`, written by a method of the result.
+fn saved(method: &str, name: &str, file: &FieldValue, fields: &Fields) -> String {
+    let force = fields.options.iter().filter(|(name, _)| name == "force");
+    format!("result.{method}({})", joined(std::iter::once(literal(name, file)).chain(keywords(force))))
+}
+
+fn joined(arguments: impl Iterator<Item = String>) -> String {
+    arguments.collect::<Vec<_>>().join(", ")
+}
+
+/// Keywords with their values. Each property that is set is a keyword.
+fn keywords<'f>(options: impl Iterator<Item = &'f Field>) -> impl Iterator<Item = String> {
+    options.flat_map(|option| {
+        let entries = match option {
+            (name, FieldValue::Map(properties)) if name == "set" => properties.as_slice(),
+            option => std::slice::from_ref(option),
+        };
+        entries.iter().map(|(name, value)| format!("{}={}", python_keyword(name), literal(name, value)))
+    })
+}
+
+/// The value of the field `name`.
+fn literal(name: &str, value: &FieldValue) -> String {
+    match value {
+        FieldValue::Flag => "True".to_owned(),
+        FieldValue::Number(number) => digits(number),
+        FieldValue::Text(text) if PATHS.contains(&name) => python_quoted(&file_word(text)),
+        FieldValue::Text(text) => python_quoted(text),
+        FieldValue::List(items) => format!("[{}]", joined(items.iter().map(|item| literal(name, item)))),
+        FieldValue::Map(entries) => {
+            let entry = |(key, value): &Field| format!("{}: {}", python_quoted(key), literal(name, value));
+            format!("{{{}}}", joined(entries.iter().map(entry)))
+        }
+    }
+}
+
+/// The name of a file, not of a home folder.
+fn file_word(name: &str) -> Cow<'_, str> {
+    if name.starts_with('~') { format!("./{name}").into() } else { name.into() }
+}
+
+impl FrontEnd for Python {}
+
+fn function(verb: Verb, arguments: &[String]) -> String {
+    let name = match verb {
+        Verb::Batch => "rescale_many".to_owned(),
+        verb => verb.name().replace('-', "_"),
+    };
+    format!("ocs.{name}({})", arguments.join(", "))
+}
+
+/// What is written without a keyword.
+fn is_positional(input: Input) -> bool {
+    matches!(input, Input::Kind | Input::Topics)
+}
+
+/// The keyword of an input, given by the name of its field; a word that Python reserves gets a line after it.
+fn python_keyword(field: &str) -> String {
+    match field {
+        name @ ("class" | "from") => format!("{name}_"),
+        name => name.to_owned(),
+    }
+}
+
+/// A placeholder stays as it is unless it looks like a text (`FILE.html`, `BODY=x,y,z`); a number is a number; everything
+/// else is a string.
+fn value_of(example: &Example) -> String {
+    match example {
+        Example::Placeholder(word) if !word.contains(['.', ',', '=']) => word.to_string(),
+        Example::Value(value) if is_number(value) => value.clone(),
+        example => python_quoted(&example.to_string()),
+    }
+}
+
+fn is_number(text: &str) -> bool {
+    let digit = text.trim_start_matches('-').starts_with(|c: char| c.is_ascii_digit());
+    digit && text.parse::<f64>().is_ok_and(f64::is_finite)
+}
+
+/// A string as Python reads it.
+fn python_quoted(text: &str) -> String {
+    let mut literal = String::from("\"");
+    for letter in text.chars() {
+        match letter {
+            '"' => literal.push_str("\\\""),
+            '\\' => literal.push_str("\\\\"),
+            '\n' => literal.push_str("\\n"),
+            '\r' => literal.push_str("\\r"),
+            '\t' => literal.push_str("\\t"),
+            control if control.is_control() => {
+                literal.push_str(&format!("\\u{:04x}", u32::from(control)));
+            }
+            plain => literal.push(plain),
+        }
+    }
+    literal.push('"');
+    literal
+}
+
+#[cfg(test)]
+mod tests {
+    use osim_messages::Phrase;
+    use serde_json::{Value, json};
+
+    use super::*;
+    use crate::schema_of;
+
+    fn spelled(template: &'static str) -> String {
+        Phrase::template(template).spelled(&Python)
+    }
+
+    #[test]
+    fn inputs_are_keywords() {
+        assert_eq!(spelled("`mass=KG`, `mass`, `mass=62`, `strict`"), "mass=KG, mass=, mass=62, strict=True");
+        assert_eq!(spelled("`radius=keep`, `from=MODEL`"), "radius=\"keep\", from_=MODEL");
+        assert_eq!(
+            spelled("`impact_speed=M/S`, `body_scale=BODY=x,y,z`"),
+            "impact_speed=M/S, body_scale=\"BODY=x,y,z\""
+        );
+    }
+
+    #[test]
+    fn calls_are_functions() {
+        assert_eq!(spelled("`drop-test MODEL`, `inspect`"), "ocs.drop_test(\"model.osim\"), ocs.inspect()");
+        assert_eq!(
+            spelled("`plot MODEL output=FILE.svg kind=force`"),
+            "ocs.plot(\"force\", \"model.osim\", output=\"FILE.svg\")"
+        );
+    }
+
+    #[test]
+    fn strings_are_python_s() {
+        assert_eq!(python_quoted("C:\\a \"b\"\n\u{1}é"), r#""C:\\a \"b\"\n\u0001é""#);
+    }
+
+    #[track_caller]
+    fn is_spelled(request: &Value, expected: &[&str]) {
+        let request = Request::from_json(request.to_string().as_bytes()).unwrap();
+        let lines = expected.join("\n");
+        assert_eq!(Python.script(&request), format!("import osim_contact_scale as ocs\n\n{lines}"));
+    }
+
+    #[test]
+    fn a_change_is_planned_and_then_written() {
+        is_spelled(
+            &json!({"verb": "rescale", "models": "human.osim", "target_mass": 500}),
+            &[r#"result = ocs.rescale("human.osim", target_mass=500)"#, "result.write()"],
+        );
+        is_spelled(
+            &json!({"verb": "add", "models": "bare.osim", "from": "a \"b\".osim", "class": "smooth", "yes": ["implausible-mass"],
+                "output": "~new.osim", "force": true, "no_note": true, "report": "page.html", "format": "json"}),
+            &[
+                r#"result = ocs.add("bare.osim", from_="a \"b\".osim", class_="smooth", no_note=True, yes=["implausible-mass"])"#,
+                r#"result.write(output="./~new.osim", force=True)"#,
+                r#"result.report("page.html", force=True)"#,
+            ],
+        );
+    }
+
+    #[test]
+    fn properties_that_are_set_are_keywords() {
+        is_spelled(
+            &json!({"verb": "set", "models": "-x.osim", "set": {"stiffness": "x2", "dissipation": 1.5}, "in_place": true, "no_backup": true}),
+            &[
+                r#"result = ocs.set("-x.osim", stiffness="x2", dissipation=1.5)"#,
+                "result.write(in_place=True, no_backup=True)",
+            ],
+        );
+    }
+
+    #[test]
+    fn bodies_with_their_factors_are_a_dictionary() {
+        is_spelled(
+            &json!({"verb": "transfer", "models": "a.osim", "from": "g.osim", "follow_bodies": true, "body_scale": {"foot l": [1.1, 1.05, 1.1]},
+                "only": ["stiffness", "radius"]}),
+            &[
+                "result = ocs.transfer(\"a.osim\", from_=\"g.osim\", follow_bodies=True, \
+                 body_scale={\"foot l\": [1.1, 1.05, 1.1]}, only=[\"stiffness\", \"radius\"])",
+                "result.write()",
+            ],
+        );
+    }
+
+    #[test]
+    fn other_verbs_are_called_as_their_functions_take_them() {
+        is_spelled(
+            &json!({"verb": "plot", "kind": "force", "models": ["a.osim", "~b.osim"], "output": "a.svg", "data": "a.csv", "force": true,
+                "axes": "real"}),
+            &[
+                r#"result = ocs.plot("force", "a.osim", "./~b.osim", axes="real")"#,
+                r#"result.save("a.svg", force=True)"#,
+                r#"result.save("a.csv", force=True)"#,
+            ],
+        );
+        for (request, call) in [
+            (
+                json!({"verb": "drop-test", "subject": "a.osim", "format": "json"}),
+                r#"ocs.drop_test("a.osim")"#,
+            ),
+            (
+                json!({"verb": "explain", "topics": ["C.2", "floats"], "ascii": true}),
+                r#"ocs.explain("C.2", "floats")"#,
+            ),
+            (
+                json!({"verb": "batch", "manifest": "masses.csv", "output_dir": "scaled", "quiet": true}),
+                r#"ocs.rescale_many("masses.csv", output_dir="scaled")"#,
+            ),
+            (
+                json!({"verb": "sweep", "model": "a.osim", "grid": "stiffness=x1,x2", "output_dir": "b"}),
+                r#"ocs.sweep("a.osim", grid=["stiffness=x1,x2"], output_dir="b")"#,
+            ),
+            (json!({"verb": "reproduce", "output_dir": "b", "force": true}), "ocs.reproduce()"),
+        ] {
+            is_spelled(&request, &[&format!("result = {call}"), "print(result)"]);
+        }
+    }
+
+    /// Whether a value of this schema is the name of a file.
+    fn is_path(schema: &Value) -> bool {
+        let parts = schema["anyOf"].as_array().into_iter().flatten();
+        schema["properties"]["bytes"].is_object() || parts.chain(schema.get("items")).any(is_path)
+    }
+
+    #[test]
+    fn every_field_that_names_a_file_is_a_path() {
+        for schema in Verb::ALL.iter().filter_map(|verb| schema_of(*verb)) {
+            for (name, schema) in schema.get("properties").and_then(Value::as_object).unwrap() {
+                assert_eq!(is_path(schema), PATHS.contains(&name.as_str()), "{name}");
+            }
+        }
+    }
+}
