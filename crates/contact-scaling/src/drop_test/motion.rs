@@ -16,7 +16,7 @@ use crate::Law;
 pub(super) type State = [f64; 2];
 
 /// Local error bounds. Its dense output, not its steps, limits the method: at 1e-11 and 1e-12 the series of the
-/// 62 kg human is off by 1.1e-8 R, at 3e-13 and 3e-14 by 6e-10 R (tests/drop_test.rs), in 0.5 ms instead of 0.3.
+/// 62 kg human is off by 1.1e-8 R, at 3e-13 and 3e-14 by 6e-10 R (tests/scaling/drop_test.rs), in 0.5 ms instead of 0.3.
 const RELATIVE_TOLERANCE: f64 = 3e-13;
 const ABSOLUTE_TOLERANCE: f64 = 3e-14;
 /// Steps between two contact events; the paper's drops take some hundreds.

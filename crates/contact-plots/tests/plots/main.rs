@@ -1,0 +1,9 @@
+//! The tests of `contact-plots` from outside, in one program: each that is linked takes a second.
+
+#![allow(missing_docs, reason = "tests have names that say it")]
+
+mod document;
+mod figures;
+mod layout;
+mod pictures;
+mod scene;

@@ -1,0 +1,102 @@
+//! Feet of 60 kg on a floor, under 10 m/s²: a weight of 600 N.
+
+/// A sphere on the foot, under a `SmoothSphereHalfSpaceForce` that is called `contact_` and its name.
+#[derive(Clone, Copy)]
+pub struct Smooth {
+    pub name: &'static str,
+    /// R, m.
+    pub radius: f64,
+    /// E₁*, N/m².
+    pub stiffness: f64,
+    /// α, s/m.
+    pub dissipation: f64,
+    /// cf, m².
+    pub constant_contact_force: f64,
+    /// bd, 1/m.
+    pub hertz_smoothing: f64,
+    /// bv, s/m.
+    pub hunt_crossley_smoothing: f64,
+}
+
+/// One sphere under 600 N that is within every limit: x̂ is 0.0865 and under twice the weight 0.137, (13) gives 0.85 at
+/// 0.5 m/s, √cf/R is 0.02, the transition 0.236 R, and just touching it carries 0.056 of its load.
+pub const SOLE: Smooth = Smooth {
+    name: "heel_r",
+    radius: 0.05,
+    stiffness: 2e7,
+    dissipation: 0.3,
+    constant_contact_force: 1e-6,
+    hertz_smoothing: 250.0,
+    hunt_crossley_smoothing: 50.0,
+};
+
+/// A heel of which no figure has the value of another.
+pub const HEEL: Smooth = Smooth {
+    name: "heel_r",
+    radius: 0.05,
+    stiffness: 3e6,
+    dissipation: 0.3,
+    constant_contact_force: 1.6e-5,
+    hertz_smoothing: 250.0,
+    hunt_crossley_smoothing: 0.7,
+};
+/// A toe that differs from it in everything.
+pub const TOE: Smooth = Smooth {
+    name: "toe_r",
+    radius: 0.03,
+    stiffness: 5e6,
+    dissipation: 0.25,
+    constant_contact_force: 9e-6,
+    hertz_smoothing: 200.0,
+    hunt_crossley_smoothing: 60.0,
+};
+
+impl Smooth {
+    fn force(&self) -> String {
+        format!(
+            "<SmoothSphereHalfSpaceForce name=\"contact_{0}\">
+<socket_sphere>/contactgeometryset/{0}</socket_sphere>
+<socket_half_space>/contactgeometryset/floor</socket_half_space>
+<stiffness>{1}</stiffness>
+<dissipation>{2}</dissipation>
+<constant_contact_force>{3}</constant_contact_force>
+<hertz_smoothing>{4}</hertz_smoothing>
+<hunt_crossley_smoothing>{5}</hunt_crossley_smoothing>
+</SmoothSphereHalfSpaceForce>\n",
+            self.name,
+            self.stiffness,
+            self.dissipation,
+            self.constant_contact_force,
+            self.hertz_smoothing,
+            self.hunt_crossley_smoothing
+        )
+    }
+
+    fn sphere(&self) -> String {
+        format!(
+            "<ContactSphere name=\"{}\">
+<socket_frame>/bodyset/foot_r</socket_frame>
+<radius>{}</radius>
+</ContactSphere>\n",
+            self.name, self.radius
+        )
+    }
+}
+
+/// One foot that weighs 600 N, as the text of a model.
+pub fn foot(spheres: &[Smooth]) -> String {
+    let mut text = String::from(
+        "<OpenSimDocument Version=\"40000\">
+<Model name=\"one_foot\">
+<gravity>0 -10 0</gravity>
+<BodySet name=\"bodyset\"><objects>
+<Body name=\"foot_r\"><mass>60</mass></Body>
+</objects></BodySet>
+<ContactGeometrySet name=\"contactgeometryset\"><objects>
+<ContactHalfSpace name=\"floor\"><socket_frame>/ground</socket_frame></ContactHalfSpace>\n",
+    );
+    spheres.iter().for_each(|one| text.push_str(&one.sphere()));
+    text.push_str("</objects></ContactGeometrySet>\n<ForceSet name=\"forceset\"><objects>\n");
+    spheres.iter().for_each(|one| text.push_str(&one.force()));
+    text + "</objects></ForceSet>\n</Model>\n</OpenSimDocument>\n"
+}

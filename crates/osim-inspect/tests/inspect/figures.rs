@@ -1,0 +1,363 @@
+//! The figures of spheres that stand, each against a number that was computed elsewhere.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    missing_docs,
+    unreachable_pub,
+    reason = "a test fails by panicking"
+)]
+
+use std::collections::BTreeSet;
+
+use crate::feet::{HEEL, Smooth, TOE, foot};
+use osim_inspect::{Figure, Figures, InspectOptions, Inspection, SphereFigures, Stance};
+use osim_messages::{Call, Dialect, Example, Input};
+use osim_model::{Model, Pattern, Selection};
+
+/// 62 kg on 6 spheres a foot, all alike.
+const HUMAN: &str = include_str!("../../../../fixtures/table1/human_62kg_smooth_sphere.osim");
+const HUNT_CROSSLEY: &str = include_str!("../../../../fixtures/table1/human_62kg_hunt_crossley.osim");
+/// 61.5 kg on one sphere of 0.0325 m, which two smooth forces press: E₁* of 1.2345678 and 2 MPa.
+const TWO_FORCES: &str = include_str!("../../../../fixtures/format/shared_sphere.osim");
+/// The same sphere under a force of each class.
+const TWO_CLASSES: &str = include_str!("../../../../fixtures/format/shared_sphere_two_classes.osim");
+/// Two feet of which no name says which is the left one.
+const NO_SIDES: &str = include_str!("../../../../fixtures/format/no_sides.osim");
+
+fn inspect_with(text: &str, stance: Stance) -> Inspection {
+    let model = Model::parse(text).unwrap();
+    InspectOptions { stance, ..InspectOptions::default() }.inspect("model.osim", &model, None)
+}
+
+fn figures(text: &str) -> Figures {
+    inspect_with(text, Stance::default()).figures
+}
+
+/// The figures of the first sphere.
+fn first(figures: &Figures) -> &SphereFigures {
+    figures.spheres().next().unwrap()
+}
+
+#[track_caller]
+fn near(value: f64, expected: f64, what: &str) {
+    assert!((value - expected).abs() <= 1e-13 * expected.abs(), "{what}: {value}, expected {expected}");
+}
+
+#[track_caller]
+fn assert_figures(sphere: &SphereFigures, expected: &[(Figure, f64)]) {
+    for &(figure, expected) in expected {
+        near(sphere.value(figure).unwrap(), expected, &format!("{figure:?} of {}", sphere.sphere));
+    }
+}
+
+// mpmath 1.3.0, 40 digits: (3), (C.9) at rest solved for x, the derivative of (1), (B.3), (B.4), (15), (C.2), (C.7), the
+// two restitutions of (12) and (13), with M g = 600 N on n = 2.
+const OF_HEEL: &[(Figure, f64)] = &[
+    (Figure::Radius, 0.05),
+    (Figure::CompositeModulus, 1_060_660.171_779_821_3),
+    (Figure::Dissipation, 0.3),
+    (Figure::Load, 300.0),
+    (Figure::Indentation, 0.193_097_876_921_125_95),
+    (Figure::IndentationModelLaw, 0.183_455_154_509_831_53),
+    (Figure::LevelIndentation, 0.176_379_512_541_541_36),
+    (Figure::LevelIndentationModelLaw, 0.167_993_437_339_560_31),
+    (Figure::IndentationAtTwo, 0.306_523_772_957_421_2),
+    (Figure::IndentationModelLawAtTwo, 0.305_357_675_642_228_63),
+    (Figure::LevelIndentationAtTwo, 0.279_985_023_754_081),
+    (Figure::LevelIndentationModelLawAtTwo, 0.275_472_198_606_984_15),
+    (Figure::ContactStiffness, 46_608.487_589_307_883),
+    (Figure::DimensionlessStiffness, 7.768_081_264_884_647),
+    (Figure::NaturalFrequency, 6.273_241_540_017_333),
+    (Figure::MeanContactStress, 197_812.565_063_349_5),
+    (Figure::RestitutionExact, 0.879_944_256_386_059_4),
+    (Figure::RestitutionApproximate, 0.863_787_022_221_524_5),
+    (Figure::ConstantIndentation, 0.08),
+    (Figure::TransitionWidth, 0.235_555_118_333_315_24),
+    (Figure::ForceJustTouching, 38.293_949_914_762_29),
+    (Figure::TouchingShare, 0.127_646_499_715_874_3),
+];
+const OF_TOE: &[(Figure, f64)] = &[
+    (Figure::Radius, 0.03),
+    (Figure::CompositeModulus, 1_767_766.952_966_368_8),
+    (Figure::Dissipation, 0.25),
+    (Figure::Load, 300.0),
+    (Figure::Indentation, 0.271_441_761_659_490_66),
+    (Figure::IndentationModelLaw, 0.260_785_365_143_784_02),
+    (Figure::LevelIndentation, 0.293_965_854_235_902_27),
+    (Figure::LevelIndentationModelLaw, 0.279_989_062_232_600_5),
+    (Figure::IndentationAtTwo, 0.430_886_938_006_376_74),
+    (Figure::IndentationModelLawAtTwo, 0.421_008_952_392_375_72),
+    (Figure::LevelIndentationAtTwo, 0.466_641_706_256_801_7),
+    (Figure::LevelIndentationModelLawAtTwo, 0.459_120_331_011_640_25),
+    (Figure::ContactStiffness, 55_260.472_479_605_8),
+    (Figure::DimensionlessStiffness, 5.526_047_247_960_58),
+    (Figure::NaturalFrequency, 6.830_724_998_288_061),
+    (Figure::MeanContactStress, 390_887.882_343_240_41),
+    (Figure::RestitutionExact, 0.897_954_434_338_726_2),
+    (Figure::RestitutionApproximate, 0.886_489_185_184_603_7),
+    (Figure::ConstantIndentation, 0.1),
+    (Figure::TransitionWidth, 0.490_739_829_861_073_4),
+    (Figure::ForceJustTouching, 33.541_019_662_496_84),
+    (Figure::TouchingShare, 0.111_803_398_874_989_48),
+];
+
+#[test]
+fn every_figure_of_a_foot_on_two_sizes_of_sphere() {
+    let figures = figures(&foot(&[HEEL, TOE]));
+    let spheres: Vec<&SphereFigures> = figures.spheres().collect();
+    assert_eq!(spheres.len(), 2);
+    for (sphere, expected) in spheres.into_iter().zip([OF_HEEL, OF_TOE]) {
+        let listed: Vec<Figure> = expected.iter().map(|(figure, _)| *figure).collect();
+        // Those at the default pose need a pose: see the next test.
+        let standing = [Figure::StandingIndentation, Figure::StandingIndentationModelLaw];
+        let others: Vec<Figure> = Figure::ALL.iter().copied().filter(|one| !standing.contains(one)).collect();
+        assert_eq!(listed, others, "every figure of the register is here");
+        assert!(standing.iter().all(|&figure| sphere.value(figure).is_none()), "no joint, no pose");
+        let distinct: BTreeSet<u64> = expected.iter().map(|(_, value)| value.to_bits()).collect();
+        assert_eq!(distinct.len(), expected.len(), "no figure can stand for another");
+        assert_figures(sphere, expected);
+    }
+    assert_eq!((figures.mass_kg, figures.gravity_m_s2), (Some(60.0), Some(10.0)));
+    assert!(figures.why_no_body_weight.is_none());
+}
+
+/// The same foot on a joint to ground, its toe 4 mm higher than its heel.
+fn foot_with_a_high_toe() -> String {
+    let joint = "<JointSet><objects><FreeJoint name=\"root\"><socket_parent_frame>/ground</socket_parent_frame>\
+                 <socket_child_frame>/bodyset/foot_r</socket_child_frame></FreeJoint></objects></JointSet></Model>";
+    let text = foot(&[HEEL, TOE]).replace("</Model>", joint);
+    text.replace("<radius>0.03</radius>", "<radius>0.03</radius><location>0 -0.016 0</location>")
+}
+
+#[test]
+fn spheres_of_two_heights_share_the_load_by_how_deep_each_is() {
+    // mpmath 1.3.0, 50 digits: (1) and (C.9) at rest of both spheres, summed to 600 N.
+    let seen = figures(&foot_with_a_high_toe());
+    let expected = [
+        [0.219_221_911_520_665_5, 0.212_312_155_305_137_72],
+        [0.232_036_519_201_109_16, 0.220_520_258_841_896_2],
+    ];
+    for (sphere, [hertz, model_law]) in seen.spheres().zip(expected) {
+        let value = |figure| sphere.value(figure).unwrap();
+        // Heights are differences of coordinates, each with a last bit.
+        let close = |value: f64, expected: f64| (value - expected).abs() <= 1e-12;
+        assert!(close(value(Figure::StandingIndentation), hertz), "{}", sphere.sphere);
+        assert!(close(value(Figure::StandingIndentationModelLaw), model_law), "{}", sphere.sphere);
+    }
+}
+
+#[test]
+fn an_impact_is_a_fall_from_a_quarter_of_the_mean_radius() {
+    // R² is the mean of 0.05² and 0.03², 0.0017; √(10 √0.0017 / 2).
+    near(figures(&foot(&[HEEL, TOE])).impact_speed_m_s.unwrap(), 0.454_043_259_261_585_2, "speed");
+    let given = Stance { impact_speed_m_s: Some(0.7), ..Stance::default() };
+    let seen = inspect_with(&foot(&[HEEL, TOE]), given).figures;
+    assert_eq!(seen.impact_speed_m_s, Some(0.7));
+    // 1 − 0.3 s/m · 0.7 m/s.
+    near(first(&seen).value(Figure::RestitutionApproximate).unwrap(), 0.79, "restitution");
+}
+
+#[test]
+fn spheres_beside_those_of_the_limb_take_their_share() {
+    let stance = Stance { spheres: Some(4.0), ..Stance::default() };
+    let seen = inspect_with(&foot(&[HEEL, TOE]), stance).figures;
+    // As above with 150 N on each sphere and 300 N on the two of them; 15 kg on each.
+    let expected = [
+        (Figure::Load, 150.0),
+        (Figure::LevelIndentation, 0.111_112_130_310_642_37),
+        (Figure::LevelIndentationAtTwo, 0.176_379_512_541_541_36),
+        (Figure::NaturalFrequency, 7.903_789_067_342_769),
+    ];
+    assert_figures(first(&seen), &expected);
+}
+
+#[test]
+fn a_sphere_that_two_forces_press_has_the_sum_of_their_forces_and_the_most_of_their_smoothing() {
+    let softer = TWO_FORCES.replacen(">1.5e-05<", ">1e-05<", 1).replacen(">310<", ">155<", 1);
+    let figures = figures(&softer);
+    let sphere = first(&figures);
+    assert_eq!(sphere.forces, ["contact_1", "contact_2"]);
+    // E* = (1.2345678 + 2) MPa / 2^(3/2); √1.5e-5 and ln 19 / 155 over 0.0325 m; (C.9) at x = 0 of both.
+    let expected = [
+        (Figure::CompositeModulus, 1_143_592.412_793_826_2),
+        (Figure::Dissipation, 2.25),
+        (Figure::ConstantIndentation, 0.119_168_718_344_843_6),
+        (Figure::TransitionWidth, 0.584_504_015_715_422_4),
+        (Figure::ForceJustTouching, 29.812_169_745_582_941),
+    ];
+    assert_figures(sphere, &expected);
+}
+
+#[test]
+fn a_force_without_smoothing_carries_nothing_while_it_just_touches() {
+    let figures = figures(TWO_CLASSES);
+    // (C.9) at x = 0 of the smooth one alone: E₁* is 1.2345678 MPa, cf 1.5e-5 m².
+    let expected = [
+        (Figure::ConstantIndentation, 0.119_168_718_344_843_6),
+        (Figure::ForceJustTouching, 12.644_126_080_384_072),
+    ];
+    assert_figures(first(&figures), &expected);
+}
+
+#[test]
+fn forces_of_different_dissipation_on_one_sphere_have_no_restitution() {
+    let figures = figures(&TWO_FORCES.replacen("<dissipation>2.25<", "<dissipation>2<", 1));
+    let sphere = first(&figures);
+    for figure in [Figure::Dissipation, Figure::RestitutionExact, Figure::RestitutionApproximate] {
+        assert_eq!(sphere.value(figure), None, "{figure:?}");
+        assert_eq!(sphere.is_within(figure), None, "{figure:?}");
+    }
+}
+
+#[test]
+fn a_hunt_crossley_force_has_no_figures_of_smoothing() {
+    let figures = figures(HUNT_CROSSLEY);
+    let sphere = first(&figures);
+    for figure in [
+        Figure::ConstantIndentation,
+        Figure::TransitionWidth,
+        Figure::ForceJustTouching,
+        Figure::TouchingShare,
+    ] {
+        assert_eq!(sphere.value(figure), None, "{figure:?}");
+    }
+    assert_eq!(sphere.value(Figure::IndentationModelLaw), sphere.value(Figure::Indentation));
+}
+
+#[test]
+fn a_limb_is_mixed_where_its_spheres_stand_otherwise_level_than_with_equal_shares() {
+    assert!(figures(&foot(&[HEEL, TOE])).limbs[0].is_mixed());
+    assert!(figures(HUMAN).limbs.iter().all(|limb| !limb.is_mixed()));
+    // x̂ by 4e-9 of itself otherwise: x follows E*^(-2/3), and the level is half way between.
+    let hardly = Smooth { stiffness: HEEL.stiffness * (1.0 + 12e-9), name: "toe_r", ..HEEL };
+    assert!(figures(&foot(&[HEEL, hardly])).limbs[0].is_mixed());
+    // By 4e-10 is as good as alike.
+    let alike = Smooth { stiffness: HEEL.stiffness * (1.0 + 1.2e-9), name: "toe_r", ..HEEL };
+    assert!(!figures(&foot(&[HEEL, alike])).limbs[0].is_mixed());
+    assert!(!figures(NO_SIDES).limbs[0].is_mixed(), "nothing is known of shares");
+}
+
+#[test]
+fn figures_are_given_limb_by_limb() {
+    let limbs = figures(HUMAN).limbs;
+    let named: Vec<_> =
+        limbs.iter().map(|limb| (limb.limb.as_deref().unwrap(), limb.side.unwrap())).collect();
+    assert_eq!(named, [("femur_r", "right"), ("femur_l", "left")]);
+    let names = |index: usize| limbs[index].spheres.iter().map(|one| one.sphere.as_str()).collect::<Vec<_>>();
+    assert_eq!(names(0), ["s1_r", "s2_r", "s3_r", "s4_r", "s5_r", "s6_r"]);
+    assert_eq!(names(1), ["s1_l", "s2_l", "s3_l", "s4_l", "s5_l", "s6_l"]);
+    let sphere = &limbs[1].spheres[2];
+    assert_eq!(sphere.path, "/contactgeometryset/s3_l");
+    assert_eq!(sphere.forces, ["contact_s3_l"]);
+}
+
+#[test]
+fn spheres_are_in_their_own_order_not_in_that_of_their_forces() {
+    let text = foot(&[HEEL, TOE]);
+    let (spheres, forces) = text.split_at(text.find("<ForceSet").unwrap());
+    let swapped =
+        forces.replace("/heel_r<", "/other<").replace("/toe_r<", "/heel_r<").replace("/other<", "/toe_r<");
+    let figures = figures(&format!("{spheres}{swapped}"));
+    let named: Vec<&str> = figures.spheres().map(|sphere| sphere.sphere.as_str()).collect();
+    assert_eq!(named, ["heel_r", "toe_r"]);
+    assert_eq!(first(&figures).forces, ["contact_toe_r"]);
+}
+
+#[test]
+fn spheres_that_are_alike_stand_level_with_equal_shares_to_the_last_bit() {
+    let spheres = ["s1_r", "s2_r", "s3_r", "s4_r", "s5_r", "s6_r", "s7_r"].map(|name| Smooth { name, ..TOE });
+    for count in 1..=spheres.len() {
+        let figures = figures(&foot(&spheres[..count]));
+        for (level, equal) in [
+            (Figure::LevelIndentation, Figure::Indentation),
+            (Figure::LevelIndentationModelLaw, Figure::IndentationModelLaw),
+            (Figure::LevelIndentationAtTwo, Figure::IndentationAtTwo),
+            (Figure::LevelIndentationModelLawAtTwo, Figure::IndentationModelLawAtTwo),
+        ] {
+            let sphere = first(&figures);
+            assert!(sphere.value(level).is_some());
+            assert_eq!(sphere.value(level), sphere.value(equal), "{level:?} of {count}");
+        }
+    }
+}
+
+#[test]
+fn a_limb_without_a_chosen_sphere_has_no_figures() {
+    let select: Vec<Pattern> = vec!["*_l".parse().unwrap()];
+    let selection = Selection { select, ..Selection::default() };
+    let options = InspectOptions { selection, ..InspectOptions::default() };
+    let seen = options.inspect("human.osim", &Model::parse(HUMAN).unwrap(), None);
+    let limbs: Vec<_> = seen.figures.limbs.iter().map(|limb| limb.side).collect();
+    assert_eq!(limbs, [Some("left")]);
+}
+
+/// Why no figure under body weight is known.
+#[track_caller]
+fn why_absent(figures: &Figures) -> String {
+    assert!(figures.spheres().all(|sphere| sphere.value(Figure::Load).is_none()));
+    figures.why_no_body_weight.as_ref().unwrap().to_string()
+}
+
+#[test]
+fn without_mass_or_gravity_or_count_the_reason_is_given() {
+    let no_mass = foot(&[HEEL]).replace("<mass>60</mass>", "<mass>0</mass>");
+    assert_eq!(why_absent(&figures(&no_mass)), "what the model weighs is not known");
+    let no_gravity = foot(&[HEEL]).replace("0 -10 0", "0 0 0");
+    assert!(why_absent(&figures(&no_gravity)).contains("gravity"));
+    assert_eq!(figures(&no_gravity).gravity_m_s2, None);
+    assert_eq!(figures(&no_gravity).impact_speed_m_s, None);
+    let why = why_absent(&figures(NO_SIDES));
+    assert!(why.contains("left or right cannot be determined"), "{why}");
+    assert!(why.ends_with("say it with `spheres`"), "{why}");
+}
+
+#[test]
+fn the_reason_that_comes_first_is_given_where_there_are_two() {
+    let why = why_absent(&figures(&NO_SIDES.replace("0 -9.81 0", "0 0 0")));
+    assert!(why.contains("gravity") && !why.contains("spheres"), "{why}");
+}
+
+#[test]
+fn a_gravity_that_pulls_nothing_is_none() {
+    for gravity in [0.0, -10.0, f64::INFINITY, f64::NAN] {
+        let stance = Stance { gravity_m_s2: Some(gravity), ..Stance::default() };
+        let seen = inspect_with(&foot(&[HEEL]), stance).figures;
+        assert_eq!(seen.gravity_m_s2, None, "{gravity}");
+        assert!(why_absent(&seen).contains("gravity"));
+    }
+    // On the moon the same foot weighs 60 · 1.62 N.
+    let moon = Stance { gravity_m_s2: Some(1.62), ..Stance::default() };
+    let seen = inspect_with(&foot(&[HEEL]), moon).figures;
+    near(first(&seen).value(Figure::Load).unwrap(), 97.2, "load");
+}
+
+#[test]
+fn one_sphere_may_carry_all() {
+    let stance = Stance { spheres: Some(1.0), ..Stance::default() };
+    let seen = inspect_with(NO_SIDES, stance).figures;
+    assert_eq!(seen.limbs[0].sphere_count, Some(1.0));
+    assert!(seen.why_no_body_weight.is_none());
+}
+
+/// A front end that shouts.
+struct Loud;
+
+impl Dialect for Loud {
+    fn input(&self, input: Input, _: Option<&Example>) -> String {
+        input.name().to_uppercase()
+    }
+
+    fn call(&self, call: &Call) -> String {
+        call.verb.name().to_uppercase()
+    }
+}
+
+#[test]
+fn the_reason_is_spelled_as_the_front_end_says() {
+    let mut figures = figures(NO_SIDES);
+    figures.spell(&Loud);
+    let why = figures.why_no_body_weight.unwrap().to_string();
+    assert!(why.ends_with("say it with SPHERES"), "{why}");
+}

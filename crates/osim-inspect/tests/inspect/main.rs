@@ -1,0 +1,8 @@
+//! The tests of `osim-inspect` from outside, in one program: each that is linked takes a second.
+
+#![allow(missing_docs, reason = "tests have names that say it")]
+
+mod feet;
+mod figures;
+mod load_sharing;
+mod register;

@@ -1,0 +1,200 @@
+//! What a change carries with it and says about itself: equations, factors, remarks, warnings, refusals.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    missing_docs,
+    reason = "a test fails by panicking"
+)]
+
+use osim_model::{
+    Axis, Companion, Document, Fault, FindingCode, LevelAxis, Mass, MassSource, Model, Property, PropertySet,
+    RadiusRule, Selection,
+};
+use osim_patch::{Plan, Rescale, Transfer, reference_of_model, rescale, transfer};
+
+const ONE_FOOT: &str = include_str!("../../../../osim-model/tests/data/one_foot.osim");
+
+fn mass(kg: f64) -> Mass {
+    Mass { kg, source: MassSource::ContactsMass }
+}
+
+/// From 10 kg to 80 kg: twice the length, to the last bit.
+fn wanted() -> Rescale {
+    Rescale::new(80.0, mass(10.0))
+}
+
+fn try_rescaled(text: &str, change: impl FnOnce(&mut Rescale)) -> Result<Plan, Fault> {
+    let model = Model::parse(text.as_bytes()).unwrap();
+    let mut wanted = wanted();
+    change(&mut wanted);
+    rescale(&model, &Selection::default().apply(&model).unwrap(), &wanted)
+}
+
+fn rescaled(text: &str, change: impl FnOnce(&mut Rescale)) -> Plan {
+    try_rescaled(text, change).unwrap()
+}
+
+fn codes(plan: &Plan) -> Vec<FindingCode> {
+    plan.warnings.iter().map(|warning| warning.code).collect()
+}
+
+fn change(plan: &Plan, property: Property) -> &osim_patch::Change {
+    plan.changes.iter().find(|change| change.property == property).unwrap()
+}
+
+#[test]
+fn a_radius_says_where_it_comes_from() {
+    let radius = |rule| {
+        let plan = rescaled(ONE_FOOT, |wanted| wanted.radius = rule);
+        let change = change(&plan, Property::Radius);
+        (change.equation, change.factor, change.to)
+    };
+    assert_eq!(radius(RadiusRule::Isometric), ("8", Some(2.0), 0.06));
+    assert_eq!(radius(RadiusRule::Factor(3.0)), ("given", Some(3.0), 0.09));
+    assert_eq!(radius(RadiusRule::Metres(0.1)), ("given", None, 0.1));
+}
+
+#[test]
+fn how_far_bottoms_move_is_said_with_its_direction() {
+    let remarks = |rule| {
+        rescaled(ONE_FOOT, |wanted| wanted.radius = rule)
+            .remarks
+            .iter()
+            .map(ToString::to_string)
+            .collect::<Vec<_>>()
+            .join("; ")
+    };
+    assert!(remarks(RadiusRule::Isometric).contains("bottoms move 30.00 mm down"));
+    assert!(remarks(RadiusRule::Metres(0.02)).contains("bottoms move 10.00 mm up"));
+    assert!(!remarks(RadiusRule::Keep).contains("bottoms"));
+    let two = ONE_FOOT
+        .replace(
+            "</ContactSphere>",
+            "</ContactSphere><ContactSphere name=\"toe_r\"><socket_frame>/bodyset/foot_r</socket_frame>\
+             <radius>0.01</radius></ContactSphere>",
+        )
+        .replace(
+            "</SmoothSphereHalfSpaceForce>",
+            "</SmoothSphereHalfSpaceForce><SmoothSphereHalfSpaceForce name=\"contact_toe_r\">\
+             <socket_sphere>/contactgeometryset/toe_r</socket_sphere>\
+             <socket_half_space>/contactgeometryset/floor</socket_half_space><stiffness>1e6</stiffness>\
+             </SmoothSphereHalfSpaceForce>",
+        );
+    let remarks =
+        rescaled(&two, |_| ()).remarks.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ");
+    assert!(remarks.contains("bottoms move 10.00 to 30.00 mm down"), "{remarks}");
+}
+
+#[test]
+fn the_first_line_says_by_how_much() {
+    assert_eq!(
+        rescaled(ONE_FOOT, |_| ()).taken.to_string(),
+        "contacts made for 10 kg (`contacts_mass`); scaled to 80 kg (mass x8)"
+    );
+}
+
+#[test]
+fn level_spheres_keep_their_bottoms() {
+    let text = ONE_FOOT.replace("<radius>", "<location>0.1 -0.02 0.3</location><radius>");
+    let plan = rescaled(&text, |wanted| wanted.level = Some(LevelAxis::of_gravity(Some([0.0, -9.81, 0.0]))));
+    let place = &plan.moves[0];
+    // R grows from 0.03 to 0.06: the centre rises by 0.03.
+    assert_eq!((place.from, place.equation), ([0.1, -0.02, 0.3], "level"));
+    assert!((place.to[1] - 0.01).abs() < 1e-15 && place.to[0] == 0.1 && place.to[2] == 0.3);
+    assert!(!place.inserted);
+    // A sphere without a location stands at the origin, and gets one.
+    let plan = rescaled(ONE_FOOT, |wanted| {
+        wanted.level = Some(LevelAxis { axis: Axis::Z, down: true, of_body: false });
+    });
+    assert!(plan.moves[0].inserted);
+    assert_eq!(plan.moves[0].to, [0.0, 0.0, -0.03]);
+}
+
+#[test]
+fn friction_changes_only_where_asked_and_says_what_it_is_worth() {
+    let text = ONE_FOOT.replace(
+        "</dissipation>",
+        "</dissipation><viscous_friction>0.5</viscous_friction><transition_velocity>0.2</transition_velocity>",
+    );
+    assert!(!codes(&rescaled(&text, |_| ())).contains(&FindingCode::FrictionNotSimilar));
+    let plan = rescaled(&text, |wanted| wanted.properties = PropertySet::default().with_friction());
+    assert!(codes(&plan).contains(&FindingCode::FrictionNotSimilar));
+    // Speeds follow the root of the length (2): numbers from theory.md's rule with rho = 2, computed by hand.
+    assert!((change(&plan, Property::TransitionVelocity).to - 0.2 * std::f64::consts::SQRT_2).abs() < 1e-15);
+    assert!((change(&plan, Property::ViscousFriction).to - 0.5 / std::f64::consts::SQRT_2).abs() < 1e-15);
+}
+
+#[test]
+fn the_transition_velocity_of_a_hunt_crossley_force_is_the_forces_own() {
+    let text = include_str!("../../../../fixtures/table1/mouse_hunt_crossley.osim");
+    let plan = rescaled(text, |wanted| wanted.properties = PropertySet::default().with_friction());
+    let change = change(&plan, Property::TransitionVelocity);
+    assert_eq!(change.set, None);
+    assert!((change.factor.unwrap() - std::f64::consts::SQRT_2).abs() < 1e-15);
+    assert!(!codes(&plan).contains(&FindingCode::FrictionNotSimilar));
+}
+
+#[test]
+fn a_force_that_is_switched_off_is_named() {
+    let off = ONE_FOOT.replace("<stiffness>", "<appliesForce>false</appliesForce><stiffness>");
+    assert!(codes(&rescaled(&off, |_| ())).contains(&FindingCode::DisabledForce));
+    assert!(!codes(&rescaled(ONE_FOOT, |_| ())).contains(&FindingCode::DisabledForce));
+}
+
+#[test]
+fn gravity_scales_from_what_is_there_or_not_at_all() {
+    let to = |gravity: f64| move |wanted: &mut Rescale| wanted.target_gravity_m_s2 = Some(gravity);
+    let plan = rescaled(ONE_FOOT, to(2.0 * 9.81));
+    assert_eq!(change(&plan, Property::Stiffness).factor, Some(4.0));
+    assert!(plan.remarks.iter().map(ToString::to_string).collect::<String>().contains("<gravity> stays"));
+    for nonsense in [0.0, -9.81, f64::NAN, f64::INFINITY] {
+        assert_eq!(try_rescaled(ONE_FOOT, to(nonsense)).unwrap_err().code(), "refused", "{nonsense}");
+    }
+    let weightless = ONE_FOOT.replace("0 -9.81 0", "0 0 0");
+    assert_eq!(try_rescaled(&weightless, to(9.81)).unwrap_err().code(), "refused");
+    assert!(try_rescaled(&weightless, |_| ()).is_ok());
+}
+
+#[test]
+fn an_explicit_radius_is_done_at_an_equal_mass_too() {
+    let same = |rule| rescaled(ONE_FOOT, |wanted| (wanted.target_mass_kg, wanted.radius) = (10.0, rule));
+    assert!(same(RadiusRule::Isometric).is_empty());
+    assert_eq!(codes(&same(RadiusRule::Keep)).last(), Some(&FindingCode::AlreadyAtTarget));
+    assert_eq!(change(&same(RadiusRule::Factor(2.0)), Property::Stiffness).factor, Some(0.25));
+}
+
+#[test]
+fn a_computed_value_within_rounding_of_the_old_one_is_no_change() {
+    let plan_with = |stiffness: f64| {
+        let text = ONE_FOOT.replace("1000000", &osim_messages::shortest(stiffness));
+        let models = [ONE_FOOT, text.as_str()].map(|text| Model::parse(text).unwrap());
+        let selected = Selection::default().apply(&models[0]).unwrap();
+        let reference = reference_of_model(&models[0], &selected, mass(10.0), 1.0).unwrap();
+        let wanted = Transfer::new(reference, mass(10.0), 1.0);
+        transfer(&models[1], &selected, &wanted).unwrap().changes.len()
+    };
+    assert_eq!(plan_with(1e6), 0);
+    assert_eq!(plan_with(1e6 * (1.0 + 2.0 * f64::EPSILON)), 0);
+    assert_eq!(plan_with(1e6 * (1.0 + 1e-12)), 1);
+    assert_eq!(plan_with(1e6 * (1.0 - 1e-12)), 1);
+}
+
+#[test]
+fn contacts_in_an_included_file_are_read_and_refused() {
+    let main = include_str!("../../../../fixtures/format/file_both_sets.osim");
+    let document = Document::parse(main.as_bytes()).unwrap();
+    let included = document.included_files();
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../fixtures/format/");
+    let texts: Vec<Vec<u8>> =
+        included.iter().map(|(_, name)| std::fs::read(format!("{folder}{name}")).unwrap()).collect();
+    let companions = texts.into_iter().zip(&included).map(|(bytes, (element, _))| Companion {
+        document: Document::parse(bytes).unwrap(),
+        included_by: Some(*element),
+    });
+    let model = Model::read_with(document, companions.collect()).unwrap();
+    assert!(!model.forces().is_empty() && !model.spheres().is_empty());
+    let selected = Selection::default().apply(&model).unwrap();
+    assert_eq!(rescale(&model, &selected, &wanted()).unwrap_err().code(), "included-file");
+}

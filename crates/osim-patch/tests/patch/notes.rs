@@ -1,0 +1,250 @@
+//! The note in a model: where it goes, what it says later, and that nothing is left of it where it is taken out.
+
+#![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+
+use crate::given::{fixture, fixtures, given, given_fixture};
+use osim_compare::ScaleFile;
+use osim_model::{FileId, MassRequest, MassSource, Model, Note, Selection};
+use osim_patch::{Plan, Rescale, note, rescale};
+
+fn patched(plan: &Plan, model: &Model) -> String {
+    String::from_utf8_lossy(&plan.patched(model, FileId::MAIN).unwrap()).into_owned()
+}
+
+/// The fixture with a note that its contacts were made for 62 kg.
+fn noted(name: &str) -> String {
+    let model = Model::parse(fixture(name)).unwrap();
+    patched(&note(&model, 62.0, Some(9.81)).unwrap(), &model)
+}
+
+fn credits_fixtures() -> Vec<String> {
+    let names: Vec<String> =
+        fixtures("format").into_iter().filter(|name| name.contains("/credits_")).collect();
+    assert!(names.len() >= 13, "{names:?}");
+    names
+}
+
+#[test]
+fn the_text_of_the_credits_stays_and_the_note_ends_it() {
+    let note = |text: &str| {
+        let (_, rest) = text.split_once("[contacts made for ").unwrap();
+        format!("[contacts made for {}", &rest[..rest.find(")]").unwrap() + 2])
+    };
+    for (name, before, after) in [
+        ("some", "A. Author; B. Author<", "A. Author; B. Author; NOTE<"),
+        ("empty", "<credits></credits>", "<credits>NOTE</credits>"),
+        ("self_closing", "<credits/>", "<credits>NOTE</credits>"),
+        ("blank", "<credits>  </credits>", "<credits>NOTE  </credits>"),
+        ("twice", "A. Author</credits><credits>B. Author<", "A. Author; NOTE</credits><credits>B. Author<"),
+        ("semicolon", "A. Author;<", "A. Author;; NOTE<"),
+        ("comment_behind", "A. Author <!-- checked --><", "A. Author; NOTE <!-- checked --><"),
+        ("comment_before", "<!-- checked --> A. Author<", "<!-- checked --> A. Author; NOTE<"),
+        ("comment_only", "<credits><!-- none --><", "<credits>NOTE<!-- none --><"),
+        ("cdata", "A. Author & Co.]]>", "A. Author & Co.; NOTE]]>"),
+        ("brackets", "[contacts made for fun]<", "[contacts made for fun]; NOTE<"),
+    ] {
+        let name = format!("format/credits_{name}.osim");
+        let with = noted(&name);
+        let text = String::from_utf8_lossy(&fixture(&name)).into_owned();
+        let last = with.rfind("[contacts made for ").unwrap();
+        let expected = text.replacen(before, after, 1);
+        assert_ne!(expected, text, "{name}");
+        assert_eq!(with.replacen(&note(&with[last..]), "NOTE", 1), expected, "{name}");
+    }
+    let in_defaults = noted("format/credits_in_defaults.osim");
+    assert!(in_defaults.contains("<credits>A. Default</credits></Model></defaults>"), "{in_defaults}");
+    assert!(in_defaults.contains("</gravity>\n\t\t<credits>[contacts made for 62 kg"), "{in_defaults}");
+}
+
+#[test]
+fn without_a_note_a_file_is_what_it_was_before_there_was_one() {
+    for name in credits_fixtures().into_iter().chain(["format/v40600.osim".to_owned()]) {
+        let there = given_fixture(&name).with_note().standing_for(10.0).rescaled_to(80.0);
+        // Rescaled back by 1/8 every number is what it was, up to its last bits and its spelling.
+        let back = given(there.bytes()).rescaled_to(10.0);
+        let without_rounding = |bytes: &[u8]| {
+            let text = String::from_utf8_lossy(bytes).into_owned();
+            let lines = text.lines().filter(|line| {
+                !["dissipation>", "_smoothing>", "_force>"].iter().any(|tag| line.contains(tag))
+            });
+            lines.map(str::to_owned).collect::<Vec<_>>()
+        };
+        assert_eq!(without_rounding(back.bytes()), without_rounding(&fixture(&name)), "{name}");
+    }
+}
+
+#[test]
+fn a_note_is_replaced_and_says_the_same_as_before() {
+    for name in credits_fixtures() {
+        let once = noted(&name);
+        let model = Model::parse(once.as_str()).unwrap();
+        let (mass, _) = MassRequest::default().of_contacts(&model).unwrap();
+        assert_eq!((mass.kg, mass.source), (62.0, MassSource::Note), "{name}");
+        // The same mass again: nothing to change.
+        let again = note(&model, 62.0, Some(9.81)).unwrap();
+        assert!(again.is_empty() && again.warnings.iter().any(|w| w.code.as_str() == "nothing-to-change"));
+        assert_eq!(patched(&again, &model), once, "{name}");
+        // Another one: the note is replaced, and only that.
+        let other = patched(&note(&model, 70.0, Some(9.81)).unwrap(), &model);
+        assert_eq!(other.replace("made for 70 kg", "made for 62 kg"), once, "{name}");
+    }
+}
+
+#[test]
+fn the_comment_of_an_earlier_version_moves_into_the_credits() {
+    let there = given_fixture("check/earlier_note.osim").with_note().rescaled_to(123.0);
+    let text = String::from_utf8_lossy(there.bytes()).into_owned();
+    assert!(!text.contains("<!-- osim-contact-scale"), "{text}");
+    assert!(text.contains("<credits>[contacts made for 123 kg at 9.81 m/s2 ("), "{text}");
+    assert_eq!(there.plan().masses.as_ref().unwrap().contacts_mass.kg, 61.5);
+}
+
+#[test]
+fn a_comment_where_the_credits_belong_gives_them_its_place() {
+    // Nothing is before the comment of which OpenSim writes the credits after: both are the first child of the model.
+    let text = String::from_utf8(fixture("check/earlier_note.osim")).unwrap();
+    let (head, rest) = text.split_once("<Model name=\"one_foot\">").unwrap();
+    let start = rest.find("<!-- osim-contact-scale").unwrap();
+    let end = start + rest[start..].find("-->").unwrap() + 3;
+    let comment = &rest[start..end];
+    let bodies = &rest[rest.find("<BodySet").unwrap()..];
+    let model = format!("{head}<Model name=\"one_foot\">\n\t\t{comment}\n\t\t{bodies}");
+    let there = given(model.clone()).with_note().rescaled_to(123.0);
+    let text = String::from_utf8_lossy(there.bytes()).into_owned();
+    assert!(text.contains("<Model name=\"one_foot\">\n\t\t<credits>[contacts made for 123 kg"), "{text}");
+    assert!(!text.contains("<!-- osim-contact-scale"), "{text}");
+    Model::parse(text).unwrap();
+}
+
+#[test]
+fn all_comments_of_earlier_versions_go() {
+    // Copied, and then cut by hand: what is left of it would go on saying another mass.
+    let text = String::from_utf8(fixture("check/earlier_note.osim")).unwrap();
+    let start = text.find("<!-- osim-contact-scale").unwrap();
+    let end = start + text[start..].find("-->").unwrap() + 3;
+    let broken = "\n\t\t<!-- osim-contact-scale 0.1.0: contacts stand for 62 kg; gravity 9.x m/s2 -->";
+    let twice = format!("{}{broken}{}", &text[..end], &text[end..]);
+    let there = given(twice).with_note().rescaled_to(123.0);
+    let written = String::from_utf8_lossy(there.bytes()).into_owned();
+    assert!(!written.contains("<!-- osim-contact-scale"), "{written}");
+    // Otherwise it is as if there had been one.
+    let one = given(text).with_note().rescaled_to(123.0);
+    assert_eq!(written, String::from_utf8_lossy(one.bytes()));
+}
+
+#[test]
+fn of_two_notes_the_one_counts_that_fits_the_values() {
+    let right = noted("check/within_limits.osim");
+    let note = Note::find(Model::parse(right.as_str()).unwrap().document()).unwrap();
+    let comment = |kg: f64, digest: &str| {
+        format!(
+            "<Model name=\"one_foot\">\n\t\t<!-- osim-contact-scale 0.1.0: contacts stand for {kg} kg; gravity 9.81 m/s2; \
+             scope all; by rescale; digest {digest} -->"
+        )
+    };
+    let with = |text: &str, comment: &str| text.replacen("<Model name=\"one_foot\">", comment, 1);
+    let mass = |text: &str| Model::parse(text).unwrap().note.unwrap().contacts_mass_kg;
+    // Both fit: that of the credits. One fits: that one. None: that of the credits, which is then not believed.
+    assert_eq!(mass(&with(&right, &comment(70.0, &note.digest))), Some(62.0));
+    assert_eq!(mass(&with(&right, &comment(70.0, "0000000000000000"))), Some(62.0));
+    let wrong = right.replace(&note.digest, "1111111111111111");
+    assert_eq!(mass(&with(&wrong, &comment(70.0, &note.digest))), Some(70.0));
+    assert_eq!(mass(&with(&wrong, &comment(70.0, "0000000000000000"))), Some(62.0));
+    // Writing leaves one note.
+    let text = with(&right, &comment(70.0, &note.digest));
+    let there = given(text).with_note().rescaled_to(70.0);
+    let text = String::from_utf8_lossy(there.bytes()).into_owned();
+    assert_eq!(
+        (text.matches("contacts made for").count(), text.matches("contacts stand for").count()),
+        (1, 0)
+    );
+}
+
+#[test]
+fn a_note_goes_on_saying_for_which_size_of_bones_the_spheres_are_placed() {
+    let generic = noted("scale_tool/generic_smooth.osim");
+    let sizes = |text: &str| Model::parse(text).unwrap().note.unwrap().sizes;
+    assert!(!sizes(&generic).is_empty());
+    // What OpenSim's scaling does to meshes: the note and the spheres stay.
+    let scaled = generic
+        .replace("<scale_factors>1.01 1 1.02</scale_factors>", "<scale_factors>0.5 0.6 0.7</scale_factors>");
+    assert_ne!(scaled, generic);
+    assert_eq!(sizes(&scaled), sizes(&generic));
+    // Rescaling parameters does not move spheres, so the new note says the old sizes.
+    let rescaled = given(scaled).with_note().rescaled_to(20.0);
+    assert_eq!(sizes(&String::from_utf8_lossy(rescaled.bytes())), sizes(&generic));
+}
+
+#[test]
+fn what_open_sim_refuses_is_refused_with_its_place() {
+    for name in ["text_and_cdata", "two_cdata", "comment_inside", "element_inside"] {
+        let fault = Model::parse(fixture(&format!("bad/credits_{name}.osim"))).unwrap_err();
+        assert_eq!(fault.code(), "broken-text", "{name}");
+        assert!(fault.to_string().contains("credits"), "{fault}");
+        assert!(fault.position.is_some(), "{name}");
+    }
+}
+
+#[test]
+fn a_note_says_a_new_size_only_of_bodies_whose_spheres_all_followed() {
+    let scaled = noted("scale_tool/generic_smooth.osim").replace(
+        "<scale_factors>1.01 1 1.02</scale_factors>",
+        "<scale_factors>0.505 0.5 0.51</scale_factors>",
+    );
+    let model = Model::parse(scaled.as_str()).unwrap();
+    let factors = model.scaled_since_note().unwrap().factors;
+    assert!(
+        factors.values().all(|factors| factors.iter().all(|factor| (factor - 0.5).abs() < 1e-15)),
+        "{factors:?}"
+    );
+    let follow = |glob: &str| {
+        let selection = Selection { select: vec![glob.parse().unwrap()], ..Selection::default() };
+        let selected = selection.apply(&model).unwrap();
+        let (mass, _) = MassRequest::default().of_contacts(&model).unwrap();
+        let mut wanted = Rescale::new(20.0, mass);
+        wanted.bodies = Some(ScaleFile::of_factors(factors.clone()));
+        rescale(&model, &selected, &wanted).unwrap()
+    };
+    let size = |plan: &Plan, body: &str| {
+        let note = plan.note().unwrap().clone();
+        note.sizes.into_iter().find(|size| size.body == body).map(|size| size.factors)
+    };
+    let right = follow("*_r");
+    assert_eq!(size(&right, "calcn_r"), Some([0.505, 0.5, 0.51]));
+    assert_eq!(size(&right, "calcn_l"), Some([1.01, 1.0, 1.02]), "its spheres are where they were");
+    assert!(!right.note().unwrap().placed());
+    // A body of which only some spheres followed has no one size.
+    assert_eq!(size(&follow("*heel_r"), "calcn_r"), None);
+    assert!(follow("*").note().unwrap().placed());
+    // What was placed stays so while spheres stay, whatever is done to parameters.
+    let all = patched(&follow("*"), &model);
+    let again = given(all).with_note().rescaled_to(25.0);
+    assert!(again.plan().note().unwrap().placed());
+}
+
+#[test]
+fn bytes_of_others_stay_as_they_are_whatever_their_encoding() {
+    // What Windows writes for an umlaut and for a dash, where the file says UTF-8.
+    const ODD: &[u8] = b"M\xFCller \x96";
+    let position = |bytes: &[u8], part: &[u8]| bytes.windows(part.len()).position(|window| window == part);
+    let text = fixture("format/credits_some.osim");
+    let at = position(&text, b"A. Author").unwrap();
+    let odd = [&text[..at], ODD, b"; ", &text[at..]].concat();
+    let noted = |bytes: &[u8], contacts_mass_kg: f64| {
+        let model = Model::parse(bytes).unwrap();
+        note(&model, contacts_mass_kg, Some(9.81)).unwrap().patched(&model, FileId::MAIN).unwrap()
+    };
+    let with = noted(&odd, 62.0);
+    assert!(position(&with, ODD).is_some(), "{}", String::from_utf8_lossy(&with));
+
+    // A note in the middle is replaced by one at the end.
+    let note_at = position(&with, b"; [contacts").unwrap();
+    let end = note_at + position(&with[note_at..], b")]").unwrap() + 2;
+    let again = noted(&[&with[..end], b"; B. ", ODD, &with[end..]].concat(), 70.0);
+    let shown = String::from_utf8_lossy(&again).into_owned();
+    let first = position(&again, ODD).unwrap();
+    assert!(position(&again[first + 1..], ODD).is_some(), "{shown}");
+    assert_eq!(shown.matches("[contacts made for 70 kg").count(), 1, "{shown}");
+    assert!(!shown.contains("62 kg at"), "{shown}");
+}

@@ -1,0 +1,249 @@
+//! The round-trip law: without edits every byte stays; edits touch their spans and nothing else; what was written is
+//! read again, bit for bit as planned. Seeds are the fixtures, whole and mutilated.
+
+#![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+
+use std::sync::OnceLock;
+
+use crate::given::{fixture, fixtures};
+use osim_model::{Document, FileId, MassRequest, Model, Property, RadiusRule, Selection, SetId, Value};
+use osim_patch::{Edit, Plan, Rescale, rescale, splice};
+use proptest::prelude::*;
+
+/// Everything in `fixtures/`.
+fn seeds() -> &'static [Vec<u8>] {
+    static SEEDS: OnceLock<Vec<Vec<u8>>> = OnceLock::new();
+    SEEDS.get_or_init(|| {
+        let names = fixtures("format").into_iter().chain(fixtures("bad"));
+        names.map(|name| fixture(&name)).filter(|bytes| bytes.len() < 16_000).collect()
+    })
+}
+
+/// One way to spoil a file.
+#[derive(Debug, Clone)]
+enum Spoil {
+    Replace(usize, u8),
+    Remove(usize, usize),
+    Insert(usize, &'static str),
+    Double(usize, usize),
+    Cut(usize),
+}
+
+const SHARDS: [&str; 24] = [
+    "<",
+    ">",
+    "/",
+    "&",
+    "\"",
+    "<!--",
+    "-->",
+    "<![CDATA[",
+    "]]>",
+    "&#49;",
+    "&#x110000;",
+    "\u{feff}",
+    "\r\n",
+    "\0",
+    "1e400",
+    "-0",
+    "inf",
+    "</stiffness>",
+    "<radius>0.1</radius>",
+    "<defaults/>",
+    "<?x?>",
+    "é",
+    "<a b='",
+    "e6",
+];
+
+fn spoil() -> impl Strategy<Value = Spoil> {
+    let at = 0..1_000_000_usize;
+    prop_oneof![
+        4 => (at.clone(), any::<u8>()).prop_map(|(at, byte)| Spoil::Replace(at, byte)),
+        2 => (at.clone(), 1..60_usize).prop_map(|(at, length)| Spoil::Remove(at, length)),
+        4 => (at.clone(), prop::sample::select(&SHARDS[..])).prop_map(|(at, text)| Spoil::Insert(at, text)),
+        2 => (at.clone(), 1..400_usize).prop_map(|(at, length)| Spoil::Double(at, length)),
+        1 => at.prop_map(Spoil::Cut),
+    ]
+}
+
+fn spoiled(seed: usize, spoils: &[Spoil]) -> Vec<u8> {
+    let seeds = seeds();
+    let mut bytes = seeds[seed % seeds.len()].clone();
+    for spoil in spoils {
+        let place = |at: usize| at % (bytes.len() + 1);
+        match *spoil {
+            Spoil::Replace(at, byte) => {
+                let at = place(at);
+                if let Some(old) = bytes.get_mut(at) {
+                    *old = byte;
+                }
+            }
+            Spoil::Remove(at, length) => {
+                let at = place(at);
+                let end = bytes.len().min(at + length);
+                bytes.drain(at..end);
+            }
+            Spoil::Insert(at, text) => {
+                let at = place(at);
+                bytes.splice(at..at, text.bytes());
+            }
+            Spoil::Double(at, length) => {
+                let at = place(at);
+                let piece = bytes[at..bytes.len().min(at + length)].to_vec();
+                bytes.splice(at..at, piece);
+            }
+            Spoil::Cut(at) => bytes.truncate(place(at)),
+        }
+    }
+    bytes
+}
+
+/// Plans a rescaling by `factor`; `None` where the model is refused.
+fn planned(model: &Model, factor: f64, radius: RadiusRule) -> Option<Plan> {
+    let selected = Selection::default().apply(model).ok()?;
+    let (contacts_mass, _) = MassRequest::default().of_contacts(model).ok()?;
+    let mut wanted = Rescale::new(contacts_mass.kg * factor, contacts_mass);
+    wanted.radius = radius;
+    wanted.properties = osim_model::PropertySet::default().with_friction();
+    rescale(model, &selected, &wanted).ok()
+}
+
+/// Pieces tile the file: the first starts at 0, each ends where the next starts, the last ends with the file.
+fn tiles(document: &Document) {
+    let tree = document.tree();
+    let mut at = 0;
+    for piece in tree.pieces() {
+        let span = piece.span;
+        assert_eq!(span.start, at, "a gap or an overlap at byte {at}");
+        assert!(span.end > span.start, "an empty piece at byte {at}");
+        at = span.end;
+    }
+    assert_eq!(at, document.bytes().len(), "the last piece does not reach the end");
+}
+
+/// The output is the input with exactly these spans replaced.
+fn only_spans_change(before: &[u8], after: &[u8], edits: &[Edit]) {
+    let mut edits: Vec<&Edit> = edits.iter().collect();
+    edits.sort_by_key(|edit| edit.span.start);
+    let (mut old, mut new) = (0, 0);
+    for edit in edits {
+        let kept = edit.span.start - old;
+        assert_eq!(&before[old..old + kept], &after[new..new + kept], "bytes before {:?} changed", edit.span);
+        new += kept;
+        assert_eq!(&after[new..new + edit.text.len()], edit.text.as_bytes());
+        new += edit.text.len();
+        old = edit.span.end;
+    }
+    assert_eq!(&before[old..], &after[new..], "bytes after the last edit changed");
+}
+
+/// The value of a change in a model that was read again.
+fn value<'m>(model: &'m Model, change: &osim_patch::Change) -> Option<&'m Value> {
+    if change.property == Property::Radius {
+        return model.spheres().iter().find(|sphere| sphere.path == change.path).map(|sphere| &sphere.radius);
+    }
+    let force = model.forces().iter().find(|force| force.path == change.path)?;
+    let set = force.sets.iter().find(|set| set.number == change.set).map_or(SetId::FIRST, |set| set.id);
+    force.value(set, change.property)
+}
+
+/// The whole law on one file; `true` where it was rescaled.
+fn law(bytes: &[u8], factor: f64, radius: RadiusRule) -> bool {
+    let Ok(document) = Document::parse(bytes) else { return false };
+    assert_eq!(document.bytes(), bytes);
+    tiles(&document);
+    assert_eq!(splice(bytes, &[]).unwrap(), bytes, "without edits the bytes changed");
+    let Ok(model) = Model::read(document) else { return false };
+    let _ = model.limbs(&model.force_ids());
+    let Some(plan) = planned(&model, factor, radius) else { return false };
+    let (edits, patched) = (plan.edits(&model, FileId::MAIN), plan.patched(&model, FileId::MAIN).unwrap());
+    only_spans_change(bytes, &patched, &edits);
+    if plan.is_empty() {
+        assert_eq!(patched, bytes);
+        return true;
+    }
+    let model = Model::parse(patched).expect("what was written is a model");
+    for change in &plan.changes {
+        assert!(change.to.is_finite());
+        let value = value(&model, change).unwrap_or_else(|| panic!("{} is gone", change.path));
+        assert_eq!(value.number.to_bits(), change.to.to_bits(), "{} of {}", change.property, change.path);
+        assert!(value.span.is_some() && value.fault.is_none(), "{} of {}", change.property, change.path);
+    }
+    let note = model.note.as_ref().expect("the note is found again");
+    assert_eq!(Some(note), plan.note());
+    true
+}
+
+#[test]
+fn every_fixture_keeps_the_law() {
+    let mut rescaled = 0;
+    for name in fixtures("format").into_iter().chain(fixtures("table1")).chain(fixtures("bad")) {
+        let bytes = fixture(&name);
+        for radius in
+            [RadiusRule::Isometric, RadiusRule::Keep, RadiusRule::Metres(0.0456), RadiusRule::Factor(0.3)]
+        {
+            rescaled += usize::from(law(&bytes, 3.7, radius));
+        }
+    }
+    assert!(rescaled > 400, "only {rescaled} of the fixtures were rescaled");
+}
+
+#[test]
+fn there_and_back_is_the_same_to_the_last_bits() {
+    // Each way multiplies once, by a ratio that is right to a few last bits.
+    for name in fixtures("table1") {
+        let bytes = fixture(&name);
+        let model = Model::parse(bytes).unwrap();
+        let there = planned(&model, 19.3, RadiusRule::Isometric).unwrap();
+        let patched = there.patched(&model, FileId::MAIN).unwrap();
+        let model = Model::parse(patched).unwrap();
+        // The note says what the contacts are made for, so 1/19.3 leads back.
+        let back = planned(&model, 1.0 / 19.3, RadiusRule::Isometric).unwrap();
+        assert_eq!(back.changes.len(), there.changes.len(), "{name}");
+        for (change, original) in back.changes.iter().zip(&there.changes) {
+            let error = (change.to - original.from).abs() / original.from;
+            assert!(
+                error <= given::TIGHT,
+                "{name}: {} of {} is off by {error}",
+                change.property,
+                change.path
+            );
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 1500, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn spoiled_files_keep_the_law_or_are_refused(
+        seed: usize,
+        spoils in prop::collection::vec(spoil(), 1..6),
+        factor in 0.001..1000.0_f64,
+    ) {
+        law(&spoiled(seed, &spoils), factor, RadiusRule::Isometric);
+    }
+
+    #[test]
+    fn bytes_without_sense_never_panic(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
+        law(&bytes, 2.0, RadiusRule::Isometric);
+    }
+
+    #[test]
+    fn text_of_markup_never_panics(shards in prop::collection::vec(prop::sample::select(&SHARDS[..]), 0..40)) {
+        let text = format!("<OpenSimDocument Version='40000'><Model>{}</Model></OpenSimDocument>", shards.concat());
+        law(text.as_bytes(), 2.0, RadiusRule::Isometric);
+    }
+
+    #[test]
+    fn any_number_is_written_so_that_it_reads_the_same(number in prop::num::f64::POSITIVE | prop::num::f64::SUBNORMAL | prop::num::f64::ZERO) {
+        let text = osim_messages::shortest(number);
+        prop_assert_eq!(text.parse::<f64>().unwrap().to_bits(), number.to_bits(), "{}", text);
+        prop_assert!(text.len() <= 24, "{}", text);
+        // As short as any exact spelling.
+        let digits = |text: &str| text.split('e').next().unwrap().chars().filter(char::is_ascii_digit).collect::<String>().trim_matches('0').len();
+        prop_assert_eq!(digits(&text), digits(&format!("{number:e}")));
+    }
+}

@@ -1,0 +1,377 @@
+//! What `check` finds: each limit from both sides, the sphere and the force that it names, and what it leaves out.
+
+<<<<<<<< HEAD:crates/osim-planning/tests/findings.rs
+
+use crate::checks::{check_foot, check_text, check_with, codes, find, has, message};
+use crate::feet::{SOLE, Smooth, foot};
+use osim_inspect::{Changeable, CheckResult, InspectOptions, Stance, check_model};
+========
+use crate::checks::{check_foot, check_text, check_with, codes, find, has, message};
+use crate::feet::{SOLE, Smooth, foot};
+use osim_inspect::{CheckResult, InspectOptions, Stance, can_be_changed, check_known, check_model};
+>>>>>>>> e969d3c (One program of integration tests per crate):crates/osim-inspect/tests/inspect/findings.rs
+use osim_model::files::FileName;
+use osim_model::{Finding, FindingCode, Model, Severity};
+use osim_planning::changeable;
+use osim_planning::check_with_trials;
+
+/// 62 kg on 6 spheres a foot.
+const HUMAN: &str = include_str!("../../../../fixtures/table1/human_62kg_smooth_sphere.osim");
+const NO_SIDES: &str = include_str!("../../../../fixtures/format/no_sides.osim");
+const NO_GRAVITY: &str = include_str!("../../../../fixtures/format/no_gravity.osim");
+const PLAYER_AND_BALL: &str = include_str!("../../../../fixtures/format/player_and_ball.osim");
+/// Feet of one `HuntCrossleyForce` each, which has a set of parameters for the floor, the heel and the toe.
+const THREE_MATERIALS: &str = include_str!("../../../../fixtures/format/three_materials.osim");
+const MIXED_RADII: &str = include_str!("../../../../fixtures/format/mixed_radii.osim");
+const DECIMAL_COMMA: &str = include_str!("../../../../fixtures/bad/number_decimal_comma.osim");
+
+/// M g.
+const WEIGHT: f64 = 600.0;
+
+/// E₁* with which one sphere of `SOLE` rests at `x_hat` under `load`: (11) and (A.4).
+fn stiffness_for(x_hat: f64, load: f64) -> f64 {
+    8_f64.sqrt() * 3.0 * load / (4.0 * 0.05 * 0.05 * x_hat.powf(1.5))
+}
+
+/// cf with which it carries `force` while it just touches, at the modulus of `SOLE`: (C.3) at x = 0, where (C.1) is
+/// 4/3 √R E* cf^(3/4) and the contact state ½.
+fn touching(force: f64) -> f64 {
+    let full = 4.0 / 3.0 * 0.05_f64.sqrt() * 2e7 / 8_f64.sqrt();
+    (2.0 * force / full).powf(4.0 / 3.0)
+}
+
+/// `code` is found a millionth beyond a limit, and neither on it nor a millionth before it.
+#[track_caller]
+fn assert_limit(code: FindingCode, sphere: impl Fn(f64) -> Smooth) {
+    for (of_limit, expected) in [(1.0 - 1e-6, false), (1.0, false), (1.0 + 1e-6, true)] {
+        assert_eq!(
+            has(&check_foot(&[sphere(of_limit)]), code),
+            expected,
+            "{code:?} at {of_limit} of its limit"
+        );
+    }
+}
+
+#[test]
+fn nothing_is_found_in_a_foot_within_every_limit() {
+    let result = check_foot(&[SOLE]);
+    assert!(result.findings.is_empty(), "{:?}", result.findings);
+    assert_eq!(result.counts.describe("nothing"), "nothing");
+}
+
+#[test]
+fn hertz_holds_up_to_0_16_at_body_weight() {
+    assert_limit(FindingCode::BeyondHertz, |of_limit| Smooth {
+        stiffness: stiffness_for(0.16 * of_limit, WEIGHT),
+        ..SOLE
+    });
+}
+
+#[test]
+fn hertz_holds_up_to_0_16_at_two_body_weights() {
+    assert_limit(FindingCode::BeyondHertzAtTwo, |of_limit| Smooth {
+        stiffness: stiffness_for(0.16 * of_limit, 2.0 * WEIGHT),
+        ..SOLE
+    });
+}
+
+#[test]
+fn what_is_beyond_hertz_at_one_body_weight_is_not_said_again_of_two() {
+    let result = check_foot(&[Smooth { stiffness: stiffness_for(0.2, WEIGHT), ..SOLE }]);
+    assert!(has(&result, FindingCode::BeyondHertz) && !has(&result, FindingCode::BeyondHertzAtTwo));
+}
+
+#[test]
+fn a_sphere_sinks_in_from_its_centre_on() {
+    for (x_hat, sunk) in [(1.0 - 1e-6, false), (1.0 + 1e-6, true)] {
+        let result = check_foot(&[Smooth { stiffness: stiffness_for(x_hat, WEIGHT), ..SOLE }]);
+        let found = (has(&result, FindingCode::SunkIn), has(&result, FindingCode::BeyondHertz));
+        assert_eq!(found, (sunk, !sunk), "{x_hat}");
+    }
+}
+
+#[test]
+fn a_sphere_in_the_floor_up_to_its_very_centre_has_sunk_in() {
+    // R = 1 m, E* = 1 N/m² and a load of 4/3 N: x̂ is 1 by (3), to the last bit.
+    let unit = Smooth { radius: 1.0, stiffness: 8_f64.sqrt(), constant_contact_force: 0.0, ..SOLE };
+    let text =
+        foot(&[unit]).replace("<mass>60<", &format!("<mass>{}<", 4.0 / 3.0)).replace("0 -10 0", "0 -1 0");
+    let result = check_text(&text);
+    assert!(has(&result, FindingCode::SunkIn) && !has(&result, FindingCode::BeyondHertz));
+}
+
+#[test]
+fn hunt_and_crossley_hold_down_to_a_restitution_of_0_8() {
+    // √(g R / 2) is 0.5 m/s, so that α = 0.4 s/m loses a fifth.
+    assert_limit(FindingCode::BeyondHuntCrossley, |of_limit| Smooth { dissipation: 0.4 * of_limit, ..SOLE });
+}
+
+#[test]
+fn the_constant_indentation_is_a_tenth_of_the_radius_at_most() {
+    assert_limit(FindingCode::LargeConstantIndentation, |of_limit| Smooth {
+        constant_contact_force: (0.1 * 0.05 * of_limit).powi(2),
+        ..SOLE
+    });
+}
+
+#[test]
+fn contact_sets_in_over_0_31_of_the_radius_at_most() {
+    // (C.7) at t = 0.05: 2 atanh(0.9) is ln 19.
+    assert_limit(FindingCode::WideTransition, |of_limit| Smooth {
+        hertz_smoothing: 19_f64.ln() / (0.31 * 0.05 * of_limit),
+        ..SOLE
+    });
+}
+
+#[test]
+fn just_touching_a_sphere_carries_a_tenth_of_its_load_at_most() {
+    assert_limit(FindingCode::ForceBeforeContact, |of_limit| Smooth {
+        constant_contact_force: touching(0.1 * WEIGHT * of_limit),
+        ..SOLE
+    });
+}
+
+#[test]
+fn a_sphere_floats_that_carries_its_load_before_it_touches() {
+    for (of_weight, floats) in [(1.0 - 1e-6, false), (1.0 + 1e-6, true)] {
+        let sphere = Smooth { constant_contact_force: touching(of_weight * WEIGHT), ..SOLE };
+        assert_eq!(has(&check_foot(&[sphere]), FindingCode::Floats), floats, "{of_weight}");
+    }
+}
+
+#[test]
+fn each_finding_says_its_figure_and_the_limit() {
+    // mpmath 1.3.0, 40 digits, where the numbers are not those that the sphere was made from.
+    for (code, sphere, expected) in [
+        (
+            FindingCode::BeyondHertz,
+            Smooth { stiffness: stiffness_for(0.25, WEIGHT), ..SOLE },
+            "at body weight on one limb x/R is 0.25 by Hertz, at most 0.16 (heel_r)",
+        ),
+        (
+            FindingCode::BeyondHertzAtTwo,
+            Smooth { stiffness: stiffness_for(0.2, 2.0 * WEIGHT), ..SOLE },
+            "at two body weights on one limb x/R is 0.2 by Hertz, at most 0.16 (heel_r)",
+        ),
+        (
+            FindingCode::SunkIn,
+            Smooth { stiffness: stiffness_for(1.25, WEIGHT), ..SOLE },
+            "at body weight on one limb x/R is 1.25 by Hertz: in up to the centre (heel_r)",
+        ),
+        (
+            FindingCode::BeyondHuntCrossley,
+            Smooth { dissipation: 1.5, ..SOLE },
+            "at an impact speed of 0.5 m/s the restitution is 0.25 by (13), at least 0.8 (heel_r)",
+        ),
+        (
+            FindingCode::BeyondHuntCrossley,
+            Smooth { dissipation: 2.5, ..SOLE },
+            "at an impact speed of 0.5 m/s the restitution is below 0 by (13), at least 0.8 (heel_r)",
+        ),
+        (
+            FindingCode::LargeConstantIndentation,
+            Smooth { constant_contact_force: 1e-4, ..SOLE },
+            "sqrt(constant_contact_force)/R is 0.2, at most 0.1 (heel_r)",
+        ),
+        (
+            FindingCode::WideTransition,
+            Smooth { hertz_smoothing: 100.0, ..SOLE },
+            "contact sets in over 0.5889 R, at most 0.31 (heel_r)",
+        ),
+        (
+            FindingCode::ForceBeforeContact,
+            Smooth { constant_contact_force: touching(120.0), ..SOLE },
+            "just touching, a sphere carries 120 N, 0.2 of its share of body weight (heel_r)",
+        ),
+        (
+            FindingCode::Floats,
+            Smooth { constant_contact_force: 1e-4, ..SOLE },
+            "body weight is carried 0.03838 R above the floor (heel_r)",
+        ),
+    ] {
+        assert_eq!(message(&check_foot(&[sphere]), code), expected);
+    }
+}
+
+/// The line on which `text` stands, from 1.
+fn line_of(model: &str, text: &str) -> Option<usize> {
+    model.lines().position(|line| line.contains(text)).map(|index| index + 1)
+}
+
+#[test]
+fn of_several_spheres_the_worst_is_the_place_and_all_that_are_concerned_are_named() {
+    // Each of three spheres carries 200 N.
+    let of = |name, x_hat| Smooth { name, stiffness: stiffness_for(x_hat, 200.0), ..SOLE };
+    let spheres = [of("heel_r", 0.2), of("mid_r", 0.09), of("toe_r", 0.25)];
+    let result = check_foot(&spheres);
+    let deep = find(&result, FindingCode::BeyondHertz);
+    assert!(
+        deep.message
+            .to_string()
+            .ends_with("x/R is 0.25 by Hertz, at most 0.16 (2 of 3 spheres, most in toe_r)")
+    );
+    assert_eq!(deep.place.as_deref(), Some("/contactgeometryset/toe_r"));
+    assert_eq!(deep.line, line_of(&foot(&spheres), "<ContactSphere name=\"toe_r\""));
+    assert_eq!(deep.spheres, ["heel_r", "toe_r"]);
+}
+
+#[test]
+fn of_spheres_that_are_equally_bad_the_first_is_the_place() {
+    let of = |name| Smooth { name, stiffness: stiffness_for(0.25, 300.0), ..SOLE };
+    let result = check_foot(&[of("heel_r"), of("toe_r")]);
+    let deep = find(&result, FindingCode::BeyondHertz);
+    assert!(deep.message.to_string().ends_with(" (all 2 spheres)"));
+    assert_eq!(deep.place.as_deref(), Some("/contactgeometryset/heel_r"));
+    assert_eq!(deep.spheres, ["heel_r", "toe_r"]);
+}
+
+#[test]
+fn what_parameters_of_a_force_cause_is_said_of_the_force() {
+    let spheres = [SOLE, Smooth { name: "toe_r", dissipation: 1.0, ..SOLE }];
+    let result = check_foot(&spheres);
+    let damped = find(&result, FindingCode::BeyondHuntCrossley);
+    assert_eq!(damped.place.as_deref(), Some("/forceset/contact_toe_r"));
+    assert_eq!(damped.line, line_of(&foot(&spheres), "name=\"contact_toe_r\""));
+    assert_eq!(damped.spheres, ["toe_r"]);
+}
+
+#[test]
+fn of_a_force_with_several_sets_the_one_of_the_sphere_is_the_line() {
+    // The heel, of 2.25 s/m, is damped most; its set begins on the line before its spheres.
+    let result = check_text(THREE_MATERIALS);
+    let damped = find(&result, FindingCode::BeyondHuntCrossley);
+    assert_eq!(damped.place.as_deref(), Some("/forceset/contact_r"));
+    assert_eq!(damped.line, line_of(THREE_MATERIALS, "<geometry>heel_r</geometry>").map(|line| line - 1));
+}
+
+// What keeps figures away.
+
+fn with_stance(text: &str, stance: Stance) -> CheckResult {
+    check_with("model.osim", text, &InspectOptions { stance, ..InspectOptions::default() })
+}
+
+#[test]
+fn a_model_without_gravity_needs_one() {
+    assert!(has(&with_stance(NO_GRAVITY, Stance::default()), FindingCode::NoGravity));
+    let given = Stance { gravity_m_s2: Some(9.81), ..Stance::default() };
+    assert!(!has(&with_stance(NO_GRAVITY, given), FindingCode::NoGravity));
+}
+
+#[test]
+fn where_no_figure_can_be_made_gravity_is_not_what_is_missing() {
+    let text = foot(&[Smooth { dissipation: -1.0, ..SOLE }]);
+    assert!(!has(&with_stance(&text, Stance::default()), FindingCode::NoGravity));
+}
+
+#[test]
+fn a_count_that_is_not_known_is_asked_for_until_it_is_given() {
+    let asked = with_stance(NO_SIDES, Stance::default());
+    assert!(message(&asked, FindingCode::CountUnknown).contains("left or right cannot be determined"));
+    let given = Stance { spheres: Some(2.0), ..Stance::default() };
+    assert!(!has(&with_stance(NO_SIDES, given), FindingCode::CountUnknown));
+    assert!(!has(&with_stance(HUMAN, Stance::default()), FindingCode::CountUnknown));
+}
+
+#[test]
+fn a_count_does_not_help_where_nobody_chose_among_two_bodies() {
+    let given = Stance { spheres: Some(2.0), ..Stance::default() };
+    assert!(has(&with_stance(PLAYER_AND_BALL, given), FindingCode::CountUnknown));
+}
+
+#[test]
+fn what_is_special_about_forces_on_the_floor_is_said() {
+    assert!(has(&check_text(MIXED_RADII), FindingCode::MixedRadii));
+}
+
+// The result.
+
+#[test]
+fn the_worst_comes_first_and_each_severity_is_counted() {
+    // The heel, which carries half, is damped too much, sets in slowly and is sunk in; the toe is too soft at twice the load.
+    let heel =
+        Smooth { stiffness: stiffness_for(1.25, 300.0), dissipation: 2.0, hertz_smoothing: 100.0, ..SOLE };
+    let toe = Smooth { name: "toe_r", stiffness: stiffness_for(0.2, 2.0 * 300.0), ..SOLE };
+    let result = check_foot(&[heel, toe]);
+    let expected = [
+        FindingCode::SunkIn,
+        FindingCode::BeyondHuntCrossley,
+        FindingCode::WideTransition,
+        FindingCode::BeyondHertzAtTwo,
+    ];
+    assert_eq!(codes(&result), expected);
+    assert_eq!((result.counts.error, result.counts.warn, result.counts.info), (1, 2, 1));
+    assert_eq!((result.model.as_str(), result.schema_version), ("model.osim", 1));
+}
+
+#[test]
+fn findings_of_one_kind_are_in_the_order_of_their_lines() {
+    let model = Model::parse(foot(&[SOLE])).unwrap();
+    let inspected = InspectOptions::default().inspect("model.osim", &model, None);
+    let on = |line| Finding::at(FindingCode::DisabledForce, line, "it is off");
+    assert_eq!(CheckResult::new(&inspected, vec![on(31), on(7)]).findings, [on(7), on(31)]);
+}
+
+#[test]
+fn a_name_that_is_no_text_is_kept_in_its_bytes() {
+    let model = Model::parse(HUMAN).unwrap();
+    let name = FileName::from_parts("f\u{fffd}.osim".to_owned(), Some(b"f\xff.osim".to_vec()));
+    let options = InspectOptions::default();
+    let result = check_with_trials(&options, &model, &options.inspect(name.clone(), &model, None), None);
+    assert_eq!(result.model_bytes.as_deref(), name.bytes());
+    let remedy = find(&result, FindingCode::BeyondHertz).remedy.as_ref().unwrap();
+    assert_eq!(remedy.model, name);
+}
+
+#[test]
+fn a_result_reaches_the_severity_of_its_worst_finding() {
+    let info = check_foot(&[Smooth { stiffness: stiffness_for(0.2, 2.0 * WEIGHT), ..SOLE }]);
+    let warn = check_foot(&[Smooth { dissipation: 2.0, ..SOLE }]);
+    let error = check_foot(&[Smooth { constant_contact_force: touching(1.5 * WEIGHT), ..SOLE }]);
+    for (result, expected) in [
+        (&check_foot(&[SOLE]), [false; 3]),
+        (&info, [true, false, false]),
+        (&warn, [true, true, false]),
+        (&error, [true; 3]),
+    ] {
+        let reached =
+            [Severity::Info, Severity::Warn, Severity::Error].map(|severity| result.reaches(severity));
+        assert_eq!(reached, expected, "{:?}", codes(result));
+    }
+}
+
+#[test]
+fn counts_are_told_in_words() {
+    let mut counts = check_foot(&[SOLE]).counts;
+    counts.error = 1;
+    assert_eq!(counts.describe("-"), "1 error");
+    (counts.error, counts.warn, counts.info) = (2, 1, 3);
+    assert_eq!(counts.describe("-"), "2 errors, 1 warning, 3 remarks");
+    (counts.error, counts.warn, counts.info) = (0, 2, 1);
+    assert_eq!(counts.describe("-"), "2 warnings, 1 remark");
+}
+
+#[test]
+fn what_is_known_of_files_beside_the_model_is_among_the_findings() {
+    let model = Model::parse(foot(&[SOLE])).unwrap();
+    let options = InspectOptions::default();
+    let beside = Finding::new(FindingCode::CompiledModelBeside, "F_model.so is here");
+    let result =
+        check_with_trials(&options, &model, &options.inspect("model.osim", &model, None), Some(&beside));
+    assert_eq!(result.findings, [beside]);
+}
+
+#[test]
+fn only_a_model_that_can_be_changed_is_told_how() {
+    let model = Model::parse(HUMAN).unwrap();
+    let options = InspectOptions::default();
+    assert!(changeable(&options, &model).numbers);
+    let inspected = options.inspect("human.osim", &model, None);
+    let remedies = |changes| {
+        let result =
+            check_model(&options, &model, &inspected, None, Changeable { numbers: changes, radii: true });
+        result.findings.iter().filter(|finding| finding.remedy.is_some()).count()
+    };
+    assert_eq!((remedies(true), remedies(false)), (2, 0));
+    // "1,5e6" is no number, so that a change of it is refused.
+    assert!(!changeable(&options, &Model::parse(DECIMAL_COMMA).unwrap()).numbers);
+}

@@ -1,0 +1,126 @@
+//! Contacts that somebody published are known again, at any mass; with one value off by 2 % they are not.
+
+use osim_inspect::{CheckResult, InspectOptions, Inspection};
+use osim_model::{FindingCode, MassRequest, Model, Severity};
+use osim_planning::check_with_trials;
+
+/// 62 kg with the contacts and places of Falisse et al. (2022).
+const FALISSE: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
+/// The same contacts under 90 kg.
+const UNDER_90_KG: &str = include_str!("../../../../fixtures/check/contacts_of_another_mass.osim");
+/// The human of the paper's Table 1.
+const HUNT_CROSSLEY: &str = include_str!("../../../../fixtures/table1/human_62kg_hunt_crossley.osim");
+
+fn inspect(text: &str, options: &InspectOptions) -> (Model, Inspection) {
+    let model = Model::parse(text).unwrap();
+    let inspected = options.inspect("model.osim", &model, None);
+    (model, inspected)
+}
+
+fn check(text: &str) -> CheckResult {
+    let options = InspectOptions::default();
+    let (model, inspected) = inspect(text, &options);
+    check_with_trials(&options, &model, &inspected, None)
+}
+
+/// Name and mass of the contacts.
+fn known(text: &str) -> Option<(&'static str, f64)> {
+    let (_, inspected) = inspect(text, &InspectOptions::default());
+    inspected.known_contacts.map(|known| (known.name, known.made_for_kg))
+}
+
+/// The name, where the mass is `kg`.
+#[track_caller]
+fn assert_known(text: &str, kg: f64) {
+    let Some((name, made_for_kg)) = known(text) else { panic!("not known") };
+    assert_eq!(name, "falisse2022");
+    assert!((made_for_kg / kg - 1.0).abs() < 1e-5, "{made_for_kg}, expected {kg}");
+}
+
+#[test]
+fn published_contacts_are_known_in_both_classes_and_at_any_size() {
+    for text in [FALISSE, HUNT_CROSSLEY] {
+        assert_known(text, 62.0);
+    }
+    // An eighth of the mass: half the radius by (8), half the stiffness by (10), √2 times the dissipation by (14), and
+    // 1/4, 2 and √2 times the smoothing by (C.2), (C.5) and (C.10). What the body weighs plays no part.
+    let eighth = FALISSE
+        .replace("<radius>0.032<", "<radius>0.016<")
+        .replace("<stiffness>1000000<", "<stiffness>500000<")
+        .replace("<dissipation>2<", "<dissipation>2.8284271247461903<")
+        .replace("<constant_contact_force>1e-05<", "<constant_contact_force>2.5e-06<")
+        .replace("<hertz_smoothing>300<", "<hertz_smoothing>600<")
+        .replace("<hunt_crossley_smoothing>50<", "<hunt_crossley_smoothing>70.71067811865476<");
+    assert_known(&eighth, 7.75);
+    // With the radii of 62 kg instead, under a body of 7.75 kg: (10) has 1/8 of the stiffness, and the rest stays.
+    let kept = FALISSE.replace("<stiffness>1000000<", "<stiffness>125000<");
+    assert_known(&kept.replace("<mass>60<", "<mass>5.75<"), 7.75);
+    assert_eq!(known(&kept), None, "under 62 kg it is nobody's");
+}
+
+#[test]
+fn contacts_are_known_under_a_body_that_they_were_not_made_for() {
+    // R is that of 62 kg, whatever the body weighs.
+    assert_known(UNDER_90_KG, 62.0);
+}
+
+#[test]
+fn one_value_that_is_off_by_two_per_cent_makes_them_unknown() {
+    for (value, off) in [
+        ("<radius>0.032<", "<radius>0.03264<"),
+        ("<stiffness>1000000<", "<stiffness>1020000<"),
+        ("<dissipation>2<", "<dissipation>2.04<"),
+        ("<static_friction>0.8<", "<static_friction>0.816<"),
+        ("<dynamic_friction>0.8<", "<dynamic_friction>0.816<"),
+        ("<viscous_friction>0.5<", "<viscous_friction>0.51<"),
+        ("<transition_velocity>0.2<", "<transition_velocity>0.204<"),
+        ("<constant_contact_force>1e-05<", "<constant_contact_force>1.02e-05<"),
+        ("<hertz_smoothing>300<", "<hertz_smoothing>306<"),
+        ("<hunt_crossley_smoothing>50<", "<hunt_crossley_smoothing>51<"),
+    ] {
+        assert!(FALISSE.contains(value), "{value}");
+        // In one force or sphere alone, and in all.
+        for text in [FALISSE.replacen(value, off, 1), FALISSE.replace(value, off)] {
+            assert_eq!(known(&text), None, "{off}");
+            let found = check(&text);
+            let hertz = found.findings.iter().find(|one| one.code == FindingCode::BeyondHertz).unwrap();
+            assert_eq!(hertz.severity, Severity::Warn, "{off}");
+        }
+    }
+}
+
+#[test]
+fn what_was_published_so_is_a_remark_and_nothing_else_is() {
+    let found = check(FALISSE);
+    assert_eq!((found.counts.error, found.counts.warn), (0, 0), "{:?}", found.findings);
+    let codes: Vec<&str> = found.findings.iter().map(|finding| finding.code.as_str()).collect();
+    assert_eq!(codes, ["beyond-hertz", "beyond-hunt-crossley", "known-contacts"]);
+    assert!(found.findings[0].is_as_published() && !found.findings[2].is_as_published());
+
+    // A wrong number is an error with known contacts, too; a body of another mass is a warning.
+    let forgotten = FALISSE.replacen("<mass>60<", "<mass>58<", 1);
+    let found = check(&forgotten);
+    let other = found.findings.iter().find(|one| one.code == FindingCode::ContactsOfAnotherMass).unwrap();
+    assert_eq!(other.severity, Severity::Warn);
+    assert!(
+        other.message.to_string().contains("made for 62 kg, and the body weighs 60 kg"),
+        "{}",
+        other.message
+    );
+}
+
+#[test]
+fn contacts_are_known_whatever_mass_was_said() {
+    let masses = MassRequest { model_kg: Some(40.0), ..MassRequest::default() };
+    let options = InspectOptions { masses, ..InspectOptions::default() };
+    let (_, inspected) = inspect(FALISSE, &options);
+    assert_eq!(inspected.known_contacts.map(|known| known.made_for_kg), Some(62.0));
+}
+
+#[test]
+fn findings_come_from_the_worst_to_the_least() {
+    // Falisse's contacts under 90 kg, and one force is off: nothing is known any more.
+    let text = UNDER_90_KG.replacen("<stiffness>1000000<", "<stiffness>1e3<", 1);
+    let ranks: Vec<Severity> = check(&text).findings.iter().map(|finding| finding.severity).collect();
+    assert!(ranks.is_sorted_by(|a, b| a >= b) && ranks.len() > 2, "{ranks:?}");
+}

@@ -1,0 +1,168 @@
+//! Which numbers a force on the left gets where those of its twin on the right are others.
+
+use crate::checks::{check_text, check_with, find};
+use osim_inspect::InspectOptions;
+use osim_model::{Assignment, FindingCode, Pattern, Property, RemedyChange, Selection};
+
+/// 62 kg on 6 spheres a foot.
+const HUMAN: &str = include_str!("../../../../fixtures/table1/human_62kg_smooth_sphere.osim");
+const UNEQUAL_RADII: &str = include_str!("../../../../fixtures/format/unequal_radii.osim");
+const UNEQUAL_STIFFNESS: &str = include_str!("../../../../fixtures/format/unequal_stiffness.osim");
+/// Feet of one force each, for spheres of 0.05 and 0.025 m.
+const MIXED_RADII: &str = include_str!("../../../../fixtures/format/mixed_radii.osim");
+/// A set of parameters for the heel and one for the toe in each force.
+const THREE_MATERIALS: &str = include_str!("../../../../fixtures/format/three_materials.osim");
+
+#[track_caller]
+fn assert_copied(text: &str, expected: Option<&RemedyChange>) {
+    let result = check_text(text);
+    let remedy = &find(&result, FindingCode::LeftRightDiffer).remedy;
+    assert_eq!(remedy.as_ref().map(|remedy| &remedy.change), expected);
+}
+
+/// `text` in which the first `old` after `start` is `new`.
+fn after(text: &str, start: &str, old: &str, new: &str) -> String {
+    let (before, rest) = text.split_at(text.find(start).unwrap());
+    assert!(rest.contains(old), "{old}");
+    format!("{before}{}", rest.replacen(old, new, 1))
+}
+
+#[test]
+fn a_left_force_gets_each_number_of_the_right_one_that_it_lacks() {
+    let text = after(UNEQUAL_STIFFNESS, "contact_heel_l", "<dissipation>2.25<", "<dissipation>1<");
+    let assignments =
+        vec![(Property::Stiffness, Assignment::Value(1e6)), (Property::Dissipation, Assignment::Value(2.25))];
+    assert_copied(&text, Some(&RemedyChange::Set { assignments }));
+}
+
+#[test]
+fn a_left_sphere_gets_the_radius_of_the_right_one() {
+    let assignments = vec![(Property::Radius, Assignment::Value(0.0325))];
+    assert_copied(UNEQUAL_RADII, Some(&RemedyChange::Set { assignments }));
+}
+
+#[test]
+fn radii_of_several_spheres_cannot_be_copied_by_one_value() {
+    let text = after(MIXED_RADII, "<ContactSphere name=\"heel_l\"", "<radius>0.05<", "<radius>0.06<");
+    assert_copied(&text, None);
+}
+
+#[test]
+fn parameters_of_several_sets_cannot_be_copied_by_one_value() {
+    let text = after(THREE_MATERIALS, "contact_l", "<stiffness>800000<", "<stiffness>900000<");
+    assert_copied(&text, None);
+}
+
+#[test]
+fn a_constant_contact_force_of_0_is_not_copied() {
+    let text = after(
+        UNEQUAL_STIFFNESS,
+        "contact_heel_r",
+        "<constant_contact_force>1.5e-05<",
+        "<constant_contact_force>0<",
+    );
+    assert_copied(&text, None);
+}
+
+#[test]
+fn forces_that_were_chosen_by_name_are_not_chosen_otherwise() {
+    let selection = Selection { select: vec!["contact_*".parse().unwrap()], ..Selection::default() };
+    let options = InspectOptions { selection, ..InspectOptions::default() };
+    let result = check_with("model.osim", UNEQUAL_RADII, &options);
+    assert_eq!(find(&result, FindingCode::LeftRightDiffer).remedy, None);
+}
+
+#[test]
+fn a_name_that_would_be_read_as_a_pattern_is_not_chosen_by() {
+    let text = UNEQUAL_RADII.replace("contact_heel", "contact[heel]");
+    assert_copied(&text, None);
+}
+
+#[test]
+fn the_side_that_differs_gets_the_value_of_the_other() {
+    let start = HUMAN.find("name=\"contact_s1_l\"").unwrap();
+    let (before, force) = HUMAN.split_at(start);
+    let text = format!("{before}{}", force.replacen("<stiffness>1000000<", "<stiffness>2500000<", 1));
+    assert_ne!(text, HUMAN);
+    let result = check_with("human.osim", &text, &InspectOptions::default());
+    let remedy = find(&result, FindingCode::LeftRightDiffer).remedy.as_ref().unwrap();
+    let assignments = vec![(Property::Stiffness, Assignment::Value(1e6))];
+    assert_eq!(remedy.change, RemedyChange::Set { assignments });
+    let select: Vec<&str> = remedy.selection.select.iter().map(Pattern::as_str).collect();
+    assert_eq!(select, ["contact_s1_l"]);
+}
+
+/// Two feet of six spheres, of which the left foot was scaled by 0.99, 0.96 and 0.97: its radii by their geometric mean, the
+/// parameters of its forces as (10), (14), (C.2), (C.5) and (C.10) have it for one mass.
+fn smaller_left_foot() -> String {
+    let text = include_str!("../../../../fixtures/check/known_contacts.osim");
+    let ratio = (0.99_f64 * 0.96 * 0.97).cbrt();
+    let times = |text: String, tag: &str, power: f64| {
+        let open = format!("<{tag}>");
+        let mut parts = text.split(&open);
+        let mut out = parts.next().unwrap().to_owned();
+        let mut owner_is_left = out.rfind("_l\">") > out.rfind("_r\">");
+        for part in parts {
+            let (value, rest) = part.split_once('<').unwrap();
+            let value: f64 = value.parse().unwrap();
+            let factor = if owner_is_left { ratio.powf(power) } else { 1.0 };
+            out.push_str(&format!("{open}{}<{rest}", value * factor));
+            owner_is_left = out.rfind("_l\">") > out.rfind("_r\">");
+        }
+        out
+    };
+    let mut text = text.to_owned();
+    for (tag, power) in [
+        ("radius", 1.0),
+        ("stiffness", -2.0),
+        ("dissipation", -0.5),
+        ("constant_contact_force", 2.0),
+        ("hertz_smoothing", -1.0),
+        ("hunt_crossley_smoothing", -0.5),
+    ] {
+        text = times(text, tag, power);
+    }
+    let (right, left) = text.split_at(text.find("<Body name=\"calcn_l\">").unwrap());
+    let small = [0.99, 0.96, 0.97].map(|factor| (factor * 0.913924).to_string()).join(" ");
+    format!("{right}{}", left.replace("0.913924 0.913924 0.913924", &small))
+}
+
+fn differing(text: &str) -> Vec<String> {
+    let found = check_text(text).findings;
+    let differ = found.iter().filter(|found| found.code == FindingCode::LeftRightDiffer);
+    differ.inspect(|found| assert_eq!(found.remedy, None)).map(|found| found.message.to_string()).collect()
+}
+
+#[test]
+fn contacts_that_follow_bones_of_unlike_size_do_not_differ() {
+    let text = smaller_left_foot();
+    assert!(text.contains("<radius>0.032<") && text.contains("<radius>0.0311"));
+    assert_eq!(differing(&text), Vec::<String>::new());
+    // On equal bones the same numbers are a slip, and one radius that its bone does not explain is.
+    let equal = include_str!("../../../../fixtures/check/known_contacts.osim");
+    let (_, feet) = equal.split_at(equal.find("<Body name=\"calcn_l\">").unwrap());
+    let of_equal = format!(
+        "{}{}{}",
+        &text[..text.find("<Body name=\"calcn_l\">").unwrap()],
+        &feet[..feet.find("<ForceSet").unwrap()],
+        &text[text.find("<ForceSet").unwrap()..]
+    );
+    let found = check_text(&of_equal);
+    let differ = found.findings.iter().filter(|found| found.code == FindingCode::LeftRightDiffer);
+    assert_eq!(differ.count(), 6);
+}
+
+#[test]
+fn a_remedy_leaves_radii_on_bones_of_unlike_size() {
+    let text = smaller_left_foot();
+    let start = text.rfind("<radius>0.0311").unwrap();
+    let end = start + text[start..].find("</radius>").unwrap();
+    let wrong = format!("{}<radius>0.03{}", &text[..start], &text[end..]);
+    assert_eq!(differing(&wrong).len(), 1, "one radius");
+    // A modulus that does not follow its radius.
+    let start = text.rfind("<stiffness>").unwrap();
+    let end = start + text[start..].find("</stiffness>").unwrap();
+    let wrong = format!("{}<stiffness>1000000{}", &text[..start], &text[end..]);
+    let found = differing(&wrong);
+    assert!(found.len() == 1 && found[0].contains("does not follow the radii"), "{found:?}");
+}

@@ -1,0 +1,21 @@
+//! What is found in a model and what puts it right, with trial plans; remedies that are run as they are proposed.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    missing_docs,
+    unreachable_pub,
+    reason = "a test fails by panicking"
+)]
+
+mod checks;
+mod composed;
+#[path = "../../../osim-inspect/tests/inspect/feet/mod.rs"]
+mod feet;
+mod findings;
+mod known_contacts;
+mod left_like_right;
+mod masses;
+mod placement;
+mod remedies;

@@ -1,0 +1,137 @@
+//! Contacts that are made for another mass than that of the body which they carry.
+
+use crate::checks::{check_text, check_with, codes, has, message};
+use crate::feet::{SOLE, Smooth, foot};
+use osim_inspect::{InspectOptions, MassMismatch};
+use osim_model::{FindingCode, MassRequest, Model, Note, Scope};
+
+/// Six spheres of the preset falisse2022, which is made for 62 kg, under 90 kg.
+const OTHER_MASS: &str = include_str!("../../../../fixtures/check/contacts_of_another_mass.osim");
+
+// Contacts of a preset under another body.
+
+#[track_caller]
+fn assert_other_mass(text: &str, found: bool) {
+    let result = check_text(text);
+    assert_eq!(has(&result, FindingCode::ContactsOfAnotherMass), found, "{:?}", codes(&result));
+}
+
+#[test]
+fn contacts_of_a_preset_under_another_body_are_recognised() {
+    let text = message(&check_text(OTHER_MASS), FindingCode::ContactsOfAnotherMass);
+    let expected =
+        "the contacts are those of Falisse et al. (2022), made for 62 kg, and the body weighs 90 kg";
+    assert_eq!(text, expected);
+}
+
+#[test]
+fn contacts_of_a_preset_under_its_own_body_are_right() {
+    assert_other_mass(&OTHER_MASS.replace("<mass>88<", "<mass>60<"), false);
+    // Masses within a thousandth count as one.
+    assert_other_mass(&OTHER_MASS.replace("<mass>88<", "<mass>60.06<"), false);
+    assert_other_mass(&OTHER_MASS.replace("<mass>88<", "<mass>60.07<"), true);
+}
+
+#[test]
+fn one_number_that_is_not_the_presets_makes_them_others() {
+    for (own, other, found) in [
+        ("<radius>0.032<", "<radius>0.03200001<", true),
+        ("<radius>0.032<", "<radius>0.0320004<", false),
+        ("<radius>0.032<", "<radius>0.0319996<", false),
+        ("<stiffness>1000000<", "<stiffness>1000001.1<", false),
+        ("<stiffness>1000000<", "<stiffness>1000000.9<", true),
+        ("<dissipation>2<", "<dissipation>2.000003<", false),
+        ("<dissipation>2<", "<dissipation>0.000001<", false),
+    ] {
+        let text = OTHER_MASS.replacen(own, other, 1);
+        assert_ne!(text, OTHER_MASS);
+        assert_other_mass(&text, found);
+    }
+}
+
+#[test]
+fn five_spheres_are_not_the_six_of_the_preset() {
+    let start = OTHER_MASS.rfind("<SmoothSphereHalfSpaceForce").unwrap();
+    let end =
+        OTHER_MASS.rfind("</SmoothSphereHalfSpaceForce>").unwrap() + "</SmoothSphereHalfSpaceForce>".len();
+    assert_other_mass(&format!("{}{}", &OTHER_MASS[..start], &OTHER_MASS[end..]), false);
+}
+
+#[test]
+fn spheres_without_figures_are_not_those_of_a_preset() {
+    // A dissipation below 0: the spheres are counted, and nothing is computed of them.
+    assert_other_mass(&OTHER_MASS.replacen("<dissipation>2<", "<dissipation>-2<", 1), false);
+}
+
+#[test]
+fn who_says_what_the_contacts_are_made_for_knows_it() {
+    for masses in [
+        MassRequest { contacts_mass_kg: Some(90.0), ..MassRequest::default() },
+        MassRequest { model_kg: Some(90.0), ..MassRequest::default() },
+    ] {
+        let result =
+            check_with("model.osim", OTHER_MASS, &InspectOptions { masses, ..InspectOptions::default() });
+        assert!(!has(&result, FindingCode::ContactsOfAnotherMass), "{:?}", codes(&result));
+    }
+}
+
+// Notes of another mass than the bodies'.
+
+/// `text` with a note that its contacts are made for `kg`.
+fn noted(text: &str, kg: f64) -> String {
+    let model = Model::parse(text).unwrap();
+    let note = Note {
+        version: "0.1.0".to_owned(),
+        contacts_mass_kg: Some(kg),
+        gravity_m_s2: Some(10.0),
+        scope: Scope::All,
+        operation: "rescale".to_owned(),
+        sizes: model.body_sizes(),
+        digest: model.contact_digest(|_| None),
+        places: Some(model.places_digest(|_| None)),
+        made: Note::nothing_made(),
+    };
+    text.replacen("<gravity>", &format!("<credits>{}</credits>\n<gravity>", note.text()), 1)
+}
+
+fn mismatch(text: &str, masses: &MassRequest) -> Option<MassMismatch> {
+    MassMismatch::find(&Model::parse(text).unwrap(), masses)
+}
+
+#[test]
+fn a_note_of_another_mass_than_the_bodies_is_a_mismatch() {
+    let text = noted(&foot(&[SOLE]), 75.5);
+    let found = mismatch(&text, &MassRequest::default()).unwrap();
+    let expected = "its contacts are made for 75.5 kg (note in the file) and carry its body of 60 kg here: \
+                    say `mass` 75.5, or scale the body first";
+    assert_eq!(found.message().to_string(), expected);
+}
+
+#[test]
+fn masses_that_agree_or_are_said_are_no_mismatch() {
+    assert_eq!(mismatch(&foot(&[SOLE]), &MassRequest::default()), None, "without a note");
+    assert_eq!(mismatch(&noted(&foot(&[SOLE]), 60.05), &MassRequest::default()), None, "within a thousandth");
+    let text = noted(&foot(&[SOLE]), 75.5);
+    for masses in [
+        MassRequest { model_kg: Some(80.0), ..MassRequest::default() },
+        MassRequest { model_kg: Some(75.5), ..MassRequest::default() },
+        MassRequest { contacts_mass_kg: Some(75.5), ..MassRequest::default() },
+    ] {
+        assert_eq!(mismatch(&text, &masses), None, "{masses:?}");
+    }
+    let no_body = text.replace("<mass>60</mass>", "<mass>0</mass>");
+    assert_eq!(mismatch(&no_body, &MassRequest::default()), None, "what the model weighs is not known");
+}
+
+#[test]
+fn a_mismatch_is_said_after_the_finding_of_masses_and_nowhere_else() {
+    let text = noted(&foot(&[Smooth { dissipation: 2.0, ..SOLE }]), 75.5);
+    let result = check_text(&text);
+    let aside = "; figures are those under 60 kg: for the others say `mass` 75.5";
+    for finding in &result.findings {
+        let of_masses = finding.code == FindingCode::MassSourcesDisagree;
+        assert_eq!(finding.message.to_string().ends_with(aside), of_masses, "{}", finding.message);
+        assert_eq!(finding.remedy, None, "which mass is meant has to be settled first");
+    }
+    assert_eq!(codes(&result), [FindingCode::MassSourcesDisagree, FindingCode::BeyondHuntCrossley]);
+}

@@ -1,0 +1,344 @@
+//! Whether spheres fit their bones: from one file, and compared with the model that was scaled.
+
+use std::path::Path;
+
+use osim_compare::Placement;
+use osim_inspect::{CheckResult, InspectOptions};
+use osim_model::{Anatomy, FileId, FindingCode, Mass, MassSource, Model, RemedyChange, Selection, Severity};
+use osim_patch::{Rescale, note, rescale};
+use osim_planning::check_with_trials;
+
+/// Places of Falisse et al. (2022) on bones of their size, and on bones of a child.
+const RIGHT: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
+const CHILD: &str = include_str!("../../../../fixtures/check/spheres_misplaced.osim");
+/// Nobody's places on scaled bones. The toe joint is 163.41 · 0.8 / 0.913924 = 143.04 mm from the calcn's origin.
+const NOBODYS: &str = include_str!("../../../../fixtures/check/spheres_not_compared.osim");
+/// What the real Scale Tool made of the generic model.
+const GENERIC: &str = include_str!("../../../../fixtures/scale_tool/generic_smooth.osim");
+const SCALED: &str = include_str!("../../../../fixtures/scale_tool/scaled_smooth.osim");
+
+const PLACES: [FindingCode; 3] =
+    [FindingCode::SpheresLeftBehind, FindingCode::SpheresMisplaced, FindingCode::SpheresNotCompared];
+
+/// What is said of places in one file.
+fn alone(text: &str) -> Vec<FindingCode> {
+    codes(&check(text, None))
+}
+
+fn codes(found: &CheckResult) -> Vec<FindingCode> {
+    found.findings.iter().map(|finding| finding.code).filter(|code| PLACES.contains(code)).collect()
+}
+
+fn check(text: &str, generic: Option<&str>) -> CheckResult {
+    let (options, model) = (InspectOptions::default(), Model::parse(text).unwrap());
+    let mut inspected = options.inspect("scaled.osim", &model, None);
+    inspected.placement = generic.map(|generic| {
+        let original = Anatomy::of(&Model::parse(generic).unwrap()).unwrap();
+        Placement::compare(&model, Path::new("generic.osim"), None, &original, None)
+    });
+    check_with_trials(&options, &model, &inspected, None)
+}
+
+/// The text with this sphere at this x, mm.
+fn with_x(text: &str, sphere: &str, millimetres: f64) -> String {
+    let at = text.find(&format!("<ContactSphere name=\"{sphere}\">")).unwrap();
+    let start = at + text[at..].find("<location>").unwrap() + "<location>".len();
+    let end = start + text[start..].find(' ').unwrap();
+    format!("{}{}{}", &text[..start], millimetres / 1e3, &text[end..])
+}
+
+#[test]
+fn a_published_layout_is_right_on_bones_of_its_size_and_of_no_other() {
+    assert_eq!(alone(RIGHT), []);
+    assert_eq!(alone(CHILD), [FindingCode::SpheresMisplaced]);
+    // Published at 1.0, too; half a millimetre on a foot is no other size.
+    for (size, expected) in [("1", vec![]), ("0.914", vec![]), ("0.95", vec![FindingCode::SpheresMisplaced])]
+    {
+        let text = RIGHT.replace("0.913924 0.913924 0.913924", &[size; 3].join(" "));
+        assert_eq!(alone(&text), expected, "{size}");
+    }
+}
+
+#[test]
+fn a_layout_that_grew_with_its_bones_is_right() {
+    // Every place of the fixture on a larger foot, and the mesh with it.
+    let grown = RIGHT.replace("0.913924 0.913924 0.913924", "1.827848 0.913924 0.913924");
+    let grown = [
+        ("0.00190115", "0.0038023"),
+        ("0.14838637", "0.29677274"),
+        ("0.13300117", "0.26600234"),
+        ("0.06623469", "0.13246938"),
+        (">0.06 ", ">0.12 "),
+        (">0.045 ", ">0.09 "),
+    ]
+    .iter()
+    .fold(grown, |text, (old, new)| {
+        assert_eq!(text.matches(old).count(), 2, "{old}");
+        text.replace(old, new)
+    });
+    assert_eq!(alone(&grown), []);
+}
+
+#[test]
+fn spheres_beyond_any_published_reach_are_reported_and_others_are_not() {
+    // The projection of (x, ...) on the joint's direction: |J - x/143.04 mm| < 0.002, as y and z are small.
+    for (millimetres, expected) in [
+        (1.24 * 143.04, FindingCode::SpheresNotCompared),
+        (1.26 * 143.04, FindingCode::SpheresMisplaced),
+        (100.0, FindingCode::SpheresNotCompared),
+    ] {
+        assert_eq!(alone(&with_x(NOBODYS, "s2_r", millimetres)), [expected], "{millimetres}");
+    }
+}
+
+#[test]
+fn a_joint_nearer_than_a_radius_says_nothing() {
+    // The toe joint 20 mm from the origin, on spheres of 32 mm; the mesh is no standard one, so that there is no L.
+    assert!(NOBODYS.contains(">0.14304034 "));
+    let near = NOBODYS.replace(">0.14304034 ", ">0.02 ").replace("foot.vtp", "hoof.stl");
+    assert_eq!(alone(&near), [FindingCode::SpheresNotCompared]);
+    // At 40 mm it is the next joint, and spheres are beyond it.
+    assert_eq!(alone(&near.replace(">0.02 ", ">0.04 ")), [FindingCode::SpheresMisplaced]);
+}
+
+#[test]
+fn a_foot_is_filled_as_in_published_models() {
+    // Heel and tip of this foot are at -9.8 · 0.8 and 143.04 + 76.918 · 0.8 mm, 212.41 mm apart. The toes' spheres are foremost
+    // at 143.04 + x; where they are far back, s2_r on the calcn is, at 129.89 mm: L is 0.648.
+    for (x, expected) in [
+        (80.0, FindingCode::SpheresMisplaced),
+        (70.0, FindingCode::SpheresNotCompared),
+        (0.0, FindingCode::SpheresNotCompared),
+        (-50.0, FindingCode::SpheresMisplaced),
+    ] {
+        let text = ["s5_r", "s6_r"].iter().fold(NOBODYS.to_owned(), |text, name| with_x(&text, name, x));
+        assert_eq!(alone(&text), [expected], "{x}");
+        let found = check(&text, None);
+        let odd = found.findings.iter().find(|one| one.code == FindingCode::SpheresMisplaced);
+        let odd = odd.map(|odd| odd.message.to_string());
+        assert!(odd.as_ref().is_none_or(|odd| odd.contains("of the foot's length")), "{odd:?}");
+    }
+}
+
+#[test]
+fn nothing_is_asked_where_nothing_shows_a_scaling() {
+    // Unscaled bones, and meshes in millimetres.
+    for (size, mesh) in [("1", "foot.vtp"), ("0.001", "hoof.stl")] {
+        let text = NOBODYS.replace("0.8 0.8 0.8", &[size; 3].join(" ")).replace("foot.vtp", mesh);
+        assert_eq!(alone(&text), [], "{size}");
+    }
+}
+
+#[test]
+fn compared_with_the_model_that_was_scaled_each_sphere_has_its_place() {
+    let found = check(SCALED, Some(GENERIC));
+    let behind: Vec<String> = found
+        .findings
+        .iter()
+        .filter(|finding| finding.code == FindingCode::SpheresLeftBehind)
+        .map(|finding| finding.message.to_string())
+        .collect();
+    assert_eq!(behind.len(), 6);
+    // The Scale Tool's factors of calcn and toes are 1.02, 0.9 and 0.95.
+    assert_eq!(behind[0], "heel_r stayed at -10.00 -40.00 5.00 mm and belongs at -10.20 -36.00 4.75 mm");
+    let remedy = found.findings[0].remedy.as_ref().unwrap();
+    // 0.9 / √(1.02 · 0.95) is 0.914: near enough for level soles.
+    let expected = RemedyChange::Follow {
+        from: "generic.osim".into(),
+        body_scale_file: None,
+        level: true,
+        replace_moved: false,
+    };
+    assert_eq!(remedy.change, expected);
+    // What the spheres do where they should not be is not judged, and nothing else has a command.
+    assert!(
+        found.findings.iter().all(|one| one.remedy.is_none() || one.code == FindingCode::SpheresLeftBehind)
+    );
+    assert!(!found.findings.iter().any(|one| one.code == FindingCode::BeyondHertz));
+}
+
+#[test]
+fn the_model_itself_is_right() {
+    assert_eq!(codes(&check(GENERIC, Some(GENERIC))), []);
+}
+
+#[test]
+fn a_sphere_that_somebody_moved_is_a_warning_without_a_command() {
+    let moved = SCALED.replacen("<location>-0.01 -0.04", "<location>-0.011 -0.04", 1);
+    let moved = if moved == SCALED { SCALED.replacen("-0.040000000000000001", "-0.041", 1) } else { moved };
+    assert_ne!(moved, SCALED);
+    let found = check(&moved, Some(GENERIC));
+    assert!(found.findings.iter().any(|one| one.code == FindingCode::SpheresMisplaced));
+    assert!(found.findings.iter().all(|one| one.remedy.is_none()), "a transfer would ask");
+}
+
+#[test]
+fn a_model_that_cannot_be_compared_says_why() {
+    let found = check(SCALED, Some(RIGHT));
+    let why = found.findings.iter().find(|one| one.code == FindingCode::SpheresNotCompared).unwrap();
+    assert!(why.message.to_string().contains("no sphere of the same name"), "{}", why.message);
+}
+
+/// The text with a note that its contacts were made for 62 kg, of this operation.
+fn noted(text: &str, operation: &str) -> String {
+    let model = Model::parse(text).unwrap();
+    let mut plan = note(&model, 62.0, model.gravity()).unwrap();
+    plan.name_operation(operation);
+    String::from_utf8(plan.patched(&model, FileId::MAIN).unwrap()).unwrap()
+}
+
+/// The text with a note that its spheres were placed with their bodies.
+fn placed(text: &str) -> String {
+    noted(text, "rescale follow-bodies").replace("; made c)]", "; made cp)]")
+}
+
+/// What OpenSim's scaling does to the meshes; spheres and note stay.
+fn bones_of(text: &str, size: &str) -> String {
+    text.replace("0.913924 0.913924 0.913924", size)
+}
+
+#[test]
+fn the_note_comes_before_everything_else() {
+    let scaled = bones_of(&noted(RIGHT, "note"), "0.6306 0.6397 0.6306");
+    let found = check(&scaled, None);
+    let left = found.findings.iter().find(|finding| finding.code == FindingCode::SpheresLeftBehind).unwrap();
+    // 0.6306 / 0.913924 and 0.6397 / 0.913924.
+    assert!(left.message.to_string().contains("calcn_r x0.68999"), "{}", left.message);
+    let remedy = left.remedy.as_ref().map(|remedy| remedy.change.clone());
+    assert_eq!(remedy, Some(RemedyChange::FollowNote { target_mass_kg: 62.0, level: true }));
+    // Stretched by more than 20 %: bottoms are not kept.
+    let stretched = check(&bones_of(&noted(RIGHT, "note"), "0.6 0.9 0.6"), None);
+    let changes =
+        stretched.findings.iter().filter_map(|finding| Some(finding.remedy.as_ref()?.change.clone()));
+    let expected = RemedyChange::FollowNote { target_mass_kg: 62.0, level: false };
+    assert!(changes.into_iter().any(|change| change == expected));
+}
+
+#[test]
+fn a_note_of_spheres_that_were_placed_with_their_bodies_is_believed() {
+    assert_eq!(alone(&placed(CHILD)), []);
+    // Another note was written where the spheres were, right or wrong.
+    assert_eq!(alone(&noted(CHILD, "rescale")), [FindingCode::SpheresMisplaced]);
+}
+
+#[test]
+fn a_sphere_that_was_moved_since_makes_the_note_say_nothing_of_places() {
+    let moved = with_x(&bones_of(&noted(RIGHT, "note"), "0.6 0.6 0.6"), "s1_r", 12.0);
+    assert!(!alone(&moved).contains(&FindingCode::SpheresLeftBehind));
+}
+
+#[test]
+fn after_a_rescaling_the_printed_command_does_not_keep_bottoms() {
+    let found = check(&bones_of(&noted(RIGHT, "rescale"), "0.6306 0.6397 0.6306"), None);
+    let changes: Vec<RemedyChange> =
+        found.findings.iter().filter_map(|finding| Some(finding.remedy.as_ref()?.change.clone())).collect();
+    assert_eq!(changes, [RemedyChange::FollowNote { target_mass_kg: 62.0, level: false }]);
+}
+
+#[test]
+fn a_note_that_is_not_believed_leads_to_no_command() {
+    let scaled =
+        bones_of(&noted(RIGHT, "note"), "0.6 0.6 0.6").replacen("<dissipation>2<", "<dissipation>2.1<", 1);
+    let found = check(&scaled, None);
+    assert!(codes(&found).contains(&FindingCode::SpheresLeftBehind));
+    assert!(found.findings.iter().all(|finding| finding.remedy.is_none()), "{:?}", found.findings);
+}
+
+#[test]
+fn bones_of_other_software_are_not_measured_as_those_of_open_sim() {
+    for text in [NOBODYS.replace("foot.vtp", "foot.stl"), bones_of(NOBODYS, "0.001 0.001 0.001")] {
+        assert!(!alone(&text).contains(&FindingCode::SpheresMisplaced));
+    }
+}
+
+#[test]
+fn another_original_is_said_and_what_the_file_shows_is_not_hidden() {
+    let found = check(CHILD, Some(RIGHT));
+    // The same bodies: compared, and no layout is looked at.
+    assert!(!codes(&found).contains(&FindingCode::SpheresNotCompared), "{:?}", codes(&found));
+    // Meshes of one body that no factors per axis explain: not a scaled copy.
+    let unlike = RIGHT.replacen("0.913924 0.913924 0.913924", "0.913924 -0.913924 0.913924", 1);
+    let found = check(CHILD, Some(&unlike));
+    let said: Vec<_> = found.findings.iter().filter(|one| PLACES.contains(&one.code)).collect();
+    assert_eq!(codes(&found).len(), 2, "{said:?}");
+    assert!(codes(&found).contains(&FindingCode::SpheresMisplaced), "by the layout in the file");
+    let why = said.iter().find(|one| one.code == FindingCode::SpheresNotCompared).unwrap();
+    assert!(why.message.to_string().contains("not a scaled copy of that one"), "{}", why.message);
+    assert!(said.iter().all(|one| one.remedy.is_none()));
+}
+
+#[test]
+fn a_sphere_without_a_counterpart_is_reported_and_nothing_is_said_to_be_right() {
+    for (scaled, generic) in [
+        // In one of the two models alone: renamed there.
+        (SCALED.replace("heel_r", "hind_r"), GENERIC.to_owned()),
+        (SCALED.to_owned(), GENERIC.replace("heel_r", "hind_r")),
+    ] {
+        let found = check(&scaled, Some(&generic));
+        let missing: Vec<String> = found
+            .findings
+            .iter()
+            .filter(|one| one.code == FindingCode::SpheresNotCompared)
+            .map(|one| one.message.to_string())
+            .collect();
+        assert_eq!(missing.len(), 2, "{missing:?}");
+        assert!(missing[0].contains("is not in the model that was scaled"), "{missing:?}");
+        assert!(missing[1].contains("of the model that was scaled is missing here"), "{missing:?}");
+        assert!(found.findings.iter().all(|one| one.remedy.is_none()), "a transfer would refuse");
+    }
+}
+
+#[test]
+fn spheres_that_this_program_resized_are_placed_again() {
+    let model = Model::parse(SCALED).unwrap();
+    let selected = Selection::default().apply(&model).unwrap();
+    let mass = Mass { kg: 62.0, source: MassSource::ContactsMass };
+    let mut plan = rescale(&model, &selected, &Rescale::new(40.0, mass)).unwrap();
+    plan.name_operation("rescale");
+    let resized = String::from_utf8(plan.patched(&model, FileId::MAIN).unwrap()).unwrap();
+    let change = |text: &str| {
+        let found = check(text, Some(GENERIC));
+        let behind = found.findings.iter().find(|one| one.code == FindingCode::SpheresLeftBehind).unwrap();
+        behind.remedy.as_ref().map(|remedy| remedy.change.clone())
+    };
+    let expected = RemedyChange::Follow {
+        from: "generic.osim".into(),
+        body_scale_file: None,
+        level: true,
+        replace_moved: true,
+    };
+    assert_eq!(change(&resized), Some(expected));
+    // Whoever else changed a radius knows why.
+    let start = resized.find("<radius>").unwrap() + "<radius>".len();
+    let by_hand = format!("{}1{}", &resized[..start], &resized[start..]);
+    assert_eq!(change(&by_hand), None);
+}
+
+#[test]
+fn symptoms_of_misplaced_spheres_come_after_them_and_have_no_command() {
+    // Beyond the toe joint, and a hundredth as stiff.
+    let text = with_x(NOBODYS, "s2_r", 1.3 * 143.04).replace("<stiffness>1000000<", "<stiffness>10000<");
+    let found = check(&text, None);
+    assert!(found.findings.iter().all(|one| one.remedy.is_none()));
+    let warned: Vec<_> = found.findings.iter().filter(|one| one.severity == Severity::Warn).collect();
+    assert!(warned.len() > 1, "{warned:?}");
+    assert_eq!(warned[0].code, FindingCode::SpheresMisplaced);
+}
+
+#[test]
+fn a_command_that_would_be_refused_for_a_shared_sphere_is_not_proposed() {
+    // The sphere is in a force of another class, which a transfer does not change with it.
+    let obstacle = "<ElasticFoundationForce name=\"obstacle\"><HuntCrossleyForce::ContactParametersSet><objects>\
+                    <ElasticFoundationForce::ContactParameters><geometry>heel_r</geometry>\
+                    </ElasticFoundationForce::ContactParameters></objects></HuntCrossleyForce::ContactParametersSet>\
+                    </ElasticFoundationForce>";
+    let at = SCALED
+        .find("<ForceSet")
+        .map(|at| at + SCALED[at..].find("<objects>").unwrap() + "<objects>".len())
+        .unwrap();
+    let shared = format!("{}{obstacle}{}", &SCALED[..at], &SCALED[at..]);
+    assert!(Model::parse(shared.as_str()).unwrap().users_of_other_classes().contains_key("heel_r"));
+    let found = check(&shared, Some(GENERIC));
+    assert_eq!(codes(&found).len(), 6);
+    assert!(found.findings.iter().all(|one| one.remedy.is_none()));
+}

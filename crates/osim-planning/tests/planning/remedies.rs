@@ -1,0 +1,370 @@
+//! What puts a finding right, as data: each front end prints or applies it.
+//!
+//! Expected numbers are the limits of the paper and its equations, computed by hand.
+
+use crate::checks::{check_foot, check_text, check_with, find, has};
+use contact_scaling::SharedLoad;
+use crate::feet::{SOLE, Smooth, foot};
+use osim_inspect::{CheckResult, InspectOptions, Stance};
+use osim_messages::{Call, Dialect, Example, Input};
+use osim_model::{
+    Assignment, FileId, FindingCode, MassRequest, Model, Property, Remedy, RemedyChange, RemedyDesign,
+    RemedyDialect, RemedyLoad, Selection,
+};
+use osim_patch::{Design, DesignModulus, design};
+
+/// 62 kg on 6 spheres a foot, R = 0.032 m, E₁* = 1e6 N/m², α = 2 s/m: Table 1 of the paper.
+const HUMAN: &str = include_str!("../../../../fixtures/table1/human_62kg_smooth_sphere.osim");
+/// 10 kg on one sphere.
+const ONE_FOOT: &str = include_str!("../../../../osim-model/tests/data/one_foot.osim");
+/// The contacts of the human above under a body of 90 kg.
+const OTHER_MASS: &str = include_str!("../../../../fixtures/check/contacts_of_another_mass.osim");
+
+/// 62 kg on 6 spheres a foot, by the Hertz law.
+const HUNT_CROSSLEY: &str = include_str!("../../../../fixtures/table1/human_62kg_hunt_crossley.osim");
+/// 53 kg on a sphere of 0.05 m and one of 0.025 m a foot, which share a set of parameters: E₁* = 1.2345678 MPa, α = 2.25 s/m.
+const MIXED_RADII: &str = include_str!("../../../../fixtures/format/mixed_radii.osim");
+/// A set of parameters for the heel and one for the toe in each force.
+const THREE_MATERIALS: &str = include_str!("../../../../fixtures/format/three_materials.osim");
+/// Three spheres on the right and two on the left, of 0.0325 m.
+const UNEQUAL_COUNTS: &str = include_str!("../../../../fixtures/format/unequal_counts.osim");
+/// The numbers of its force are in `<defaults>`, which are left alone.
+const DEFAULTS: &str = include_str!("../../../../fixtures/format/defaults_hunt_crossley.osim");
+
+/// What `check` finds in a model that is called `name`.
+fn check(name: &str, text: &str) -> CheckResult {
+    check_with(name, text, &InspectOptions::default())
+}
+
+/// The change that puts `code` right.
+#[track_caller]
+fn change(result: &CheckResult, code: FindingCode) -> &RemedyChange {
+    &find(result, code).remedy.as_ref().expect("it has a remedy").change
+}
+
+#[track_caller]
+fn wanted(result: &CheckResult, code: FindingCode) -> RemedyDesign {
+    match change(result, code) {
+        RemedyChange::Design(wanted) => *wanted,
+        other => panic!("{code:?}: {other:?}"),
+    }
+}
+
+#[track_caller]
+fn load(result: &CheckResult, code: FindingCode) -> RemedyLoad {
+    find(result, code).remedy.as_ref().unwrap().load.clone().expect("it has a load")
+}
+
+fn multiplied(property: Property, factor: f64) -> RemedyChange {
+    RemedyChange::Set { assignments: vec![(property, Assignment::Factor(factor))] }
+}
+
+#[test]
+fn spheres_that_sink_in_too_deep_get_the_indentation_of_the_limit() {
+    let result = check("human.osim", HUMAN);
+    let remedy = find(&result, FindingCode::BeyondHertz).remedy.as_ref().unwrap();
+    assert_eq!(&*remedy.model, "human.osim");
+    assert_eq!(remedy.selection, Selection::default());
+    let wanted = wanted(&result, FindingCode::BeyondHertz);
+    assert_eq!((wanted.indentation, wanted.body_weights), (Some(0.16), None));
+    // At rest a sphere that just touches carries ½ (x̂_c / 0.16)^{3/2} of its share, a tenth at most: x̂_c ≤ 0.0547.
+    assert_eq!(wanted.constant_indentation, Some(0.054));
+    assert_eq!(wanted.restitution, None);
+    // The load is the model's own weight on the spheres that were found, so nothing more has to be said.
+    let load = remedy.load.as_ref().unwrap();
+    assert_eq!((load.mass_kg, load.gravity_m_s2, load.spheres, load.stance_limbs), (None, None, None, None));
+}
+
+#[test]
+fn a_damper_gets_the_restitution_of_the_limit_at_its_own_impact_speed() {
+    let wanted = wanted(&check("human.osim", HUMAN), FindingCode::BeyondHuntCrossley);
+    // √(g R / 2) is 0.39618 m/s; rounded up, so that the limit is kept.
+    assert_eq!((wanted.restitution, wanted.impact_speed_m_s), (Some(0.8), Some(0.3962)));
+    assert_eq!((wanted.indentation, wanted.constant_indentation), (None, None));
+}
+
+#[test]
+fn what_a_remedy_says_puts_the_finding_right() {
+    let result = check("human.osim", HUMAN);
+    let deep = wanted(&result, FindingCode::BeyondHertz);
+    let damped = wanted(&result, FindingCode::BeyondHuntCrossley);
+    let model = Model::parse(HUMAN).unwrap();
+    let selected = Selection::default().apply(&model).unwrap();
+    let mut request = Design::default();
+    request.modulus = deep.indentation.map(DesignModulus::Indentation);
+    request.load = SharedLoad::new(62.0 * 9.81, 6.0).ok();
+    request.constant_indentation = deep.constant_indentation;
+    request.restitution = damped.restitution.map(|restitution| (restitution, damped.impact_speed_m_s));
+    let plan = design(&model, &selected, &request).unwrap();
+    let stiffness = plan.changes.iter().find(|change| change.property == Property::Stiffness).unwrap();
+    // (11) and (A.4): E₁* = 2^{3/2} 3 F / (4 R² x̂^{3/2} n), and 0.16^{3/2} is 0.064.
+    let expected = 2_f64.powf(1.5) * 3.0 * 62.0 * 9.81 / (4.0 * 0.032 * 0.032 * 0.064 * 6.0);
+    assert!((stiffness.to / expected - 1.0).abs() < 1e-12, "{}", stiffness.to);
+
+    let patched = plan.patched(&model, FileId::MAIN).unwrap();
+    let after = check("human.osim", std::str::from_utf8(&patched).unwrap());
+    let left: Vec<&str> = after.findings.iter().map(|finding| finding.code.as_str()).collect();
+    assert!(!left.contains(&"beyond-hertz") && !left.contains(&"beyond-hunt-crossley"), "{left:?}");
+}
+
+#[test]
+fn contacts_of_another_body_are_rescaled_from_its_mass_to_this_one() {
+    let result = check_text(OTHER_MASS);
+    let expected = RemedyChange::Rescale { contacts_mass_kg: 62.0, target_mass_kg: 90.0 };
+    assert_eq!(*change(&result, FindingCode::ContactsOfAnotherMass), expected);
+    // Both masses are in it, so that no load has to be said.
+    let remedy = find(&result, FindingCode::ContactsOfAnotherMass).remedy.as_ref().unwrap();
+    assert_eq!(remedy.load, None);
+    // Everything else has to wait until the contacts are those of this body.
+    let others = result.findings.iter().filter(|finding| finding.code != FindingCode::ContactsOfAnotherMass);
+    assert!(others.into_iter().all(|finding| finding.remedy.is_none()));
+}
+
+#[test]
+fn a_forgotten_stiffness_is_taken_from_a_preset() {
+    let text = ONE_FOOT.replace("<stiffness>1000000</stiffness>", "");
+    let result = check("one_foot.osim", &text);
+    let expected = RemedyChange::Transfer { from: "falisse2022" };
+    assert_eq!(*change(&result, FindingCode::DefaultStiffness), expected);
+}
+
+#[test]
+fn a_model_that_cannot_be_read_again_has_findings_and_no_remedy() {
+    let result = check("-", HUMAN);
+    assert_eq!((result.counts.warn, result.counts.info), (0, 3));
+    assert!(result.findings.iter().all(|finding| finding.remedy.is_none()));
+}
+
+// What x̂ has to come down to.
+
+#[test]
+fn a_sphere_that_has_sunk_in_gets_the_indentation_of_the_limit() {
+    let wanted = wanted(&check_foot(&[Smooth { stiffness: 3e5, ..SOLE }]), FindingCode::SunkIn);
+    assert_eq!((wanted.indentation, wanted.body_weights), (Some(0.16), None));
+}
+
+#[test]
+fn what_is_too_deep_at_two_body_weights_gets_the_limit_there() {
+    // x̂ is 0.105 at body weight and 0.166 at twice.
+    let wanted = wanted(&check_foot(&[Smooth { stiffness: 1.5e7, ..SOLE }]), FindingCode::BeyondHertzAtTwo);
+    assert_eq!((wanted.indentation, wanted.body_weights), (Some(0.16), Some(2.0)));
+    // 0.16 at twice the weight is 0.10079 at body weight; of that 0.2^(2/3), 0.03447.
+    assert_eq!(wanted.constant_indentation, Some(0.034));
+}
+
+#[test]
+fn the_hertz_law_has_no_constant_indentation_to_bring_down() {
+    let wanted = wanted(&check("human.osim", HUNT_CROSSLEY), FindingCode::BeyondHertz);
+    assert_eq!((wanted.indentation, wanted.constant_indentation), (Some(0.16), None));
+}
+
+#[test]
+fn spheres_of_two_sizes_under_one_set_of_parameters_are_all_made_stiffer() {
+    let result = check_text(MIXED_RADII);
+    // mpmath: the toe is in 0.79938 R deep; (0.79938/0.16)^(3/2) is 11.16725, rounded up.
+    assert_eq!(*change(&result, FindingCode::BeyondHertz), multiplied(Property::Stiffness, 11.168));
+    // 0.2 / 0.440326 m/s / 2.25 s/m is 0.20187, rounded down.
+    assert_eq!(*change(&result, FindingCode::BeyondHuntCrossley), multiplied(Property::Dissipation, 0.2));
+    // A factor knows no load.
+    assert_eq!(find(&result, FindingCode::BeyondHertz).remedy.as_ref().unwrap().load, None);
+}
+
+#[test]
+fn at_two_body_weights_the_sphere_that_is_deepest_there_decides() {
+    let stiffer = MIXED_RADII.replace(">1234567.8<", ">18518517<");
+    let result = check_text(&stiffer);
+    // Fifteen times as stiff: the toe is in 0.20863 R deep; (0.20863/0.16)^(3/2) is 1.48897.
+    assert_eq!(*change(&result, FindingCode::BeyondHertzAtTwo), multiplied(Property::Stiffness, 1.489));
+}
+
+#[test]
+fn materials_of_several_sets_are_multiplied_too() {
+    let result = check_text(THREE_MATERIALS);
+    let RemedyChange::Set { assignments } = change(&result, FindingCode::BeyondHuntCrossley) else {
+        panic!()
+    };
+    assert!(matches!(assignments[..], [(Property::Dissipation, Assignment::Factor(_))]));
+}
+
+#[test]
+fn spheres_that_are_not_counted_are_made_stiffer_until_they_are() {
+    let uncounted = check_text(UNEQUAL_COUNTS);
+    // Each of two spheres on the left is in 0.56341 R deep; (0.56341/0.16)^(3/2) is 6.60784, rounded up.
+    assert_eq!(*change(&uncounted, FindingCode::BeyondHertz), multiplied(Property::Stiffness, 6.608));
+
+    let stance = Stance { spheres: Some(3.0), ..Stance::default() };
+    let options = InspectOptions { stance, ..InspectOptions::default() };
+    let counted = check_with("model.osim", UNEQUAL_COUNTS, &options);
+    assert_eq!(wanted(&counted, FindingCode::BeyondHertz).indentation, Some(0.16));
+    assert_eq!(load(&counted, FindingCode::BeyondHertz).spheres, Some(3.0));
+}
+
+// What the smoothing has to come down to.
+
+#[test]
+fn a_large_constant_indentation_comes_down_to_its_limit() {
+    let result = check_foot(&[Smooth { constant_contact_force: 1e-4, ..SOLE }]);
+    let expected = RemedyDesign { constant_indentation: Some(0.1), ..RemedyDesign::default() };
+    assert_eq!(wanted(&result, FindingCode::LargeConstantIndentation), expected);
+}
+
+#[test]
+fn a_wide_transition_becomes_three_tenths_of_the_radius() {
+    let result = check_foot(&[Smooth { hertz_smoothing: 100.0, ..SOLE }]);
+    let expected = RemedyDesign { state_width: Some(0.3), ..RemedyDesign::default() };
+    assert_eq!(wanted(&result, FindingCode::WideTransition), expected);
+}
+
+#[test]
+fn what_a_sphere_carries_while_it_touches_comes_down_to_a_tenth() {
+    let result = check_foot(&[Smooth { constant_contact_force: 4e-6, ..SOLE }]);
+    // It rests at x̂ = 0.086535; of that 0.2^(2/3), 0.029594.
+    let expected = RemedyDesign { constant_indentation: Some(0.029), ..RemedyDesign::default() };
+    assert_eq!(wanted(&result, FindingCode::ForceBeforeContact), expected);
+}
+
+#[test]
+fn the_sphere_that_is_in_least_deep_decides_how_much_touching_may_carry() {
+    let result = check_foot(&[
+        Smooth { stiffness: 1.2e7, name: "toe_r", ..SOLE },
+        Smooth { constant_contact_force: 4e-6, ..SOLE },
+    ]);
+    // Of 300 N the stiffer one is in 0.054514 R deep; of that 0.2^(2/3), 0.018643.
+    assert_eq!(wanted(&result, FindingCode::ForceBeforeContact).constant_indentation, Some(0.018));
+}
+
+#[test]
+fn a_sphere_that_floats_comes_down_to_the_floor() {
+    let floating = Smooth { constant_contact_force: 1e-4, ..SOLE };
+    let expected = RemedyDesign { constant_indentation: Some(0.029), ..RemedyDesign::default() };
+    assert_eq!(wanted(&check_foot(&[floating]), FindingCode::Floats), expected);
+    // Where contact sets in over a long way, that has to be shorter as well.
+    let wide = check_foot(&[Smooth { hertz_smoothing: 100.0, ..floating }]);
+    assert_eq!(wanted(&wide, FindingCode::Floats), RemedyDesign { state_width: Some(0.3), ..expected });
+}
+
+#[test]
+fn a_constant_contact_force_of_0_becomes_a_twentieth_of_the_radius() {
+    let result = check_foot(&[Smooth { constant_contact_force: 0.0, ..SOLE }]);
+    let expected = RemedyDesign { constant_indentation: Some(0.05), ..RemedyDesign::default() };
+    assert_eq!(wanted(&result, FindingCode::ZeroConstantContactForce), expected);
+}
+
+#[test]
+fn an_impact_speed_is_rounded_up_so_that_the_limit_is_kept() {
+    let stance = Stance { impact_speed_m_s: Some(0.50001), ..Stance::default() };
+    let options = InspectOptions { stance, ..InspectOptions::default() };
+    let result = check_with("foot.osim", &foot(&[Smooth { dissipation: 2.0, ..SOLE }]), &options);
+    let expected =
+        RemedyDesign { restitution: Some(0.8), impact_speed_m_s: Some(0.5001), ..RemedyDesign::default() };
+    assert_eq!(wanted(&result, FindingCode::BeyondHuntCrossley), expected);
+    assert_eq!(find(&result, FindingCode::BeyondHuntCrossley).remedy.as_ref().unwrap().load, None);
+}
+
+// Whose weight it is: what was said is said again.
+
+#[test]
+fn what_was_said_of_the_load_is_said_again() {
+    let masses = MassRequest {
+        model_kg: Some(80.0),
+        exclude_bodies: vec!["platform".parse().unwrap()],
+        ..MassRequest::default()
+    };
+    let stance = Stance { spheres: Some(5.0), limbs: 2.0, gravity_m_s2: Some(12.0), impact_speed_m_s: None };
+    let result =
+        check_with("human.osim", HUMAN, &InspectOptions { masses, stance, ..InspectOptions::default() });
+    let expected = RemedyLoad {
+        mass_kg: Some(80.0),
+        gravity_m_s2: Some(12.0),
+        exclude_bodies: vec!["platform".parse().unwrap()],
+        spheres: Some(5.0),
+        stance_limbs: Some(2.0),
+    };
+    assert_eq!(load(&result, FindingCode::BeyondHertz), expected);
+}
+
+#[test]
+fn a_gravity_that_is_the_models_own_is_not_said() {
+    let stance = Stance { gravity_m_s2: Some(9.81), ..Stance::default() };
+    let result = check_with("human.osim", HUMAN, &InspectOptions { stance, ..InspectOptions::default() });
+    assert_eq!(load(&result, FindingCode::BeyondHertz).gravity_m_s2, None);
+}
+
+#[test]
+fn a_mass_that_no_body_says_is_said() {
+    let text = foot(&[Smooth { stiffness: 3e6, ..SOLE }]).replace("<mass>60</mass>", "<mass>0</mass>");
+    let masses = MassRequest { contacts_mass_kg: Some(60.0), ..MassRequest::default() };
+    let result = check_with("foot.osim", &text, &InspectOptions { masses, ..InspectOptions::default() });
+    assert_eq!(load(&result, FindingCode::BeyondHertz).mass_kg, Some(60.0));
+}
+
+#[test]
+fn sets_that_stand_alone_are_named_again() {
+    let options = InspectOptions {
+        geometry: Some("geometry.xml".into()),
+        model: Some("body.osim".into()),
+        selection: Selection { exclude: vec!["kick".parse().unwrap()], ..Selection::default() },
+        ..InspectOptions::default()
+    };
+    let result = check_with("forces.xml", HUMAN, &options);
+    let remedy = find(&result, FindingCode::BeyondHertz).remedy.as_ref().unwrap();
+    assert_eq!(remedy.geometry, options.geometry);
+    assert_eq!(remedy.set_model, options.model);
+    assert_eq!(remedy.selection, options.selection);
+}
+
+#[test]
+fn masses_of_a_rescaling_have_the_digits_that_people_read() {
+    let text = OTHER_MASS.replace("<mass>88<", "<mass>88.123456789<");
+    let expected = RemedyChange::Rescale { contacts_mass_kg: 62.0, target_mass_kg: 90.123457 };
+    assert_eq!(*change(&check_text(&text), FindingCode::ContactsOfAnotherMass), expected);
+}
+
+#[test]
+fn a_preset_is_not_proposed_under_another_gravity_than_the_models() {
+    let text = ONE_FOOT.replace("<stiffness>1000000</stiffness>", "");
+    let stance = Stance { gravity_m_s2: Some(1.62), ..Stance::default() };
+    let result = check_with("one_foot.osim", &text, &InspectOptions { stance, ..InspectOptions::default() });
+    assert_eq!(find(&result, FindingCode::DefaultStiffness).remedy, None);
+    // Under the model's own it is, for the weight that the spheres carry.
+    let proposed = check("one_foot.osim", &text);
+    assert_eq!(load(&proposed, FindingCode::DefaultStiffness), RemedyLoad::default());
+}
+
+// Where there is none.
+
+#[test]
+fn a_model_that_cannot_be_changed_has_findings_and_no_remedy() {
+    let result = check_text(DEFAULTS);
+    assert!(has(&result, FindingCode::BeyondHertz) && has(&result, FindingCode::BeyondHuntCrossley));
+    assert!(result.findings.iter().all(|finding| finding.remedy.is_none()), "{result:?}");
+}
+
+/// A front end that says which model a remedy changes, and calls everything by its name.
+struct Terse;
+
+impl Dialect for Terse {
+    fn input(&self, input: Input, _: Option<&Example>) -> String {
+        format!("<{}>", input.name())
+    }
+
+    fn call(&self, call: &Call) -> String {
+        format!("<{}>", call.verb.name())
+    }
+}
+
+impl RemedyDialect for Terse {
+    fn remedy(&self, remedy: &Remedy) -> String {
+        format!("change {}", &*remedy.model)
+    }
+}
+
+#[test]
+fn a_front_end_spells_findings_and_remedies() {
+    let mut result = check("human.osim", HUMAN);
+    assert_eq!(find(&result, FindingCode::BeyondHertz).command, None);
+    result.spell(&Terse);
+    let deep = find(&result, FindingCode::BeyondHertz);
+    assert_eq!(deep.command.as_deref(), Some("change human.osim"));
+    assert!(deep.advice.to_string().contains("<design>"), "{}", deep.advice);
+}
