@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what the checks need beside Rust. Nothing else in the project installs anything.
 #
-#     dev/install.sh [GROUP...]     one or more of: rust programs shells oracle browser python simulations book wasm web windows; all without arguments
+#     dev/install.sh [GROUP...]     one or more of: rust programs shells oracle browser python simulations slurm book wasm web windows; all without arguments
 #
 # Quick, and silent but for the table at its end, where everything is there. What it cannot install (no root, no
 # Debian, no such package) it names, and goes on: tests that need it say that they were skipped.
@@ -10,11 +10,12 @@ cd "$(dirname "$0")/.."
 
 # Environments of Python: which groups use it, where it is, and the list of its packages with their versions.
 ENVIRONMENTS="
+rust            target/tools-venv   dev/requirements.txt
 oracle,browser  target/oracle-venv  tests/oracle/requirements.txt
 python,simulations  target/python-venv  tests/python/requirements.txt
 book            target/book-venv    docs/requirements.txt
 "
-GROUPS_KNOWN="rust programs shells oracle browser python simulations book wasm web windows"
+GROUPS_KNOWN="rust programs shells oracle browser python simulations slurm book wasm web windows"
 
 # Packages from npm: which groups use them, and the folder with their list and its lock file.
 PACKAGES="
@@ -27,9 +28,10 @@ web      tests/web
 #   group
 #   tool     as the table calls it
 #   wanted   the least version that is known to do; =VERSION for exactly that one
-#   from     apt:PACKAGE of Debian; cargo, built from crates.io; rust, comes with Rust; none, cannot be had
+#   from     apt:PACKAGE of Debian; rust, comes with Rust; none, cannot be had
 #   tells    what prints its version
 #
+# rust:     what dev/requirements.txt lists looks at licences and sources of dependencies.
 # programs: octave runs the package for MATLAB, groff sets the manual, strace sees what reaches the disk, setpriv and
 #           unshare take permissions and make small disks (util-linux), readelf looks into the archive's program, pdfinfo reads
 #           figures, valgrind
@@ -40,8 +42,8 @@ web      tests/web
 #           tests/browser/package-lock.json.
 # web:      makes the page, and opens it in two browsers: what wasm needs, and zstd, which compresses what the page holds.
 # python:   what tests the Python package, which is installed beside it by pip.
-# simulations: Slurm, and munge, by which its programs know each other, for tests that start a cluster of their own. They run beside
-#           the Python package, too.
+# simulations: what tests of many models in OpenSim run in, which is the environment of the Python package.
+# slurm:    and munge, by which its programs know each other: for those of these tests that start a cluster of their own.
 # book:     makes the pages of docs/ a book, with the reference of the Python package.
 # wasm:     a compiler with the sources of its library, for targets that rustup cannot fetch here, and a linker.
 # windows:  the same compiler, a linker for Windows, and Wine, which runs what it links.
@@ -49,7 +51,7 @@ TOOLS="
 rust      cargo          1.92     rust                cargo --version
 rust      rustfmt        1.8      rust                cargo fmt --version
 rust      clippy         0.1      rust                cargo clippy --version
-rust      cargo-deny     =0.20.2  cargo               cargo deny --version
+rust      python3        3.11     apt:python3-venv    python3 -c 'import ensurepip, platform; print(platform.python_version())'
 programs  octave         7        apt:octave          octave --version
 programs  groff          1.22     apt:groff-base      groff --version
 programs  strace         6        apt:strace          strace --version
@@ -71,8 +73,8 @@ browser   npm            9        apt:npm             npm --version
 browser   pdftotext      22       apt:poppler-utils   pdftotext -v
 python    python3        3.11     apt:python3-venv    python3 -c 'import ensurepip, platform; print(platform.python_version())'
 simulations python3      3.11     apt:python3-venv    python3 -c 'import ensurepip, platform; print(platform.python_version())'
-simulations slurm-wlm    22.05    apt:slurm-wlm       dpkg-query -W slurm-wlm
-simulations munge        0.5      apt:munge           munge --version
+slurm     slurm-wlm      22.05    apt:slurm-wlm       dpkg-query -W slurm-wlm
+slurm     munge          0.5      apt:munge           munge --version
 book      python3        3.11     apt:python3-venv    python3 -c 'import ensurepip, platform; print(platform.python_version())'
 wasm      rustc-web      1.92     apt:rustc-web       /usr/bin/rustc --version
 wasm      rust-web-src   1.92     apt:rust-web-src    dpkg-query -W rust-web-src
@@ -172,7 +174,6 @@ while read -r group tool wanted from tells; do
     is_enough "$wanted" "$(version_of "$tells")" && continue
     case "$from" in
     apt:*) case " $missing_packages " in *" ${from#apt:} "*) ;; *) missing_packages="$missing_packages ${from#apt:}" ;; esac ;;
-    cargo) quietly cargo install --locked "$tool@${wanted#=}" || problem "$tool" "cargo could not install it" ;;
     rust) problem "$tool" "comes with Rust, see rustup" ;;
     esac
 done <<<"$(chosen)"
@@ -187,7 +188,8 @@ from importlib import metadata
 
 right = True
 for line in open(sys.argv[1]):
-    name, _, wanted = line.split("#")[0].strip().partition("==")
+    # After the version there may be sums of files.
+    name, _, wanted = line.split("#")[0].partition(" ")[0].strip().partition("==")
     if not name:
         continue
     try:
