@@ -1,6 +1,6 @@
 """Builds the archive that people download: the program, its pages, completions, manual and licences.
 
-    python3 dist/build_archive.py [--target TRIPLE] [--out FOLDER] [--program FOLDER]
+    python3 dist/build_archive.py [--target TRIPLE] [--out FOLDER] [--program FOLDER] [--names FOLDER]
 
 On Linux and Windows the program is static: it needs no library that may be missing or of another version. The same
 sources, compiler and target give the same archive, byte for byte: names are sorted, owners and times are fixed.
@@ -87,11 +87,20 @@ def zipped(files, folder, when):
     return out.getvalue()
 
 
+def kept(program, folder):
+    """Copies a program into a folder."""
+    folder.mkdir(parents=True, exist_ok=True)
+    # Cargo links the name there to its own copy, which is not to be changed along.
+    (folder / program.name).unlink(missing_ok=True)
+    shutil.copy2(program, folder)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--target", help="what to build for [default: this machine]")
     parser.add_argument("--out", type=Path, default=ROOT / "target/dist", help="folder [default: target/dist]")
     parser.add_argument("--program", type=Path, help="folder that gets the program as well, as it is in the archive")
+    parser.add_argument("--names", type=Path, help="folder that gets the same program with the names of its functions")
     arguments = parser.parse_args()
     target = arguments.target or building.host()
     metadata = json.loads(output_of("cargo", "metadata", "--format-version", "1", "--locked", "--filter-platform", target))
@@ -99,6 +108,8 @@ def main():
     folder = f"{COMMAND}-{version}-{target}"
     # The time of the sources, not of the build.
     when = int(os.environ.get("SOURCE_DATE_EPOCH") or output_of("git", "log", "-1", "--format=%ct"))
+    if arguments.names:
+        kept(building.program(target, metadata["target_directory"], static=True, names=True), arguments.names)
     program = building.program(target, metadata["target_directory"], static=True)
     files = contents(program, target, metadata)
     windows = "windows" in target
@@ -110,10 +121,7 @@ def main():
     # Bytes, not text: sha256sum reads a carriage return as part of the name.
     archive.with_name(archive.name + ".sha256").write_bytes(f"{digest}  {archive.name}\n".encode())
     if arguments.program:
-        arguments.program.mkdir(parents=True, exist_ok=True)
-        # Cargo links the name there to its own copy, which is not to be changed along.
-        (arguments.program / program.name).unlink(missing_ok=True)
-        shutil.copy2(program, arguments.program)
+        kept(program, arguments.program)
     print(f"{archive}: {len(files)} files, {len(data)} bytes, SHA-256 {digest}")
 
 
