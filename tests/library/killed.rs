@@ -95,7 +95,7 @@ fn killed_while_changing_models_in_place() {
 }
 
 #[test]
-#[ignore = "slow, .ci/run has it: cargo test --test library -- --ignored"]
+#[ignore = "slow, dev/thorough has it: cargo test --test library -- --ignored"]
 fn killed_a_thousand_times() {
     INTO_FOLDER.kill(400);
     BATCH.kill(300);
@@ -115,9 +115,18 @@ const CALLS: [(&str, &[&str]); 4] = [
 
 /// strace kills the run where a system call begins: nothing that is between two calls is left out. `KILLS=2000` for more.
 #[test]
-#[ignore = "slow, .ci/run has it: cargo test --test library -- --ignored"]
+#[ignore = "slow, dev/thorough has it: cargo test --test library -- --ignored"]
 fn killed_at_each_kind_of_system_call() {
-    let wanted = std::env::var("KILLS").map_or(300, |kills| kills.parse().unwrap());
+    kill_at_calls(std::env::var("KILLS").map_or(300, |kills| kills.parse().unwrap()));
+}
+
+/// A few of them after every change.
+#[test]
+fn killed_at_some_system_calls() {
+    kill_at_calls(45);
+}
+
+fn kill_at_calls(wanted: usize) {
     let mut hit: BTreeMap<&str, usize> = BTreeMap::new();
     // Only in place are old files replaced, and put on the disk first.
     for (run, share) in

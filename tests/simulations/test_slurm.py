@@ -20,7 +20,12 @@ from recipes import changed, recipe
 COUNT = 8
 
 missing = slurm_module.missing()
-needs_slurm = pytest.mark.skipif(bool(missing), reason=f"Slurm is not installed: no {', '.join(missing)}")
+
+
+def needs_slurm(test):
+    """A test on a Slurm that it starts: dev/thorough runs it."""
+    skipped = pytest.mark.skipif(bool(missing), reason=f"Slurm is not installed: no {', '.join(missing)}")
+    return pytest.mark.slurm(skipped(test))
 
 
 @pytest.fixture(scope="module")
