@@ -12,7 +12,8 @@
     reason = "a test fails by panicking and says aloud what it skips"
 )]
 
-#[path = "../crates/contact-plots/tests/document/mod.rs"]
+#[path = "../crates/contact-plots/tests/plots/document/mod.rs"]
+#[allow(dead_code, reason = "the tests of contact-plots have it, too")]
 mod document;
 #[path = "plots/documented.rs"]
 mod documented;

@@ -69,7 +69,7 @@ fn put_right(bench: &Bench, model: &str, code: FindingCode) {
     let found = checked(&check_of(model), Path::new(model), &files);
     let finding = found.findings.iter().find(|finding| finding.code == code).unwrap();
 
-    let remedy = Request::try_from(finding.remedy.as_ref().unwrap()).unwrap();
+    let remedy = finding.remedy.as_ref().unwrap();
     // A dictionary can be kept, sent and changed before it is run.
     let remedy = Request::from_json(remedy.to_json().as_bytes()).unwrap();
     let change = prepare(remedy, &files).unwrap();

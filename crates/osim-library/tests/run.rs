@@ -17,9 +17,9 @@ use osim_library::run::{
 };
 use osim_library::{LibraryFault, sha256};
 use osim_messages::{Call, Dialect, Example, Input, Plain};
-use osim_model::{Remedy, RemedyDialect};
 use osim_planning::prepare;
 use osim_requests::options::RunOptions;
+use osim_requests::spell::Speller;
 use osim_requests::{BatchRequest, Request};
 use tempfile::TempDir;
 
@@ -39,9 +39,9 @@ impl Dialect for Words {
     }
 }
 
-impl RemedyDialect for Words {
-    fn remedy(&self, remedy: &Remedy) -> String {
-        panic!("nobody asked for {remedy:?}")
+impl Speller for Words {
+    fn request(&self, request: &Request) -> String {
+        panic!("nobody asked for {request:?}")
     }
 }
 
@@ -55,7 +55,7 @@ struct Watch {
 impl FrontEnd for Watch {
     type Shown = Vec<PathBuf>;
 
-    fn dialect(&self) -> &dyn RemedyDialect {
+    fn dialect(&self) -> &dyn Speller {
         &Words
     }
 

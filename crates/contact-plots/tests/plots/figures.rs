@@ -9,13 +9,13 @@
     reason = "a test fails by panicking"
 )]
 
+use crate::document::Svg;
 use contact_plots::{
     Axis, Curve, DropCurve, DropFigure, Figure, ForceAxis, ForceCurves, ForceFigure, HeatLimit, HeatMap,
     IndentationAxis, Limit, Look, LoopCurve, LoopFigure, Panel, PlotError, Point, StateCurve, StateFigure,
     Width,
 };
 use contact_plots::{Drawing, Paper};
-use crate::document::Svg;
 
 fn line(slope: f64) -> Vec<Point> {
     (-10..=10).map(|i| f64::from(i) / 20.0).map(|x| (x, slope * (x + 0.5))).collect()

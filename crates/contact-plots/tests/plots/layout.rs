@@ -9,11 +9,11 @@
     reason = "a test fails by panicking"
 )]
 
+use crate::document::Svg;
 use contact_plots::{
     Area, Axis, Curve, Datum, Direction, Drawing, Figure, HeatMap, Limit, Look, Mark, Panel, Paper,
     PlotError, Width,
 };
-use crate::document::Svg;
 
 /// A straight line from (0, 0) to (10, 100), with a shade below and a mark at its end.
 fn straight(label: &str) -> Panel {

@@ -2,6 +2,7 @@
 
 #![allow(missing_docs, reason = "tests have names that say it")]
 
+#[allow(dead_code, reason = "tests/plots.rs of the project has it, too")]
 mod document;
 mod figures;
 mod layout;

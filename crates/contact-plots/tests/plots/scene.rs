@@ -9,10 +9,10 @@
     reason = "a test fails by panicking"
 )]
 
+use crate::document::Svg;
 use contact_plots::{
     Ball, Block, Level, LevelKind, Outline, Paper, PlotError, Scene, SceneNames, Spot, State, View, scene,
 };
-use crate::document::Svg;
 use resvg::usvg;
 
 fn ball(name: &str, centre: (f64, f64), radius: f64) -> Ball {

@@ -2,6 +2,7 @@
 
 #![allow(missing_docs, reason = "tests have names that say it")]
 
+#[allow(dead_code, unreachable_pub, reason = "osim-planning has these feet, too")]
 mod feet;
 mod figures;
 mod load_sharing;

@@ -14,7 +14,7 @@ use osim_model::{
 };
 use osim_patch::{Plan, Rescale, Transfer, reference_of_model, rescale, transfer};
 
-const ONE_FOOT: &str = include_str!("../../../../osim-model/tests/data/one_foot.osim");
+const ONE_FOOT: &str = include_str!("../../../osim-model/tests/data/one_foot.osim");
 
 fn mass(kg: f64) -> Mass {
     Mass { kg, source: MassSource::ContactsMass }

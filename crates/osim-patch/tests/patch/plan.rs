@@ -14,7 +14,7 @@ use osim_model::{
 };
 use osim_patch::{Plan, Rescale, rescale};
 
-const ONE_FOOT: &str = include_str!("../../../../osim-model/tests/data/one_foot.osim");
+const ONE_FOOT: &str = include_str!("../../../osim-model/tests/data/one_foot.osim");
 
 fn wanted(target_mass_kg: f64, origin_kg: f64) -> Rescale {
     let contacts_mass = Mass { kg: origin_kg, source: MassSource::ContactsMass };

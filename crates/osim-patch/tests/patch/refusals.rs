@@ -69,7 +69,7 @@ fn a_refused_number_is_pointed_at() {
 
 #[test]
 fn a_constant_contact_force_of_0_is_never_written() {
-    const ONE_FOOT: &str = include_str!("../../../../osim-model/tests/data/one_foot.osim");
+    const ONE_FOOT: &str = include_str!("../../../osim-model/tests/data/one_foot.osim");
     let model = Model::parse(ONE_FOOT.as_bytes()).unwrap();
     let selected = Selection::default().apply(&model).unwrap();
     let cf = Property::ConstantContactForce;

@@ -205,7 +205,7 @@ fn there_and_back_is_the_same_to_the_last_bits() {
         for (change, original) in back.changes.iter().zip(&there.changes) {
             let error = (change.to - original.from).abs() / original.from;
             assert!(
-                error <= given::TIGHT,
+                error <= crate::given::TIGHT,
                 "{name}: {} of {} is off by {error}",
                 change.property,
                 change.path

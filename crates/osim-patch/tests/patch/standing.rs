@@ -53,7 +53,7 @@ fn the_note_is_in_the_credits_and_is_replaced_on_later_runs() {
 fn a_partial_or_stale_note_is_not_believed() {
     let foot =
         || given(foot(&smooth("<stiffness>1000000</stiffness>\n<dissipation>2</dissipation>"), "0.01"));
-    let after = |outcome: &given::Outcome| String::from_utf8(outcome.bytes().to_vec()).unwrap();
+    let after = |outcome: &crate::given::Outcome| String::from_utf8(outcome.bytes().to_vec()).unwrap();
     let partial = after(&foot().with_note().only(&[Property::Stiffness]).rescaled_to(64.0));
     assert!(partial.contains("; partial; "), "{partial}");
     given(partial.clone()).rescaled_to(100.0).is_refused("stale-note", &["64 kg", "`contacts_mass`"]);

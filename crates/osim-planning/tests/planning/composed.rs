@@ -4,9 +4,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-use osim_inspect::{CheckResult, InspectOptions};
+use osim_inspect::{CheckResult, Found, InspectOptions};
 use osim_model::files::InMemory;
-use osim_model::{FileId, Finding, FindingCode, Model, Repair};
+use osim_model::{FileId, FindingCode, Model, Repair};
 use osim_planning::{Inspector, check_with_trials, open_with, prepare};
 use osim_requests::Request;
 use serde_json::{Value, json};
@@ -80,15 +80,14 @@ fn check(options: &InspectOptions, model: &Model) -> CheckResult {
 }
 
 /// Findings that say the same: about spheres it is one for all, else one for each place.
-fn same(a: &Finding, b: &Finding) -> bool {
+fn same(a: &Found, b: &Found) -> bool {
     let about_spheres = !a.spheres.is_empty() && !b.spheres.is_empty();
     a.code == b.code && (about_spheres || a.place == b.place)
 }
 
 /// Runs the remedy as a request that was written down and read again.
-fn put_right(finding: &Finding, text: &str) -> Result<Model, String> {
-    let request =
-        Request::try_from(finding.remedy.as_ref().unwrap()).map_err(|fault| format!("{fault:?}"))?;
+fn put_right(finding: &Found, text: &str) -> Result<Model, String> {
+    let request = finding.remedy.as_ref().unwrap();
     let request = Request::from_json(request.to_json().as_bytes()).map_err(|fault| format!("{fault:?}"))?;
     let mut files = InMemory::default();
     files.add(NAME, text.as_bytes().to_vec());
@@ -168,7 +167,7 @@ fn spheres_that_were_left_behind_follow_by_the_command() {
             let found = check(scaled.as_bytes());
             let behind =
                 found.findings.iter().find(|one| one.code == FindingCode::SpheresLeftBehind).unwrap();
-            let request = Request::try_from(behind.remedy.as_ref().unwrap()).unwrap();
+            let request = behind.remedy.as_ref().unwrap();
             let request = Request::from_json(request.to_json().as_bytes()).unwrap();
             let change = prepare(request, &files).unwrap();
             let model = Model::parse(scaled.as_str()).unwrap();

@@ -1,19 +1,13 @@
 //! What `check` finds: each limit from both sides, the sphere and the force that it names, and what it leaves out.
 
-<<<<<<<< HEAD:crates/osim-planning/tests/findings.rs
-
 use crate::checks::{check_foot, check_text, check_with, codes, find, has, message};
 use crate::feet::{SOLE, Smooth, foot};
 use osim_inspect::{Changeable, CheckResult, InspectOptions, Stance, check_model};
-========
-use crate::checks::{check_foot, check_text, check_with, codes, find, has, message};
-use crate::feet::{SOLE, Smooth, foot};
-use osim_inspect::{CheckResult, InspectOptions, Stance, can_be_changed, check_known, check_model};
->>>>>>>> e969d3c (One program of integration tests per crate):crates/osim-inspect/tests/inspect/findings.rs
 use osim_model::files::FileName;
 use osim_model::{Finding, FindingCode, Model, Severity};
 use osim_planning::changeable;
 use osim_planning::check_with_trials;
+use osim_requests::Request;
 
 /// 62 kg on 6 spheres a foot.
 const HUMAN: &str = include_str!("../../../../fixtures/table1/human_62kg_smooth_sphere.osim");
@@ -308,7 +302,10 @@ fn findings_of_one_kind_are_in_the_order_of_their_lines() {
     let model = Model::parse(foot(&[SOLE])).unwrap();
     let inspected = InspectOptions::default().inspect("model.osim", &model, None);
     let on = |line| Finding::at(FindingCode::DisabledForce, line, "it is off");
-    assert_eq!(CheckResult::new(&inspected, vec![on(31), on(7)]).findings, [on(7), on(31)]);
+    assert_eq!(
+        CheckResult::new(&inspected, vec![on(31).into(), on(7).into()]).findings,
+        [on(7).into(), on(31).into()]
+    );
 }
 
 #[test]
@@ -318,8 +315,8 @@ fn a_name_that_is_no_text_is_kept_in_its_bytes() {
     let options = InspectOptions::default();
     let result = check_with_trials(&options, &model, &options.inspect(name.clone(), &model, None), None);
     assert_eq!(result.model_bytes.as_deref(), name.bytes());
-    let remedy = find(&result, FindingCode::BeyondHertz).remedy.as_ref().unwrap();
-    assert_eq!(remedy.model, name);
+    let Some(Request::Design(design)) = &find(&result, FindingCode::BeyondHertz).remedy else { panic!() };
+    assert_eq!(design.models, [name.to_path()]);
 }
 
 #[test]
@@ -357,7 +354,7 @@ fn what_is_known_of_files_beside_the_model_is_among_the_findings() {
     let beside = Finding::new(FindingCode::CompiledModelBeside, "F_model.so is here");
     let result =
         check_with_trials(&options, &model, &options.inspect("model.osim", &model, None), Some(&beside));
-    assert_eq!(result.findings, [beside]);
+    assert_eq!(result.findings, [beside.into()]);
 }
 
 #[test]

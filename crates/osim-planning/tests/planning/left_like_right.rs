@@ -1,8 +1,9 @@
 //! Which numbers a force on the left gets where those of its twin on the right are others.
 
-use crate::checks::{check_text, check_with, find};
+use crate::checks::{check_text, check_with, find, remedy};
 use osim_inspect::InspectOptions;
-use osim_model::{Assignment, FindingCode, Pattern, Property, RemedyChange, Selection};
+use osim_model::{FindingCode, Selection};
+use serde_json::{Value, json};
 
 /// 62 kg on 6 spheres a foot.
 const HUMAN: &str = include_str!("../../../../fixtures/table1/human_62kg_smooth_sphere.osim");
@@ -14,10 +15,9 @@ const MIXED_RADII: &str = include_str!("../../../../fixtures/format/mixed_radii.
 const THREE_MATERIALS: &str = include_str!("../../../../fixtures/format/three_materials.osim");
 
 #[track_caller]
-fn assert_copied(text: &str, expected: Option<&RemedyChange>) {
-    let result = check_text(text);
-    let remedy = &find(&result, FindingCode::LeftRightDiffer).remedy;
-    assert_eq!(remedy.as_ref().map(|remedy| &remedy.change), expected);
+fn assert_copied(text: &str, expected: &Value) {
+    let copied = remedy(&check_text(text), FindingCode::LeftRightDiffer);
+    assert_eq!(&copied["set"], expected);
 }
 
 /// `text` in which the first `old` after `start` is `new`.
@@ -30,27 +30,24 @@ fn after(text: &str, start: &str, old: &str, new: &str) -> String {
 #[test]
 fn a_left_force_gets_each_number_of_the_right_one_that_it_lacks() {
     let text = after(UNEQUAL_STIFFNESS, "contact_heel_l", "<dissipation>2.25<", "<dissipation>1<");
-    let assignments =
-        vec![(Property::Stiffness, Assignment::Value(1e6)), (Property::Dissipation, Assignment::Value(2.25))];
-    assert_copied(&text, Some(&RemedyChange::Set { assignments }));
+    assert_copied(&text, &json!({"stiffness": 1e6, "dissipation": 2.25}));
 }
 
 #[test]
 fn a_left_sphere_gets_the_radius_of_the_right_one() {
-    let assignments = vec![(Property::Radius, Assignment::Value(0.0325))];
-    assert_copied(UNEQUAL_RADII, Some(&RemedyChange::Set { assignments }));
+    assert_copied(UNEQUAL_RADII, &json!({"radius": 0.0325}));
 }
 
 #[test]
 fn radii_of_several_spheres_cannot_be_copied_by_one_value() {
     let text = after(MIXED_RADII, "<ContactSphere name=\"heel_l\"", "<radius>0.05<", "<radius>0.06<");
-    assert_copied(&text, None);
+    assert_copied(&text, &Value::Null);
 }
 
 #[test]
 fn parameters_of_several_sets_cannot_be_copied_by_one_value() {
     let text = after(THREE_MATERIALS, "contact_l", "<stiffness>800000<", "<stiffness>900000<");
-    assert_copied(&text, None);
+    assert_copied(&text, &Value::Null);
 }
 
 #[test]
@@ -61,7 +58,7 @@ fn a_constant_contact_force_of_0_is_not_copied() {
         "<constant_contact_force>1.5e-05<",
         "<constant_contact_force>0<",
     );
-    assert_copied(&text, None);
+    assert_copied(&text, &Value::Null);
 }
 
 #[test]
@@ -75,7 +72,7 @@ fn forces_that_were_chosen_by_name_are_not_chosen_otherwise() {
 #[test]
 fn a_name_that_would_be_read_as_a_pattern_is_not_chosen_by() {
     let text = UNEQUAL_RADII.replace("contact_heel", "contact[heel]");
-    assert_copied(&text, None);
+    assert_copied(&text, &Value::Null);
 }
 
 #[test]
@@ -85,11 +82,8 @@ fn the_side_that_differs_gets_the_value_of_the_other() {
     let text = format!("{before}{}", force.replacen("<stiffness>1000000<", "<stiffness>2500000<", 1));
     assert_ne!(text, HUMAN);
     let result = check_with("human.osim", &text, &InspectOptions::default());
-    let remedy = find(&result, FindingCode::LeftRightDiffer).remedy.as_ref().unwrap();
-    let assignments = vec![(Property::Stiffness, Assignment::Value(1e6))];
-    assert_eq!(remedy.change, RemedyChange::Set { assignments });
-    let select: Vec<&str> = remedy.selection.select.iter().map(Pattern::as_str).collect();
-    assert_eq!(select, ["contact_s1_l"]);
+    let expected = json!({"verb": "set", "set": {"stiffness": 1e6}, "select": ["contact_s1_l"]});
+    assert_eq!(remedy(&result, FindingCode::LeftRightDiffer), expected);
 }
 
 /// Two feet of six spheres, of which the left foot was scaled by 0.99, 0.96 and 0.97: its radii by their geometric mean, the

@@ -11,6 +11,7 @@
 
 mod checks;
 mod composed;
+#[allow(dead_code, reason = "the tests of osim-inspect have these feet, too")]
 #[path = "../../../osim-inspect/tests/inspect/feet/mod.rs"]
 mod feet;
 mod findings;

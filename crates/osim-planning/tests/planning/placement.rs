@@ -2,11 +2,13 @@
 
 use std::path::Path;
 
+use crate::checks::said;
 use osim_compare::Placement;
 use osim_inspect::{CheckResult, InspectOptions};
-use osim_model::{Anatomy, FileId, FindingCode, Mass, MassSource, Model, RemedyChange, Selection, Severity};
+use osim_model::{Anatomy, FileId, FindingCode, Mass, MassSource, Model, Selection, Severity};
 use osim_patch::{Rescale, note, rescale};
 use osim_planning::check_with_trials;
+use serde_json::{Value, json};
 
 /// Places of Falisse et al. (2022) on bones of their size, and on bones of a child.
 const RIGHT: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
@@ -141,15 +143,9 @@ fn compared_with_the_model_that_was_scaled_each_sphere_has_its_place() {
     assert_eq!(behind.len(), 6);
     // The Scale Tool's factors of calcn and toes are 1.02, 0.9 and 0.95.
     assert_eq!(behind[0], "heel_r stayed at -10.00 -40.00 5.00 mm and belongs at -10.20 -36.00 4.75 mm");
-    let remedy = found.findings[0].remedy.as_ref().unwrap();
     // 0.9 / √(1.02 · 0.95) is 0.914: near enough for level soles.
-    let expected = RemedyChange::Follow {
-        from: "generic.osim".into(),
-        body_scale_file: None,
-        level: true,
-        replace_moved: false,
-    };
-    assert_eq!(remedy.change, expected);
+    let expected = json!({"verb": "transfer", "from": "generic.osim", "follow_bodies": true, "level": true});
+    assert_eq!(said(found.findings[0].remedy.as_ref()), expected);
     // What the spheres do where they should not be is not judged, and nothing else has a command.
     assert!(
         found.findings.iter().all(|one| one.remedy.is_none() || one.code == FindingCode::SpheresLeftBehind)
@@ -204,14 +200,13 @@ fn the_note_comes_before_everything_else() {
     let left = found.findings.iter().find(|finding| finding.code == FindingCode::SpheresLeftBehind).unwrap();
     // 0.6306 / 0.913924 and 0.6397 / 0.913924.
     assert!(left.message.to_string().contains("calcn_r x0.68999"), "{}", left.message);
-    let remedy = left.remedy.as_ref().map(|remedy| remedy.change.clone());
-    assert_eq!(remedy, Some(RemedyChange::FollowNote { target_mass_kg: 62.0, level: true }));
+    let by_note = json!({"verb": "rescale", "target_mass": 62.0, "follow_bodies": true});
+    let mut level = by_note.clone();
+    level["level"] = json!(true);
+    assert_eq!(said(left.remedy.as_ref()), level);
     // Stretched by more than 20 %: bottoms are not kept.
     let stretched = check(&bones_of(&noted(RIGHT, "note"), "0.6 0.9 0.6"), None);
-    let changes =
-        stretched.findings.iter().filter_map(|finding| Some(finding.remedy.as_ref()?.change.clone()));
-    let expected = RemedyChange::FollowNote { target_mass_kg: 62.0, level: false };
-    assert!(changes.into_iter().any(|change| change == expected));
+    assert!(stretched.findings.iter().any(|finding| said(finding.remedy.as_ref()) == by_note));
 }
 
 #[test]
@@ -230,9 +225,9 @@ fn a_sphere_that_was_moved_since_makes_the_note_say_nothing_of_places() {
 #[test]
 fn after_a_rescaling_the_printed_command_does_not_keep_bottoms() {
     let found = check(&bones_of(&noted(RIGHT, "rescale"), "0.6306 0.6397 0.6306"), None);
-    let changes: Vec<RemedyChange> =
-        found.findings.iter().filter_map(|finding| Some(finding.remedy.as_ref()?.change.clone())).collect();
-    assert_eq!(changes, [RemedyChange::FollowNote { target_mass_kg: 62.0, level: false }]);
+    let remedies = found.findings.iter().filter_map(|finding| finding.remedy.as_ref());
+    let remedies: Vec<Value> = remedies.map(|remedy| said(Some(remedy))).collect();
+    assert_eq!(remedies, [json!({"verb": "rescale", "target_mass": 62.0, "follow_bodies": true})]);
 }
 
 #[test]
@@ -299,19 +294,16 @@ fn spheres_that_this_program_resized_are_placed_again() {
     let change = |text: &str| {
         let found = check(text, Some(GENERIC));
         let behind = found.findings.iter().find(|one| one.code == FindingCode::SpheresLeftBehind).unwrap();
-        behind.remedy.as_ref().map(|remedy| remedy.change.clone())
+        said(behind.remedy.as_ref())
     };
-    let expected = RemedyChange::Follow {
-        from: "generic.osim".into(),
-        body_scale_file: None,
-        level: true,
-        replace_moved: true,
-    };
-    assert_eq!(change(&resized), Some(expected));
+    let expected = json!({
+        "verb": "transfer", "from": "generic.osim", "follow_bodies": true, "moved_spheres": "replace", "level": true,
+    });
+    assert_eq!(change(&resized), expected);
     // Whoever else changed a radius knows why.
     let start = resized.find("<radius>").unwrap() + "<radius>".len();
     let by_hand = format!("{}1{}", &resized[..start], &resized[start..]);
-    assert_eq!(change(&by_hand), None);
+    assert_eq!(change(&by_hand), Value::Null);
 }
 
 #[test]

@@ -2,21 +2,23 @@
 //!
 //! Expected numbers are the limits of the paper and its equations, computed by hand.
 
-use crate::checks::{check_foot, check_text, check_with, find, has};
-use contact_scaling::SharedLoad;
+use crate::checks::{check_foot, check_text, check_with, find, has, remedy};
 use crate::feet::{SOLE, Smooth, foot};
+use contact_scaling::SharedLoad;
 use osim_inspect::{CheckResult, InspectOptions, Stance};
 use osim_messages::{Call, Dialect, Example, Input};
-use osim_model::{
-    Assignment, FileId, FindingCode, MassRequest, Model, Property, Remedy, RemedyChange, RemedyDesign,
-    RemedyDialect, RemedyLoad, Selection,
-};
+use osim_model::{Assignment, FileId, FindingCode, MassRequest, Model, Property, Selection};
 use osim_patch::{Design, DesignModulus, design};
+use osim_requests::options::WantedOptions;
+use osim_requests::spell::Speller;
+use osim_requests::{ConstantIndentation, Positive, Request};
+use serde_json::{Value, json};
+use std::path::Path;
 
 /// 62 kg on 6 spheres a foot, R = 0.032 m, E₁* = 1e6 N/m², α = 2 s/m: Table 1 of the paper.
 const HUMAN: &str = include_str!("../../../../fixtures/table1/human_62kg_smooth_sphere.osim");
 /// 10 kg on one sphere.
-const ONE_FOOT: &str = include_str!("../../../../osim-model/tests/data/one_foot.osim");
+const ONE_FOOT: &str = include_str!("../../../osim-model/tests/data/one_foot.osim");
 /// The contacts of the human above under a body of 90 kg.
 const OTHER_MASS: &str = include_str!("../../../../fixtures/check/contacts_of_another_mass.osim");
 
@@ -36,51 +38,43 @@ fn check(name: &str, text: &str) -> CheckResult {
     check_with(name, text, &InspectOptions::default())
 }
 
-/// The change that puts `code` right.
+/// The design that puts `code` right: what is wanted of the contacts.
 #[track_caller]
-fn change(result: &CheckResult, code: FindingCode) -> &RemedyChange {
-    &find(result, code).remedy.as_ref().expect("it has a remedy").change
-}
-
-#[track_caller]
-fn wanted(result: &CheckResult, code: FindingCode) -> RemedyDesign {
-    match change(result, code) {
-        RemedyChange::Design(wanted) => *wanted,
+fn wanted(result: &CheckResult, code: FindingCode) -> WantedOptions {
+    match find(result, code).remedy.clone().expect("it has a remedy") {
+        Request::Design(design) => design.wanted,
         other => panic!("{code:?}: {other:?}"),
     }
 }
 
+/// The same as a dictionary, with everything else that it says.
 #[track_caller]
-fn load(result: &CheckResult, code: FindingCode) -> RemedyLoad {
-    find(result, code).remedy.as_ref().unwrap().load.clone().expect("it has a load")
+fn design_of(result: &CheckResult, code: FindingCode) -> Value {
+    let mut fields = remedy(result, code);
+    assert_eq!(fields.as_object_mut().unwrap().shift_remove("verb"), Some(json!("design")));
+    fields
 }
 
-fn multiplied(property: Property, factor: f64) -> RemedyChange {
-    RemedyChange::Set { assignments: vec![(property, Assignment::Factor(factor))] }
+fn multiplied(property: &str, factor: f64) -> Value {
+    json!({"verb": "set", "set": {property: format!("x{factor}")}})
 }
 
 #[test]
 fn spheres_that_sink_in_too_deep_get_the_indentation_of_the_limit() {
     let result = check("human.osim", HUMAN);
-    let remedy = find(&result, FindingCode::BeyondHertz).remedy.as_ref().unwrap();
-    assert_eq!(&*remedy.model, "human.osim");
-    assert_eq!(remedy.selection, Selection::default());
-    let wanted = wanted(&result, FindingCode::BeyondHertz);
-    assert_eq!((wanted.indentation, wanted.body_weights), (Some(0.16), None));
-    // At rest a sphere that just touches carries ½ (x̂_c / 0.16)^{3/2} of its share, a tenth at most: x̂_c ≤ 0.0547.
-    assert_eq!(wanted.constant_indentation, Some(0.054));
-    assert_eq!(wanted.restitution, None);
-    // The load is the model's own weight on the spheres that were found, so nothing more has to be said.
-    let load = remedy.load.as_ref().unwrap();
-    assert_eq!((load.mass_kg, load.gravity_m_s2, load.spheres, load.stance_limbs), (None, None, None, None));
+    let Some(Request::Design(design)) = &find(&result, FindingCode::BeyondHertz).remedy else { panic!() };
+    assert_eq!(design.models, [Path::new("human.osim")]);
+    // At rest a sphere that just touches carries ½ (x̂_c / 0.16)^{3/2} of its share, a tenth at most: x̂_c ≤ 0.0547. The load is the
+    // model's own weight on the spheres that were found, so it is not given.
+    let expected = json!({"indentation": 0.16, "constant_indentation": 0.054});
+    assert_eq!(design_of(&result, FindingCode::BeyondHertz), expected);
 }
 
 #[test]
 fn a_damper_gets_the_restitution_of_the_limit_at_its_own_impact_speed() {
-    let wanted = wanted(&check("human.osim", HUMAN), FindingCode::BeyondHuntCrossley);
     // √(g R / 2) is 0.39618 m/s; rounded up, so that the limit is kept.
-    assert_eq!((wanted.restitution, wanted.impact_speed_m_s), (Some(0.8), Some(0.3962)));
-    assert_eq!((wanted.indentation, wanted.constant_indentation), (None, None));
+    let expected = json!({"restitution": 0.8, "impact_speed": 0.3962});
+    assert_eq!(design_of(&check("human.osim", HUMAN), FindingCode::BeyondHuntCrossley), expected);
 }
 
 #[test]
@@ -91,10 +85,11 @@ fn what_a_remedy_says_puts_the_finding_right() {
     let model = Model::parse(HUMAN).unwrap();
     let selected = Selection::default().apply(&model).unwrap();
     let mut request = Design::default();
-    request.modulus = deep.indentation.map(DesignModulus::Indentation);
+    request.modulus = deep.indentation.map(|x| DesignModulus::Indentation(x.get()));
     request.load = SharedLoad::new(62.0 * 9.81, 6.0).ok();
-    request.constant_indentation = deep.constant_indentation;
-    request.restitution = damped.restitution.map(|restitution| (restitution, damped.impact_speed_m_s));
+    request.constant_indentation = deep.constant_indentation.map(ConstantIndentation::get);
+    request.restitution =
+        damped.restitution.map(|restitution| (restitution.get(), damped.impact_speed.map(Positive::get)));
     let plan = design(&model, &selected, &request).unwrap();
     let stiffness = plan.changes.iter().find(|change| change.property == Property::Stiffness).unwrap();
     // (11) and (A.4): E₁* = 2^{3/2} 3 F / (4 R² x̂^{3/2} n), and 0.16^{3/2} is 0.064.
@@ -110,11 +105,9 @@ fn what_a_remedy_says_puts_the_finding_right() {
 #[test]
 fn contacts_of_another_body_are_rescaled_from_its_mass_to_this_one() {
     let result = check_text(OTHER_MASS);
-    let expected = RemedyChange::Rescale { contacts_mass_kg: 62.0, target_mass_kg: 90.0 };
-    assert_eq!(*change(&result, FindingCode::ContactsOfAnotherMass), expected);
-    // Both masses are in it, so that no load has to be said.
-    let remedy = find(&result, FindingCode::ContactsOfAnotherMass).remedy.as_ref().unwrap();
-    assert_eq!(remedy.load, None);
+    // Both masses are in it, so that no load has to be given.
+    let expected = json!({"verb": "rescale", "target_mass": 90.0, "contacts_mass": 62.0});
+    assert_eq!(remedy(&result, FindingCode::ContactsOfAnotherMass), expected);
     // Everything else has to wait until the contacts are those of this body.
     let others = result.findings.iter().filter(|finding| finding.code != FindingCode::ContactsOfAnotherMass);
     assert!(others.into_iter().all(|finding| finding.remedy.is_none()));
@@ -124,8 +117,10 @@ fn contacts_of_another_body_are_rescaled_from_its_mass_to_this_one() {
 fn a_forgotten_stiffness_is_taken_from_a_preset() {
     let text = ONE_FOOT.replace("<stiffness>1000000</stiffness>", "");
     let result = check("one_foot.osim", &text);
-    let expected = RemedyChange::Transfer { from: "falisse2022" };
-    assert_eq!(*change(&result, FindingCode::DefaultStiffness), expected);
+    assert_eq!(
+        remedy(&result, FindingCode::DefaultStiffness),
+        json!({"verb": "transfer", "from": "falisse2022"})
+    );
 }
 
 #[test]
@@ -139,34 +134,32 @@ fn a_model_that_cannot_be_read_again_has_findings_and_no_remedy() {
 
 #[test]
 fn a_sphere_that_has_sunk_in_gets_the_indentation_of_the_limit() {
-    let wanted = wanted(&check_foot(&[Smooth { stiffness: 3e5, ..SOLE }]), FindingCode::SunkIn);
-    assert_eq!((wanted.indentation, wanted.body_weights), (Some(0.16), None));
+    let design = design_of(&check_foot(&[Smooth { stiffness: 3e5, ..SOLE }]), FindingCode::SunkIn);
+    assert_eq!((&design["indentation"], &design["body_weights"]), (&json!(0.16), &Value::Null));
 }
 
 #[test]
 fn what_is_too_deep_at_two_body_weights_gets_the_limit_there() {
     // x̂ is 0.105 at body weight and 0.166 at twice.
-    let wanted = wanted(&check_foot(&[Smooth { stiffness: 1.5e7, ..SOLE }]), FindingCode::BeyondHertzAtTwo);
-    assert_eq!((wanted.indentation, wanted.body_weights), (Some(0.16), Some(2.0)));
+    let result = check_foot(&[Smooth { stiffness: 1.5e7, ..SOLE }]);
     // 0.16 at twice the weight is 0.10079 at body weight; of that 0.2^(2/3), 0.03447.
-    assert_eq!(wanted.constant_indentation, Some(0.034));
+    let expected = json!({"indentation": 0.16, "body_weights": 2.0, "constant_indentation": 0.034});
+    assert_eq!(design_of(&result, FindingCode::BeyondHertzAtTwo), expected);
 }
 
 #[test]
 fn the_hertz_law_has_no_constant_indentation_to_bring_down() {
-    let wanted = wanted(&check("human.osim", HUNT_CROSSLEY), FindingCode::BeyondHertz);
-    assert_eq!((wanted.indentation, wanted.constant_indentation), (Some(0.16), None));
+    let result = check("human.osim", HUNT_CROSSLEY);
+    assert_eq!(design_of(&result, FindingCode::BeyondHertz), json!({"indentation": 0.16}));
 }
 
 #[test]
 fn spheres_of_two_sizes_under_one_set_of_parameters_are_all_made_stiffer() {
     let result = check_text(MIXED_RADII);
     // mpmath: the toe is in 0.79938 R deep; (0.79938/0.16)^(3/2) is 11.16725, rounded up.
-    assert_eq!(*change(&result, FindingCode::BeyondHertz), multiplied(Property::Stiffness, 11.168));
+    assert_eq!(remedy(&result, FindingCode::BeyondHertz), multiplied("stiffness", 11.168));
     // 0.2 / 0.440326 m/s / 2.25 s/m is 0.20187, rounded down.
-    assert_eq!(*change(&result, FindingCode::BeyondHuntCrossley), multiplied(Property::Dissipation, 0.2));
-    // A factor knows no load.
-    assert_eq!(find(&result, FindingCode::BeyondHertz).remedy.as_ref().unwrap().load, None);
+    assert_eq!(remedy(&result, FindingCode::BeyondHuntCrossley), multiplied("dissipation", 0.2));
 }
 
 #[test]
@@ -174,29 +167,27 @@ fn at_two_body_weights_the_sphere_that_is_deepest_there_decides() {
     let stiffer = MIXED_RADII.replace(">1234567.8<", ">18518517<");
     let result = check_text(&stiffer);
     // Fifteen times as stiff: the toe is in 0.20863 R deep; (0.20863/0.16)^(3/2) is 1.48897.
-    assert_eq!(*change(&result, FindingCode::BeyondHertzAtTwo), multiplied(Property::Stiffness, 1.489));
+    assert_eq!(remedy(&result, FindingCode::BeyondHertzAtTwo), multiplied("stiffness", 1.489));
 }
 
 #[test]
 fn materials_of_several_sets_are_multiplied_too() {
     let result = check_text(THREE_MATERIALS);
-    let RemedyChange::Set { assignments } = change(&result, FindingCode::BeyondHuntCrossley) else {
-        panic!()
-    };
-    assert!(matches!(assignments[..], [(Property::Dissipation, Assignment::Factor(_))]));
+    let Some(Request::Set(set)) = &find(&result, FindingCode::BeyondHuntCrossley).remedy else { panic!() };
+    assert!(matches!(set.set.as_slice(), [(Property::Dissipation, Assignment::Factor(_))]));
 }
 
 #[test]
 fn spheres_that_are_not_counted_are_made_stiffer_until_they_are() {
     let uncounted = check_text(UNEQUAL_COUNTS);
     // Each of two spheres on the left is in 0.56341 R deep; (0.56341/0.16)^(3/2) is 6.60784, rounded up.
-    assert_eq!(*change(&uncounted, FindingCode::BeyondHertz), multiplied(Property::Stiffness, 6.608));
+    assert_eq!(remedy(&uncounted, FindingCode::BeyondHertz), multiplied("stiffness", 6.608));
 
     let stance = Stance { spheres: Some(3.0), ..Stance::default() };
     let options = InspectOptions { stance, ..InspectOptions::default() };
     let counted = check_with("model.osim", UNEQUAL_COUNTS, &options);
-    assert_eq!(wanted(&counted, FindingCode::BeyondHertz).indentation, Some(0.16));
-    assert_eq!(load(&counted, FindingCode::BeyondHertz).spheres, Some(3.0));
+    let design = design_of(&counted, FindingCode::BeyondHertz);
+    assert_eq!((&design["indentation"], &design["spheres"]), (&json!(0.16), &json!(3.0)));
 }
 
 // What the smoothing has to come down to.
@@ -204,23 +195,23 @@ fn spheres_that_are_not_counted_are_made_stiffer_until_they_are() {
 #[test]
 fn a_large_constant_indentation_comes_down_to_its_limit() {
     let result = check_foot(&[Smooth { constant_contact_force: 1e-4, ..SOLE }]);
-    let expected = RemedyDesign { constant_indentation: Some(0.1), ..RemedyDesign::default() };
-    assert_eq!(wanted(&result, FindingCode::LargeConstantIndentation), expected);
+    let expected = json!({"constant_indentation": 0.1});
+    assert_eq!(design_of(&result, FindingCode::LargeConstantIndentation), expected);
 }
 
 #[test]
 fn a_wide_transition_becomes_three_tenths_of_the_radius() {
     let result = check_foot(&[Smooth { hertz_smoothing: 100.0, ..SOLE }]);
-    let expected = RemedyDesign { state_width: Some(0.3), ..RemedyDesign::default() };
-    assert_eq!(wanted(&result, FindingCode::WideTransition), expected);
+    let expected = json!({"state_width": 0.3});
+    assert_eq!(design_of(&result, FindingCode::WideTransition), expected);
 }
 
 #[test]
 fn what_a_sphere_carries_while_it_touches_comes_down_to_a_tenth() {
     let result = check_foot(&[Smooth { constant_contact_force: 4e-6, ..SOLE }]);
     // It rests at x̂ = 0.086535; of that 0.2^(2/3), 0.029594.
-    let expected = RemedyDesign { constant_indentation: Some(0.029), ..RemedyDesign::default() };
-    assert_eq!(wanted(&result, FindingCode::ForceBeforeContact), expected);
+    let expected = json!({"constant_indentation": 0.029});
+    assert_eq!(design_of(&result, FindingCode::ForceBeforeContact), expected);
 }
 
 #[test]
@@ -230,24 +221,27 @@ fn the_sphere_that_is_in_least_deep_decides_how_much_touching_may_carry() {
         Smooth { constant_contact_force: 4e-6, ..SOLE },
     ]);
     // Of 300 N the stiffer one is in 0.054514 R deep; of that 0.2^(2/3), 0.018643.
-    assert_eq!(wanted(&result, FindingCode::ForceBeforeContact).constant_indentation, Some(0.018));
+    assert_eq!(design_of(&result, FindingCode::ForceBeforeContact), json!({"constant_indentation": 0.018}));
 }
 
 #[test]
 fn a_sphere_that_floats_comes_down_to_the_floor() {
     let floating = Smooth { constant_contact_force: 1e-4, ..SOLE };
-    let expected = RemedyDesign { constant_indentation: Some(0.029), ..RemedyDesign::default() };
-    assert_eq!(wanted(&check_foot(&[floating]), FindingCode::Floats), expected);
+    let expected = json!({"constant_indentation": 0.029});
+    assert_eq!(design_of(&check_foot(&[floating]), FindingCode::Floats), expected);
     // Where contact sets in over a long way, that has to be shorter as well.
     let wide = check_foot(&[Smooth { hertz_smoothing: 100.0, ..floating }]);
-    assert_eq!(wanted(&wide, FindingCode::Floats), RemedyDesign { state_width: Some(0.3), ..expected });
+    assert_eq!(
+        design_of(&wide, FindingCode::Floats),
+        json!({"constant_indentation": 0.029, "state_width": 0.3})
+    );
 }
 
 #[test]
 fn a_constant_contact_force_of_0_becomes_a_twentieth_of_the_radius() {
     let result = check_foot(&[Smooth { constant_contact_force: 0.0, ..SOLE }]);
-    let expected = RemedyDesign { constant_indentation: Some(0.05), ..RemedyDesign::default() };
-    assert_eq!(wanted(&result, FindingCode::ZeroConstantContactForce), expected);
+    let expected = json!({"constant_indentation": 0.05});
+    assert_eq!(design_of(&result, FindingCode::ZeroConstantContactForce), expected);
 }
 
 #[test]
@@ -255,10 +249,8 @@ fn an_impact_speed_is_rounded_up_so_that_the_limit_is_kept() {
     let stance = Stance { impact_speed_m_s: Some(0.50001), ..Stance::default() };
     let options = InspectOptions { stance, ..InspectOptions::default() };
     let result = check_with("foot.osim", &foot(&[Smooth { dissipation: 2.0, ..SOLE }]), &options);
-    let expected =
-        RemedyDesign { restitution: Some(0.8), impact_speed_m_s: Some(0.5001), ..RemedyDesign::default() };
-    assert_eq!(wanted(&result, FindingCode::BeyondHuntCrossley), expected);
-    assert_eq!(find(&result, FindingCode::BeyondHuntCrossley).remedy.as_ref().unwrap().load, None);
+    let expected = json!({"restitution": 0.8, "impact_speed": 0.5001});
+    assert_eq!(design_of(&result, FindingCode::BeyondHuntCrossley), expected);
 }
 
 // Whose weight it is: what was said is said again.
@@ -273,21 +265,17 @@ fn what_was_said_of_the_load_is_said_again() {
     let stance = Stance { spheres: Some(5.0), limbs: 2.0, gravity_m_s2: Some(12.0), impact_speed_m_s: None };
     let result =
         check_with("human.osim", HUMAN, &InspectOptions { masses, stance, ..InspectOptions::default() });
-    let expected = RemedyLoad {
-        mass_kg: Some(80.0),
-        gravity_m_s2: Some(12.0),
-        exclude_bodies: vec!["platform".parse().unwrap()],
-        spheres: Some(5.0),
-        stance_limbs: Some(2.0),
-    };
-    assert_eq!(load(&result, FindingCode::BeyondHertz), expected);
+    let design = design_of(&result, FindingCode::BeyondHertz);
+    let load =
+        ["mass", "gravity", "exclude_body", "spheres", "stance_limbs"].map(|field| design[field].clone());
+    assert_eq!(load, [json!(80.0), json!(12.0), json!(["platform"]), json!(5.0), json!(2.0)]);
 }
 
 #[test]
 fn a_gravity_that_is_the_models_own_is_not_said() {
     let stance = Stance { gravity_m_s2: Some(9.81), ..Stance::default() };
     let result = check_with("human.osim", HUMAN, &InspectOptions { stance, ..InspectOptions::default() });
-    assert_eq!(load(&result, FindingCode::BeyondHertz).gravity_m_s2, None);
+    assert_eq!(design_of(&result, FindingCode::BeyondHertz)["gravity"], Value::Null);
 }
 
 #[test]
@@ -295,7 +283,7 @@ fn a_mass_that_no_body_says_is_said() {
     let text = foot(&[Smooth { stiffness: 3e6, ..SOLE }]).replace("<mass>60</mass>", "<mass>0</mass>");
     let masses = MassRequest { contacts_mass_kg: Some(60.0), ..MassRequest::default() };
     let result = check_with("foot.osim", &text, &InspectOptions { masses, ..InspectOptions::default() });
-    assert_eq!(load(&result, FindingCode::BeyondHertz).mass_kg, Some(60.0));
+    assert_eq!(design_of(&result, FindingCode::BeyondHertz)["mass"], json!(60.0));
 }
 
 #[test]
@@ -307,17 +295,17 @@ fn sets_that_stand_alone_are_named_again() {
         ..InspectOptions::default()
     };
     let result = check_with("forces.xml", HUMAN, &options);
-    let remedy = find(&result, FindingCode::BeyondHertz).remedy.as_ref().unwrap();
-    assert_eq!(remedy.geometry, options.geometry);
-    assert_eq!(remedy.set_model, options.model);
-    assert_eq!(remedy.selection, options.selection);
+    let Some(Request::Design(design)) = &find(&result, FindingCode::BeyondHertz).remedy else { panic!() };
+    assert_eq!(design.set_files.geometry, options.geometry);
+    assert_eq!(design.set_files.model, options.model);
+    assert_eq!(design.choice.selection(), options.selection);
 }
 
 #[test]
 fn masses_of_a_rescaling_have_the_digits_that_people_read() {
     let text = OTHER_MASS.replace("<mass>88<", "<mass>88.123456789<");
-    let expected = RemedyChange::Rescale { contacts_mass_kg: 62.0, target_mass_kg: 90.123457 };
-    assert_eq!(*change(&check_text(&text), FindingCode::ContactsOfAnotherMass), expected);
+    let expected = json!({"verb": "rescale", "target_mass": 90.123457, "contacts_mass": 62.0});
+    assert_eq!(remedy(&check_text(&text), FindingCode::ContactsOfAnotherMass), expected);
 }
 
 #[test]
@@ -328,7 +316,10 @@ fn a_preset_is_not_proposed_under_another_gravity_than_the_models() {
     assert_eq!(find(&result, FindingCode::DefaultStiffness).remedy, None);
     // Under the model's own it is, for the weight that the spheres carry.
     let proposed = check("one_foot.osim", &text);
-    assert_eq!(load(&proposed, FindingCode::DefaultStiffness), RemedyLoad::default());
+    assert_eq!(
+        remedy(&proposed, FindingCode::DefaultStiffness),
+        json!({"verb": "transfer", "from": "falisse2022"})
+    );
 }
 
 // Where there is none.
@@ -340,7 +331,7 @@ fn a_model_that_cannot_be_changed_has_findings_and_no_remedy() {
     assert!(result.findings.iter().all(|finding| finding.remedy.is_none()), "{result:?}");
 }
 
-/// A front end that says which model a remedy changes, and calls everything by its name.
+/// A front end that says by which verb a remedy changes the model, and calls everything by its name.
 struct Terse;
 
 impl Dialect for Terse {
@@ -353,9 +344,9 @@ impl Dialect for Terse {
     }
 }
 
-impl RemedyDialect for Terse {
-    fn remedy(&self, remedy: &Remedy) -> String {
-        format!("change {}", &*remedy.model)
+impl Speller for Terse {
+    fn request(&self, request: &Request) -> String {
+        format!("change by {}", request.verb().name())
     }
 }
 
@@ -365,6 +356,6 @@ fn a_front_end_spells_findings_and_remedies() {
     assert_eq!(find(&result, FindingCode::BeyondHertz).command, None);
     result.spell(&Terse);
     let deep = find(&result, FindingCode::BeyondHertz);
-    assert_eq!(deep.command.as_deref(), Some("change human.osim"));
+    assert_eq!(deep.command.as_deref(), Some("change by design"));
     assert!(deep.advice.to_string().contains("<design>"), "{}", deep.advice);
 }

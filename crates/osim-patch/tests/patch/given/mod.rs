@@ -351,14 +351,6 @@ impl Outcome {
         self
     }
 
-    /// No number of `property` changes.
-    #[track_caller]
-    pub(crate) fn leaves(&self, property: Property) -> &Self {
-        let changes = self.changes_of(property);
-        assert!(changes.is_empty(), "{property} changes: {changes:?}");
-        self
-    }
-
     /// There is a warning with this code.
     #[track_caller]
     pub(crate) fn warns(&self, code: &str) -> &Self {

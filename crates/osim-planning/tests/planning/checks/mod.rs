@@ -1,12 +1,10 @@
 //! What `check` finds in a model, and the sphere that has it.
 
-<<<<<<<< HEAD:crates/osim-planning/tests/checks/mod.rs
-use osim_inspect::{CheckResult, InspectOptions};
-========
-use osim_inspect::{CheckResult, InspectOptions, check_model};
->>>>>>>> e969d3c (One program of integration tests per crate):crates/osim-inspect/tests/inspect/checks/mod.rs
-use osim_model::{Finding, FindingCode, Model};
+use osim_inspect::{CheckResult, Found, InspectOptions};
+use osim_model::{FindingCode, Model};
 use osim_planning::check_with_trials;
+use osim_requests::Request;
+use serde_json::Value;
 
 use crate::feet::{Smooth, foot};
 
@@ -33,7 +31,7 @@ pub fn has(result: &CheckResult, code: FindingCode) -> bool {
 }
 
 #[track_caller]
-pub fn find(result: &CheckResult, code: FindingCode) -> &Finding {
+pub fn find(result: &CheckResult, code: FindingCode) -> &Found {
     let found = result.findings.iter().find(|finding| finding.code == code);
     found.unwrap_or_else(|| panic!("no {code:?}: {:?}", codes(result)))
 }
@@ -41,4 +39,18 @@ pub fn find(result: &CheckResult, code: FindingCode) -> &Finding {
 #[track_caller]
 pub fn message(result: &CheckResult, code: FindingCode) -> String {
     find(result, code).message.to_string()
+}
+
+/// The request that puts `code` right, as a dictionary, without the model; null where there is none.
+#[track_caller]
+pub fn remedy(result: &CheckResult, code: FindingCode) -> Value {
+    said(find(result, code).remedy.as_ref())
+}
+
+/// What a remedy says, without the model that it is for.
+pub fn said(remedy: Option<&Request>) -> Value {
+    let Some(remedy) = remedy else { return Value::Null };
+    let mut fields = remedy.to_map();
+    fields.shift_remove("models");
+    Value::Object(fields)
 }
