@@ -83,8 +83,17 @@ fn in_source(text: &str, found: &mut BTreeSet<String>) {
 const STATING: [&str; 2] = ["osim-patch", "osim-requests"];
 
 /// The crates that can refuse something.
-const PROGRAM: [&str; 7] =
-    ["osim-feet", "osim-model", "osim-patch", "osim-inspect", "osim-requests", "osim-library", "osim-report"];
+const PROGRAM: [&str; 9] = [
+    "osim-feet",
+    "osim-model",
+    "osim-compare",
+    "osim-patch",
+    "osim-inspect",
+    "osim-requests",
+    "osim-planning",
+    "osim-library",
+    "osim-report",
+];
 
 /// The text of every source file of these crates.
 fn sources(crates: &[&str]) -> Vec<String> {

@@ -157,8 +157,8 @@ fn a_bad_file_in_the_middle_stops_nothing() {
 fn outputs_are_whole_and_alone_in_their_folder() {
     let (folder, models) = three_models();
     let output = folder.path().join("scaled");
-    let mut options = RunOptions::default();
-    options.summary = Some(folder.path().join("summary.csv"));
+    let summary = Some(folder.path().join("summary.csv"));
+    let options = RunOptions { summary, ..RunOptions::default() };
     let ran = rescale(&models, "output_dir", &output, &options).unwrap();
     assert_eq!(ran.written, [output.join("a.osim"), output.join("c.osim")]);
 
@@ -230,8 +230,7 @@ fn stiffness(model: &Path) -> f64 {
 fn a_table_needs_no_file() {
     let (folder, models) = three_models();
     let table = "model,target_mass,output,#site\na.osim,80,../a80.osim,north\nc.osim,6,../c6.osim,south\n";
-    let mut request = BatchRequest::default();
-    request.allow_outside = true;
+    let request = BatchRequest { allow_outside: true, ..BatchRequest::default() };
     let Rows::Run(rows) = rows(&request, table, &models).unwrap() else { panic!() };
     assert!(rows.reads.is_empty(), "{:?}", rows.reads);
     let options = RunOptions::default();

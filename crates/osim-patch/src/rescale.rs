@@ -51,10 +51,53 @@ pub struct Rescale {
     /// The mass they were made for.
     pub contacts_mass: Mass,
     /// What happens to the radii.
+    ///
+    /// ```
+    /// use osim_model::{MassRequest, Model, Property, RadiusRule, Selection};
+    /// use osim_patch::{Rescale, rescale};
+    ///
+    /// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
+    /// # let model = Model::parse(bytes)?;
+    /// # let selected = Selection::default().apply(&model)?;
+    /// # let (mass, _) = MassRequest::default().of_contacts(&model)?;
+    /// // One sphere of 0.03 m, scaled from 10 to 80 kg.
+    /// let mut wanted = Rescale::new(80.0, mass);
+    /// for (rule, radius_m) in [
+    ///     (RadiusRule::Isometric, Some(0.06)),
+    ///     (RadiusRule::Keep, None),
+    ///     (RadiusRule::Metres(0.05), Some(0.05)),
+    ///     (RadiusRule::Factor(1.5), Some(0.045)),
+    /// ] {
+    ///     wanted.radius = rule;
+    ///     let plan = rescale(&model, &selected, &wanted)?;
+    ///     let radius = plan.changes.iter().find(|change| change.property == Property::Radius);
+    ///     assert_eq!(radius.map(|change| change.to), radius_m);
+    /// }
+    /// # Ok::<(), osim_model::Fault>(())
+    /// ```
     pub radius: RadiusRule,
     /// Which properties may change.
     pub properties: PropertySet,
     /// Which size α follows (14).
+    ///
+    /// ```
+    /// use osim_model::{DissipationBy, MassRequest, Model, Property, RadiusRule, Selection};
+    /// use osim_patch::{Rescale, rescale};
+    ///
+    /// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
+    /// # let model = Model::parse(bytes)?;
+    /// # let selected = Selection::default().apply(&model)?;
+    /// # let (mass, _) = MassRequest::default().of_contacts(&model)?;
+    /// // <dissipation>2</dissipation>, from 10 to 640 kg, with spheres that stay.
+    /// let mut wanted = Rescale::new(640.0, mass);
+    /// wanted.radius = RadiusRule::Keep;
+    /// wanted.dissipation_by = DissipationBy::Mass;
+    /// let plan = rescale(&model, &selected, &wanted)?;
+    /// let dissipation = plan.changes.iter().find(|change| change.property == Property::Dissipation).unwrap();
+    /// // 64^{-1/6} is a half. By the radius, which stays, α would stay too.
+    /// assert!((dissipation.to - 1.0).abs() < 1e-12);
+    /// # Ok::<(), osim_model::Fault>(())
+    /// ```
     pub dissipation_by: DissipationBy,
     /// Gravity to scale to, m/s², where it differs from the one that the contacts were made for.
     pub target_gravity_m_s2: Option<f64>,

@@ -1,6 +1,12 @@
 //! The tests of `contact-scaling` from outside, in one program: each that is linked takes a second.
 
-#![allow(missing_docs, reason = "tests have names that say it")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    missing_docs,
+    reason = "a test fails by panicking, and has a name that says what it is about"
+)]
 
 mod drop_test;
 mod equations;

@@ -52,8 +52,7 @@ pub(super) fn run(request: &ReproduceRequest, session: &mut Session) -> Result<E
 fn files(folder: &Path, record: &ReproductionRecord) -> Result<Result<Vec<(PathBuf, String)>, Failure>> {
     let mut files = vec![(folder.join("table1.csv"), reproduction_csv(record)?)];
     for (name, kind) in [("fig4.svg", PlotKind::Fig4), ("fig-c5.svg", PlotKind::FigC5)] {
-        let mut request = PlotRequest::default();
-        request.kind = Some(kind);
+        let request = PlotRequest { kind: Some(kind), ..PlotRequest::default() };
         let drawing = figures::draw(&request, &[], None);
         match drawing.and_then(|drawing| figures::svg(&drawing, Paper::default(), &[])) {
             Ok(svg) => files.push((folder.join(name), svg)),

@@ -42,8 +42,8 @@ pub(super) fn run(request: RescaleRequest, may_inspect: bool, session: &mut Sess
     }
     // A model alone, perhaps dropped on the program: show something useful.
     let json = request.run.is_json();
-    let mut inspect = InspectRequest::default();
-    inspect.format = if json { SheetFormat::Json } else { SheetFormat::Table };
+    let format = if json { SheetFormat::Json } else { SheetFormat::Table };
+    let mut inspect = InspectRequest { format, ..InspectRequest::default() };
     inspect.report.report = request.run.report;
     inspect.report.force = request.output.force;
     inspect.models = request.models;

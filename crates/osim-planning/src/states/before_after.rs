@@ -7,7 +7,7 @@ use osim_model::files::{Failure, ModelFiles, OpenModel};
 use osim_patch::Plan;
 use osim_requests::spell::Speller;
 
-use crate::states::states::{body, options_after};
+use crate::states::both::{body, options_after};
 use crate::{ModelFeet, Planner, trial};
 
 /// What is known of both states of a model, spelled.

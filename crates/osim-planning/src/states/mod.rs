@@ -1,7 +1,7 @@
 //! A model before and after a change: what is known of both states before anything is written.
 
 mod before_after;
-mod states;
+mod both;
 
 pub use before_after::BeforeAfter;
-pub use states::States;
+pub use both::States;

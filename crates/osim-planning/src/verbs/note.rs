@@ -35,8 +35,7 @@ pub(super) fn prepare(request: NoteRequest) -> Result<Change, RequestFault> {
     if output.no_note {
         return Err(RequestFault::general(phrase!["a note is written or not: leave out ", Input::NoNote]));
     }
-    let mut masses = MassOptions::default();
-    masses.contacts_mass = Some(contacts_mass);
+    let masses = MassOptions { contacts_mass: Some(contacts_mass), ..MassOptions::default() };
     let planner = Noting {
         contacts_mass_kg: contacts_mass.get(),
         gravity_m_s2: contacts_gravity.map(Acceleration::get),

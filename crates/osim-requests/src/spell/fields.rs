@@ -100,7 +100,7 @@ impl FieldValue {
         }
     }
 
-    /// Its items, or itself where it is no list.
+    /// Its items, or itself if it is not a list.
     pub(super) fn items(&self) -> &[Self] {
         match self {
             Self::List(items) => items,

@@ -83,7 +83,7 @@ impl Speller for Python {
         call_of(&Fields::of(request))
     }
 
-    /// Lines from the import on, which write and print what comes of the call.
+    /// Lines from the import on, which write and print the result of the call.
     fn script(&self, request: &Request) -> String {
         let fields = Fields::of(request);
         let mut lines = vec![IMPORT.to_owned(), String::new(), format!("result = {}", call_of(&fields))];
@@ -142,7 +142,7 @@ fn words(verb: Verb, (name, value): &Field) -> Vec<String> {
     }
 }
 
-/// What becomes of a plan: it is written, or only printed.
+/// The lines for a plan: it is written, or only printed.
 fn carried_out(fields: &Fields) -> Vec<String> {
     let mut lines = vec![match fields.option("dry_run") {
         Some(_) => SHOWN.to_owned(),

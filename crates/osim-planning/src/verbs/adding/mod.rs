@@ -5,7 +5,7 @@ mod fault;
 mod made;
 mod numbers;
 mod places;
-mod prepare;
+pub(in crate::verbs) mod prepare;
 mod reference;
 
 use std::collections::HashSet;
@@ -25,7 +25,6 @@ use self::fault::AddFault;
 use self::made::added;
 use self::numbers::Numbers;
 use self::places::Places;
-pub(in crate::verbs) use self::prepare::prepare;
 use self::reference::FromReference;
 use crate::planner::Planner;
 use crate::remarks::{leaning, planes_left, scale_slip, standing, too_new};

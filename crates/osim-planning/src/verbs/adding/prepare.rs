@@ -74,11 +74,6 @@ pub(in crate::verbs) fn prepare(request: AddRequest, files: &dyn Files) -> Resul
     Ok(Change::new(request.models, request.output, osim_requests::options::SetFiles::default(), asking))
 }
 
-/// Whether it says itself where the spheres are.
-pub(super) fn has_places(request: &AddRequest) -> bool {
-    request.contacts.is_some() || !request.feet.is_empty()
-}
-
 fn check(request: &AddRequest) -> Result<(), RequestFault> {
     if request.masses.contacts_mass.is_some() {
         let message = match request.from {
@@ -95,7 +90,7 @@ fn check(request: &AddRequest) -> Result<(), RequestFault> {
         };
         return Err(RequestFault::refused(Input::ContactsMass, message));
     }
-    if has_places(request) && request.radius == NewRadius::Follow {
+    if request.has_places() && request.radius == NewRadius::Follow {
         let message = phrase![
             Input::Radius.being("follow"),
             " says nothing here: nothing is scaled where places are given; expected metres",

@@ -13,7 +13,6 @@ use super::super::reference::Generic;
 use super::super::transferring::Transferring;
 use super::fault::AddFault;
 use super::made::added;
-use super::prepare::has_places;
 use crate::opening::open;
 use crate::subject::Named;
 
@@ -86,7 +85,7 @@ pub(super) fn transfer(request: &AddRequest, from: &Path) -> TransferRequest {
         answers: request.answers.clone(),
         ..TransferRequest::default()
     };
-    if has_places(request) {
+    if request.has_places() {
         return transfer;
     }
     transfer.follow.follow_bodies = true;
