@@ -48,4 +48,6 @@ pub use mass_mismatch::MassMismatch;
 pub use options::{InspectOptions, Stance};
 pub use quantity::Quantity;
 pub use reference_state::ReferenceState;
-pub use serialized::{FindingRecord, ObjectSchema, SCHEMA_VERSION};
+#[cfg(feature = "schemas")]
+pub use serialized::ObjectSchema;
+pub use serialized::{FindingRecord, SCHEMA_VERSION};

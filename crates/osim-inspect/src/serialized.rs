@@ -2,8 +2,10 @@
 
 use osim_messages::Phrase;
 use osim_model::Finding;
+#[cfg(feature = "schemas")]
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Serialize, Serializer};
+#[cfg(feature = "schemas")]
 use serde_json::{Map, Value};
 
 use crate::findings::Found;
@@ -12,8 +14,8 @@ use crate::findings::Found;
 pub const SCHEMA_VERSION: u32 = 1;
 
 /// One finding, as every JSON has it: of a model, of a check, of a change.
-#[derive(Debug, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct FindingRecord {
     /// Stable short name.
@@ -86,6 +88,7 @@ pub(crate) fn optional_phrase<S: Serializer>(
 }
 
 /// The schema of an object whose fields come from a register: closed, and each field described.
+#[cfg(feature = "schemas")]
 #[derive(Debug)]
 pub struct ObjectSchema<'g> {
     generator: &'g mut SchemaGenerator,
@@ -93,6 +96,7 @@ pub struct ObjectSchema<'g> {
     required: Vec<String>,
 }
 
+#[cfg(feature = "schemas")]
 impl<'g> ObjectSchema<'g> {
     /// No field yet.
     #[must_use]

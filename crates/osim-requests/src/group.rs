@@ -31,6 +31,7 @@ impl FieldGroup {
     }
 
     /// Its name in schemas.
+    #[cfg(feature = "schemas")]
     pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Output => "output",

@@ -30,6 +30,7 @@ pub mod options;
 mod positional;
 mod relation;
 mod request;
+#[cfg(feature = "schemas")]
 mod schema;
 pub mod spell;
 mod unique;
@@ -37,12 +38,13 @@ pub mod values;
 
 pub use fault::{RequestError, RequestFault};
 pub use relation::Relation;
+#[cfg(feature = "schemas")]
+pub use request::schema_of;
 pub use request::{
     AddRequest, AxesChoice, BatchRequest, BranchChoice, CheckRequest, ConvertRequest, Deny, DesignRequest,
     DropTestRequest, ExplainRequest, FigureOptions, FitRequest, HeatOptions, HeatQuantity, InspectRequest,
     NoteRequest, PlotKind, PlotRequest, PresetsRequest, QuantityChoice, RemoveRequest, ReproduceRequest,
-    Request, RescaleRequest, SeriesFormat, SetRequest, SweepRequest, TransferRequest, fig1, schema_of,
-    silent_fields,
+    Request, RescaleRequest, SeriesFormat, SetRequest, SweepRequest, TransferRequest, fig1, silent_fields,
 };
 pub use values::{
     Acceleration, Assignments, Axis, AxisName, BodyMap, BodyScale, ConstantIndentation, ContactOnset, Count,

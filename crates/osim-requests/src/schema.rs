@@ -4,7 +4,9 @@
 //! has without their names, and `x-group`, what a field is about that says nothing about contacts.
 
 use osim_messages::Verb;
+#[cfg(feature = "schemas")]
 use schemars::generate::SchemaSettings;
+#[cfg(feature = "schemas")]
 use schemars::{JsonSchema, Schema};
 use serde_json::{Map, Value, json};
 

@@ -1,19 +1,23 @@
 //! The figures of a model's contacts, as data.
 
+#[cfg(feature = "schemas")]
 use std::borrow::Cow;
 
 use osim_messages::{Dialect, Phrase};
+#[cfg(feature = "schemas")]
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
 use super::answer::Answer;
 use super::register::Figure;
-use crate::serialized::{ObjectSchema, optional_phrase};
+#[cfg(feature = "schemas")]
+use crate::serialized::ObjectSchema;
+use crate::serialized::optional_phrase;
 
 /// Figures of one model.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct Figures {
     /// Mass whose weight the spheres carry: what the model weighs, else the mass that its contacts are made for, kg.
@@ -24,15 +28,15 @@ pub struct Figures {
     pub impact_speed_m_s: Option<f64>,
     /// Why figures under body weight are absent, in words.
     #[serde(serialize_with = "optional_phrase")]
-    #[schemars(with = "Option<String>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<String>"))]
     pub why_no_body_weight: Option<Phrase>,
     /// Each limb with chosen spheres; one entry without a name where limbs are not known.
     pub limbs: Vec<LimbFigures>,
 }
 
 /// Figures of one limb.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct LimbFigures {
     /// First body below the place where left and right split; `None` where limbs are not known.
@@ -60,8 +64,8 @@ pub struct SphereFigures {
 }
 
 /// One figure and its limit.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct LimitCheck {
     /// Name of the figure.
@@ -168,6 +172,7 @@ impl Serialize for SphereFigures {
     }
 }
 
+#[cfg(feature = "schemas")]
 impl JsonSchema for SphereFigures {
     fn schema_name() -> Cow<'static, str> {
         "SphereFigures".into()

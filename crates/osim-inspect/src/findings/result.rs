@@ -4,16 +4,19 @@ use std::cmp::Reverse;
 
 use osim_model::{FindingCode, Severity};
 use osim_requests::spell::Speller;
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::found::Found;
 use crate::inspection::Inspection;
-use crate::serialized::{FindingRecord, SCHEMA_VERSION, found_records};
+#[cfg(feature = "schemas")]
+use crate::serialized::FindingRecord;
+use crate::serialized::{SCHEMA_VERSION, found_records};
 
 /// Everything found in one model. Serialised it is the JSON contract of `check`; `docs/json.md` describes it.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct CheckResult {
     /// Raised when a field changes its meaning or goes away.
@@ -27,13 +30,13 @@ pub struct CheckResult {
     pub counts: Counts,
     /// From the worst to the least; equally bad ones in the order of the register.
     #[serde(serialize_with = "found_records")]
-    #[schemars(with = "Vec<FindingRecord>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Vec<FindingRecord>"))]
     pub findings: Vec<Found>,
 }
 
 /// How many findings of each severity.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct Counts {
     /// What OpenSim computes otherwise than it looks, or as nonsense.

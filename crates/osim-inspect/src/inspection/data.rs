@@ -2,23 +2,27 @@
 //!
 //! Serialised it is the JSON contract; `docs/json.md` describes every field.
 
+#[cfg(feature = "schemas")]
 use std::collections::BTreeMap;
 
 use contact_scaling::DimensionlessContact;
 use osim_compare::Placement;
 use osim_messages::{Dialect, Phrase, readable};
 use osim_model::{Finding, Mass, Origin, Property};
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
 use crate::figures::Figures;
 use crate::known::KnownContacts;
-use crate::serialized::{FindingRecord, optional_phrase, records};
+#[cfg(feature = "schemas")]
+use crate::serialized::FindingRecord;
+use crate::serialized::{optional_phrase, records};
 
 /// A model as it was found.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct Inspection {
     /// Raised when a field changes its meaning or goes away.
@@ -47,7 +51,7 @@ pub struct Inspection {
     pub spheres_per_limb: Option<usize>,
     /// Why the limbs, or one number of spheres, are not known, in words.
     #[serde(serialize_with = "optional_phrase")]
-    #[schemars(with = "Option<String>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<String>"))]
     pub limbs_unknown: Option<Phrase>,
     /// Contact spheres, in file order.
     pub spheres: Vec<InspectedSphere>,
@@ -55,7 +59,7 @@ pub struct Inspection {
     pub forces: Vec<InspectedForce>,
     /// Traps found while reading, and masses that disagree.
     #[serde(serialize_with = "records")]
-    #[schemars(with = "Vec<FindingRecord>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Vec<FindingRecord>"))]
     pub warnings: Vec<Finding>,
     /// Bodies, in file order, ground left out.
     pub bodies: Vec<InspectedBody>,
@@ -73,8 +77,8 @@ pub struct Inspection {
 }
 
 /// The mass that the contacts are made for.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct ContactsMass {
     /// In kg.
@@ -115,8 +119,8 @@ impl ContactsMass {
 }
 
 /// A limb that stands on the ground.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct InspectedLimb {
     /// First body below the place where left and right split.
@@ -128,8 +132,8 @@ pub struct InspectedLimb {
 }
 
 /// A contact sphere.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct InspectedSphere {
     /// Its name.
@@ -137,10 +141,10 @@ pub struct InspectedSphere {
     /// Its component path.
     pub path: String,
     /// In m; NaN where the file says so, null in JSON.
-    #[schemars(with = "Option<f64>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub radius_m: f64,
     /// Centre in its frame, m; NaN where the file says so, null in JSON.
-    #[schemars(with = "[Option<f64>; 3]")]
+    #[cfg_attr(feature = "schemas", schemars(with = "[Option<f64>; 3]"))]
     pub location_m: [f64; 3],
     /// The frame it is attached to, as a component path.
     pub frame: String,
@@ -155,8 +159,8 @@ pub struct InspectedSphere {
 }
 
 /// A contact force, or one parameter set of it.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct InspectedForce {
     /// Its name.
@@ -188,14 +192,18 @@ pub struct InspectedForce {
 }
 
 /// Effective values by OpenSim's names, in OpenSim's order.
-#[derive(Debug, Clone, PartialEq, JsonSchema)]
-#[schemars(transparent)]
-pub struct Parameters(#[schemars(with = "BTreeMap<String, Option<f64>>")] Vec<(Property, f64)>);
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(transparent))]
+pub struct Parameters(
+    #[cfg_attr(feature = "schemas", schemars(with = "BTreeMap<String, Option<f64>>"))] Vec<(Property, f64)>,
+);
 
 /// Origins by OpenSim's names.
-#[derive(Debug, Clone, PartialEq, JsonSchema)]
-#[schemars(transparent)]
-pub struct Origins(#[schemars(with = "BTreeMap<String, String>")] Vec<(Property, Origin)>);
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(transparent))]
+pub struct Origins(
+    #[cfg_attr(feature = "schemas", schemars(with = "BTreeMap<String, String>"))] Vec<(Property, Origin)>,
+);
 
 impl Parameters {
     /// The value of `property`, if the class has it.
@@ -240,8 +248,8 @@ impl Serialize for Origins {
 }
 
 /// The form in which contacts of different sizes are compared.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct Dimensionless {
     /// E* R² n / (M g).
@@ -272,8 +280,8 @@ impl From<&DimensionlessContact> for Dimensionless {
 }
 
 /// A body.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct InspectedBody {
     /// Its name.
@@ -281,13 +289,13 @@ pub struct InspectedBody {
     /// Its component path.
     pub path: String,
     /// In kg; NaN where the file says so, null in JSON.
-    #[schemars(with = "Option<f64>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub mass_kg: f64,
 }
 
 /// How a body was scaled.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct InspectedFactors {
     /// Name of the body.
@@ -301,10 +309,11 @@ pub struct InspectedFactors {
 }
 
 /// Factors by the name of the source.
-#[derive(Debug, Clone, JsonSchema)]
-#[schemars(transparent)]
+#[derive(Debug, Clone)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(transparent))]
 pub struct FactorsBySource(
-    #[schemars(with = "BTreeMap<String, [Option<f64>; 3]>")] Vec<(&'static str, [Option<f64>; 3])>,
+    #[cfg_attr(feature = "schemas", schemars(with = "BTreeMap<String, [Option<f64>; 3]>"))]
+    Vec<(&'static str, [Option<f64>; 3])>,
 );
 
 impl Serialize for FactorsBySource {

@@ -2,6 +2,7 @@
 
 use contact_scaling::EQUAL_SURFACES;
 use osim_model::{FindingCode, ForceId, LoadedSphere, Model, Property, Severity, loaded_spheres};
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -23,8 +24,8 @@ const SAME: f64 = 1e-6;
 /// assert_eq!(KnownContacts::find(&model, &selected.forces, Some(1.0), Some(10.0)), None);
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct KnownContacts {
     /// Name in the table of known contacts, such as `falisse2022`.

@@ -6,6 +6,7 @@ use osim_model::Property;
 use osim_model::files::{Failure, FileName};
 use osim_patch::Plan;
 use osim_planning::{cell, from_cell, marked, unmarked};
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -13,7 +14,8 @@ use super::changed::Changed;
 use super::task::Task;
 
 /// The outcome for a model.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Status {
@@ -51,7 +53,8 @@ impl Status {
 ///
 /// A table without `model`, `status` and the other columns that are never empty is not a summary: a run that goes on refuses it
 /// rather than replace it.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[non_exhaustive]
 pub struct Record {
     /// Row of the manifest, from 1.
@@ -168,9 +171,10 @@ pub struct Record {
 }
 
 /// A record as NDJSON has it: beside it the bytes of names that are not text.
-#[derive(Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[serde(expecting = "a JSON object with the outcome for a model")]
-#[schemars(deny_unknown_fields)]
+#[cfg_attr(feature = "schemas", schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct JsonRecord {
     /// The columns of the table.

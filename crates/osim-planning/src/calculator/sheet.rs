@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use osim_inspect::SCHEMA_VERSION;
+#[cfg(feature = "schemas")]
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Serialize;
 
@@ -10,8 +11,8 @@ use super::register::DesignQuantity;
 
 /// Every figure that follows from what is known. Serialised it is the JSON contract of `design` without a model;
 /// `docs/json.md` describes it.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct DesignSheet {
     /// Raised when a field changes its meaning or goes away.
@@ -23,18 +24,18 @@ pub struct DesignSheet {
 }
 
 /// One figure.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct DesignFigure {
     /// What it is.
     #[serde(skip)]
     pub quantity: DesignQuantity,
     /// Its name, with its unit.
-    #[schemars(schema_with = "names")]
+    #[cfg_attr(feature = "schemas", schemars(schema_with = "names"))]
     pub name: &'static str,
     /// Its value.
-    #[schemars(with = "Option<f64>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub value: f64,
     /// Its unit, for people.
     pub unit: &'static str,
@@ -47,8 +48,8 @@ pub struct DesignFigure {
 }
 
 /// The limit of a figure.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct DesignLimit {
     /// In words.
@@ -91,6 +92,7 @@ impl DesignSheet {
 }
 
 /// A name from the register.
+#[cfg(feature = "schemas")]
 fn names(_: &mut SchemaGenerator) -> Schema {
     let names: Vec<&str> = DesignQuantity::ALL.iter().map(|quantity| quantity.info().name).collect();
     json_schema!({"type": "string", "enum": names})

@@ -5,6 +5,7 @@ use contact_scaling::equations::{Form, Symbol};
 use osim_inspect::SCHEMA_VERSION;
 use osim_messages::{Dialect, Phrase};
 use osim_model::{FindingCode, Repair, Seen};
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -15,9 +16,10 @@ use super::topic::Topic;
 use super::uses::uses;
 
 /// One topic. `docs/json.md` describes every field.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[serde(tag = "kind", rename_all = "lowercase")]
-#[schemars(deny_unknown_fields)]
+#[cfg_attr(feature = "schemas", schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub enum TopicRecord {
     /// An equation, or a rule of this project.
@@ -95,8 +97,8 @@ pub enum TopicRecord {
 }
 
 /// One way to write an equation.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct FormulaRecord {
     /// What sets it apart, such as `for x`; empty for the first form.
@@ -110,8 +112,8 @@ pub struct FormulaRecord {
 }
 
 /// One symbol of a formula.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct SymbolRecord {
     /// The symbol in Unicode.

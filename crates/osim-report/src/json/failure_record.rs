@@ -3,12 +3,13 @@
 use osim_inspect::SCHEMA_VERSION;
 use osim_messages::Dialect;
 use osim_model::files::Failure;
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::Serialize;
 
 /// One model that could not be done.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct FailureRecord {
     /// Raised when a field changes its meaning or goes away.
@@ -23,8 +24,8 @@ pub struct FailureRecord {
 }
 
 /// What went wrong.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct ErrorRecord {
     /// Stable short name.

@@ -8,12 +8,13 @@ use osim_messages::Phrase;
 use osim_model::Model;
 use osim_model::files::FileName;
 use osim_patch::{Change, Deed, Move, NewSphere, ObjectChange, Plan};
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::Serialize;
 
 /// What changes in a model, and where the result went.
-#[derive(Debug, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct PlanRecord {
     /// Raised when a field changes its meaning or goes away.
@@ -52,8 +53,8 @@ pub struct PlanRecord {
 }
 
 /// One object that is added or removed.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct ObjectRecord {
     /// `added` or `removed`.
@@ -67,7 +68,7 @@ pub struct ObjectRecord {
     /// The body that carries it, or its sphere; null for a floor.
     pub body: Option<String>,
     /// Centre of a sphere that is added, in the frame of that body, m; null for all else.
-    #[schemars(with = "Option<[Option<f64>; 3]>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<[Option<f64>; 3]>"))]
     pub location_m: Option<[f64; 3]>,
     /// Its radius, m; null for all else.
     pub radius_m: Option<f64>,
@@ -76,8 +77,8 @@ pub struct ObjectRecord {
 }
 
 /// One number that changes, or one centre that moves.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct ChangeRecord {
     /// Name of the force; null for a sphere's radius and location.
@@ -105,14 +106,15 @@ pub struct ChangeRecord {
 }
 
 /// A number, or the three of a location in m.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[serde(untagged)]
 #[non_exhaustive]
 pub enum Amount {
     /// A number; null where it is not finite.
-    Number(#[schemars(with = "Option<f64>")] f64),
+    Number(#[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))] f64),
     /// A location in m; null where a coordinate is not finite.
-    Location(#[schemars(with = "[Option<f64>; 3]")] [f64; 3]),
+    Location(#[cfg_attr(feature = "schemas", schemars(with = "[Option<f64>; 3]"))] [f64; 3]),
 }
 
 impl PlanRecord {

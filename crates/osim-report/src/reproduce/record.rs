@@ -5,12 +5,13 @@ use osim_inspect::SCHEMA_VERSION;
 use osim_messages::Dialect;
 use osim_model::files::Failure;
 use osim_requests::fig1;
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Table 1 of the paper, printed and computed, as the JSON has it.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct ReproductionRecord {
     /// Raised when a field changes its meaning or goes away.
@@ -26,8 +27,8 @@ pub struct ReproductionRecord {
 }
 
 /// An animal of Table 1.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct AnimalRecord {
     /// What it is called.
@@ -43,8 +44,8 @@ pub struct AnimalRecord {
 }
 
 /// A number of Table 1.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct NumberRecord {
     /// Its name; it ends in the unit, which is the paper's.

@@ -1,10 +1,14 @@
 //! The JSON contract of a drop.
 
+#[cfg(feature = "schemas")]
 use std::borrow::Cow;
 
 use contact_scaling::drop_test::DropReport;
-use osim_inspect::{ObjectSchema, SCHEMA_VERSION};
+#[cfg(feature = "schemas")]
+use osim_inspect::ObjectSchema;
+use osim_inspect::SCHEMA_VERSION;
 use osim_planning::{ComparedDrop, DropColumn, DropFigure, DropResult};
+#[cfg(feature = "schemas")]
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
@@ -14,8 +18,8 @@ use serde::{Serialize, Serializer};
 pub struct DropRecord<'d>(&'d DropResult);
 
 /// How far two drops are apart without dimensions.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct DropDifferenceRecord {
     /// The other body.
@@ -73,6 +77,7 @@ impl Serialize for DropRecord<'_> {
     }
 }
 
+#[cfg(feature = "schemas")]
 impl JsonSchema for DropRecord<'_> {
     fn schema_name() -> Cow<'static, str> {
         "DropRecord".into()
@@ -109,6 +114,7 @@ impl Serialize for DropSeriesRecord<'_> {
     }
 }
 
+#[cfg(feature = "schemas")]
 impl JsonSchema for DropSeriesRecord<'_> {
     fn schema_name() -> Cow<'static, str> {
         "DropSeriesRecord".into()

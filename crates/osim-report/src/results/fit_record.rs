@@ -4,14 +4,15 @@ use contact_scaling::fit::{Doubt, Estimate, Parameter};
 use osim_inspect::SCHEMA_VERSION;
 use osim_model::files::FileName;
 use osim_planning::FitResult;
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::fit::in_words;
 
 /// A fit, as the JSON has it.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct FitRecord {
     /// Raised when a field changes its meaning or goes away.
@@ -36,7 +37,7 @@ pub struct FitRecord {
     /// Names of the fitted parameters, in the order of the covariance.
     pub parameters: Vec<&'static str>,
     /// Covariance of the parameters.
-    #[schemars(with = "Vec<Vec<Option<f64>>>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Vec<Vec<Option<f64>>>"))]
     pub covariance: Vec<Vec<f64>>,
     /// Why the result must not be taken as it is.
     pub warnings: Vec<FitWarningRecord>,
@@ -45,7 +46,7 @@ pub struct FitRecord {
     /// Rows less parameters.
     pub degrees_of_freedom: usize,
     /// Standard deviation of the residuals, N.
-    #[schemars(with = "Option<f64>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub residual_deviation_n: f64,
     /// Largest x̂.
     pub largest_relative_indentation: f64,
@@ -62,8 +63,8 @@ pub struct FitRecord {
 }
 
 /// Why a result must not be taken as it is.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct FitWarningRecord {
     /// Stable short name.
@@ -73,27 +74,27 @@ pub struct FitWarningRecord {
 }
 
 /// One parameter.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct EstimateRecord {
     /// Its value.
-    #[schemars(with = "Option<f64>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub value: f64,
     /// Its standard error.
-    #[schemars(with = "Option<f64>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub standard_error: f64,
     /// Begin of the 95 % confidence interval.
-    #[schemars(with = "Option<f64>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub low_95: f64,
     /// Its end.
-    #[schemars(with = "Option<f64>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub high_95: f64,
 }
 
 /// What a fit leaves over, row by row.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct ResidualsRecord {
     /// Line in the file.

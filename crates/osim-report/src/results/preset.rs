@@ -3,14 +3,15 @@
 use contact_scaling::{DimensionlessContact, Preset};
 use osim_inspect::SCHEMA_VERSION;
 use osim_messages::readable;
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::layout::{filled, table};
 
 /// A preset, as the JSON has it.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct PresetRecord {
     /// Raised when a field changes its meaning or goes away.
@@ -42,8 +43,8 @@ pub struct PresetRecord {
 }
 
 /// A contact without dimensions.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct DimensionlessRecord {
     /// E* R² n / (M g).

@@ -4,12 +4,13 @@ use std::path::Path;
 
 use osim_inspect::SCHEMA_VERSION;
 use osim_model::files::FileName;
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::Serialize;
 
 /// The end of a sweep, for scripts.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct SweepRecord {
     /// Raised when a field changes its meaning or goes away.

@@ -1,20 +1,22 @@
 //! Answers to questions that a run asks.
 
 use osim_model::{FaultKind, NeedsAnswer, Question};
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::values::serial;
 
 /// Answers to questions.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "Output"))]
 #[serde(default)]
 pub struct AnswerOptions {
     /// Go on where a number looks like a slip: the code of the error that asks; may be repeated
     #[cfg_attr(feature = "clap", arg(long, value_name = "CODE", hide_short_help = true))]
     #[serde(deserialize_with = "serial::from_texts", serialize_with = "serial::as_texts")]
-    #[schemars(with = "Vec<String>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Vec<String>"))]
     pub yes: Vec<Question>,
 }
 

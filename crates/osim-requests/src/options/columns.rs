@@ -1,5 +1,6 @@
 //! Columns of a measurement, and their units.
 
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -93,7 +94,8 @@ impl TimeUnit {
 }
 
 /// Columns of the file and their units.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "Columns and units"))]
 #[serde(default)]
 pub struct ColumnOptions {

@@ -2,6 +2,7 @@
 
 use contact_scaling::SmoothingValues;
 use osim_messages::{Input, phrase};
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -9,7 +10,8 @@ use crate::fault::RequestFault;
 use crate::values::{Acceleration, Height, NotNegative, Positive};
 
 /// A contact given by its numbers.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(
     feature = "clap",
     derive(clap::Args),
@@ -84,7 +86,8 @@ impl ContactNumbers {
 }
 
 /// The fall that drops and heat maps are about.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "The fall (drop, loop, sweep)"))]
 #[serde(default)]
 pub struct FallOptions {

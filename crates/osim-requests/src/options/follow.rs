@@ -4,12 +4,15 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use osim_model::{MovedSpheres, RadiusAxis};
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::choice::choices;
 use crate::relation::Relation;
-use crate::values::body_scale::{self, BodyScaleSchema};
+use crate::values::body_scale;
+#[cfg(feature = "schemas")]
+use crate::values::body_scale::BodyScaleSchema;
 use crate::values::{BodyScale, Positive, path};
 
 choices! {
@@ -51,7 +54,8 @@ choices! {
 }
 
 /// Spheres follow their bodies.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(
     feature = "clap",
     derive(clap::Args),
@@ -65,12 +69,12 @@ pub struct FollowOptions {
     /// The ScaleSet that the Scale Tool applied (its output_scale_file)
     #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub body_scale_file: Option<PathBuf>,
     /// Factors of a body (or one, BODY=f); may be repeated
     #[cfg_attr(feature = "clap", arg(long, value_name = "BODY=x,y,z"))]
     #[serde(with = "body_scale")]
-    #[schemars(with = "BodyScaleSchema")]
+    #[cfg_attr(feature = "schemas", schemars(with = "BodyScaleSchema"))]
     pub body_scale: Vec<BodyScale>,
     /// How a radius follows from three factors
     #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t, hide_short_help = true))]

@@ -1,25 +1,27 @@
 //! Which forces.
 
 use osim_model::{Pattern, Selection};
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::values::serial;
 
 /// Which forces.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "Which forces"))]
 #[serde(default)]
 pub struct ForceOptions {
     /// Only forces with such a name; may be repeated
     #[cfg_attr(feature = "clap", arg(long, value_name = "GLOB"))]
     #[serde(deserialize_with = "serial::from_texts", serialize_with = "serial::as_texts")]
-    #[schemars(with = "Vec<String>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Vec<String>"))]
     pub select: Vec<Pattern>,
     /// No forces with such a name; may be repeated
     #[cfg_attr(feature = "clap", arg(long, value_name = "GLOB"))]
     #[serde(deserialize_with = "serial::from_texts", serialize_with = "serial::as_texts")]
-    #[schemars(with = "Vec<String>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Vec<String>"))]
     pub exclude: Vec<Pattern>,
     /// Leave out forces that are switched off
     #[cfg_attr(feature = "clap", arg(long, hide_short_help = true))]

@@ -1,5 +1,6 @@
 //! How many spheres share which load.
 
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -7,7 +8,8 @@ use crate::relation::Relation;
 use crate::values::{Acceleration, Count, Positive};
 
 /// How many spheres share the body weight.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(
     feature = "clap",
     derive(clap::Args),
@@ -52,7 +54,8 @@ impl CountOptions {
 }
 
 /// What the figures are made for.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(
     feature = "clap",
     derive(clap::Args),
@@ -81,7 +84,8 @@ impl Default for StanceOptions {
 }
 
 /// The load on the spheres.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "The load"))]
 #[serde(default)]
 pub struct LoadOptions {

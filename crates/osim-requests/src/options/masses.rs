@@ -1,13 +1,15 @@
 //! Masses: which one is meant.
 
 use osim_model::{MassRequest, Pattern};
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::values::{Kilograms, serial};
 
 /// Masses: which one is meant.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "Masses"))]
 #[serde(default)]
 pub struct MassOptions {
@@ -20,7 +22,7 @@ pub struct MassOptions {
     /// Leave these bodies out of the sum (props, platforms); may be repeated
     #[cfg_attr(feature = "clap", arg(long, value_name = "GLOB", hide_short_help = true))]
     #[serde(deserialize_with = "serial::from_texts", serialize_with = "serial::as_texts")]
-    #[schemars(with = "Vec<String>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Vec<String>"))]
     pub exclude_body: Vec<Pattern>,
 }
 

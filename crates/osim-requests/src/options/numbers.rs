@@ -1,6 +1,7 @@
 //! Numbers of contacts that are new, where no reference gives them.
 
 use osim_model::Property;
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -12,7 +13,8 @@ use crate::values::{
 };
 
 /// What is wanted of contacts that are new.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "Numbers without a reference"))]
 #[serde(default)]
 pub struct NumberOptions {

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -10,24 +11,25 @@ use crate::relation::Relation;
 use crate::values::path;
 
 /// Where results go.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "Output"))]
 #[serde(default)]
 pub struct OutputOptions {
     /// Write to this file, or - [default: NAME.scaled.osim beside it]
     #[cfg_attr(feature = "clap", arg(short, long, value_name = "FILE"))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub output: Option<PathBuf>,
     /// Write the changed ContactGeometrySet of a standalone ForceSet to this file
     #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", hide_short_help = true))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub geometry_output: Option<PathBuf>,
     /// Write into this folder
     #[cfg_attr(feature = "clap", arg(short = 'd', long, value_name = "DIR"))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub output_dir: Option<PathBuf>,
     /// Change the model itself and keep the old one as NAME.osim.bak
     #[cfg_attr(feature = "clap", arg(long))]

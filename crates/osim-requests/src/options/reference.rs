@@ -1,13 +1,15 @@
 //! What a reference is, where its file does not say.
 
 use osim_model::Pattern;
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::values::{Acceleration, Count, Kilograms, serial};
 
 /// What the reference is, where its file does not say.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "The reference"))]
 #[serde(default)]
 pub struct ReferenceOptions {
@@ -23,7 +25,7 @@ pub struct ReferenceOptions {
     /// Only its forces with such a name; may be repeated
     #[cfg_attr(feature = "clap", arg(long, value_name = "GLOB", hide_short_help = true))]
     #[serde(deserialize_with = "serial::from_texts", serialize_with = "serial::as_texts")]
-    #[schemars(with = "Vec<String>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Vec<String>"))]
     pub reference_select: Vec<Pattern>,
     /// Take contact and isometric radius of this sphere for all
     #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]

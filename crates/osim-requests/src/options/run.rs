@@ -3,6 +3,7 @@
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -54,7 +55,8 @@ impl From<Format> for SheetFormat {
 }
 
 /// How a run works and what it reports.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "Output"))]
 #[serde(default)]
 pub struct RunOptions {
@@ -73,7 +75,7 @@ pub struct RunOptions {
     /// Write a page for browsers too (.html): tables, plots, findings
     #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub report: Option<PathBuf>,
     /// Models to work on at once [default: one per processor]
     #[cfg_attr(feature = "clap", arg(long, value_name = "N", hide_short_help = true))]
@@ -82,7 +84,7 @@ pub struct RunOptions {
     /// Keep a line per model in this file (.csv or .ndjson)
     #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", hide_short_help = true))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub summary: Option<PathBuf>,
     /// Skip models that `summary` says are done, if nothing has changed since
     #[cfg_attr(feature = "clap", arg(long, hide_short_help = true))]
@@ -108,14 +110,15 @@ impl RunOptions {
 }
 
 /// The page that verbs write which change nothing.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "Output"))]
 #[serde(default)]
 pub struct ReportOptions {
     /// Write a page for browsers too (.html): tables, plots, findings
     #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub report: Option<PathBuf>,
     /// Replace an existing report
     #[cfg_attr(feature = "clap", arg(long))]

@@ -2,6 +2,7 @@
 
 use osim_messages::{Input, phrase};
 use osim_model::{Axis, DissipationBy, LevelAxis, Property, PropertySet};
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -53,7 +54,8 @@ impl AxisChoice {
 }
 
 /// What changes, and how.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "What changes"))]
 #[serde(default)]
 pub struct ScalingOptions {
@@ -70,12 +72,12 @@ pub struct ScalingOptions {
     /// Only these properties, separated by commas (OpenSim's names, and radius)
     #[cfg_attr(feature = "clap", arg(long, value_name = "LIST", value_delimiter = ',', value_parser = property_list::one))]
     #[serde(with = "property_list")]
-    #[schemars(with = "Vec<String>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Vec<String>"))]
     pub only: Vec<Property>,
     /// Everything but these properties
     #[cfg_attr(feature = "clap", arg(long, value_name = "LIST", value_delimiter = ',', value_parser = property_list::one))]
     #[serde(with = "property_list")]
-    #[schemars(with = "Vec<String>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Vec<String>"))]
     pub keep: Vec<Property>,
     /// What dissipation follows (14): R^-1/2 or M^-1/6
     #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t, hide_short_help = true))]

@@ -1,6 +1,7 @@
 //! What is wanted or known of a contact.
 
 use osim_model::RadiusRule;
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -11,7 +12,8 @@ use crate::values::{
 };
 
 /// What is wanted or known of the contact.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "What is wanted or known"))]
 #[serde(default)]
 pub struct WantedOptions {

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -13,24 +14,25 @@ use crate::relation::Relation;
 use crate::values::{BodyMap, BodyScale, Metres, NewRadius, SpheresOfFoot, body_scale, path, serial};
 
 /// Gives a model that has no foot contacts those of another model or of a preset, of a table, or spheres under its bones.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
 pub struct AddRequest {
     /// Models (.osim), folders, or - for standard input
     #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]
     #[serde(with = "path::list")]
-    #[schemars(with = "Vec<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Vec<path::PathSchema>"))]
     pub models: Vec<PathBuf>,
     /// Where the contacts come from: a model, or a preset with places: falisse2022, moco-2d-gait
     #[cfg_attr(feature = "clap", arg(long, value_name = "MODEL|PRESET"))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub from: Option<PathBuf>,
     /// Where the spheres are: a table with name, body, x, y, z [m, in the body's frame] and perhaps radius, or MuSkeMo's export
     #[cfg_attr(feature = "clap", arg(long, value_name = "TABLE"))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub contacts: Option<PathBuf>,
     /// Take places that the table has in ground only as those of the default pose
     #[cfg_attr(feature = "clap", arg(long, hide_short_help = true))]
@@ -48,7 +50,7 @@ pub struct AddRequest {
     /// A folder with the bones' meshes, beside that of the model and its Geometry
     #[cfg_attr(feature = "clap", arg(long, value_name = "DIR", hide_short_help = true))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub geometry_dir: Option<PathBuf>,
     /// Give a reference that has one side only the other one too, mirrored in this axis
     #[cfg_attr(feature = "clap", arg(long, value_enum, hide_short_help = true))]
@@ -62,12 +64,12 @@ pub struct AddRequest {
     /// Factors of a body against the reference's (or one, BODY=f); may be repeated
     #[cfg_attr(feature = "clap", arg(long, value_name = "BODY=x,y,z"))]
     #[serde(with = "body_scale")]
-    #[schemars(with = "body_scale::BodyScaleSchema")]
+    #[cfg_attr(feature = "schemas", schemars(with = "body_scale::BodyScaleSchema"))]
     pub body_scale: Vec<BodyScale>,
     /// A body of the reference, and the one that takes its spheres here; may be repeated
     #[cfg_attr(feature = "clap", arg(long, value_name = "BODY=BODY"))]
     #[serde(deserialize_with = "serial::from_texts", serialize_with = "serial::as_texts")]
-    #[schemars(with = "Vec<String>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Vec<String>"))]
     pub body_map: Vec<BodyMap>,
     /// Take the model's own foot contacts out first
     #[cfg_attr(feature = "clap", arg(long))]

@@ -1,6 +1,7 @@
 //! Any request, by its verb.
 
 use osim_messages::Verb;
+#[cfg(feature = "schemas")]
 use schemars::Schema;
 use serde_json::{Map, Value};
 
@@ -24,6 +25,7 @@ use crate::fault::RequestFault;
 use crate::options::{AnswerOptions, RunOptions};
 #[cfg(feature = "clap")]
 use crate::relation::Relation;
+#[cfg(feature = "schemas")]
 use crate::schema::schema;
 
 /// The name under which a dictionary says which verb it is for.
@@ -75,6 +77,7 @@ macro_rules! requests {
         }
 
         /// The schema of the requests for `verb`, where it takes some.
+        #[cfg(feature = "schemas")]
         #[must_use]
         pub fn schema_of(verb: Verb) -> Option<Schema> {
             match verb { $(Verb::$variant => Some(schema::<$type>(verb, $relations)),)+ _ => None }

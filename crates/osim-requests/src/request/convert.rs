@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -11,14 +12,15 @@ use crate::values::{Positive, path};
 
 /// Makes forces of one class from those of the other, one for each sphere. Stiffness, dissipation, friction and transition velocity
 /// stay as they are.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
 pub struct ConvertRequest {
     /// Models (.osim), folders, or - for standard input
     #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]
     #[serde(with = "path::list")]
-    #[schemars(with = "Vec<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Vec<path::PathSchema>"))]
     pub models: Vec<PathBuf>,
     /// The class that forces get
     #[cfg_attr(feature = "clap", arg(long, value_enum))]

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -23,14 +24,15 @@ choices! {
 }
 
 /// Lets a model fall on its contacts and shows what they do.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
 pub struct DropTestRequest {
     /// The model to drop (.osim), or a preset; without one, give the numbers
     #[cfg_attr(feature = "clap", arg(value_name = "MODEL|PRESET"))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub subject: Option<PathBuf>,
     /// Height of the sphere bottoms at the start: metres, or a factor of the radius like x0.25
     #[cfg_attr(feature = "clap", arg(long, value_name = "HEIGHT", default_value_t))]
@@ -44,7 +46,7 @@ pub struct DropTestRequest {
     /// Say how far this drop and that of OTHER (a model or preset) lie apart in dimensionless form
     #[cfg_attr(feature = "clap", arg(long, value_name = "OTHER"))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub compare: Option<PathBuf>,
     /// With `compare`: the spheres that share OTHER's weight [default: as found on one limb]
     #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
@@ -52,7 +54,7 @@ pub struct DropTestRequest {
     /// A file with presets of your own (TOML)
     #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", hide_short_help = true))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub presets: Option<PathBuf>,
     /// How to print
     #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -9,7 +10,8 @@ use crate::choice::choices;
 use crate::values::{Dpi, FigureWidth, FontSize, Grid, Span, path, serial};
 
 /// How a figure looks.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "The figure"))]
 #[serde(default)]
 pub struct FigureOptions {
@@ -75,7 +77,8 @@ impl QuantityChoice {
 }
 
 /// The grid of a heat map.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "The sweep"))]
 #[serde(default)]
 pub struct HeatOptions {
@@ -91,7 +94,7 @@ pub struct HeatOptions {
     /// Draw a column of this table (CSV) instead, such as a sweep's with your results in it
     #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub table: Option<PathBuf>,
     /// The table's column that is drawn
     #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]

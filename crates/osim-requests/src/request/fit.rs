@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use contact_scaling::fit::Branch;
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -36,14 +37,15 @@ impl BranchChoice {
 }
 
 /// Finds contact parameters from a measured indentation and force.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
 pub struct FitRequest {
     /// Measured indentation and force (.csv; - is standard input)
     #[cfg_attr(feature = "clap", arg(value_name = "FILE"))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub file: Option<PathBuf>,
     /// Sphere radius, m
     #[cfg_attr(feature = "clap", arg(long, value_name = "M"))]

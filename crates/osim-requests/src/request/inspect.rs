@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use osim_model::Severity;
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -12,24 +13,25 @@ use crate::relation::Relation;
 use crate::values::path;
 
 /// Shows what contacts models have.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
 pub struct InspectRequest {
     /// Models (.osim), a ForceSet (.xml) with `geometry`, folders, or - for standard input
     #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]
     #[serde(with = "path::list")]
-    #[schemars(with = "Vec<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Vec<path::PathSchema>"))]
     pub models: Vec<PathBuf>,
     /// The generic model this one was scaled from: show each body's factors
     #[cfg_attr(feature = "clap", arg(long, value_name = "MODEL"))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub from: Option<PathBuf>,
     /// With `from`: the ScaleSet that the Scale Tool applied
     #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub body_scale_file: Option<PathBuf>,
     /// Show each of several models in full, not in one row
     #[cfg_attr(feature = "clap", arg(long))]
@@ -76,24 +78,25 @@ impl Deny {
 }
 
 /// Compares models with the limits of the paper and the traps of the format.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
 pub struct CheckRequest {
     /// Models (.osim), a ForceSet (.xml) with `geometry`, folders, or - for standard input
     #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]
     #[serde(with = "path::list")]
-    #[schemars(with = "Vec<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Vec<path::PathSchema>"))]
     pub models: Vec<PathBuf>,
     /// The generic model this one was scaled from: see whether its spheres followed their bodies
     #[cfg_attr(feature = "clap", arg(long, value_name = "MODEL"))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub from: Option<PathBuf>,
     /// With `from`: the ScaleSet that the Scale Tool applied
     #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub body_scale_file: Option<PathBuf>,
     /// Exit with 1 where a finding is as bad as this, or worse
     #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]

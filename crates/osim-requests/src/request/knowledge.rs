@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -9,7 +10,8 @@ use crate::options::Format;
 use crate::values::{path, serial};
 
 /// Lists presets, or shows one.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
 pub struct PresetsRequest {
@@ -18,7 +20,7 @@ pub struct PresetsRequest {
     /// A file with presets of your own (TOML)
     #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub presets: Option<PathBuf>,
     /// How to print
     #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]
@@ -26,7 +28,8 @@ pub struct PresetsRequest {
 }
 
 /// Explains equations, quantities, and the codes of warnings and errors.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
 pub struct ExplainRequest {

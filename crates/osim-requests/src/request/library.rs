@@ -3,6 +3,7 @@
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -14,14 +15,15 @@ use crate::relation::Relation;
 use crate::values::{Axis, Positive, Shard, axis, path, serial};
 
 /// One row per model; columns are named like the long options of rescale, transfer, design and set.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
 pub struct BatchRequest {
     /// A table (CSV): a column 'model', and one for each option that rows need; - is standard input
     #[cfg_attr(feature = "clap", arg(value_name = "MANIFEST"))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub manifest: Option<PathBuf>,
     /// Where results go, for rows that do not say.
     #[cfg_attr(feature = "clap", command(flatten))]
@@ -46,20 +48,21 @@ impl BatchRequest {
 }
 
 /// One file per point of a grid, or per step of a ladder, and a table that says what is in which.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
 pub struct SweepRequest {
     /// The model (.osim) whose variants are made
     #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub model: Option<PathBuf>,
     /// Values of a property (stiffness=1e5,1e6), factors (stiffness=x0.1,x1,x10), a logarithmic range
     /// (stiffness=x0.1..x10/9), or values of indentation, restitution or target_mass; may be repeated
     #[cfg_attr(feature = "clap", arg(long, value_name = "NAME=V,V,..."))]
     #[serde(deserialize_with = "axis::deserialize", serialize_with = "serial::as_texts")]
-    #[schemars(with = "axis::AxesSchema")]
+    #[cfg_attr(feature = "schemas", schemars(with = "axis::AxesSchema"))]
     pub grid: Vec<Axis>,
     /// N steps from a soft contact to `indentation` and `restitution`, to search for a gait in turn
     #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
@@ -78,7 +81,7 @@ pub struct SweepRequest {
     /// Write the models into this folder [default: NAME.sweep beside the model]
     #[cfg_attr(feature = "clap", arg(short = 'd', long, value_name = "DIR", help_heading = "Output"))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub output_dir: Option<PathBuf>,
     /// Replace existing files
     #[cfg_attr(feature = "clap", arg(long, help_heading = "Output"))]

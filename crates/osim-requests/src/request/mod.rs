@@ -23,7 +23,9 @@ mod transfer;
 pub use add::AddRequest;
 #[cfg(feature = "clap")]
 pub(crate) use any::relations_of;
-pub use any::{Request, schema_of, silent_fields};
+#[cfg(feature = "schemas")]
+pub use any::schema_of;
+pub use any::{Request, silent_fields};
 pub use convert::ConvertRequest;
 pub use design::DesignRequest;
 pub use drop_test::{DropTestRequest, SeriesFormat};

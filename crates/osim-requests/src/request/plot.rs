@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use osim_messages::{Input, Phrase, phrase};
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -49,7 +50,8 @@ choices! {
 }
 
 /// Draws what contacts do.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
 pub struct PlotRequest {
@@ -59,17 +61,17 @@ pub struct PlotRequest {
     /// Models (.osim) or presets, overlaid in one figure; none for fig4 and fig-c5
     #[cfg_attr(feature = "clap", arg(value_name = "MODEL|PRESET"))]
     #[serde(with = "path::list")]
-    #[schemars(with = "Vec<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Vec<path::PathSchema>"))]
     pub models: Vec<PathBuf>,
     /// Write to this file: .svg, .pdf or .png (- is SVG on standard output)
     #[cfg_attr(feature = "clap", arg(short, long, value_name = "FILE"))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub output: Option<PathBuf>,
     /// Write the numbers that are drawn to this file, too (CSV)
     #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub data: Option<PathBuf>,
     /// Replace existing files
     #[cfg_attr(feature = "clap", arg(long))]
@@ -83,12 +85,12 @@ pub struct PlotRequest {
     /// Of feet: a folder with the bones' meshes, beside the model's own and its Geometry
     #[cfg_attr(feature = "clap", arg(long, value_name = "DIR"))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub geometry_dir: Option<PathBuf>,
     /// A file with presets of your own (TOML)
     #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", hide_short_help = true))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub presets: Option<PathBuf>,
     /// Gravity, m/s2 [default: the model's]
     #[cfg_attr(feature = "clap", arg(long, value_name = "G", hide_short_help = true))]

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -10,14 +11,15 @@ use crate::relation::Relation;
 use crate::values::path;
 
 /// Takes the foot contacts out of models: forces, the spheres that nothing else uses, and what was made for them.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
 pub struct RemoveRequest {
     /// Models (.osim), folders, or - for standard input
     #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]
     #[serde(with = "path::list")]
-    #[schemars(with = "Vec<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Vec<path::PathSchema>"))]
     pub models: Vec<PathBuf>,
     /// Which forces.
     #[cfg_attr(feature = "clap", command(flatten))]

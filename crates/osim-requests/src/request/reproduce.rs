@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -10,14 +11,15 @@ use crate::relation::Relation;
 use crate::values::path;
 
 /// Compares Table 1 of the paper with what its equations give, and draws its figures 4 and C.5.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
 pub struct ReproduceRequest {
     /// Write table1.csv, fig4.svg and fig-c5.svg into this folder
     #[cfg_attr(feature = "clap", arg(short = 'd', long, value_name = "DIR"))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub output_dir: Option<PathBuf>,
     /// Replace existing files
     #[cfg_attr(feature = "clap", arg(long))]

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -21,14 +22,15 @@ use crate::values::{Kilograms, path};
 /// request.target_mass = Some(Kilograms::new(1190.0)?);
 /// # Ok::<(), String>(())
 /// ```
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
 pub struct RescaleRequest {
     /// Models (.osim), a ForceSet (.xml) with `geometry`, folders, or - for standard input
     #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]
     #[serde(with = "path::list")]
-    #[schemars(with = "Vec<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Vec<path::PathSchema>"))]
     pub models: Vec<PathBuf>,
     /// Mass the contacts should be made for, kg
     #[cfg_attr(feature = "clap", arg(long, value_name = "KG", allow_hyphen_values = true))]
@@ -44,7 +46,7 @@ pub struct RescaleRequest {
     /// ScaleSet that the Scale Tool applied: spheres follow their bodies
     #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub body_scale_file: Option<PathBuf>,
     /// Spheres follow bodies scaled since the model's note was written
     #[cfg_attr(feature = "clap", arg(long))]

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -10,7 +11,8 @@ use crate::relation::Relation;
 use crate::values::{Assignments, path};
 
 /// Sets properties to a value, or multiplies them by a factor.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
 pub struct SetRequest {
@@ -18,7 +20,7 @@ pub struct SetRequest {
     // The command line has models and assignments in one list of words.
     #[cfg_attr(feature = "clap", arg(skip))]
     #[serde(with = "path::list")]
-    #[schemars(with = "Vec<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Vec<path::PathSchema>"))]
     pub models: Vec<PathBuf>,
     /// Properties by OpenSim's names, each with its value, or with a factor such as "x2"
     #[cfg_attr(feature = "clap", arg(skip))]

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -13,24 +14,25 @@ use crate::relation::Relation;
 use crate::values::path;
 
 /// Gives a model the contacts of another model or of a preset, at its own size.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
 pub struct TransferRequest {
     /// Models (.osim), a ForceSet (.xml) with `geometry`, folders, or - for standard input
     #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]
     #[serde(with = "path::list")]
-    #[schemars(with = "Vec<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Vec<path::PathSchema>"))]
     pub models: Vec<PathBuf>,
     /// Where the contacts come from: a model, or a preset such as falisse2022
     #[cfg_attr(feature = "clap", arg(long, value_name = "MODEL|PRESET"))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub from: Option<PathBuf>,
     /// A file with presets of your own (TOML)
     #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", hide_short_help = true))]
     #[serde(with = "path::optional")]
-    #[schemars(with = "Option<path::PathSchema>")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub presets: Option<PathBuf>,
     /// How many spheres share the weight.
     #[cfg_attr(feature = "clap", command(flatten))]

@@ -1,9 +1,11 @@
 //! What happens to properties: `stiffness=x2 dissipation=1`.
 
+#[cfg(feature = "schemas")]
 use std::borrow::Cow;
 
 use osim_messages::shortest;
 use osim_model::{Assignment, Property};
+#[cfg(feature = "schemas")]
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::Error;
 use serde::ser::SerializeMap;
@@ -16,6 +18,7 @@ use crate::values::typed::{LENGTHS, factor, number, number_in, trimmed};
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Assignments(Vec<(Property, Assignment)>);
 
+#[cfg(feature = "schemas")]
 impl JsonSchema for Assignments {
     fn schema_name() -> Cow<'static, str> {
         "Assignments".into()

@@ -1,5 +1,6 @@
 //! An axis of a grid, in words: `stiffness=x0.1,x1,x10`.
 
+#[cfg(feature = "schemas")]
 use std::borrow::Cow;
 use std::collections::HashSet;
 use std::fmt;
@@ -7,6 +8,7 @@ use std::str::FromStr;
 
 use osim_messages::shortest;
 use osim_model::{Assignment, Property};
+#[cfg(feature = "schemas")]
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer};
@@ -204,8 +206,10 @@ pub fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<Axis>
 }
 
 /// The schema of axes.
+#[cfg(feature = "schemas")]
 pub struct AxesSchema;
 
+#[cfg(feature = "schemas")]
 impl JsonSchema for AxesSchema {
     fn schema_name() -> Cow<'static, str> {
         "Axes".into()

@@ -1,14 +1,18 @@
 //! Scale factors of a body, in words.
 
+#[cfg(feature = "schemas")]
 use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
 use osim_messages::shortest;
+#[cfg(feature = "schemas")]
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serializer};
-use serde_json::{Value, json};
+use serde_json::Value;
+#[cfg(feature = "schemas")]
+use serde_json::json;
 
 use super::serial::from_texts;
 use crate::values::typed::{positive_number, trimmed};
@@ -96,8 +100,10 @@ pub fn serialize<S: Serializer>(scales: &[BodyScale], serializer: S) -> Result<S
 }
 
 /// The schema of both.
+#[cfg(feature = "schemas")]
 pub struct BodyScaleSchema;
 
+#[cfg(feature = "schemas")]
 impl JsonSchema for BodyScaleSchema {
     fn schema_name() -> Cow<'static, str> {
         "BodyScale".into()

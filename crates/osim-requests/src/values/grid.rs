@@ -4,6 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use osim_messages::shortest;
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -12,8 +13,8 @@ use crate::values::typed::{Range, factor, positive_number, spaced, with_colons};
 
 /// Values equally spaced on a logarithmic axis, as numbers or as factors of what is there: `FROM..TO/COUNT`, both ends with
 /// an `x` for factors.
-#[derive(Debug, Clone, Copy, PartialEq, JsonSchema)]
-#[schemars(inline, with = "String")]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(inline, with = "String"))]
 pub struct Grid {
     from: f64,
     to: f64,

@@ -4,6 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use osim_messages::shortest;
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -12,10 +13,11 @@ use crate::values::DropHeight;
 use crate::values::typed::{LENGTHS, factor, not_negative};
 
 /// Metres, or a multiple of the radius such as `x0.25`.
-#[derive(Debug, Clone, Copy, PartialEq, JsonSchema)]
-#[schemars(inline)]
-pub struct Height(#[schemars(schema_with = "number_or_text")] DropHeight);
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(inline))]
+pub struct Height(#[cfg_attr(feature = "schemas", schemars(schema_with = "number_or_text"))] DropHeight);
 
+#[cfg(feature = "schemas")]
 fn number_or_text(_generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
     schemars::json_schema!({"anyOf": [
         {"type": "number", "minimum": 0, "description": "metres"},

@@ -1,10 +1,12 @@
 //! Radii of spheres that are new, in words.
 
+#[cfg(feature = "schemas")]
 use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
 use osim_messages::shortest;
+#[cfg(feature = "schemas")]
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -29,6 +31,7 @@ pub enum NewRadius {
     Metres(f64),
 }
 
+#[cfg(feature = "schemas")]
 impl JsonSchema for NewRadius {
     fn schema_name() -> Cow<'static, str> {
         "NewRadius".into()

@@ -5,6 +5,7 @@ use std::str::FromStr;
 
 use contact_scaling::fit::Onset;
 use osim_messages::shortest;
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -12,10 +13,11 @@ use super::serial::from_text;
 use crate::values::typed::trimmed;
 
 /// An indentation in m at which contact begins, or `fit` to find it.
-#[derive(Debug, Clone, Copy, PartialEq, JsonSchema)]
-#[schemars(inline)]
-pub struct ContactOnset(#[schemars(schema_with = "number_or_word")] Onset);
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(inline))]
+pub struct ContactOnset(#[cfg_attr(feature = "schemas", schemars(schema_with = "number_or_word"))] Onset);
 
+#[cfg(feature = "schemas")]
 fn number_or_word(_generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
     schemars::json_schema!({"anyOf": [{"type": "number", "description": "metres"}, {"const": "fit"}]})
 }

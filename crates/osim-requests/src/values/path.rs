@@ -1,9 +1,11 @@
 //! Paths in JSON: text, or the bytes where a path is not text.
 
+#[cfg(feature = "schemas")]
 use std::borrow::Cow;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
+#[cfg(feature = "schemas")]
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -19,8 +21,10 @@ enum Written {
 }
 
 /// The schema of a path.
+#[cfg(feature = "schemas")]
 pub struct PathSchema;
 
+#[cfg(feature = "schemas")]
 impl JsonSchema for PathSchema {
     fn schema_name() -> Cow<'static, str> {
         "Path".into()

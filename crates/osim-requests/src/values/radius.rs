@@ -5,6 +5,7 @@ use std::str::FromStr;
 
 use osim_messages::shortest;
 use osim_model::RadiusRule;
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -12,10 +13,11 @@ use super::serial::from_text;
 use crate::values::typed::{LENGTHS, factor, positive};
 
 /// `isometric`, `keep`, metres, or a factor such as `x1.5`.
-#[derive(Debug, Clone, Copy, PartialEq, JsonSchema)]
-#[schemars(inline)]
-pub struct Radius(#[schemars(schema_with = "number_or_text")] RadiusRule);
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(inline))]
+pub struct Radius(#[cfg_attr(feature = "schemas", schemars(schema_with = "number_or_text"))] RadiusRule);
 
+#[cfg(feature = "schemas")]
 fn number_or_text(_generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
     schemars::json_schema!({"anyOf": [
         {"type": "number", "exclusiveMinimum": 0, "description": "metres"},

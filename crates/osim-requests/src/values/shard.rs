@@ -6,6 +6,7 @@ use std::ops::Range;
 use std::path::Path;
 use std::str::FromStr;
 
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use sha2::{Digest, Sha256};
@@ -14,8 +15,8 @@ use super::serial::from_text;
 use crate::values::typed::trimmed;
 
 /// Share `i` (from 1) of `n`: `i/n`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, JsonSchema)]
-#[schemars(inline, with = "String")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(inline, with = "String"))]
 pub struct Shard {
     index: u64,
     count: u64,

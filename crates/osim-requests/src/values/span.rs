@@ -4,6 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use osim_messages::shortest;
+#[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -11,8 +12,8 @@ use super::serial::from_text;
 use crate::values::typed::{plain, trimmed};
 
 /// From one number to a larger one: `FROM..TO`.
-#[derive(Debug, Clone, Copy, PartialEq, JsonSchema)]
-#[schemars(inline, with = "String")]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(inline, with = "String"))]
 pub struct Span {
     from: f64,
     to: f64,
