@@ -20,7 +20,7 @@ pub const FLOORS: &[&[&str]] = &[
     &["osim-contact-scale", "osim-python", "osim-web"],
 ];
 
-/// The crates of a workspace, each with the crates that it depends on, those of its tests aside.
+/// The crates of a workspace, each with the crates that it depends on.
 pub type Crates = BTreeMap<String, Vec<String>>;
 
 /// Reads the manifests of all crates in a folder.
@@ -40,11 +40,16 @@ pub fn crates(folder: &Path) -> Result<Crates, String> {
     Ok(found)
 }
 
-/// What a manifest, or the part of it about one system, depends on.
+/// What a manifest, or the part of it about one system, depends on; of tests' dependencies those that have a version, without which
+/// Cargo leaves them out of what is published: an arrow up among them keeps it from finding an order to publish in.
 fn dependencies(table: &toml::Table) -> Vec<String> {
     let inner = |name: &str| table.get(name).and_then(toml::Value::as_table);
+    let is_published = |value: &toml::Value| value.get("path").is_none() || value.get("version").is_some();
     let mut found = Vec::new();
-    for (name, value) in ["dependencies", "build-dependencies"].into_iter().filter_map(inner).flatten() {
+    let kinds = ["dependencies", "build-dependencies", "dev-dependencies"];
+    for (name, value) in
+        kinds.into_iter().filter_map(inner).flatten().filter(|(_, value)| is_published(value))
+    {
         found.push(value.get("package").and_then(toml::Value::as_str).unwrap_or(name).to_owned());
     }
     let systems = inner("target").into_iter().flatten().filter_map(|(_, value)| value.as_table());
@@ -127,9 +132,10 @@ mod tests {
     #[test]
     fn dependencies_of_a_manifest() -> Result<(), toml::de::Error> {
         let manifest: toml::Table = "[dependencies]\na.workspace = true\nrenamed = { package = 'b' }\n\
-            [target.'cfg(unix)'.dependencies]\nc = '1'\n[dev-dependencies]\nd = '1'\n"
+            [target.'cfg(unix)'.dependencies]\nc = '1'\n[dev-dependencies]\nd = '1'\n\
+            own = { path = '.' }\n"
             .parse()?;
-        assert_eq!(dependencies(&manifest), ["a", "b", "c"]);
+        assert_eq!(dependencies(&manifest), ["a", "b", "d", "c"]);
         Ok(())
     }
 }
