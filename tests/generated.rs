@@ -9,11 +9,12 @@ use std::path::{Path, PathBuf};
 use contact_scaling::limits;
 use osim_inspect::{Figure, Quantity};
 use osim_messages::{Call, Dialect, Example, Input, Phrase, Verb};
-use osim_model::{FindingCode, Repair, Seen, Severity};
-use osim_planning::{DesignQuantity, DropColumn, DropFigure, DropRow};
+use osim_model::{Repair, Rule, Seen, Severity};
+use osim_planning::{DesignQuantity, DropColumn, DropFigure, DropRow, rules};
 use osim_report::explain::ErrorGroup;
+use osim_requests::Request;
 use osim_requests::schema_of;
-use osim_requests::spell::CommandLine;
+use osim_requests::spell::{CommandLine, Speller};
 
 /// The words of the command line, marked as code.
 struct Markdown;
@@ -57,56 +58,83 @@ fn table(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
     text
 }
 
-/// Findings with the worst first, as `check` sorts them.
-fn by_severity() -> Vec<FindingCode> {
-    let mut codes = FindingCode::ALL.to_vec();
-    codes.sort_by_key(|code| std::cmp::Reverse(code.severity()));
-    codes
+/// Rules with the worst first, as `check` sorts findings.
+fn by_severity() -> Vec<&'static Rule> {
+    let mut all = rules::all().to_vec();
+    all.sort_by_key(|rule| std::cmp::Reverse(rule.severity));
+    all
 }
 
 /// docs/warnings.md: a list, then a section for each code.
 fn findings() -> String {
-    let mut text: String = FindingCode::ALL.iter().map(|code| format!("- [`{code}`](#{code})\n")).collect();
-    for code in FindingCode::ALL {
-        let severity = match code.severity() {
+    let mut text: String = rules::all().iter().map(|rule| format!("- [`{0}`](#{0})\n", rule.code)).collect();
+    for rule in rules::all() {
+        let severity = match rule.severity {
             Severity::Error => "error",
             Severity::Warn => "warning",
             Severity::Info => "remark",
         };
-        let seen = match code.seen() {
+        let seen = match rule.seen {
             Seen::Change => ", said of changes alone",
             _ => "",
         };
         text.push_str(&format!(
-            "\n## {code}\n\n{what} ({severity}{seen})\n\n*Why:* {why}\n\n*What to do:* {advice}.\n\n*Fix:* {repair}.\n",
-            what = spelled(&code.what()),
-            why = spelled(&code.why()),
-            advice = spelled(&code.advice()),
-            repair = marked(&code.repair().sentence()),
+            "\n## {code}\n\n{what} ({severity}{seen})\n\n*Why:* {why}\n\n*What to do:* {advice}.\n\n*Fix:* {repair}.\n\n*Example:* {example}.\n",
+            code = rule.code,
+            what = spelled(&rule.what()),
+            why = spelled(&rule.why()),
+            advice = spelled(&rule.advice()),
+            repair = marked(&rule.repair.sentence()),
+            example = example(rule.example),
         ));
     }
     text
 }
 
+/// What raises a finding, and what does not.
+fn example(example: osim_model::Example) -> String {
+    use osim_model::Example;
+    // As it runs in the project's own folder.
+    let call = |json: &str| {
+        let here = json.replace(r#""models": [""#, r#""models": ["fixtures/"#);
+        let here = here.replace(r#""from": ""#, r#""from": "fixtures/"#);
+        let request = Request::from_json(here.as_bytes()).unwrap();
+        format!("`{}`", CommandLine.request(&request))
+    };
+    match example {
+        Example::Piece { model, good, bad } => {
+            format!("`{bad}` has it, `{good}` does not (in `fixtures/{model}`)")
+        }
+        Example::Models { good, bad } => format!("`fixtures/{bad}` has it, `fixtures/{good}` does not"),
+        Example::Request { good, bad } => format!("{} says it, {} does not", call(bad), call(good)),
+        Example::InWords { good, bad } => format!("{bad}. Without it: {good}"),
+        _ => panic!("an example of another kind"),
+    }
+}
+
 /// docs/check.md: what it looks for.
 fn looked_for() -> String {
-    let checked = by_severity().into_iter().filter(|code| code.seen() == Seen::Model);
-    let rows = checked.map(|code| {
-        let what = spelled(&code.what());
-        vec![format!("`{code}`"), code.severity().as_str().to_owned(), what.trim_end_matches('.').to_owned()]
+    let checked = by_severity().into_iter().filter(|rule| rule.seen == Seen::Model);
+    let rows = checked.map(|rule| {
+        let what = spelled(&rule.what());
+        vec![
+            format!("`{}`", rule.code),
+            rule.severity.as_str().to_owned(),
+            what.trim_end_matches('.').to_owned(),
+        ]
     });
     table(&["code", "severity", "what it is"], rows)
 }
 
 /// docs/check.md: the command of each code, or why there is none.
 fn repairs() -> String {
-    let checked = by_severity().into_iter().filter(|code| code.seen() == Seen::Model);
-    let rows = checked.map(|code| {
-        let (command, why) = match code.repair() {
+    let checked = by_severity().into_iter().filter(|rule| rule.seen == Seen::Model);
+    let rows = checked.map(|rule| {
+        let (command, why) = match rule.repair {
             Repair::Command(what) => (what, ""),
             Repair::NotPossible(why) => ("", why),
         };
-        vec![format!("`{code}`"), marked(command), marked(why)]
+        vec![format!("`{}`", rule.code), marked(command), marked(why)]
     });
     table(&["code", "the proposed command", "why there is none"], rows)
 }

@@ -67,7 +67,7 @@ fn check_of_several_models() {
 fn put_right(bench: &Bench, model: &str, code: FindingCode) {
     let mut files = files_of(bench);
     let found = checked(&check_of(model), Path::new(model), &files);
-    let finding = found.findings.iter().find(|finding| finding.code == code).unwrap();
+    let finding = found.findings.iter().find(|finding| finding.code() == code).unwrap();
 
     let remedy = finding.remedy.as_ref().unwrap();
     // A dictionary can be kept, sent and changed before it is run.
@@ -82,7 +82,7 @@ fn put_right(bench: &Bench, model: &str, code: FindingCode) {
         files.add(model, made.bytes);
     }
     let left = checked(&check_of(model), Path::new(model), &files);
-    assert!(left.findings.iter().all(|finding| finding.code != code), "{command}: {left:?}");
+    assert!(left.findings.iter().all(|finding| finding.code() != code), "{command}: {left:?}");
 }
 
 #[test]

@@ -12,12 +12,14 @@
 
 mod follow;
 mod placement;
+mod rules;
 
 pub use follow::{
     AxisFactor, BodyFactors, Difference, FactorSource, Factors, Follow, FollowRequest, Followed, OwnRadii,
     ScaleFile, SphereBodies, bone_of_mesh,
 };
 pub use placement::{Evidence, LayoutAnswer, PlacedSphere, Placement, Reach, is_stretched};
+pub use rules::RULES;
 
 /// The example of the README compiles.
 #[cfg(doctest)]

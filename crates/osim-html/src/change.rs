@@ -314,7 +314,7 @@ fn warnings(topics: &mut Topics, plan: &Plan) -> Markup {
         .map(|warning| {
             html! {
                 li { p {
-                    (severity(warning.severity)) " " (topics.code(warning.code)) " "
+                    (severity(warning.severity)) " " (topics.code(warning.code())) " "
                     (warning.message.to_string()) "."
                     @if let Some(line) = warning.line { " " span.quiet { "line " (line) } }
                 } }

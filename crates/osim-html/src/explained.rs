@@ -6,7 +6,8 @@ use contact_scaling::Equation;
 use contact_scaling::equations::reference;
 use maud::{Markup, html};
 use osim_messages::{Dialect, Phrase};
-use osim_model::FindingCode;
+use osim_model::{FindingCode, Rule};
+use osim_planning::rules;
 use osim_report::explain::{self, ErrorCode};
 
 use super::values::sentence;
@@ -111,7 +112,7 @@ pub(super) fn section(topics: &Topics, dialect: &dyn Dialect) -> String {
             }
             @if !topics.codes.is_empty() {
                 h3 { "Findings and warnings" }
-                @for code in &topics.codes { (of_code(*code, dialect)) }
+                @for rule in rules::of(|code| topics.codes.contains(&code)) { (of_rule(rule, dialect)) }
             }
             @if !topics.errors.is_empty() {
                 h3 { "Errors" }
@@ -127,7 +128,8 @@ pub(super) fn each(topics: &Topics, dialect: &dyn Dialect) -> Vec<(String, Marku
     let equations = explain::equations().filter(|equation| topics.equations.contains(equation.label));
     let equations =
         equations.map(|equation| (anchor("equation", equation.label), of_equation(equation, dialect)));
-    let codes = topics.codes.iter().map(|code| (anchor("finding", code.as_str()), of_code(*code, dialect)));
+    let codes = rules::of(|code| topics.codes.contains(&code))
+        .map(|rule| (anchor("finding", rule.code.as_str()), of_rule(rule, dialect)));
     let errors = topics.errors.iter().filter_map(|code| explain::error(code));
     let errors = errors.map(|error| (anchor("error", error.code), of_error(error, dialect)));
     equations.chain(codes).chain(errors).collect()
@@ -154,12 +156,12 @@ fn of_equation(equation: &Equation, dialect: &dyn Dialect) -> Markup {
     }
 }
 
-fn of_code(code: FindingCode, dialect: &dyn Dialect) -> Markup {
+fn of_rule(rule: &Rule, dialect: &dyn Dialect) -> Markup {
     html! {
-        div.explained id=(anchor("finding", code.as_str())) {
-            h4 { (code.as_str()) }
-            p { (code.what().spelled(dialect)) " " (code.why().spelled(dialect)) }
-            p { b { "What to do: " } (code.advice().spelled(dialect)) "." }
+        div.explained id=(anchor("finding", rule.code.as_str())) {
+            h4 { (rule.code.as_str()) }
+            p { (rule.what().spelled(dialect)) " " (rule.why().spelled(dialect)) }
+            p { b { "What to do: " } (rule.advice().spelled(dialect)) "." }
         }
     }
 }

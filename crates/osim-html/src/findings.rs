@@ -92,19 +92,19 @@ impl<'f> Kin<'f> {
             Self { findings, of_spheres: HashMap::new(), at_place: HashMap::new(), of_code: HashMap::new() };
         for (at, one) in findings.iter().enumerate() {
             if !one.spheres.is_empty() {
-                kin.of_spheres.entry(one.code).or_insert(at);
+                kin.of_spheres.entry(one.code()).or_insert(at);
             }
-            kin.at_place.entry((one.code, one.place.as_deref())).or_insert(at);
-            kin.of_code.entry(one.code).or_insert(at);
+            kin.at_place.entry((one.code(), one.place.as_deref())).or_insert(at);
+            kin.of_code.entry(one.code()).or_insert(at);
         }
         kin
     }
 
     /// The first finding that says the same as `one`, else the first that is another step of the same ladder.
     fn nearest(&self, one: &Found) -> Option<&'f Found> {
-        let of_spheres = self.of_spheres.get(&one.code).filter(|_| !one.spheres.is_empty());
-        let same = of_spheres.into_iter().chain(self.at_place.get(&(one.code, one.place.as_deref()))).min();
-        let steps = DEPTH.iter().filter(|code| **code != one.code && DEPTH.contains(&one.code));
+        let of_spheres = self.of_spheres.get(&one.code()).filter(|_| !one.spheres.is_empty());
+        let same = of_spheres.into_iter().chain(self.at_place.get(&(one.code(), one.place.as_deref()))).min();
+        let steps = DEPTH.iter().filter(|code| **code != one.code() && DEPTH.contains(&one.code()));
         let at = same.or_else(|| steps.filter_map(|code| self.of_code.get(code)).min())?;
         self.findings.get(*at)
     }
@@ -112,13 +112,13 @@ impl<'f> Kin<'f> {
 
 /// What the finding was before, where that differs.
 fn was(fragment: &mut Fragment, one: &Found, before: &Found) -> Markup {
-    let other = before.code != one.code;
+    let other = before.code() != one.code();
     let (message, message_before) = (one.message.to_string(), before.message.to_string());
     html! {
         @if other || message_before != message {
             p.quiet {
                 "Before: "
-                @if other { (severity(before.severity)) " " (fragment.topics.code(before.code)) " " }
+                @if other { (severity(before.severity)) " " (fragment.topics.code(before.code())) " " }
                 (message_before) "."
             }
         }
@@ -158,7 +158,7 @@ fn item(fragment: &mut Fragment, finding: &Found, lines: Lines, commands: Comman
     };
     html! {
         p {
-            (severity(finding.severity)) " " (fragment.topics.code(finding.code)) " "
+            (severity(finding.severity)) " " (fragment.topics.code(finding.code())) " "
             (message) "."
             @if place.is_some() || finding.line.is_some() {
                 " " span.quiet {
@@ -177,12 +177,14 @@ fn item(fragment: &mut Fragment, finding: &Found, lines: Lines, commands: Comman
 #[cfg(test)]
 mod tests {
     use osim_model::Finding;
+    use osim_planning::rules;
 
     use super::*;
 
     fn finding(code: FindingCode, place: &str, spheres: &[&str]) -> Found {
         let spheres = spheres.iter().map(|&name| name.to_owned()).collect();
-        Finding::new(code, "").about(place).of_spheres(spheres).into()
+        let rule = rules::of(|one| one == code).next().unwrap();
+        Finding::new(rule, "").about(place).of_spheres(spheres).into()
     }
 
     fn are_akin(old: &Found, new: &Found) -> bool {
@@ -209,6 +211,6 @@ mod tests {
     fn the_same_finding_is_nearer_than_another_step() {
         let now = [finding(FindingCode::SunkIn, "a", &["a"]), finding(FindingCode::BeyondHertz, "b", &["b"])];
         let new = [finding(FindingCode::BeyondHertz, "c", &["c"])];
-        assert_eq!(paired(&now, &new)[0].1.map(|old| old.code), Some(FindingCode::BeyondHertz));
+        assert_eq!(paired(&now, &new)[0].1.map(|old| old.code()), Some(FindingCode::BeyondHertz));
     }
 }

@@ -25,7 +25,6 @@
 
 mod figures;
 mod findings;
-mod gravity_mismatch;
 mod inspection;
 mod known;
 mod load_sharing;
@@ -33,6 +32,7 @@ mod mass_mismatch;
 mod options;
 mod quantity;
 mod reference_state;
+mod rules;
 mod serialized;
 pub mod series;
 
@@ -48,6 +48,7 @@ pub use mass_mismatch::MassMismatch;
 pub use options::{InspectOptions, Stance};
 pub use quantity::Quantity;
 pub use reference_state::ReferenceState;
+pub use rules::RULES;
 #[cfg(feature = "schemas")]
 pub use serialized::ObjectSchema;
 pub use serialized::{FindingRecord, SCHEMA_VERSION};

@@ -41,7 +41,7 @@ pub struct FindingRecord {
 impl From<&Finding> for FindingRecord {
     fn from(finding: &Finding) -> Self {
         Self {
-            code: finding.code.as_str(),
+            code: finding.code().as_str(),
             severity: finding.severity.as_str(),
             message: finding.message.to_string(),
             why: finding.why.to_string(),

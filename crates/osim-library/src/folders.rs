@@ -3,7 +3,8 @@
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-use osim_model::{Finding, FindingCode};
+use osim_model::Finding;
+use osim_planning::rules::compiled_model_beside;
 
 use crate::fault::{Context, LibraryFault};
 use crate::paths::{folder_of, resolved};
@@ -78,11 +79,7 @@ impl Folders {
         // The names are sorted: the first that is not before the prefix has it, or none does.
         let first = compiled.partition_point(|name| *name < prefix);
         let found = compiled.get(first).filter(|name| name.starts_with(&prefix))?;
-        let text = format!(
-            "{} lies beside the output: PredSim and OpenCap would go on using it",
-            folder_of(output).join(found).display()
-        );
-        Some(Finding::new(FindingCode::CompiledModelBeside, text))
+        Some(compiled_model_beside::of_file(&folder_of(output).join(found)))
     }
 }
 

@@ -62,12 +62,13 @@ mod property_set;
 mod radius_rule;
 mod read;
 mod reference_frame;
+mod rules;
 mod selected;
 mod selection;
 mod side;
+mod sides;
 mod skeleton;
 mod slip;
-mod traps;
 mod value;
 
 pub use anatomy::{Anatomy, AnatomyJoint, AnatomySphere, AttachedMesh, JointCoordinate, ModelJoint};
@@ -86,7 +87,7 @@ pub use fault::{
     CountOf, Excerpt, FactorQuestion, Fault, FaultKind, FileId, GravityFor, MassSlip, Needed, NeedsAnswer,
     NoteDoubt, Question, RadiusFrom, TreeOfForces, probable_units,
 };
-pub use finding::{Finding, FindingCode, Repair, Seen, Severity};
+pub use finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
 pub use following::{MovedSpheres, RadiusAxis};
 pub use ground_planes::GroundPlane;
 pub use limbs::{Limb, Limbs};
@@ -101,12 +102,13 @@ pub use property::Property;
 pub use property_set::PropertySet;
 pub use radius_rule::RadiusRule;
 pub use reference_frame::{Axis, LevelAxis, Placement, Rotation};
+pub use rules::RULES;
 pub use selected::Selected;
 pub use selection::Selection;
 pub use side::{Side, without_side};
+pub use sides::BothSides;
 pub use skeleton::Body;
 pub use slip::{JointDistances, mass_slip};
-pub use traps::BothSides;
 pub use value::{Origin, Value};
 
 /// The example of the README compiles.

@@ -3,9 +3,10 @@
 use osim_messages::{Input, Phrase, phrase, readable};
 
 use crate::fault::{Fault, FaultKind, Needed};
-use crate::finding::{Finding, FindingCode};
+use crate::finding::Finding;
 use crate::model::Model;
 use crate::pattern::{Pattern, any_matches};
+use crate::rules::mass_sources_disagree::{self, Said};
 
 /// Masses closer than this (relative) count as one: a scale is not read better than to 0.1 %.
 pub const SAME_MASS: f64 = 1e-3;
@@ -25,7 +26,7 @@ pub const SAME_MASS: f64 = 1e-3;
 /// let (mass, warnings) = said.of_contacts(&model)?;
 /// assert_eq!((mass.kg, mass.source), (62.0, MassSource::ContactsMass));
 /// // The bodies say something else, which may be a mistake.
-/// assert_eq!(warnings[0].code.as_str(), "mass-sources-disagree");
+/// assert_eq!(warnings[0].code().as_str(), "mass-sources-disagree");
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -191,16 +192,9 @@ impl MassRequest {
                 && self.target_mass_kg.is_some_and(|target_mass_kg| same_mass(kg, target_mass_kg))
         };
         let differs = |kg: f64| !same_mass(kg, taken.kg) && !expected(kg);
-        let warning = |(kg, source): (f64, Phrase)| {
-            let message = phrase![
-                format!("contacts are taken as made for {} kg (", readable(taken.kg)),
-                &taken.source.describe(),
-                "), but ",
-                &source,
-                format!(" says {} kg", readable(kg)),
-            ];
-            Finding::new(FindingCode::MassSourcesDisagree, message)
-        };
+        let taken_as = Said { kg: taken.kg, source: taken.source.describe() };
+        let warning =
+            |(kg, source): (f64, Phrase)| mass_sources_disagree::of_masses(&taken_as, &Said { kg, source });
         others.into_iter().filter(|(kg, _)| differs(*kg)).map(warning).collect()
     }
 }

@@ -7,11 +7,10 @@ use crate::components::{Companion, Components};
 use crate::contacts::ContactReader;
 use crate::document::Document;
 use crate::fault::{Fault, FaultKind, Needed, NoteDoubt};
-use crate::finding::{Finding, FindingCode};
 use crate::model::Model;
 use crate::note::{Note, NotesFound};
+use crate::rules;
 use crate::skeleton::Skeleton;
-use crate::traps;
 
 impl Model {
     /// Reads a model from the bytes of one file.
@@ -76,8 +75,8 @@ impl Model {
             warnings,
         };
         model.take_note(notes);
-        let traps = traps::find(&model);
-        model.warnings.extend(traps);
+        let found = rules::find(&model);
+        model.warnings.extend(found);
         model.compare_notes();
         Ok(model)
     }
@@ -122,7 +121,7 @@ impl Model {
             .count();
         for _ in 0..beside {
             self.note_fault = Some(NoteDoubt::MixedPair);
-            self.warnings.push(Finding::new(FindingCode::MixedPair, NoteDoubt::MixedPair.as_str()));
+            self.warnings.push(rules::mixed_pair::found());
         }
     }
 }

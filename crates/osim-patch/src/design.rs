@@ -6,7 +6,7 @@ use contact_scaling::{
 };
 use osim_messages::{Phrase, phrase, readable};
 use osim_model::{
-    DissipationBy, Fault, Finding, FindingCode, Force, ForceKind, GravityFor, Mass, Model, Needed, Property,
+    DissipationBy, Fault, FindingCode, Force, ForceKind, GravityFor, Mass, Model, Needed, Property,
     PropertySet, RadiusRule, Scope, Selected, SetId,
 };
 
@@ -14,6 +14,7 @@ use crate::builder::{New, PlanBuilder};
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
 use crate::radii::{Radii, SphereRule};
 use crate::remarks::{PLACES_STAY, bottoms_remark, rest_remark};
+use crate::rules::nothing_to_change;
 use crate::scaling::factor;
 use crate::surfaces::write_composite;
 
@@ -120,7 +121,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
     let radii = Radii::plan(&mut plan, &selected.forces, |_| rule, 1.0, &properties)?;
     plan.warnings.extend(model.remarks_on(&selected.forces));
     let mut rests = Vec::new();
-    let shared = model.warnings.iter().any(|known| known.code == FindingCode::SphereInTwoForces);
+    let shared = model.warnings.iter().any(|known| known.code() == FindingCode::SphereInTwoForces);
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
         let own = RatioValues { mass: 1.0, sphere_count: 1.0, radius: radii.ratio(force), gravity: 1.0 };
         let own = Ratios::new(own).map_err(Fault::new)?;
@@ -139,8 +140,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
     remarks.extend(rest_remark(&rests));
     let PlanBuilder { changes, moves, mut warnings, .. } = plan;
     if changes.is_empty() {
-        let text = "nothing that is wanted applies to these forces, or every value is already as wanted";
-        warnings.push(Finding::new(FindingCode::NothingToChange, text));
+        warnings.push(nothing_to_change::by_design());
     }
     let smooth = selected.forces.iter().filter_map(|&id| model.force(id)).any(is_smooth);
     let masses = wanted.target_mass.clone().map(Masses::same);

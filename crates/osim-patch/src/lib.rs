@@ -51,6 +51,7 @@ mod plan;
 mod radii;
 mod remarks;
 mod rescale;
+mod rules;
 mod scaling;
 mod set;
 mod surfaces;
@@ -67,6 +68,7 @@ pub use objects::{
 pub use plan::{Masses, Plan};
 pub use remarks::PLACES_STAY;
 pub use rescale::{FOLLOWING, FOLLOWING_NOTE, Rescale, TRANSFER_FOLLOWING, rescale};
+pub use rules::RULES;
 pub use set::{Set, set};
 pub use transfer::{
     Reference, ReferenceContact, ScalingRule, Transfer, reference_of_layout, reference_of_model, transfer,

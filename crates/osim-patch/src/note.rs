@@ -1,10 +1,11 @@
 //! Writing down what the user knows: the mass that contacts were made for. No number changes.
 
-use osim_messages::{Input, phrase, readable};
-use osim_model::{Fault, Finding, FindingCode, Mass, MassSource, Model, Note, Scope, positive_mass};
+use osim_messages::{Input, phrase};
+use osim_model::{Fault, Mass, MassSource, Model, Note, Scope, positive_mass};
 
 use crate::objects::Rebuilt;
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
+use crate::rules::nothing_to_change;
 
 /// Plans a note that the contacts of `model` were made for `contacts_mass_kg` at `gravity_m_s2`, as they are. Later changes need not be
 /// given that mass again, also after OpenSim has saved or scaled the model.
@@ -41,8 +42,7 @@ pub fn note(model: &Model, contacts_mass_kg: f64, gravity_m_s2: Option<f64>) -> 
     let mut plan = Plan::new(model, Contents { masses, taken, ..Contents::default() }, &facts);
     plan.note_anyway();
     if plan.note().zip(model.note.as_ref()).is_some_and(|(new, old)| says_the_same(new, old)) {
-        let text = format!("the note in the file says {} kg already", readable(kg));
-        plan.warnings.push(Finding::new(FindingCode::NothingToChange, text));
+        plan.warnings.push(nothing_to_change::by_note(kg));
         plan.keep_note();
     }
     Ok(plan)

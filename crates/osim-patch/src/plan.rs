@@ -231,10 +231,10 @@ impl Plan {
     pub fn standing_warnings<'m>(&'m self, model: &'m Model) -> impl Iterator<Item = &'m Finding> {
         let still = self.rebuilt.as_ref().map(|rebuilt| {
             let found = rebuilt.model().warnings.iter();
-            found.map(|warning| (warning.code, warning.place.as_deref())).collect::<HashSet<_>>()
+            found.map(|warning| (warning.code(), warning.place.as_deref())).collect::<HashSet<_>>()
         });
         model.warnings.iter().filter(move |warning| {
-            still.as_ref().is_none_or(|still| still.contains(&(warning.code, warning.place.as_deref())))
+            still.as_ref().is_none_or(|still| still.contains(&(warning.code(), warning.place.as_deref())))
         })
     }
 

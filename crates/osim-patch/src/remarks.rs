@@ -1,10 +1,11 @@
 //! Remarks about a change beside its numbers.
 
 use osim_messages::{Phrase, readable};
-use osim_model::{Finding, FindingCode, ForceId, ForceKind, Property, PropertySet};
+use osim_model::{ForceId, PropertySet};
 
 use crate::builder::PlanBuilder;
 use crate::radii::Radii;
+use crate::rules::friction_not_similar;
 
 /// What every change of plain numbers leaves as it is.
 pub const PLACES_STAY: &str = "body masses and sphere locations stay as they are";
@@ -16,13 +17,8 @@ pub(crate) const GRAVITY_STAYS: &str = "the model's own <gravity> stays as it is
 pub(crate) fn warn_forces(plan: &mut PlanBuilder<'_>, forces: &[ForceId], properties: &PropertySet) {
     let model = plan.model;
     plan.warnings.extend(model.remarks_on(forces));
-    let smooth =
-        |&id: &ForceId| model.force(id).is_some_and(|force| force.kind == ForceKind::SmoothSphereHalfSpace);
-    if properties.contains(Property::TransitionVelocity) && forces.iter().any(smooth) {
-        let text = "friction of SmoothSphereHalfSpaceForce scales only as far as constant_contact_force is small \
-                    against the squared slip speed";
-        plan.warnings.push(Finding::new(FindingCode::FrictionNotSimilar, text));
-    }
+    let chosen = forces.iter().filter_map(|&id| model.force(id));
+    plan.warnings.extend(friction_not_similar::of_forces(chosen, properties));
 }
 
 /// How far the soles move because radii change and centres do not.

@@ -2,10 +2,10 @@
 
 use contact_scaling::{RatioValues, Ratios};
 use osim_compare::ScaleFile;
-use osim_messages::{Input, Phrase, Verb, phrase, readable};
+use osim_messages::{Input, Phrase, readable};
 use osim_model::{
-    DissipationBy, Fault, Finding, FindingCode, ForceId, GravityFor, LevelAxis, Mass, Model, Needed,
-    Property, PropertySet, RadiusRule, Scope, Selected, SetId, positive_mass, same_mass,
+    DissipationBy, Fault, ForceId, GravityFor, LevelAxis, Mass, Model, Needed, Property, PropertySet,
+    RadiusRule, Scope, Selected, SetId, positive_mass, same_mass,
 };
 
 use crate::builder::{New, PlanBuilder};
@@ -13,6 +13,7 @@ use crate::gravity::GravityChange;
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
 use crate::radii::{Radii, SphereRule};
 use crate::remarks::{GRAVITY_STAYS, bottoms_remark, warn_forces};
+use crate::rules::{already_at_target, nothing_to_change};
 use crate::scaling::factor;
 
 /// The operation, as the note has it, of a rescaling that moved spheres with their bodies by a ScaleSet.
@@ -146,7 +147,7 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
     let other_radius = matches!(wanted.radius, RadiusRule::Metres(_) | RadiusRule::Factor(_));
     let is_there = same_mass(target_mass_kg, contacts_mass_kg);
     if is_there && gravity == 1.0 && !other_radius && wanted.bodies.is_none() {
-        plan.warnings.push(already_there(&wanted.contacts_mass));
+        plan.warnings.push(already_at_target::of_mass(&wanted.contacts_mass));
         return Ok(finish(plan, wanted, selected, None, change));
     }
     // A mass within a thousandth is the same: numbers stay, and only spheres move.
@@ -173,8 +174,7 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
         }
     }
     if plan.changes.is_empty() && plan.moves.is_empty() {
-        let text = "every factor is exactly 1: the radius stays, so what follows the radius stays too";
-        plan.warnings.push(Finding::new(FindingCode::NothingToChange, text));
+        plan.warnings.push(nothing_to_change::by_rescale());
     }
     Ok(finish(plan, wanted, selected, Some(&radii), change))
 }
@@ -206,18 +206,6 @@ fn gravity_now(model: &Model, wanted: &Rescale) -> Result<Option<f64>, Fault> {
         }
         _ => Ok(model.contacts_gravity()),
     }
-}
-
-fn already_there(contacts_mass: &Mass) -> Finding {
-    let message = phrase![
-        format!("contacts are taken as made for {} kg already (", readable(contacts_mass.kg)),
-        &contacts_mass.source.describe(),
-        "); if they were made for another mass, say ",
-        Input::ContactsMass.like("KG"),
-        " or ",
-        Verb::Transfer.call().with(Input::From, "MODEL"),
-    ];
-    Finding::new(FindingCode::AlreadyAtTarget, message)
 }
 
 fn finish(

@@ -2,13 +2,13 @@
 
 use osim_messages::phrase;
 use osim_model::{
-    Assignment, Fault, Finding, FindingCode, Mass, Model, Needed, Property, RadiusFrom, Scope, Selected,
-    moving_spheres,
+    Assignment, Fault, Mass, Model, Needed, Property, RadiusFrom, Scope, Selected, moving_spheres,
 };
 
 use crate::builder::{New, PlanBuilder};
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
 use crate::radii::Users;
+use crate::rules::nothing_to_change;
 
 /// Between the operations that a note lists.
 const AND: &str = " + ";
@@ -114,7 +114,7 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
     }
     let PlanBuilder { changes, moves, mut warnings, .. } = plan;
     if changes.is_empty() {
-        warnings.push(Finding::new(FindingCode::NothingToChange, "every value is already as wanted"));
+        warnings.push(nothing_to_change::by_set());
     }
     let mut taken = phrase![];
     if let Some(mass) = &wanted.contacts_mass {

@@ -41,6 +41,7 @@ mod planner;
 mod plot;
 mod presets;
 mod remarks;
+pub mod rules;
 pub mod sheet;
 mod states;
 mod subject;

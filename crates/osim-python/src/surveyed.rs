@@ -189,7 +189,7 @@ impl How<'_> {
         });
         let mut inspected = match inspected {
             Ok(inspected) => inspected,
-            Err(failure) if is_check && failure.code == "no-contacts" && source.folder.is_some() => {
+            Err(failure) if is_check && source.is_skipped(&failure) => {
                 return (Seen::WithoutContacts, None);
             }
             Err(failure) => return (Seen::Failed(Box::new(failure)), None),

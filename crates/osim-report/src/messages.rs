@@ -10,7 +10,7 @@ pub fn warnings(warnings: &[Finding]) -> String {
     let mut text = String::new();
     for warning in warnings {
         let line = warning.line.map(|line| format!("line {line}: ")).unwrap_or_default();
-        text.push_str(&format!("warning: {line}{} [{}]\n", warning.message, warning.code));
+        text.push_str(&format!("warning: {line}{} [{}]\n", warning.message, warning.code()));
     }
     text
 }

@@ -3,7 +3,9 @@
 use std::collections::{BTreeMap, HashSet};
 
 use osim_messages::Phrase;
-use osim_model::{Anatomy, Fault, FaultKind, Finding, FindingCode, Needed};
+use osim_model::{Anatomy, Fault, FaultKind, Finding, Needed};
+
+use crate::rules::{factors_disagree, not_a_scaled_copy};
 
 use super::body_factors::{AXES, AxisFactor, BodyFactors, ByName};
 use super::copy::{self, Difference};
@@ -13,8 +15,6 @@ use super::scale_file::ScaleFile;
 use super::sources::{self, Sources};
 
 /// What follows from a difference.
-const NO_COPY: &str = "no factors per body and axis lead from the reference to this model; factors are those of the same bone's \
-                       mesh, or ratios of distances between joints";
 /// Factors of all bodies of a model against those of a reference: new lengths over old ones.
 ///
 /// Where the model is a scaled copy of the reference ([`Factors::is_scaled_copy`]), each axis comes from the first source that has
@@ -100,9 +100,7 @@ impl Factors {
         }
         factors.by_name = ByName::of(&factors.bodies);
         if let Some(difference) = &factors.difference {
-            let mut message = difference.phrase();
-            message.push(NO_COPY);
-            factors.warnings.push(Finding::new(FindingCode::NotAScaledCopy, message));
+            factors.warnings.push(not_a_scaled_copy::of_difference(difference.phrase()));
             factors.remarks = different::hang_on(&mut factors.bodies, &factors.by_name, scaled, &carriers);
             different::ask(&mut factors.bodies, &factors.by_name, &said);
         }
@@ -110,9 +108,7 @@ impl Factors {
         let carrying: HashSet<&str> = carriers.into_iter().collect();
         for sources in said.iter().filter(|sources| carrying.contains(&sources.body)) {
             let messages = sources.disagreements(&factors.by_name.axes(&factors.bodies, sources.body));
-            let findings =
-                messages.into_iter().map(|message| Finding::new(FindingCode::FactorsDisagree, message));
-            factors.warnings.extend(findings);
+            factors.warnings.extend(messages.into_iter().map(factors_disagree::of_sources));
         }
         Ok(factors)
     }

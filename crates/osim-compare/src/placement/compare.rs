@@ -3,10 +3,11 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use osim_messages::{Input, Phrase, Verb, phrase};
-use osim_model::{Anatomy, AnatomySphere, Fault, Finding, FindingCode, LevelAxis, Model, Note};
+use osim_messages::{Phrase, Verb};
+use osim_model::{Anatomy, AnatomySphere, Fault, Finding, LevelAxis, Model, Note};
 
 use crate::follow::{Factors, ScaleFile};
+use crate::rules::{spheres_left_behind, spheres_misplaced, spheres_not_compared};
 
 /// Places that differ by no more than this are one, m.
 const SAME_PLACE_M: f64 = 1e-6;
@@ -135,12 +136,9 @@ impl Placement {
     /// One finding for each sphere that is not where it belongs.
     pub fn findings(&self) -> Vec<Finding> {
         if let Some(why) = &self.unknown {
-            let text =
-                phrase!["the spheres cannot be compared with those of the model that was scaled: ", why];
-            return vec![Finding::new(FindingCode::SpheresNotCompared, text)];
+            return vec![spheres_not_compared::of_models(why)];
         }
-        let unmatched =
-            self.unmatched.iter().map(|text| Finding::new(FindingCode::SpheresNotCompared, text.clone()));
+        let unmatched = self.unmatched.iter().cloned().map(spheres_not_compared::of_sphere);
         let placed = self.spheres.iter().filter(|sphere| !sphere.follows).map(PlacedSphere::finding);
         placed.chain(unmatched).collect()
     }
@@ -153,25 +151,12 @@ impl PlacedSphere {
 
     fn finding(&self) -> Finding {
         let (here, belongs) = (millimetres(self.here_m), millimetres(self.belongs_m));
-        let (code, text): (_, Phrase) = if !self.stayed() {
-            let again = Input::MovedSpheres.like("replace");
-            let text = phrase![
-                format!(
-                    "{} was moved: it is at {here} mm, and at {belongs} mm by the factors of its body: ",
-                    self.name
-                ),
-                again,
-                " places it again"
-            ];
-            (FindingCode::SpheresMisplaced, text)
+        let finding = if self.stayed() {
+            spheres_left_behind::of_sphere(&self.name, &here, &belongs)
         } else {
-            let text = format!("{} stayed at {here} mm and belongs at {belongs} mm", self.name);
-            (FindingCode::SpheresLeftBehind, text.into())
+            spheres_misplaced::of_sphere(&self.name, &here, &belongs)
         };
-        Finding::new(code, text)
-            .about(&self.path)
-            .on_line(Some(self.line))
-            .of_spheres(vec![self.name.clone()])
+        finding.about(&self.path).on_line(Some(self.line)).of_spheres(vec![self.name.clone()])
     }
 }
 

@@ -1,11 +1,11 @@
 //! What one file alone says about its spheres, in the order in which it counts.
 
-use osim_messages::{Input, Phrase, Verb, phrase, readable};
-use osim_model::{Finding, FindingCode, Model, ScaledSinceNote};
+use osim_model::{Finding, Model, ScaledSinceNote};
 
 use super::bones::{Bones, same_size};
 use super::layouts::{self, LayoutAnswer};
 use super::reach::{Reach, reaches};
+use crate::rules::{spheres_left_behind, spheres_misplaced, spheres_not_compared};
 
 /// What is known of the places of spheres.
 #[derive(Debug, Clone, PartialEq)]
@@ -61,58 +61,20 @@ impl Evidence {
     /// The finding that it is.
     pub fn finding(&self, model: &Model) -> Option<Finding> {
         match self {
-            Self::Note(noted) => Some(Finding::new(FindingCode::SpheresLeftBehind, of_note(noted))),
+            Self::Note(noted) => Some(spheres_left_behind::of_note(noted)),
             Self::OtherSize(LayoutAnswer::OtherSize { title, body, here, published }) => {
-                let text = format!(
-                    "the spheres stand where {title} has them on bones of size {}, and {body} has the size {}",
-                    size(*published),
-                    size(*here)
-                );
-                Some(Finding::new(FindingCode::SpheresMisplaced, text))
+                Some(spheres_misplaced::of_layout(title, body, *here, *published))
             }
-            Self::Reach(odd) => of_reach(model, odd),
-            Self::Unknown => {
-                let generic = Verb::Check.of_model().with(Input::From, "GENERIC");
-                let text = phrase![
-                    "the bones were scaled; whether the spheres followed cannot be seen here: ",
-                    generic,
-                    " compares with the model that was scaled"
-                ];
-                Some(Finding::new(FindingCode::SpheresNotCompared, text))
-            }
+            Self::Reach(odd) => spheres_misplaced::of_reach(model, odd),
+            Self::Unknown => Some(spheres_not_compared::of_scaled_bones()),
             Self::OtherSize(LayoutAnswer::AsPublished) | Self::Right | Self::Unscaled => None,
         }
     }
 }
 
-fn of_note(noted: &ScaledSinceNote) -> Phrase {
-    let bodies: Vec<String> =
-        noted.factors.iter().map(|(body, factors)| format!("{body} x{}", size(*factors))).collect();
-    format!("bodies were scaled after the note was written, and the spheres stayed: {}", bodies.join(", "))
-        .into()
-}
-
-fn of_reach(model: &Model, odd: &[Reach]) -> Option<Finding> {
-    let named: Vec<_> = odd.iter().filter_map(|reach| Some((reach, model.sphere(reach.sphere)?))).collect();
-    let (reach, sphere) = named.first()?;
-    let more = match named.len() {
-        1 => String::new(),
-        count => format!(" ({} more)", count - 1),
-    };
-    let text = format!("{} {}{more}", sphere.name, reach.describe());
-    let names = named.iter().map(|(_, sphere)| sphere.name.clone()).collect();
-    let finding = Finding::new(FindingCode::SpheresMisplaced, text).about(&sphere.path);
-    Some(finding.on_line(Some(sphere.line)).of_spheres(names))
-}
-
 /// Whether meshes have the size of their files: factor 1, or another unit of length, such as 0.001.
 fn is_unit(factors: [f64; 3]) -> bool {
     (-6..=3).any(|exponent| same_size(factors, [10_f64.powi(exponent); 3]))
-}
-
-/// One number for equal factors.
-fn size([x, y, z]: [f64; 3]) -> String {
-    if x == y && y == z { readable(x) } else { [x, y, z].map(readable).join(",") }
 }
 
 #[cfg(test)]

@@ -45,7 +45,7 @@ impl Reach {
     }
 
     /// In words, after the name of the sphere.
-    pub(super) fn describe(&self) -> String {
+    pub(crate) fn describe(&self) -> String {
         let (value, of) = (four_significant(self.value), &self.of);
         match self.measure {
             Measure::J => format!(

@@ -75,8 +75,7 @@ pub(super) fn run(request: &CheckRequest, session: &mut Session) -> Result<Exit>
                     }
                     first = false;
                 }
-                // A folder may hold models without contacts; one that was named may not.
-                Err(failure) if failure.code == "no-contacts" && source.folder.is_some() => {
+                Err(failure) if source.is_skipped(&failure) => {
                     without_contacts += 1;
                     if let Some(page) = &mut page {
                         page.add(Entry::without_contacts(&failure.model));

@@ -21,7 +21,11 @@ fn of_state(state: &ModelFeet, dialect: &dyn Dialect) -> String {
         count(spheres, "sphere", "spheres")
     );
     if let Some(finding) = &state.misplaced {
-        text.push_str(&format!("{name}: {}: {}\n", finding.code.as_str(), finding.message.spelled(dialect)));
+        text.push_str(&format!(
+            "{name}: {}: {}\n",
+            finding.code().as_str(),
+            finding.message.spelled(dialect)
+        ));
     }
     if let Some(missing) = missing(state, dialect) {
         text.push_str(&format!("{name}: {missing}\n"));

@@ -174,7 +174,7 @@ mod tests {
         let body = Body::without_weight(format!("model {number}"), Vec::new(), &why);
         let facts = Facts {
             mass_kg: Some(mass_kg),
-            codes: code.map(|code| (code, code.severity())).into_iter().collect(),
+            codes: code.map(|code| (code, Severity::Error)).into_iter().collect(),
             contact: Some("x/R = 0.1".to_owned()),
             ..Facts::default()
         };

@@ -51,7 +51,7 @@ impl Facts {
 fn worst(found: &CheckResult) -> BTreeMap<FindingCode, Severity> {
     let mut codes: BTreeMap<FindingCode, Severity> = BTreeMap::new();
     for finding in &found.findings {
-        let worst = codes.entry(finding.code).or_insert(finding.severity);
+        let worst = codes.entry(finding.code()).or_insert(finding.severity);
         *worst = finding.severity.max(*worst);
     }
     codes

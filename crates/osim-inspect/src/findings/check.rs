@@ -1,6 +1,6 @@
 //! What the limits of the paper and the traps of the format say about a model.
 //!
-//! Codes, severities and their explanations are those of the one register, [`FindingCode`].
+//! Codes, severities and their explanations are those of each [`Rule`](osim_model::Rule).
 
 use osim_model::{Finding, FindingCode, Model};
 
@@ -9,11 +9,11 @@ use super::found::Found;
 use super::places::Places;
 use super::remedy::Remedies;
 use super::result::CheckResult;
-use super::{known, limits, traps};
-use crate::gravity_mismatch::gravity_mismatch;
+use super::{known, traps};
 use crate::inspection::Inspection;
 use crate::mass_mismatch::MassMismatch;
 use crate::options::InspectOptions;
+use crate::rules::{Limits, contacts_of_another_mass, gravity_sources_disagree, of_figures};
 
 /// What trial plans show of a model: remedies are proposed only where they would not be refused.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,7 +39,7 @@ pub fn check_model(
     changeable: Changeable,
 ) -> CheckResult {
     let is_joined = |finding: &Finding| {
-        matches!(finding.code, FindingCode::MixedRadii | FindingCode::SeveralParameterSets)
+        matches!(finding.code(), FindingCode::MixedRadii | FindingCode::SeveralParameterSets)
     };
     let chosen = options.selection.apply(model).map(|selected| selected.forces).unwrap_or_default();
     let joined = model.remarks_on(&chosen).iter().any(is_joined);
@@ -50,21 +50,22 @@ pub fn check_model(
     let mismatch = MassMismatch::find(model, &options.masses);
     // Spheres that are moved take the contacts of the right mass with them.
     let another_mass = (!places.are_wrong())
-        .then(|| limits::another_mass(inspected, &remedies, places.are_right()))
+        .then(|| contacts_of_another_mass::find(inspected, &remedies, places.are_right()))
         .flatten();
     // Contacts that are made right for the body first need other commands afterwards.
-    let another_gravity = gravity_mismatch(model, options);
+    let another_gravity = gravity_sources_disagree::find(model, options);
     if mismatch.is_some() || another_mass.is_some() || another_gravity.is_some() || places.are_wrong() {
         remedies = remedies.unsettled();
     }
     let mut findings = traps::findings(model, inspected, &remedies);
     if let Some(mismatch) = mismatch {
-        let disagree = findings.iter_mut().filter(|finding| finding.code == FindingCode::MassSourcesDisagree);
+        let disagree =
+            findings.iter_mut().filter(|finding| finding.code() == FindingCode::MassSourcesDisagree);
         disagree.for_each(|finding| finding.finding.message.push(&mismatch.aside()));
     }
     // What spheres do that stand where they should not is nobody's question.
     if !places.were_left_behind() {
-        findings.extend(limits::findings(inspected, &remedies));
+        findings.extend(of_figures(&Limits::new(inspected, &remedies)));
     }
     findings.extend(another_mass);
     findings.extend(another_gravity.map(Found::from));

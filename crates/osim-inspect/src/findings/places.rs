@@ -6,6 +6,7 @@ use osim_model::{Finding, FindingCode, Model, Note, ScaledSinceNote};
 use super::found::Found;
 use super::remedy::Remedies;
 use crate::inspection::Inspection;
+use crate::rules::spheres_left_behind;
 
 /// What is known of the places of spheres.
 pub(super) enum Places<'i> {
@@ -69,18 +70,20 @@ impl<'i> Places<'i> {
         match self {
             Self::Alone(evidence) => {
                 let is_noted = matches!(evidence, Evidence::Note(_));
-                let remedy = || is_noted.then(|| remedies.follow_by_note(model)).flatten();
+                let remedy = || is_noted.then(|| spheres_left_behind::by_note(remedies, model)).flatten();
                 evidence.finding(model).into_iter().map(|finding| Found::new(finding, remedy())).collect()
             }
             Self::NotCompared(placement, evidence) => {
                 let alone = Self::Alone(evidence.clone()).findings(model, remedies);
                 // Where the file shows nothing, that it cannot be compared is said once.
-                let shown = alone.into_iter().filter(|one| one.code != FindingCode::SpheresNotCompared);
+                let shown = alone.into_iter().filter(|one| one.code() != FindingCode::SpheresNotCompared);
                 placement.findings().into_iter().map(Found::from).chain(shown).collect()
             }
             Self::Compared(placement) => {
                 let found = placement.findings().into_iter();
-                found.map(|finding| Found::new(finding, remedies.follow(placement))).collect()
+                found
+                    .map(|finding| Found::new(finding, spheres_left_behind::by_original(remedies, placement)))
+                    .collect()
             }
         }
     }

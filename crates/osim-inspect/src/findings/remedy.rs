@@ -5,56 +5,45 @@ use std::collections::HashSet;
 use std::path::PathBuf;
 
 use contact_scaling::limits;
-use osim_compare::{Placement, is_stretched};
-use osim_feet::{DefaultPose, sphere_pairs};
-use osim_messages::{Verb, readable};
+use osim_messages::readable;
 use osim_model::files::FileName;
-use osim_model::{
-    Assignment, FileId, Force, ForceId, ForceKind, Model, Pattern, Property, Selection, Sphere,
-};
-use osim_requests::options::{
-    ClassChoice, CountOptions, FollowOptions, ForceOptions, LoadOptions, MassOptions, MovedChoice,
-    ScalingOptions, SetFiles, WantedOptions,
-};
+use osim_model::{Assignment, ForceId, Pattern, Property, Selection};
+use osim_requests::options::{CountOptions, ForceOptions, LoadOptions, MassOptions, SetFiles, WantedOptions};
 use osim_requests::{
-    Acceleration, Assignments, ConstantIndentation, ConvertRequest, Count, DesignRequest, Kilograms,
-    Positive, RelativeIndentation, Request, RescaleRequest, RestitutionCoefficient, SetRequest,
-    TransferRequest,
+    Acceleration, Assignments, ConstantIndentation, Count, DesignRequest, Kilograms, Positive,
+    RelativeIndentation, Request, SetRequest, TransferRequest,
 };
 
 use crate::figures::{Figure, SphereFigures};
 use crate::inspection::Inspection;
 use crate::options::InspectOptions;
 
-/// The preset whose contacts are proposed where a model's own make no sense.
-const PROPOSED_PRESET: &str = "falisse2022";
-
 /// What all remedies for one model share. A remedy is a request: it is asked like any other.
-pub(super) struct Remedies<'m> {
+pub(crate) struct Remedies<'m> {
     /// `None` for standard input, which cannot be read twice, for a model that is not changed as it is, and where something
     /// else has to be done first.
     model: Option<PathBuf>,
-    load: Load,
-    options: &'m InspectOptions,
+    pub(crate) load: Load,
+    pub(crate) options: &'m InspectOptions,
     /// Some force gives spheres of different size or material one modulus, so that no design serves all of them; all numbers
     /// are multiplied then.
-    joined: bool,
+    pub(crate) joined: bool,
     /// How many spheres share the weight is the same for all limbs.
-    counted: bool,
+    pub(crate) counted: bool,
     /// What the model weighs is known.
-    weighed: bool,
+    pub(crate) weighed: bool,
     /// What the bodies weigh, kg.
-    body_kg: Option<f64>,
+    pub(crate) body_kg: Option<f64>,
     /// No other force needs a sphere as it is.
     radii_may_change: bool,
     /// Forces that can be made one for each sphere, once they are looked for.
-    divisible: OnceCell<HashSet<ForceId>>,
+    pub(crate) divisible: OnceCell<HashSet<ForceId>>,
 }
 
 /// Whose weight is carried, and by how many spheres: what was said of it is said again.
-struct Load {
-    masses: MassOptions,
-    counts: CountOptions,
+pub(crate) struct Load {
+    pub(crate) masses: MassOptions,
+    pub(crate) counts: CountOptions,
     /// Gravity that the model's own file does not say.
     gravity: Option<Acceleration>,
 }
@@ -113,23 +102,28 @@ impl<'m> Remedies<'m> {
         Self { model: None, ..self }
     }
 
+    /// Whether contacts are under the gravity that the model's own file says.
+    pub(crate) fn has_own_gravity(&self) -> bool {
+        self.load.gravity.is_none()
+    }
+
     /// The model that a remedy changes; `changes_radii` says whether radii are among what it writes.
-    fn models(&self, changes_radii: bool) -> Option<Vec<PathBuf>> {
+    pub(crate) fn models(&self, changes_radii: bool) -> Option<Vec<PathBuf>> {
         (!changes_radii || self.radii_may_change).then(|| self.model.clone().map(|model| vec![model]))?
     }
 
     /// The choice of forces that was made, again.
-    fn choice(&self) -> ForceOptions {
+    pub(crate) fn choice(&self) -> ForceOptions {
         let Selection { select, exclude, skip_disabled, .. } = self.options.selection.clone();
         ForceOptions { select, exclude, skip_disabled }
     }
 
-    fn set_files(&self) -> SetFiles {
+    pub(crate) fn set_files(&self) -> SetFiles {
         SetFiles { geometry: self.options.geometry.clone(), model: self.options.model.clone() }
     }
 
     /// A design of parameters, which needs no load.
-    fn design(&self, wanted: WantedOptions) -> Option<DesignRequest> {
+    pub(crate) fn design(&self, wanted: WantedOptions) -> Option<DesignRequest> {
         let (choice, set_files) = (self.choice(), self.set_files());
         Some(DesignRequest {
             models: self.models(false)?,
@@ -140,7 +134,7 @@ impl<'m> Remedies<'m> {
         })
     }
 
-    fn set(&self, assignments: Vec<(Property, Assignment)>) -> Option<SetRequest> {
+    pub(crate) fn set(&self, assignments: Vec<(Property, Assignment)>) -> Option<SetRequest> {
         let changes_radii = assignments.iter().any(|(property, _)| *property == Property::Radius);
         Some(SetRequest {
             models: self.models(changes_radii)?,
@@ -151,12 +145,12 @@ impl<'m> Remedies<'m> {
         })
     }
 
-    fn factor(&self, property: Property, factor: f64) -> Option<Request> {
+    pub(crate) fn factor(&self, property: Property, factor: f64) -> Option<Request> {
         self.set(vec![(property, Assignment::Factor(factor))]).map(Request::from)
     }
 
     /// Brings x̂ down to the limit under `body_weights`; where the law is smoothed, its constant indentation with it.
-    pub(super) fn indentation(&self, spheres: &[&SphereFigures], body_weights: f64) -> Option<Request> {
+    pub(crate) fn indentation(&self, spheres: &[&SphereFigures], body_weights: f64) -> Option<Request> {
         let limit = limits::INDENTATION.value;
         if self.joined || !self.counted {
             // The sphere that sinks in most decides. x̂ follows E*^(-2/3) (11).
@@ -184,107 +178,13 @@ impl<'m> Remedies<'m> {
         Some(DesignRequest { load, masses, counts, ..self.design(wanted)? }.into())
     }
 
-    /// Brings the restitution up to the limit, from the largest dissipation that is there.
-    pub(super) fn restitution(&self, impact_speed_m_s: f64, dissipation_s_m: f64) -> Option<Request> {
-        let limit = limits::RESTITUTION.value;
-        if self.joined {
-            let factor = (1.0 - limit) / impact_speed_m_s / dissipation_s_m;
-            return self.factor(Property::Dissipation, two_digits_below(factor));
-        }
-        let wanted = WantedOptions {
-            restitution: Some(RestitutionCoefficient::new(limit).ok()?),
-            impact_speed: Some(Positive::new((impact_speed_m_s * 1e4).ceil() / 1e4).ok()?),
-            ..WantedOptions::default()
-        };
-        self.design(wanted).map(Request::from)
-    }
-
-    /// One force for each sphere of `force`; of all forces, where all can be divided and nobody chose among them.
-    pub(super) fn one_sphere_each(&self, model: &Model, force: &Force) -> Option<Request> {
-        let models = self.models(false)?;
-        let divisible = self.divisible.get_or_init(|| divisible(model));
-        if !divisible.contains(&force.id) {
-            return None;
-        }
-        let all = self.options.selection == Selection::default() && divisible.len() == model.forces().len();
-        let select = if all { Vec::new() } else { vec![exactly(&force.name)?] };
-        let choice = ForceOptions { select, ..ForceOptions::default() };
-        let to = ClassChoice::of(ForceKind::HuntCrossley);
-        Some(ConvertRequest { models, to, choice, ..ConvertRequest::default() }.into())
-    }
-
-    pub(super) fn constant_indentation(&self, constant_indentation: f64) -> Option<Request> {
+    pub(crate) fn constant_indentation(&self, constant_indentation: f64) -> Option<Request> {
         let constant_indentation = Some(ConstantIndentation::new(constant_indentation).ok()?);
         self.design(WantedOptions { constant_indentation, ..WantedOptions::default() }).map(Request::from)
     }
 
-    pub(super) fn transition(&self) -> Option<Request> {
-        let state_width = Some(Positive::new(limits::SUGGESTED_TRANSITION_WIDTH).ok()?);
-        self.design(WantedOptions { state_width, ..WantedOptions::default() }).map(Request::from)
-    }
-
-    /// Brings the force just touching down to a tenth of the share of the weight.
-    pub(super) fn touching(&self, spheres: &[&SphereFigures]) -> Option<Request> {
-        self.constant_indentation(touching_indentation(spheres)?)
-    }
-
-    /// Brings spheres that float to the floor. Where contact sets in over a long way that has to be shorter, too: far above
-    /// the floor the force of (C.1) is large again.
-    pub(super) fn floating(&self, spheres: &[&SphereFigures]) -> Option<Request> {
-        let wide = spheres.iter().any(|sphere| sphere.is_within(Figure::TransitionWidth) == Some(false));
-        let width = wide.then_some(limits::SUGGESTED_TRANSITION_WIDTH);
-        let wanted = WantedOptions {
-            constant_indentation: Some(ConstantIndentation::new(touching_indentation(spheres)?).ok()?),
-            state_width: width.map(Positive::new).transpose().ok()?,
-            ..WantedOptions::default()
-        };
-        self.design(wanted).map(Request::from)
-    }
-
-    /// Scales contacts that were made for another body to this one.
-    pub(super) fn rescale(&self, contacts_mass_kg: f64, target_mass_kg: f64) -> Option<Request> {
-        let contacts_mass = Some(Kilograms::new(rounded(contacts_mass_kg)).ok()?);
-        Some(
-            RescaleRequest {
-                models: self.models(true)?,
-                target_mass: Some(Kilograms::new(rounded(target_mass_kg)).ok()?),
-                masses: MassOptions { contacts_mass, ..MassOptions::default() },
-                choice: self.choice(),
-                set_files: self.set_files(),
-                ..RescaleRequest::default()
-            }
-            .into(),
-        )
-    }
-
-    /// The model's own contacts at the mass of its body, on spheres that follow it by the sizes in the note.
-    pub(super) fn follow_by_note(&self, model: &Model) -> Option<Request> {
-        let since = model.scaled_since_note().filter(|_| model.doubt_about_note().is_none())?;
-        if !since.has_all_carriers(model) {
-            return None;
-        }
-        // What the model weighs otherwise is for the user to say.
-        let target_mass_kg = rounded(self.body_kg.filter(|_| self.load.masses.mass.is_none())?);
-        // A rescaling since then may have changed radii, and bottoms with them.
-        let untouched = model.note.as_ref().is_some_and(|note| note.operation == Verb::Note.name());
-        let level = untouched && !since.factors.values().any(|factors| is_stretched(*factors));
-        Some(
-            RescaleRequest {
-                models: self.models(true)?,
-                target_mass: Some(Kilograms::new(target_mass_kg).ok()?),
-                follow_bodies: true,
-                scaling: ScalingOptions { level, ..ScalingOptions::default() },
-                masses: self.load.masses.clone(),
-                choice: self.choice(),
-                set_files: self.set_files(),
-                ..RescaleRequest::default()
-            }
-            .into(),
-        )
-    }
-
     /// Contacts of another model or preset, under the load that was said.
-    fn transfer(&self, from: PathBuf) -> Option<TransferRequest> {
+    pub(crate) fn transfer(&self, from: PathBuf) -> Option<TransferRequest> {
         Some(TransferRequest {
             models: self.models(true)?,
             from: Some(from),
@@ -295,85 +195,21 @@ impl<'m> Remedies<'m> {
             ..TransferRequest::default()
         })
     }
-
-    /// Contacts of the model that OpenSim scaled, on spheres that follow their bodies.
-    pub(super) fn follow(&self, placement: &Placement) -> Option<Request> {
-        if !placement.can_follow() {
-            return None;
-        }
-        let follow = FollowOptions {
-            follow_bodies: true,
-            body_scale_file: placement.body_scale_file.clone(),
-            moved_spheres: placement.has_resized().then_some(MovedChoice::Replace),
-            ..FollowOptions::default()
-        };
-        let scaling = ScalingOptions { level: placement.suits_level, ..ScalingOptions::default() };
-        Some(TransferRequest { follow, scaling, ..self.transfer(placement.from.clone())? }.into())
-    }
-
-    /// Contacts of a published model.
-    pub(super) fn preset(&self) -> Option<Request> {
-        // A transfer takes the model's own gravity.
-        let own_gravity = self.load.gravity.is_none();
-        let known = own_gravity && self.weighed && self.counted;
-        known.then(|| self.transfer(PROPOSED_PRESET.into()).map(Request::from))?
-    }
-
-    /// Writes values into one force.
-    pub(super) fn copy(&self, force: &str, values: &[(Property, f64)]) -> Option<Request> {
-        let selection = &self.options.selection;
-        // A value that nobody may set is no repair of the other side.
-        let can_be_set = values.iter().all(|(property, value)| property.allows(*value));
-        if !can_be_set || !selection.select.is_empty() {
-            return None;
-        }
-        let assignments = values.iter().map(|(property, value)| (*property, Assignment::Value(*value)));
-        let set = self.set(assignments.collect())?;
-        let choice = ForceOptions { select: vec![exactly(force)?], ..self.choice() };
-        Some(SetRequest { choice, ..set }.into())
-    }
-}
-
-/// Spheres of one force that are compared with each other to propose a conversion.
-const COMPARED: usize = 100;
-
-/// The HuntCrossleyForces that `convert` makes one for each sphere of: in the model's own file, with one half-space, no sphere that
-/// never meets it, and no spheres that touch each other.
-fn divisible(model: &Model) -> HashSet<ForceId> {
-    let document = model.document();
-    if document.tree().name(document.data_root()) != "Model" {
-        return HashSet::new();
-    }
-    let pose = DefaultPose::of(model);
-    let can_be = |force: &&Force| {
-        let planes: Vec<_> = force.sets.iter().flat_map(|set| model.half_spaces_of(set)).collect();
-        let [plane] = planes.as_slice() else { return false };
-        let mut spheres = force.spheres().into_iter().map(|id| model.sphere(id));
-        let meets = |sphere: Option<&Sphere>| sphere.is_some_and(|one| !one.fixed && one.body != plane.body);
-        force.kind == ForceKind::HuntCrossley
-            && force.spheres().len() <= COMPARED
-            && force.file == FileId::MAIN
-            && spheres.all(meets)
-            && sphere_pairs(model, &pose, force)
-                .iter()
-                .all(|pair| pair.gap_m.as_ref().is_ok_and(|gap| *gap > 0.0))
-    };
-    model.forces().iter().filter(can_be).map(|force| force.id).collect()
 }
 
 /// The pattern that only this name matches; `None` where its letters mean something in patterns.
-fn exactly(name: &str) -> Option<Pattern> {
+pub(crate) fn exactly(name: &str) -> Option<Pattern> {
     let is_plain = !name.contains(['*', '?', '[', ']', '{', '}', '\\', '!']);
     if is_plain { name.parse().ok() } else { None }
 }
 
 /// In as many digits as people read.
-fn rounded(kg: f64) -> f64 {
+pub(crate) fn rounded(kg: f64) -> f64 {
     readable(kg).parse().unwrap_or(kg)
 }
 
 /// √cf/R with which every sphere carries a tenth of its load while just touching.
-fn touching_indentation(spheres: &[&SphereFigures]) -> Option<f64> {
+pub(crate) fn touching_indentation(spheres: &[&SphereFigures]) -> Option<f64> {
     let least = spheres.iter().filter_map(|sphere| sphere.value(Figure::Indentation)).reduce(f64::min)?;
     Some(constant_indentation_below(least))
 }
@@ -388,7 +224,7 @@ fn constant_indentation_below(x_hat: f64) -> f64 {
 }
 
 /// At most `value`, in two digits, without rounding error.
-fn two_digits_below(value: f64) -> f64 {
+pub(crate) fn two_digits_below(value: f64) -> f64 {
     let digit = 10_f64.powf(value.log10().floor() - 1.0);
     // A value that has two digits is itself, whatever its last bit.
     let text = format!("{:.1e}", (value / digit + 1e-9).floor() * digit);

@@ -78,10 +78,10 @@ impl CheckResult {
     pub fn new(inspected: &Inspection, mut findings: Vec<Found>) -> Self {
         // What spheres do where they should not be is a symptom.
         let is_symptom = |finding: &Found| {
-            !matches!(finding.code, FindingCode::SpheresLeftBehind | FindingCode::SpheresMisplaced)
+            !matches!(finding.code(), FindingCode::SpheresLeftBehind | FindingCode::SpheresMisplaced)
         };
         findings.sort_by_key(|finding| {
-            (Reverse(finding.severity), is_symptom(finding), finding.code, finding.line)
+            (Reverse(finding.severity), is_symptom(finding), finding.code(), finding.line)
         });
         let count = |severity| findings.iter().filter(|finding| finding.severity == severity).count();
         let counts = Counts {

@@ -6,8 +6,8 @@ use contact_scaling::{DimensionlessContact, EQUAL_SURFACES, Scale, ScaleValues, 
 use osim_compare::{BodyFactors, Factors};
 use osim_model::files::FileName;
 use osim_model::{
-    CountOf, Fault, Finding, FindingCode, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected,
-    SetId, SphereId, Value, loaded_spheres,
+    CountOf, Fault, Finding, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected, SetId, SphereId,
+    Value, loaded_spheres,
 };
 
 use super::data::{
@@ -18,6 +18,7 @@ use crate::figures::Figures;
 use crate::known::KnownContacts;
 use crate::load_sharing::LoadSharing;
 use crate::options::InspectOptions;
+use crate::rules::{mass_unknown, stale_note};
 use crate::serialized::SCHEMA_VERSION;
 
 impl InspectOptions {
@@ -39,9 +40,7 @@ impl InspectOptions {
         };
         warnings.extend(factors.iter().flat_map(|factors| factors.warnings.iter().cloned()));
         for fault in [mass.as_ref().err(), contacts_mass.as_ref().err()].into_iter().flatten() {
-            let code =
-                if fault.code() == "stale-note" { FindingCode::StaleNote } else { FindingCode::MassUnknown };
-            let mut warning = Finding::new(code, fault.phrase());
+            let mut warning = stale_note::of_fault(fault).unwrap_or_else(|| mass_unknown::of_fault(fault));
             warning.line = line_of(model, fault);
             if !warnings.contains(&warning) {
                 warnings.push(warning);

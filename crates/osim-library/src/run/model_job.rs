@@ -32,10 +32,7 @@ impl<F: FrontEnd> ModelJob<'_, F> {
         let mut record = Record::of_task(self.task);
         match self.attempt(&mut record) {
             Ok(outcome) => outcome,
-            // A folder may hold models without contacts; one that was named may not.
-            Err(failure) if failure.code == "no-contacts" && self.task.source.folder.is_some() => {
-                Outcome::without_contacts(record)
-            }
+            Err(failure) if self.task.source.is_skipped(&failure) => Outcome::without_contacts(record),
             Err(failure) => {
                 let mut outcome = Outcome::failed(self.located(failure), record);
                 self.context.previous.left_behind(&mut outcome.record);

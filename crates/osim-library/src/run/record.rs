@@ -262,7 +262,7 @@ impl Record {
             }
         }
         self.unequal_factors = unequal_factors.join(" ");
-        let mut codes: Vec<&str> = plan.warnings.iter().map(|warning| warning.code.as_str()).collect();
+        let mut codes: Vec<&str> = plan.warnings.iter().map(|warning| warning.code().as_str()).collect();
         codes.dedup();
         self.warnings = codes.join(" ");
     }

@@ -39,6 +39,12 @@ impl Source {
         Self { named: false, ..Self::file(path) }
     }
 
+    /// Whether the model is skipped because it has no contacts: a folder may hold such models; one that was named may not be such.
+    #[must_use]
+    pub fn is_skipped(&self, failure: &Failure) -> bool {
+        failure.code == "no-contacts" && self.folder.is_some()
+    }
+
     /// Whether it is standard input.
     #[must_use]
     pub fn is_stdin(&self) -> bool {

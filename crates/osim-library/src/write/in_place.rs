@@ -13,7 +13,8 @@
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-use osim_model::{Finding, FindingCode};
+use osim_model::Finding;
+use osim_planning::rules::hard_linked;
 use tempfile::NamedTempFile;
 
 use super::exchange::{Exchange, IS_KNOWN, exchange};
@@ -204,9 +205,7 @@ fn as_read(backup: &Option<PathBuf>) -> String {
 pub(crate) fn other_names(path: &Path) -> Option<Finding> {
     let others =
         names_of(&std::fs::metadata(resolved(path)).ok()?).checked_sub(1).filter(|&others| others > 0)?;
-    let names = if others == 1 { "one more name".to_owned() } else { format!("{others} more names") };
-    let text = format!("{} has {names} (hard links), under which the old model stays", path.display());
-    Some(Finding::new(FindingCode::HardLinked, text))
+    Some(hard_linked::of_file(path, others))
 }
 
 #[cfg(test)]

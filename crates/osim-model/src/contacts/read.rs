@@ -7,8 +7,9 @@ use crate::class::Class;
 use crate::components::{Base, ComponentId, Components};
 use crate::document::Document;
 use crate::fault::Fault;
-use crate::finding::{Finding, FindingCode};
+use crate::finding::Finding;
 use crate::property::Property;
+use crate::rules::{connectee_by_name, misnamed_parameter_set};
 use crate::skeleton::Skeleton;
 use crate::value::Value;
 use osim_xml::ElementId;
@@ -154,8 +155,7 @@ impl<'r> ContactReader<'r> {
         let path = found.map_or_else(|| "/ground".to_owned(), |id| self.components.tree.path(id));
         let line = self.components.doc(owner).line(self.components.doc(owner).tree().span(element).start);
         let whose = self.components.tree.path(owner);
-        let text = format!("'{text}' of {whose} leads nowhere; took {path}, the only one of that name");
-        self.warnings.push(Finding::at(FindingCode::ConnecteeByName, line, text).about(&whose));
+        self.warnings.push(connectee_by_name::of_connectee(text, &whose, &path, line));
     }
 
     fn surface(
@@ -290,11 +290,8 @@ impl<'r> ContactReader<'r> {
         if let Some(set) = set {
             let name = tree.attribute(set, "name").unwrap_or_default();
             let whose = self.components.tree.path(id);
-            let text = format!(
-                "{whose}: the parameter set is called '{name}', so OpenSim reads no parameters at all; call it contact_parameters"
-            );
             let line = document.line(tree.span(set).start);
-            self.warnings.push(Finding::at(FindingCode::MisnamedParameterSet, line, text).about(&whose));
+            self.warnings.push(misnamed_parameter_set::of_set(&name, &whose, line));
         }
     }
 

@@ -1,11 +1,13 @@
 //! Things a user should know about a model or a change, each with a stable code and an explanation.
 
-mod register;
+mod code;
+mod rule;
 mod severity;
 
 use osim_messages::{Dialect, Phrase};
 
-pub use register::{FindingCode, Repair};
+pub use code::FindingCode;
+pub use rule::{Example, Repair, Rule};
 pub use severity::{Seen, Severity};
 
 /// One thing to know, about a model or about a change of it.
@@ -17,25 +19,25 @@ pub use severity::{Seen, Severity};
 /// // A force without a stiffness has OpenSim's default, 1 N/m², which carries nothing.
 /// let model = Model::parse(text.replace("<stiffness>1000000</stiffness>", ""))?;
 /// let finding = &model.warnings[0];
-/// assert_eq!((finding.code, finding.code.as_str()), (FindingCode::DefaultStiffness, "default-stiffness"));
+/// assert_eq!((finding.code(), finding.code().as_str()), (FindingCode::DefaultStiffness, "default-stiffness"));
 /// assert_eq!(finding.place.as_deref(), Some("/forceset/contact_heel_r"));
 /// // What a code means is the same for every case of it.
-/// assert_eq!(finding.code.severity(), Severity::Error);
-/// assert!(finding.code.advice().to_string().starts_with("Set a stiffness"));
+/// assert_eq!(finding.rule.severity, Severity::Error);
+/// assert!(finding.advice.to_string().starts_with("Set a stiffness"));
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Finding {
     /// Which kind.
-    pub code: FindingCode,
-    /// How bad it is: what the register says of its code, but for the published state of known contacts.
+    pub rule: &'static Rule,
+    /// How bad it is: as the rule says, but for the published state of known contacts.
     pub severity: Severity,
     /// This case, in words.
     pub message: Phrase,
-    /// Why it matters, from the register.
+    /// Why it matters, from the rule.
     pub why: Phrase,
-    /// What to do about it, from the register.
+    /// What to do about it, from the rule.
     pub advice: Phrase,
     /// Component path of the force, sphere or body concerned, where it is one; of the worst where it is several.
     pub place: Option<String>,
@@ -47,13 +49,13 @@ pub struct Finding {
 
 impl Finding {
     /// A finding without a place.
-    pub fn new(code: FindingCode, message: impl Into<Phrase>) -> Self {
+    pub fn new(rule: &'static Rule, message: impl Into<Phrase>) -> Self {
         Self {
-            code,
-            severity: code.severity(),
+            rule,
+            severity: rule.severity,
             message: message.into(),
-            why: code.why(),
-            advice: code.advice(),
+            why: rule.why(),
+            advice: rule.advice(),
             place: None,
             spheres: Vec::new(),
             line: None,
@@ -61,8 +63,14 @@ impl Finding {
     }
 
     /// A finding about a line of the model, from 1.
-    pub fn at(code: FindingCode, line: usize, message: impl Into<Phrase>) -> Self {
-        Self { line: Some(line), ..Self::new(code, message) }
+    pub fn at(rule: &'static Rule, line: usize, message: impl Into<Phrase>) -> Self {
+        Self { line: Some(line), ..Self::new(rule, message) }
+    }
+
+    /// The code of its rule.
+    #[must_use]
+    pub fn code(&self) -> FindingCode {
+        self.rule.code
     }
 
     /// The same, about the component at `path`.
@@ -89,10 +97,10 @@ impl Finding {
         Self { severity, ..self }
     }
 
-    /// `true` where it is less bad than the register says: the published state of known contacts.
+    /// Whether it is less bad than its rule says: the published state of known contacts.
     #[must_use]
     pub fn is_as_published(&self) -> bool {
-        self.severity < self.code.severity()
+        self.severity < self.rule.severity
     }
 
     /// Spells what it says in the words of a front end.

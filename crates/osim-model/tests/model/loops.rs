@@ -30,7 +30,7 @@ fn loop_closed_by(class: &str) -> Model {
 }
 
 fn codes(model: &Model) -> Vec<&str> {
-    model.warnings.iter().map(|finding| finding.code.as_str()).collect()
+    model.warnings.iter().map(|finding| finding.code().as_str()).collect()
 }
 
 // OpenSim 4.6: 70 kg without the joint and with a PinJoint (c is divided), 110 kg with a WeldJoint or a FreeJoint.

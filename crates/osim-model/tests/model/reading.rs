@@ -104,7 +104,7 @@ fn contact_parameters_are_found_in_all_their_spellings() {
     reads("parameters_wrapper_wins", Property::Stiffness, 77.0, Origin::Element);
     read("parameters_misnamed", |model| {
         assert!(model.forces()[0].sets.is_empty());
-        assert!(model.warnings.iter().any(|warning| warning.code.as_str() == "misnamed-parameter-set"));
+        assert!(model.warnings.iter().any(|warning| warning.code().as_str() == "misnamed-parameter-set"));
     });
 }
 
@@ -124,7 +124,8 @@ fn defaults_give_what_is_left_out() {
     reads("defaults_of_materials_only", Property::Dissipation, 0.0, Origin::ClassDefault);
     assert!(!read("defaults_applies_force", |model| model.forces()[0].applies));
     for file in ["defaults_smooth", "defaults_contact_parameters", "defaults_sphere_radius"] {
-        let warned = read(file, |model| model.warnings.iter().any(|w| w.code.as_str() == "contact-defaults"));
+        let warned =
+            read(file, |model| model.warnings.iter().any(|w| w.code().as_str() == "contact-defaults"));
         assert!(warned, "{file}");
     }
 }
@@ -250,7 +251,7 @@ fn frames_lead_to_their_body_in_every_spelling() {
             let sphere = &model.sphere(model.forces()[0].spheres()[0]).unwrap();
             assert_eq!(sphere.body.as_deref(), Some("calcn_r"), "{file}");
             assert!(
-                model.warnings.iter().any(|warning| warning.code.as_str() == "connectee-by-name"),
+                model.warnings.iter().any(|warning| warning.code().as_str() == "connectee-by-name"),
                 "{file}: {:?}",
                 model.warnings
             );
@@ -370,7 +371,7 @@ fn traps_are_named_with_their_codes() {
         ("same_force_name_twice", "duplicate-names"),
         ("same_sphere_name_twice", "duplicate-names"),
     ] {
-        let codes: Vec<&str> = read(file, |model| model.warnings.iter().map(|w| w.code.as_str()).collect());
+        let codes: Vec<&str> = read(file, |model| model.warnings.iter().map(|w| w.code().as_str()).collect());
         assert!(codes.contains(&code), "{file}: {codes:?}");
     }
     assert_eq!(read("left_out_smoothing", |model| model.warnings.clone()), []);

@@ -76,11 +76,12 @@ fn found(tag: &str, text: &str) -> Vec<(&'static str, String)> {
         _ => FOOT.replace(radius, &format!("{radius}{element}")),
     };
     let findings = Model::parse(model.as_str()).unwrap().warnings;
-    let odd =
-        findings.into_iter().filter(|finding| ["odd-number", "not-finite"].contains(&finding.code.as_str()));
+    let odd = findings
+        .into_iter()
+        .filter(|finding| ["odd-number", "not-finite"].contains(&finding.code().as_str()));
     odd.map(|finding| {
         assert_eq!(finding.line, Some(line_of(&model, &element)));
-        (finding.code.as_str(), finding.message.to_string())
+        (finding.code().as_str(), finding.message.to_string())
     })
     .collect()
 }
@@ -122,7 +123,7 @@ fn an_odd_location_of_defaults_is_that_of_each_sphere_without_its_own() {
         let text = FOOT.replace("<Model name=\"one_foot\">", &defaults(location));
         let text = text.replace("<radius>0.03</radius>", &format!("<radius>0.03</radius>{own}"));
         let odd =
-            |model: &Model| model.warnings.iter().filter(|one| one.code.as_str() == "odd-number").count();
+            |model: &Model| model.warnings.iter().filter(|one| one.code().as_str() == "odd-number").count();
         Model::parse(text).map(|model| (odd(&model), model.spheres()[0].location_m)).unwrap()
     };
     assert_eq!(model("7,8,9", ""), (1, [0.0; 3]));
@@ -189,7 +190,7 @@ fn a_transition_velocity_that_is_no_number_is_found_in_the_older_class_too() {
         ("<x/>0.17", "odd-number"),
     ] {
         let model = Model::parse(format!("{before}{tag}{text}{after}")).unwrap();
-        let found: Vec<_> = model.warnings.iter().map(|finding| finding.code.as_str()).collect();
+        let found: Vec<_> = model.warnings.iter().map(|finding| finding.code().as_str()).collect();
         assert!(found.contains(&code), "{text}: {found:?}");
     }
 }

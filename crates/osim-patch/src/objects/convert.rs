@@ -3,9 +3,7 @@
 use std::collections::HashSet;
 
 use contact_scaling::{RatioValues, Ratios, SmoothingValues, falisse2022};
-use osim_model::{
-    ElementId, Fault, FaultKind, Finding, FindingCode, Force, ForceKind, Model, Property, Selected, Tree,
-};
+use osim_model::{ElementId, Fault, FaultKind, Finding, Force, ForceKind, Model, Property, Selected, Tree};
 
 use super::names::{Names, refuse_misread};
 use super::pairs::{Pair, pairs};
@@ -14,6 +12,7 @@ use super::spelling::{self, InList, Surfaces};
 use super::whole::refuse_parts;
 use crate::edit::{Edit, edited};
 use crate::insert::{unit, white_space_before};
+use crate::rules::composite_surfaces;
 
 /// What only smoothed forces have.
 pub(super) const SMOOTHING: [Property; 3] =
@@ -162,16 +161,12 @@ fn pairs_of(model: &Model, force: &Force) -> Result<Vec<Pair>, Fault> {
 
 fn composite(model: &Model, force: &Force, pair: &Pair, wanted: &Convert) -> Result<Finding, Fault> {
     let sphere = model.sphere(pair.sphere).map_or("", |sphere| sphere.name.as_str());
-    let text = format!(
-        "{}: {sphere} and {} have parameters of their own; the new force has those of both together (A.3), and as Simbody moves \
-         the contact point by the moduli, accelerations differ by up to 2.9 %",
-        force.path, pair.plane.name
-    );
+    let text = composite_surfaces::message(force, sphere, &pair.plane.name);
     if wanted.strict {
         let kind = FaultKind::StrictlyRefused { text };
         return Err(Fault::new(kind).of(force.path.clone()));
     }
-    Ok(Finding::at(FindingCode::CompositeSurfaces, force.line, text).about(&force.path))
+    Ok(composite_surfaces::of_force(force, text))
 }
 
 /// The edit that puts one force for each pair into the place of `force`, and the new objects.

@@ -59,10 +59,7 @@ impl<'t> Choice<'t> {
     pub(crate) fn make(model: &Model, selected: &Selected, wanted: &'t Transfer) -> Result<Self, Fault> {
         let contacts = &wanted.reference.contacts;
         let Some(first) = contacts.first() else {
-            return Err(Fault::refused(format!(
-                "the reference {} has no contacts to take",
-                wanted.reference.name
-            )));
+            return Err(wanted.reference.without_contacts());
         };
         if let Some(name) = &wanted.reference_sphere {
             let named = contacts.iter().find_map(|contact| {

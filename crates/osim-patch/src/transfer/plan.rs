@@ -4,8 +4,8 @@ use contact_scaling::{RatioValues, Ratios};
 use osim_compare::Follow;
 use osim_messages::{phrase, readable};
 use osim_model::{
-    DissipationBy, Fault, Finding, FindingCode, Force, ForceKind, GravityFor, Model, Property, RadiusRule,
-    Scope, Selected, SphereId,
+    DissipationBy, Fault, Force, ForceKind, GravityFor, Model, Property, RadiusRule, Scope, Selected,
+    SphereId,
 };
 
 use super::choice::{Choice, ReferenceRadii};
@@ -18,6 +18,7 @@ use crate::gravity::GravityChange;
 use crate::plan::{Contents, FOLLOW, Masses, NoteFacts, Plan};
 use crate::radii::{Radii, SphereRule};
 use crate::remarks::{GRAVITY_STAYS, PLACES_STAY, bottoms_remark, warn_forces};
+use crate::rules::{nothing_to_change, reference_without_smoothing};
 use crate::scaling::factor;
 use crate::surfaces::write_composite;
 
@@ -100,8 +101,7 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
     }
     let whole = !without_smoothing;
     if without_smoothing {
-        let text = format!("{} has no smoothing parameters: the model's own stay", reference.name);
-        plan.warnings.push(Finding::new(FindingCode::ReferenceWithoutSmoothing, text));
+        plan.warnings.push(reference_without_smoothing::of_reference(&reference.name));
     }
     Ok(finish(plan, wanted, selected.complete && whole, &radii, change))
 }
@@ -168,8 +168,7 @@ fn finish(
 ) -> Plan {
     let PlanBuilder { model, changes, moves, mut warnings, mut remarks, .. } = plan;
     if changes.is_empty() {
-        let text = "every value is already as the reference wants it";
-        warnings.push(Finding::new(FindingCode::NothingToChange, text));
+        warnings.push(nothing_to_change::by_transfer());
     } else if wanted.follow.is_some() {
         remarks.push("body masses stay as they are; spheres follow their bodies".into());
     } else if !moves.is_empty() {

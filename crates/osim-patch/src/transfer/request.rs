@@ -2,7 +2,7 @@
 
 use contact_scaling::{Contact, Preset};
 use osim_compare::Follow;
-use osim_model::{DissipationBy, LevelAxis, Mass, MassSource, PropertySet, RadiusRule};
+use osim_model::{DissipationBy, Fault, LevelAxis, Mass, MassSource, PropertySet, RadiusRule};
 
 /// One contact of a reference, and the spheres that have it.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,6 +53,14 @@ pub struct Reference {
     pub gravity_m_s2: Option<f64>,
     /// Its contacts.
     pub contacts: Vec<ReferenceContact>,
+}
+
+impl Reference {
+    /// The refusal of a reference that has no contacts.
+    #[must_use]
+    pub fn without_contacts(&self) -> Fault {
+        Fault::refused(format!("the reference {} has no contacts to take", self.name))
+    }
 }
 
 impl ReferenceContact {

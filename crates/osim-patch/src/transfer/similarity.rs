@@ -2,15 +2,13 @@
 
 use contact_scaling::{Contact, DimensionlessContact, RatioValues, Ratios, Scale, ScaleValues, restitution};
 use osim_messages::Phrase;
-use osim_model::{Fault, FaultKind, Finding, FindingCode, Model, Selected, SphereId};
+use osim_model::{Fault, FaultKind, Model, Selected, SphereId};
 
 use super::choice::Choice;
 use super::request::{ScalingRule, Transfer};
 use crate::builder::PlanBuilder;
 use crate::radii::Radii;
-
-/// A larger difference (relative) between the factors of one force's spheres is reported.
-const SPREAD: f64 = 0.01;
+use crate::rules::factor_spread;
 
 /// Spheres of one modulus that follow bodies of different factors.
 pub(crate) fn check_spread(
@@ -28,19 +26,11 @@ pub(crate) fn check_spread(
             Some(radius) => radius,
             None => chosen.of_sphere(model, sphere).radius_m,
         };
-        let spread = radii.spread(force, old);
-        if spread <= 1.0 + SPREAD {
-            continue;
-        }
-        let text = format!(
-            "{}: its spheres grow by factors that differ by {:.1} %; the mean of R squared is used",
-            force.path,
-            (spread - 1.0) * 100.0
-        );
+        let Some(text) = factor_spread::message(force, radii.spread(force, old)) else { continue };
         if wanted.strict {
             return Err(Fault::new(FaultKind::StrictlyRefused { text }).of(force.path.clone()));
         }
-        plan.warnings.push(Finding::at(FindingCode::FactorSpread, force.line, text));
+        plan.warnings.push(factor_spread::of_force(force, text));
     }
     Ok(())
 }

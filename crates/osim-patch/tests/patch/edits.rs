@@ -185,7 +185,7 @@ fn the_moco_dialect_is_rescaled_in_its_own_form() {
         ),
     ]);
     let model = given_fixture("format/moco_sphere_in_force.osim").read().unwrap();
-    assert!(model.warnings.iter().any(|warning| warning.code.as_str() == "moco-dialect"));
+    assert!(model.warnings.iter().any(|warning| warning.code().as_str() == "moco-dialect"));
 }
 
 #[test]

@@ -90,6 +90,6 @@ fn a_constant_contact_force_of_0_is_never_written() {
     let selected = Selection::default().apply(&model).unwrap();
     let plan = set(&model, &selected, &Set::new(vec![(cf, Assignment::Factor(2.0))])).unwrap();
     assert!(plan.changes.is_empty());
-    let warned = model.warnings.iter().any(|warning| warning.code == FindingCode::ZeroConstantContactForce);
+    let warned = model.warnings.iter().any(|warning| warning.code() == FindingCode::ZeroConstantContactForce);
     assert!(warned, "{:?}", model.warnings);
 }

@@ -74,7 +74,7 @@ pub(crate) fn too_smooth(model: &Model) -> Vec<Finding> {
         .findings
         .into_iter();
     found
-        .filter(|finding| matches!(finding.code, FindingCode::Floats | FindingCode::ForceBeforeContact))
+        .filter(|finding| matches!(finding.code(), FindingCode::Floats | FindingCode::ForceBeforeContact))
         .map(with_way_out)
         .collect()
 }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use osim_inspect::{CheckResult, Found, InspectOptions};
 use osim_model::files::InMemory;
 use osim_model::{FileId, FindingCode, Model, Repair};
-use osim_planning::{Inspector, check_with_trials, open_with, prepare};
+use osim_planning::{Inspector, check_with_trials, open_with, prepare, rules};
 use osim_requests::Request;
 use serde_json::{Value, json};
 
@@ -82,7 +82,7 @@ fn check(options: &InspectOptions, model: &Model) -> CheckResult {
 /// Findings that say the same: about spheres it is one for all, else one for each place.
 fn same(a: &Found, b: &Found) -> bool {
     let about_spheres = !a.spheres.is_empty() && !b.spheres.is_empty();
-    a.code == b.code && (about_spheres || a.place == b.place)
+    a.code() == b.code() && (about_spheres || a.place == b.place)
 }
 
 /// Runs the remedy as a request that was written down and read again.
@@ -108,18 +108,18 @@ fn every_remedy_puts_its_finding_right() {
         for given in options(&model) {
             let options = inspect_options(&given).unwrap();
             for finding in check(&options, &model).findings {
-                seen.insert(finding.code);
+                seen.insert(finding.code());
                 if finding.remedy.is_none() {
                     continue;
                 }
-                *proposed.entry(finding.code).or_default() += 1;
+                *proposed.entry(finding.code()).or_default() += 1;
                 match put_right(&finding, &text) {
-                    Err(why) => wrong.push(format!("{name} {given} {}: {why}", finding.code)),
+                    Err(why) => wrong.push(format!("{name} {given} {}: {why}", finding.code())),
                     Ok(changed) => {
                         let left = check(&options, &changed).findings;
                         if let Some(left) = left.iter().find(|left| same(left, &finding)) {
                             let (before, after) = (&finding.message, &left.message);
-                            wrong.push(format!("{name} {given} {}: {before} -> {after}", finding.code));
+                            wrong.push(format!("{name} {given} {}: {before} -> {after}", finding.code()));
                         }
                     }
                 }
@@ -129,10 +129,10 @@ fn every_remedy_puts_its_finding_right() {
     assert!(wrong.is_empty(), "{} remedies leave their finding:\n{}", wrong.len(), wrong.join("\n"));
     // Its command needs the model that was scaled: see below.
     let alone = |code: &FindingCode| *code != FindingCode::SpheresLeftBehind;
-    let with_command = FindingCode::ALL
+    let with_command = rules::all()
         .iter()
-        .copied()
-        .filter(|code| matches!(code.repair(), Repair::Command(_)))
+        .filter(|rule| matches!(rule.repair, Repair::Command(_)))
+        .map(|rule| rule.code)
         .filter(alone);
     assert_eq!(proposed.keys().copied().collect::<BTreeSet<_>>(), with_command.collect());
     assert!(seen.len() > 25, "{seen:?}");
@@ -166,7 +166,7 @@ fn spheres_that_were_left_behind_follow_by_the_command() {
             };
             let found = check(scaled.as_bytes());
             let behind =
-                found.findings.iter().find(|one| one.code == FindingCode::SpheresLeftBehind).unwrap();
+                found.findings.iter().find(|one| one.code() == FindingCode::SpheresLeftBehind).unwrap();
             let request = behind.remedy.as_ref().unwrap();
             let request = Request::from_json(request.to_json().as_bytes()).unwrap();
             let change = prepare(request, &files).unwrap();
@@ -174,7 +174,7 @@ fn spheres_that_were_left_behind_follow_by_the_command() {
             let changed = change.planner.plan(&model).unwrap().patched(&model, FileId::MAIN).unwrap();
             let left = check(&changed);
             assert!(
-                left.findings.iter().all(|one| one.code != FindingCode::SpheresLeftBehind),
+                left.findings.iter().all(|one| one.code() != FindingCode::SpheresLeftBehind),
                 "{more}: {left:?}"
             );
         }

@@ -1,6 +1,6 @@
 //! What `check` finds: each limit from both sides, the sphere and the force that it names, and what it leaves out.
 
-use crate::checks::{check_foot, check_text, check_with, codes, find, has, message};
+use crate::checks::{check_foot, check_text, check_with, codes, find, has, message, rule};
 use crate::feet::{SOLE, Smooth, foot};
 use osim_inspect::{Changeable, CheckResult, InspectOptions, Stance, check_model};
 use osim_model::files::FileName;
@@ -301,7 +301,7 @@ fn the_worst_comes_first_and_each_severity_is_counted() {
 fn findings_of_one_kind_are_in_the_order_of_their_lines() {
     let model = Model::parse(foot(&[SOLE])).unwrap();
     let inspected = InspectOptions::default().inspect("model.osim", &model, None);
-    let on = |line| Finding::at(FindingCode::DisabledForce, line, "it is off");
+    let on = |line| Finding::at(rule(FindingCode::DisabledForce), line, "it is off");
     assert_eq!(
         CheckResult::new(&inspected, vec![on(31).into(), on(7).into()]).findings,
         [on(7).into(), on(31).into()]
@@ -351,7 +351,7 @@ fn counts_are_told_in_words() {
 fn what_is_known_of_files_beside_the_model_is_among_the_findings() {
     let model = Model::parse(foot(&[SOLE])).unwrap();
     let options = InspectOptions::default();
-    let beside = Finding::new(FindingCode::CompiledModelBeside, "F_model.so is here");
+    let beside = Finding::new(rule(FindingCode::CompiledModelBeside), "F_model.so is here");
     let result =
         check_with_trials(&options, &model, &options.inspect("model.osim", &model, None), Some(&beside));
     assert_eq!(result.findings, [beside.into()]);

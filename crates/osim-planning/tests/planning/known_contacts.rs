@@ -83,7 +83,7 @@ fn one_value_that_is_off_by_two_per_cent_makes_them_unknown() {
         for text in [FALISSE.replacen(value, off, 1), FALISSE.replace(value, off)] {
             assert_eq!(known(&text), None, "{off}");
             let found = check(&text);
-            let hertz = found.findings.iter().find(|one| one.code == FindingCode::BeyondHertz).unwrap();
+            let hertz = found.findings.iter().find(|one| one.code() == FindingCode::BeyondHertz).unwrap();
             assert_eq!(hertz.severity, Severity::Warn, "{off}");
         }
     }
@@ -93,14 +93,14 @@ fn one_value_that_is_off_by_two_per_cent_makes_them_unknown() {
 fn what_was_published_so_is_a_remark_and_nothing_else_is() {
     let found = check(FALISSE);
     assert_eq!((found.counts.error, found.counts.warn), (0, 0), "{:?}", found.findings);
-    let codes: Vec<&str> = found.findings.iter().map(|finding| finding.code.as_str()).collect();
+    let codes: Vec<&str> = found.findings.iter().map(|finding| finding.code().as_str()).collect();
     assert_eq!(codes, ["beyond-hertz", "beyond-hunt-crossley", "known-contacts"]);
     assert!(found.findings[0].is_as_published() && !found.findings[2].is_as_published());
 
     // A wrong number is an error with known contacts, too; a body of another mass is a warning.
     let forgotten = FALISSE.replacen("<mass>60<", "<mass>58<", 1);
     let found = check(&forgotten);
-    let other = found.findings.iter().find(|one| one.code == FindingCode::ContactsOfAnotherMass).unwrap();
+    let other = found.findings.iter().find(|one| one.code() == FindingCode::ContactsOfAnotherMass).unwrap();
     assert_eq!(other.severity, Severity::Warn);
     assert!(
         other.message.to_string().contains("made for 62 kg, and the body weighs 60 kg"),

@@ -123,7 +123,7 @@ fn smaller_left_foot() -> String {
 
 fn differing(text: &str) -> Vec<String> {
     let found = check_text(text).findings;
-    let differ = found.iter().filter(|found| found.code == FindingCode::LeftRightDiffer);
+    let differ = found.iter().filter(|found| found.code() == FindingCode::LeftRightDiffer);
     differ.inspect(|found| assert_eq!(found.remedy, None)).map(|found| found.message.to_string()).collect()
 }
 
@@ -142,7 +142,7 @@ fn contacts_that_follow_bones_of_unlike_size_do_not_differ() {
         &text[text.find("<ForceSet").unwrap()..]
     );
     let found = check_text(&of_equal);
-    let differ = found.findings.iter().filter(|found| found.code == FindingCode::LeftRightDiffer);
+    let differ = found.findings.iter().filter(|found| found.code() == FindingCode::LeftRightDiffer);
     assert_eq!(differ.count(), 6);
 }
 

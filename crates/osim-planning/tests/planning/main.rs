@@ -20,3 +20,4 @@ mod left_like_right;
 mod masses;
 mod placement;
 mod remedies;
+mod rules;

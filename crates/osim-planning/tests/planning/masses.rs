@@ -129,7 +129,7 @@ fn a_mismatch_is_said_after_the_finding_of_masses_and_nowhere_else() {
     let result = check_text(&text);
     let aside = "; figures are those under 60 kg: for the others say `mass` 75.5";
     for finding in &result.findings {
-        let of_masses = finding.code == FindingCode::MassSourcesDisagree;
+        let of_masses = finding.code() == FindingCode::MassSourcesDisagree;
         assert_eq!(finding.message.to_string().ends_with(aside), of_masses, "{}", finding.message);
         assert_eq!(finding.remedy, None, "which mass is meant has to be settled first");
     }

@@ -28,7 +28,7 @@ fn alone(text: &str) -> Vec<FindingCode> {
 }
 
 fn codes(found: &CheckResult) -> Vec<FindingCode> {
-    found.findings.iter().map(|finding| finding.code).filter(|code| PLACES.contains(code)).collect()
+    found.findings.iter().map(|finding| finding.code()).filter(|code| PLACES.contains(code)).collect()
 }
 
 fn check(text: &str, generic: Option<&str>) -> CheckResult {
@@ -116,7 +116,7 @@ fn a_foot_is_filled_as_in_published_models() {
         let text = ["s5_r", "s6_r"].iter().fold(NOBODYS.to_owned(), |text, name| with_x(&text, name, x));
         assert_eq!(alone(&text), [expected], "{x}");
         let found = check(&text, None);
-        let odd = found.findings.iter().find(|one| one.code == FindingCode::SpheresMisplaced);
+        let odd = found.findings.iter().find(|one| one.code() == FindingCode::SpheresMisplaced);
         let odd = odd.map(|odd| odd.message.to_string());
         assert!(odd.as_ref().is_none_or(|odd| odd.contains("of the foot's length")), "{odd:?}");
     }
@@ -137,7 +137,7 @@ fn compared_with_the_model_that_was_scaled_each_sphere_has_its_place() {
     let behind: Vec<String> = found
         .findings
         .iter()
-        .filter(|finding| finding.code == FindingCode::SpheresLeftBehind)
+        .filter(|finding| finding.code() == FindingCode::SpheresLeftBehind)
         .map(|finding| finding.message.to_string())
         .collect();
     assert_eq!(behind.len(), 6);
@@ -148,9 +148,9 @@ fn compared_with_the_model_that_was_scaled_each_sphere_has_its_place() {
     assert_eq!(said(found.findings[0].remedy.as_ref()), expected);
     // What the spheres do where they should not be is not judged, and nothing else has a command.
     assert!(
-        found.findings.iter().all(|one| one.remedy.is_none() || one.code == FindingCode::SpheresLeftBehind)
+        found.findings.iter().all(|one| one.remedy.is_none() || one.code() == FindingCode::SpheresLeftBehind)
     );
-    assert!(!found.findings.iter().any(|one| one.code == FindingCode::BeyondHertz));
+    assert!(!found.findings.iter().any(|one| one.code() == FindingCode::BeyondHertz));
 }
 
 #[test]
@@ -164,14 +164,14 @@ fn a_sphere_that_somebody_moved_is_a_warning_without_a_command() {
     let moved = if moved == SCALED { SCALED.replacen("-0.040000000000000001", "-0.041", 1) } else { moved };
     assert_ne!(moved, SCALED);
     let found = check(&moved, Some(GENERIC));
-    assert!(found.findings.iter().any(|one| one.code == FindingCode::SpheresMisplaced));
+    assert!(found.findings.iter().any(|one| one.code() == FindingCode::SpheresMisplaced));
     assert!(found.findings.iter().all(|one| one.remedy.is_none()), "a transfer would ask");
 }
 
 #[test]
 fn a_model_that_cannot_be_compared_says_why() {
     let found = check(SCALED, Some(RIGHT));
-    let why = found.findings.iter().find(|one| one.code == FindingCode::SpheresNotCompared).unwrap();
+    let why = found.findings.iter().find(|one| one.code() == FindingCode::SpheresNotCompared).unwrap();
     assert!(why.message.to_string().contains("no sphere of the same name"), "{}", why.message);
 }
 
@@ -197,7 +197,8 @@ fn bones_of(text: &str, size: &str) -> String {
 fn the_note_comes_before_everything_else() {
     let scaled = bones_of(&noted(RIGHT, "note"), "0.6306 0.6397 0.6306");
     let found = check(&scaled, None);
-    let left = found.findings.iter().find(|finding| finding.code == FindingCode::SpheresLeftBehind).unwrap();
+    let left =
+        found.findings.iter().find(|finding| finding.code() == FindingCode::SpheresLeftBehind).unwrap();
     // 0.6306 / 0.913924 and 0.6397 / 0.913924.
     assert!(left.message.to_string().contains("calcn_r x0.68999"), "{}", left.message);
     let by_note = json!({"verb": "rescale", "target_mass": 62.0, "follow_bodies": true});
@@ -254,10 +255,10 @@ fn another_original_is_said_and_what_the_file_shows_is_not_hidden() {
     // Meshes of one body that no factors per axis explain: not a scaled copy.
     let unlike = RIGHT.replacen("0.913924 0.913924 0.913924", "0.913924 -0.913924 0.913924", 1);
     let found = check(CHILD, Some(&unlike));
-    let said: Vec<_> = found.findings.iter().filter(|one| PLACES.contains(&one.code)).collect();
+    let said: Vec<_> = found.findings.iter().filter(|one| PLACES.contains(&one.code())).collect();
     assert_eq!(codes(&found).len(), 2, "{said:?}");
     assert!(codes(&found).contains(&FindingCode::SpheresMisplaced), "by the layout in the file");
-    let why = said.iter().find(|one| one.code == FindingCode::SpheresNotCompared).unwrap();
+    let why = said.iter().find(|one| one.code() == FindingCode::SpheresNotCompared).unwrap();
     assert!(why.message.to_string().contains("not a scaled copy of that one"), "{}", why.message);
     assert!(said.iter().all(|one| one.remedy.is_none()));
 }
@@ -273,7 +274,7 @@ fn a_sphere_without_a_counterpart_is_reported_and_nothing_is_said_to_be_right() 
         let missing: Vec<String> = found
             .findings
             .iter()
-            .filter(|one| one.code == FindingCode::SpheresNotCompared)
+            .filter(|one| one.code() == FindingCode::SpheresNotCompared)
             .map(|one| one.message.to_string())
             .collect();
         assert_eq!(missing.len(), 2, "{missing:?}");
@@ -293,7 +294,7 @@ fn spheres_that_this_program_resized_are_placed_again() {
     let resized = String::from_utf8(plan.patched(&model, FileId::MAIN).unwrap()).unwrap();
     let change = |text: &str| {
         let found = check(text, Some(GENERIC));
-        let behind = found.findings.iter().find(|one| one.code == FindingCode::SpheresLeftBehind).unwrap();
+        let behind = found.findings.iter().find(|one| one.code() == FindingCode::SpheresLeftBehind).unwrap();
         said(behind.remedy.as_ref())
     };
     let expected = json!({
@@ -314,7 +315,7 @@ fn symptoms_of_misplaced_spheres_come_after_them_and_have_no_command() {
     assert!(found.findings.iter().all(|one| one.remedy.is_none()));
     let warned: Vec<_> = found.findings.iter().filter(|one| one.severity == Severity::Warn).collect();
     assert!(warned.len() > 1, "{warned:?}");
-    assert_eq!(warned[0].code, FindingCode::SpheresMisplaced);
+    assert_eq!(warned[0].code(), FindingCode::SpheresMisplaced);
 }
 
 #[test]

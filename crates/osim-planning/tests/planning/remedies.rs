@@ -98,7 +98,7 @@ fn what_a_remedy_says_puts_the_finding_right() {
 
     let patched = plan.patched(&model, FileId::MAIN).unwrap();
     let after = check("human.osim", std::str::from_utf8(&patched).unwrap());
-    let left: Vec<&str> = after.findings.iter().map(|finding| finding.code.as_str()).collect();
+    let left: Vec<&str> = after.findings.iter().map(|finding| finding.code().as_str()).collect();
     assert!(!left.contains(&"beyond-hertz") && !left.contains(&"beyond-hunt-crossley"), "{left:?}");
 }
 
@@ -109,7 +109,8 @@ fn contacts_of_another_body_are_rescaled_from_its_mass_to_this_one() {
     let expected = json!({"verb": "rescale", "target_mass": 90.0, "contacts_mass": 62.0});
     assert_eq!(remedy(&result, FindingCode::ContactsOfAnotherMass), expected);
     // Everything else has to wait until the contacts are those of this body.
-    let others = result.findings.iter().filter(|finding| finding.code != FindingCode::ContactsOfAnotherMass);
+    let others =
+        result.findings.iter().filter(|finding| finding.code() != FindingCode::ContactsOfAnotherMass);
     assert!(others.into_iter().all(|finding| finding.remedy.is_none()));
 }
 

@@ -16,7 +16,7 @@ pub fn csv_rows(found: &CheckResult, header: bool) -> Result<String, csv::Error>
         vec![
             found.model.clone(),
             finding.severity.as_str().to_owned(),
-            finding.code.as_str().to_owned(),
+            finding.code().as_str().to_owned(),
             finding.place.clone().unwrap_or_default(),
             finding.line.map(|line| line.to_string()).unwrap_or_default(),
             finding.spheres.join(" "),

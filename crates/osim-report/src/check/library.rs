@@ -23,7 +23,7 @@ impl LibraryTable {
         let mut seen: Option<(Severity, FindingCode)> = None;
         for finding in &found.findings {
             // Findings are sorted, so that those of one code are together.
-            let kind = (finding.severity, finding.code);
+            let kind = (finding.severity, finding.code());
             if seen.replace(kind) == Some(kind) {
                 continue;
             }

@@ -11,12 +11,14 @@ use crate::layout::{Colour, severity, wrapped, wrapped_with_path};
 /// What was published so with known contacts is named once, and not explained.
 #[must_use]
 pub fn text(found: &CheckResult, prompt: &str, colour: Colour) -> String {
-    let known = found.findings.iter().find(|finding| finding.code == FindingCode::KnownContacts);
+    let known = found.findings.iter().find(|finding| finding.code() == FindingCode::KnownContacts);
     let clean = known.filter(|_| found.counts.error + found.counts.warn == 0);
     let shown: Vec<&Found> = found
         .findings
         .iter()
-        .filter(|finding| !finding.is_as_published() && clean.is_none_or(|known| known.code != finding.code))
+        .filter(|finding| {
+            !finding.is_as_published() && clean.is_none_or(|known| known.code() != finding.code())
+        })
         .collect();
     let published = published(found);
     let head = match clean {
@@ -27,10 +29,10 @@ pub fn text(found: &CheckResult, prompt: &str, colour: Colour) -> String {
     let mut rest = shown.as_slice();
     while let Some(first) = rest.first() {
         // The same trap in several places is explained once.
-        let same = rest.iter().take_while(|finding| finding.code == first.code).count();
+        let same = rest.iter().take_while(|finding| finding.code() == first.code()).count();
         let (alike, others) = rest.split_at(same);
         text.push('\n');
-        let more = if first.code == FindingCode::KnownContacts { published.as_str() } else { "" };
+        let more = if first.code() == FindingCode::KnownContacts { published.as_str() } else { "" };
         text.push_str(&block(first, alike, more, (prompt, colour)));
         rest = others;
     }
@@ -43,14 +45,14 @@ fn published(found: &CheckResult) -> String {
         .findings
         .iter()
         .filter(|finding| finding.is_as_published())
-        .map(|finding| finding.code.as_str())
+        .map(|finding| finding.code().as_str())
         .collect();
     codes.dedup();
     if codes.is_empty() { String::new() } else { format!(" (as published: {})", codes.join(", ")) }
 }
 
 fn block(first: &Found, alike: &[&Found], more: &str, (prompt, colour): (&str, Colour)) -> String {
-    let mut text = format!("{} {}\n", severity(first.severity, colour), first.code);
+    let mut text = format!("{} {}\n", severity(first.severity, colour), first.code());
     for finding in alike {
         let line = finding.line.map(|line| format!("line {line}: ")).unwrap_or_default();
         let message = finding.message.to_string();

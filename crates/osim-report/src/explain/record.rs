@@ -4,7 +4,7 @@ use contact_scaling::Equation;
 use contact_scaling::equations::{Form, Symbol};
 use osim_inspect::SCHEMA_VERSION;
 use osim_messages::{Dialect, Phrase};
-use osim_model::{FindingCode, Repair, Seen};
+use osim_model::{Repair, Rule, Seen};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -133,7 +133,7 @@ impl TopicRecord {
         match topic {
             Topic::Equation(equation) => Self::of_equation(equation, dialect),
             Topic::Quantity(quantity) => Self::of_quantity(quantity, dialect),
-            Topic::Finding(code) => Self::of_finding(code, dialect),
+            Topic::Finding(rule) => Self::of_finding(rule, dialect),
             Topic::Error(error) => Self::of_error(error, dialect),
         }
     }
@@ -163,19 +163,19 @@ impl TopicRecord {
         }
     }
 
-    fn of_finding(code: FindingCode, dialect: &dyn Dialect) -> Self {
-        let (fix, why_no_fix) = match code.repair() {
+    fn of_finding(rule: &Rule, dialect: &dyn Dialect) -> Self {
+        let (fix, why_no_fix) = match rule.repair {
             Repair::Command(what) => (Some(what.to_owned()), None),
             Repair::NotPossible(why) => (None, Some(why.to_owned())),
         };
         Self::Finding {
             schema_version: SCHEMA_VERSION,
-            code: code.as_str(),
-            severity: code.severity().as_str(),
-            checked: code.seen() == Seen::Model,
-            what: code.what().spelled(dialect),
-            why: code.why().spelled(dialect),
-            advice: code.advice().spelled(dialect),
+            code: rule.code.as_str(),
+            severity: rule.severity.as_str(),
+            checked: rule.seen == Seen::Model,
+            what: rule.what().spelled(dialect),
+            why: rule.why().spelled(dialect),
+            advice: rule.advice().spelled(dialect),
             fix,
             why_no_fix,
         }

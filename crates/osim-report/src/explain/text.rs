@@ -3,7 +3,7 @@
 use contact_scaling::Equation;
 use contact_scaling::equations::reference;
 use osim_messages::{Dialect, Phrase};
-use osim_model::FindingCode;
+use osim_model::Rule;
 
 use super::errors::ErrorCode;
 use super::letters::Letters;
@@ -18,7 +18,7 @@ pub fn text(topic: Topic, dialect: &dyn Dialect, letters: Letters) -> String {
     match topic {
         Topic::Equation(equation) => of_equation(equation, dialect, letters),
         Topic::Quantity(quantity) => of_quantity(quantity, dialect, letters),
-        Topic::Finding(code) => of_finding(code, dialect),
+        Topic::Finding(rule) => of_finding(rule, dialect),
         Topic::Error(error) => of_error(error, dialect),
     }
 }
@@ -59,13 +59,13 @@ fn of_quantity(quantity: &QuantityTopic, dialect: &dyn Dialect, letters: Letters
     format!("{} (quantity)\n\n{body}", quantity.name)
 }
 
-fn of_finding(code: FindingCode, dialect: &dyn Dialect) -> String {
-    let repair = code.repair().sentence().into();
+fn of_finding(rule: &Rule, dialect: &dyn Dialect) -> String {
+    let repair = rule.repair.sentence().into();
     let parts =
-        [("What: ", code.what()), ("Why:  ", code.why()), ("Do:   ", code.advice()), ("Fix:  ", repair)];
+        [("What: ", rule.what()), ("Why:  ", rule.why()), ("Do:   ", rule.advice()), ("Fix:  ", repair)];
     let body: String =
         parts.into_iter().map(|(label, body)| paragraph(label, &body.spelled(dialect))).collect();
-    format!("{code}\n\n{body}")
+    format!("{}\n\n{body}", rule.code)
 }
 
 fn of_error(error: &ErrorCode, dialect: &dyn Dialect) -> String {
@@ -93,8 +93,8 @@ pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: Letters) -> String
                 let what = letters.spelled(&quantity.what().spelled(dialect));
                 quantities.add_row(vec![quantity.name.to_owned(), what]);
             }
-            Topic::Finding(code) => {
-                findings.add_row(vec![code.as_str().to_owned(), code.what().spelled(dialect)]);
+            Topic::Finding(rule) => {
+                findings.add_row(vec![rule.code.as_str().to_owned(), rule.what().spelled(dialect)]);
             }
             Topic::Error(error) => {
                 let means = letters.spelled(&error.means().spelled(dialect));

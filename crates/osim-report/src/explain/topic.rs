@@ -2,7 +2,8 @@
 
 use contact_scaling::Equation;
 use osim_messages::Verb;
-use osim_model::{FindingCode, Question};
+use osim_model::{Question, Rule};
+use osim_planning::rules;
 
 use super::equations::{equation, equations};
 use super::errors::{ErrorCode, errors};
@@ -17,8 +18,8 @@ pub enum Topic {
     Equation(&'static Equation),
     /// A property of a contact, or a figure.
     Quantity(&'static QuantityTopic),
-    /// A warning or finding.
-    Finding(FindingCode),
+    /// The rule of a warning or finding.
+    Finding(&'static Rule),
     /// An error.
     Error(&'static ErrorCode),
 }
@@ -37,7 +38,7 @@ impl Topic {
     /// Everything that can be explained.
     #[must_use]
     pub fn all() -> Vec<Self> {
-        let findings = FindingCode::ALL.iter().copied().map(Self::Finding);
+        let findings = rules::all().iter().copied().map(Self::Finding);
         let numbers = equations().map(Self::Equation).chain(quantities().map(Self::Quantity));
         numbers.chain(findings).chain(errors().map(Self::Error)).collect()
     }
@@ -66,7 +67,7 @@ impl Topic {
         match self {
             Self::Equation(equation) => equation.label,
             Self::Quantity(quantity) => quantity.name,
-            Self::Finding(code) => code.as_str(),
+            Self::Finding(rule) => rule.code.as_str(),
             Self::Error(error) => error.code,
         }
     }
@@ -77,7 +78,7 @@ fn called(name: &str) -> Vec<Topic> {
     let is_code = |code: &str| code == name.trim_matches(['[', ']', ' ']);
     let equation = equation(name).map(Topic::Equation);
     let quantity = quantity(name).map(Topic::Quantity);
-    let warning = FindingCode::ALL.iter().copied().find(|code| is_code(code.as_str())).map(Topic::Finding);
+    let warning = rules::all().iter().copied().find(|rule| is_code(rule.code.as_str())).map(Topic::Finding);
     let error = errors().find(|known| is_code(known.code)).map(Topic::Error);
     let found: Vec<Topic> = [equation, quantity, warning, error].into_iter().flatten().collect();
     if found.is_empty() && is_question(name) { questions() } else { found }

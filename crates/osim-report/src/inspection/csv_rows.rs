@@ -79,7 +79,7 @@ fn cells(place: &Place<'_>) -> Vec<String> {
 /// The codes of a model's warnings, each once: every row repeats them.
 fn codes(inspected: &Inspection) -> String {
     let mut seen = HashSet::new();
-    let codes = inspected.warnings.iter().map(|warning| warning.code.as_str());
+    let codes = inspected.warnings.iter().map(|warning| warning.code().as_str());
     codes.filter(|code| seen.insert(*code)).collect::<Vec<_>>().join(" ")
 }
 

@@ -38,7 +38,7 @@ pub fn line(plan: &Plan, model: &str, output: &str) -> String {
     let masses = plan.masses.as_ref().map(|masses| {
         format!("{} -> {} kg, ", readable(masses.contacts_mass.kg), readable(masses.target_mass_kg))
     });
-    let mut codes: Vec<&str> = plan.warnings.iter().map(|warning| warning.code.as_str()).collect();
+    let mut codes: Vec<&str> = plan.warnings.iter().map(|warning| warning.code().as_str()).collect();
     codes.dedup();
     let warnings = if codes.is_empty() { String::new() } else { format!(" [{}]", codes.join(", ")) };
     let numbers = plan.changes.len() + plan.moves.len();

@@ -141,7 +141,6 @@ fn option(field: &str) -> String {
 #[cfg(test)]
 mod tests {
     use osim_messages::Phrase;
-    use osim_model::FindingCode;
     use serde_json::{Value, json};
 
     use super::*;
@@ -197,42 +196,5 @@ mod tests {
     fn what_is_positional_stands_before_the_model() {
         let call = "`plot MODEL output=FILE.svg kind=force`, `explain topics=FINDING`";
         assert_eq!(spelled(call), "plot force MODEL -o FILE.svg, explain FINDING");
-    }
-
-    #[test]
-    fn the_register_reads_as_it_always_did() {
-        for (code, why, remedy) in [
-            (
-                FindingCode::AlreadyAtTarget,
-                "else --mass, else the sum of the bodies.",
-                "Say what the contacts were made for with --contacts-mass KG, or take those of a known model with \
-                 transfer --from MODEL",
-            ),
-            (
-                FindingCode::ZeroConstantContactForce,
-                "even without friction.",
-                "Give it a small value, for example design MODEL --constant-indentation 0.05",
-            ),
-            (FindingCode::DisabledForce, "", "Nothing, if that is meant; else --skip-disabled"),
-            (
-                FindingCode::FactorsDisagree,
-                "",
-                "Look at inspect --from, and say --body-scale BODY=x,y,z where another source is right",
-            ),
-            (
-                FindingCode::BeyondHertzAtTwo,
-                "",
-                "Nothing, if the model only walks; else design MODEL --indentation 0.16 --body-weights 2",
-            ),
-            (
-                FindingCode::SunkIn,
-                "",
-                "Scale the contacts to this body with MODEL --contacts-mass KG --target-mass KG, or design MODEL \
-                 --indentation 0.16",
-            ),
-        ] {
-            assert!(code.why().spelled(&CommandLine).contains(why), "{code}");
-            assert_eq!(code.advice().spelled(&CommandLine), remedy);
-        }
     }
 }

@@ -354,7 +354,7 @@ impl Outcome {
     /// There is a warning with this code.
     #[track_caller]
     pub(crate) fn warns(&self, code: &str) -> &Self {
-        let codes: Vec<_> = self.plan().warnings.iter().map(|warning| warning.code.as_str()).collect();
+        let codes: Vec<_> = self.plan().warnings.iter().map(|warning| warning.code().as_str()).collect();
         assert!(codes.contains(&code), "no warning {code} among {codes:?}");
         self
     }

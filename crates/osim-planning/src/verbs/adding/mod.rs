@@ -108,7 +108,7 @@ impl Adding {
             }
         };
         plan.name_operation("add");
-        plan.warnings.retain(|warning| warning.code != FindingCode::NothingToChange);
+        plan.warnings.retain(|warning| warning.code() != FindingCode::NothingToChange);
         plan.remarks.splice(0..0, remarks);
         plan.remarks.extend(too_new(&rebuilt));
         plan.remarks.extend(leaning(base, &rebuilt));

@@ -138,8 +138,7 @@ impl OfReference {
     fn like(&self, name: Option<&str>) -> Result<&NewContact, Fault> {
         let contacts = &self.layout.contacts;
         let of = |wanted: &str| contacts.iter().find(|contact| contact.sphere == wanted);
-        let none =
-            || Fault::refused(format!("the reference {} has no contacts to take", self.reference.name));
+        let none = || self.reference.without_contacts();
         match &self.transferring.reference_sphere {
             Some(chosen) => of(chosen).ok_or_else(|| {
                 let known = contacts.iter().map(|contact| contact.sphere.clone()).collect();

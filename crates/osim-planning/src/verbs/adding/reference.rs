@@ -46,7 +46,7 @@ impl FromReference {
         let generic = self.generic.with_contacts(anatomy, built);
         let mut plan = self.transferring.plan_from(built, &selected, &reference, Some(&generic))?;
         // That the two are different models is why contacts are added at all.
-        plan.warnings.retain(|warning| warning.code != FindingCode::NotAScaledCopy);
+        plan.warnings.retain(|warning| warning.code() != FindingCode::NotAScaledCopy);
         Ok((plan, rebuilt))
     }
 

@@ -1,8 +1,8 @@
 //! What `check` finds in a model, and the sphere that has it.
 
 use osim_inspect::{CheckResult, Found, InspectOptions};
-use osim_model::{FindingCode, Model};
-use osim_planning::check_with_trials;
+use osim_model::{FindingCode, Model, Rule};
+use osim_planning::{check_with_trials, rules};
 use osim_requests::Request;
 use serde_json::Value;
 
@@ -22,8 +22,13 @@ pub fn check_foot(spheres: &[Smooth]) -> CheckResult {
     check_text(&foot(spheres))
 }
 
+/// The rule of `code`.
+pub fn rule(code: FindingCode) -> &'static Rule {
+    rules::of(|one| one == code).next().unwrap()
+}
+
 pub fn codes(result: &CheckResult) -> Vec<FindingCode> {
-    result.findings.iter().map(|finding| finding.code).collect()
+    result.findings.iter().map(|finding| finding.code()).collect()
 }
 
 pub fn has(result: &CheckResult, code: FindingCode) -> bool {
@@ -32,7 +37,7 @@ pub fn has(result: &CheckResult, code: FindingCode) -> bool {
 
 #[track_caller]
 pub fn find(result: &CheckResult, code: FindingCode) -> &Found {
-    let found = result.findings.iter().find(|finding| finding.code == code);
+    let found = result.findings.iter().find(|finding| finding.code() == code);
     found.unwrap_or_else(|| panic!("no {code:?}: {:?}", codes(result)))
 }
 

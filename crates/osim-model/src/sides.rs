@@ -1,4 +1,4 @@
-//! Left and right contacts that differ.
+//! Forces of the left and the right side, to be compared.
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -6,9 +6,7 @@ use contact_scaling::{RatioValues, Ratios};
 
 use crate::anatomy::meshes;
 use crate::contacts::{Force, Sphere};
-use crate::finding::{Finding, FindingCode};
 use crate::model::Model;
-use crate::property::Property;
 use crate::side::{Side, without_side};
 
 /// A ratio that differs by no more than this, relatively, is as it should be.
@@ -59,7 +57,7 @@ impl<'m> BothSides<'m> {
 }
 
 /// The first force on the right of each name, names without their side.
-fn right_forces(model: &Model) -> HashMap<String, &Force> {
+pub(crate) fn right_forces(model: &Model) -> HashMap<String, &Force> {
     let mut right = HashMap::new();
     for force in model.forces().iter().filter(|force| Side::of_name(&force.name) == Some(Side::Right)) {
         right.entry(without_side(&force.name)).or_insert(force);
@@ -67,88 +65,20 @@ fn right_forces(model: &Model) -> HashMap<String, &Force> {
     right
 }
 
-/// Forces whose names differ only in the side should have equal parameters, or such as follow bones that were scaled unlike.
-pub(super) fn left_and_right(model: &Model) -> Vec<Finding> {
-    let mut found = Vec::new();
-    let right = right_forces(model);
-    let mut bones: Option<Bones> = None;
-    let side = |name: &str| Side::of_name(name);
-    for force in model.forces().iter().filter(|force| side(&force.name) == Some(Side::Left)) {
-        let Some(other) = right.get(&without_side(&force.name)).copied() else {
-            continue;
-        };
-        let Some(what) = difference(model, force, other) else { continue };
-        let what = match bones.get_or_insert_with(|| Bones::of(model)).explain_radii(model, force, other) {
-            Some(ratios) => match unlike(force, other, &ratios) {
-                Some(what) => what,
-                None => continue,
-            },
-            None => what,
-        };
-        let text = format!("{} and {} differ: {what}", force.path, other.path);
-        found.push(Finding::at(FindingCode::LeftRightDiffer, force.line, text).about(&force.path));
-    }
-    found
-}
-
-fn spheres<'m>(model: &'m Model, force: &Force) -> Vec<&'m Sphere> {
+pub(crate) fn spheres<'m>(model: &'m Model, force: &Force) -> Vec<&'m Sphere> {
     force.spheres().into_iter().filter_map(|id| model.sphere(id)).collect()
 }
 
-/// The first difference between them, in words.
-fn difference(model: &Model, left: &Force, right: &Force) -> Option<String> {
-    let differing = left.sets.iter().zip(&right.sets).find_map(|(left, right)| {
-        left.values.iter().zip(&right.values).find(|(l, r)| l.number != r.number && !l.number.is_nan())
-    });
-    let radii = |force: &Force| -> Vec<u64> {
-        spheres(model, force).into_iter().map(|sphere| sphere.radius.number.to_bits()).collect()
-    };
-    match differing {
-        Some((left, right)) => Some(format!("{} is {} and {}", left.property, left.number, right.number)),
-        None => (radii(left) != radii(right)).then(|| "radii differ".to_owned()),
-    }
-}
-
-/// The first parameter that does not follow the radii, in words. The modulus has to; of the others some stay as they are, as the
-/// caller of a change wants it.
-fn unlike(left: &Force, right: &Force, ratios: &Ratios) -> Option<String> {
-    left.sets.iter().zip(&right.sets).find_map(|(left, right)| {
-        let mut pairs = left.values.iter().zip(&right.values).filter(|(l, _)| !l.number.is_nan());
-        let (l, r) = pairs.find(|(l, r)| {
-            let follows = factor(l.property, ratios).is_some_and(|factor| close(l.number, factor * r.number));
-            !follows && (l.number != r.number || l.property == Property::Stiffness)
-        })?;
-        Some(format!(
-            "{} is {} and {}, which does not follow the radii of the two sides",
-            l.property, l.number, r.number
-        ))
-    })
-}
-
-/// By what a parameter is multiplied where radii alone change.
-fn factor(property: Property, ratios: &Ratios) -> Option<f64> {
-    Some(match property {
-        Property::Stiffness => ratios.plane_strain_modulus(),
-        Property::Dissipation => ratios.dissipation(),
-        Property::ConstantContactForce => ratios.constant_contact_force(),
-        Property::HertzSmoothing => ratios.hertz_smoothing(),
-        Property::HuntCrossleySmoothing => ratios.hunt_crossley_smoothing(),
-        Property::TransitionVelocity => ratios.transition_velocity(),
-        Property::ViscousFriction => ratios.viscous_friction(),
-        _ => return None,
-    })
-}
-
-fn close(value: f64, expected: f64) -> bool {
+pub(crate) fn close(value: f64, expected: f64) -> bool {
     (value - expected).abs() <= SAME * expected.abs()
 }
 
 /// The meshes of each body with their factors.
 #[derive(Debug)]
-struct Bones(HashMap<String, BTreeMap<String, [f64; 3]>>);
+pub(crate) struct Bones(HashMap<String, BTreeMap<String, [f64; 3]>>);
 
 impl Bones {
-    fn of(model: &Model) -> Self {
+    pub(crate) fn of(model: &Model) -> Self {
         let components = model.components();
         let bodies = components.tree.iter().map(|(id, _)| id).filter(|&id| components.tag(id) == "Body");
         Self(bodies.map(|id| (components.name(id), meshes(components, id))).collect())
@@ -156,7 +86,7 @@ impl Bones {
 
     /// The ratios of the radii of two forces, left over right, where the bones under their spheres differ in the same way; `None`
     /// where they do not.
-    fn explain_radii(&self, model: &Model, left: &Force, right: &Force) -> Option<Ratios> {
+    pub(crate) fn explain_radii(&self, model: &Model, left: &Force, right: &Force) -> Option<Ratios> {
         let (left, right) = (spheres(model, left), spheres(model, right));
         let mut pairs = left.iter().zip(&right);
         if left.len() != right.len() || !pairs.all(|(left, right)| self.explain_radius(left, right)) {

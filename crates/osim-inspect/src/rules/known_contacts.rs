@@ -1,0 +1,25 @@
+//! The contacts are known: somebody published them.
+
+use crate::known::KnownContacts;
+use osim_messages::readable;
+use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+
+pub(crate) static RULE: Rule = Rule {
+    code: FindingCode::KnownContacts,
+    severity: Severity::Info,
+    seen: Seen::Model,
+    what: "The contacts are known: somebody published them.",
+    why: "What was published so with these contacts is a remark; a warning is what is wrong for this model.",
+    advice: "Nothing, if that is meant",
+    repair: Repair::NotPossible("nothing is wrong"),
+    example: Example::Models { good: "check/within_limits.osim", bad: "check/known_contacts.osim" },
+};
+
+pub(crate) fn of_contacts(known: KnownContacts) -> Finding {
+    let text = format!(
+        "the contact parameters are those of {}, made for {} kg",
+        known.title,
+        readable(known.made_for_kg)
+    );
+    Finding::new(&RULE, text)
+}

@@ -1,0 +1,64 @@
+//! Rules about what contacts do: a file for each. Four rules about models and one about places have no more than their remedy here: it
+//! is a request, which the crates that raise them do not know.
+
+pub(crate) mod beyond_hertz;
+pub(crate) mod beyond_hertz_at_two;
+pub(crate) mod beyond_hunt_crossley;
+pub(crate) mod contacts_of_another_mass;
+pub(crate) mod default_stiffness;
+pub(crate) mod floats;
+pub(crate) mod force_before_contact;
+pub(crate) mod gravity_sources_disagree;
+pub(crate) mod known_contacts;
+pub(crate) mod large_constant_indentation;
+pub(crate) mod left_right_differ;
+mod limits;
+pub(crate) mod mass_unknown;
+pub(crate) mod no_gravity;
+pub(crate) mod several_spheres_one_force;
+pub(crate) mod sphere_count_unknown;
+pub(crate) mod spheres_left_behind;
+pub(crate) mod stale_note;
+pub(crate) mod sunk_in;
+pub(crate) mod wide_transition;
+pub(crate) mod zero_constant_contact_force;
+
+pub(crate) use limits::Limits;
+
+use osim_model::Rule;
+
+use crate::findings::Found;
+
+/// The rules of this crate.
+pub const RULES: &[&Rule] = &[
+    &beyond_hertz::RULE,
+    &beyond_hertz_at_two::RULE,
+    &beyond_hunt_crossley::RULE,
+    &contacts_of_another_mass::RULE,
+    &floats::RULE,
+    &force_before_contact::RULE,
+    &gravity_sources_disagree::RULE,
+    &known_contacts::RULE,
+    &large_constant_indentation::RULE,
+    &mass_unknown::RULE,
+    &no_gravity::RULE,
+    &sphere_count_unknown::RULE,
+    &stale_note::RULE,
+    &sunk_in::RULE,
+    &wide_transition::RULE,
+];
+
+/// Everything that figures show.
+pub(crate) fn of_figures(limits: &Limits<'_>) -> Vec<Found> {
+    let found = [
+        sunk_in::find(limits),
+        beyond_hertz::find(limits),
+        beyond_hertz_at_two::find(limits),
+        beyond_hunt_crossley::find(limits),
+        large_constant_indentation::find(limits),
+        wide_transition::find(limits),
+        force_before_contact::find(limits),
+        floats::find(limits),
+    ];
+    found.into_iter().flatten().collect()
+}

@@ -1,0 +1,20 @@
+//! The note in the file cannot be relied on.
+
+use osim_model::Fault;
+use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+
+pub(crate) static RULE: Rule = Rule {
+    code: FindingCode::StaleNote,
+    severity: Severity::Info,
+    seen: Seen::Model,
+    what: "The note in the file cannot be relied on.",
+    why: "The values in the file are no longer those the note was written for, or only some of them were scaled.",
+    advice: "Say what the contacts are made for with `contacts_mass=KG`",
+    repair: Repair::NotPossible("only you know what the contacts were made for"),
+    example: Example::Models { good: "check/earlier_note.osim", bad: "check/stale_note.osim" },
+};
+
+/// Why a mass is not known, where it is the note's.
+pub(crate) fn of_fault(fault: &Fault) -> Option<Finding> {
+    (fault.code() == "stale-note").then(|| Finding::new(&RULE, fault.phrase()))
+}

@@ -1,0 +1,30 @@
+//! Spheres sink in by their whole radius or more at body weight on one limb.
+
+use super::limits::{CENTRE, Limits};
+use crate::figures::Figure;
+use crate::findings::Found;
+use osim_messages::four_significant;
+use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity};
+
+pub(crate) static RULE: Rule = Rule {
+    code: FindingCode::SunkIn,
+    severity: Severity::Error,
+    seen: Seen::Model,
+    what: "Spheres sink in by their whole radius or more at body weight on one limb.",
+    why: "A sphere that is in the floor up to its centre meets no surface that a contact law knows: OpenSim goes on with the same formula. The stiffness is nearly always one of a lighter body, or the spheres too small.",
+    advice: "Scale the contacts to this body with `rescale MODEL contacts_mass=KG target_mass=KG`, or `design MODEL indentation={indentation}`",
+    repair: Repair::Command("designs or multiplies the stiffness as for beyond-hertz"),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: "<stiffness>4.4876e7</stiffness>",
+        bad: "<stiffness>1e6</stiffness>",
+    },
+};
+
+pub(crate) fn find(limits: &Limits<'_>) -> Option<Found> {
+    let found = limits.concerned(|sphere| sphere.value(Figure::Indentation).filter(|&x| x >= CENTRE))?;
+    let x = four_significant(found.most);
+    let text = format!("at body weight on one limb x/R is {x} by Hertz: in up to the centre");
+    let remedy = limits.remedies.indentation(&limits.spheres, 1.0);
+    Some(Found::new(limits.about(&RULE, &text, &found), remedy))
+}

@@ -1,0 +1,86 @@
+//! The codes of all rules, in the order of the docs. Each has one rule, in the crate that raises it.
+
+use std::fmt;
+
+macro_rules! codes {
+    ($($variant:ident = $code:literal,)+) => {
+        /// Kinds of finding, about models and about changes. What each means is in its [`Rule`](super::Rule).
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[non_exhaustive]
+        pub enum FindingCode {
+            $(#[doc = $code] $variant,)+
+        }
+
+        impl FindingCode {
+            /// Every code. Findings that are equally bad are listed in this order.
+            pub const ALL: &'static [Self] = &[$(Self::$variant),+];
+
+            /// Stable short name, as in the JSON `code`.
+            #[must_use]
+            pub const fn as_str(self) -> &'static str {
+                match self { $(Self::$variant => $code),+ }
+            }
+        }
+    };
+}
+
+codes! {
+    SpheresLeftBehind = "spheres-left-behind",
+    SpheresMisplaced = "spheres-misplaced",
+    AlreadyAtTarget = "already-at-target",
+    MassSourcesDisagree = "mass-sources-disagree",
+    GravitySourcesDisagree = "gravity-sources-disagree",
+    ConnecteeByName = "connectee-by-name",
+    LoopOfJoints = "loop-of-joints",
+    MisnamedParameterSet = "misnamed-parameter-set",
+    DefaultStiffness = "default-stiffness",
+    ZeroConstantContactForce = "zero-constant-contact-force",
+    DeadDerivativeSmoothing = "dead-derivative-smoothing",
+    SeveralSpheres = "several-spheres-one-force",
+    CompositeSurfaces = "composite-surfaces",
+    CompiledModelBeside = "compiled-model-beside",
+    HardLinked = "hard-linked",
+    SphereInTwoForces = "sphere-in-two-forces",
+    LeftRightDiffer = "left-right-differ",
+    ContactDefaults = "contact-defaults",
+    NotHertz = "not-hertz",
+    MixedRadii = "mixed-radii",
+    SeveralParameterSets = "several-parameter-sets",
+    Terrain = "terrain",
+    NothingToChange = "nothing-to-change",
+    NotFinite = "not-finite",
+    OddNumber = "odd-number",
+    StaleNote = "stale-note",
+    MocoDialect = "moco-dialect",
+    DisabledForce = "disabled-force",
+    UnknownClass = "unknown-class",
+    DuplicateNames = "duplicate-names",
+    IncludedFile = "included-file",
+    FrictionNotSimilar = "friction-not-similar",
+    FactorsDisagree = "factors-disagree",
+    NotAScaledCopy = "not-a-scaled-copy",
+    FactorSpread = "factor-spread",
+    ReferenceWithoutSmoothing = "reference-without-smoothing",
+    MixedPair = "mixed-pair",
+    MassUnknown = "mass-unknown",
+    OutOfDomain = "out-of-domain",
+    BeyondHertz = "beyond-hertz",
+    BeyondHertzAtTwo = "beyond-hertz-at-two",
+    SunkIn = "sunk-in",
+    BeyondHuntCrossley = "beyond-hunt-crossley",
+    LargeConstantIndentation = "large-constant-indentation",
+    WideTransition = "wide-transition",
+    ForceBeforeContact = "force-before-contact",
+    Floats = "floats",
+    ContactsOfAnotherMass = "contacts-of-another-mass",
+    SpheresNotCompared = "spheres-not-compared",
+    KnownContacts = "known-contacts",
+    CountUnknown = "sphere-count-unknown",
+    NoGravity = "no-gravity",
+}
+
+impl fmt::Display for FindingCode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.as_str())
+    }
+}

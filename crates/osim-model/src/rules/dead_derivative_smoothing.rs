@@ -1,0 +1,32 @@
+//! The file has a derivative_smoothing element, which OpenSim ignores.
+
+use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use crate::model::Model;
+
+pub(crate) static RULE: Rule = Rule {
+    code: FindingCode::DeadDerivativeSmoothing,
+    severity: Severity::Warn,
+    seen: Seen::Model,
+    what: "The file has a derivative_smoothing element, which OpenSim ignores.",
+    why: "derivative_smoothing was the name of constant_contact_force in early Moco. OpenSim ignores it and uses its default of 1e-5 m2 for constant_contact_force.",
+    advice: "Remove the element; set constant_contact_force if another value is meant",
+    repair: Repair::NotPossible("only you know which value was meant"),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: "<constant_contact_force>9e-07</constant_contact_force>",
+        bad: "<derivative_smoothing>9e-07</derivative_smoothing>",
+    },
+};
+
+pub(super) fn find(model: &Model) -> Vec<Finding> {
+    let mut found = Vec::new();
+    for force in model.forces() {
+        let document = model.file(force.file);
+        if let Some(dead) = document.tree().child(force.element, "derivative_smoothing") {
+            let line = document.line(document.tree().span(dead).start);
+            let text = format!("{}: derivative_smoothing is ignored by OpenSim", force.path);
+            found.push(Finding::at(&RULE, line, text).about(&force.path));
+        }
+    }
+    found
+}

@@ -1,0 +1,25 @@
+//! The sphere's radius is inside the force, as in Moco 0.1 to 0.3.
+
+use crate::contacts::Sphere;
+use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use crate::model::Model;
+
+pub(crate) static RULE: Rule = Rule {
+    code: FindingCode::MocoDialect,
+    severity: Severity::Warn,
+    seen: Seen::Model,
+    what: "The sphere's radius is inside the force, as in Moco 0.1 to 0.3.",
+    why: "OpenSim 4.2 and later cannot read such forces; the model works in OpenSim Moco 0.1 to 0.3 only.",
+    advice: "Rebuild the contacts with ContactSphere and ContactHalfSpace for a newer OpenSim",
+    repair: Repair::NotPossible("only numbers are changed, and OpenSim needs other elements"),
+    example: Example::Models { good: "format/v40000.osim", bad: "format/moco_sphere_in_force.osim" },
+};
+
+pub(super) fn find(model: &Model) -> Vec<Finding> {
+    let inside = model.spheres().iter().filter(|sphere| sphere.is_inside_force());
+    let finding = |sphere: &Sphere| {
+        let text = format!("{} keeps its sphere inside: OpenSim 4.2 and later cannot read it", sphere.path);
+        Finding::at(&RULE, sphere.line, text).about(&sphere.path)
+    };
+    inside.map(finding).collect()
+}

@@ -1,0 +1,92 @@
+//! Rules about a model, which reading it tries: a file for each, with its code, what raises it, and its texts. Rules that need figures,
+//! another model or a change are in the crates above.
+
+pub(crate) mod connectee_by_name;
+pub(crate) mod contact_defaults;
+pub(crate) mod dead_derivative_smoothing;
+pub(crate) mod default_stiffness;
+pub(crate) mod disabled_force;
+pub(crate) mod duplicate_names;
+pub(crate) mod included_file;
+pub(crate) mod left_right_differ;
+pub(crate) mod loop_of_joints;
+pub(crate) mod mass_sources_disagree;
+pub(crate) mod misnamed_parameter_set;
+pub(crate) mod mixed_pair;
+pub(crate) mod mixed_radii;
+pub(crate) mod moco_dialect;
+pub(crate) mod not_finite;
+pub(crate) mod not_hertz;
+pub(crate) mod odd_number;
+pub(crate) mod out_of_domain;
+mod remarks;
+pub(crate) mod several_parameter_sets;
+pub(crate) mod several_spheres_one_force;
+pub(crate) mod sphere_in_two_forces;
+pub(crate) mod terrain;
+pub(crate) mod unknown_class;
+mod values;
+pub(crate) mod zero_constant_contact_force;
+
+use crate::finding::{Finding, Rule};
+use crate::model::Model;
+
+/// The rules of this crate.
+pub const RULES: &[&Rule] = &[
+    &connectee_by_name::RULE,
+    &contact_defaults::RULE,
+    &dead_derivative_smoothing::RULE,
+    &default_stiffness::RULE,
+    &disabled_force::RULE,
+    &duplicate_names::RULE,
+    &included_file::RULE,
+    &left_right_differ::RULE,
+    &loop_of_joints::RULE,
+    &mass_sources_disagree::RULE,
+    &misnamed_parameter_set::RULE,
+    &mixed_pair::RULE,
+    &mixed_radii::RULE,
+    &moco_dialect::RULE,
+    &not_finite::RULE,
+    &not_hertz::RULE,
+    &odd_number::RULE,
+    &out_of_domain::RULE,
+    &several_parameter_sets::RULE,
+    &several_spheres_one_force::RULE,
+    &sphere_in_two_forces::RULE,
+    &terrain::RULE,
+    &unknown_class::RULE,
+    &zero_constant_contact_force::RULE,
+];
+
+/// Everything that reading `model` showed, in the order in which reports list it.
+pub(crate) fn find(model: &Model) -> Vec<Finding> {
+    let all = [
+        values::numbers,
+        values::triples,
+        included_file::find,
+        dead_derivative_smoothing::find,
+        several_spheres_one_force::find,
+        sphere_in_two_forces::find,
+        default_stiffness::find,
+        zero_constant_contact_force::find,
+        left_right_differ::find,
+        contact_defaults::find,
+        moco_dialect::find,
+        unknown_class::find,
+        components,
+        loop_of_joints::find,
+    ];
+    all.into_iter().flat_map(|find| find(model)).collect()
+}
+
+/// What rules say about each component, in the order of the tree.
+fn components(model: &Model) -> Vec<Finding> {
+    let all = model.components().tree.iter();
+    all.flat_map(|(id, object)| {
+        let found =
+            [not_hertz::of_component(model, id), duplicate_names::of_component(model, id, &object.segment)];
+        found.into_iter().flatten()
+    })
+    .collect()
+}

@@ -1,0 +1,28 @@
+//! All rules, in the order of their codes; and those about files, which the library raises with what it finds beside a model.
+
+pub mod compiled_model_beside;
+pub mod hard_linked;
+
+use std::sync::LazyLock;
+
+use osim_model::{FindingCode, Rule};
+
+/// The rules of this crate.
+const RULES: &[&Rule] = &[&compiled_model_beside::RULE, &hard_linked::RULE];
+
+/// Every rule of every crate, one for each code.
+#[must_use]
+pub fn all() -> &'static [&'static Rule] {
+    static ALL: LazyLock<Vec<&Rule>> = LazyLock::new(|| {
+        let crates = [osim_model::RULES, osim_compare::RULES, osim_inspect::RULES, osim_patch::RULES, RULES];
+        let mut all = crates.concat();
+        all.sort_by_key(|rule| rule.code);
+        all
+    });
+    &ALL
+}
+
+/// Those of `codes`, in the order of the codes.
+pub fn of<'c>(codes: impl Fn(FindingCode) -> bool + 'c) -> impl Iterator<Item = &'static Rule> + 'c {
+    all().iter().copied().filter(move |rule| codes(rule.code))
+}

@@ -1,0 +1,136 @@
+//! Every rule: each code has one, and its example holds.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use crate::checks::rule;
+use osim_model::files::{Beside, InMemory};
+use osim_model::{Example, Finding, FindingCode};
+use osim_planning::{Inspector, open_with, prepare, rules};
+use osim_requests::Request;
+use osim_requests::spell::CommandLine;
+use serde_json::json;
+
+#[test]
+fn each_code_has_one_rule() {
+    let codes: Vec<FindingCode> = rules::all().iter().map(|rule| rule.code).collect();
+    assert_eq!(codes, FindingCode::ALL);
+}
+
+#[test]
+fn texts_are_spelled_as_the_command_says_it() {
+    for (code, why, advice) in [
+        (
+            FindingCode::AlreadyAtTarget,
+            "else --mass, else the sum of the bodies.",
+            "Say what the contacts were made for with --contacts-mass KG, or take those of a known model with \
+             transfer --from MODEL",
+        ),
+        (
+            FindingCode::ZeroConstantContactForce,
+            "even without friction.",
+            "Give it a small value, for example design MODEL --constant-indentation 0.05",
+        ),
+        (FindingCode::DisabledForce, "", "Nothing, if that is meant; else --skip-disabled"),
+        (
+            FindingCode::FactorsDisagree,
+            "",
+            "Look at inspect --from, and say --body-scale BODY=x,y,z where another source is right",
+        ),
+        (
+            FindingCode::BeyondHertzAtTwo,
+            "",
+            "Nothing, if the model only walks; else design MODEL --indentation 0.16 --body-weights 2",
+        ),
+        (
+            FindingCode::SunkIn,
+            "",
+            "Scale the contacts to this body with MODEL --contacts-mass KG --target-mass KG, or design MODEL \
+             --indentation 0.16",
+        ),
+    ] {
+        let rule = rule(code);
+        assert!(rule.why().spelled(&CommandLine).contains(why), "{code}");
+        assert_eq!(rule.advice().spelled(&CommandLine), advice);
+    }
+}
+
+/// All fixtures, by their paths below `fixtures/`.
+fn fixtures() -> InMemory {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
+    let mut files = InMemory::default();
+    let mut folders = vec![root.clone()];
+    while let Some(folder) = folders.pop() {
+        for path in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|end| end == "osim" || end == "xml") {
+                files.add(path.strip_prefix(&root).unwrap(), std::fs::read(&path).unwrap());
+            }
+        }
+    }
+    files
+}
+
+fn codes<'f>(findings: impl IntoIterator<Item = &'f Finding>) -> BTreeSet<FindingCode> {
+    findings.into_iter().map(Finding::code).collect()
+}
+
+/// What a check of a model finds.
+fn checked(model: &str, files: &InMemory) -> BTreeSet<FindingCode> {
+    let request = json!({"verb": "check", "models": [model]}).to_string();
+    let Request::Check(request) = Request::from_json(request.as_bytes()).unwrap() else { panic!("no check") };
+    let inspector = Inspector::of_check(&request, files);
+    let opened = open_with(Path::new(model), inspector.set_files().beside(), files).unwrap();
+    let inspected = inspector.inspect(&opened).unwrap();
+    let found = inspector.check(&opened.model, &inspected, None);
+    codes(found.findings.iter().map(|found| &found.finding))
+}
+
+/// What a change or a look at a model says.
+fn said(request: &str, files: &InMemory) -> BTreeSet<FindingCode> {
+    let request = Request::from_json(request.as_bytes()).unwrap();
+    let model: PathBuf = request.to_map()["models"][0].as_str().unwrap().into();
+    let opened = open_with(&model, Beside::default(), files).unwrap();
+    if let Request::Inspect(request) = &request {
+        return codes(&Inspector::of_inspect(request, files).inspect(&opened).unwrap().warnings);
+    }
+    let plan = prepare(request, files).unwrap().planner.plan(&opened.model).unwrap();
+    codes(&plan.warnings)
+}
+
+/// What the good and the bad example raise; `None` where a test elsewhere makes the files.
+fn raised(example: Example) -> Option<[BTreeSet<FindingCode>; 2]> {
+    let mut files = fixtures();
+    match example {
+        Example::Piece { model, good, bad } => {
+            let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures").join(model);
+            let text = std::fs::read_to_string(path).unwrap();
+            assert!(text.contains(good), "{model} has no {good}");
+            let before = checked(model, &files);
+            files.add(model, text.replacen(good, bad, 1).into_bytes());
+            Some([before, checked(model, &files)])
+        }
+        Example::Models { good, bad } => Some([good, bad].map(|model| checked(model, &files))),
+        Example::Request { good, bad } => Some([good, bad].map(|request| said(request, &files))),
+        _ => None,
+    }
+}
+
+#[test]
+fn the_bad_example_raises_its_rule_and_the_good_one_does_not() {
+    let mut wrong = Vec::new();
+    let mut elsewhere = Vec::new();
+    for rule in rules::all() {
+        match raised(rule.example) {
+            None => elsewhere.push(rule.code.as_str()),
+            Some([good, bad]) if good.contains(&rule.code) || !bad.contains(&rule.code) => {
+                wrong.push(format!("{}: good {good:?}, bad {bad:?}", rule.code));
+            }
+            Some(_) => {}
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    // Files on a disk, which tests/command makes.
+    assert_eq!(elsewhere, ["compiled-model-beside", "hard-linked", "mixed-pair"]);
+}
