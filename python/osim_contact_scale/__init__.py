@@ -19,9 +19,8 @@ from . import _native
 from ._answers import Answer, DesignSheet, DropTest, Explanation, Fit, Preset, Reproduction
 from ._errors import ContactScaleError, ModelError, NeedsAnswer, OutputError, RequestError
 from ._figure import Figure
-from ._finding import Finding, Findings, Remedy
 from ._many import many
-from ._result import Result
+from ._result import Finding, Findings, Remedy, Result
 from ._survey import Check, Inspection
 from ._sweep import Sweep
 from ._threads import set_threads

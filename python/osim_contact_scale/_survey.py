@@ -9,10 +9,10 @@ from typing import Any
 
 from . import _live, _native
 from ._errors import ContactScaleError
-from ._finding import COLUMNS, Findings
 from ._html import html_table
 from ._progress import Progress, following
 from ._request import MODELS, InMemory, Memory, Source, at_home, fields_of, is_path, models_of, with_own_files
+from ._result import COLUMNS, Findings
 from ._tables import columns_of, table
 from ._threads import jobs_of
 
