@@ -28,7 +28,7 @@ class Steps(NamedTuple):
 
 
 def call(name: str, arguments: Mapping[str, Any], rule: str | None = None) -> Values:
-    """The values of an equation over arrays that are broadcast against each other.
+    """The values of an equation over arrays, which are broadcast to one shape.
 
     Raises
     ------

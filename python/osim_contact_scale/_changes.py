@@ -100,7 +100,7 @@ def batch(of_models: Any, keywords: Mapping[str, Any], progress: Progress) -> An
 
 
 def _places(records: Sequence[Mapping[str, Any]], rows: Sequence[Any]) -> list[int] | None:
-    """The row of each record, from 0; None where not all are known. In the table that Rust reads, the names of the columns are line 1."""
+    """The row of each record, from 0; None if not all are known. In the table that Rust reads, the names of the columns are line 1."""
     places = [record["row"] - 2 for record in records if isinstance(record.get("row"), int)]
     are_known = len(places) == len(records) and all(0 <= place < len(rows) for place in places)
     return places if are_known else None

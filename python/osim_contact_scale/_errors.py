@@ -67,9 +67,9 @@ class ModelError(ContactScaleError):
 
 
 class NeedsAnswer(ContactScaleError):
-    """Something has to be said before this can be done, because it must not be guessed.
+    """A keyword is missing that must not be guessed.
 
-    `keywords` names what to say: pass the first of them, or one of the others.
+    `keywords` names it: pass the first of them, or one of the others.
     """
 
     @property

@@ -42,7 +42,7 @@ class Memory(dict[str, bytes]):
 
 
 def fields_of(verb: str, keywords: Mapping[str, Any], memory: Memory | None = None) -> dict[str, Any]:
-    """The fields of a request for `verb`. What is None says nothing.
+    """The fields of a request for `verb`. Keywords that are None are left out.
 
     Raises
     ------
@@ -121,7 +121,7 @@ def model_of(source: Source, memory: Memory) -> Any:
     """
     if isinstance(source, (bytes, bytearray, memoryview)):
         return _remembered(UNNAMED, bytes(source), memory)
-    if hasattr(source, "to_bytes") and hasattr(source, "path"):  # A result: the model that comes of it.
+    if hasattr(source, "to_bytes") and hasattr(source, "path"):  # A result: its new model.
         return _remembered(source.path, source.to_bytes(), memory)
     if is_path(source):
         if os.fspath(source) == "-":

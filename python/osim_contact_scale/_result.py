@@ -61,13 +61,13 @@ class Result:
     objects : pandas.DataFrame or list of dict
         Whole objects that are added or removed.
     contacts_mass_kg : dict or None
-        The mass that the contacts were made for before: its `value` and its `source`; None where nobody knows.
+        The mass that the contacts were made for before: its `value` and its `source`; None if it is not known.
     target_mass_kg : float or None
         The mass that the contacts are made for afterwards.
     warnings : Findings
-        What is to be said of this change.
+        What the user should know about this change.
     notes : tuple of str
-        What else is good to know.
+        Other remarks.
     findings : Findings
         The warnings, and what `check` finds in the new model.
     record : dict
@@ -205,7 +205,7 @@ class Result:
         Returns
         -------
         list of pathlib.Path
-            The files that were written; none where nothing changes and no output is named.
+            The files that were written. The list is empty if nothing changes and no output is named.
 
         Raises
         ------
@@ -256,7 +256,7 @@ class Result:
         Raises
         ------
         OutputError
-            It is there already and `force` is not said.
+            It is there already and `force` is not given.
         """
         path = Path(at_home(output))
         _native.write_file(path, self.html().encode("utf-8"), force)
@@ -363,7 +363,7 @@ class Finding:
     line : int or None
         Line in the model.
     remedy : Remedy or None
-        What puts it right, where that can be proposed.
+        What puts it right, if something can be proposed.
     """
 
     code: str

@@ -88,7 +88,7 @@ def presets(name: str | None, keywords: Mapping[str, Any]) -> list[Preset]:
 
 
 def explain(topics: tuple[str, ...], keywords: Mapping[str, Any]) -> list[Explanation]:
-    """Explains each topic in words of its own; without topics, all that there are."""
+    """Explains each topic; without topics, all that there are."""
     records = _explained(topics, keywords)[1]
     if len(topics) == 1 or (topics and len(records) == 1):
         alone = [topics]

@@ -46,7 +46,7 @@ class Sweep:
     record : dict
         How many there are, as the command's JSON has it.
     manifest : pathlib.Path or None
-        The table of what is in which file; None where nothing was made.
+        The table of what is in which file; None if nothing was made.
     failures : list of dict
         What went wrong, for each variant that could not be made.
     """

@@ -16,7 +16,7 @@ _MOST = 4096
 _VARIABLE = "OSIM_CONTACT_SCALE_THREADS"
 
 _asked: int | None = None
-#: What the environment said that could not be used, and was reported.
+#: The value of the environment that could not be used, and was reported.
 _reported: str | None = None
 
 
@@ -39,7 +39,7 @@ def set_threads(count: int | None) -> None:
 
 
 def jobs_of(jobs: Any) -> int | None:
-    """How many threads a call has: `jobs`, else what was said for all calls; None for one per processor.
+    """How many threads a call has: `jobs`, else the number for all calls; None for one per processor.
 
     Raises
     ------

@@ -64,7 +64,7 @@ function limits({ minimum, maximum, exclusiveMinimum, exclusiveMaximum }) {
   return without({ least: minimum, most: maximum, above: exclusiveMinimum, below: exclusiveMaximum });
 }
 
-/** What holds where nothing is said, if a form can show it. */
+/** The default value, if a form can show it. */
 function usual(name, { default: value }) {
   if (Array.isArray(value)) return ALL_UNLESS_TICKED.includes(name) ? "all" : "none";
   if (typeof value === "number") return String(value);

@@ -11,7 +11,7 @@ export const LEFT_OUT = {
   dry_run: "nothing is written before it is downloaded", report: "the page has a button for it",
 };
 
-/** Fields of the calculator's form that say something about a model, which it has none of. */
+/** Fields of the calculator's form that are about a model: the calculator has none. */
 export const ONLY_WITH_MODEL = [
   "contacts_mass", "exclude_body", "select", "exclude", "skip_disabled", "no_note", "yes", "geometry", "model",
 ];

@@ -29,7 +29,7 @@ function bothGiven(schema) {
   return names?.length === 2 && names.every(Boolean) ? names : undefined;
 }
 
-/** A field with those of which it needs one: not given, or one of the others given. */
+/** A field, and the others; if it is given, one of the others must be, too. */
 function needed(schema) {
   const [first, ...others] = schema.anyOf ?? [];
   const name = first?.not && given(first.not);

@@ -11,8 +11,8 @@ use osim_requests::{AxisName, Kilograms, PlotKind};
 use crate::args::Cli;
 use crate::words::Words;
 
-/// What to write instead of `words`, the words of a call beside its options; `None` where that is not known. `may_be_mass` where
-/// a bare number can only be the target mass.
+/// What to write instead of `words`, the words of a call beside its options; `None` if that is not known. With `may_be_mass`, a
+/// bare number can only be the target mass.
 pub(crate) fn meant(words: &[PathBuf], may_be_mass: bool, terms: Words) -> Option<String> {
     let first = words.first()?;
     let is_known = |word: &Path| word.exists() || word.as_os_str() == "-";
@@ -37,7 +37,7 @@ pub(crate) fn meant(words: &[PathBuf], may_be_mass: bool, terms: Words) -> Optio
     Some(format!("'{}' is neither a verb nor a file: did you mean '{}'?", first.display(), verb?))
 }
 
-/// What is said of a figure that cannot be drawn, whatever else is missing in the call.
+/// The message about a figure that cannot be drawn, whatever else is missing in the call.
 pub(crate) fn figure_meant(words: &[String], terms: Words) -> Option<String> {
     let [verb, kind, ..] = words else { return None };
     let is_fig1 = verb == Verb::Plot.name() && kind == PlotKind::Fig1.as_str();
@@ -62,7 +62,7 @@ fn kilograms(word: &Path) -> Option<String> {
     Kilograms::with_unit(word.to_str()?).map(|kg| kg.to_string())
 }
 
-/// The axis of a sweep that stands beside `--grid`: as an assignment, or as an option of its own.
+/// The message about an axis of a sweep that was typed beside `--grid`: as an assignment, or as another option.
 pub(crate) fn axis_meant(words: &[String], terms: Words) -> Option<String> {
     let (verb, rest) = words.split_first()?;
     if verb != Verb::Sweep.name() {

@@ -78,7 +78,7 @@ impl Terminal {
         }
         let mut out = io::stdout().lock();
         let written = out.write_all(bytes).and_then(|()| out.flush());
-        // What follows a gap is of no use: it is left out, and the failure is said once.
+        // What follows a gap is of no use: it is left out, and the failure is reported once.
         self.gone = written.is_err();
         match written {
             Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
@@ -99,7 +99,7 @@ impl Terminal {
         stdout.is_terminal().then(|| columns.filter(|&columns| columns > 0).unwrap_or(WIDTH))
     }
 
-    /// Things said beside the results, on standard error.
+    /// A remark beside the results, on standard error.
     pub(crate) fn note(&mut self, text: &str) -> io::Result<()> {
         match io::stderr().lock().write_all(harmless(text).as_bytes()) {
             Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),

@@ -1,4 +1,4 @@
-//! The words in which this program says what can be said: those of its command line, or of a request in JSON.
+//! The words in which this program names its options: those of its command line, or of a request in JSON.
 
 pub(crate) use osim_library::page::Words;
 use osim_requests::spell::{CommandLine, JsonRequest};

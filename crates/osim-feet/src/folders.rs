@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use osim_model::Side;
 use osim_model::files::Files;
 
-/// Marks of the right and the left side in names of bones, as they are at hand: before and after the name.
+/// Marks of the right and the left side in names of bones that are common: before and after the name.
 const RIGHT: ([&str; 1], [&str; 2]) = (["r_"], ["_r", "_rv"]);
 const LEFT: ([&str; 1], [&str; 2]) = (["l_"], ["_l", "_lv"]);
 

@@ -118,7 +118,7 @@ fn spheres(inspected: &Inspection) -> Markup {
     table("Spheres", caption, &["sphere", " body", " limb", "radius", "lowest x", "y", "z"], &rows)
 }
 
-/// Each body's factors against the generic model, where one was named.
+/// Each body's factors, compared with the generic model, if there is one.
 fn factors(inspected: &Inspection) -> Markup {
     let Some(factors) = &inspected.body_factors else { return html! {} };
     let shown = |factor: Option<f64>| factor.map_or_else(|| "?".to_owned(), |factor| format!("{factor:.6}"));

@@ -24,7 +24,7 @@ pub(super) fn broken_at_folders(path: &str) -> Markup {
     html! { @for part in path.split_inclusive(['/', '\\']) { (part) @if part.ends_with(['/', '\\']) { wbr; } } }
 }
 
-/// A figure outside of its limit. The sign alone on a line of its own would say nothing.
+/// A figure outside of its limit. The sign and the value must stay on one line.
 pub(super) fn marked_outside(figure: &str) -> String {
     format!("{figure}\u{a0}{OUTSIDE}")
 }

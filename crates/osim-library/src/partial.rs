@@ -62,7 +62,7 @@ impl Partial {
         }
     }
 
-    /// Opens that of `whole` for this run alone, with the whole lines that are there if it goes on with them. `way_out` is what
+    /// Opens that of `whole` for this run alone, with the whole lines that are there if the run continues them. `way_out` is what
     /// to do if another run has it.
     ///
     /// # Errors

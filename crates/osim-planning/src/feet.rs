@@ -63,7 +63,7 @@ impl ModelFeet {
         Ok(Self { name: name.to_owned(), feet, misplaced, missing: Vec::new(), anatomy, pose, bodies })
     }
 
-    /// Adds the bones whose meshes are at hand: in the folder of the model, in its `Geometry`, or in `geometry_dir`.
+    /// Adds the bones whose meshes are there: in the folder of the model, in its `Geometry`, or in `geometry_dir`.
     pub fn add_bones(&mut self, model: &Model, path: &Path, geometry_dir: Option<&Path>, files: &dyn Files) {
         let mut folders = MeshFolders::of_model(path);
         if let Some(folder) = geometry_dir {

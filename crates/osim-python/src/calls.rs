@@ -47,7 +47,7 @@ pub(crate) fn calculate<'py>(py: Python<'py>, fields: &Bound<'py, PyDict>) -> Py
     Ok((dictionary(py, &sheet)?, design_sheet_text(&sheet)))
 }
 
-/// `drop-test`: the drop, its text, and what is to be said of masses.
+/// `drop-test`: the drop, its text, and remarks about masses.
 #[pyfunction]
 pub(crate) fn drop_test<'py>(
     py: Python<'py>,

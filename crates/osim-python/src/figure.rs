@@ -24,7 +24,7 @@ pub(crate) struct Figure {
     /// The figure as an SVG document.
     #[pyo3(get)]
     svg: String,
-    /// What is to be said beside it.
+    /// Remarks beside it.
     #[pyo3(get)]
     notes: String,
     title: String,

@@ -63,7 +63,7 @@ pub(crate) fn plan(
     })
 }
 
-/// Where results go, checked as a part of a request that says nothing else.
+/// Where results go, checked as a part of a request that has no other fields.
 fn checked_output(mut fields: Map<String, Value>) -> Result<OutputOptions, Problem> {
     fields.insert("models".to_owned(), "model.osim".into());
     match Request::read(Verb::Remove, fields)? {
@@ -203,7 +203,7 @@ impl Planned {
         })
     }
 
-    /// Writes the files, as the fields of an output say: their names, and what is to be said of them.
+    /// Writes the files, as the fields of an output say. Returns their names, and remarks about them.
     fn write(
         &self,
         py: Python<'_>,

@@ -112,7 +112,7 @@ impl From<Failure> for Problem {
     fn from(failure: Failure) -> Self {
         let class = if failure.needs_answer { "NeedsAnswer" } else { "ModelError" };
         let mut problem = Self::general(class, failure.code, &failure.message);
-        // A question is answered by `yes`; what else the message names is what was said.
+        // A question is answered by `yes`; the other keywords in the message are those that the caller gave.
         problem.keywords.sort_by_key(|keyword| keyword != Input::Yes.name());
         Self {
             path: Some(failure.model.to_path().into_os_string()),
@@ -143,7 +143,7 @@ impl From<RequestFault> for Problem {
 
 impl From<LibraryFault> for Problem {
     fn from(fault: LibraryFault) -> Self {
-        // A message that begins with a keyword is about what was said there.
+        // A message that begins with a keyword is about its value.
         match fault.phrase().parts().first() {
             Some(Part::Input(..)) => Self::general("RequestError", "usage", fault.phrase()),
             _ => Self::general("OutputError", "output", fault.phrase()),

@@ -56,7 +56,7 @@ impl FrontEnd for Reporter<'_> {
     }
 }
 
-/// The lines of a run's summary, and what is to be said of it.
+/// The lines of a run's summary, and remarks about it.
 type Lines<'py> = (Vec<Bound<'py, PyAny>>, Vec<String>);
 
 /// Changes all models of a request: a line of a summary for each.

@@ -35,10 +35,10 @@ enum Seen {
     Failed(Box<Failure>),
 }
 
-/// A record, the requests of its findings, and the exception where there is no record.
+/// A record and the requests of its findings; or, if there is no record, the exception.
 type Row<'py> = (Option<Bound<'py, PyAny>>, Vec<Option<String>>, Option<Bound<'py, PyAny>>);
 
-/// Inspects or checks the models of a request: a row for each, and what is to be said before them.
+/// Inspects or checks the models of a request. Returns a row for each, and remarks that come before them.
 #[pyfunction]
 pub(crate) fn survey<'py>(
     py: Python<'py>,

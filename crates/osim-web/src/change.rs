@@ -60,7 +60,7 @@ struct ResultShown<'p> {
 }
 
 impl Planned {
-    /// Plans `change` for its model, which was opened. Everything is said in `words`.
+    /// Plans `change` for its model, which was opened. Messages are spelled in `words`.
     ///
     /// # Errors
     /// What cannot be done with this model, or what only the user can know.
@@ -129,7 +129,7 @@ impl Planned {
         Ok(Sections::of_plan(&self.plan, &bodies, (planner.reference(), wanted), self.words))
     }
 
-    /// What it does; `wanted` are the sections that are asked for, all where that is not said.
+    /// What it does; `wanted` are the sections to make, `None` for all.
     ///
     /// # Errors
     /// The new model cannot be read, which would be a defect.

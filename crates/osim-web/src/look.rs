@@ -59,7 +59,7 @@ impl FindingShown {
     }
 }
 
-/// How a model is looked at: compared with the one that it was scaled from, where that is named in `from`.
+/// How a model is looked at: if `from` names the one that it was scaled from, compared with that.
 pub(crate) fn inspector(model: &str, mut fields: Fields, shelf: &Shelf) -> Result<Inspector, Problem> {
     let verb = if fields.contains_key("from") { Verb::Check } else { Verb::Inspect };
     fields.insert("models".to_owned(), model.into());
@@ -90,7 +90,7 @@ fn feet(inspector: &Inspector, opened: &Opened, shelf: &Shelf) -> Option<ModelFe
     Some(feet)
 }
 
-/// Looks at a model; `wanted` are the sections that are asked for, all where that is not said.
+/// Looks at a model; `wanted` are the sections to make, `None` for all.
 pub(crate) fn look(
     inspector: &Inspector,
     opened: &Opened,

@@ -22,9 +22,9 @@ pub(crate) struct Problem {
     column: Option<usize>,
     /// The line of the file.
     excerpt: Option<Shown>,
-    /// It could be done if something were said that must not be guessed.
+    /// Whether it could be done if the user answered what must not be guessed.
     needs_answer: bool,
-    /// Fields that the message names: what is to be said comes first.
+    /// Fields that the message names. The one that answers it is the first.
     fields: Vec<String>,
     /// The field whose value is wrong.
     field: Option<String>,
@@ -74,7 +74,7 @@ impl Problem {
 impl From<Failure> for Problem {
     fn from(failure: Failure) -> Self {
         let mut problem = Self::said(failure.code, &failure.message);
-        // A question is answered by `yes`; what else the message names is what was said.
+        // A question is answered by `yes`; the other fields in the message are those that the user gave.
         problem.fields.sort_by_key(|field| field != Input::Yes.name());
         let excerpt = failure.excerpt.as_ref().map(Shown::of);
         Self {

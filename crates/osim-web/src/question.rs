@@ -18,7 +18,7 @@ pub enum Question {
         /// Fields of a request to inspect; with `from`, of one to check.
         #[serde(default)]
         fields: Fields,
-        /// The sections that are wanted; all where this is not said.
+        /// The sections to make; `None` for all.
         #[serde(default)]
         parts: Option<Vec<String>>,
     },
@@ -26,7 +26,7 @@ pub enum Question {
     Change {
         /// Its request, with its verb and one model.
         request: Fields,
-        /// The sections that are wanted; all where this is not said.
+        /// The sections to make; `None` for all.
         #[serde(default)]
         parts: Option<Vec<String>>,
     },

@@ -1,7 +1,7 @@
 function columns = as_columns(results, shape, list)
-%AS_COLUMNS A struct array as one struct of columns, of which a table is made that can be shown and written to a file.
+%AS_COLUMNS A struct array as one struct of columns: struct2table makes a table of it, which can be written to a file.
 %   Numbers are numbers, texts are cells. Objects inside are columns of their own: contacts_mass_kg.value is
-%   contacts_mass_kg_value. Of a list there is the number of its entries; of a list of texts the texts, in one. SHAPE is that of
+%   contacts_mass_kg_value. A list becomes the number of its entries; a list of texts becomes one text. SHAPE is that of
 %   the results: see shapes.m. With the name of a LIST, such as 'changes', the rows are its entries in all results, after a
 %   column with the model of each.
 

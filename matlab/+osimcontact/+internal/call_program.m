@@ -1,6 +1,6 @@
 function [status, out, said] = call_program(request)
 %CALL_PROGRAM Hand a request (JSON) to the program; its exit status, and what it wrote to both of its streams.
-%   Nothing of the request is on the command line, so no shell sees a name of a file or a quotation mark of yours. What
+%   Nothing of the request is on the command line, so no shell interprets your names of files or quotation marks. What
 %   comes back goes through files, too: MATLAB mixes both streams, and on Windows takes them for text in another encoding.
 
     base = tempname();
@@ -19,7 +19,7 @@ function [status, out, said] = call_program(request)
     % With two outputs MATLAB shows nothing of it.
     [status, shell] = system(command);
     out = text_of(files.out);
-    % The name of the request's file says nothing to anybody.
+    % The name of the request's file is of no use to the user.
     said = strtrim(strrep([text_of(files.said) shell], [files.request ': '], ''));
 end
 

@@ -110,7 +110,7 @@ def _contact_forces(opensim: Any, model: Any) -> Iterator[Any]:
 
 
 def _contact(opensim: Any, model: Any, force: Any) -> Contact | None:
-    """What meets in a force; None where that is not a sphere and a half-space."""
+    """The sphere and the half-space that meet in a force; None if other shapes do."""
     geometry = geometry_of(opensim, model, force)
     spheres = [one for one in map(opensim.ContactSphere.safeDownCast, geometry) if one is not None]
     floors = [one for one in map(opensim.ContactHalfSpace.safeDownCast, geometry) if one is not None]

@@ -1,4 +1,4 @@
-"""One model to simulate, and what came of it: what goes to a worker and back."""
+"""One model to simulate, and its outcome: what goes to a worker and back."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class Job:
 
 
 class Known(NamedTuple):
-    """What became of a row in this run or an earlier one."""
+    """The outcome of a row in this run or an earlier one."""
 
     status: Status
     time_limit: float | None
@@ -54,7 +54,7 @@ class Known(NamedTuple):
 
 @dataclass(slots=True)
 class Outcome:
-    """What came of a job."""
+    """The outcome of a job."""
 
     key: str
     status: Status

@@ -1,4 +1,4 @@
-"""The tables at the end of a run: every point with what came of it."""
+"""The tables at the end of a run: every point with its outcome."""
 
 from __future__ import annotations
 

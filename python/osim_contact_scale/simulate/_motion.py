@@ -80,7 +80,7 @@ class Motion:
 
 
 class Observer:
-    """Follows a motion from stop to stop: fills series, sees where the ground is touched and left, and the largest force.
+    """Follows a motion from stop to stop: fills series, finds where the ground is touched and left, and the largest force.
 
     Parameters
     ----------

@@ -13,7 +13,7 @@ from ._store import series_in
 
 
 class Results:
-    """What came of a run.
+    """The outcome of a run.
 
     Attributes
     ----------

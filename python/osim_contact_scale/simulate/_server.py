@@ -187,7 +187,7 @@ _PRINTED = "printed.txt"
 
 
 def _end_with(parent: int) -> None:
-    """Linux ends the copy with its server, also where that is killed; elsewhere it goes on to its own end."""
+    """Linux ends the copy with its server, also if the server is killed; elsewhere the copy runs to its own end."""
     if sys.platform == "linux":
         import ctypes
 

@@ -16,7 +16,7 @@ class Stand:
     """A whole model is placed where its contact spheres carry its weight at rest, in OpenSim.
 
     All joints stay as they are at the default pose; the body is moved up or down until ΣF = M g at speed 0. Nothing is integrated, and
-    nothing is said of balance: the body cannot tip over. Each sphere is as deep as its own height says. Of the forces of one limb,
+    balance is not examined: the body cannot tip over. Each sphere is as deep as its own height says. Of the forces of one limb,
     `inspect` gives the same as `relative_indentation_model_law_standing`.
 
     Parameters

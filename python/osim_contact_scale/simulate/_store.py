@@ -120,7 +120,7 @@ class Store:
             paths = [path for name in names if (path := self.parts / (name + kind)).exists()]
             if len(paths) > 1:
                 whole = pa.concat_tables([pq.read_table(path) for path in paths], promote_options="default")
-                # The rows are there twice for a moment, never not at all.
+                # For a moment both files have the rows; there is no moment without them.
                 self._write(self._run + kind, whole.unify_dictionaries())
                 for path in paths:
                     path.unlink()
@@ -186,7 +186,7 @@ def _series_table(rows: Iterable[Outcome]) -> pa.Table | None:
 
 
 def known_in(folder: Path) -> dict[str, Known]:
-    """What became of the rows that are there, by their keys; of two with one key the better one.
+    """The outcomes of the rows that are there, by their keys; of two with one key the better one.
 
     Without their numbers: each job of an array asks, and there may be millions.
     """
@@ -211,7 +211,7 @@ def rows_in(folder: Path, keys: Container[str]) -> dict[str, Outcome]:
 
 
 def series_in(folder: Path, key: str) -> pd.DataFrame | None:
-    """The series of one row; None where it has none."""
+    """The series of one row; None if it has none."""
     for table in _tables(folder, _SERIES, filters=[("key", "=", key)]):
         if table.num_rows:
             # Other rows of this part may have other series. A series that is not a number has values all the same: they are no nulls.

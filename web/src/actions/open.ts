@@ -11,7 +11,7 @@ import { refreshPresets } from "./presets";
 import { putFile } from "./put";
 import { oldOnes, putBack, type Sorted, sortFiles } from "./replace";
 
-/** What to do with models: open them, or only have them at hand. */
+/** What to do with models: open them, or keep them for others that need them. */
 type Models = "open" | "at hand";
 
 /** Opens what was dropped or chosen. */

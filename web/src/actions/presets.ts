@@ -21,7 +21,7 @@ async function presetsOf(session: Session, file: string | undefined): Promise<Kn
   return found.map(({ name }) => (file === undefined ? { name } : { name, file }));
 }
 
-/** The place in front: these messages stand in a line, without the box that shows the file. */
+/** The place in front: these messages are on one line, without the box that shows the file. */
 function located(failure: Failure): Failure {
   const place = [failure.model, failure.line, failure.column].filter((part) => part != null).join(":");
   return place === "" || failure.message.startsWith(place) ? failure : { ...failure, message: `${place}: ${failure.message}` };

@@ -13,7 +13,7 @@ export function requestFor(session: Session, form: Form, model: OpenModel): Requ
   return hasOwnMass(session, form, model) ? { ...request, target_mass: numeric(model.targetMass) } : request;
 }
 
-/** Whether the row of a model says a mass of its own. A model alone has no row. */
+/** Whether the row of a model has a mass. A model alone has no row. */
 export function hasOwnMass(session: Session, form: Form, model: OpenModel): boolean {
   const takesMass = form.fields.some(({ name }) => name === "target_mass");
   return takesMass && model.targetMass !== "" && session.models.value.length > 1;

@@ -28,7 +28,7 @@ export function readAddress(hash: string, forms: readonly Form[]): Addressed | u
   const words = new URLSearchParams(query);
   const values = new Map<string, Value>();
   for (const field of form.fields) {
-    // A question about safety is answered by who sees it, not by who made the link.
+    // A question about safety is for the user of this page, not for the one who made the link.
     if (field.kind === "codes") continue;
     const said = words.getAll(field.name);
     if (said.length > 0) values.set(field.name, valueOf(field, said));

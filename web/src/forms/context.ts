@@ -9,7 +9,7 @@ export interface Option {
   text: string;
   /** Options with the same heading are together. */
   heading?: string;
-  /** What must be said along with it. */
+  /** Fields that must be given with it. */
   along?: Readonly<Record<string, string>>;
 }
 
@@ -25,7 +25,7 @@ export interface Context {
   addFile(source: Source): Promise<string[]>;
   /** The value of a property in the model, where it has one. */
   currentValue(property: string): string | undefined;
-  /** The mass a slider shows while nothing is said. */
+  /** The mass a slider shows while none is given. */
   currentMass(): number | undefined;
 }
 

@@ -28,7 +28,7 @@ export interface Field {
   limits?: Limits;
   /** Where its choices come from. */
   source?: Source;
-  /** What holds where nothing is said. */
+  /** The value that is used if none is given. */
   default?: string;
   /** The group it belongs to; empty for usual fields. */
   group: string;

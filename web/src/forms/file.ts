@@ -46,7 +46,7 @@ function withPresets(options: Option[], { choices = [] }: Field): Option[] {
   return [...options, ...others.map((choice) => ({ ...choice, heading: "Presets" }))];
 }
 
-/** What is said may name something that is not there any more, or not yet. */
+/** The options, and the given value: it may name something that is not there any more, or not yet. */
 function withSaid(options: Option[], said: string): Option[] {
   const known = said === "" || options.some(({ value }) => value === said);
   return known ? options : [...options, { value: said, text: `${said} (not here)` }];

@@ -51,7 +51,7 @@ export function problems(form: Form, values: Values): Map<string, string> {
   return new Map(found);
 }
 
-/** Fields that must be said and are not. */
+/** Fields that must be given and are not. */
 export function unsaid(form: Form, values: Values): Field[] {
   return form.fields.filter(({ name }) => form.required.includes(name) && values.get(name) === undefined);
 }

@@ -31,12 +31,12 @@ export class Values {
     return typeof value === "object" && !Array.isArray(value) ? (value as Readonly<Record<string, string>>) : {};
   }
 
-  /** Everything that is said. */
+  /** All values that are given. */
   all(): ReadonlyMap<string, Value> {
     return new Map(this.#values);
   }
 
-  /** Sets a field; a value that says nothing takes it away. */
+  /** Sets a field; an empty value removes it. */
   set(name: string, value: Value): void {
     if (saysNothing(value)) this.#values.delete(name);
     else this.#values.set(name, value);

@@ -10,7 +10,7 @@ const COMPARED = ["from", "body_scale_file"];
 export function answered(model: OpenModel, form: Form | undefined): Record<string, unknown> {
   if (!form) return {};
   const fields = fieldsOf(form, model.answers);
-  // What the model was scaled from is compared with; it says nothing about where a change takes its contacts from.
+  // The model is compared with the one that it was scaled from; a change may take its contacts from another one.
   if (form.verb !== "inspect") for (const name of COMPARED) delete fields[name];
   const geometry = geometryOf(model);
   return geometry !== undefined && "geometry" in fields ? { ...fields, geometry } : fields;

@@ -57,7 +57,7 @@ export class Session {
 
   constructor(readonly engine: Client) {}
 
-  /** Shows the form of another verb, with what it said before, or with `values`. */
+  /** Shows the form of another verb, with the values that it had before, or with `values`. */
   setVerb(verb: string, values?: ReadonlyMap<string, Value>): void {
     if (verb === this.verb.value && !values) return;
     if (verb !== this.verb.value) this.#said.set(this.verb.value, this.values.all());

@@ -17,6 +17,6 @@ export function showAnnouncements(session: Session): void {
     clearTimeout(timer);
     timer = setTimeout(() => line.classList.remove("fresh"), FRESH_MS);
   });
-  // What nobody expected to fail must not fail in silence.
+  // Unexpected failures are shown, too.
   addEventListener("unhandledrejection", ({ reason }) => session.announce(`This did not work: ${failureOf(reason).message}.`));
 }

@@ -30,7 +30,7 @@ export function changeView(session: Session, addFile: Context["addFile"]): void 
   session.presets.watch(refresh);
 }
 
-/** The verbs, of which one is chosen. */
+/** The verbs; one is chosen. */
 function verbs(session: Session): HTMLElement {
   const radios = CHANGES.map(({ verb, title, about }) => {
     const input = el("input", { type: "radio", name: "verb", value: verb, title: about });

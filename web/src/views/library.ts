@@ -70,7 +70,7 @@ export class LibraryView {
     }
   }
 
-  /** The row of a model: the one that is there, of which only those cells are made again that are different. */
+  /** The row of a model: the old one, in which only the cells that differ are made again. */
   #row(model: OpenModel, mass: boolean): HTMLElement {
     const chosen = model.id === this.session.chosen.value;
     const shown = this.#shown.get(model.id);

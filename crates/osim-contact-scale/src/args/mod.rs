@@ -112,7 +112,7 @@ pub(crate) fn command() -> Command {
 /// Checks that the options which were typed go together.
 ///
 /// # Errors
-/// The first that says nothing without another.
+/// The first option that has no effect without another one.
 pub(crate) fn check_typed(matches: &ArgMatches) -> Result<(), RequestFault> {
     let (name, typed) = matches.subcommand().unwrap_or((Verb::Rescale.name(), matches));
     let verb = Verb::ALL.iter().copied().find(|verb| verb.name() == name);

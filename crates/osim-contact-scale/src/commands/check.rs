@@ -44,7 +44,7 @@ pub(super) fn run(request: &CheckRequest, session: &mut Session) -> Result<Exit>
     }
     let folders = Folders::list(sources.models.iter().map(|source| source.path.as_path()), false);
     let deny = request.deny.severity();
-    // One model in full; a library as one table, told when all of it is known.
+    // One model in full; a library as one table, printed when all of it is known.
     let mut library = (sources.models.len() > 1).then(check::LibraryTable::default);
     let (mut without_contacts, mut first, mut untold) = (0, true, None);
     let with_page = page.is_some();

@@ -45,7 +45,7 @@ pub(super) fn run(request: &InspectRequest, hint: bool, session: &mut Session) -
     }
     let (mut first, mut untold) = (true, None);
     let with_page = page.is_some();
-    // One model in full; several as one table, told when all of it is known. Factors of bodies have no room in it.
+    // One model in full; several as one table, printed when all of it is known. Factors of bodies have no room in it.
     let several = sources.models.len() + sources.failures.len() > 1 && request.from.is_none();
     let is_table = several && !request.full && request.format == SheetFormat::Table;
     let mut table = is_table.then(ModelsTable::default);
@@ -115,13 +115,13 @@ impl From<osim_library::LibraryFault> for Stop {
 /// A model that was looked at.
 struct Inspected {
     inspection: Inspection,
-    /// How much is wrong with it, where that is asked for.
+    /// How much is wrong with it, if the call asks for that.
     counts: Option<Counts>,
     /// Its entry on the page, where there is one.
     entry: Option<Box<Entry>>,
 }
 
-/// Looks at a model. What is wrong with it is asked for where it goes into a table, for which `folders` is known, or on a page.
+/// Looks at a model. What is wrong with it is found only for a table, for which `folders` is known, and for a page.
 fn one(
     survey: &Survey<'_>,
     folders: Option<&Folders>,

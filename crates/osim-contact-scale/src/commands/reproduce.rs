@@ -62,7 +62,7 @@ fn files(folder: &Path, record: &ReproductionRecord) -> Result<Result<Vec<(PathB
     Ok(Ok(files))
 }
 
-/// Writes all of them, or none where one of them is there already and may not be replaced.
+/// Writes all of them. If one of them exists and may not be replaced, writes none.
 fn write(files: &[(PathBuf, String)], force: bool, session: &Session) -> Result<()> {
     if let Some((there, _)) = files.iter().find(|(path, _)| !force && path.exists()) {
         let [folder, force] = [Input::OutputDir, Input::Force].map(|input| session.words.input(input, None));

@@ -21,7 +21,7 @@ pub(super) fn run(request: RescaleRequest, may_inspect: bool, session: &mut Sess
     if request.models.is_empty() {
         bail!("no model given, expected one or more .osim files or folders (see --help)");
     }
-    // A file of that name would be meant; a name that was split is a failure of its own.
+    // If there is a file of that name, it is a model; a name that was split at its blanks is another failure.
     let is_odd = request.models.iter().any(|path| !Disk.exists(path) && path.as_os_str() != "-");
     if is_odd && let Some(text) = meant(&request.models, request.target_mass.is_none(), session.words) {
         bail!("{text} (see --help)");

@@ -17,7 +17,7 @@ use crate::words::Words;
 #[derive(Default)]
 pub(super) struct Shown {
     pub outputs: Vec<Output>,
-    /// The model on the page; none where no page is asked for.
+    /// The model on the page; `None` without a page.
     pub entry: Option<Entry>,
 }
 

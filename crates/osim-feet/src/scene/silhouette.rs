@@ -116,7 +116,7 @@ impl Shape {
             .max_by(|a, b| distance(a.1, a.2).total_cmp(&distance(b.1, b.2)))
     }
 
-    /// The point that sees an edge under the largest angle, so that no other one is in the circle around the three; `None` if
+    /// The point from which an edge has the largest angle, so that no other one is in the circle around the three; `None` if
     /// that point is already on the line.
     fn nearest_inside(&self, from: Point, to: Point) -> Option<usize> {
         let seen = |point: &Point| {

@@ -31,7 +31,7 @@ pub(super) fn twice_area(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-/// The middle of the area that `corners` enclose; of the corners where that has none.
+/// The middle of the area that `corners` enclose; if they enclose none, that of the corners.
 pub(super) fn middle(corners: &[[f64; 2]]) -> Option<[f64; 2]> {
     let &first = corners.first()?;
     let (mut whole, mut sum) = (0.0, [0.0; 2]);

@@ -164,8 +164,8 @@ pub(crate) fn standard_input() -> Result<Vec<u8>, Refusal> {
     until_end(std::io::stdin().lock(), most)
 }
 
-/// An ordinary file that this process alone writes and may shorten, an empty one where there is none; `None` where another process
-/// has it. Others may read it.
+/// An ordinary file that this process alone writes and may shorten; a new one is made if there is none. `None` if another
+/// process has it. Others may read it.
 ///
 /// # Errors
 /// It cannot be written, or is not an ordinary file.
@@ -197,7 +197,7 @@ pub(crate) fn to_lock(path: &Path) -> std::io::Result<File> {
     let mut options = File::options();
     options.write(true);
     let mut file = system::without_waiting(&mut options).open(path);
-    // Like the model it was made from, a leftover may be write-protected. Windows sees by writing alone who has it open.
+    // Like the model it was made from, a leftover may be write-protected. On Windows only writing shows who has it open.
     if file.is_err() && cfg!(unix) {
         file = system::without_waiting(File::options().read(true)).open(path);
     }

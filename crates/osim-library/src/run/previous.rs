@@ -261,7 +261,7 @@ impl Outputs {
         self.model.is_some() && self.model == record.sha256_output && geometry
     }
 
-    /// What is there and was not written by an earlier run; where there is none, nobody's work is lost by replacing.
+    /// The file that is there and was not written by an earlier run. If there is none, replacing loses nobody's work.
     fn foreign<'t>(&self, task: &'t Task, records: &[Record]) -> Option<&'t Path> {
         let wrote = |digest: fn(&Record) -> &Option<String>, there: &Option<String>| {
             there.is_none() || records.iter().any(|record| digest(record) == there)

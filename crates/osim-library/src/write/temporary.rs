@@ -1,6 +1,6 @@
 //! Names of files that are being written, and what is left of them when a process is killed.
 //!
-//! `.osim-contact-scale-HOST-PROCESS-XXXXXX.tmp`: a later run on the same computer sees whose file it is. If that
+//! `.osim-contact-scale-HOST-PROCESS-XXXXXX.tmp`: a later run on the same computer knows whose file it is. If that
 //! process is gone, nobody will ever finish the file, and it is removed. No other program's work ever has such a name: files that
 //! are exchanged have names of [`replaced`](super::replaced) before.
 //!
@@ -67,7 +67,8 @@ fn is_alive(process: u32) -> bool {
     process.is_some_and(|process| process::test_kill_process(process) != Err(Errno::SRCH))
 }
 
-/// Whether the process is alive, which is not asked here: one that is has the file open, and [`nobody_has_open`] sees that.
+/// Whether the process is alive. Windows need not be asked: a process that is alive has the file open, which
+/// [`nobody_has_open`] finds.
 #[cfg(windows)]
 fn is_alive(_process: u32) -> bool {
     false

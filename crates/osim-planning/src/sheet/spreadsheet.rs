@@ -227,7 +227,7 @@ mod tests {
             ragged.starts_with("line 3: 1 cells, line 4: 3 cells, expected 2 as in the first row: "),
             "{ragged}"
         );
-        // What is wrong with them is said, not what could be.
+        // The message is about what is wrong with them, not about what could be.
         for (text, cause) in [
             (
                 "a,b,c\n1,2\n",

@@ -32,7 +32,7 @@ pub(crate) fn changing_verbs() -> String {
 /// to change: it is [calculated](crate::design_sheet).
 ///
 /// # Errors
-/// Options that say nothing, or contradict each other; a file that cannot be read; or a verb that changes nothing.
+/// Options that have no effect, or contradict each other; a file that cannot be read; or a verb that changes nothing.
 pub fn prepare(request: impl Into<Request>, files: &dyn Files) -> Result<Change, RequestError> {
     match request.into() {
         Request::Rescale(request) => rescale::prepare(*request, files),

@@ -20,7 +20,7 @@ pub(crate) struct OfSpheres {
     pub level: &'static str,
     /// The same for spheres at their own heights.
     pub raised: &'static str,
-    /// What is said of each sphere, beside its height.
+    /// What is given of each sphere, beside its height.
     pub spheres: &'static [Parameter],
     /// What it gives.
     pub returns: Returns,

@@ -121,7 +121,7 @@ fn forces(inspected: &Inspection) -> String {
     text
 }
 
-/// Each body's factors against the generic model; `?` where no source says.
+/// Each body's factors, compared with the generic model; `?` if no source has them.
 fn body_factors(inspected: &Inspection) -> String {
     let mut table = table(&["scaled body", "x", "y", "z", "from"]);
     for body in inspected.body_factors.iter().flatten() {
