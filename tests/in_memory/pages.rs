@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use osim_html::{
-    self, About, Columns, DetailLevel, Entry, Files, InMemory as Texts, Kept, NamedDigest, Page, RunRow,
+    self, About, Columns, DetailLevel, Entry, Examined, Files, InMemory as Texts, Inspected, Kept,
+    NamedDigest, Page, RunRow,
 };
 use osim_messages::Verb;
 use osim_model::files::{Beside, InMemory, ModelFiles, OpenModel};
@@ -20,7 +21,7 @@ fn digest(bytes: &[u8]) -> String {
 }
 
 fn digests(opened: &OpenModel) -> Vec<NamedDigest> {
-    opened.files().map(|(name, bytes)| (name.to_owned(), digest(bytes))).collect()
+    opened.files().map(|(name, bytes)| NamedDigest { name: name.to_owned(), sha256: digest(bytes) }).collect()
 }
 
 /// The page about one model.
@@ -46,14 +47,14 @@ fn of_an_inspection() {
     found.spell(&CommandLine);
     let mut feet = ModelFeet::of(opened.name(), &opened, &inspector.options().selection).unwrap();
     feet.add_bones(&opened.model, &request.models[0], None, &files);
-    let entry = osim_html::inspected(
-        inspector.options(),
-        &opened,
-        (&inspected, &found),
-        &digests(&opened),
-        (DetailLevel::Alone, Some(feet)),
-        &CommandLine,
-    );
+    let shown = Inspected {
+        options: inspector.options(),
+        model: &opened,
+        examined: Examined { inspection: &inspected, check: &found },
+        files: &digests(&opened),
+        feet: Some(feet),
+    };
+    let entry = osim_html::inspected(shown, DetailLevel::Alone, &CommandLine);
     let words = "inspect human.osim --report page.html";
     bench.run(words).done().wrote(&["page.html"]);
     assert_eq!(
@@ -80,7 +81,11 @@ fn same_page(bench: &Bench, verb: Verb, words: &str, json: &serde_json::Value) {
     row.contacts_mass_kg = changed.plan.masses.as_ref().map(|masses| masses.contacts_mass.kg);
     row.target_mass_kg = changed.plan.masses.as_ref().map(|masses| masses.target_mass_kg);
     row.changes = changed.plan.changes.len() + changed.plan.moves.len();
-    let outputs = changed.results.iter().zip(&names).map(|(made, name)| (name.clone(), digest(&made.bytes)));
+    let outputs = changed
+        .results
+        .iter()
+        .zip(&names)
+        .map(|(made, name)| NamedDigest { name: name.clone(), sha256: digest(&made.bytes) });
     let told = Files {
         inputs: digests(&changed.opened),
         result: format!("written: {}", names.join(", ")),

@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 use osim_inspect::series::Body;
-use osim_inspect::{CheckResult, Figures, Inspection, ReferenceState};
+use osim_inspect::{Figures, Inspection, ReferenceState};
 use osim_messages::{Dialect, readable};
 use osim_patch::{Change, Move, Plan};
 use osim_planning::{BeforeAfter, ModelFeet};
@@ -12,6 +12,7 @@ use osim_report::plan::table::{centre, is_new, moves_of_others};
 
 use super::detail_level::DetailLevel;
 use super::entry::Entry;
+use super::examined::Examined;
 use super::explained::Topics;
 use super::files::{self, Files};
 use super::fragment::{Fragment, table};
@@ -28,11 +29,11 @@ pub struct Changed<'c> {
     /// What changes.
     pub plan: &'c Plan,
     /// The model as it was.
-    pub before: (&'c Inspection, &'c CheckResult),
+    pub before: Examined<'c>,
     /// The figures of the model as it was, under the new weight, where that differs.
     pub before_under_new_weight: Option<&'c Figures>,
     /// The model as it is written; `None` where nothing changes.
-    pub after: Option<(&'c Inspection, &'c CheckResult)>,
+    pub after: Option<Examined<'c>>,
     /// States of the model to be drawn.
     pub bodies: Vec<Body>,
     /// The feet of these states, the last with its bones; empty if they are not drawn.
@@ -50,7 +51,7 @@ pub struct Changed<'c> {
 impl<'c> Changed<'c> {
     /// A plan for a model as it was, not written yet.
     #[must_use]
-    pub fn new(plan: &'c Plan, before: (&'c Inspection, &'c CheckResult), files: Files) -> Self {
+    pub fn new(plan: &'c Plan, before: Examined<'c>, files: Files) -> Self {
         Self {
             plan,
             before,
@@ -68,15 +69,14 @@ impl<'c> Changed<'c> {
     /// A plan with all that is known of both states of its model; its caller says whether that is in a file.
     #[must_use]
     pub fn of_states(plan: &'c Plan, states: &'c BeforeAfter, files: Files) -> Self {
-        let before = (&states.before.0, &states.before.1);
         Self {
             before_under_new_weight: states.before_under_new_weight.as_ref(),
-            after: states.after.as_ref().map(|(after, found)| (after, found)),
+            after: states.after.as_ref().map(Examined::from),
             bodies: states.bodies.clone(),
             feet: states.feet.clone(),
             reference: states.reference.as_ref(),
             target_gravity_m_s2: states.target_gravity_m_s2,
-            ..Self::new(plan, before, files)
+            ..Self::new(plan, Examined::from(&states.before), files)
         }
     }
 }
@@ -87,21 +87,22 @@ pub fn changed(row: &RunRow, changed: Changed<'_>, detail: DetailLevel, dialect:
     let mut fragment = Fragment::new(detail);
     let (facts, plan) = (facts(&changed), changed.plan);
     let drawn = fill(&mut fragment, changed, dialect);
-    Entry::of_change(row, plan, (facts, drawn), fragment)
+    Entry::of_change(row, plan, facts, drawn, fragment)
 }
 
 /// Adds the sections; what may be drawn of the model elsewhere.
 pub(super) fn fill(fragment: &mut Fragment, changed: Changed<'_>, dialect: &dyn Dialect) -> Drawn {
     what_changed(fragment, changed.plan);
-    let (before, found_before) = changed.before;
+    let before = changed.before;
     if fragment.wants(findings::SECTION.0) {
         match changed.after {
-            Some((_, found)) => {
+            Some(after) => {
+                let found = after.check;
                 let (in_file, gravity_m_s2) = (changed.in_file, changed.target_gravity_m_s2);
                 let after = findings::After { found, in_file, gravity_m_s2 };
-                findings::of_change(fragment, found_before, &after);
+                findings::of_change(fragment, before.check, &after);
             }
-            None => findings::of_model(fragment, found_before),
+            None => findings::of_model(fragment, before.check),
         }
     }
     if let Some(reference) = changed.reference.filter(|_| fragment.wants(reference::SECTION.0)) {
@@ -118,8 +119,8 @@ pub(super) fn fill(fragment: &mut Fragment, changed: Changed<'_>, dialect: &dyn 
         }
     }
     if fragment.wants(sphere_figures::SECTION.0) {
-        let after = after.map(|(after, _)| after);
-        let mut states = states(before, before_under_new_weight, after);
+        let after = after.map(|after| after.inspection);
+        let mut states = states(before.inspection, before_under_new_weight, after);
         let there = reference.and_then(|reference| reference.figures.as_ref());
         states.extend(there.map(|figures| State {
             name: "reference".to_owned(),
@@ -145,11 +146,10 @@ fn drawn(changed: Changed<'_>) -> Drawn {
 
 /// What the page counts.
 fn facts(changed: &Changed<'_>) -> Facts {
-    let (before, found) = changed.before;
-    let (last, found) = changed.after.unwrap_or((before, found));
-    let mut facts = Facts::new(&last.figures, found, changed.bodies.last());
+    let last = changed.after.unwrap_or(changed.before);
+    let mut facts = Facts::new(&last.inspection.figures, last.check, changed.bodies.last());
     facts.reference = changed.reference.map(reference::in_words);
-    facts.indentation.before = deepest(&before.figures);
+    facts.indentation.before = deepest(&changed.before.inspection.figures);
     facts.indentation.not_scaled = changed.before_under_new_weight.and_then(deepest);
     facts
 }

@@ -49,7 +49,8 @@ impl Entry {
     pub(super) fn of_change(
         row: &RunRow,
         plan: &Plan,
-        (facts, drawn): (Facts, Drawn),
+        facts: Facts,
+        drawn: Drawn,
         fragment: Fragment,
     ) -> Self {
         let mut cells = row.cells();
@@ -72,7 +73,8 @@ impl Entry {
     /// A model that was inspected.
     pub(super) fn of_inspection(
         inspected: &Inspection,
-        (facts, drawn): (Facts, Drawn),
+        facts: Facts,
+        drawn: Drawn,
         fragment: Fragment,
     ) -> Self {
         let mut cells: Vec<Cell> = vec![

@@ -2,8 +2,14 @@
 
 use maud::{Markup, html};
 
-/// A file by its name and the SHA-256 of its bytes; the digest is empty if there are no bytes.
-pub type NamedDigest = (String, String);
+/// A file, for the record.
+#[derive(Debug, Clone)]
+pub struct NamedDigest {
+    /// Its name.
+    pub name: String,
+    /// The SHA-256 of its bytes; empty if there are no bytes.
+    pub sha256: String,
+}
 
 /// The files of a change.
 #[derive(Debug, Clone, Default)]
@@ -36,6 +42,6 @@ pub(super) fn read(files: &[NamedDigest]) -> Markup {
     }
 }
 
-fn digest((name, sha256): &NamedDigest) -> Markup {
+fn digest(NamedDigest { name, sha256 }: &NamedDigest) -> Markup {
     html! { (name) @if !sha256.is_empty() { br; "SHA-256 " code.digest { (sha256) } } }
 }

@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 use osim_inspect::series::Body;
-use osim_inspect::{CheckResult, InspectOptions, Inspection};
+use osim_inspect::{InspectOptions, Inspection};
 use osim_messages::{Dialect, four_significant, readable};
 use osim_model::files::OpenModel;
 use osim_planning::ModelFeet;
@@ -11,6 +11,7 @@ use osim_report::inspection::lengths;
 
 use super::detail_level::DetailLevel;
 use super::entry::Entry;
+use super::examined::Examined;
 use super::files::{self, NamedDigest};
 use super::fragment::{Fragment, table};
 use super::sphere_figures::{self, State};
@@ -18,35 +19,36 @@ use super::values::file_name;
 use super::{findings, plots};
 use crate::special::{Drawn, Facts};
 
-/// Everything about one model that was inspected with `options`; `files` are those it was read from, the model
-/// first; `feet` are drawn where there are plots.
-///
-/// What the inspection and the check say is taken as it is spelled.
+/// A model that was inspected, and what a page shows of it.
+#[derive(Debug)]
+pub struct Inspected<'m> {
+    /// How it was inspected.
+    pub options: &'m InspectOptions,
+    /// The model.
+    pub model: &'m OpenModel,
+    /// What is in it, and what is wrong with it.
+    pub examined: Examined<'m>,
+    /// The files that it was read from, the model first.
+    pub files: &'m [NamedDigest],
+    /// Its feet, to be drawn where there are plots.
+    pub feet: Option<ModelFeet>,
+}
+
+/// Everything about one model that was inspected.
 #[must_use]
-pub fn inspected(
-    options: &InspectOptions,
-    model: &OpenModel,
-    (inspected, found): (&Inspection, &CheckResult),
-    files: &[NamedDigest],
-    (detail, feet): (DetailLevel, Option<ModelFeet>),
-    dialect: &dyn Dialect,
-) -> Entry {
+pub fn inspected(inspected: Inspected<'_>, detail: DetailLevel, dialect: &dyn Dialect) -> Entry {
     let mut fragment = Fragment::new(detail);
-    let drawn = fill(&mut fragment, options, model, (inspected, found), (files, feet), dialect);
-    let facts = Facts::new(&inspected.figures, found, drawn.bodies.first());
-    Entry::of_inspection(inspected, (facts, drawn), fragment)
+    let Examined { inspection, check } = inspected.examined;
+    let drawn = fill(&mut fragment, inspected, dialect);
+    let facts = Facts::new(&inspection.figures, check, drawn.bodies.first());
+    Entry::of_inspection(inspection, facts, drawn, fragment)
 }
 
 /// Adds the sections; what may be drawn of the model elsewhere.
-pub(super) fn fill(
-    fragment: &mut Fragment,
-    options: &InspectOptions,
-    model: &OpenModel,
-    (inspected, found): (&Inspection, &CheckResult),
-    (files, feet): (&[NamedDigest], Option<ModelFeet>),
-    dialect: &dyn Dialect,
-) -> Drawn {
-    findings::of_model(fragment, found);
+pub(super) fn fill(fragment: &mut Fragment, inspected: Inspected<'_>, dialect: &dyn Dialect) -> Drawn {
+    let Inspected { options, model, examined, files, feet } = inspected;
+    let inspected = examined.inspection;
+    findings::of_model(fragment, examined.check);
     let failed = |fault| model.failure(fault);
     let body = || Body::inspected(file_name(model.name()).to_owned(), &model.model, options, &failed).ok();
     let drawn = Drawn {
@@ -75,8 +77,8 @@ fn forces(inspected: &Inspection) -> Markup {
     let groups = groups(inspected);
     let rows: Vec<Markup> = groups
         .iter()
-        .map(|(row, members)| {
-            html! { tr { th scope="row" { (described(members)) } @for cell in row { td { (cell) } } } }
+        .map(|group| {
+            html! { tr { th scope="row" { (described(&group.forces)) } @for cell in &group.cells { td { (cell) } } } }
         })
         .collect();
     if rows.is_empty() {
@@ -86,7 +88,7 @@ fn forces(inspected: &Inspection) -> Markup {
         "Forces with the same parameters share a row. E₁*, E* in N/m², α and bv in s/m, slip in m/s, cf \
                        in m², bd in 1/m; friction static/dynamic/viscous."
             .to_owned();
-    if groups.iter().any(|(row, _)| row.iter().any(|cell| cell.contains('*'))) {
+    if groups.iter().any(|group| group.cells.iter().any(|cell| cell.contains('*'))) {
         caption.push_str(" * not in the file: from <defaults> or OpenSim's class default.");
     }
     table("Forces", &caption, &["forces", "E₁*", "E*", "α", "friction", "slip", "cf", "bd", "bv"], &rows)

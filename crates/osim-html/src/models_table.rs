@@ -96,18 +96,13 @@ pub(super) fn table_opening(columns: Columns, left_out: &[String]) -> String {
     )
 }
 
-/// The row of model `number`, linked to its details where it has some.
-pub(super) fn row(
-    entry: &Entry,
-    columns: Columns,
-    (number, in_full): (usize, bool),
-    topics: &mut Topics,
-) -> String {
+/// The row of a model, linked to its `details` by their number, if it has some.
+pub(super) fn row(entry: &Entry, columns: Columns, details: Option<usize>, topics: &mut Topics) -> String {
     let name = broken_at_folders(&entry.model);
     let empty = columns.headers().len().saturating_sub(1 + entry.cells.len());
     let row = html! {
         tr {
-            th scope="row" { @if in_full { a href={ "#model-" (number) } { (name) } } @else { (name) } }
+            th scope="row" { @if let Some(number) = details { a href={ "#model-" (number) } { (name) } } @else { (name) } }
             @if entry.cells.is_empty() {
                 td.words colspan=(columns.headers().len()) { (entry.outcome) (code(entry, topics)) }
             } @else {

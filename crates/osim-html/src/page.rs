@@ -100,8 +100,8 @@ impl<'d, S: DeferredText> Page<'d, S> {
         }
         self.rows_only |= fragment.is_some() && self.in_full >= IN_FULL;
         let fragment = fragment.filter(|_| self.in_full < IN_FULL);
-        let place = (number, fragment.is_some());
-        self.kept.rows.add(&harmless(&models::row(&entry, self.about.columns, place, &mut self.topics)))?;
+        let details = fragment.is_some().then_some(number);
+        self.kept.rows.add(&harmless(&models::row(&entry, self.about.columns, details, &mut self.topics)))?;
         let Some(fragment) = fragment else { return Ok(()) };
         self.in_full += 1;
         self.topics.add(&fragment.topics);

@@ -1,18 +1,16 @@
 //! Sections about one model, each by itself: for a page that shows some now and others later.
 
+use osim_inspect::ReferenceState;
 use osim_inspect::series::Body;
-use osim_inspect::{CheckResult, InspectOptions, Inspection, ReferenceState};
 use osim_messages::{Dialect, harmless};
-use osim_model::files::OpenModel;
 use osim_patch::Plan;
-use osim_planning::ModelFeet;
 use serde::Serialize;
 
 use super::change::{Changed, fill, what_changed};
-use super::files::NamedDigest;
 use super::fragment::Fragment;
+use super::inspected::{self, Inspected};
 use super::section::Section;
-use super::{explained, inspected, plots};
+use super::{explained, plots};
 
 /// What a link in a section leads to.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -50,7 +48,8 @@ impl Sections {
     pub fn of_plan(
         plan: &Plan,
         bodies: &[Body],
-        (reference, wanted): (Option<&ReferenceState>, Option<&[String]>),
+        reference: Option<&ReferenceState>,
+        wanted: Option<&[String]>,
         dialect: &dyn Dialect,
     ) -> Self {
         let mut fragment = Fragment::of_some(wanted);
@@ -72,18 +71,11 @@ impl Sections {
         Self::of(fragment, dialect)
     }
 
-    /// Those sections about a model that was inspected with `options` whose names are `wanted`.
+    /// Those sections about a model that was inspected whose names are `wanted`; `None` for all.
     #[must_use]
-    pub fn of_model(
-        options: &InspectOptions,
-        model: &OpenModel,
-        both: (&Inspection, &CheckResult),
-        (files, feet): (&[NamedDigest], Option<ModelFeet>),
-        wanted: Option<&[String]>,
-        dialect: &dyn Dialect,
-    ) -> Self {
+    pub fn of_model(inspected: Inspected<'_>, wanted: Option<&[String]>, dialect: &dyn Dialect) -> Self {
         let mut fragment = Fragment::of_some(wanted);
-        inspected::fill(&mut fragment, options, model, both, (files, feet), dialect);
+        inspected::fill(&mut fragment, inspected, dialect);
         Self::of(fragment, dialect)
     }
 }

@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 
 use maud::{Markup, html};
 use osim_inspect::{Figure, Figures, SphereFigures};
-use osim_report::inspection::rows::{Spheres, heading, key, limit, value};
+use osim_report::inspection::rows::{FigureText, Spheres, heading, key, limit, value};
 use osim_report::inspection::standing::{CAPTION, equally_deep};
 use osim_report::layout::OUTSIDE;
 
@@ -218,8 +218,8 @@ fn line(
 fn cell(figure: Figure, sphere: Option<&SphereFigures>, outside: &mut bool) -> Markup {
     match sphere.and_then(|sphere| value(figure, sphere)) {
         None => html! { td { "–" } },
-        Some((text, true)) => html! { td { (text) } },
-        Some((text, false)) => {
+        Some(FigureText { text, outside: false }) => html! { td { (text) } },
+        Some(FigureText { text, outside: true }) => {
             *outside = true;
             html! { td.outside { (marked_outside(&text)) } }
         }

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
-use osim_html::{DetailLevel, Entry, Explained, Files, RunRow, Section, Sections};
+use osim_html::{DetailLevel, Entry, Explained, Files, NamedDigest, RunRow, Section, Sections};
 use osim_model::FileId;
 use osim_model::files::{Failure, ModelFiles};
 use osim_patch::Plan;
@@ -126,7 +126,7 @@ impl Planned {
         let states = States { planner, opened: &self.opened.model, plan: &self.plan };
         let drawn = wanted.is_some_and(|wanted| wanted.iter().any(|one| one != QUICK[0]));
         let bodies = drawn.then(|| states.bodies(|| self.as_files())).transpose()?.unwrap_or_default();
-        Ok(Sections::of_plan(&self.plan, &bodies, (planner.reference(), wanted), self.words))
+        Ok(Sections::of_plan(&self.plan, &bodies, planner.reference(), wanted, self.words))
     }
 
     /// What it does; `wanted` are the sections to make, `None` for all.
@@ -176,7 +176,10 @@ impl Planned {
     /// The files that were read and that are made.
     fn files(&self) -> Files {
         let names: Vec<String> = self.results.iter().map(|made| made.name.display().to_string()).collect();
-        let outputs = names.iter().cloned().zip(self.results.iter().map(|made| sha256(&made.bytes)));
+        let outputs = names
+            .iter()
+            .zip(&self.results)
+            .map(|(name, made)| NamedDigest { name: name.clone(), sha256: sha256(&made.bytes) });
         let result = match self.plan.is_empty() {
             true => "nothing written".to_owned(),
             false => format!("written: {}", names.join(", ")),

@@ -1,6 +1,6 @@
 //! What is in a model, and what is wrong with it.
 
-use osim_html::{DetailLevel, Entry, Explained, Section, Sections};
+use osim_html::{DetailLevel, Entry, Examined, Explained, Inspected, Section, Sections};
 use osim_inspect::{CheckResult, FindingRecord, Found, Inspection};
 use osim_messages::Verb;
 use osim_planning::{Inspector, ModelFeet};
@@ -101,14 +101,14 @@ pub(crate) fn look(
     let wants = |id: &str| wanted.is_none_or(|wanted| wanted.iter().any(|one| one == id));
     let feet = wants("feet").then(|| feet(inspector, opened, shelf)).flatten();
     let digests = if wants("model") { opened.digests() } else { Vec::new() };
-    let Sections { sections, explained, .. } = Sections::of_model(
-        inspector.options(),
-        &opened.model,
-        (&inspection, &found),
-        (&digests, feet),
-        wanted,
-        &Page,
-    );
+    let shown = Inspected {
+        options: inspector.options(),
+        model: &opened.model,
+        examined: Examined { inspection: &inspection, check: &found },
+        files: &digests,
+        feet,
+    };
+    let Sections { sections, explained, .. } = Sections::of_model(shown, wanted, &Page);
     Ok(Look { findings: FindingShown::all(&found), inspection, sections, explained, files: opened.names() })
 }
 
@@ -120,13 +120,12 @@ pub(crate) fn entry(
     words: &dyn FrontEnd,
 ) -> Result<Entry, Problem> {
     let (inspection, found) = seen(inspector, opened, words)?;
-    let feet = feet(inspector, opened, shelf);
-    Ok(osim_html::inspected(
-        inspector.options(),
-        &opened.model,
-        (&inspection, &found),
-        &opened.digests(),
-        (DetailLevel::Alone, feet),
-        words,
-    ))
+    let shown = Inspected {
+        options: inspector.options(),
+        model: &opened.model,
+        examined: Examined { inspection: &inspection, check: &found },
+        files: &opened.digests(),
+        feet: feet(inspector, opened, shelf),
+    };
+    Ok(osim_html::inspected(shown, DetailLevel::Alone, words))
 }

@@ -45,7 +45,9 @@ impl Opened {
 
     /// The same with their digests.
     pub(crate) fn digests(&self) -> Vec<NamedDigest> {
-        self.model.files().map(|(name, bytes)| (name.to_owned(), sha256(bytes))).collect()
+        let digest =
+            |(name, bytes): (&str, &[u8])| NamedDigest { name: name.to_owned(), sha256: sha256(bytes) };
+        self.model.files().map(digest).collect()
     }
 }
 

@@ -1,8 +1,8 @@
 //! Pages: sections, escapes, what a large library leaves out.
 
 use osim_html::{
-    About, Changed, Columns, DetailLevel, EarlierRun, Entry, Files, InMemory, Kept, Page, RowError, RunRow,
-    changed, inspected,
+    About, Changed, Columns, DetailLevel, EarlierRun, Entry, Examined, Files, InMemory, Inspected, Kept,
+    NamedDigest, Page, RowError, RunRow, changed, inspected,
 };
 use osim_inspect::InspectOptions;
 use osim_messages::Verb;
@@ -31,9 +31,14 @@ fn changes(model: Option<&str>) -> About {
 fn entry(model: &OpenModel, detail: DetailLevel, front_end: &dyn FrontEnd) -> Entry {
     let options = InspectOptions::default();
     let (seen, found) = support::inspected(&options, model, front_end);
-    let files = vec![(model.name().to_string(), "0123".to_owned())];
-    let feet = ModelFeet::for_page(model.name(), model, &options.selection);
-    inspected(&options, model, (&seen, &found), &files, (detail, feet), front_end)
+    let shown = Inspected {
+        options: &options,
+        model,
+        examined: Examined { inspection: &seen, check: &found },
+        files: &[NamedDigest { name: model.name().to_string(), sha256: "0123".to_owned() }],
+        feet: ModelFeet::for_page(model.name(), model, &options.selection),
+    };
+    inspected(shown, detail, front_end)
 }
 
 /// Every anchor that is linked is there, and none is there twice.
@@ -109,7 +114,7 @@ fn a_change_is_shown_before_and_after() {
     row.contacts_mass_kg = Some(62.0);
     row.target_mass_kg = Some(500.0);
     row.changes = plan.changes.len();
-    let change = || Changed::new(&plan, (&before, &found), Files::default());
+    let change = || Changed::new(&plan, Examined { inspection: &before, check: &found }, Files::default());
     let one = changed(&row, change(), DetailLevel::Alone, &CommandLine);
     let text = page(changes(Some(model.name())), &CommandLine, [one]);
     assert!(text.contains("<h2 id=\"changes-title\">What changed</h2>"));

@@ -1,6 +1,6 @@
 //! What a page shows of one model of a run.
 
-use osim_html::{Changed, DetailLevel, EarlierRun, Entry, Files, RowError, RunRow};
+use osim_html::{Changed, DetailLevel, EarlierRun, Entry, Files, NamedDigest, RowError, RunRow};
 use osim_planning::BeforeAfter;
 
 use crate::Disk;
@@ -12,10 +12,11 @@ use crate::run::{ChangedModel, Record};
 pub fn entry(changed: &ChangedModel<'_>, both: &BeforeAfter, detail: DetailLevel, words: Words) -> Entry {
     let record = changed.record;
     let names = changed.opened.files().map(|(name, _)| name.to_owned());
-    let inputs = names.zip(changed.inputs.iter().cloned());
+    let inputs = names.zip(changed.inputs.iter().cloned()).map(|(name, sha256)| NamedDigest { name, sha256 });
     let digests = [&record.sha256_output, &record.sha256_geometry_output];
     let paths = changed.written.paths().iter().map(|path| path.display().to_string());
-    let outputs: Vec<(String, String)> = paths.zip(digests.into_iter().flatten().cloned()).collect();
+    let outputs = paths.zip(digests.into_iter().flatten().cloned());
+    let outputs = outputs.map(|(name, sha256)| NamedDigest { name, sha256 }).collect();
     let result = match changed.earlier {
         true => record.status.describe().to_owned(),
         false => changed.written.describe(),

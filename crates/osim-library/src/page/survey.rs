@@ -1,6 +1,6 @@
 //! Models inspected and checked one by one, with their entry on a page.
 
-use osim_html::{About, Columns, DetailLevel, Entry};
+use osim_html::{About, Columns, DetailLevel, Entry, Examined, NamedDigest};
 use osim_inspect::{CheckResult, Inspection};
 use osim_messages::Verb;
 use osim_model::Finding;
@@ -86,19 +86,21 @@ impl Survey<'_> {
 
     /// The model on the page, if a page is asked for.
     pub fn entry(&self, inspected: &Inspected, found: &CheckResult) -> Entry {
-        let files: Vec<(String, String)> =
-            inspected.opened.files().map(|(name, bytes)| (name.to_owned(), crate::sha256(bytes))).collect();
-        let both = (&inspected.inspection, found);
+        let digest = |(name, bytes): (&str, &[u8])| NamedDigest {
+            name: name.to_owned(),
+            sha256: crate::sha256(bytes),
+        };
+        let files: Vec<NamedDigest> = inspected.opened.files().map(digest).collect();
         let detail = DetailLevel::of(self.sources.models.len() + self.sources.failures.len());
         let feet = detail.has_feet().then(|| self.feet(&inspected.opened)).flatten();
-        osim_html::inspected(
-            self.inspector.options(),
-            &inspected.opened,
-            both,
-            &files,
-            (detail, feet),
-            self.words,
-        )
+        let shown = osim_html::Inspected {
+            options: self.inspector.options(),
+            model: &inspected.opened,
+            examined: Examined { inspection: &inspected.inspection, check: found },
+            files: &files,
+            feet,
+        };
+        osim_html::inspected(shown, detail, self.words)
     }
 
     /// The feet of a model, with the bones whose meshes are available.

@@ -6,17 +6,25 @@ use osim_inspect::{InspectedForce, Inspection};
 use osim_messages::{four_significant, readable};
 use osim_model::Property;
 
-/// Forces with the same parameters, and these as cells.
-pub fn groups(inspected: &Inspection) -> Vec<(Vec<String>, Vec<&InspectedForce>)> {
-    let mut groups: Vec<(Vec<String>, Vec<&InspectedForce>)> = Vec::new();
+/// Forces with the same parameters.
+pub struct ForceGroup<'m> {
+    /// The parameters, in the order of the table.
+    pub cells: Vec<String>,
+    /// The forces, in the order of the file.
+    pub forces: Vec<&'m InspectedForce>,
+}
+
+/// The forces of a model, those with the same parameters together.
+pub fn groups(inspected: &Inspection) -> Vec<ForceGroup<'_>> {
+    let mut groups: Vec<ForceGroup<'_>> = Vec::new();
     let (mut places, mut exact) = (HashMap::new(), HashMap::new());
     for force in &inspected.forces {
         let how = (force.kind, force.applies, force.selected);
         let found = || *places.entry((parameters(force), how)).or_insert(groups.len());
         let place = *exact.entry((exact_parameters(force), how)).or_insert_with(found);
         match groups.get_mut(place) {
-            Some((_, members)) => members.push(force),
-            None => groups.push((parameters(force), vec![force])),
+            Some(group) => group.forces.push(force),
+            None => groups.push(ForceGroup { cells: parameters(force), forces: vec![force] }),
         }
     }
     groups

@@ -105,6 +105,13 @@ impl Column {
     }
 }
 
+/// What there is room for in a line.
+struct Fitting {
+    columns: Vec<Column>,
+    /// How long the names of models may be; `None` if lines have no end.
+    name_width: Option<usize>,
+}
+
 impl ModelsTable {
     /// Adds a model that was inspected, and how much is wrong with it.
     pub fn add(&mut self, inspected: &Inspection, counts: Counts) {
@@ -128,7 +135,7 @@ impl ModelsTable {
     pub fn text(&self, width: Option<usize>, dialect: &dyn Dialect, colour: Colour) -> String {
         // A line with an end has no room for the folder that they are all in.
         let folder = width.map(|_| self.common_folder()).unwrap_or_default();
-        let (columns, name_width) = self.fitting(width, folder);
+        let Fitting { columns, name_width } = self.fitting(width, folder);
         let headings: Vec<&str> =
             std::iter::once("model").chain(columns.iter().map(|column| column.heading())).collect();
         let mut table = table(&headings);
@@ -156,10 +163,10 @@ impl ModelsTable {
         })
     }
 
-    /// The columns for which there is room beside the names, and how long these may be.
-    fn fitting(&self, width: Option<usize>, folder: &str) -> (Vec<Column>, Option<usize>) {
+    /// What there is room for in lines of at most `width` columns.
+    fn fitting(&self, width: Option<usize>, folder: &str) -> Fitting {
         let mut columns = Column::ALL.to_vec();
-        let Some(width) = width else { return (columns, None) };
+        let Some(width) = width else { return Fitting { columns, name_width: None } };
         let longest = self
             .rows
             .iter()
@@ -177,7 +184,7 @@ impl ModelsTable {
             columns.retain(|&column| column != left_out);
         }
         let room = room(&columns).max("model".len());
-        (columns, Some(room))
+        Fitting { columns, name_width: Some(room) }
     }
 
     fn width(&self, column: Column) -> usize {
@@ -257,17 +264,24 @@ fn class(inspected: &Inspection) -> &'static str {
     }
 }
 
-/// x̂ under one body weight by the law of the sphere's class, and whether it is within its limit.
-fn at_rest(sphere: &SphereFigures) -> Option<(f64, bool)> {
+/// A value, and whether it is within its limit.
+struct Judged {
+    value: f64,
+    within: bool,
+}
+
+/// x̂ under one body weight by the law of the sphere's class.
+fn at_rest(sphere: &SphereFigures) -> Option<Judged> {
     let known = [Figure::IndentationModelLaw, Figure::Indentation];
     let figure = known.into_iter().find(|&figure| sphere.value(figure).is_some())?;
-    Some((sphere.value(figure)?, sphere.is_within(figure) != Some(false)))
+    Some(Judged { value: sphere.value(figure)?, within: sphere.is_within(figure) != Some(false) })
 }
 
 /// Restitution by the law itself, under the limit that the paper gives with (13): a mark beside a number is about this number.
-fn restitution(sphere: &SphereFigures) -> Option<(f64, bool)> {
-    let exact = sphere.value(Figure::RestitutionExact)?;
-    Some((exact, Figure::RestitutionApproximate.info().limit.is_none_or(|limit| limit.admits(exact))))
+fn restitution(sphere: &SphereFigures) -> Option<Judged> {
+    let value = sphere.value(Figure::RestitutionExact)?;
+    let limit = Figure::RestitutionApproximate.info().limit;
+    Some(Judged { value, within: limit.is_none_or(|limit| limit.admits(value)) })
 }
 
 /// Three digits and a power of ten: moduli have many zeros.
@@ -290,11 +304,11 @@ fn range(values: impl Iterator<Item = f64>, written: fn(f64) -> String) -> Strin
 }
 
 /// The one of all values that `worse` chooses, marked where any is outside its limit.
-fn extreme(values: impl Iterator<Item = (f64, bool)>, worse: fn(f64, f64) -> f64) -> String {
-    let one = values.reduce(|(a, a_within), (b, b_within)| (worse(a, b), a_within && b_within));
+fn extreme(values: impl Iterator<Item = Judged>, worse: fn(f64, f64) -> f64) -> String {
+    let one = values.reduce(|a, b| Judged { value: worse(a.value, b.value), within: a.within && b.within });
     match one {
-        Some((value, true)) => three_significant(value),
-        Some((value, false)) => format!("{} {OUTSIDE}", three_significant(value)),
+        Some(Judged { value, within: true }) => three_significant(value),
+        Some(Judged { value, within: false }) => format!("{} {OUTSIDE}", three_significant(value)),
         None => NOTHING.to_owned(),
     }
 }

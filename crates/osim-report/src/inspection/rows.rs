@@ -45,14 +45,21 @@ pub fn limit(figure: Figure) -> String {
     figure.info().limit.map(ToString::to_string).unwrap_or_default()
 }
 
-/// The figure as shown, and whether it is within its limit; `None` if it is not known.
-pub fn value(figure: Figure, sphere: &SphereFigures) -> Option<(String, bool)> {
-    let within = sphere.is_within(figure);
-    match (sphere.value(figure), within) {
-        (Some(value), _) => Some((four_significant(value), within != Some(false))),
+/// A figure as it is shown.
+pub struct FigureText {
+    /// Its value.
+    pub text: String,
+    /// Whether it is outside its limit.
+    pub outside: bool,
+}
+
+/// The figure of a sphere as it is shown; `None` if it is not known.
+pub fn value(figure: Figure, sphere: &SphereFigures) -> Option<FigureText> {
+    let outside = sphere.is_within(figure) == Some(false);
+    match sphere.value(figure) {
+        Some(value) => Some(FigureText { text: four_significant(value), outside }),
         // (13) has no answer below 0, and that is outside.
-        (None, Some(false)) => Some(("below 0".to_owned(), false)),
-        (None, _) => None,
+        None => outside.then(|| FigureText { text: "below 0".to_owned(), outside }),
     }
 }
 

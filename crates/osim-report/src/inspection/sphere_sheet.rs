@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use osim_inspect::{Figure, Inspection, SphereFigures};
 use osim_messages::{Dialect, Phrase};
 
-use super::rows::{Spheres, exact_key, heading, key, limit, value};
+use super::rows::{FigureText, Spheres, exact_key, heading, key, limit, value};
 use super::standing::{CAPTION, equally_deep};
 use crate::layout::{OUTSIDE, table, wrapped};
 
@@ -109,7 +109,7 @@ fn sheet(inspected: &Inspection, groups: &[Alike<'_>], before: usize) -> String 
 fn cell(figure: Figure, sphere: &SphereFigures) -> String {
     match value(figure, sphere) {
         None => NOTHING.to_owned(),
-        Some((value, true)) => format!("{value}  "),
-        Some((value, false)) => format!("{value} {OUTSIDE}"),
+        Some(FigureText { text, outside: false }) => format!("{text}  "),
+        Some(FigureText { text, outside: true }) => format!("{text} {OUTSIDE}"),
     }
 }

@@ -106,10 +106,10 @@ fn forces(inspected: &Inspection) -> String {
     let groups = groups(inspected);
     let mut table = table(&["", "E1*", "E*", "alpha", "friction", "slip", "cf", "bd", "bv"]);
     let mut legend = String::new();
-    for (index, (row, members)) in groups.iter().enumerate() {
+    for (index, group) in groups.into_iter().enumerate() {
         let label = format!("F{}", index + 1);
-        legend.push_str(&wrapped(&format!("{label}  {}", described(members)), "    "));
-        table.add_row([vec![label], row.clone()].concat());
+        legend.push_str(&wrapped(&format!("{label}  {}", described(&group.forces)), "    "));
+        table.add_row([vec![label], group.cells].concat());
     }
     table.right_aligned(&[1, 2, 3, 4, 5, 6, 7, 8]);
     let mut text = format!("{legend}\n{}\n", table.trim_fmt());
