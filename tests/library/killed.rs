@@ -66,32 +66,32 @@ const END_OF_SHARES: Run = Run {
 
 #[test]
 fn killed_in_a_sweep() {
-    SWEEP.kill(60);
+    SWEEP.kill(15);
 }
 
 #[test]
 fn killed_in_a_share_of_a_sweep() {
-    SHARE.kill(40);
+    SHARE.kill(10);
 }
 
 #[test]
 fn killed_where_shares_of_a_sweep_become_the_whole() {
-    END_OF_SHARES.kill(40);
+    END_OF_SHARES.kill(10);
 }
 
 #[test]
 fn killed_while_writing_into_a_folder() {
-    INTO_FOLDER.kill(80);
+    INTO_FOLDER.kill(20);
 }
 
 #[test]
 fn killed_in_a_batch_with_a_summary_of_json_lines() {
-    BATCH.kill(60);
+    BATCH.kill(15);
 }
 
 #[test]
 fn killed_while_changing_models_in_place() {
-    IN_PLACE.kill(60);
+    IN_PLACE.kill(15);
 }
 
 #[test]
@@ -123,7 +123,7 @@ fn killed_at_each_kind_of_system_call() {
 /// A few of them after every change.
 #[test]
 fn killed_at_some_system_calls() {
-    kill_at_calls(45);
+    kill_at_calls(20);
 }
 
 fn kill_at_calls(wanted: usize) {
