@@ -7,7 +7,7 @@ import { ENGINE } from "./paths.mjs";
 import { run } from "./run.mjs";
 
 const MODULE = "target/wasm/wasm32-unknown-unknown/web/osim_web.wasm";
-const BINDGEN = ["run", "--release", "--locked", "--manifest-path", "web/bindgen/Cargo.toml", "--target-dir", "target/bindgen"];
+const BINDGEN = ["run", "--locked", "--manifest-path", "web/bindgen/Cargo.toml", "--target-dir", "target/bindgen"];
 
 /** Compiles crates/osim-web and binds it. */
 export function buildEngine() {
