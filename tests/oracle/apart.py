@@ -1,35 +1,78 @@
-"""Jobs in processes of their own: OpenSim is imported once, and a fork does each job, two at a time.
+"""Jobs in processes of their own: one server imports OpenSim, once for all tests, and a fork of it does each job, two at a time.
 
-A script calls `serve(function)`: it reads a list of jobs from standard input and prints what `function` makes of each. `ask(script,
-jobs)` runs it, so that the caller's process stays free of OpenSim.
+`each(module, jobs)` gives what the function `here` of this module makes of each job, so that the caller's process stays free of
+OpenSim, and no job sees what OpenSim keeps of another. Both ways go lines of JSON, in which floats keep their bits.
 """
 
+import atexit
+import importlib
 import json
 import os
 import subprocess
 import sys
 import tempfile
+import threading
+from functools import cache
 from pathlib import Path
 
 WORKERS = int(os.environ.get("ORACLE_WORKERS", "2"))
+ALONE = threading.Lock()
 
 
-def ask(script, jobs):
-    """The answers, in the order of the jobs; `{"error"}` where OpenSim has refused."""
+class Refused(Exception):
+    """OpenSim has refused a job."""
+
+
+def one(module, job):
+    """What one job gave."""
+    return each(module, [job])[0]
+
+
+def each(module, jobs):
+    """What each job gave, in their order."""
+    answers = ask(module, jobs)
+    for answer in answers:
+        if isinstance(answer, dict) and answer.keys() == {"error"}:
+            raise Refused(answer["error"])
+    return answers
+
+
+def ask(module, jobs):
+    """The same, with `{"error"}` where OpenSim has refused."""
     jobs = list(jobs)
     if not jobs:
         return []
-    done = subprocess.run([sys.executable, script], input=json.dumps(jobs), capture_output=True, text=True, check=True)
-    return json.loads(done.stdout)
+    with ALONE:
+        to, answers = server().stdin, server().stdout
+        to.write(json.dumps([module, jobs]) + "\n")
+        to.flush()
+        line = answers.readline()
+    if not line:
+        raise Refused("the process that imports OpenSim has ended")
+    return json.loads(line)
 
 
-def serve(function):
-    """Does all jobs of standard input."""
+@cache
+def server():
+    """The process that imports OpenSim; it ends with its caller."""
+    started = subprocess.Popen([sys.executable, __file__], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+    atexit.register(started.communicate)
+    return started
+
+
+def serve():
+    """Does the jobs of each line of standard input."""
     import opensim
 
     opensim.Logger.removeFileSink()
     opensim.Logger.setLevelString("Off")
-    jobs = json.load(sys.stdin)
+    for line in sys.stdin:
+        module, jobs = json.loads(line)
+        print(json.dumps(forked(importlib.import_module(module).here, jobs)), flush=True)
+
+
+def forked(function, jobs):
+    """What the function makes of each job, in a fork and an empty folder of its own: printing a model, OpenSim writes files."""
     with tempfile.TemporaryDirectory() as folder:
         answers = [Path(folder, f"{number}.json") for number in range(len(jobs))]
         running = set()
@@ -47,7 +90,7 @@ def serve(function):
         while running:
             running.discard(os.wait()[0])
         silent = {"error": "OpenSim ended without a word"}
-        print(json.dumps([json.loads(path.read_text(encoding="utf-8")) if path.exists() else silent for path in answers]))
+        return [json.loads(path.read_text(encoding="utf-8")) if path.exists() else silent for path in answers]
 
 
 def answered(function, job):
@@ -55,3 +98,7 @@ def answered(function, job):
         return function(job)
     except Exception as error:  # OpenSim throws its own kinds
         return {"error": str(error)}
+
+
+if __name__ == "__main__":
+    serve()

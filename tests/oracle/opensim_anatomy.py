@@ -1,10 +1,10 @@
-"""What OpenSim knows of the sizes of models at the default pose: `opensim_anatomy.py < paths.json`
+"""What OpenSim knows of the sizes of models at the default pose.
 
 Bodies in ground; meshes with the body that shows them and their scale factors; joints with the bodies at both ends and their
 origins in the frames of these; coordinates; spheres and half-spaces in ground.
 """
 
-from apart import ask, serve
+from apart import ask
 from opensim_feet import matrix
 from opensim_reads import downcast_frame
 
@@ -12,10 +12,11 @@ from opensim_reads import downcast_frame
 def anatomies(paths):
     """What is known of each model, by its path."""
     paths = [str(path) for path in paths]
-    return dict(zip(paths, ask(__file__, paths), strict=True))
+    return dict(zip(paths, ask("opensim_anatomy", paths), strict=True))
 
 
-def anatomy_here(path):
+def here(path):
+    """What is known of one model, in this process."""
     import opensim
 
     model = opensim.Model(path)
@@ -66,7 +67,3 @@ def anatomy_here(path):
 def origin(rows):
     """Where a transform has its origin."""
     return [row[3] for row in rows]
-
-
-if __name__ == "__main__":
-    serve(anatomy_here)

@@ -1,31 +1,24 @@
-"""Drops in the real OpenSim, given as JSON: `opensim_drops.py < drops.json`
+"""Drops in the real OpenSim.
 
 A drop is a body on a slider and a force for each of its spheres, all of them level:
 `{"class", "mass", "gravity", "height", "accuracy", "times", "spheres": [{"radius", "stiffness", ...}]}`, in SI units.
-Printed: for each drop `{"heights", "forces"}` at the given times, the forces summed.
+Each drop gives `{"heights", "forces"}` at the given times, the forces summed.
 
 Down is x, the side on which OpenSim's half-space is solid: so the slider needs no rotation, and its coordinate is the
 indentation, with bottoms at -height in the beginning. `Manager` stops at each time asked for; nothing is interpolated.
 """
 
-import json
-import subprocess
-import sys
-import tempfile
+from apart import each
 
 SMOOTH = "SmoothSphereHalfSpaceForce"
 
 
 def drops(jobs):
     """`[{"heights", "forces"}]`; the caller's process stays free of OpenSim."""
-    with tempfile.TemporaryDirectory() as folder:
-        done = subprocess.run(
-            [sys.executable, __file__], input=json.dumps(jobs), capture_output=True, text=True, check=True, cwd=folder
-        )
-    return json.loads(done.stdout)
+    return each("opensim_drops", jobs)
 
 
-def drop_here(job):
+def here(job):
     """One drop, in this process."""
     import opensim
 
@@ -100,11 +93,3 @@ def upward(model, state):
         (place,) = [i for i, (_, on, *rest) in enumerate(words) if rest == ["force", "X"] and on in ("body", "Sphere")]
         total -= values.get(place)
     return total
-
-
-if __name__ == "__main__":
-    import opensim
-
-    opensim.Logger.removeFileSink()
-    opensim.Logger.setLevelString("Off")
-    print(json.dumps([drop_here(job) for job in json.load(sys.stdin)]))

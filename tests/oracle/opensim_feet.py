@@ -1,7 +1,4 @@
-"""Where OpenSim has the bodies and meshes of a model at the default pose, as JSON: run as `python opensim_feet.py MODEL`."""
-
-import json
-import sys
+"""Where OpenSim has the bodies and meshes of a model at the default pose."""
 
 
 def matrix(transform):
@@ -10,10 +7,10 @@ def matrix(transform):
     return [[*(rotation.get(i, j) for j in range(3)), origin.get(i)] for i in range(3)]
 
 
-def main(path):
+def here(path):
+    """What OpenSim says, in this process."""
     import opensim
 
-    opensim.Logger.setLevelString("off")
     model = opensim.Model(path)
     state = model.initSystem()
     bodies = {body.getName(): matrix(body.getTransformInGround(state)) for body in model.getBodyList()}
@@ -33,8 +30,4 @@ def main(path):
         )
     gravity = model.get_gravity()
     gravity = [gravity.get(k) for k in range(3)]
-    json.dump({"bodies": bodies, "meshes": meshes, "gravity": gravity}, sys.stdout)
-
-
-if __name__ == "__main__":
-    main(sys.argv[1])
+    return {"bodies": bodies, "meshes": meshes, "gravity": gravity}

@@ -1,18 +1,16 @@
-"""The contact forces of the real OpenSim in states given as JSON: `opensim_forces.py MODEL < states.json`
+"""The contact forces of the real OpenSim in given states.
 
-MODEL has bodies on PlanarJoints of the ground and forces, the k-th force for the k-th body. A state is a list with one
+The model has bodies on PlanarJoints of the ground and forces, the k-th force for the k-th body. A state is a list with one
 `[height, rate of the indentation]` for each body. All of them also slide along the ground at 1 m/s, which changes no
 normal force and keeps Simbody from dividing 0 by 0: SmoothSphereHalfSpaceForce divides by the square root of
 constant_contact_force plus the squared slip speed, even without friction, so that cf = 0 at no slip is NaN.
 
-Printed: for each state a list of the vertical forces on the bodies. Numbers keep their bits on both ways.
+Each state gives a list of the vertical forces on the bodies.
 """
 
-import json
-import subprocess
-import sys
-import tempfile
 from pathlib import Path
+
+from apart import one
 
 SLIDE = 1.0  # m/s
 FIXED = ("ground", "HalfSpace")  # in the records of HuntCrossleyForce and of SmoothSphereHalfSpaceForce
@@ -20,18 +18,14 @@ FIXED = ("ground", "HalfSpace")  # in the records of HuntCrossleyForce and of Sm
 
 def forces(model, states):
     """`[state][body]`, in N; the caller's process stays free of OpenSim."""
-    with tempfile.TemporaryDirectory() as folder:
-        command = [sys.executable, __file__, str(Path(model).absolute())]
-        done = subprocess.run(command, input=json.dumps(states), capture_output=True, text=True, check=True, cwd=folder)
-    return json.loads(done.stdout)
+    return one("opensim_forces", [str(Path(model).absolute()), states])
 
 
-def forces_here(path, states):
+def here(job):
     """The same in this process."""
     import opensim
 
-    opensim.Logger.removeFileSink()
-    opensim.Logger.setLevelString("Off")
+    path, states = job
     model = opensim.Model(path)
     state = model.initSystem()
     joints, contacts = model.getJointSet(), model.getForceSet()
@@ -63,7 +57,3 @@ def vertical(force, state):
     words = [labels.get(k).split(".") for k in range(values.size())]
     (place,) = [k for k, (_, on, *rest) in enumerate(words) if rest == ["force", "Y"] and on not in FIXED]
     return values.get(place)
-
-
-if __name__ == "__main__":
-    print(json.dumps(forces_here(sys.argv[1], json.load(sys.stdin))))

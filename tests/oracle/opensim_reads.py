@@ -1,18 +1,15 @@
-"""Print as JSON what the real OpenSim reads from each MODEL: `opensim_reads.py [--dump] MODEL...`
+"""What the real OpenSim reads from models.
 
-Each model is read in a fresh process of its own, because OpenSim keeps a document's `<defaults>` for every
-model it loads later: one process imports OpenSim, reads nothing, and forks for each model, two at a time.
+Each is read in a process of its own, because OpenSim keeps a document's `<defaults>` for every model it loads later.
 Floats are written as `float.hex()`: two readings are equal when their bits are.
 
-With `--dump` the model as OpenSim prints it, every default spelled out, comes along as `dump`.
+With `dump` the model as OpenSim prints it, every default spelled out, comes along as `dump`.
 """
 
-import json
 import os
-import subprocess
-import sys
-import tempfile
 from pathlib import Path
+
+from apart import ask
 
 SMOOTH = (
     "stiffness",
@@ -27,50 +24,20 @@ SMOOTH = (
 )
 MATERIAL = ("stiffness", "dissipation", "static_friction", "dynamic_friction", "viscous_friction")
 GEOMETRY = ("ContactSphere", "ContactHalfSpace", "ContactMesh", "ContactEllipsoid", "ContactCylinder", "ContactTorus")
-WORKERS = int(os.environ.get("ORACLE_WORKERS", "2"))
 
 
 def read_models(paths, dump=False):
     """`{path: reading}`; the caller's process stays free of OpenSim."""
-    command = [sys.executable, __file__, *(["--dump"] if dump else []), *map(str, paths)]
-    return json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
+    jobs = [[os.path.abspath(path), dump] for path in paths]
+    readings = ask("opensim_reads", jobs)
+    return {str(path): {"loads": False} | reading for path, reading in zip(paths, readings, strict=True)}
 
 
-def read_each_apart(paths, dump):
-    """`{path: reading}`, each made by a child that has seen no other model."""
-    import opensim  # noqa: F401  once, before the forks: importing takes longer than reading
-
-    with tempfile.TemporaryDirectory() as folder:
-        readings = [Path(folder, f"{number}.json") for number in range(len(paths))]
-        running = set()
-        for path, reading in zip(paths, readings):
-            if len(running) == WORKERS:
-                running.discard(os.wait()[0])
-            child = os.fork()
-            if child == 0:
-                try:
-                    absolute = os.path.abspath(path)
-                    os.chdir(tempfile.mkdtemp(dir=folder))  # printing a model, OpenSim writes the sets it has in files
-                    reading.write_text(json.dumps(read_here(absolute, dump)))
-                finally:
-                    os._exit(0)
-            running.add(child)
-        while running:
-            running.discard(os.wait()[0])
-        return {
-            path: json.loads(reading.read_text())
-            if reading.exists()
-            else {"loads": False, "error": "OpenSim ended without a word"}
-            for path, reading in zip(paths, readings)
-        }
-
-
-def read_here(path, dump):
+def here(job):
     """The reading of one model, in this process."""
     import opensim
 
-    opensim.Logger.removeFileSink()
-    opensim.Logger.setLevelString("Off")
+    path, dump = job
     if is_standalone_set(path):
         return read_set(opensim, path, dump)
     try:
@@ -284,9 +251,3 @@ def left_to_right(masses):
     for mass in masses:
         total += float.fromhex(mass)
     return total.hex()
-
-
-if __name__ == "__main__":
-    arguments = sys.argv[1:]
-    models = [argument for argument in arguments if not argument.startswith("--")]
-    print(json.dumps(read_each_apart(models, "--dump" in arguments), indent=1))

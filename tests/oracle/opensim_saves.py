@@ -1,15 +1,12 @@
-"""Save or scale a model with the real OpenSim: `opensim_saves.py < job.json`
+"""Save or scale a model with the real OpenSim.
 
-A job is `{"model", "output", "how"}`, in a process of its own. `how` is `save`, `init` (save after initSystem), `scale`
-(Model.scale of each body by 0.7), `tool` (the Scale Tool, from a setup file of its own) or `processor` (a ModelProcessor).
+`how` is `save`, `init` (save after initSystem), `scale` (Model.scale of each body by 0.7), `tool` (the Scale Tool, from a setup
+file of its own) or `processor` (a ModelProcessor).
 """
 
-import json
-import os
-import subprocess
-import sys
-import tempfile
 from pathlib import Path
+
+from apart import one
 
 FACTOR = 0.7
 
@@ -33,13 +30,15 @@ SETUP = """<?xml version="1.0" encoding="UTF-8" ?>
 
 def save(model, output, how):
     """The model as OpenSim has written it; the caller's process stays free of OpenSim."""
-    job = json.dumps({"model": str(model), "output": str(output), "how": how})
-    with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([sys.executable, __file__], input=job, capture_output=True, text=True, check=True, cwd=folder)
+    one("opensim_saves", [str(Path(model).absolute()), str(Path(output).absolute()), how])
     return output
 
 
-def save_here(opensim, model, output, how):
+def here(job):
+    """One job, in this process."""
+    import opensim
+
+    model, output, how = job
     if how == "processor":
         opensim.ModelProcessor(model).process().printToXML(output)
         return
@@ -77,13 +76,3 @@ def with_tool(opensim, model, output, names, mass):
     setup = Path("setup.xml")
     setup.write_text(SETUP.format(mass=mass, model=model, output=output, scales=scales), encoding="utf-8")
     opensim.ScaleTool(str(setup.resolve())).run()  # its answer is about markers
-
-
-if __name__ == "__main__":
-    import opensim
-
-    opensim.Logger.removeFileSink()
-    opensim.Logger.setLevelString("Off")
-    job = json.load(sys.stdin)
-    os.environ.setdefault("LC_ALL", "C")
-    save_here(opensim, job["model"], job["output"], job["how"])

@@ -1,28 +1,22 @@
-"""Scale models with the real OpenSim: `opensim_scales.py < jobs.json`
+"""Scale models with the real OpenSim.
 
 A job is `{"model", "output", "factors": {body: [x, y, z]}, "mass"}`: `Model.scale` with a ScaleSet, preserving the mass
-distribution; or `{"setup", "output"}`: the Scale Tool from a setup XML, run in the folder of `output`. One fresh process for
-each job. Printed: for each job the bodies' masses and, per sphere, the rotation of its frame in its body, row by row.
+distribution; or `{"setup", "output"}`: the Scale Tool from a setup XML, run in the folder of `output`. Each job
+gives the bodies' masses and, per sphere, the rotation of its frame in its body, row by row.
 """
 
-import json
 import os
-import subprocess
-import sys
-import tempfile
 from pathlib import Path
+
+from apart import one
 
 
 def scaled(job):
     """What one job gave; the caller's process stays free of OpenSim."""
-    with tempfile.TemporaryDirectory() as folder:
-        done = subprocess.run(
-            [sys.executable, __file__], input=json.dumps(job), capture_output=True, text=True, check=True, cwd=folder
-        )
-    return json.loads(done.stdout)
+    return one("opensim_scales", job)
 
 
-def scale_here(job):
+def here(job):
     """One job, in this process."""
     import opensim
 
@@ -34,13 +28,13 @@ def scale_here(job):
     state = model.initSystem()
     scales = opensim.ScaleSet()
     for body, factors in job["factors"].items():
-        one = opensim.Scale()
-        one.setSegmentName(body)
-        one.setScaleFactors(opensim.Vec3(*factors))
-        one.setApply(True)
-        scales.cloneAndAppend(one)
+        scale = opensim.Scale()
+        scale.setSegmentName(body)
+        scale.setScaleFactors(opensim.Vec3(*factors))
+        scale.setApply(True)
+        scales.cloneAndAppend(scale)
     if not model.scale(state, scales, True, job["mass"]):
-        raise SystemExit("Model.scale failed")
+        raise RuntimeError("Model.scale failed")
     model.printToXML(job["output"])
     scales.printToXML(job["output"] + ".scales.xml")
     return described(opensim, model)
@@ -63,11 +57,3 @@ def described(opensim, model):
             rows = [[axis.get(i) for axis in axes] for i in range(3)]
             found["rotations"][component.getName()] = {"body": base.getName(), "rows": rows}
     return found
-
-
-if __name__ == "__main__":
-    import opensim
-
-    opensim.Logger.removeFileSink()
-    opensim.Logger.setLevelString("Off")
-    print(json.dumps(scale_here(json.load(sys.stdin))))

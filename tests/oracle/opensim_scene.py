@@ -1,7 +1,4 @@
-"""Where OpenSim has spheres, joints and floors at the default pose, as JSON: run as `python opensim_scene.py MODEL`."""
-
-import json
-import sys
+"""Where OpenSim has spheres, joints and floors at the default pose."""
 
 
 def vector(vec):
@@ -9,10 +6,10 @@ def vector(vec):
     return [vec.get(k) for k in range(3)]
 
 
-def main(path):
+def here(path):
+    """What OpenSim says, in this process."""
     import opensim
 
-    opensim.Logger.setLevelString("off")
     model = opensim.Model(path)
     state = model.initSystem()
     spheres, floors = [], []
@@ -28,8 +25,4 @@ def main(path):
     joints = {}
     for joint in model.getJointList():
         joints[joint.getName()] = vector(joint.getParentFrame().getTransformInGround(state).p())
-    json.dump({"spheres": spheres, "joints": joints, "floors": floors}, sys.stdout)
-
-
-if __name__ == "__main__":
-    main(sys.argv[1])
+    return {"spheres": spheres, "joints": joints, "floors": floors}

@@ -1,23 +1,23 @@
-"""Contact forces of whole models, moved up or down from the default pose: `opensim_shifts.py < jobs.json`
+"""Contact forces of whole models, moved up or down from the default pose.
 
 A job is `[model, states]`, a state `{"up": metres, "speeds": seed or null, "fastest": speed}`: all bodies are moved along y by the one
 coordinate that moves them so, and every free coordinate gets a speed drawn from the seed, up to the fastest in m/s or rad/s, or none.
 The body stays where it was put: nothing is integrated.
 
-Printed: for each model and state `{"heights": {sphere: y of its centre}, "forces": {force path: {"label": value}}}`, the record of each force
-without its name, in N and N m.
+Each state of each model gives `{"heights": {sphere: y of its centre}, "forces": {force path: {"label": value}}}`, the record of each
+force without its name, in N and N m.
 """
 
 import random
 
-from apart import ask, serve
+from apart import ask
 
 KINDS = ("SmoothSphereHalfSpaceForce", "HuntCrossleyForce")
 
 
 def shifted(jobs):
     """What OpenSim finds in the states of each `(model, states)`."""
-    return ask(__file__, [[str(model), states] for model, states in jobs])
+    return ask("opensim_shifts", [[str(model), states] for model, states in jobs])
 
 
 def at(heights):
@@ -30,7 +30,8 @@ def moving(heights, fastest=1.0):
     return [{"up": float(up), "speeds": seed, "fastest": fastest} for seed, up in enumerate(heights)]
 
 
-def shifted_here(job):
+def here(job):
+    """What OpenSim finds in the states of one model, in this process."""
     import opensim
 
     path, states = job
@@ -87,7 +88,3 @@ def vertical(model, state, coordinates, spheres):
         if any(abs(y) > 0.05 for y in moved.values()) and all(min(abs(y), abs(y - 0.1)) < 1e-12 for y in moved.values()):
             return coordinate
     raise ValueError("no coordinate moves the model up")
-
-
-if __name__ == "__main__":
-    serve(shifted_here)

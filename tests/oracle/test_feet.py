@@ -7,7 +7,6 @@ files itself, places their points, and compares with what `osim-feet` prints thr
 import json
 import re
 import subprocess
-import sys
 from functools import cache
 from pathlib import Path
 
@@ -16,10 +15,10 @@ import pytest
 
 import command
 import feet_variants
+from apart import Refused, one
 from models import CORPUS, FIXTURES, NO_CORPUS, corpus, label
 
 PLACE = 1e-9  # m
-HERE = Path(__file__).resolve().parent
 FEET = sorted((FIXTURES / "feet").glob("*.osim"))
 GEOMETRY = Path(CORPUS) / "Geometry" if CORPUS else FIXTURES
 # What the crate refuses, and why.
@@ -43,8 +42,7 @@ def ours(*arguments):
 @cache
 def opensim(path):
     """What OpenSim says, from a process of its own."""
-    run = subprocess.run([sys.executable, HERE / "opensim_feet.py", path], capture_output=True, text=True, check=True)
-    return json.loads(run.stdout)
+    return one("opensim_feet", str(Path(path).absolute()))
 
 
 @cache
@@ -80,7 +78,7 @@ def test_variants_are_where_opensim_has_them(name, text, tmp_path):
 def compare_bones(path):
     """Places of all bodies, and of all points of meshes that are at hand."""
     if path.name in NOT_READ:
-        with pytest.raises(subprocess.CalledProcessError):
+        with pytest.raises(Refused):
             opensim(path)
         return
     known = opensim(path)

@@ -5,7 +5,6 @@ The scene is what the example `scene` of osim-feet prints, before anything is dr
 
 import json
 import subprocess
-import sys
 from functools import cache
 from pathlib import Path
 
@@ -13,10 +12,10 @@ import numpy as np
 import pytest
 
 import command
+from apart import one
 from models import CORPUS, FIXTURES, NO_CORPUS, animals, corpus, label
 
 PLACE = 1e-9  # m
-HERE = Path(__file__).resolve().parent
 FEET = sorted((FIXTURES / "feet").glob("*.osim")) + sorted((FIXTURES / "drawn_feet").glob("*.osim"))
 MODELS = FEET + animals() + corpus()
 # OpenSim needs a contact mesh that is not here.
@@ -36,8 +35,7 @@ def scene(path):
 @cache
 def opensim(path):
     """What OpenSim says, from a process of its own."""
-    run = subprocess.run([sys.executable, HERE / "opensim_scene.py", path], capture_output=True, text=True, check=True)
-    return json.loads(run.stdout)
+    return one("opensim_scene", str(Path(path).absolute()))
 
 
 @pytest.mark.parametrize("path", MODELS, ids=label)
