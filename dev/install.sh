@@ -217,7 +217,7 @@ while read -r venv list; do
         quietly python3 -m venv "$venv" || problem "$venv" "python3 -m venv failed"
     fi
     if [ -x "$venv/bin/python" ] && ! python_packages "$venv" "$list" check </dev/null; then
-        quietly "$venv/bin/python" -m pip install --disable-pip-version-check -r "$list" || problem "$list" "pip could not install it"
+        quietly "$venv/bin/python" -m pip install --disable-pip-version-check --no-compile -r "$list" || problem "$list" "pip could not install it"
     fi
 done <<<"$(environments)"
 

@@ -1,31 +1,36 @@
 # Steps of checks, for .ci/run and dev/thorough, which source this file: each prints its command, keeps what it printed, and is timed.
 # At the end, however it ends, the seconds of every step are printed. Steps are in parts, functions `part_NAME`, which can run on machines
-# of their own; without words all run, in their order.
+# of their own; without words all run.
 #
-#     parts NAME... -- "$@"     the parts that there are, and the words of the call; runs those that are wanted, then looks at what was skipped
+#     parts NAME... -- "$@"     the parts that there are, and the words of the call; runs those that are wanted, or `all_parts` where there
+#                               is such a function and no word, then looks at what was skipped
 #     step NAME COMMAND...      now
-#     beside NAME COMMAND...    while others run; nothing of it is shown until
+#     needs NAME COMMAND...     a step that several parts need, once
+#     beside NAME COMMAND...    while others run, where COMMAND may be a function of steps; nothing of it is shown until
 #     ready NAME                waits for it, and shows it
+#     gently COMMAND...         takes only what others leave of the processor, which is for `beside`
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 LOGS=target/logs-$(basename "$0")
 rm -rf "$LOGS"
 mkdir -p "$LOGS"
-took=""
+touch "$LOGS/seconds"
 # Those beside that nothing has waited for yet: their number by name.
 declare -A running=()
 
 at_the_end() {
     local name
     for name in "${!running[@]}"; do kill -- "-${running[$name]}" 2>/dev/null || true; done
-    printf '\n%s\n%s%7d  %s\n' "seconds  step" "$took" "$SECONDS" "all"
+    printf '\nseconds  step\n'
+    cat "$LOGS/seconds"
+    printf '%7d  all\n' "$SECONDS"
 }
 trap at_the_end EXIT
 
 # ended NAME STATUS SECONDS [WORD]
 ended() {
-    took+=$(printf '%7d  %s' "$3" "$1${4:-}")$'\n'
+    printf '%7d  %s\n' "$3" "$1${4:-}" >>"$LOGS/seconds"
     [ "$2" = 0 ] && return
     printf '\nerror: the step %s failed\n' "$1"
     exit "$2"
@@ -39,18 +44,19 @@ step() {
     ended "$name" "$status" $((SECONDS - begin))
 }
 
+needs() { [ -f "$LOGS/$1.log" ] || step "$@"; }
+
 beside() {
-    local name=$1
+    local lane=$1 since=$SECONDS
     shift
     printf '\n== %s: beside what follows\n' "$*"
     # In a process group of its own, which is ended as a whole.
     set -m
     (
-        begin=$SECONDS status=0
-        "$@" >"$LOGS/$name.log" 2>&1 </dev/null || status=$?
-        printf '%d %d\n' "$status" $((SECONDS - begin)) >"$LOGS/$name.ended"
+        trap 'printf "%d %d\n" "$?" $((SECONDS - since)) >"$LOGS/$lane.ended"' EXIT
+        "$@" >"$LOGS/$lane.log" 2>&1 </dev/null
     ) &
-    running[$name]=$!
+    running[$lane]=$!
     set +m
 }
 
@@ -64,6 +70,11 @@ ready() {
     ended "$1" "$status" "$seconds" " (beside others)"
 }
 
+gently() {
+    renice -n 10 -p "$BASHPID" >/dev/null
+    "$@"
+}
+
 parts() {
     local known="" part
     while [ "$1" != -- ]; do known+=" $1"; shift; done
@@ -71,8 +82,12 @@ parts() {
     for part in "$@"; do
         case "$known " in *" $part "*) ;; *) printf 'no part %s; there are:%s\n' "$part" "$known" >&2; exit 2 ;; esac
     done
-    # shellcheck disable=SC2086
-    for part in ${*:-$known}; do "part_$part"; done
+    if [ $# = 0 ] && declare -F all_parts >/dev/null; then
+        all_parts
+    else
+        # shellcheck disable=SC2086
+        for part in ${*:-$known}; do "part_$part"; done
+    fi
     # Nothing is skipped that is not known to be.
     python3 -m doctest dev/skips.py
     step skips python3 dev/skips.py "$LOGS"/*.log
