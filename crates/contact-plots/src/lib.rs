@@ -57,7 +57,7 @@ mod paper;
 #[cfg(feature = "pdf")]
 mod pdf;
 #[cfg(feature = "png")]
-mod raster;
+mod png;
 mod scene;
 mod style;
 mod svg;
@@ -65,6 +65,8 @@ mod text;
 #[cfg(any(feature = "pdf", feature = "png"))]
 mod tree;
 
+#[cfg(feature = "png")]
+pub use self::png::png;
 pub use axis::Axis;
 pub use draw::figure;
 pub use drawing::{Datum, Drawing};
@@ -79,8 +81,6 @@ pub use kinds::{
 pub use paper::Paper;
 #[cfg(feature = "pdf")]
 pub use pdf::pdf;
-#[cfg(feature = "png")]
-pub use raster::png;
 pub use scene::{Ball, Block, Level, LevelKind, Outline, Scene, SceneNames, Spot, State, View, scene};
 pub use style::{Dash, Look};
 pub use text::text;
