@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use signal_hook::{consts, flag};
 
-use crate::terminal::Exit;
+use crate::exit::Exit;
 
 static CAME: AtomicBool = AtomicBool::new(false);
 

@@ -6,6 +6,7 @@
 
 mod args;
 mod commands;
+mod exit;
 mod failure;
 mod interrupt;
 mod meant;
@@ -22,9 +23,10 @@ use clap::FromArgMatches;
 use clap::error::ErrorKind;
 
 use args::{Cli, check_typed, command, usage_line};
+use exit::Exit;
 use meant::{axis_meant, figure_meant, meant};
 use session::Session;
-use terminal::{Exit, Terminal};
+use terminal::Terminal;
 use words::WORDS;
 
 /// Does what the words of the command line say.

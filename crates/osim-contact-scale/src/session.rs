@@ -6,8 +6,9 @@ use osim_model::files::Failure;
 use osim_report::json::{FailureRecord, line};
 use osim_requests::{RequestError, RequestFault};
 
+use crate::exit::Exit;
 use crate::failure;
-use crate::terminal::{Exit, Terminal};
+use crate::terminal::Terminal;
 use crate::words::Words;
 
 /// One call of the program.

@@ -10,8 +10,8 @@ use osim_report::json::{FailureRecord, line};
 use osim_requests::BatchRequest;
 
 use super::run;
+use crate::exit::Exit;
 use crate::session::Session;
-use crate::terminal::Exit;
 
 /// Rows that are wrong are reported one by one up to this number, then counted.
 const REPORTED: usize = 20;

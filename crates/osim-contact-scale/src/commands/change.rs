@@ -7,8 +7,8 @@ use osim_planning::{Change, prepare};
 use osim_requests::Request;
 use osim_requests::options::RunOptions;
 
+use crate::exit::Exit;
 use crate::session::Session;
-use crate::terminal::Exit;
 
 /// A change of all models that it names.
 ///

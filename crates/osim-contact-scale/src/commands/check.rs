@@ -19,9 +19,9 @@ use osim_requests::options::SheetFormat;
 use super::asked::asked;
 use super::inspect::Stop;
 use super::page::end_page;
+use crate::exit::Exit;
 use crate::interrupt;
 use crate::session::Session;
-use crate::terminal::Exit;
 
 /// Checks all models.
 ///

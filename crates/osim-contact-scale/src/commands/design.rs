@@ -6,8 +6,8 @@ use osim_report::json::line;
 use osim_report::results::design_sheet_text;
 use osim_requests::DesignRequest;
 
+use crate::exit::Exit;
 use crate::session::Session;
-use crate::terminal::Exit;
 
 /// Calculates and prints.
 ///

@@ -8,8 +8,8 @@ use super::{
     reproduce, request, rescale, sweep,
 };
 use crate::args::{Cli, VerbArgs};
+use crate::exit::Exit;
 use crate::session::Session;
-use crate::terminal::Exit;
 
 /// Runs the verb.
 ///

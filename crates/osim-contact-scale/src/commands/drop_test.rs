@@ -11,8 +11,8 @@ use osim_report::messages::mass_mismatch;
 use osim_report::results::{DropRecord, drop_chart, drop_csv, drop_text};
 use osim_requests::{DropTestRequest, SeriesFormat};
 
+use crate::exit::Exit;
 use crate::session::Session;
-use crate::terminal::Exit;
 
 /// Lets it fall.
 ///

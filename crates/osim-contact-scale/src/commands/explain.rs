@@ -4,8 +4,9 @@ use anyhow::{Result, anyhow};
 use osim_report::explain::{Letters, answer};
 use osim_requests::ExplainRequest;
 
+use crate::exit::Exit;
 use crate::session::Session;
-use crate::terminal::{Exit, Terminal};
+use crate::terminal::Terminal;
 
 /// Explains what is named; alone, lists everything.
 ///

@@ -8,8 +8,8 @@ use osim_report::results::{FitRecord, fit_text};
 use osim_requests::options::Format;
 use osim_requests::{FitRequest, RequestError};
 
+use crate::exit::Exit;
 use crate::session::Session;
-use crate::terminal::Exit;
 
 /// Fits and reports.
 ///

@@ -16,9 +16,10 @@ use osim_requests::options::SheetFormat;
 
 use super::asked::asked;
 use super::page::end_page;
+use crate::exit::Exit;
 use crate::interrupt;
 use crate::session::Session;
-use crate::terminal::{Exit, Terminal};
+use crate::terminal::Terminal;
 
 /// Inspects all models; `hint` where the reader should see what to do next.
 ///

@@ -8,8 +8,8 @@ use clap_mangen::Man;
 use osim_library::{Mode, Prepared};
 
 use crate::args::{ManArgs, command};
+use crate::exit::Exit;
 use crate::session::Session;
-use crate::terminal::Exit;
 use crate::words::Words;
 
 const NAME: &str = env!("CARGO_PKG_NAME");

@@ -2,8 +2,8 @@
 
 use osim_library::page::ReportPage;
 
+use crate::exit::Exit;
 use crate::session::Session;
-use crate::terminal::Exit;
 
 /// Ends the page, if there is one; what cannot be written is reported.
 pub(super) fn end_page(page: Option<ReportPage>, session: &mut Session) -> Exit {

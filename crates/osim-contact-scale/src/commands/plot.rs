@@ -13,8 +13,8 @@ use osim_planning::{plot_bodies, plot_feet, plot_table};
 use osim_report::messages::mass_mismatch;
 use osim_requests::PlotRequest;
 
+use crate::exit::Exit;
 use crate::session::Session;
-use crate::terminal::Exit;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Picture {

@@ -8,8 +8,8 @@ use osim_report::results::{PresetRecord, preset_text};
 use osim_requests::PresetsRequest;
 use osim_requests::options::Format;
 
+use crate::exit::Exit;
 use crate::session::Session;
-use crate::terminal::Exit;
 
 /// Lists presets, or shows one.
 ///

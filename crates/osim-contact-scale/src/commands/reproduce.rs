@@ -13,8 +13,8 @@ use osim_report::reproduce::{ReproductionRecord, fig1_text, reproduction_csv, re
 use osim_requests::options::Format;
 use osim_requests::{PlotKind, PlotRequest, ReproduceRequest};
 
+use crate::exit::Exit;
 use crate::session::Session;
-use crate::terminal::Exit;
 
 /// Compares, draws and writes.
 ///

@@ -9,9 +9,9 @@ use osim_requests::{InspectRequest, RequestError, RescaleRequest};
 
 use super::change::change;
 use super::inspect;
+use crate::exit::Exit;
 use crate::meant::meant;
 use crate::session::Session;
-use crate::terminal::Exit;
 
 /// Rescales; `may_inspect` where no verb was typed, so that a model alone is inspected.
 ///

@@ -12,9 +12,9 @@ use osim_requests::options::{RunFormat, RunOptions};
 use super::asked::asked;
 use super::page::end_page;
 use super::shown::{Output, Shower, Shown};
+use crate::exit::Exit;
 use crate::progress::Progress;
 use crate::session::Session;
-use crate::terminal::Exit;
 use crate::words::Words;
 use crate::{failure, interrupt};
 

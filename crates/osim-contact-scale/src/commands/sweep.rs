@@ -14,10 +14,10 @@ use osim_report::results::SweepRecord;
 use osim_requests::SweepRequest;
 use osim_requests::options::Format;
 
+use crate::exit::Exit;
 use crate::interrupt;
 use crate::progress::Progress;
 use crate::session::Session;
-use crate::terminal::Exit;
 
 /// Shows how far a sweep is.
 struct Watch(Progress);
