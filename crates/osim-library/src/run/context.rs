@@ -3,7 +3,7 @@
 use osim_requests::options::RunOptions;
 
 use super::journal::Journal;
-use super::previous::PreviousRun;
+use super::resume::PreviousRun;
 use crate::folders::Folders;
 
 /// How a run goes about its work, the same for all models.

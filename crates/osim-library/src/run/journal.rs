@@ -9,8 +9,8 @@ use osim_messages::{Input, phrase};
 use osim_requests::options::RunOptions;
 
 use super::form::Form;
-use super::previous::PreviousRun;
 use super::record::Record;
+use super::resume::PreviousRun;
 use super::task::Task;
 use crate::fault::LibraryFault;
 use crate::folders::make_folder_of;

@@ -1,4 +1,4 @@
-//! What an earlier run has done, and whether that is still so.
+//! What a run that resumes an earlier one finds: what that has done, and whether that is still so.
 //!
 //! A line is known by the file that it is about, however that is spelled: from another folder, absolutely, through a link.
 
