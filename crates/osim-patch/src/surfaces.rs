@@ -1,5 +1,6 @@
 //! Surfaces with parameters of their own: how to make what they are together a wanted value (A.3).
 
+use contact_scaling::modulus::SurfaceValues;
 use osim_model::{Fault, Force, ForceId, Property, SetId, Surfaces, sphere_sets};
 
 use crate::builder::{New, PlanBuilder};
@@ -49,8 +50,8 @@ fn composite_now(
 ) -> Result<f64, Fault> {
     let mut composites = Vec::new();
     for (set, _) in sphere_sets(plan.model, force) {
-        let (modulus, dissipation) = surfaces.with_plane(set)?;
-        composites.push(if property == Property::Stiffness { modulus } else { dissipation });
+        let SurfaceValues { plane_strain_modulus, dissipation } = surfaces.with_plane(set)?;
+        composites.push(if property == Property::Stiffness { plane_strain_modulus } else { dissipation });
     }
     let first = composites.first().copied().unwrap_or(f64::NAN);
     if composites.iter().any(|other| (other - first).abs() > SAME_COMPOSITE * first.abs()) {

@@ -1,5 +1,6 @@
 //! The contact of each sphere that meets a half-space, as the contact laws need it.
 
+use contact_scaling::modulus::SurfaceValues;
 use contact_scaling::{Contact, ContactValues, SmoothingValues};
 
 use super::surfaces::{Surfaces, sphere_sets};
@@ -67,7 +68,7 @@ pub fn loaded_spheres(model: &Model, forces: &[ForceId]) -> Result<Vec<LoadedSph
 /// # Errors
 /// A value that is not a plain number or outside its domain, with its place.
 pub fn contact_of_set(force: &Force, surfaces: &Surfaces, set: SetId) -> Result<Contact, Fault> {
-    let (plane_strain_modulus, dissipation) = surfaces.with_plane(set)?;
+    let SurfaceValues { plane_strain_modulus, dissipation } = surfaces.with_plane(set)?;
     let get = |property| force.checked(set, property);
     let smoothing = match (
         get(Property::ConstantContactForce)?,

@@ -1,6 +1,6 @@
 //! Surfaces with parameters of their own, and what they make together (A.3).
 
-use contact_scaling::modulus;
+use contact_scaling::modulus::{self, SurfaceValues};
 
 use super::{Force, SetId, SphereId};
 use crate::{Fault, Model, Property};
@@ -17,7 +17,7 @@ pub fn sphere_sets(model: &Model, force: &Force) -> Vec<(SetId, Vec<SphereId>)> 
 
 /// Modulus and dissipation of every parameter set of a force, and which of them the plane belongs to.
 pub struct Surfaces {
-    sets: Vec<(f64, f64)>,
+    sets: Vec<SurfaceValues>,
     /// The set that the first plane belongs to.
     plane: Option<SetId>,
 }
@@ -30,9 +30,9 @@ impl Surfaces {
     pub fn of(force: &Force) -> Result<Self, Fault> {
         let mut sets = Vec::new();
         for set in force.sets.iter().map(|set| set.id) {
-            let modulus = force.checked(set, Property::Stiffness)?.unwrap_or(f64::NAN);
+            let plane_strain_modulus = force.checked(set, Property::Stiffness)?.unwrap_or(f64::NAN);
             let dissipation = force.checked(set, Property::Dissipation)?.unwrap_or(0.0);
-            sets.push((modulus, dissipation));
+            sets.push(SurfaceValues { plane_strain_modulus, dissipation });
         }
         Ok(Self { sets, plane: force.sets.iter().find(|set| set.half_spaces > 0).map(|set| set.id) })
     }
@@ -41,7 +41,7 @@ impl Surfaces {
     ///
     /// # Errors
     /// A modulus that no material has.
-    pub fn with_plane(&self, set: SetId) -> Result<(f64, f64), Fault> {
+    pub fn with_plane(&self, set: SetId) -> Result<SurfaceValues, Fault> {
         self.together(set, self.plane.unwrap_or(set))
     }
 
@@ -49,20 +49,18 @@ impl Surfaces {
     ///
     /// # Errors
     /// A modulus that no material has.
-    pub fn together(&self, set: SetId, plane: SetId) -> Result<(f64, f64), Fault> {
-        let own = self.sets.get(set.index()).copied().unwrap_or((f64::NAN, 0.0));
+    pub fn together(&self, set: SetId, plane: SetId) -> Result<SurfaceValues, Fault> {
+        const NONE: SurfaceValues = SurfaceValues { plane_strain_modulus: f64::NAN, dissipation: 0.0 };
+        let own = self.sets.get(set.index()).copied().unwrap_or(NONE);
         let plane = self.sets.get(plane.index()).copied().unwrap_or(own);
         if own == plane {
             return Ok(own);
         }
-        let surface = |(plane_strain_modulus, dissipation)| modulus::SurfaceValues {
-            plane_strain_modulus,
-            dissipation,
-        };
-        let composite = modulus::composite_sherman(own.0, plane.0).map_err(Fault::new)?;
-        let equal =
+        let composite = modulus::composite_sherman(own.plane_strain_modulus, plane.plane_strain_modulus)
+            .map_err(Fault::new)?;
+        let plane_strain_modulus =
             modulus::of_equal_surfaces(composite, modulus::MixingRule::Sherman).map_err(Fault::new)?;
-        let dissipation = modulus::mixed_dissipation(surface(own), surface(plane)).map_err(Fault::new)?;
-        Ok((equal, dissipation))
+        let dissipation = modulus::mixed_dissipation(own, plane).map_err(Fault::new)?;
+        Ok(SurfaceValues { plane_strain_modulus, dissipation })
     }
 }

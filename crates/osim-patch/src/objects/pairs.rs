@@ -1,5 +1,6 @@
 //! A force as pairs of one sphere and one half-space, with the values that such a pair alone would need.
 
+use contact_scaling::modulus::SurfaceValues;
 use osim_model::{Fault, Force, HalfSpace, Model, ParameterSet, Property, SetId, SphereId, Surfaces};
 
 /// A sphere and a half-space of one force.
@@ -35,8 +36,7 @@ pub(crate) fn pairs(model: &Model, force: &Force) -> Result<Vec<Pair>, Fault> {
                 let (here, there) = (of(set.id)?, of(plane_set.id)?);
                 let is_composite = here != there;
                 let values = if is_composite {
-                    let (modulus, dissipation) = surfaces.together(set.id, plane_set.id)?;
-                    composite(modulus, dissipation, &here, &there)
+                    composite(surfaces.together(set.id, plane_set.id)?, &here, &there)
                 } else {
                     here
                 };
@@ -59,16 +59,15 @@ fn of_set(force: &Force, set: SetId) -> Result<Vec<(Property, f64)>, Fault> {
 
 /// Modulus and α by (A.3) and (A.4); of each friction the value that Simbody uses, 2ab/(a + b).
 fn composite(
-    modulus: f64,
-    dissipation: f64,
+    together: SurfaceValues,
     here: &[(Property, f64)],
     there: &[(Property, f64)],
 ) -> Vec<(Property, f64)> {
     let both = here.iter().filter_map(|&(property, a)| {
         let (_, b) = there.iter().find(|(known, _)| *known == property)?;
         let value = match property {
-            Property::Stiffness => modulus,
-            Property::Dissipation => dissipation,
+            Property::Stiffness => together.plane_strain_modulus,
+            Property::Dissipation => together.dissipation,
             Property::StaticFriction | Property::DynamicFriction | Property::ViscousFriction if a != *b => {
                 2.0 * a * b / (a + b)
             }

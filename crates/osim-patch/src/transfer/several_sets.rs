@@ -79,10 +79,10 @@ fn against_reference(
     for (set, spheres) in sphere_sets(plan.model, force) {
         let Some(&sphere) = spheres.first() else { continue };
         let contact = chosen.of_sphere(plan.model, sphere).contact;
-        let (modulus, dissipation) = surfaces.with_plane(set)?;
+        let together = surfaces.with_plane(set)?;
         let (there, here) = match property {
-            Property::Stiffness => (contact.plane_strain_modulus(), modulus),
-            Property::Dissipation => (contact.dissipation(), dissipation),
+            Property::Stiffness => (contact.plane_strain_modulus(), together.plane_strain_modulus),
+            Property::Dissipation => (contact.dissipation(), together.dissipation),
             _ => return Ok(1.0),
         };
         if there == 0.0 && here == 0.0 {
