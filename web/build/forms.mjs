@@ -36,17 +36,17 @@ function isLeftOut(name, { "x-group": group }) {
   return name in LEFT_OUT || (group !== undefined && group in GROUPS_LEFT_OUT);
 }
 
-/** Usual fields stand first; every other one belongs to a group. */
+/** Usual fields stand first; every other one belongs to a group, one that no group names to the last. */
 function place(verb, name, usual) {
   if (usual.includes(name)) return { group: "" };
   const group = Object.keys(GROUPS).find((title) => GROUPS[title].includes(name));
   // The questions about a model show single fields, without groups.
-  if (!group && verb !== "inspect") throw new Error(`web/build/layout.mjs: no group for ${name} of ${verb}`);
-  return { group: group ?? "" };
+  return { group: group ?? (verb === "inspect" ? "" : Object.keys(GROUPS).at(-1)) };
 }
 
 function ordered(fields, usual) {
   const groups = Object.keys(GROUPS);
-  const rank = ({ name, group }) => (group === "" ? usual.indexOf(name) : 1000 * (1 + groups.indexOf(group)) + GROUPS[group].indexOf(name));
+  const within = ({ name, group }) => (group in GROUPS && !GROUPS[group].includes(name) ? 999 : (GROUPS[group] ?? usual).indexOf(name));
+  const rank = (field) => 1000 * (1 + groups.indexOf(field.group)) + within(field);
   return [...fields].sort((one, other) => rank(one) - rank(other));
 }

@@ -53,7 +53,7 @@ export const CALCULATOR = [
   "radius", "indentation", "contact_stiffness", "restitution", "impact_speed", "stiffness", "mass", "load", "spheres",
 ];
 
-/** Groups of the other fields, in their order. */
+/** Groups of the other fields, in their order. A field that none of them names is at the end of the last. */
 export const GROUPS = {
   "Masses and gravity": [
     "contacts_mass", "mass", "exclude_body", "reference_mass", "contacts_gravity", "target_gravity", "gravity", "reference_gravity",
