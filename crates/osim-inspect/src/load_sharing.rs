@@ -36,7 +36,7 @@ impl LoadSharing {
         Self { limbs: model.limbs(&forces), forces }
     }
 
-    /// For a model of which not even the forces can be chosen.
+    /// For a model whose forces cannot be chosen.
     pub(crate) fn unknown(why: Phrase) -> Self {
         Self { limbs: Limbs::Unknown(why), forces: Vec::new() }
     }

@@ -47,7 +47,7 @@ impl MassMismatch {
         ]
     }
 
-    /// What is said with the mass of the contacts, where that would be asked about.
+    /// The answer to give with the mass of the contacts, if it would be asked about.
     fn answer(&self) -> Phrase {
         match mass_slip(Input::Mass, self.contacts_mass_kg, Some(self.body_kg)) {
             Some(asks) => phrase![" with ", &asks.question().answer()],

@@ -31,7 +31,7 @@ pub struct Quantity {
     pub limit: Option<&'static Limit>,
     /// What it is, in a sentence.
     meaning: &'static str,
-    /// Name of its column without the unit, where that is not [`name`](Self::name).
+    /// Name of its column without the unit, if it is not [`name`](Self::name).
     column: &'static str,
 }
 
@@ -54,7 +54,7 @@ impl Quantity {
         Self { label, ..self }
     }
 
-    /// The same, by an equation; by none where that is empty.
+    /// The same, by an equation; an empty text means none.
     #[must_use]
     pub const fn by(self, equation: &'static str) -> Self {
         Self { equation, ..self }

@@ -14,7 +14,7 @@ use crate::series::Body;
 pub struct ReferenceState {
     /// Its name.
     pub name: String,
-    /// It, to be drawn; `None` where that is not possible.
+    /// It, to be drawn; `None` if it cannot be.
     pub body: Option<Body>,
     /// Figures of its spheres, where it is a model.
     pub figures: Option<Figures>,

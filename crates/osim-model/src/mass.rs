@@ -17,7 +17,7 @@ pub const SAME_MASS: f64 = 1e-3;
 /// # let model = osim_model::Model::parse(include_bytes!("../tests/data/one_foot.osim").as_slice())?;
 /// use osim_model::{MassRequest, MassSource};
 ///
-/// // Nothing is said: the bodies are summed. There is one, of 10 kg.
+/// // No mass is given: the bodies are summed. There is one, of 10 kg.
 /// let mass = MassRequest::default().of_model(&model)?;
 /// assert_eq!((mass.kg, mass.source), (10.0, MassSource::Bodies(1)));
 ///

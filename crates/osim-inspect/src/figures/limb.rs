@@ -17,7 +17,7 @@ const BODY_WEIGHTS: [f64; 2] = [1.0, 2.0];
 /// A limb on the floor.
 pub(super) struct LoadedLimb<'s> {
     pub(super) model: &'s Model,
-    /// The chosen spheres, of which figures are made.
+    /// The chosen spheres, which have figures.
     pub(super) members: &'s [&'s SphereLoads],
     /// All its spheres; `None` where not all can be read.
     pub(super) standing: Option<Vec<&'s SphereLoads>>,

@@ -21,7 +21,7 @@ pub(super) struct OnFloor<'s> {
     pub(super) one_body_weight: Option<SharedLoad>,
     /// Speed before an impact, m/s.
     pub(super) impact_speed_m_s: Option<f64>,
-    /// How it rests under one and two body weights, where that is known.
+    /// How it rests under one and two body weights, if it is known.
     pub(super) rests: &'s [Rest],
 }
 

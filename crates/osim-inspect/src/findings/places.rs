@@ -1,4 +1,4 @@
-//! Findings about the places of spheres: from the model that was scaled where it is at hand, else from this file alone.
+//! Findings about the places of spheres: from the model that was scaled if it was given, else from this file alone.
 
 use osim_compare::{Evidence, Placement};
 use osim_model::{Finding, FindingCode, Model, Note, ScaledSinceNote};
@@ -75,7 +75,7 @@ impl<'i> Places<'i> {
             }
             Self::NotCompared(placement, evidence) => {
                 let alone = Self::Alone(evidence.clone()).findings(model, remedies);
-                // Where the file shows nothing, that it cannot be compared is said once.
+                // If the file shows nothing, one finding says that it cannot be compared.
                 let shown = alone.into_iter().filter(|one| one.code() != FindingCode::SpheresNotCompared);
                 placement.findings().into_iter().map(Found::from).chain(shown).collect()
             }

@@ -40,7 +40,7 @@ pub(crate) struct Remedies<'m> {
     pub(crate) divisible: OnceCell<HashSet<ForceId>>,
 }
 
-/// Whose weight is carried, and by how many spheres: what was said of it is said again.
+/// Whose weight is carried, and by how many spheres: a remedy repeats what the call said.
 pub(crate) struct Load {
     pub(crate) masses: MassOptions,
     pub(crate) counts: CountOptions,

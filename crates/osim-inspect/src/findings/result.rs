@@ -98,7 +98,7 @@ impl CheckResult {
         }
     }
 
-    /// `true` where something is as bad as `severity`, or worse.
+    /// Whether something is as bad as `severity`, or worse.
     #[must_use]
     pub fn reaches(&self, severity: Severity) -> bool {
         self.findings.iter().any(|finding| finding.severity >= severity)

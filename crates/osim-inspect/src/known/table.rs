@@ -61,7 +61,7 @@ impl Entry {
         self.contacts.iter().map(|contact| contact.spheres).sum()
     }
 
-    /// How bad a finding is with these contacts, where that is not what the register says.
+    /// How bad a finding is with these contacts, if it is not what the rule says.
     pub(super) fn severity(&self, code: FindingCode) -> Option<Severity> {
         self.severity.get(code.as_str()).map(|level| match level {
             Level::Error => Severity::Error,

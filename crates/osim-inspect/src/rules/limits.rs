@@ -16,7 +16,7 @@ pub(crate) struct Limits<'l> {
     pub(super) spheres: Vec<&'l SphereFigures>,
 }
 
-/// The spheres that a finding is about, and the one of which its figure is the largest.
+/// The spheres that a finding is about, and the one that has the largest figure.
 pub(super) struct Concerned<'l> {
     pub(super) most: f64,
     pub(super) worst: &'l SphereFigures,

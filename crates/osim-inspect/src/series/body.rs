@@ -68,7 +68,7 @@ pub struct Body {
     pub name: String,
     /// Its kinds of spheres, in the order of the file.
     pub kinds: Vec<SphereKind>,
-    /// What it weighs; what is missing, where that is not known.
+    /// What it weighs, or what is missing to know it.
     pub weight: Result<Weight, Failure>,
     /// The mass its contacts are made for, likewise.
     contacts_mass_kg: Result<f64, Failure>,
@@ -110,7 +110,7 @@ impl Body {
         Self::of_model(name, model, &selected.forces, &options.masses, &options.stance, failed)
     }
 
-    /// A preset; what is said of masses, spheres and gravity goes before what it says itself.
+    /// A preset; masses, spheres and gravity that are given count instead of its own.
     ///
     /// # Errors
     /// A quantity outside its domain.
@@ -135,7 +135,7 @@ impl Body {
         })
     }
 
-    /// Contacts of which nobody asks what they carry.
+    /// Contacts without a load, for plots that need none.
     pub fn without_weight(name: String, kinds: Vec<SphereKind>, why: &Failure) -> Self {
         Self { name, kinds, weight: Err(why.clone()), contacts_mass_kg: Err(why.clone()), mismatch: None }
     }
@@ -189,7 +189,7 @@ impl Body {
     /// What it weighs, where it must be known.
     ///
     /// # Errors
-    /// What is missing, where that is not known.
+    /// What is missing, if it is not known.
     pub fn weight(&self) -> Result<&Weight, Failure> {
         self.weight.as_ref().map_err(Failure::clone)
     }

@@ -1,4 +1,4 @@
-//! Points where a curve bends, none where it is straight: drawn, nobody sees that it is made of lines.
+//! Many points where a curve bends, few where it is straight: drawn, the lines between them look like the curve.
 
 use super::units::Point;
 

@@ -129,7 +129,7 @@ impl<'r> ContactReader<'r> {
             return Err(self.components.unresolved(id, "", "frame it is attached to"));
         };
         let Some(found) = self.components.frame(id, &connectee) else {
-            // A geometry set that stands alone points into a model that may not be at hand.
+            // A geometry set that stands alone points into a model that may not have been read.
             let alone = self.components.tag(self.components.tree.root_of(id)) != "Model";
             return if alone {
                 Ok(Attachment { path: connectee.text, base: Base::Unknown, component: None })

@@ -1,4 +1,4 @@
-//! The numbers of a model, each of which several rules look at.
+//! The numbers of a model. Several rules look at each.
 
 use osim_xml::ElementId;
 
@@ -12,7 +12,7 @@ use crate::value::Value;
 /// A rule about one value: what is wrong, in words that follow the name of the value.
 type OfValue = fn(&Value) -> Option<String>;
 
-/// The first that applies is said.
+/// The first that applies makes the finding.
 const OF_VALUES: [(&Rule, OfValue); 3] = [
     (&odd_number::RULE, odd_number::of_value),
     (&not_finite::RULE, not_finite::of_value),

@@ -17,7 +17,7 @@ pub(crate) static RULE: Rule = Rule {
     },
 };
 
-/// What is said of the new force for `sphere` and `plane`; it is refused instead where changes have to be exact.
+/// The message about the new force for `sphere` and `plane`. A strict change is refused with it.
 pub(crate) fn message(force: &Force, sphere: &str, plane: &str) -> String {
     format!(
         "{}: {sphere} and {plane} have parameters of their own; the new force has those of both together (A.3), and as Simbody \

@@ -20,8 +20,7 @@ pub(crate) static RULE: Rule = Rule {
 /// Factors that differ by no more than this, relatively, are the same.
 const SAME: f64 = 0.01;
 
-/// What is said where the largest factor of its spheres is `spread` times the smallest; it is refused instead where changes have to
-/// be exact.
+/// The message if the largest factor of its spheres is `spread` times the smallest. A strict change is refused with it.
 pub(crate) fn message(force: &Force, spread: f64) -> Option<String> {
     (spread > 1.0 + SAME).then(|| {
         format!(
