@@ -1,10 +1,11 @@
 //! Spheres do not fit their bones, as in no published model or as in one of another size.
 
-use super::spheres_left_behind::size;
-use crate::placement::Reach;
 use osim_messages::{Input, phrase};
 use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
 use osim_model::{Model, Sphere};
+
+use super::spheres_left_behind::size;
+use crate::placement::Reach;
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::SpheresMisplaced,

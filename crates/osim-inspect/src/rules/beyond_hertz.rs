@@ -1,11 +1,12 @@
 //! Spheres sink in deeper than Hertz' law is accurate for, at body weight on one limb.
 
-use super::limits::{CENTRE, Limits, beyond};
-use crate::figures::Figure;
-use crate::findings::Found;
 use contact_scaling::limits::INDENTATION;
 use osim_messages::four_significant;
 use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity};
+
+use super::limits::{CENTRE, Limits, beyond};
+use crate::figures::Figure;
+use crate::findings::Found;
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::BeyondHertz,

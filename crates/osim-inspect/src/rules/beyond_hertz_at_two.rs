@@ -1,11 +1,12 @@
 //! Spheres sink in deeper than Hertz' law is accurate for, at two body weights and not at one.
 
-use super::limits::{Limits, beyond};
-use crate::figures::{Figure, SphereFigures};
-use crate::findings::Found;
 use contact_scaling::limits::INDENTATION;
 use osim_messages::four_significant;
 use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity};
+
+use super::limits::{Limits, beyond};
+use crate::figures::{Figure, SphereFigures};
+use crate::findings::Found;
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::BeyondHertzAtTwo,

@@ -1,14 +1,15 @@
 //! Restitution by (13) is so low that the Hunt-Crossley law is not accurate.
 
-use super::limits::Limits;
-use crate::figures::Figure;
-use crate::findings::{Found, Remedies, two_digits_below};
 use contact_scaling::limits::RESTITUTION;
 use osim_messages::four_significant;
 use osim_model::Property;
 use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity};
 use osim_requests::options::WantedOptions;
 use osim_requests::{Positive, Request, RestitutionCoefficient};
+
+use super::limits::Limits;
+use crate::figures::Figure;
+use crate::findings::{Found, Remedies, two_digits_below};
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::BeyondHuntCrossley,

@@ -1,12 +1,13 @@
 //! The contacts are published ones, made for a body of another mass.
 
-use crate::findings::{Found, Remedies, rounded};
-use crate::inspection::Inspection;
 use osim_messages::{four_significant, readable};
 use osim_model::same_mass;
 use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
 use osim_requests::options::MassOptions;
 use osim_requests::{Kilograms, Request, RescaleRequest};
+
+use crate::findings::{Found, Remedies, rounded};
+use crate::inspection::Inspection;
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::ContactsOfAnotherMass,

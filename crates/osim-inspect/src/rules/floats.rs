@@ -1,13 +1,14 @@
 //! The smoothing alone carries body weight: the spheres do not touch the floor.
 
-use super::limits::Limits;
-use crate::figures::{Figure, SphereFigures};
-use crate::findings::{Found, Remedies, touching_indentation};
 use contact_scaling::limits::SUGGESTED_TRANSITION_WIDTH;
 use osim_messages::four_significant;
 use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity};
 use osim_requests::options::WantedOptions;
 use osim_requests::{ConstantIndentation, Positive, Request};
+
+use super::limits::Limits;
+use crate::figures::{Figure, SphereFigures};
+use crate::findings::{Found, Remedies, touching_indentation};
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::Floats,

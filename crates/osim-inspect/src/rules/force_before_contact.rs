@@ -1,10 +1,11 @@
 //! A sphere that only just touches the floor carries a large part of its share of body weight already.
 
+use osim_messages::four_significant;
+use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity};
+
 use super::limits::{Limits, beyond};
 use crate::figures::Figure;
 use crate::findings::{Found, touching_indentation};
-use osim_messages::four_significant;
-use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity};
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::ForceBeforeContact,

@@ -1,9 +1,10 @@
 //! The note gives another gravity than the model.
 
-use crate::options::InspectOptions;
 use osim_messages::{Input, phrase, readable};
 use osim_model::Model;
 use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+
+use crate::options::InspectOptions;
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::GravitySourcesDisagree,

@@ -1,8 +1,9 @@
 //! The contacts are known: somebody published them.
 
-use crate::known::KnownContacts;
 use osim_messages::readable;
 use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+
+use crate::known::KnownContacts;
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::KnownContacts,

@@ -1,11 +1,12 @@
 //! The constant indentation of constant_contact_force is a large part of the radius.
 
-use super::limits::{Limits, beyond};
-use crate::figures::Figure;
-use crate::findings::Found;
 use contact_scaling::limits::CONSTANT_INDENTATION;
 use osim_messages::four_significant;
 use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity};
+
+use super::limits::{Limits, beyond};
+use crate::figures::Figure;
+use crate::findings::Found;
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::LargeConstantIndentation,

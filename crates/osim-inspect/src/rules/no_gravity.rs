@@ -1,8 +1,9 @@
 //! The model has no gravity.
 
-use crate::inspection::Inspection;
 use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
 use osim_model::{GravityFor, Needed};
+
+use crate::inspection::Inspection;
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::NoGravity,

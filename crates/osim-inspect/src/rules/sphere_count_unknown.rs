@@ -1,7 +1,8 @@
 //! How many spheres share the weight is not known.
 
-use crate::inspection::Inspection;
 use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+
+use crate::inspection::Inspection;
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::CountUnknown,

@@ -1,10 +1,11 @@
 //! Spheres sink in by their whole radius or more at body weight on one limb.
 
+use osim_messages::four_significant;
+use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity};
+
 use super::limits::{CENTRE, Limits};
 use crate::figures::Figure;
 use crate::findings::Found;
-use osim_messages::four_significant;
-use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity};
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::SunkIn,

@@ -1,13 +1,14 @@
 //! Contact sets in over more of the radius than in published models.
 
-use super::limits::{Limits, beyond};
-use crate::figures::Figure;
-use crate::findings::{Found, Remedies};
 use contact_scaling::limits::{SUGGESTED_TRANSITION_WIDTH, TRANSITION_WIDTH};
 use osim_messages::four_significant;
 use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity};
 use osim_requests::options::WantedOptions;
 use osim_requests::{Positive, Request};
+
+use super::limits::{Limits, beyond};
+use crate::figures::Figure;
+use crate::findings::{Found, Remedies};
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::WideTransition,

@@ -1,7 +1,8 @@
 //! The note, `mass` and the bodies give different masses.
 
-use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
 use osim_messages::{Phrase, phrase, readable};
+
+use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::MassSourcesDisagree,

@@ -1,8 +1,9 @@
 //! A number is written in a way that OpenSim reads differently from what it looks like.
 
+use osim_xml::opensim_text::is_plain_triple;
+
 use crate::finding::{Example, FindingCode, Repair, Rule, Seen, Severity};
 use crate::value::Value;
-use osim_xml::opensim_text::is_plain_triple;
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::OddNumber,
