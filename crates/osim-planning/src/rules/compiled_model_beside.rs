@@ -14,7 +14,7 @@ pub(crate) static RULE: Rule = Rule {
     repair: Repair::NotPossible("files of other programs are left alone"),
     example: Example::InWords {
         good: "`model.osim` is written to a folder of its own",
-        bad: "`F_model.mat` lies in the folder that `model.osim` is written to",
+        bad: "`F_model.dll` lies in the folder that `model.osim` is written to",
     },
 };
 
