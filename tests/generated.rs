@@ -75,7 +75,7 @@ fn findings() -> String {
             Severity::Info => "remark",
         };
         let seen = match rule.seen {
-            Seen::Change => ", said of changes alone",
+            Seen::Change => ", not looked for by check",
             _ => "",
         };
         text.push_str(&format!(

@@ -198,7 +198,7 @@ fn sources_that_disagree_between_different_models_are_told_with_both_values() {
     for body in ["calcn_r", "calcn_l"] {
         assert!(said.contains(&format!("body {body}: mesh says 1.19")), "{said}");
     }
-    assert!(said.contains("where that is 1.019431 of the reference's; took the first"), "{said}");
+    assert!(said.contains("but the distance is 1.019431 of the reference's; took the first"), "{said}");
     close_place(&planned(&report, "heel_r", "location"), [-0.012, -0.036, 0.00475]);
     // 4 % more than the joint's is no disagreement.
     for body in ["calcn_r", "calcn_l"] {

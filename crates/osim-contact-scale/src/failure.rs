@@ -13,7 +13,7 @@ pub(crate) fn text(failure: &Failure, words: Words) -> String {
         _ => failure.model.to_string(),
     };
     let message = failure.message.spelled(words);
-    // Messages about outputs name them. Where that is the model, it is named already.
+    // Messages about outputs name them. If an output is the model itself, it is named already.
     let message = message.strip_prefix(&format!("{} ", failure.model)).unwrap_or(&message);
     let line = format!("error: {place}: {message}\n");
     match &failure.excerpt {

@@ -102,7 +102,7 @@ impl<'a> Sources<'a> {
         let ratio = distance.ratio();
         ((ratio - along).abs() > AGREEMENT * along).then(|| {
             format!(
-                "body {}: {} says {along:.6} for the distance to joint {}, where that is {ratio:.6} of the reference's; took the \
+                "body {}: {} says {along:.6} for the distance to joint {}, but the distance is {ratio:.6} of the reference's; took the \
                  first",
                 self.body,
                 x.source.as_str(),

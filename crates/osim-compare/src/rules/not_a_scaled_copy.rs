@@ -17,11 +17,11 @@ pub(crate) static RULE: Rule = Rule {
     },
 };
 
-/// Sizes are taken from distances, which only the user can judge.
+/// What follows from a difference, after it.
 const NO_COPY: &str = "no factors per body and axis lead from the reference to this model; factors are those of the same bone's \
                        mesh, or ratios of distances between joints";
 
-/// What differs, in words.
+/// `message` says what differs.
 pub(crate) fn of_difference(mut message: Phrase) -> Finding {
     message.push(NO_COPY);
     Finding::new(&RULE, message)

@@ -1,8 +1,7 @@
 //! Spheres stand where they were before OpenSim scaled their bodies.
 
 use osim_messages::{Phrase, readable};
-use osim_model::ScaledSinceNote;
-use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use osim_model::{Example, Finding, FindingCode, Repair, Rule, ScaledSinceNote, Seen, Severity};
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::SpheresLeftBehind,

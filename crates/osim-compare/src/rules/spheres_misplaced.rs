@@ -1,8 +1,7 @@
 //! Spheres do not fit their bones, as in no published model or as in one of another size.
 
 use osim_messages::{Input, phrase};
-use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
-use osim_model::{Model, Sphere};
+use osim_model::{Example, Finding, FindingCode, Model, Repair, Rule, Seen, Severity, Sphere};
 
 use super::spheres_left_behind::size;
 use crate::placement::Reach;

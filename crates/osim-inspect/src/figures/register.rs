@@ -107,7 +107,7 @@ crate::quantities! {
         /// Restitution c_r of the law at the impact speed.
         RestitutionExact = Quantity::RESTITUTION_EXACT.in_column("coefficient_of_restitution_exact")
             => entry(Always, |s| s.impact().and_then(|(alpha, speed)| restitution::exact(alpha, speed).ok()).into());
-        /// Restitution by (13); absent where that is below 0.
+        /// Restitution by (13); absent if it is below 0.
         RestitutionApproximate = Quantity::RESTITUTION_APPROXIMATE.labelled("  by (13)")
             .in_column("coefficient_of_restitution_equation_13")
             => entry(Always, |s| match s.impact() {

@@ -23,7 +23,7 @@ pub struct CheckResult {
     pub schema_version: u32,
     /// The model as it was named.
     pub model: String,
-    /// Its name in bytes, where that is not UTF-8.
+    /// Its name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model_bytes: Option<Vec<u8>>,
     /// How many of each severity.

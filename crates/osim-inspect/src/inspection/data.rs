@@ -29,7 +29,7 @@ pub struct Inspection {
     pub schema_version: u32,
     /// The model as it was named.
     pub model: String,
-    /// Its name in bytes, where that is not UTF-8.
+    /// Its name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model_bytes: Option<Vec<u8>>,
     /// `Version` of the document, for example 40000.
@@ -66,7 +66,7 @@ pub struct Inspection {
     /// Factors against the generic model, where one was named.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub body_factors: Option<Vec<InspectedFactors>>,
-    /// Whose contacts they are, where that is known.
+    /// Whose contacts they are, if it is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub known_contacts: Option<KnownContacts>,
     /// Its spheres compared with those of the model that was scaled, where `check` was given one.

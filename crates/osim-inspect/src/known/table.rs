@@ -17,7 +17,7 @@ pub(super) struct Entry {
     pub source: String,
     /// The mass that the contacts were made for, kg.
     pub made_for_kg: f64,
-    /// The mass of the body that carries them as published, where that is another one.
+    /// The mass of the body that carries them as published, if it is another one.
     body_kg: Option<f64>,
     /// Static, dynamic and viscous.
     pub friction: [f64; 3],

@@ -2,8 +2,7 @@
 
 use contact_scaling::limits::RESTITUTION;
 use osim_messages::four_significant;
-use osim_model::Property;
-use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity};
+use osim_model::{Example, FindingCode, Property, Repair, Rule, Seen, Severity};
 use osim_requests::options::WantedOptions;
 use osim_requests::{Positive, Request, RestitutionCoefficient};
 

@@ -1,8 +1,7 @@
 //! The note gives another gravity than the model.
 
 use osim_messages::{Input, phrase, readable};
-use osim_model::Model;
-use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use osim_model::{Example, Finding, FindingCode, Model, Repair, Rule, Seen, Severity};
 
 use crate::options::InspectOptions;
 

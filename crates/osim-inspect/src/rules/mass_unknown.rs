@@ -1,7 +1,6 @@
 //! What the model weighs, or what its contacts are made for, is not known.
 
-use osim_model::Fault;
-use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use osim_model::{Example, Fault, Finding, FindingCode, Repair, Rule, Seen, Severity};
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::MassUnknown,

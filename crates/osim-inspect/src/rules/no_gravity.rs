@@ -1,7 +1,6 @@
 //! The model has no gravity.
 
-use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
-use osim_model::{GravityFor, Needed};
+use osim_model::{Example, Finding, FindingCode, GravityFor, Needed, Repair, Rule, Seen, Severity};
 
 use crate::inspection::Inspection;
 
@@ -10,7 +9,7 @@ pub(crate) static RULE: Rule = Rule {
     severity: Severity::Info,
     seen: Seen::Model,
     what: "The model has no gravity.",
-    why: "Without gravity there is no body weight, so nothing is said about indentations.",
+    why: "Without gravity there is no body weight, so indentations are not judged.",
     advice: "Nothing, if that is meant; else set gravity in the model, or look under another one with `check MODEL gravity=G`",
     repair: Repair::NotPossible("only you know the gravity"),
     example: Example::Piece {

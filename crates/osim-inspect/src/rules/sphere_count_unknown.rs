@@ -9,7 +9,7 @@ pub(crate) static RULE: Rule = Rule {
     severity: Severity::Info,
     seen: Seen::Model,
     what: "How many spheres share the weight is not known.",
-    why: "Limbs are found by left and right sides below the joint tree. Where that does not work, figures under body weight are absent and nothing is said about indentations.",
+    why: "Limbs are found by left and right sides below the joint tree. Where that does not work, figures under body weight are absent, and indentations are not judged.",
     advice: "Say it with `spheres=N`; where spheres of several bodies are there that only ground joins, choose those of one with `select=GLOB`",
     repair: Repair::NotPossible("only you know how many spheres share the weight"),
     example: Example::Models {

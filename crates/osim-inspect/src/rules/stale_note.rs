@@ -1,7 +1,6 @@
 //! The note in the file cannot be relied on.
 
-use osim_model::Fault;
-use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use osim_model::{Example, Fault, Finding, FindingCode, Repair, Rule, Seen, Severity};
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::StaleNote,

@@ -61,7 +61,7 @@ pub struct Record {
     pub row: Option<usize>,
     /// The model, as it was named.
     pub model: String,
-    /// Its name in bytes, where that is not UTF-8; in NDJSON only.
+    /// Its name in bytes, if it is not UTF-8; in NDJSON only.
     #[serde(skip)]
     pub model_bytes: Option<Vec<u8>>,
     /// Columns of the user's own table, as they are there; in a table they come last.
@@ -69,7 +69,7 @@ pub struct Record {
     pub remarks: Vec<(String, String)>,
     /// The file that is written.
     pub output: Option<String>,
-    /// Its name in bytes, where that is not UTF-8; in NDJSON only.
+    /// Its name in bytes, if it is not UTF-8; in NDJSON only.
     #[serde(skip)]
     pub output_bytes: Option<Vec<u8>>,
     /// The outcome.
@@ -180,10 +180,10 @@ pub struct JsonRecord {
     /// The columns of the table.
     #[serde(flatten)]
     pub record: Record,
-    /// `model` in bytes, where that is not UTF-8.
+    /// `model` in bytes, if it is not UTF-8.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub model_bytes: Option<Vec<u8>>,
-    /// `output` in bytes, where that is not UTF-8.
+    /// `output` in bytes, if it is not UTF-8.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub output_bytes: Option<Vec<u8>>,
     /// Columns of the user's own table whose names begin with #.

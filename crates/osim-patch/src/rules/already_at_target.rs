@@ -1,8 +1,7 @@
 //! The contacts are already made for the target mass, so nothing was written.
 
 use osim_messages::{Input, Verb, phrase, readable};
-use osim_model::Mass;
-use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use osim_model::{Example, Finding, FindingCode, Mass, Repair, Rule, Seen, Severity};
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::AlreadyAtTarget,

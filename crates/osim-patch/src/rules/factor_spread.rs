@@ -1,7 +1,6 @@
 //! Spheres of one ContactParameters follow bodies with different factors.
 
-use osim_model::Force;
-use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use osim_model::{Example, Finding, FindingCode, Force, Repair, Rule, Seen, Severity};
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::FactorSpread,

@@ -1,7 +1,8 @@
 //! The friction of SmoothSphereHalfSpaceForce is not exactly similar.
 
-use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
-use osim_model::{Force, ForceKind, Property, PropertySet};
+use osim_model::{
+    Example, Finding, FindingCode, Force, ForceKind, Property, PropertySet, Repair, Rule, Seen, Severity,
+};
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::FrictionNotSimilar,

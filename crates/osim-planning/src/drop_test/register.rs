@@ -92,7 +92,7 @@ osim_inspect::quantities! {
         /// Restitution of an impact at this speed by (12), if there were no gravity.
         RestitutionExact = Quantity::RESTITUTION_EXACT.labelled("restitution without gravity, exact")
             => here(Shown(|drop| Some(first_contact(drop)?.restitution_exact)));
-        /// The same by (13), 1 − α ẋ. Absent where that is below 0.
+        /// The same by (13), 1 − α ẋ. Absent if it is below 0.
         RestitutionApproximate = Quantity::RESTITUTION_APPROXIMATE
             => here(Shown(|drop| first_contact(drop)?.restitution_approximate));
         /// Time from touch-down to lift-off. Absent where the body does not leave the ground again.

@@ -21,18 +21,18 @@ pub struct PlanRecord {
     pub schema_version: u32,
     /// The model as it was named.
     pub model: String,
-    /// Its name in bytes, where that is not UTF-8.
+    /// Its name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model_bytes: Option<Vec<u8>>,
     /// The file that was written.
     pub output: Option<String>,
-    /// Its name in bytes, where that is not UTF-8.
+    /// Its name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub output_bytes: Option<Vec<u8>>,
     /// The geometry set that was written with a force set.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub geometry_output: Option<String>,
-    /// Its name in bytes, where that is not UTF-8.
+    /// Its name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub geometry_output_bytes: Option<Vec<u8>>,
     /// The mass that the contacts were made for before; null where nobody knows.

@@ -24,7 +24,7 @@ pub struct DropRecord<'d>(&'d DropResult);
 pub struct DropDifferenceRecord {
     /// The other body.
     pub other: String,
-    /// Its name in bytes, where that is not UTF-8.
+    /// Its name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub other_bytes: Option<Vec<u8>>,
     /// Up to which t/√(R/g).
@@ -87,7 +87,7 @@ impl JsonSchema for DropRecord<'_> {
         let mut object = ObjectSchema::new(generator);
         object.field::<u32>("schema_version", "Raised when a field changes its meaning or goes away.");
         object.field::<String>("model", "The model or preset.");
-        object.field_or_none::<Option<Vec<u8>>>("model_bytes", "Its name in bytes, where that is not UTF-8.");
+        object.field_or_none::<Option<Vec<u8>>>("model_bytes", "Its name in bytes, if it is not UTF-8.");
         for figure in DropFigure::ALL {
             let info = figure.info();
             match figure.is_always_known() {

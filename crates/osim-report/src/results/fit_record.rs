@@ -19,7 +19,7 @@ pub struct FitRecord {
     pub schema_version: u32,
     /// The measurement.
     pub file: String,
-    /// Its name in bytes, where that is not UTF-8.
+    /// Its name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub file_bytes: Option<Vec<u8>>,
     /// Spheres that shared the force.

@@ -17,17 +17,17 @@ pub struct SweepRecord {
     pub schema_version: u32,
     /// The model, as it was named.
     pub model: String,
-    /// Its name in bytes, where that is not UTF-8.
+    /// Its name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model_bytes: Option<Vec<u8>>,
     /// The table that says what is in which file; none where nothing was made.
     pub manifest: Option<String>,
-    /// Its name in bytes, where that is not UTF-8.
+    /// Its name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub manifest_bytes: Option<Vec<u8>>,
     /// The folder of the variants.
     pub folder: String,
-    /// Its name in bytes, where that is not UTF-8.
+    /// Its name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub folder_bytes: Option<Vec<u8>>,
     /// How many points the grid has, or steps the ladder: they are counted from 1 to this number.
