@@ -11,6 +11,10 @@ from pathlib import Path
 
 import pytest
 
+# A run in the background ignores Ctrl-C, and so would the programs that tests interrupt.
+if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+
 TOP = Path(__file__).resolve().parents[2]
 FIXTURES = TOP / "fixtures"
 HUMAN = FIXTURES / "table1" / "human_62kg_smooth_sphere.osim"
