@@ -1,15 +1,13 @@
 //! What `check` found, and what a change made of it.
 
-use std::collections::HashMap;
-
 use maud::{Markup, html};
-use osim_inspect::{CheckResult, Found};
+use osim_inspect::{CheckResult, Found, Kin};
 use osim_messages::readable;
-use osim_model::FindingCode;
 
 use super::fragment::Fragment;
 use super::shell::command_line;
 use super::values::severity;
+use super::verdicts;
 
 pub(super) const SECTION: (&str, &str) = ("findings", "Findings");
 
@@ -18,6 +16,7 @@ pub(super) fn of_model(fragment: &mut Fragment, found: &CheckResult) {
     let findings: Vec<&Found> = found.findings.iter().collect();
     let list = list(&items(fragment, &findings, Lines::Only, Commands::Shown));
     let body = html! {
+        (verdicts::of_model(&found.verdicts))
         @if found.findings.is_empty() { p { "Nothing to say: all figures are within the limits." } }
         (list)
     };
@@ -59,6 +58,7 @@ pub(super) fn of_change(fragment: &mut Fragment, now: &CheckResult, new: &After<
             "."
             @if !new.in_file { " The new model is in no file yet, so no commands are given." }
         }
+        (verdicts::of_change(&now.verdicts, &new.found.verdicts))
         @for (title, items) in groups {
             (fragment.heading(title))
             @if items.is_empty() { p.quiet { "Nothing." } } @else { (list(&items)) }
@@ -71,43 +71,6 @@ pub(super) fn of_change(fragment: &mut Fragment, now: &CheckResult, new: &After<
 fn paired<'f>(now: &'f [Found], new: &'f [Found]) -> Vec<(&'f Found, Option<&'f Found>)> {
     let kin = Kin::of(now);
     new.iter().map(|one| (one, kin.nearest(one))).collect()
-}
-
-/// Findings that are steps of one ladder: one takes the place of the other as spheres sink in deeper.
-const DEPTH: [FindingCode; 3] =
-    [FindingCode::BeyondHertzAtTwo, FindingCode::BeyondHertz, FindingCode::SunkIn];
-
-/// Findings to which others may be akin, the first of each kind.
-struct Kin<'f> {
-    findings: &'f [Found],
-    /// A finding about spheres is shown once for all of them, at the worst sphere, which may be another one after the change.
-    of_spheres: HashMap<FindingCode, usize>,
-    at_place: HashMap<(FindingCode, Option<&'f str>), usize>,
-    of_code: HashMap<FindingCode, usize>,
-}
-
-impl<'f> Kin<'f> {
-    fn of(findings: &'f [Found]) -> Self {
-        let mut kin =
-            Self { findings, of_spheres: HashMap::new(), at_place: HashMap::new(), of_code: HashMap::new() };
-        for (at, one) in findings.iter().enumerate() {
-            if !one.spheres.is_empty() {
-                kin.of_spheres.entry(one.code()).or_insert(at);
-            }
-            kin.at_place.entry((one.code(), one.place.as_deref())).or_insert(at);
-            kin.of_code.entry(one.code()).or_insert(at);
-        }
-        kin
-    }
-
-    /// The first finding that says the same as `one`, else the first that is another step of the same ladder.
-    fn nearest(&self, one: &Found) -> Option<&'f Found> {
-        let of_spheres = self.of_spheres.get(&one.code()).filter(|_| !one.spheres.is_empty());
-        let same = of_spheres.into_iter().chain(self.at_place.get(&(one.code(), one.place.as_deref()))).min();
-        let steps = DEPTH.iter().filter(|code| **code != one.code() && DEPTH.contains(&one.code()));
-        let at = same.or_else(|| steps.filter_map(|code| self.of_code.get(code)).min())?;
-        self.findings.get(*at)
-    }
 }
 
 /// What the finding was before, where that differs.
@@ -176,7 +139,7 @@ fn item(fragment: &mut Fragment, finding: &Found, lines: Lines, commands: Comman
 
 #[cfg(test)]
 mod tests {
-    use osim_model::Finding;
+    use osim_model::{Finding, FindingCode};
     use osim_planning::rules;
 
     use super::*;

@@ -32,6 +32,7 @@ mod shell;
 mod special;
 mod sphere_figures;
 mod values;
+mod verdicts;
 
 pub use about::About;
 pub use change::{Changed, changed};

@@ -35,9 +35,10 @@ mod reference_state;
 mod rules;
 mod serialized;
 pub mod series;
+mod verdicts;
 
 pub use figures::{Figure, Figures, LimbFigures, LimitCheck, Shown, SphereFigures};
-pub use findings::{Changeable, CheckResult, Counts, Found, check_model, misplaced_spheres};
+pub use findings::{Changeable, CheckResult, Counts, Found, Kin, check_model, misplaced_spheres};
 pub use inspection::{
     ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,
     InspectedLimb, InspectedSphere, Inspection, Origins, Parameters,
@@ -52,3 +53,4 @@ pub use rules::RULES;
 #[cfg(feature = "schemas")]
 pub use serialized::ObjectSchema;
 pub use serialized::{FindingRecord, SCHEMA_VERSION};
+pub use verdicts::{Sign, Verdict};

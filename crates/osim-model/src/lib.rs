@@ -87,7 +87,7 @@ pub use fault::{
     CountOf, Excerpt, FactorQuestion, Fault, FaultKind, FileId, GravityFor, MassSlip, Needed, NeedsAnswer,
     NoteDoubt, Question, RadiusFrom, TreeOfForces, probable_units,
 };
-pub use finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+pub use finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 pub use following::{MovedSpheres, RadiusAxis};
 pub use ground_planes::GroundPlane;
 pub use limbs::{Limb, Limbs};

@@ -28,6 +28,7 @@
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
+mod afterwards;
 mod calculator;
 pub mod contact_table;
 mod drop_test;
@@ -50,6 +51,7 @@ mod table;
 mod trial;
 mod verbs;
 
+pub use afterwards::Aims;
 pub use calculator::{DesignFigure, DesignLimit, DesignQuantity, DesignSheet, design_sheet};
 pub use drop_test::{ComparedDrop, DropColumn, DropFigure, DropResult, DropRow, run_drop_test};
 pub use feet::ModelFeet;

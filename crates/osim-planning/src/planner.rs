@@ -3,12 +3,13 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use osim_inspect::ReferenceState;
+use osim_inspect::{InspectOptions, ReferenceState};
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::{Fault, Model};
 use osim_patch::Plan;
-use osim_requests::options::{InspectionOptions, OutputOptions, SetFiles};
+use osim_requests::options::{AnswerOptions, InspectionOptions, OutputOptions, SetFiles};
 
+use crate::afterwards::{Aims, worse_findings};
 use crate::opening::open_with;
 
 /// Plans the change of one model after the other, on any thread.
@@ -29,11 +30,11 @@ pub trait Planner: Send + Sync {
         self.plan(&opened.model).map_err(|fault| opened.failure(fault))
     }
 
-    /// The same for a model that was opened: what is odd about the model itself is among the warnings. `no_note` leaves no
-    /// note in it.
+    /// The same for a model that was opened: what is odd about the model itself is among the warnings, and what the change makes
+    /// worse. `no_note` leaves no note in it.
     ///
     /// # Errors
-    /// Those of [`plan_beside`](Self::plan_beside).
+    /// Those of [`plan_beside`](Self::plan_beside); a change after which the model is wrong, unless the caller means it.
     fn plan_opened(&self, opened: &OpenModel, no_note: bool, files: &dyn Files) -> Result<Plan, Failure> {
         let model = &opened.model;
         let mut plan = self.plan_beside(opened, files)?;
@@ -50,6 +51,9 @@ pub trait Planner: Send + Sync {
         }
         let standing: Vec<_> = plan.standing_warnings(model).cloned().collect();
         plan.warnings.splice(0..0, standing);
+        let before = InspectOptions::from(&self.inspection());
+        let worse = worse_findings(self.aims(), &before, (opened, &plan), self.answers())?;
+        plan.warnings.extend(worse);
         Ok(plan)
     }
 
@@ -69,8 +73,22 @@ pub trait Planner: Send + Sync {
         None
     }
 
+    /// What the change aims at, apart from its numbers.
+    fn aims(&self) -> Aims {
+        Aims {
+            carries_target: self.name() == "rescale",
+            gravity_m_s2: self.target_gravity_m_s2(),
+            as_given: matches!(self.name(), "set" | "design"),
+        }
+    }
+
     /// What the contacts are taken from, where they are another body's.
     fn reference(&self) -> Option<&ReferenceState> {
+        None
+    }
+
+    /// What the caller has answered before it was asked.
+    fn answers(&self) -> Option<&AnswerOptions> {
         None
     }
 

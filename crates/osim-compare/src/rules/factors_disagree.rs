@@ -6,6 +6,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::FactorsDisagree,
     severity: Severity::Warn,
     seen: Seen::Change,
+    verdict: None,
     what: "Two sources give different scale factors of a body.",
     why: "A sphere's place and size follow from its body's factors; the first source in the order given, scale file, mesh, joint offset was taken.",
     advice: "Look at `inspect from`, and say `body_scale=BODY=x,y,z` where another source is right",

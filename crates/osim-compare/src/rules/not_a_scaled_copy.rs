@@ -7,6 +7,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::NotAScaledCopy,
     severity: Severity::Warn,
     seen: Seen::Change,
+    verdict: None,
     what: "A model is not a scaled copy of the reference whose contacts follow its bodies.",
     why: "In a scaled copy, joint offsets and meshes give each factor exactly. Between different models offsets are not factors: a body then gets the ratio of the mesh factors of the same bone, else one ratio of distances to a joint below it, and the last body of a limb the factors of the body it hangs on.",
     advice: "Nothing, if another model is meant; else name the generic model that this one was scaled from, or say `body_scale=BODY=x,y,z`",

@@ -1,12 +1,13 @@
 //! Spheres stand where they were before OpenSim scaled their bodies.
 
 use osim_messages::{Phrase, readable};
-use osim_model::{Example, Finding, FindingCode, Repair, Rule, ScaledSinceNote, Seen, Severity};
+use osim_model::{Example, Finding, FindingCode, Repair, Rule, ScaledSinceNote, Seen, Severity, VerdictOn};
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::SpheresLeftBehind,
     severity: Severity::Error,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Sizes),
     what: "Spheres stand where they were before OpenSim scaled their bodies.",
     why: "OpenSim's Scale Tool scales bones, joints and masses. It leaves contact spheres where they were, as large and as stiff as before, so that they hang beyond the foot of a smaller animal and end short of a larger one's.",
     advice: "`rescale MODEL target_mass=KG follow_bodies` where the note in the file has the sizes of the bones; else `transfer MODEL from=ORIGINAL follow_bodies`, where ORIGINAL is the model that was scaled. Both make the contacts right for this mass, too. Add `level` only where the foot became about as much lower as it became shorter and narrower",

@@ -1,7 +1,7 @@
 //! Spheres do not fit their bones, as in no published model or as in one of another size.
 
 use osim_messages::{Input, phrase};
-use osim_model::{Example, Finding, FindingCode, Model, Repair, Rule, Seen, Severity, Sphere};
+use osim_model::{Example, Finding, FindingCode, Model, Repair, Rule, Seen, Severity, Sphere, VerdictOn};
 
 use super::spheres_left_behind::size;
 use crate::placement::Reach;
@@ -10,6 +10,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::SpheresMisplaced,
     severity: Severity::Warn,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Sizes),
     what: "Spheres do not fit their bones, as in no published model or as in one of another size.",
     why: "Either OpenSim scaled the bones and left the spheres behind, or the spheres were taken from a model of another size. Then they push where the foot is not.",
     advice: "See where each belongs with `check MODEL from=ORIGINAL`, where ORIGINAL is the model that was scaled; then `transfer MODEL from=ORIGINAL follow_bodies`. With the Scale Tool's ScaleSet alone: `rescale MODEL body_scale_file=SCALESET.xml contacts_mass=KG target_mass=KG`",

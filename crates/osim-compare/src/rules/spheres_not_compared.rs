@@ -1,12 +1,13 @@
 //! Whether spheres followed a scaling of their bodies cannot be seen in this file.
 
 use osim_messages::{Input, Phrase, Verb, phrase};
-use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::SpheresNotCompared,
     severity: Severity::Info,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Sizes),
     what: "Whether spheres followed a scaling of their bodies cannot be seen in this file.",
     why: "The bones were scaled; OpenSim leaves contact spheres where they were, and this file alone does not show whether somebody moved them afterwards.",
     advice: "Compare with the model that was scaled: `check MODEL from=GENERIC`",

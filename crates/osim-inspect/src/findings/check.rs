@@ -74,5 +74,5 @@ pub fn check_model(
     for remedy in findings.iter_mut().filter_map(|found| found.remedy.as_mut()) {
         answer(remedy, model, &options.masses);
     }
-    CheckResult::new(inspected, known::as_published(inspected, findings))
+    CheckResult::new(model, inspected, known::as_published(inspected, findings))
 }

@@ -3,6 +3,7 @@
 mod answers;
 mod check;
 mod found;
+mod kin;
 mod known;
 mod places;
 mod remedy;
@@ -11,6 +12,7 @@ mod traps;
 
 pub use check::{Changeable, check_model};
 pub use found::Found;
+pub use kin::Kin;
 pub use places::misplaced_spheres;
 pub(crate) use remedy::{Remedies, exactly, rounded, touching_indentation, two_digits_below};
 pub use result::{CheckResult, Counts};

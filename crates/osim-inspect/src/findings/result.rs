@@ -2,7 +2,7 @@
 
 use std::cmp::Reverse;
 
-use osim_model::{FindingCode, Severity};
+use osim_model::{FindingCode, Model, Severity};
 use osim_requests::spell::Speller;
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
@@ -13,6 +13,7 @@ use crate::inspection::Inspection;
 #[cfg(feature = "schemas")]
 use crate::serialized::FindingRecord;
 use crate::serialized::{SCHEMA_VERSION, found_records};
+use crate::verdicts::{self, Verdict};
 
 /// Everything found in one model. Serialised it is the JSON contract of `check`; `docs/json.md` describes it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -28,6 +29,8 @@ pub struct CheckResult {
     pub model_bytes: Option<Vec<u8>>,
     /// How many of each severity.
     pub counts: Counts,
+    /// Six questions answered, always in the same order.
+    pub verdicts: Vec<Verdict>,
     /// From the worst to the least; equally bad ones in the order of the register.
     #[serde(serialize_with = "found_records")]
     #[cfg_attr(feature = "schemas", schemars(with = "Vec<FindingRecord>"))]
@@ -75,7 +78,7 @@ impl Counts {
 impl CheckResult {
     /// Everything found in a model, in any order.
     #[must_use]
-    pub fn new(inspected: &Inspection, mut findings: Vec<Found>) -> Self {
+    pub fn new(model: &Model, inspected: &Inspection, mut findings: Vec<Found>) -> Self {
         // What spheres do where they should not be is a symptom.
         let is_symptom = |finding: &Found| {
             !matches!(finding.code(), FindingCode::SpheresLeftBehind | FindingCode::SpheresMisplaced)
@@ -94,6 +97,7 @@ impl CheckResult {
             model: inspected.model.clone(),
             model_bytes: inspected.model_bytes.clone(),
             counts,
+            verdicts: verdicts::of(model, inspected, &findings),
             findings,
         }
     }
@@ -106,6 +110,7 @@ impl CheckResult {
 
     /// Spells everything it says in the words of a front end.
     pub fn spell(&mut self, speller: &dyn Speller) {
+        self.verdicts.iter_mut().for_each(|verdict| verdict.spell(speller));
         self.findings.iter_mut().for_each(|finding| finding.spell(speller));
     }
 }

@@ -2,7 +2,7 @@
 
 use contact_scaling::limits::INDENTATION;
 use osim_messages::four_significant;
-use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity};
+use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 
 use super::limits::{CENTRE, Limits, beyond};
 use crate::figures::Figure;
@@ -12,6 +12,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::BeyondHertz,
     severity: Severity::Warn,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Mass),
     what: "Spheres sink in deeper than Hertz' law is accurate for, at body weight on one limb.",
     why: "Hertz' law was found accurate up to a relative indentation of {indentation}, a contact patch of 0.4 R. Beyond, the contact is a non-linear spring and no longer a material; most published gait models are there (Falisse et al. 2022: 0.353).",
     advice: "Nothing, if a spring is meant; else `design MODEL indentation={indentation}`, larger or more spheres",

@@ -2,7 +2,7 @@
 
 use contact_scaling::limits::INDENTATION;
 use osim_messages::four_significant;
-use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity};
+use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 
 use super::limits::{Limits, beyond};
 use crate::figures::{Figure, SphereFigures};
@@ -12,6 +12,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::BeyondHertzAtTwo,
     severity: Severity::Info,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Mass),
     what: "Spheres sink in deeper than Hertz' law is accurate for, at two body weights and not at one.",
     why: "A foot carries more than body weight in running and landing. At twice body weight the relative indentation is above {indentation}, up to which Hertz' law is accurate.",
     advice: "Nothing, if the model only walks; else `design MODEL indentation={indentation} body_weights=2`",

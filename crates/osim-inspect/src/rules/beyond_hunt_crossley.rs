@@ -2,7 +2,7 @@
 
 use contact_scaling::limits::RESTITUTION;
 use osim_messages::four_significant;
-use osim_model::{Example, FindingCode, Property, Repair, Rule, Seen, Severity};
+use osim_model::{Example, FindingCode, Property, Repair, Rule, Seen, Severity, VerdictOn};
 use osim_requests::options::WantedOptions;
 use osim_requests::{Positive, Request, RestitutionCoefficient};
 
@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::BeyondHuntCrossley,
     severity: Severity::Warn,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Solver),
     what: "Restitution by (13) is so low that the Hunt-Crossley law is not accurate.",
     why: "The Hunt-Crossley law describes materials that give back most of the impact speed. Below a restitution of {restitution} at the impact speed, dissipation is a damper that makes a simulation calm; energies lost in contact are not those of a material.",
     advice: "Nothing, if that is meant; else `design MODEL restitution={restitution}`",

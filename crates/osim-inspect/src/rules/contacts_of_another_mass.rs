@@ -2,7 +2,7 @@
 
 use osim_messages::{four_significant, readable};
 use osim_model::same_mass;
-use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 use osim_requests::options::MassOptions;
 use osim_requests::{Kilograms, Request, RescaleRequest};
 
@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::ContactsOfAnotherMass,
     severity: Severity::Warn,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Mass),
     what: "The contacts are published ones, made for a body of another mass.",
     why: "Radius, stiffness, dissipation and number of spheres are those of a published model, but the body weighs something else: contacts that are not scaled sink in more or less than they did there.",
     advice: "If OpenSim scaled this model, `check MODEL from=GENERIC`, then `transfer MODEL from=GENERIC follow_bodies`. If its spheres are where they belong, `rescale MODEL contacts_mass=KG target_mass=KG`, with the mass the contacts were made for and the mass of this body",

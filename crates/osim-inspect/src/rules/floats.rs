@@ -2,7 +2,7 @@
 
 use contact_scaling::limits::SUGGESTED_TRANSITION_WIDTH;
 use osim_messages::four_significant;
-use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity};
+use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 use osim_requests::options::WantedOptions;
 use osim_requests::{ConstantIndentation, Positive, Request};
 
@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::Floats,
     severity: Severity::Error,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Mass),
     what: "The smoothing alone carries body weight: the spheres do not touch the floor.",
     why: "With constant_contact_force and hertz_smoothing far too large for the spheres, the force before contact holds the body in the air.",
     advice: "Make constant_contact_force smaller with `design MODEL constant_indentation=X`",

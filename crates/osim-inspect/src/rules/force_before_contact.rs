@@ -1,7 +1,7 @@
 //! A sphere that only just touches the floor carries a large part of its share of body weight already.
 
 use osim_messages::four_significant;
-use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity};
+use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 
 use super::limits::{Limits, beyond};
 use crate::figures::Figure;
@@ -11,6 +11,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::ForceBeforeContact,
     severity: Severity::Warn,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Solver),
     what: "A sphere that only just touches the floor carries a large part of its share of body weight already.",
     why: "Smoothing lets force through before contact (Fig. C.5): the floor repels the foot, as if the spheres were larger. In Falisse et al. (2022), where that did no harm, it is 0.074 of the share.",
     advice: "Make constant_contact_force smaller with `design MODEL constant_indentation=X`",

@@ -1,7 +1,7 @@
 //! The note gives another gravity than the model.
 
 use osim_messages::{Input, phrase, readable};
-use osim_model::{Example, Finding, FindingCode, Model, Repair, Rule, Seen, Severity};
+use osim_model::{Example, Finding, FindingCode, Model, Repair, Rule, Seen, Severity, VerdictOn};
 
 use crate::options::InspectOptions;
 
@@ -9,6 +9,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::GravitySourcesDisagree,
     severity: Severity::Warn,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Mass),
     what: "The note gives another gravity than the model.",
     why: "Under another gravity than they were made for, spheres sink in more or less; figures are those under the model's own.",
     advice: "Set gravity in OpenSim, or look at the model under the gravity of its contacts with `check MODEL gravity=G`",

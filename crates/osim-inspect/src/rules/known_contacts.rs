@@ -9,6 +9,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::KnownContacts,
     severity: Severity::Info,
     seen: Seen::Model,
+    verdict: None,
     what: "The contacts are known: somebody published them.",
     why: "What was published so with these contacts is a remark; a warning is what is wrong for this model.",
     advice: "Nothing, if that is meant",

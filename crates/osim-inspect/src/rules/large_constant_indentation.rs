@@ -2,7 +2,7 @@
 
 use contact_scaling::limits::CONSTANT_INDENTATION;
 use osim_messages::four_significant;
-use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity};
+use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 
 use super::limits::{Limits, beyond};
 use crate::figures::Figure;
@@ -12,6 +12,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::LargeConstantIndentation,
     severity: Severity::Warn,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Solver),
     what: "The constant indentation of constant_contact_force is a large part of the radius.",
     why: "constant_contact_force is a squared indentation and does not grow with the sphere by itself: OpenSim's default of 1e-5 m2, made for spheres of 32 mm, is 3.2 mm. On smaller spheres it holds the body up before they touch (C.2).",
     advice: "`design MODEL constant_indentation={constant_indentation}`, or {suggested_indentation} where spheres sink in by less than {indentation} R",

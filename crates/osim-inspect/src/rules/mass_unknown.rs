@@ -1,11 +1,12 @@
 //! What the model weighs, or what its contacts are made for, is not known.
 
-use osim_model::{Example, Fault, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use osim_model::{Example, Fault, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::MassUnknown,
     severity: Severity::Warn,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Mass),
     what: "What the model weighs, or what its contacts are made for, is not known.",
     why: "Every factor follows from these masses.",
     advice: "Say `mass=KG` or `contacts_mass=KG`, or correct the masses of the bodies",

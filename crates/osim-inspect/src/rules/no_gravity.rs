@@ -1,6 +1,8 @@
 //! The model has no gravity.
 
-use osim_model::{Example, Finding, FindingCode, GravityFor, Needed, Repair, Rule, Seen, Severity};
+use osim_model::{
+    Example, Finding, FindingCode, GravityFor, Needed, Repair, Rule, Seen, Severity, VerdictOn,
+};
 
 use crate::inspection::Inspection;
 
@@ -8,6 +10,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::NoGravity,
     severity: Severity::Info,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Floor),
     what: "The model has no gravity.",
     why: "Without gravity there is no body weight, so indentations are not judged.",
     advice: "Nothing, if that is meant; else set gravity in the model, or look under another one with `check MODEL gravity=G`",

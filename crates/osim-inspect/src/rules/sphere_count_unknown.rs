@@ -1,6 +1,6 @@
 //! How many spheres share the weight is not known.
 
-use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 
 use crate::inspection::Inspection;
 
@@ -8,6 +8,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::CountUnknown,
     severity: Severity::Info,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Mass),
     what: "How many spheres share the weight is not known.",
     why: "Limbs are found by left and right sides below the joint tree. Where that does not work, figures under body weight are absent, and indentations are not judged.",
     advice: "Say it with `spheres=N`; where spheres of several bodies are there that only ground joins, choose those of one with `select=GLOB`",

@@ -1,11 +1,12 @@
 //! The note in the file cannot be relied on.
 
-use osim_model::{Example, Fault, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use osim_model::{Example, Fault, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::StaleNote,
     severity: Severity::Info,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Mass),
     what: "The note in the file cannot be relied on.",
     why: "The values in the file are no longer those the note was written for, or only some of them were scaled.",
     advice: "Say what the contacts are made for with `contacts_mass=KG`",

@@ -1,7 +1,7 @@
 //! Spheres sink in by their whole radius or more at body weight on one limb.
 
 use osim_messages::four_significant;
-use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity};
+use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 
 use super::limits::{CENTRE, Limits};
 use crate::figures::Figure;
@@ -11,6 +11,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::SunkIn,
     severity: Severity::Error,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Mass),
     what: "Spheres sink in by their whole radius or more at body weight on one limb.",
     why: "A sphere that is in the floor up to its centre meets no surface that a contact law knows: OpenSim goes on with the same formula. The stiffness is nearly always one of a lighter body, or the spheres too small.",
     advice: "Scale the contacts to this body with `rescale MODEL contacts_mass=KG target_mass=KG`, or `design MODEL indentation={indentation}`",

@@ -2,7 +2,7 @@
 
 use contact_scaling::limits::{SUGGESTED_TRANSITION_WIDTH, TRANSITION_WIDTH};
 use osim_messages::four_significant;
-use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity};
+use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 use osim_requests::options::WantedOptions;
 use osim_requests::{Positive, Request};
 
@@ -14,6 +14,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::WideTransition,
     severity: Severity::Warn,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Solver),
     what: "Contact sets in over more of the radius than in published models.",
     why: "hertz_smoothing is an inverse length: OpenSim's default of 300 1/m, made for spheres of 32 mm, spreads the onset of contact over 10 mm. On smaller spheres that is a large part of the radius, half of it before they touch (C.7).",
     advice: "`design MODEL state_width={suggested_width}`",

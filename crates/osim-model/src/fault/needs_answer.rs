@@ -19,18 +19,21 @@ pub enum Question {
     ImplausibleScale,
     /// A foot that does not lie flat at the default pose.
     TiltedFoot,
+    /// A change after which the contacts are wrong.
+    WrongAfterwards,
     /// A very large number of files.
     ManyModels,
 }
 
 impl Question {
     /// Every question.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::ImplausibleMass,
         Self::ImplausibleRadius,
         Self::ImplausiblePlace,
         Self::ImplausibleScale,
         Self::TiltedFoot,
+        Self::WrongAfterwards,
         Self::ManyModels,
     ];
 
@@ -43,6 +46,7 @@ impl Question {
             Self::ImplausiblePlace => "implausible-place",
             Self::ImplausibleScale => "implausible-scale",
             Self::TiltedFoot => "tilted-foot",
+            Self::WrongAfterwards => "wrong-afterwards",
             Self::ManyModels => "many-models",
         }
     }

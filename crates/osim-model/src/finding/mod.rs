@@ -3,12 +3,14 @@
 mod code;
 mod rule;
 mod severity;
+mod verdict_on;
 
 use osim_messages::{Dialect, Phrase};
 
 pub use code::FindingCode;
 pub use rule::{Example, Repair, Rule};
 pub use severity::{Seen, Severity};
+pub use verdict_on::VerdictOn;
 
 /// One thing to know, about a model or about a change of it.
 ///
@@ -89,6 +91,12 @@ impl Finding {
     #[must_use]
     pub fn of_spheres(self, spheres: Vec<String>) -> Self {
         Self { spheres, ..self }
+    }
+
+    /// The same in other words.
+    #[must_use]
+    pub fn with_message(self, message: impl Into<Phrase>) -> Self {
+        Self { message: message.into(), ..self }
     }
 
     /// The same, as bad as `severity`.

@@ -5,6 +5,7 @@ use osim_messages::Phrase;
 
 use super::code::FindingCode;
 use super::severity::{Seen, Severity};
+use super::verdict_on::VerdictOn;
 
 /// A kind of finding: its code, its texts and an example. In the texts, inputs and calls are in backticks, see
 /// [`Phrase::template`], and numbers of limits are in braces.
@@ -17,6 +18,8 @@ pub struct Rule {
     pub severity: Severity,
     /// Where it shows.
     pub seen: Seen,
+    /// The verdict that it decides, if one.
+    pub verdict: Option<VerdictOn>,
     /// What it is, in a sentence.
     pub what: &'static str,
     /// Why it matters.

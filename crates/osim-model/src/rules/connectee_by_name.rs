@@ -6,6 +6,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::ConnecteeByName,
     severity: Severity::Warn,
     seen: Seen::Model,
+    verdict: None,
     what: "A component was found by its name because the path written leads nowhere.",
     why: "OpenSim may fail to load such a model, or connect it to something else.",
     advice: "Open the model in OpenSim, check the connection and save it",

@@ -8,6 +8,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::ContactDefaults,
     severity: Severity::Warn,
     seen: Seen::Model,
+    verdict: None,
     what: "The defaults of the document hold contact objects.",
     why: "OpenSim keeps the defaults of one model for every model loaded later in the same session, so another model can silently take these values.",
     advice: "Write the values into the forces themselves, or load the model in a fresh OpenSim",

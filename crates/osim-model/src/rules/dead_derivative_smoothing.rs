@@ -1,12 +1,13 @@
 //! The file has a derivative_smoothing element, which OpenSim ignores.
 
-use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 use crate::model::Model;
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::DeadDerivativeSmoothing,
     severity: Severity::Warn,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Solver),
     what: "The file has a derivative_smoothing element, which OpenSim ignores.",
     why: "derivative_smoothing was the name of constant_contact_force in early Moco. OpenSim ignores it and uses its default of 1e-5 m2 for constant_contact_force.",
     advice: "Remove the element; set constant_contact_force if another value is meant",

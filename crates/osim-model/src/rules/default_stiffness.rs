@@ -1,6 +1,6 @@
 //! A stiffness is left at its class default.
 
-use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 use crate::model::Model;
 use crate::property::Property;
 use crate::value::{Origin, Value};
@@ -9,6 +9,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::DefaultStiffness,
     severity: Severity::Error,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Mass),
     what: "A stiffness is left at its class default.",
     why: "OpenSim's default stiffness (1 N/m2 in SmoothSphereHalfSpaceForce) carries nothing; it is nearly always a forgotten value.",
     advice: "Set a stiffness, for example with `transfer from=falisse2022`",

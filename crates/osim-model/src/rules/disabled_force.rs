@@ -1,12 +1,13 @@
 //! A contact force that is switched off is changed with the others.
 
 use crate::contacts::Force;
-use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::DisabledForce,
     severity: Severity::Info,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Sides),
     what: "A contact force that is switched off is changed with the others.",
     why: "A force that does not apply carries no load, so its spheres are not counted; it is still scaled, so that it is right once it is switched on.",
     advice: "Nothing, if that is meant; else `skip_disabled`",

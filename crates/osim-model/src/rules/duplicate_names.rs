@@ -9,6 +9,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::DuplicateNames,
     severity: Severity::Warn,
     seen: Seen::Model,
+    verdict: None,
     what: "Two components have the same name.",
     why: "OpenSim renames the second one when it loads the model, so a path or a name means the first one only.",
     advice: "Give each a name of its own",

@@ -10,6 +10,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::IncludedFile,
     severity: Severity::Info,
     seen: Seen::Model,
+    verdict: None,
     what: "Contacts are in a file that the model includes.",
     why: "The contacts were read from the file that the model names; a change would have to go into that file too.",
     advice: "Save the model in OpenSim as one file before rescaling it",

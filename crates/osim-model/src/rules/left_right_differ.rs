@@ -3,7 +3,7 @@
 use contact_scaling::Ratios;
 
 use crate::contacts::Force;
-use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 use crate::model::Model;
 use crate::property::Property;
 use crate::side::{Side, without_side};
@@ -13,6 +13,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::LeftRightDiffer,
     severity: Severity::Warn,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Sides),
     what: "Left and right contacts differ.",
     why: "Contacts of a symmetric model are nearly always meant to be symmetric; a difference usually is a slip of the hand.",
     advice: "Compare the two sides with `inspect` and correct the one that is wrong",

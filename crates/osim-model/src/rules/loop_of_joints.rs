@@ -7,6 +7,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::LoopOfJoints,
     severity: Severity::Warn,
     seen: Seen::Model,
+    verdict: None,
     what: "A body has more than one joint: joints form a loop, or OpenSim ignores some.",
     why: "Of joints inside a body, as documents up to version 3 have them, OpenSim takes the first and ignores the others. Elsewhere it cuts a loop of joints: it divides a body into equal parts that a constraint holds together, and their masses still make the body's. Where a WeldJoint or a FreeJoint between two bodies is in the loop it divides nothing, and counts the mass of a body twice. Left, right and limbs follow the first joint of each body.",
     advice: "Say what the model weighs with `mass=KG` where it is asked for; in OpenSim, close a loop with a constraint instead of a joint",

@@ -2,12 +2,13 @@
 
 use osim_messages::{Phrase, phrase, readable};
 
-use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::MassSourcesDisagree,
     severity: Severity::Warn,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Mass),
     what: "The note, `mass` and the bodies give different masses.",
     why: "The factor of every change follows from the mass the contacts are made for; a wrong one scales all of them wrongly.",
     advice: "Check the mass that was taken (the first line of the output) and say `contacts_mass=KG` if it is not the right one",

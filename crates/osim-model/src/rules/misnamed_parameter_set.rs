@@ -6,6 +6,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::MisnamedParameterSet,
     severity: Severity::Error,
     seen: Seen::Model,
+    verdict: None,
     what: "A ContactParametersSet has a name OpenSim does not look for.",
     why: "OpenSim finds the set by its name: with another one the force has no parameters and never pushes.",
     advice: "Name the set contact_parameters",

@@ -7,6 +7,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::MixedPair,
     severity: Severity::Error,
     seen: Seen::Model,
+    verdict: None,
     what: "A note of another output file was found that does not belong to this one.",
     why: "The force set and the geometry set carry notes of different runs: their stiffnesses and radii do not belong together.",
     advice: "Write both again in one run",

@@ -1,13 +1,14 @@
 //! Radii differ within one ContactParameters.
 
 use crate::contacts::Force;
-use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 use crate::model::Model;
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::MixedRadii,
     severity: Severity::Info,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Sizes),
     what: "Radii differ within one ContactParameters.",
     why: "One ContactParameters has one modulus for all its spheres. The mean of R squared is used before and after: equal relative indentation, load in proportion to R squared.",
     advice: "Nothing, if that is meant; else give each sphere its own force",

@@ -8,6 +8,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::MocoDialect,
     severity: Severity::Warn,
     seen: Seen::Model,
+    verdict: None,
     what: "The sphere's radius is inside the force, as in Moco 0.1 to 0.3.",
     why: "OpenSim 4.2 and later cannot read such forces; the model works in OpenSim Moco 0.1 to 0.3 only.",
     advice: "Rebuild the contacts with ContactSphere and ContactHalfSpace for a newer OpenSim",

@@ -1,12 +1,13 @@
 //! A number in the file is not finite.
 
-use crate::finding::{Example, FindingCode, Repair, Rule, Seen, Severity};
+use crate::finding::{Example, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 use crate::value::Value;
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::NotFinite,
     severity: Severity::Error,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Sizes),
     what: "A number in the file is not finite.",
     why: "JSON has no NaN and no infinity: such a number is null there. OpenSim computes nonsense from it.",
     advice: "Correct the number in the model",

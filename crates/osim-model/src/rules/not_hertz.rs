@@ -8,6 +8,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::NotHertz,
     severity: Severity::Info,
     seen: Seen::Model,
+    verdict: None,
     what: "Contacts of a class that is not Hertz's.",
     why: "ElasticFoundationForce, ExponentialContactForce and MeyerFregly2016Force do not follow the equations used here; they are left as they are.",
     advice: "Scale them by their own theory, or replace them",

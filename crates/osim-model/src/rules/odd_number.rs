@@ -2,13 +2,14 @@
 
 use osim_xml::opensim_text::is_plain_triple;
 
-use crate::finding::{Example, FindingCode, Repair, Rule, Seen, Severity};
+use crate::finding::{Example, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 use crate::value::Value;
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::OddNumber,
     severity: Severity::Error,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Sizes),
     what: "A number is written in a way that OpenSim reads differently from what it looks like.",
     why: "OpenSim reads the start of a text as far as it looks like a number and ignores the rest, or silently takes its default.",
     advice: "Write the number plainly, like 1.5e6",

@@ -1,13 +1,14 @@
 //! A number lies outside the domain of the contact laws.
 
 use super::default_stiffness;
-use crate::finding::{Example, FindingCode, Repair, Rule, Seen, Severity};
+use crate::finding::{Example, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 use crate::value::Value;
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::OutOfDomain,
     severity: Severity::Error,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Sizes),
     what: "A number lies outside the domain of the contact laws.",
     why: "OpenSim accepts it and computes NaN or nonsense; such a model is not changed.",
     advice: "Correct the number in the model",

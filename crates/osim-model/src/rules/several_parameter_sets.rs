@@ -7,6 +7,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::SeveralParameterSets,
     severity: Severity::Info,
     seen: Seen::Model,
+    verdict: None,
     what: "A force has several ContactParameters.",
     why: "The surfaces have moduli of their own and the contact uses their composite (A.3); all are multiplied by the same factor.",
     advice: "Nothing, if that is meant",

@@ -1,13 +1,14 @@
 //! One HuntCrossleyForce has several spheres.
 
 use crate::contacts::ForceKind;
-use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 use crate::model::Model;
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::SeveralSpheres,
     severity: Severity::Warn,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Solver),
     what: "One HuntCrossleyForce has several spheres.",
     why: "In Simbody, when one sphere of a HuntCrossleyForce leaves the ground faster than 2/(3 dissipation), the spheres evaluated after it lose their force in that step.",
     advice: "Give each sphere a HuntCrossleyForce of its own with `convert MODEL to=hunt-crossley`",

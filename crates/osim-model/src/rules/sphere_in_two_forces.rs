@@ -3,13 +3,14 @@
 use std::collections::HashMap;
 
 use crate::contacts::SphereId;
-use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 use crate::model::Model;
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::SphereInTwoForces,
     severity: Severity::Warn,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Mass),
     what: "One sphere is used by two contact forces.",
     why: "Both forces act, so the sphere is stiffer than either stiffness says, and the sphere count by which parameters scale is not what it seems.",
     advice: "Leave the sphere in one force",

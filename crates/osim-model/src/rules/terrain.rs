@@ -10,6 +10,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::Terrain,
     severity: Severity::Info,
     seen: Seen::Model,
+    verdict: None,
     what: "A sphere stands on ground or on a body welded to it.",
     why: "Terrain does not grow with the animal: its radius stays.",
     advice: "Nothing, if that is meant",

@@ -7,6 +7,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::UnknownClass,
     severity: Severity::Error,
     seen: Seen::Model,
+    verdict: None,
     what: "Contacts are in a component of a class that OpenSim does not know.",
     why: "OpenSim skips a component of a class it does not know, with everything in it, so these contacts do not exist for it; they were left alone. A plugin may know the class.",
     advice: "Move the contacts into the ForceSet, or out of the component of that class",

@@ -1,7 +1,7 @@
 //! A SmoothSphereHalfSpaceForce has a constant_contact_force of 0.
 
 use crate::contacts::SetId;
-use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 use crate::model::Model;
 use crate::property::Property;
 
@@ -9,6 +9,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::ZeroConstantContactForce,
     severity: Severity::Error,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Solver),
     what: "A SmoothSphereHalfSpaceForce has a constant_contact_force of 0.",
     why: "Simbody divides by the root of the squared slip speed plus constant_contact_force: with 0, the force is NaN whenever the sphere does not slip, even without friction. Scaling leaves a value of 0 as it is.",
     advice: "Give it a small value, for example `design MODEL constant_indentation={suggested_indentation}`",

@@ -7,6 +7,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::AlreadyAtTarget,
     severity: Severity::Warn,
     seen: Seen::Change,
+    verdict: None,
     what: "The contacts are already made for the target mass, so nothing was written.",
     why: "The mass the contacts are made for is taken from the note in the file, else `mass`, else the sum of the bodies. A model that was scaled in OpenSim weighs its new mass already while its contacts are still those of the old one; the file does not show which.",
     advice: "Say what the contacts were made for with `contacts_mass=KG`, or take those of a known model with `transfer from=MODEL`",

@@ -6,6 +6,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::CompositeSurfaces,
     severity: Severity::Warn,
     seen: Seen::Change,
+    verdict: None,
     what: "Sphere and half-space of a converted force have parameters of their own.",
     why: "A force of one sphere has one set of parameters. It gets those that both surfaces have together (A.3), which gives the same force; but Simbody moves the point of contact towards the softer surface, so that accelerations can differ by up to 3 %.",
     advice: "Nothing, if 3 % do not matter; otherwise give both surfaces the same parameters first",

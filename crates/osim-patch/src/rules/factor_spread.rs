@@ -6,6 +6,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::FactorSpread,
     severity: Severity::Warn,
     seen: Seen::Change,
+    verdict: None,
     what: "Spheres of one ContactParameters follow bodies with different factors.",
     why: "One ContactParameters has one modulus for all its spheres; the mean of R squared is used before and after, so single spheres sink in more or less than they did.",
     advice: "Give each sphere its own force, or accept it; `strict` refuses instead",

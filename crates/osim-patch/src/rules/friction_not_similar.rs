@@ -8,6 +8,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::FrictionNotSimilar,
     severity: Severity::Info,
     seen: Seen::Change,
+    verdict: None,
     what: "The friction of SmoothSphereHalfSpaceForce is not exactly similar.",
     why: "Simbody adds constant_contact_force to the squared slip speed, where similarity wants a term in proportion to g R: friction of the smooth force is similar only as far as that term is small.",
     advice: "Compare slip speeds with the root of constant_contact_force before relying on it",

@@ -7,6 +7,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::NothingToChange,
     severity: Severity::Info,
     seen: Seen::Change,
+    verdict: None,
     what: "Something that was asked for changes nothing.",
     why: "A factor of exactly 1 leaves every byte as it is. With a radius that stays, dissipation and smoothing stay too (14, C.2, C.5, C.10).",
     advice: "Nothing, if that is meant; else say what should change",

@@ -6,6 +6,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::ReferenceWithoutSmoothing,
     severity: Severity::Warn,
     seen: Seen::Change,
+    verdict: None,
     what: "The reference has no smoothing parameters to give.",
     why: "A HuntCrossleyForce has no constant_contact_force, hertz_smoothing or hunt_crossley_smoothing, so those of the model stay (or follow its own radii where these change).",
     advice: "Take the contacts from a model with SmoothSphereHalfSpaceForce, or check the smoothing with `inspect`",

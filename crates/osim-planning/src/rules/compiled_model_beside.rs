@@ -8,6 +8,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::CompiledModelBeside,
     severity: Severity::Warn,
     seen: Seen::Model,
+    verdict: None,
     what: "A compiled file, F_ and the name of the model, lies beside the output.",
     why: "PredSim and OpenCap compile a model to F_<name> and reuse it without looking at the model's content: the old contacts would stay in use.",
     advice: "Delete the compiled file, or write the model under a new name",

@@ -8,6 +8,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::HardLinked,
     severity: Severity::Warn,
     seen: Seen::Change,
+    verdict: None,
     what: "A model that is changed itself has other names too.",
     why: "A changed model is a new file that takes the name of the old one, so that no moment is without a whole file. Hard links to the old one are names of the old file: they keep the old model.",
     advice: "Make the other names again, or change the model under one of its names into a file of its own",

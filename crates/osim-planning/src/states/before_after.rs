@@ -7,7 +7,8 @@ use osim_model::files::{Failure, ModelFiles, OpenModel};
 use osim_patch::Plan;
 use osim_requests::spell::Speller;
 
-use crate::states::both::{body, options_after};
+use crate::afterwards::options_after;
+use crate::states::both::body;
 use crate::{ModelFeet, Planner, trial};
 
 /// What is known of both states of a model, spelled.
@@ -48,7 +49,7 @@ impl BeforeAfter {
         // The new model has the same elements: what can be changed in one can be changed in the other.
         let changes = shown_by(plan, &before, opened) || trial::changeable(&before, &opened.model).numbers;
         let now = seen(&before, opened, changes);
-        let after = options_after(planner, &before, plan, now.0.figures.mass_kg);
+        let after = options_after(planner.aims(), &before, plan, now.0.figures.mass_kg);
         let target = planner.target_gravity_m_s2();
         let target_gravity_m_s2 = target.filter(|&gravity| now.0.figures.gravity_m_s2 != Some(gravity));
         let mut both = Self {

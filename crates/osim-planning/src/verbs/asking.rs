@@ -68,6 +68,10 @@ impl<P: Planner> Planner for Asking<P> {
         self.planner.reference()
     }
 
+    fn answers(&self) -> Option<&AnswerOptions> {
+        Some(&self.answers)
+    }
+
     fn settings(&self) -> String {
         self.planner.settings()
     }

@@ -303,7 +303,7 @@ fn findings_of_one_kind_are_in_the_order_of_their_lines() {
     let inspected = InspectOptions::default().inspect("model.osim", &model, None);
     let on = |line| Finding::at(rule(FindingCode::DisabledForce), line, "it is off");
     assert_eq!(
-        CheckResult::new(&inspected, vec![on(31).into(), on(7).into()]).findings,
+        CheckResult::new(&model, &inspected, vec![on(31).into(), on(7).into()]).findings,
         [on(7).into(), on(31).into()]
     );
 }

@@ -3,6 +3,7 @@
 mod csv_rows;
 mod library;
 mod table;
+mod verdicts;
 
 pub use csv_rows::csv_rows;
 pub use library::LibraryTable;

@@ -4,9 +4,10 @@ use osim_inspect::{CheckResult, Found};
 use osim_messages::one_line;
 use osim_model::FindingCode;
 
+use super::verdicts;
 use crate::layout::{Colour, severity, wrapped, wrapped_with_path};
 
-/// Every finding, worst first, with what to do. What was found is taken as it is spelled; `prompt` is before each remedy.
+/// The six verdicts, then every finding, worst first, with what to do. What was found is taken as it is spelled; `prompt` is before each remedy.
 ///
 /// What was published so with known contacts is named once, and not explained.
 #[must_use]
@@ -26,6 +27,7 @@ pub fn text(found: &CheckResult, prompt: &str, colour: Colour) -> String {
         None => found.counts.describe("nothing to say"),
     };
     let mut text = wrapped_with_path(&found.model, &head, "  ");
+    text.push_str(&verdicts::lines(&found.verdicts, colour));
     let mut rest = shown.as_slice();
     while let Some(first) = rest.first() {
         // The same trap in several places is explained once.

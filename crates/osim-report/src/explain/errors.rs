@@ -200,6 +200,11 @@ const QUESTION: &[ErrorCode] = &[
         "give the coordinates that the message names default values at which the foot lies flat, or the places in a table, `contacts=TABLE`; if it is meant, `yes=tilted-foot`",
     ),
     code(
+        "wrong-afterwards",
+        "the model that would be written has an error that it does not have now: `check MODEL` says of every model what it says here of the new one",
+        "do what the message says of the error; if it is meant, `yes=wrong-afterwards`",
+    ),
+    code(
         "many-models",
         "a sweep would make more than 10,000 models",
         "give fewer values, or `yes=many-models`",

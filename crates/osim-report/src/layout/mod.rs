@@ -12,5 +12,5 @@ pub use lines::{WIDTH, wrapped};
 pub(crate) use lines::{filled, options, wrapped_with_path};
 pub use names::{clipped, listed};
 pub use paint::{Colour, OUTSIDE};
-pub(crate) use paint::{painted, severity};
+pub(crate) use paint::{painted, severity, sign};
 pub(crate) use sheet::csv_text;

@@ -1,6 +1,7 @@
 //! Colours for verdicts that are readable without them.
 
 use anstyle::{AnsiColor, Style};
+use osim_inspect::Sign;
 use osim_model::Severity;
 
 /// The mark after a figure that is outside its limit.
@@ -45,6 +46,16 @@ pub(crate) fn severity(severity: Severity, colour: Colour) -> String {
         (Colour::Ansi, Severity::Warn) => OUTSIDE_STYLE,
     };
     format!("{style}{}{style:#}", severity.as_str())
+}
+
+/// The word for a verdict's `sign`, in its colour.
+pub(crate) fn sign(sign: Sign, colour: Colour) -> String {
+    match sign {
+        Sign::Info => severity(Severity::Info, colour),
+        Sign::Warn => severity(Severity::Warn, colour),
+        Sign::Error => severity(Severity::Error, colour),
+        Sign::Good | Sign::Unknown => sign.as_str().to_owned(),
+    }
 }
 
 #[cfg(test)]

@@ -1,0 +1,134 @@
+//! The model as a change leaves it: how it is inspected, and what is worse in it than before.
+
+use osim_inspect::{Changeable, CheckResult, Found, InspectOptions, Kin, check_model};
+use osim_messages::{Phrase, phrase};
+use osim_model::files::{Failure, OpenModel};
+use osim_model::{
+    Companion, Document, Fault, FileId, Finding, Model, NeedsAnswer, Question, Severity, same_mass,
+};
+use osim_patch::Plan;
+use osim_requests::options::AnswerOptions;
+
+/// No remedy is asked for: what can be changed does not matter.
+const NO_REMEDIES: Changeable = Changeable { numbers: false, radii: false };
+
+/// What a change aims at, apart from its numbers.
+#[derive(Debug, Clone, Copy)]
+#[non_exhaustive]
+pub struct Aims {
+    /// The contacts are to carry the mass that they are scaled to, whatever the bodies weigh.
+    pub carries_target: bool,
+    /// Gravity that the contacts are scaled to, m/s².
+    pub gravity_m_s2: Option<f64>,
+    /// The caller gave the numbers themselves, and not what they follow from: a model that is wrong with them is not refused.
+    pub as_given: bool,
+}
+
+/// How the new model is inspected: its contacts carry the body that they were scaled for.
+pub(crate) fn options_after(
+    aims: Aims,
+    before: &InspectOptions,
+    plan: &Plan,
+    weighs_kg: Option<f64>,
+) -> InspectOptions {
+    let mut options = before.clone();
+    let target_mass_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
+    // The note has it; without one the caller has to give it.
+    options.masses.contacts_mass_kg = target_mass_kg.filter(|_| plan.note().is_none());
+    if let Some(target_mass_kg) = target_mass_kg.filter(|_| aims.carries_target)
+        && weighs_kg.is_none_or(|weighs| !same_mass(weighs, target_mass_kg))
+    {
+        options.masses.model_kg = Some(target_mass_kg);
+    }
+    // A gravity that figures are asked for (as in a design) is that of both states.
+    options.stance.gravity_m_s2 = aims.gravity_m_s2.or(options.stance.gravity_m_s2);
+    options
+}
+
+/// How the old model is inspected, to be compared with the new one: its contacts carry the body that they were made for, where the new
+/// ones carry theirs.
+fn options_before(aims: Aims, before: &InspectOptions, plan: &Plan) -> InspectOptions {
+    let mut options = before.clone();
+    if let Some(masses) = plan.masses.as_ref().filter(|_| aims.carries_target) {
+        options.masses.model_kg = Some(masses.contacts_mass.kg);
+    }
+    options
+}
+
+/// Warnings and errors of the model with `plan` that the model without it does not have, or has as less bad.
+///
+/// # Errors
+/// An error among them, unless the caller means it; the new model cannot be read, which would be a defect.
+pub(crate) fn worse_findings(
+    aims: Aims,
+    before: &InspectOptions,
+    (opened, plan): (&OpenModel, &Plan),
+    answers: Option<&AnswerOptions>,
+) -> Result<Vec<Finding>, Failure> {
+    if plan.is_empty() {
+        return Ok(Vec::new());
+    }
+    let failure = |fault| opened.failure(fault);
+    let weighs = before.masses.of_model(&opened.model).ok();
+    let weighs = weighs.or_else(|| Some(before.masses.of_contacts(&opened.model).ok()?.0));
+    let after = options_after(aims, before, plan, weighs.map(|mass| mass.kg));
+    let written = written(&opened.model, plan).map_err(failure)?;
+    let found = check(&after, opened, &written);
+    let is_bad = |one: &&Found| one.severity >= Severity::Warn && !is_known(plan, one);
+    let bad: Vec<&Found> = found.findings.iter().filter(is_bad).collect();
+    if bad.is_empty() {
+        return Ok(Vec::new());
+    }
+    let old = check(&options_before(aims, before, plan), opened, &opened.model);
+    let kin = Kin::of(&old.findings);
+    let is_worse = |one: &&Found| kin.nearest(one).is_none_or(|was| was.severity < one.severity);
+    let worse: Vec<Finding> = bad.into_iter().filter(is_worse).map(of_new_model).collect();
+    let is_meant = aims.as_given || answers.is_some_and(|answers| answers.has(Question::WrongAfterwards));
+    match worse.iter().find(|one| one.severity == Severity::Error) {
+        Some(wrong) if !is_meant => Err(failure(Fault::new(asks(wrong)))),
+        _ => Ok(worse),
+    }
+}
+
+/// The model as the plan leaves it, read from the bytes that would be written.
+fn written(model: &Model, plan: &Plan) -> Result<Model, Fault> {
+    let main = Document::parse(plan.patched(model, FileId::MAIN)?)?;
+    let changed: Vec<FileId> = plan.files(model).collect();
+    let companions = model.companions().map(|(file, companion)| {
+        let document = if changed.contains(&file) {
+            Document::parse(plan.patched(model, file)?)?
+        } else {
+            companion.document.clone()
+        };
+        Ok(Companion { document, included_by: companion.included_by })
+    });
+    Model::read_with(main, companions.collect::<Result<_, Fault>>()?)
+}
+
+fn check(options: &InspectOptions, opened: &OpenModel, model: &Model) -> CheckResult {
+    let inspected = options.inspect(opened.name(), model, None);
+    check_model(options, model, &inspected, None, NO_REMEDIES)
+}
+
+/// Whether the plan says it already.
+fn is_known(plan: &Plan, one: &Found) -> bool {
+    plan.warnings.iter().any(|known| known.code() == one.code() && known.place == one.place)
+}
+
+/// Lines are those of a file that nobody has yet: they are left out.
+fn of_new_model(found: &Found) -> Finding {
+    let message = phrase!["in the new model: ", &found.message];
+    found.finding.clone().with_message(message).on_line(None)
+}
+
+fn asks(wrong: &Finding) -> NeedsAnswer {
+    let text: Phrase = phrase![
+        "the model would be wrong afterwards [",
+        wrong.code().as_str(),
+        "]: ",
+        &wrong.message,
+        ". ",
+        &wrong.advice
+    ];
+    NeedsAnswer::Other { question: Question::WrongAfterwards, text }
+}
