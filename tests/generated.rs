@@ -4,17 +4,20 @@
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "a test fails by panicking")]
 
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use contact_scaling::limits;
-use osim_inspect::{Figure, Quantity};
+use osim_inspect::{CheckResult, Figure, Quantity};
 use osim_messages::{Call, Dialect, Example, Input, Phrase, Verb};
-use osim_model::{Repair, Rule, Seen, Severity};
-use osim_planning::{DesignQuantity, DropColumn, DropFigure, DropRow, rules};
+use osim_model::files::{Beside, InMemory, ModelFiles};
+use osim_model::{FindingCode, Repair, Rule, Seen, Severity};
+use osim_planning::{DesignQuantity, DropColumn, DropFigure, DropRow, Inspector, rules};
 use osim_report::explain::ErrorGroup;
-use osim_requests::Request;
-use osim_requests::schema_of;
+use osim_requests::options::InspectionOptions;
 use osim_requests::spell::{CommandLine, Speller};
+use osim_requests::{Request, schema_of};
 
 /// The words of the command line, marked as code.
 struct Markdown;
@@ -61,7 +64,7 @@ fn table(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
 /// Rules with the worst first, as `check` sorts findings.
 fn by_severity() -> Vec<&'static Rule> {
     let mut all = rules::all().to_vec();
-    all.sort_by_key(|rule| std::cmp::Reverse(rule.severity));
+    all.sort_by_key(|rule| Reverse(rule.severity));
     all
 }
 
@@ -137,6 +140,51 @@ fn repairs() -> String {
         vec![format!("`{}`", rule.code), marked(command), marked(why)]
     });
     table(&["code", "the proposed command", "why there is none"], rows)
+}
+
+/// docs/check.md: on how many published models each rule fires; `None` without them.
+fn published() -> Option<String> {
+    let Some(folder) = std::env::var_os("OSIM_CORPUS").map(PathBuf::from) else {
+        // Straight to the terminal: what a passing test prints is kept.
+        let line = "skipped: how often each rule fires: OSIM_CORPUS is not set\n";
+        let _ = std::io::Write::write_all(&mut std::io::stderr(), line.as_bytes());
+        return None;
+    };
+    let mut names: Vec<PathBuf> =
+        std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    names.retain(|path| path.extension().is_some_and(|extension| extension == "osim"));
+    names.sort();
+    let mut counted: BTreeMap<(Reverse<Severity>, FindingCode), Vec<String>> = BTreeMap::new();
+    let checked: Vec<CheckResult> = names.iter().filter_map(|path| checked(path)).collect();
+    for found in &checked {
+        let name = found.model.trim_end_matches(".osim").to_owned();
+        let kinds: BTreeSet<_> =
+            found.findings.iter().map(|one| (Reverse(one.severity), one.code())).collect();
+        kinds.into_iter().for_each(|kind| counted.entry(kind).or_default().push(name.clone()));
+    }
+    let rows = counted.into_iter().map(|((severity, code), models)| {
+        let named = if models.len() <= NAMED { models.join(", ") } else { String::new() };
+        vec![format!("`{code}`"), severity.0.as_str().to_owned(), models.len().to_string(), named]
+    });
+    let warned = checked.iter().filter(|found| found.counts.error + found.counts.warn > 0).count();
+    let all = checked.len();
+    let table = table(&["code", "severity", "models", "which, where they are few"], rows);
+    Some(format!("Of {all} published models with contacts {warned} have an error or a warning.\n\n{table}"))
+}
+
+/// Models that a row names at most.
+const NAMED: usize = 3;
+
+/// What is found in a published model; `None` if it has no contacts.
+fn checked(path: &Path) -> Option<CheckResult> {
+    let name = Path::new(path.file_name().unwrap());
+    let bytes = std::fs::read(path).unwrap();
+    let files = ModelFiles::read(name, bytes, Beside::default(), &InMemory::default()).ok()?;
+    let opened = files.open().ok()?;
+    let inspector = Inspector::new(&InspectionOptions::default());
+    let inspected = inspector.inspect(&opened).ok()?;
+    inspector.refuse_without_contacts(&opened, &inspected).ok()?;
+    Some(inspector.check(&opened.model, &inspected, None))
 }
 
 fn limits() -> String {
@@ -232,7 +280,8 @@ fn verbs() -> String {
 
 /// Each part: its page, its name, its text.
 fn parts() -> Vec<(&'static str, &'static str, String)> {
-    vec![
+    let published = published().map(|text| ("check.md", "published", text));
+    let others = vec![
         ("warnings.md", "findings", findings()),
         ("check.md", "looked-for", looked_for()),
         ("check.md", "repairs", repairs()),
@@ -247,7 +296,8 @@ fn parts() -> Vec<(&'static str, &'static str, String)> {
         ("errors.md", "errors-model", errors(ErrorGroup::Model)),
         ("errors.md", "errors-question", errors(ErrorGroup::Question)),
         ("errors.md", "errors-request", errors(ErrorGroup::Request)),
-    ]
+    ];
+    others.into_iter().chain(published).collect()
 }
 
 fn page(name: &str) -> PathBuf {

@@ -4,7 +4,8 @@ use osim_inspect::{Changeable, CheckResult, Found, InspectOptions, Kin, check_mo
 use osim_messages::{Phrase, phrase};
 use osim_model::files::{Failure, OpenModel};
 use osim_model::{
-    Companion, Document, Fault, FileId, Finding, Model, NeedsAnswer, Question, Severity, same_mass,
+    Companion, Document, Fault, FileId, Finding, FindingCode, Model, NeedsAnswer, Question, Severity,
+    same_mass,
 };
 use osim_patch::Plan;
 use osim_requests::options::AnswerOptions;
@@ -74,7 +75,9 @@ pub(crate) fn worse_findings(
     let after = options_after(aims, before, plan, weighs.map(|mass| mass.kg));
     let written = written(&opened.model, plan).map_err(failure)?;
     let found = check(&after, opened, &written);
-    let is_bad = |one: &&Found| one.severity >= Severity::Warn && !is_known(plan, one);
+    // Contacts are often scaled before the body is.
+    let is_due = |one: &&Found| one.code() == FindingCode::MassSourcesDisagree;
+    let is_bad = |one: &&Found| one.severity >= Severity::Warn && !is_due(one) && !is_known(plan, one);
     let bad: Vec<&Found> = found.findings.iter().filter(is_bad).collect();
     if bad.is_empty() {
         return Ok(Vec::new());

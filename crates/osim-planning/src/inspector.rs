@@ -145,7 +145,7 @@ impl Inspector {
         check_with_trials(&self.options, model, inspected, compiled)
     }
 
-    /// Refuses a model that has no contacts and nothing else that is wrong with it: there is nothing to check.
+    /// Refuses a model that has no contacts and nothing else that is wrong with it, so that one in a folder is skipped.
     ///
     /// # Errors
     /// It has none.

@@ -182,7 +182,7 @@ impl How<'_> {
         let loaded = loaded.unwrap_or_else(|| Loaded::read_beside(source, set_files, self.memory));
         let inspected = loaded.and_then(|loaded| self.survey.inspect_loaded(loaded));
         let inspected = inspected.and_then(|inspected| {
-            if is_check {
+            if is_check && source.folder.is_some() {
                 self.inspector.refuse_without_contacts(&inspected.opened, &inspected.inspection)?;
             }
             Ok(inspected)

@@ -124,7 +124,9 @@ fn one(
     with_page: bool,
 ) -> Result<(CheckResult, Option<Box<Entry>>), Failure> {
     let mut seen = survey.inspect(source)?;
-    survey.inspector.refuse_without_contacts(&seen.opened, &seen.inspection)?;
+    if source.folder.is_some() {
+        survey.inspector.refuse_without_contacts(&seen.opened, &seen.inspection)?;
+    }
     let beside = (!source.is_stdin()).then(|| folders.compiled_beside(&source.path)).flatten();
     let found = survey.check(&mut seen, beside.as_ref());
     let entry = with_page.then(|| {

@@ -44,7 +44,7 @@ pub(super) fn run(request: &InspectRequest, hint: bool, session: &mut Session) -
     for remark in &sources.remarks {
         session.terminal.note_line(remark)?;
     }
-    let (mut first, mut untold) = (true, None);
+    let (mut first, mut has_contacts, mut untold) = (true, false, None);
     let with_page = page.is_some();
     // One model in full; several as one table, printed when all of it is known. Factors of bodies have no room in it.
     let several = sources.models.len() + sources.failures.len() > 1 && request.from.is_none();
@@ -62,6 +62,7 @@ pub(super) fn run(request: &InspectRequest, hint: bool, session: &mut Session) -
         |source, seen| -> Result<(), Stop> {
             match seen {
                 Ok(Inspected { inspection, counts, entry }) => {
+                    has_contacts |= !inspection.forces.is_empty();
                     // What cannot be printed is no reason to leave a page without its models.
                     let reported = match table.as_mut().zip(counts) {
                         Some((table, counts)) => {
@@ -99,7 +100,7 @@ pub(super) fn run(request: &InspectRequest, hint: bool, session: &mut Session) -
         session.terminal.print_painted(&table.text(Terminal::columns(), words, Colour::Ansi))?;
     }
     if hint && !first && request.format == SheetFormat::Table {
-        session.terminal.print(&next_steps(session))?;
+        session.terminal.print(&next_steps(session, has_contacts))?;
     }
     Ok(exit)
 }
@@ -151,17 +152,25 @@ fn print(seen: &Inspection, format: SheetFormat, first: bool, session: &mut Sess
     Ok(())
 }
 
-/// What to do next, once, after all models.
-fn next_steps(session: &Session) -> String {
+/// What to do next, once, after all models: without contacts in any of them, how they get some.
+fn next_steps(session: &Session, has_contacts: bool) -> String {
     let words = session.words;
-    let rescale = Verb::Rescale.of_model().with(Input::TargetMass, "KG");
-    let transfer = Verb::Transfer.of_model().with(Input::From, "OTHER");
     let row = |call: &Call, what: &str| format!("  {:<50}{what}\n", words.command(call));
+    let steps = if has_contacts {
+        let rescale = Verb::Rescale.of_model().with(Input::TargetMass, "KG");
+        let transfer = Verb::Transfer.of_model().with(Input::From, "OTHER");
+        [
+            row(&Verb::Check.of_model(), "what to fix, and how"),
+            row(&rescale, "scale its contacts to another mass"),
+            row(&transfer, "take the contacts of a known model"),
+        ]
+        .concat()
+    } else {
+        let add = Verb::Add.of_model().with(Input::From, "OTHER");
+        row(&add, "give it the contacts of another model")
+    };
     format!(
-        "\nNothing was changed. Next (MODEL is the name of the file, in quotes where it has blanks):\n{}{}{}{}",
-        row(&Verb::Check.of_model(), "what to fix, and how"),
-        row(&rescale, "scale its contacts to another mass"),
-        row(&transfer, "take the contacts of a known model"),
+        "\nNothing was changed. Next (MODEL is the name of the file, in quotes where it has blanks):\n{steps}{}",
         "  osim-contact-scale --help                         everything else\n"
     )
 }

@@ -13,7 +13,7 @@ use super::{known, traps};
 use crate::inspection::Inspection;
 use crate::mass_mismatch::MassMismatch;
 use crate::options::InspectOptions;
-use crate::rules::{Limits, contacts_of_another_mass, gravity_sources_disagree, of_figures};
+use crate::rules::{Limits, bare_model, contacts_of_another_mass, gravity_sources_disagree, of_figures};
 
 /// What trial plans show of a model: remedies are proposed only where they would not be refused.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -66,6 +66,11 @@ pub fn check_model(
     // What spheres do that stand where they should not is nobody's question.
     if !places.were_left_behind() {
         findings.extend(of_figures(&Limits::new(inspected, &remedies)));
+    }
+    if let Some(bare) = bare_model::find(options, model) {
+        // How many spheres there are is no question then.
+        findings.retain(|finding| finding.code() != FindingCode::CountUnknown);
+        findings.push(bare.into());
     }
     findings.extend(another_mass);
     findings.extend(another_gravity.map(Found::from));

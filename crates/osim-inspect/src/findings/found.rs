@@ -14,6 +14,8 @@ pub struct Found {
     pub finding: Finding,
     /// What puts it right; `None` where only the user can know what to write.
     pub remedy: Option<Request>,
+    /// Whether known contacts were published with it.
+    pub as_published: bool,
     /// The remedy as the reader types it, once [`spell`](Self::spell) was given the words of a front end.
     pub command: Option<String>,
 }
@@ -22,13 +24,13 @@ impl Found {
     /// A finding, and what puts it right, where there is something.
     #[must_use]
     pub fn new(finding: Finding, remedy: Option<Request>) -> Self {
-        Self { finding, remedy, command: None }
+        Self { finding, remedy, as_published: false, command: None }
     }
 
-    /// The same, as bad as `severity`.
+    /// The same, as bad as in the published state of known contacts: nothing has to be put right there.
     #[must_use]
-    pub fn with_severity(self, severity: Severity) -> Self {
-        Self { finding: self.finding.with_severity(severity), ..self }
+    pub fn as_published(self, severity: Severity) -> Self {
+        Self { finding: self.finding.with_severity(severity), remedy: None, as_published: true, ..self }
     }
 
     /// Spells what it says, and its remedy, in the words of a front end.

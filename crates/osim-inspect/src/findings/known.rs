@@ -8,7 +8,7 @@ use crate::rules::known_contacts;
 pub(super) fn as_published(inspected: &Inspection, findings: Vec<Found>) -> Vec<Found> {
     let Some(known) = inspected.known_contacts else { return findings };
     let judged = |finding: Found| match known.severity(finding.code()) {
-        Some(severity) => finding.with_severity(severity),
+        Some(severity) => finding.as_published(severity),
         None => finding,
     };
     let mut judged: Vec<Found> = findings.into_iter().map(judged).collect();

@@ -10,15 +10,13 @@ use crate::findings::Found;
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::BeyondHertz,
-    severity: Severity::Warn,
+    severity: Severity::Info,
     seen: Seen::Model,
     verdict: Some(VerdictOn::Mass),
     what: "Spheres sink in deeper than Hertz' law is accurate for, at body weight on one limb.",
     why: "Hertz' law was found accurate up to a relative indentation of {indentation}, a contact patch of 0.4 R. Beyond, the contact is a non-linear spring and no longer a material; most published gait models are there (Falisse et al. 2022: 0.353).",
-    advice: "Nothing, if a spring is meant; else `design MODEL indentation={indentation}`, larger or more spheres",
-    repair: Repair::Command(
-        "designs the stiffness for the limit; where one modulus serves different spheres, or nobody knows how many share the weight, multiplies it",
-    ),
+    advice: "Nothing, if a spring is meant; else make the spheres stiffer, larger or more: `design` finds the numbers",
+    repair: Repair::NotPossible("a remark: most published contacts are so, and their authors meant it"),
     example: Example::Piece {
         model: "check/within_limits.osim",
         good: "<stiffness>4.4876e7</stiffness>",
@@ -30,6 +28,5 @@ pub(crate) fn find(limits: &Limits<'_>) -> Option<Found> {
     let found = limits.concerned(|sphere| beyond(sphere, Figure::Indentation).filter(|&x| x < CENTRE))?;
     let (x, limit) = (four_significant(found.most), INDENTATION.in_words());
     let text = format!("at body weight on one limb x/R is {x} by Hertz, {limit}");
-    let remedy = limits.remedies.indentation(&limits.spheres, 1.0);
-    Some(Found::new(limits.about(&RULE, &text, &found), remedy))
+    Some(limits.about(&RULE, &text, &found).into())
 }

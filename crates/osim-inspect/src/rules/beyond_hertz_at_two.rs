@@ -15,10 +15,8 @@ pub(crate) static RULE: Rule = Rule {
     verdict: Some(VerdictOn::Mass),
     what: "Spheres sink in deeper than Hertz' law is accurate for, at two body weights and not at one.",
     why: "A foot carries more than body weight in running and landing. At twice body weight the relative indentation is above {indentation}, up to which Hertz' law is accurate.",
-    advice: "Nothing, if the model only walks; else `design MODEL indentation={indentation} body_weights=2`",
-    repair: Repair::Command(
-        "designs or multiplies the stiffness as for beyond-hertz, under two body weights",
-    ),
+    advice: "Nothing, if the model only walks; else make the spheres stiffer, larger or more: `design` with `body_weights=2` finds the numbers",
+    repair: Repair::NotPossible("a remark: most published contacts are so, and their authors meant it"),
     example: Example::Piece {
         model: "check/within_limits.osim",
         good: "<stiffness>4.4876e7</stiffness>",
@@ -34,6 +32,5 @@ pub(crate) fn find(limits: &Limits<'_>) -> Option<Found> {
     let found = limits.concerned(only_at_two)?;
     let (x, limit) = (four_significant(found.most), INDENTATION.in_words());
     let text = format!("at two body weights on one limb x/R is {x} by Hertz, {limit}");
-    let remedy = limits.remedies.indentation(&limits.spheres, 2.0);
-    Some(Found::new(limits.about(&RULE, &text, &found), remedy))
+    Some(limits.about(&RULE, &text, &found).into())
 }

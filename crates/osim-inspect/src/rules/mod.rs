@@ -1,6 +1,7 @@
 //! Rules about what contacts do: a file for each. Four rules about models and one about places have no more than their remedy here: it
 //! is a request, which the crates that raise them do not know.
 
+pub(crate) mod bare_model;
 pub(crate) mod beyond_hertz;
 pub(crate) mod beyond_hertz_at_two;
 pub(crate) mod beyond_hunt_crossley;
@@ -31,6 +32,7 @@ use crate::findings::Found;
 
 /// The rules of this crate.
 pub const RULES: &[&Rule] = &[
+    &bare_model::RULE,
     &beyond_hertz::RULE,
     &beyond_hertz_at_two::RULE,
     &beyond_hunt_crossley::RULE,

@@ -9,7 +9,7 @@ mod solver;
 mod standing;
 mod verdict;
 
-use osim_model::{Model, VerdictOn};
+use osim_model::{FindingCode, Model, VerdictOn};
 
 use self::known::Known;
 use crate::findings::Found;
@@ -27,6 +27,9 @@ fn of_one(on: VerdictOn, known: &Known<'_>, findings: &[Found]) -> Verdict {
     let deciding: Vec<&Found> = findings.iter().filter(|found| found.rule.verdict == Some(on)).collect();
     if let Some((worst, others)) = deciding.split_first() {
         return Verdict::of_findings(on, worst, others);
+    }
+    if findings.iter().any(|found| found.code() == FindingCode::BareModel) {
+        return Verdict::without_findings(on, Err("there are no contacts".into()));
     }
     let right = match on {
         VerdictOn::Floor => floor::right(known),

@@ -77,6 +77,7 @@ codes! {
     KnownContacts = "known-contacts",
     CountUnknown = "sphere-count-unknown",
     NoGravity = "no-gravity",
+    BareModel = "bare-model",
 }
 
 impl fmt::Display for FindingCode {

@@ -105,12 +105,6 @@ impl Finding {
         Self { severity, ..self }
     }
 
-    /// Whether it is less bad than its rule says: the published state of known contacts.
-    #[must_use]
-    pub fn is_as_published(&self) -> bool {
-        self.severity < self.rule.severity
-    }
-
     /// Spells what it says in the words of a front end.
     pub fn spell(&mut self, dialect: &dyn Dialect) {
         for phrase in [&mut self.message, &mut self.why, &mut self.advice] {

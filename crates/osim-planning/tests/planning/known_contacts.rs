@@ -95,7 +95,7 @@ fn what_was_published_so_is_a_remark_and_nothing_else_is() {
     assert_eq!((found.counts.error, found.counts.warn), (0, 0), "{:?}", found.findings);
     let codes: Vec<&str> = found.findings.iter().map(|finding| finding.code().as_str()).collect();
     assert_eq!(codes, ["beyond-hertz", "beyond-hunt-crossley", "known-contacts"]);
-    assert!(found.findings[0].is_as_published() && !found.findings[2].is_as_published());
+    assert!(found.findings[0].as_published && !found.findings[2].as_published);
 
     // A wrong number is an error with known contacts, too; a body of another mass is a warning.
     let forgotten = FALISSE.replacen("<mass>60<", "<mass>58<", 1);

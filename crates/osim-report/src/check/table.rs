@@ -17,9 +17,7 @@ pub fn text(found: &CheckResult, prompt: &str, colour: Colour) -> String {
     let shown: Vec<&Found> = found
         .findings
         .iter()
-        .filter(|finding| {
-            !finding.is_as_published() && clean.is_none_or(|known| known.code() != finding.code())
-        })
+        .filter(|finding| !finding.as_published && clean.is_none_or(|known| known.code() != finding.code()))
         .collect();
     let published = published(found);
     let head = match clean {
@@ -46,7 +44,7 @@ fn published(found: &CheckResult) -> String {
     let mut codes: Vec<&str> = found
         .findings
         .iter()
-        .filter(|finding| finding.is_as_published())
+        .filter(|finding| finding.as_published)
         .map(|finding| finding.code().as_str())
         .collect();
     codes.dedup();
