@@ -11,6 +11,7 @@
 
 mod bone;
 mod bones;
+mod contact_plane;
 mod couplers;
 mod default_pose;
 mod fault;
@@ -22,9 +23,12 @@ mod sole;
 mod sphere_pairs;
 mod standing;
 mod tilted;
+mod vector;
+mod welds;
 
 pub use bone::Bone;
 pub use bones::bones;
+pub use contact_plane::{ContactPlane, PlaneSurface};
 pub use default_pose::DefaultPose;
 pub use fault::FeetFault;
 pub use folders::MeshFolders;

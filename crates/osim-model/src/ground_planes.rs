@@ -1,7 +1,5 @@
 //! Half-spaces on ground: which of them is the floor.
 
-use crate::components::{ComponentId, Components};
-use crate::contacts::HalfSpace;
 use crate::model::Model;
 
 /// How far the normal of a floor may be from up (length of the difference of unit vectors).
@@ -23,9 +21,8 @@ impl Model {
     /// The half-spaces on ground, in file order.
     #[must_use]
     pub fn ground_planes(&self) -> Vec<GroundPlane> {
-        let components = self.components();
-        let inside = components.tree.iter().filter_map(|(id, _)| inside(components, id));
-        let planes = self.half_spaces().into_iter().chain(inside).filter(|plane| plane.on_ground);
+        let all = self.half_spaces().into_iter().chain(self.half_spaces_inside());
+        let planes = all.filter(|plane| plane.on_ground);
         planes
             .filter_map(|plane| {
                 Some(GroundPlane { name: plane.name, point_m: plane.point_m?, normal: plane.normal? })
@@ -50,11 +47,4 @@ impl Model {
             None => [0.0, 1.0, 0.0],
         }
     }
-}
-
-/// The half-space that a force of Moco 0.1 to 0.3 keeps inside itself.
-fn inside(components: &Components, force: ComponentId) -> Option<HalfSpace> {
-    let (location, orientation) = ("contact_half_space_location", "contact_half_space_orientation");
-    (components.tag(force) == "SmoothSphereHalfSpaceForce")
-        .then(|| HalfSpace::read(components, force, ("half_space_frame", &[]), (location, orientation)))?
 }

@@ -2,6 +2,8 @@
 
 use osim_model::Model;
 
+use crate::vector::dot;
+
 /// The names of a frame's axes, and of their opposites.
 const NAMES: [[&str; 2]; 3] = [["x", "−x"], ["y", "−y"], ["z", "−z"]];
 
@@ -56,10 +58,6 @@ impl ViewAxes {
         };
         [axis(self.forward, "forward"), axis(self.up, "up"), axis(self.right, "right")]
     }
-}
-
-pub(super) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    (0..3).map(|i| a[i] * b[i]).sum()
 }
 
 #[cfg(test)]

@@ -4,8 +4,8 @@ use std::collections::{HashMap, HashSet};
 
 use osim_model::{Anatomy, ForceId, Model, Side, SphereId};
 
-use super::axes::dot;
 use crate::default_pose::DefaultPose;
+use crate::vector::dot;
 
 /// Bodies whose origins are within this share of the model's height above the lowest one are feet.
 const NEAR_GROUND: f64 = 0.12;

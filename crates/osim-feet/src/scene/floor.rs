@@ -2,7 +2,7 @@
 
 use osim_model::Model;
 
-use super::axes::dot;
+use crate::vector::dot;
 
 /// Floors that are this close are one.
 const SAME_M: f64 = 1e-9;

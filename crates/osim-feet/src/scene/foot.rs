@@ -2,12 +2,13 @@
 
 use osim_model::{Anatomy, AnatomyJoint, Model, ModelJoint, Side};
 
-use super::axes::{ViewAxes, dot};
+use super::axes::ViewAxes;
 use super::bodies::FootBodies;
 use super::floor::FloorPlace;
 use crate::bone::Bone;
 use crate::default_pose::DefaultPose;
 use crate::pose_fault::PoseFault;
+use crate::vector::dot;
 
 /// Joints above a foot belong to it where they are within this share of its length.
 const NEAR: f64 = 0.5;

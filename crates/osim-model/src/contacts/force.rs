@@ -82,6 +82,8 @@ pub struct ParameterSet {
     pub(crate) half_space_bases: Vec<Base>,
     /// Those of its half-spaces that are components of their own.
     pub(crate) half_space_components: Vec<ComponentId>,
+    /// The force, where it keeps its half-space inside itself (Moco 0.1 to 0.3).
+    pub(crate) half_space_inside: Option<ComponentId>,
 }
 
 impl ParameterSet {

@@ -2,7 +2,7 @@
 
 use osim_xml::ElementId;
 
-use super::force::ParameterSet;
+use super::force::{Force, ParameterSet};
 use crate::components::{Base, ComponentId, Components};
 use crate::fault::FileId;
 use crate::model::Model;
@@ -26,6 +26,8 @@ pub struct HalfSpace {
     pub point_m: Option<[f64; 3]>,
     /// The file it is in.
     pub file: FileId,
+    /// Line of its element, from 1.
+    pub line: usize,
     /// Its element in that file.
     pub element: ElementId,
     component: ComponentId,
@@ -40,7 +42,29 @@ impl Model {
         planes.filter_map(|(id, _)| read(components, id)).collect()
     }
 
-    /// The half-spaces among the surfaces of a parameter set, in its order.
+    /// The half-spaces on which `force` presses its spheres, each once: those among its surfaces, and the one that a force of Moco
+    /// 0.1 to 0.3 keeps inside itself.
+    #[must_use]
+    pub fn planes_of(&self, force: &Force) -> Vec<HalfSpace> {
+        let mut planes: Vec<HalfSpace> = Vec::new();
+        for set in &force.sets {
+            let inside = set.half_space_inside.and_then(|id| inside(self.components(), id));
+            for plane in self.half_spaces_of(set).into_iter().chain(inside) {
+                if !planes.contains(&plane) {
+                    planes.push(plane);
+                }
+            }
+        }
+        planes
+    }
+
+    /// The half-spaces that forces of Moco 0.1 to 0.3 keep inside themselves, in file order.
+    pub(crate) fn half_spaces_inside(&self) -> impl Iterator<Item = HalfSpace> + '_ {
+        let sets = self.forces().iter().flat_map(|force| &force.sets);
+        sets.filter_map(|set| inside(self.components(), set.half_space_inside?))
+    }
+
+    /// The half-spaces among the surfaces of a parameter set, in its order; not one that its force keeps inside itself.
     #[must_use]
     pub fn half_spaces_of(&self, set: &ParameterSet) -> Vec<HalfSpace> {
         set.half_space_components.iter().filter_map(|&id| read(self.components(), id)).collect()
@@ -51,9 +75,15 @@ fn read(components: &Components, id: ComponentId) -> Option<HalfSpace> {
     HalfSpace::read(components, id, ("frame", &["body_name"]), ("location", "orientation"))
 }
 
+/// The half-space that a force of Moco 0.1 to 0.3 keeps inside itself.
+fn inside(components: &Components, force: ComponentId) -> Option<HalfSpace> {
+    let place = ("contact_half_space_location", "contact_half_space_orientation");
+    HalfSpace::read(components, force, ("half_space_frame", &[]), place)
+}
+
 impl HalfSpace {
     /// The half-space that `id` is or keeps inside itself, by the names of its socket and of its place.
-    pub(crate) fn read(
+    fn read(
         components: &Components,
         id: ComponentId,
         (socket, legacy): (&str, &[&str]),
@@ -82,6 +112,7 @@ impl HalfSpace {
             normal: normal.filter(|normal| normal.iter().all(|value| value.is_finite())),
             point_m: triple(location).and_then(|point| components.in_body(frame, point)),
             file: components.file_of(id),
+            line: components.line(id),
             element,
             component: id,
         })

@@ -223,6 +223,7 @@ impl<'r> ContactReader<'r> {
             set.spheres.push(sphere);
             let base = self.attachment(id, "half_space_frame", &[]).map_or(Base::Unknown, |plane| plane.base);
             set.half_space_bases.push(base);
+            set.half_space_inside = Some(id);
         } else {
             for socket in ["sphere", "half_space"] {
                 let Some(connectee) = self.components.connectee(id, socket, &[]) else {
@@ -315,6 +316,7 @@ impl<'r> ContactReader<'r> {
             class,
             half_space_bases: vec![],
             half_space_components: vec![],
+            half_space_inside: None,
             inherited: false,
         }
     }
