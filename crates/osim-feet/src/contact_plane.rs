@@ -1,14 +1,15 @@
 //! The planes that spheres press on, by the forces that apply, and where they are at the default pose.
 
 use std::collections::{HashMap, HashSet};
+use std::ops::Deref;
 
-use osim_model::{ElementId, FileId, ForceId, HalfSpace, Model, Sphere, SphereId};
+use osim_model::{ElementId, FileId, ForceId, HalfSpace, Model, Placement, Sphere, SphereId};
 
 use crate::default_pose::DefaultPose;
 use crate::vector::angle;
 use crate::welds::Welds;
 
-/// A half-space that moving spheres press on: a floor, or a wall.
+/// A half-space that moving spheres press on: a floor, or a wall. It reads like its [`HalfSpace`].
 ///
 /// ```
 /// use osim_feet::{ContactPlane, DefaultPose};
@@ -26,16 +27,8 @@ use crate::welds::Welds;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct ContactPlane {
-    /// Its name; in Moco 0.1 to 0.3 the name of the force that it is in.
-    pub name: String,
-    /// Component path.
-    pub path: String,
-    /// The file it is in.
-    pub file: FileId,
-    /// Line of its element, from 1.
-    pub line: usize,
-    /// The body that carries it; `None` is ground or a body in a file that was not given.
-    pub body: Option<String>,
+    /// The half-space: its name, path, line and body.
+    pub plane: HalfSpace,
     /// The spheres that press on it, each once, in file order.
     pub spheres: Vec<SphereId>,
     /// Where it is in ground; `None` where a number cannot be read, or where it is not known where its body is.
@@ -52,6 +45,8 @@ pub struct PlaneSurface {
     pub point_m: [f64; 3],
     /// The angle between its normal and up, which is against gravity, rad: 0 for a level floor, π upside down.
     pub tilt_rad: f64,
+    /// The half-space's own orientation, rad, with which it would be level.
+    pub level_orientation: [f64; 3],
 }
 
 impl ContactPlane {
@@ -77,24 +72,30 @@ impl ContactPlane {
 
     fn new(model: &Model, plane: HalfSpace, spheres: Vec<SphereId>, pose: &DefaultPose) -> Self {
         let surface = PlaneSurface::of(model, &plane, pose);
-        let HalfSpace { name, path, file, line, body, .. } = plane;
-        Self { name, path, file, line, body, spheres, surface }
+        Self { plane, spheres, surface }
+    }
+}
+
+impl Deref for ContactPlane {
+    type Target = HalfSpace;
+
+    fn deref(&self) -> &HalfSpace {
+        &self.plane
     }
 }
 
 impl PlaneSurface {
     fn of(model: &Model, plane: &HalfSpace, pose: &DefaultPose) -> Option<Self> {
         let (normal, point_m) = plane.normal.zip(plane.point_m)?;
-        let (normal, point_m) = match &plane.body {
-            Some(body) => {
-                let there = pose.placement(body).ok()?;
-                (there.rotation.to_body(normal), there.point(point_m))
-            }
-            None if plane.on_ground => (normal, point_m),
+        let carrier = match &plane.body {
+            Some(body) => *pose.placement(body).ok()?,
+            None if plane.on_ground => Placement::IDENTITY,
             None => return None,
         };
+        let (normal, point_m) = (carrier.rotation.to_body(normal), carrier.point(point_m));
+        let level_orientation = plane.orientation_facing(carrier.rotation.inverse().to_body(model.up()))?;
         let finite = point_m.iter().all(|value| value.is_finite());
-        finite.then(|| Self { normal, point_m, tilt_rad: angle(normal, model.up()) })
+        finite.then(|| Self { normal, point_m, tilt_rad: angle(normal, model.up()), level_orientation })
     }
 }
 

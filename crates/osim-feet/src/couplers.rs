@@ -1,6 +1,6 @@
 //! Values of coordinates at the default pose: their defaults, and what constraints make of them.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use osim_model::{Document, ElementId, FileId, Model, ModelJoint, opensim_text};
 
@@ -59,6 +59,12 @@ pub(crate) fn coordinate_values(
         values.remove(&dependent);
     }
     (values, doubt)
+}
+
+/// The names of the coordinates that an enforced coupler makes depend on another.
+pub(crate) fn dependent_coordinates(model: &Model) -> HashSet<String> {
+    let couplers = constraints(model).into_iter().filter_map(|(document, id)| coupler(document, id));
+    couplers.map(|coupler| coupler.dependent).collect()
 }
 
 /// The value at time 0 of a coordinate that is prescribed: `Some(None)` where its function is not known.

@@ -17,6 +17,7 @@ mod default_pose;
 mod fault;
 mod folders;
 mod mesh;
+mod movements;
 mod pose_fault;
 mod scene;
 mod sole;
@@ -33,6 +34,7 @@ pub use default_pose::DefaultPose;
 pub use fault::FeetFault;
 pub use folders::MeshFolders;
 pub use mesh::{MeshFault, mesh_points};
+pub use movements::{Freedom, Movements};
 pub use pose_fault::PoseFault;
 pub use scene::{
     FloorPlace, Foot, FootBodies, FootBone, FootFrame, FootJoint, FootSphere, ViewAxes, silhouette,

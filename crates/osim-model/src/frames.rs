@@ -44,6 +44,19 @@ impl Model {
 }
 
 impl Components {
+    /// The offset frames from `frame` to the body (or ground) that carries it, in this order.
+    pub(crate) fn offset_frames(&self, frame: Option<ComponentId>) -> Vec<ComponentId> {
+        let mut found = Vec::new();
+        let mut at = frame;
+        while let Some(id) = at.filter(|&id| self.tag(id) != "Body" && self.tag(id) != "Ground")
+            && found.len() <= MAX_FRAME_CHAIN
+        {
+            found.push(id);
+            at = self.parent_frame(id);
+        }
+        found
+    }
+
     /// The frame that an offset frame hangs on.
     fn parent_frame(&self, frame: ComponentId) -> Option<ComponentId> {
         let parent = self.connectee(frame, "parent", &["parent_frame"])?;

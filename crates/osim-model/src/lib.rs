@@ -78,8 +78,9 @@ pub use class::Class;
 pub use components::Companion;
 pub use contact_digest::ValueKey;
 pub use contacts::{
-    Force, ForceId, ForceKind, HalfSpace, LoadedSphere, ParameterSet, SetId, Slot, Sphere, SphereId,
-    Surfaces, contact_of_set, loaded_spheres, moving_spheres, root_mean_square, sphere_sets,
+    Force, ForceId, ForceKind, FrameProperty, HalfSpace, LoadedSphere, Orientation, ParameterSet, SetId,
+    Slot, Sphere, SphereId, Surfaces, contact_of_set, loaded_spheres, moving_spheres, root_mean_square,
+    sphere_sets,
 };
 pub use dissipation_by::DissipationBy;
 pub use document::{Document, may_include};

@@ -11,6 +11,7 @@
 mod bones;
 mod given;
 mod meshes;
+mod planes;
 mod pose;
 mod scene;
 mod soles;

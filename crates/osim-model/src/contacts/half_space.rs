@@ -3,10 +3,14 @@
 use osim_xml::ElementId;
 
 use super::force::{Force, ParameterSet};
+use super::orientation::Orientation;
 use crate::components::{Base, ComponentId, Components};
 use crate::fault::FileId;
 use crate::model::Model;
 use crate::reference_frame::Rotation;
+
+/// Components of a unit vector below this are what rounding left.
+const NOISE: f64 = 1e-12;
 
 /// A `ContactHalfSpace`.
 #[derive(Debug, Clone)]
@@ -24,6 +28,12 @@ pub struct HalfSpace {
     pub normal: Option<[f64; 3]>,
     /// A point of the plane in the same frame, m; `None` where a number cannot be read.
     pub point_m: Option<[f64; 3]>,
+    /// How its frame is turned in ground or in that body; `None` where the frame leads nowhere.
+    pub frame_rotation: Option<Rotation>,
+    /// The orientations that turn it: its own, then those of the offset frames between it and ground or its body.
+    pub orientations: Vec<Orientation>,
+    /// The property that names its frame.
+    pub frame: FrameProperty,
     /// The file it is in.
     pub file: FileId,
     /// Line of its element, from 1.
@@ -31,6 +41,18 @@ pub struct HalfSpace {
     /// Its element in that file.
     pub element: ElementId,
     component: ComponentId,
+}
+
+/// The property that names a frame.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct FrameProperty {
+    /// Its name, such as `socket_frame`.
+    pub tag: String,
+    /// Its line, from 1.
+    pub line: usize,
+    /// What it says where the frame is ground.
+    pub ground: &'static str,
 }
 
 impl Model {
@@ -87,20 +109,30 @@ impl HalfSpace {
         components: &Components,
         id: ComponentId,
         (socket, legacy): (&str, &[&str]),
-        (location, orientation): (&str, &str),
+        (location, orientation): (&'static str, &'static str),
     ) -> Option<Self> {
         let (document, element) = (components.doc(id), components.element(id));
         let connectee = components.connectee(id, socket, legacy)?;
         let frame = components.frame(id, &connectee)?.component;
         let base = components.base(frame).ok()?;
-        let triple = |tag| match document.property_element(element, tag) {
-            Some(_) => document.triple(element, tag),
+        let place = match document.property_element(element, location) {
+            Some(_) => document.triple(element, location),
             None => Some([0.0; 3]),
         };
+        let own = Orientation::read(components, id, orientation);
+        let frame_rotation = components.rotation_to_base(frame);
         // The solid is where x is above 0 in the half-space's own frame.
-        let normal = triple(orientation).zip(components.rotation_to_base(frame)).map(|(angles, turned)| {
+        let normal = own.angles_rad.zip(frame_rotation).map(|(angles, turned)| {
             turned.after(&Rotation::body_fixed_xyz(angles)).to_body([-1.0, 0.0, 0.0])
         });
+        let offsets = components.offset_frames(frame).into_iter();
+        let above = offsets.map(|frame| Orientation::read(components, frame, "orientation"));
+        let tag = document.tree().name(connectee.element).to_owned();
+        let frame_property = FrameProperty {
+            line: document.line(document.tree().span(connectee.element).start),
+            ground: if connectee.legacy { "ground" } else { "/ground" },
+            tag,
+        };
         Some(HalfSpace {
             name: components.name(id),
             path: components.tree.path(id),
@@ -110,12 +142,25 @@ impl HalfSpace {
                 Base::Ground | Base::Unknown => None,
             },
             normal: normal.filter(|normal| normal.iter().all(|value| value.is_finite())),
-            point_m: triple(location).and_then(|point| components.in_body(frame, point)),
+            point_m: place.and_then(|point| components.in_body(frame, point)),
+            frame_rotation,
+            orientations: std::iter::once(own).chain(above).collect(),
+            frame: frame_property,
             file: components.file_of(id),
             line: components.line(id),
             element,
             component: id,
         })
+    }
+}
+
+impl HalfSpace {
+    /// Its own orientation, rad, with which its normal would have this `direction` of ground or of the body that carries it.
+    #[must_use]
+    pub fn orientation_facing(&self, direction: [f64; 3]) -> Option<[f64; 3]> {
+        let in_frame = self.frame_rotation?.inverse().to_body(direction);
+        // What rounding left would turn it about y by any angle.
+        Some(Orientation::facing(in_frame.map(|value| if value.abs() < NOISE { 0.0 } else { value })))
     }
 }
 

@@ -3,9 +3,8 @@
 use std::collections::HashSet;
 
 use osim_messages::shortest;
-use osim_model::{Class, Document, ForceKind, Model, Property};
+use osim_model::{Class, Document, ForceKind, Model, Orientation, Property};
 
-use super::floor::facing;
 use super::layout::NewContact;
 use crate::node::Node;
 
@@ -48,7 +47,7 @@ pub(super) fn sphere(version: u32, carrier: &Carrier<'_>, contact: &NewContact) 
 /// A `ContactHalfSpace` on ground through its origin, that faces `up`.
 pub(super) fn floor(version: u32, name: &str, up: [f64; 3]) -> Node {
     let place = Node::leaf("location", triple([0.0; 3]));
-    let turned = Node::leaf("orientation", triple(facing(up)));
+    let turned = Node::leaf("orientation", triple(Orientation::facing(up)));
     Node::object("ContactHalfSpace", name, vec![GROUND.node(version), place, turned])
 }
 
