@@ -25,6 +25,7 @@ mod corpus;
 mod explained;
 mod figures;
 mod files;
+mod floors;
 mod html;
 mod inspected;
 mod json;

@@ -25,6 +25,7 @@
 
 mod figures;
 mod findings;
+mod floors;
 mod inspection;
 mod known;
 mod load_sharing;
@@ -39,6 +40,7 @@ mod verdicts;
 
 pub use figures::{Figure, Figures, LimbFigures, LimitCheck, Shown, SphereFigures};
 pub use findings::{Changeable, CheckResult, Counts, Found, Kin, check_model, misplaced_spheres};
+pub use floors::weight_share;
 pub use inspection::{
     ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,
     InspectedLimb, InspectedSphere, Inspection, Origins, Parameters,

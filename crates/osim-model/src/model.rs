@@ -9,6 +9,7 @@ use crate::finding::Finding;
 use crate::note::Note;
 use crate::property::Property;
 use crate::skeleton::{Body, Skeleton};
+use osim_xml::ElementId;
 
 /// Everything that is known about a model.
 ///
@@ -121,6 +122,22 @@ impl Model {
     #[must_use]
     pub fn bodies(&self) -> &[Body] {
         &self.skeleton.bodies
+    }
+
+    /// The object that has the model's `gravity`, and the file that it is in; `None` for sets that stand alone.
+    pub(crate) fn gravity_object(&self) -> Option<(FileId, ElementId)> {
+        let beside = self.companions().map(|(file, companion)| (file, &companion.document));
+        let mut files = std::iter::once((FileId::MAIN, self.document())).chain(beside);
+        let (file, document) = files.find(|(_, document)| document.is_model())?;
+        Some((file, document.data_root()))
+    }
+
+    /// Line of `gravity` in its file, from 1; `None` where OpenSim's default counts.
+    #[must_use]
+    pub fn gravity_line(&self) -> Option<usize> {
+        let (file, object) = self.gravity_object()?;
+        let document = self.file(file);
+        Some(document.line(document.tree().span(document.property_element(object, "gravity")?).start))
     }
 
     /// Magnitude of gravity, m/s²; 0 or `None` makes figures by body weight meaningless.

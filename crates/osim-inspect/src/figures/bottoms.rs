@@ -13,8 +13,8 @@ use super::sphere_loads::SphereLoads;
 pub(super) struct Bottoms(HashMap<SphereId, f64>);
 
 impl Bottoms {
-    pub(super) fn of(model: &Model, spheres: impl Iterator<Item = SphereId>) -> Self {
-        let (up, pose) = (model.up(), DefaultPose::of(model));
+    pub(super) fn of(model: &Model, pose: &DefaultPose, spheres: impl Iterator<Item = SphereId>) -> Self {
+        let up = model.up();
         let height = |id: SphereId| {
             let sphere = model.sphere(id)?;
             let body = pose.placement(sphere.body.as_deref()?).ok()?;

@@ -7,6 +7,7 @@
 use std::collections::HashMap;
 
 use contact_scaling::{mixed_radii, restitution};
+use osim_feet::DefaultPose;
 use osim_messages::Phrase;
 use osim_model::{
     CountOf, Fault, GravityFor, Limbs, Mass, Model, Needed, Selected, SphereId, loaded_spheres,
@@ -17,6 +18,7 @@ use super::data::{Figures, LimbFigures};
 use super::limb::LoadedLimb;
 use super::on_floor::Weight;
 use super::sphere_loads::{SphereLoads, sphere_loads};
+use crate::floors::weight_share_at;
 use crate::load_sharing::LoadSharing;
 use crate::options::Stance;
 
@@ -39,15 +41,18 @@ impl Figures {
             stance.gravity_m_s2.or(model.gravity()).filter(|&gravity| gravity > 0.0 && gravity.is_finite());
         let speed =
             stance.impact_speed_m_s.or_else(|| default_speed(standing.as_deref().unwrap_or(&loads), gravity));
-        let weight =
-            mass.zip(gravity).map(|(mass, gravity)| Weight { mass_kg: mass.kg, gravity_m_s2: gravity });
+        let pose = DefaultPose::of(model);
+        let weight = mass.zip(gravity).map(|(mass, gravity)| Weight {
+            mass_kg: mass.kg,
+            gravity_m_s2: gravity * weight_share_at(model, sharing.forces(), &pose),
+        });
         let mut why: Option<Phrase> = match (mass, gravity) {
             (None, _) => Some("what the model weighs is not known".into()),
             (_, None) => Some(Needed::Gravity { purpose: GravityFor::Figures }.phrase()),
             _ => None,
         };
         let bottoms =
-            Bottoms::of(model, standing.as_deref().unwrap_or_default().iter().map(|one| one.sphere));
+            Bottoms::of(model, &pose, standing.as_deref().unwrap_or_default().iter().map(|one| one.sphere));
         let mut limbs = Vec::new();
         let mut all_standing = standing.as_ref().map(|all| by_limb(sharing.limbs(), all));
         for (place, group) in groups(sharing.limbs(), &loads, stance) {

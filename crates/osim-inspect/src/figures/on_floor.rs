@@ -9,6 +9,7 @@ use super::sphere_loads::SphereLoads;
 #[derive(Clone, Copy)]
 pub(super) struct Weight {
     pub(super) mass_kg: f64,
+    /// The part along the normal of the floor.
     pub(super) gravity_m_s2: f64,
 }
 

@@ -10,10 +10,13 @@ use super::places::Places;
 use super::remedy::Remedies;
 use super::result::CheckResult;
 use super::{known, traps};
+use crate::floors::Floors;
 use crate::inspection::Inspection;
 use crate::mass_mismatch::MassMismatch;
 use crate::options::InspectOptions;
-use crate::rules::{Limits, bare_model, contacts_of_another_mass, gravity_sources_disagree, of_figures};
+use crate::rules::{
+    Limits, bare_model, contacts_of_another_mass, gravity_sources_disagree, gravity_too_large, of_figures,
+};
 
 /// What trial plans show of a model: remedies are proposed only where they would not be refused.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -53,18 +56,19 @@ pub fn check_model(
         .then(|| contacts_of_another_mass::find(inspected, &remedies, places.are_right()))
         .flatten();
     // Contacts that are made right for the body first need other commands afterwards.
-    let another_gravity = gravity_sources_disagree::find(model, options);
+    let in_other_units = gravity_too_large::find(model).is_some();
+    let another_gravity = gravity_sources_disagree::find(model, options).filter(|_| !in_other_units);
     if mismatch.is_some() || another_mass.is_some() || another_gravity.is_some() || places.are_wrong() {
         remedies = remedies.unsettled();
     }
-    let mut findings = traps::findings(model, inspected, &remedies);
+    let mut findings = traps::findings(model, inspected, &remedies, &Floors::of(model));
     if let Some(mismatch) = mismatch {
         let disagree =
             findings.iter_mut().filter(|finding| finding.code() == FindingCode::MassSourcesDisagree);
         disagree.for_each(|finding| finding.finding.message.push(&mismatch.aside()));
     }
-    // What spheres do that stand where they should not is nobody's question.
-    if !places.were_left_behind() {
+    // What spheres do that stand where they should not, or under a gravity that nobody means, is nobody's question.
+    if !places.were_left_behind() && (!in_other_units || options.stance.gravity_m_s2.is_some()) {
         findings.extend(of_figures(&Limits::new(inspected, &remedies)));
     }
     if let Some(bare) = bare_model::find(options, model) {

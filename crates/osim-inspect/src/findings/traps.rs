@@ -7,20 +7,27 @@ use osim_requests::Request;
 
 use super::found::Found;
 use super::remedy::Remedies;
+use crate::floors::Floors;
 use crate::inspection::Inspection;
 use crate::rules::{
-    default_stiffness, left_right_differ, no_gravity, several_spheres_one_force, sphere_count_unknown,
-    zero_constant_contact_force,
+    default_stiffness, left_right_differ, no_gravity, of_floors, several_spheres_one_force,
+    sphere_count_unknown, zero_constant_contact_force,
 };
 
 /// Everything that the model shows apart from its figures.
-pub(super) fn findings(model: &Model, inspected: &Inspection, remedies: &Remedies<'_>) -> Vec<Found> {
+pub(super) fn findings(
+    model: &Model,
+    inspected: &Inspection,
+    remedies: &Remedies<'_>,
+    floors: &Floors,
+) -> Vec<Found> {
     let sides = LazyCell::new(|| model.both_sides());
     let with_remedy =
         |finding: &Finding| Found::new(finding.clone(), remedy(model, &sides, finding, remedies));
     let mut found: Vec<Found> = inspected.warnings.iter().map(with_remedy).collect();
     found.extend(model.remarks_on(&meeting_half_space(model)).into_iter().map(Found::from));
-    let unknown = [no_gravity::find(inspected), sphere_count_unknown::find(inspected)];
+    found.extend(of_floors(model, floors).into_iter().map(Found::from));
+    let unknown = [no_gravity::find(model, inspected, floors), sphere_count_unknown::find(inspected)];
     found.extend(unknown.into_iter().flatten().map(Found::from));
     found
 }

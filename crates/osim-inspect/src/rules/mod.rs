@@ -8,8 +8,14 @@ pub(crate) mod beyond_hunt_crossley;
 pub(crate) mod contacts_of_another_mass;
 pub(crate) mod default_stiffness;
 pub(crate) mod floats;
+pub(crate) mod floor_on_limb;
+pub(crate) mod floor_slopes;
+pub(crate) mod floor_upright;
+pub(crate) mod floor_upside_down;
 pub(crate) mod force_before_contact;
+pub(crate) mod gravity_not_down;
 pub(crate) mod gravity_sources_disagree;
+pub(crate) mod gravity_too_large;
 pub(crate) mod known_contacts;
 pub(crate) mod large_constant_indentation;
 pub(crate) mod left_right_differ;
@@ -21,14 +27,16 @@ pub(crate) mod sphere_count_unknown;
 pub(crate) mod spheres_left_behind;
 pub(crate) mod stale_note;
 pub(crate) mod sunk_in;
+mod turned_floors;
 pub(crate) mod wide_transition;
 pub(crate) mod zero_constant_contact_force;
 
 pub(crate) use limits::Limits;
 
-use osim_model::Rule;
+use osim_model::{Finding, Model, Rule};
 
 use crate::findings::Found;
+use crate::floors::Floors;
 
 /// The rules of this crate.
 pub const RULES: &[&Rule] = &[
@@ -38,8 +46,14 @@ pub const RULES: &[&Rule] = &[
     &beyond_hunt_crossley::RULE,
     &contacts_of_another_mass::RULE,
     &floats::RULE,
+    &floor_on_limb::RULE,
+    &floor_slopes::RULE,
+    &floor_upright::RULE,
+    &floor_upside_down::RULE,
     &force_before_contact::RULE,
+    &gravity_not_down::RULE,
     &gravity_sources_disagree::RULE,
+    &gravity_too_large::RULE,
     &known_contacts::RULE,
     &large_constant_indentation::RULE,
     &mass_unknown::RULE,
@@ -49,6 +63,18 @@ pub const RULES: &[&Rule] = &[
     &sunk_in::RULE,
     &wide_transition::RULE,
 ];
+
+/// What is wrong with the floors that spheres press on, and with gravity towards them.
+pub(crate) fn of_floors(model: &Model, floors: &Floors) -> Vec<Finding> {
+    let of_gravity = [gravity_too_large::find(model), gravity_not_down::find(model, floors)];
+    let of_planes = [
+        floor_upside_down::find(floors),
+        floor_upright::find(floors),
+        floor_on_limb::find(floors),
+        floor_slopes::find(floors),
+    ];
+    of_gravity.into_iter().flatten().chain(of_planes.into_iter().flatten()).collect()
+}
 
 /// Everything that figures show.
 pub(crate) fn of_figures(limits: &Limits<'_>) -> Vec<Found> {

@@ -1,19 +1,20 @@
 //! The model has no gravity.
 
 use osim_model::{
-    Example, Finding, FindingCode, GravityFor, Needed, Repair, Rule, Seen, Severity, VerdictOn,
+    Example, Finding, FindingCode, GravityFor, Model, Needed, Repair, Rule, Seen, Severity, VerdictOn,
 };
 
+use crate::floors::Floors;
 use crate::inspection::Inspection;
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::NoGravity,
-    severity: Severity::Info,
+    severity: Severity::Error,
     seen: Seen::Model,
     verdict: Some(VerdictOn::Floor),
-    what: "The model has no gravity.",
-    why: "Without gravity there is no body weight, so indentations are not judged.",
-    advice: "Nothing, if that is meant; else set gravity in the model, or look under another one with `check MODEL gravity=G`",
+    what: "Spheres press on a floor, and the model has no gravity.",
+    why: "Nothing holds the body on its floor, so it drifts away after the first push; without body weight indentations are not judged. No published model whose spheres press on a floor is without gravity.",
+    advice: "Set gravity in the model, as a rule to 0 -9.80665 0, or look at it under another one with `check MODEL gravity=G`",
     repair: Repair::NotPossible("only you know the gravity"),
     example: Example::Piece {
         model: "check/within_limits.osim",
@@ -22,9 +23,10 @@ pub(crate) static RULE: Rule = Rule {
     },
 };
 
-pub(crate) fn find(inspected: &Inspection) -> Option<Finding> {
+pub(crate) fn find(model: &Model, inspected: &Inspection, floors: &Floors) -> Option<Finding> {
     let own = inspected.gravity_m_s2.filter(|&gravity| gravity != 0.0);
     // Where figures are made, it may also have been given.
     let needed = Needed::Gravity { purpose: GravityFor::Figures };
-    own.or(inspected.figures.gravity_m_s2).is_none().then(|| Finding::new(&RULE, needed.phrase()))
+    let is_missing = floors.are_any() && own.or(inspected.figures.gravity_m_s2).is_none();
+    is_missing.then(|| Finding::new(&RULE, needed.phrase()).on_line(model.gravity_line()))
 }

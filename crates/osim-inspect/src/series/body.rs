@@ -10,6 +10,7 @@ use osim_model::files::Failure;
 use osim_model::{CountOf, Fault, ForceId, GravityFor, MassRequest, Model, Needed, loaded_spheres};
 
 use super::names;
+use crate::floors::weight_share;
 use crate::load_sharing::LoadSharing;
 use crate::mass_mismatch::MassMismatch;
 use crate::options::{InspectOptions, Stance};
@@ -245,12 +246,14 @@ fn none_applies() -> Fault {
 
 fn weight(model: &Model, forces: &[ForceId], masses: &MassRequest, stance: &Stance) -> Result<Weight, Fault> {
     let mass_kg = masses.of_model(model)?.kg;
-    let sphere_count = LoadSharing::of(model, forces).count(stance.spheres, stance.limbs, CountOf::Model)?;
+    let sharing = LoadSharing::of(model, forces);
+    let sphere_count = sharing.count(stance.spheres, stance.limbs, CountOf::Model)?;
     let gravity = stance.gravity_m_s2.or(model.gravity().filter(|&gravity| gravity > 0.0));
     let Some(gravity_m_s2) = gravity else {
         return Err(Fault::new(Needed::Gravity { purpose: GravityFor::Weight }));
     };
     let spheres = standing_spheres(model, forces, sphere_count)?;
+    let gravity_m_s2 = gravity_m_s2 * weight_share(model, sharing.forces());
     Ok(Weight { mass_kg, gravity_m_s2, sphere_count, spheres })
 }
 

@@ -1,6 +1,7 @@
 //! Rules about a model, which reading it tries: a file for each, with its code, what raises it, and its texts. Rules that need figures,
 //! another model or a change are in the crates above.
 
+pub(crate) mod angle_in_degrees;
 pub(crate) mod connectee_by_name;
 pub(crate) mod contact_defaults;
 pub(crate) mod dead_derivative_smoothing;
@@ -33,6 +34,7 @@ use crate::model::Model;
 
 /// The rules of this crate.
 pub const RULES: &[&Rule] = &[
+    &angle_in_degrees::RULE,
     &connectee_by_name::RULE,
     &contact_defaults::RULE,
     &dead_derivative_smoothing::RULE,
@@ -64,6 +66,7 @@ pub(crate) fn find(model: &Model) -> Vec<Finding> {
     let all = [
         values::numbers,
         values::triples,
+        angle_in_degrees::find,
         included_file::find,
         dead_derivative_smoothing::find,
         several_spheres_one_force::find,

@@ -47,11 +47,8 @@ pub(super) fn triples(model: &Model) -> Vec<Finding> {
         };
         Some(read.finding(model, &sphere.path)?.about(&sphere.path))
     });
-    let beside = model.companions().map(|(file, companion)| (file, &companion.document));
-    let mut files = std::iter::once((FileId::MAIN, model.document())).chain(beside);
-    let gravity = files.find(|(_, document)| document.is_model()).and_then(|(file, document)| {
-        let object = document.data_root();
-        let read = document.triple(object, "gravity").unwrap_or(Model::DEFAULT_GRAVITY);
+    let gravity = model.gravity_object().and_then(|(file, object)| {
+        let read = model.file(file).triple(object, "gravity").unwrap_or(Model::DEFAULT_GRAVITY);
         Triple { file, object, tag: "gravity", read }.finding(model, "the model")
     });
     locations.chain(gravity).collect()

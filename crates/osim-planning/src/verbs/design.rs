@@ -1,7 +1,7 @@
 //! Parameters from what is wanted.
 
 use contact_scaling::SharedLoad;
-use osim_inspect::LoadSharing;
+use osim_inspect::{LoadSharing, weight_share};
 use osim_messages::{Input, Verb, phrase};
 use osim_model::{
     CountOf, Fault, GravityFor, Mass, MassRequest, Model, Needed, RadiusRule, Selected, Selection,
@@ -139,7 +139,8 @@ impl Designing {
                 let Some(gravity) = gravity else {
                     return Err(Fault::new(Needed::Gravity { purpose: GravityFor::Load }));
                 };
-                (mass.kg * gravity * self.load.body_weights(), Some(mass))
+                let along_normal = gravity * weight_share(model, sharing.forces());
+                (mass.kg * along_normal * self.load.body_weights(), Some(mass))
             }
         };
         Ok((Some(SharedLoad::new(load_n, count).map_err(Fault::new)?), mass))

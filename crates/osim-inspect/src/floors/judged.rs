@@ -1,0 +1,135 @@
+//! Each plane that spheres press on, judged.
+
+use std::collections::HashSet;
+
+use osim_feet::{ContactPlane, DefaultPose};
+use osim_model::{Model, SphereId};
+
+use super::slope::Lie;
+use super::stance::{Stance, dot};
+
+/// What a plane is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Verdict {
+    /// A level floor, or a plane that is meant to be none, such as the net of a goal; or nothing is known.
+    Fine,
+    /// A slope of so many degrees.
+    Slope(f64),
+    /// A floor that leans by so many degrees, more than anything stands on.
+    Steep(f64),
+    /// A floor; gravity points so many degrees away from straight into it.
+    GravityAside(f64),
+    /// A floor that hangs on the limbs that press on it.
+    OnLimb,
+}
+
+/// A plane and what it is.
+#[derive(Debug)]
+pub(crate) struct JudgedPlane {
+    pub(crate) plane: ContactPlane,
+    pub(crate) verdict: Verdict,
+}
+
+/// All planes on which the forces of a model that apply press moving spheres.
+#[derive(Debug)]
+pub(crate) struct Floors(Vec<JudgedPlane>);
+
+impl Floors {
+    pub(crate) fn of(model: &Model) -> Self {
+        let pose = DefaultPose::of(model);
+        let planes = ContactPlane::all(model, &model.force_ids(), &pose);
+        if planes.is_empty() {
+            return Self(Vec::new());
+        }
+        let judge = Judge::new(Stance::of(model, &pose), &planes);
+        let verdicts: Vec<Verdict> = planes.iter().map(|plane| judge.verdict(plane)).collect();
+        let judged = planes.into_iter().zip(verdicts);
+        Self(judged.map(|(plane, verdict)| JudgedPlane { plane, verdict }).collect())
+    }
+
+    /// Whether there is any plane that moving spheres press on.
+    pub(crate) fn are_any(&self) -> bool {
+        !self.0.is_empty()
+    }
+
+    pub(crate) fn iter(&self) -> impl Iterator<Item = &JudgedPlane> {
+        self.0.iter()
+    }
+}
+
+struct Judge<'m> {
+    stance: Stance<'m>,
+    /// Spheres with a floor that they can stand on, or with one of which nothing is known.
+    with_floor: HashSet<SphereId>,
+    /// The trees of bodies that have such spheres.
+    trees_with_floor: HashSet<String>,
+}
+
+impl<'m> Judge<'m> {
+    fn new(stance: Stance<'m>, planes: &[ContactPlane]) -> Self {
+        let is_floor = |plane: &&ContactPlane| !matches!(Lie::of(stance.model, plane), Some(Lie::Steep(_)));
+        let floors = planes.iter().filter(is_floor).filter(|plane| hung_on(&stance, plane).is_empty());
+        let with_floor: HashSet<SphereId> = floors.flat_map(|plane| plane.spheres.iter().copied()).collect();
+        let trees =
+            with_floor.iter().filter_map(|&sphere| stance.top_of(sphere).map(str::to_owned)).collect();
+        Self { with_floor, trees_with_floor: trees, stance }
+    }
+
+    fn verdict(&self, plane: &ContactPlane) -> Verdict {
+        if !self.without_floor(hung_on(&self.stance, plane)).is_empty() {
+            return Verdict::OnLimb;
+        }
+        match Lie::of(self.stance.model, plane) {
+            None | Some(Lie::Level) => Verdict::Fine,
+            Some(Lie::Slope(degrees)) => Verdict::Slope(degrees),
+            Some(Lie::Steep(degrees)) => self.steep(plane, degrees),
+        }
+    }
+
+    fn without_floor(&self, mut spheres: Vec<SphereId>) -> Vec<SphereId> {
+        spheres.retain(|sphere| !self.with_floor.contains(sphere));
+        spheres
+    }
+
+    /// A wall is no floor: nothing stands on it. Hands lean on one while the feet of the same body have their floor.
+    fn steep(&self, plane: &ContactPlane, degrees: f64) -> Verdict {
+        let mut standing = self.without_floor(self.stance.limb_spheres(plane));
+        standing.retain(|&sphere| {
+            let tree_stands =
+                self.stance.top_of(sphere).is_some_and(|top| self.trees_with_floor.contains(top));
+            !tree_stands || self.stance.is_low(sphere)
+        });
+        if standing.is_empty() {
+            Verdict::Fine
+        } else if self.is_gravity_to_blame(plane, &standing) {
+            Verdict::GravityAside(degrees)
+        } else {
+            Verdict::Steep(degrees)
+        }
+    }
+
+    /// Whether the body is where the floor's normal points, seen from its spheres, rather than where gravity has up; where that is not
+    /// known, whether the floor faces y, which is up in nearly all models.
+    fn is_gravity_to_blame(&self, plane: &ContactPlane, spheres: &[SphereId]) -> bool {
+        let Some(surface) = plane.surface else { return false };
+        match self.stance.towards_body(spheres) {
+            Some(body) => dot(body, surface.normal) > dot(body, self.stance.model.up()),
+            None => surface.normal[1] > std::f64::consts::FRAC_1_SQRT_2,
+        }
+    }
+}
+
+/// The spheres of `plane` that hang on the same limbs as the body that carries it, and cannot be lifted from it: between both,
+/// joints turn, and none slides. Spheres that do not move in ground are terrain, such as those on a platform.
+fn hung_on(stance: &Stance<'_>, plane: &ContactPlane) -> Vec<SphereId> {
+    let Some(carrier) = plane.body.as_deref().filter(|body| stance.movements.moves(body)) else {
+        return Vec::new();
+    };
+    let is_hung = |id: &SphereId| {
+        let body = stance.model.sphere(*id).and_then(|sphere| sphere.body.as_deref());
+        let moving = body.filter(|body| stance.movements.moves(body));
+        let freedom = moving.and_then(|body| stance.movements.between(carrier, body));
+        freedom.is_some_and(|freedom| freedom.turns && !freedom.slides)
+    };
+    plane.spheres.iter().copied().filter(is_hung).collect()
+}
