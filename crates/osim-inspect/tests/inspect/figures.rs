@@ -123,6 +123,34 @@ fn every_figure_of_a_foot_on_two_sizes_of_sphere() {
     assert!(figures.why_no_body_weight.is_none());
 }
 
+/// A floor that rises by 3 over 4: 0.8 of the weight presses on it, whatever its direction. Speeds of impact stay those of a fall.
+#[test]
+fn on_a_slope_the_part_of_the_weight_along_its_normal_presses() {
+    const LEVEL: &str = "<orientation>0 0 -1.5707963267948966</orientation>";
+    let turned = |angles: &str| {
+        let orientation = format!("<orientation>{angles}</orientation>");
+        let text = foot(&[HEEL]).replace(LEVEL, &orientation);
+        assert!(text.contains(&orientation));
+        figures(&text)
+    };
+    let value = |figures: &Figures, figure| first(figures).value(figure).unwrap();
+    let level = figures(&foot(&[HEEL]));
+    // The normal of a half-space that is turned by a about z is (-cos a, -sin a, 0), and sin 0.927295... = 0.8.
+    for angles in ["0 0 -0.9272952180016122", "0 0 -2.214297435588181"] {
+        let slope = turned(angles);
+        near(value(&slope, Figure::Load), 0.8 * 600.0, angles);
+        near(value(&slope, Figure::RestitutionExact), value(&level, Figure::RestitutionExact), angles);
+        // x grows with load^(2/3), (3).
+        let x = value(&level, Figure::Indentation) * 0.8_f64.powf(2.0 / 3.0);
+        assert!((value(&slope, Figure::Indentation) - x).abs() < 1e-12);
+        assert_eq!(slope.gravity_m_s2, Some(10.0));
+    }
+    // Upright, upside down and in degrees it is no floor: all of the weight will press on it once it is turned.
+    for angles in ["0 0 0", "0 0 1.5707963267948966", "0 0 -90"] {
+        assert_eq!(value(&turned(angles), Figure::Load), 600.0, "{angles}");
+    }
+}
+
 /// The same foot on a joint to ground, its toe 4 mm higher than its heel.
 fn foot_with_a_high_toe() -> String {
     let joint = "<JointSet><objects><FreeJoint name=\"root\"><socket_parent_frame>/ground</socket_parent_frame>\

@@ -93,7 +93,7 @@ pub fn foot(spheres: &[Smooth]) -> String {
 <Body name=\"foot_r\"><mass>60</mass></Body>
 </objects></BodySet>
 <ContactGeometrySet name=\"contactgeometryset\"><objects>
-<ContactHalfSpace name=\"floor\"><socket_frame>/ground</socket_frame></ContactHalfSpace>\n",
+<ContactHalfSpace name=\"floor\"><socket_frame>/ground</socket_frame><orientation>0 0 -1.5707963267948966</orientation></ContactHalfSpace>\n",
     );
     spheres.iter().for_each(|one| text.push_str(&one.sphere()));
     text.push_str("</objects></ContactGeometrySet>\n<ForceSet name=\"forceset\"><objects>\n");
