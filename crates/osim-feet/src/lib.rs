@@ -43,6 +43,7 @@ pub use sole::{Footprint, Sole, SoleRequest, SoleSphere, soles};
 pub use sphere_pairs::{SpherePair, sphere_pairs};
 pub use standing::{PlacedSphere, Standing, VerticalCoordinate};
 pub use tilted::Tilting;
+pub use vector::{angle, dot};
 
 /// The example of the README compiles.
 #[cfg(doctest)]

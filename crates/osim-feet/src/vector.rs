@@ -1,11 +1,14 @@
 //! Vectors in space.
 
-pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+/// a · b.
+#[must_use]
+pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     (0..3).map(|i| a[i] * b[i]).sum()
 }
 
 /// The angle between two vectors, rad, from 0 to π: atan2(|a × b|, a · b), which is exact near 0 and π, too.
-pub(crate) fn angle(a: [f64; 3], b: [f64; 3]) -> f64 {
+#[must_use]
+pub fn angle(a: [f64; 3], b: [f64; 3]) -> f64 {
     let [x, y, z] = a;
     let across = [y * b[2] - z * b[1], z * b[0] - x * b[2], x * b[1] - y * b[0]];
     libm::atan2(dot(across, across).sqrt(), dot(a, b))

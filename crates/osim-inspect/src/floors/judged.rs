@@ -2,11 +2,11 @@
 
 use std::collections::HashSet;
 
-use osim_feet::{ContactPlane, DefaultPose};
+use osim_feet::{ContactPlane, DefaultPose, dot};
 use osim_model::{Model, SphereId};
 
 use super::slope::Lie;
-use super::stance::{Stance, dot};
+use super::stance::Stance;
 
 /// What a plane is.
 #[derive(Debug, Clone, Copy, PartialEq)]

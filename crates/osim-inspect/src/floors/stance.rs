@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use osim_feet::{ContactPlane, DefaultPose, Movements};
+use osim_feet::{ContactPlane, DefaultPose, Movements, dot};
 use osim_model::{Model, Side, Sphere, SphereId};
 
 /// Spheres below this share of the height of their body's tree, from its lowest origin, are under its feet: those of hands that
@@ -87,8 +87,4 @@ fn middle(points: impl Iterator<Item = (f64, [f64; 3])>) -> Option<[f64; 3]> {
         (weight + own, std::array::from_fn(|i| sum[i] + own * point[i]))
     });
     (weight > 0.0).then(|| sum.map(|value: f64| value / weight))
-}
-
-pub(super) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

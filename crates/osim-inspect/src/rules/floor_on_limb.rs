@@ -13,7 +13,7 @@ pub(crate) static RULE: Rule = Rule {
     why: "A floor on the pelvis moves with the pelvis: joints turn the feet against it and lift nothing, so it carries no weight and the model falls for ever. Published floors hang on ground, on a chair or on a platform, which the body can leave.",
     advice: "Attach the half-space to ground, or to the platform that is meant, and look at its location and orientation there",
     repair: Repair::NotPossible(
-        "the place of a floor is changed by hand: the finding says which line, and what to write",
+        "a floor is attached by hand; the finding names the line and what to write there",
     ),
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/floor_on_limb.osim" },
 };

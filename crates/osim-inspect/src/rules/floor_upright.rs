@@ -13,7 +13,7 @@ pub(crate) static RULE: Rule = Rule {
     why: "The spheres of a limb press on it and on no other floor, so the model falls past it for ever, or is inside it from the beginning. No published floor leans by more than 20.5 degrees; walls that no foot presses on, such as the net of a goal, are none.",
     advice: "Turn the half-space: its surface faces along the −x of its own frame, and orientation 0 0 -1.5707963267948966 turns that to y",
     repair: Repair::NotPossible(
-        "the place of a floor is changed by hand: the finding says which line, and what to write",
+        "a floor is turned by hand; the finding names the line and what to write there",
     ),
     example: Example::Piece {
         model: "check/within_limits.osim",

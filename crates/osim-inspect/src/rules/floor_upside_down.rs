@@ -13,7 +13,7 @@ pub(crate) static RULE: Rule = Rule {
     why: "The half-space is solid where the body is, so its spheres begin deep inside it and are pushed down. In OpenSim the solid side of a half-space is where x is above 0 in its own frame.",
     advice: "Turn the half-space: orientation 0 0 -1.5707963267948966 makes it face y, 0 0 1.5707963267948966 makes it face −y",
     repair: Repair::NotPossible(
-        "the place of a floor is changed by hand: the finding says which line, and what to write",
+        "a floor is turned by hand; the finding names the line and what to write there",
     ),
     example: Example::Piece {
         model: "check/within_limits.osim",

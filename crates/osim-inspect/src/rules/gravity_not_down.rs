@@ -13,7 +13,9 @@ pub(crate) static RULE: Rule = Rule {
     what: "Gravity points out of the floor or along it, not into it.",
     why: "The body is where the floor faces, and gravity pulls it away from there or along the floor: the model falls for ever.",
     advice: "Write gravity against the direction in which the floor faces, as a rule 0 -9.80665 0",
-    repair: Repair::NotPossible("gravity is changed by hand: the finding says which line, and what to write"),
+    repair: Repair::NotPossible(
+        "gravity is changed by hand; the finding names the line and what to write there",
+    ),
     example: Example::Piece {
         model: "check/within_limits.osim",
         good: "<gravity>0 -9.81 0</gravity>",

@@ -8,9 +8,11 @@ pub(crate) static RULE: Rule = Rule {
     severity: Severity::Error,
     seen: Seen::Model,
     what: "Gravity is more than 100 m/s²: it is probably in mm/s² or cm/s².",
-    why: "A thousand times its weight presses every sphere to the middle of the floor, and a simulation explodes. Ten times the Earth's gravity is more than any planet has (Jupiter: 25 m/s²) and more than any centrifuge in which animals live; 981 and 9810 are the Earth's in cm/s² and mm/s². Figures under that weight are not judged.",
+    why: "Under a thousand times its weight every sphere sinks in beyond its centre, and a simulation explodes. 100 m/s² are ten times the Earth's gravity, and four times that of Jupiter, the most of all planets; 981 and 9810 are the Earth's in cm/s² and mm/s². Figures under that weight are not judged.",
     advice: "Write gravity in m/s²",
-    repair: Repair::NotPossible("gravity is changed by hand: the finding says which line, and what to write"),
+    repair: Repair::NotPossible(
+        "gravity is changed by hand; the finding names the line and what to write there",
+    ),
     example: Example::Piece {
         model: "check/within_limits.osim",
         good: "<gravity>0 -9.81 0</gravity>",

@@ -13,7 +13,7 @@ pub(crate) static RULE: Rule = Rule {
     seen: Seen::Model,
     verdict: Some(VerdictOn::Floor),
     what: "Spheres press on a floor, and the model has no gravity.",
-    why: "Nothing holds the body on its floor, so it drifts away after the first push; without body weight indentations are not judged. No published model whose spheres press on a floor is without gravity.",
+    why: "Nothing holds the body on its floor, so it drifts away after the first push; without body weight indentations are not judged. None of the published models that we test with is so.",
     advice: "Set gravity in the model, as a rule to 0 -9.80665 0, or look at it under another one with `check MODEL gravity=G`",
     repair: Repair::NotPossible("only you know the gravity"),
     example: Example::Piece {

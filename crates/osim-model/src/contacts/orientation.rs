@@ -84,8 +84,8 @@ mod tests {
             file: FileId::MAIN,
             angles_rad: Some([0.0, 0.0, z]),
         };
-        // A quarter turn, three of them, and a whole one in eight digits.
-        for radians in [-FRAC_PI_2, 3.0 * FRAC_PI_2, 6.283_185_4, -6.2832] {
+        // A quarter turn, three of them, and a whole one, also rounded up.
+        for radians in [-FRAC_PI_2, 3.0 * FRAC_PI_2, 2.0 * PI, -2.0 * PI - 1e-5] {
             assert!(!of(radians).is_in_degrees(), "{radians}");
         }
         for degrees in [-90.0, 90.0, 180.0, -10.0] {

@@ -14,7 +14,7 @@ pub(crate) static RULE: Rule = Rule {
     why: "OpenSim reads orientations in radians: -90 is 14 whole turns and a little more, which looks like a slope of 26.6 degrees.",
     advice: "Write the angles in radians: degrees × π/180",
     repair: Repair::NotPossible(
-        "the place of a floor is changed by hand: the finding says which line, and what to write",
+        "a floor is turned by hand; the finding names the line and what to write there",
     ),
     example: Example::Piece {
         model: "check/within_limits.osim",

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use osim_feet::angle;
 use osim_messages::{Phrase, readable};
 use osim_model::{Force, ForceId, Model};
 use osim_patch::{Deed, Rebuilt};
@@ -18,10 +19,7 @@ pub(crate) fn leaning(base: &Model, rebuilt: &Rebuilt) -> Option<Phrase> {
         .ground_planes()
         .into_iter()
         .filter_map(|plane| {
-            let [x, y, z]: [f64; 3] = std::array::from_fn(|i| plane.normal[i] - up[i]);
-            // Two directions that are an angle a apart differ by 2 sin(a/2).
-            let half = (x * x + y * y + z * z).sqrt() / 2.0;
-            let degrees = 2.0 * half.min(1.0).asin().to_degrees();
+            let degrees = angle(plane.normal, up).to_degrees();
             (degrees <= LEANING).then(|| format!("{} (by {} degrees)", plane.name, readable(degrees)))
         })
         .collect();
