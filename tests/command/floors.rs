@@ -312,3 +312,82 @@ fn no_real_model_has_a_floor_that_is_none() {
     ];
     assert_eq!(slopes, expected.map(str::to_owned).into());
 }
+
+/// A ball alone: it has no limb, but nothing else has a floor either.
+#[test]
+fn a_ball_without_any_floor_falls_for_ever() {
+    let ball = String::from_utf8(fixture("check/within_limits.osim")).unwrap();
+    let ball = ball
+        .replace("calcn_r", "ball")
+        .replace("heel_r", "ball_surface")
+        .replace("0.01 -0.02 0.003", "0 0 0");
+    for (old, new, expected) in [
+        (LEVEL, LEVEL, None),
+        (LEVEL, "<orientation>0 0 0</orientation>", Some("floor-upright")),
+        (LEVEL, "<orientation>0 0 1.5707963267948966</orientation>", Some("floor-upside-down")),
+        ("<gravity>0 -9.81 0</gravity>", "<gravity>0 9.81 0</gravity>", Some("gravity-not-down")),
+    ] {
+        let seen = found(&edited(&ball, &[(old, new)]));
+        assert_eq!(codes(&seen), expected.into_iter().collect(), "{new}: {seen:#?}");
+    }
+}
+
+/// `text` with what is between the first `<tag>` after `from` and its end replaced; `None` where there is none.
+fn replaced(text: &str, from: &str, tag: &str, value: &str) -> Option<String> {
+    let (open, close) = (format!("<{tag}>"), format!("</{tag}>"));
+    let begin = text.find(from)?;
+    let start = begin + text[begin..].find(&open)? + open.len();
+    let end = start + text[start..].find(&close)?;
+    Some(format!("{}{value}{}", &text[..start], &text[end..]))
+}
+
+#[test]
+fn each_damage_of_a_real_model_is_named() {
+    let Some(folder) = corpus("each_damage_of_a_real_model_is_named") else { return };
+    let mut damaged = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let is_model = path.extension().is_some_and(|end| end == "osim");
+        let text = std::fs::read_to_string(&path).unwrap_or_default();
+        let has_contacts =
+            ["<HuntCrossleyForce ", "<SmoothSphereHalfSpaceForce "].iter().any(|tag| text.contains(tag));
+        if !is_model || !has_contacts {
+            continue;
+        }
+        let own = found(&text);
+        let plane = "<ContactHalfSpace name";
+        let turned = |angles| replaced(&text, plane, "orientation", angles);
+        let gravity = |vector| replaced(&text, "<Model", "gravity", vector);
+        let on_pelvis = || {
+            text.contains("<Body name=\"pelvis\">").then_some(())?;
+            let old = text[text.find(plane)?..].split("</ContactHalfSpace>").next()?.contains("<body_name>");
+            let (tag, value) =
+                if old { ("body_name", "pelvis") } else { ("socket_frame", "/bodyset/pelvis") };
+            replaced(&text, plane, tag, value)
+        };
+        for (what, model, code) in [
+            ("upright", turned("0 0 0"), "floor-upright"),
+            ("upright to the side", turned("0 1.5707963 0"), "floor-upright"),
+            ("upside down", turned("0 0 1.5707963"), "floor-upside-down"),
+            ("in degrees", turned("0 0 -90"), "angle-in-degrees"),
+            ("10 degrees", turned("0 0 -1.7453293"), "floor-slopes"),
+            ("on the pelvis", on_pelvis(), "floor-on-limb"),
+            ("gravity up", gravity("0 9.80665 0"), "gravity-not-down"),
+            ("gravity ahead", gravity("9.80665 0 0"), "gravity-not-down"),
+            ("gravity to the side", gravity("0 0 -9.80665"), "gravity-not-down"),
+            ("gravity in mm/s2", gravity("0 -9810 0"), "gravity-too-large"),
+            ("no gravity", gravity("0 0 0"), "no-gravity"),
+        ] {
+            let Some(model) = model else { continue };
+            let mut seen = found(&model);
+            // Two platforms are slopes as they are.
+            seen.retain(|finding| {
+                finding["code"] == code || !codes(&own).contains(finding["code"].as_str().unwrap())
+            });
+            assert_eq!(codes(&seen), BTreeSet::from([code]), "{}, {what}: {seen:#?}", path.display());
+            damaged += 1;
+        }
+    }
+    // 17 models in 11 ways; a pelvis is in 12 of them, and a <gravity> in 16.
+    assert_eq!(damaged, 177);
+}

@@ -57,12 +57,17 @@ impl Floors {
     }
 }
 
+/// The cosine of 45 degrees: directions that are nearer than that to each other are about the same.
+const NEAR: f64 = std::f64::consts::FRAC_1_SQRT_2;
+
 struct Judge<'m> {
     stance: Stance<'m>,
     /// Spheres with a floor that they can stand on, or with one of which nothing is known.
     with_floor: HashSet<SphereId>,
     /// The trees of bodies that have such spheres.
     trees_with_floor: HashSet<String>,
+    /// Whether a limb presses on any plane.
+    has_limbs: bool,
 }
 
 impl<'m> Judge<'m> {
@@ -72,7 +77,8 @@ impl<'m> Judge<'m> {
         let with_floor: HashSet<SphereId> = floors.flat_map(|plane| plane.spheres.iter().copied()).collect();
         let trees =
             with_floor.iter().filter_map(|&sphere| stance.top_of(sphere).map(str::to_owned)).collect();
-        Self { with_floor, trees_with_floor: trees, stance }
+        let has_limbs = planes.iter().any(|plane| !stance.limb_spheres(plane).is_empty());
+        Self { with_floor, trees_with_floor: trees, has_limbs, stance }
     }
 
     fn verdict(&self, plane: &ContactPlane) -> Verdict {
@@ -91,14 +97,10 @@ impl<'m> Judge<'m> {
         spheres
     }
 
-    /// A wall is no floor: nothing stands on it. Hands lean on one while the feet of the same body have their floor.
+    /// A wall is no floor: nothing stands on it. Hands lean on one while the feet of the same body have their floor, and a ball meets
+    /// a net while something else has one.
     fn steep(&self, plane: &ContactPlane, degrees: f64) -> Verdict {
-        let mut standing = self.without_floor(self.stance.limb_spheres(plane));
-        standing.retain(|&sphere| {
-            let tree_stands =
-                self.stance.top_of(sphere).is_some_and(|top| self.trees_with_floor.contains(top));
-            !tree_stands || self.stance.is_low(sphere)
-        });
+        let standing = self.standing_on(plane);
         if standing.is_empty() {
             Verdict::Fine
         } else if self.is_gravity_to_blame(plane, &standing) {
@@ -108,13 +110,29 @@ impl<'m> Judge<'m> {
         }
     }
 
-    /// Whether the body is where the floor's normal points, seen from its spheres, rather than where gravity has up; where that is not
-    /// known, whether the floor faces y, which is up in nearly all models.
+    /// The spheres of `plane` that have no other floor and should have one; all where the model has no limbs, and nothing has a floor.
+    fn standing_on(&self, plane: &ContactPlane) -> Vec<SphereId> {
+        if self.with_floor.is_empty() && !self.has_limbs {
+            return plane.spheres.clone();
+        }
+        let mut standing = self.without_floor(self.stance.limb_spheres(plane));
+        standing.retain(|&sphere| {
+            let top = self.stance.top_of(sphere);
+            !top.is_some_and(|top| self.trees_with_floor.contains(top)) || self.stance.is_low(sphere)
+        });
+        standing
+    }
+
+    /// Whether the body is where the floor's normal points, seen from its spheres, and not where gravity has up. Where it is at
+    /// neither, as that of a kicker whose foot is behind him, whether the floor faces y, which is up in nearly all models.
     fn is_gravity_to_blame(&self, plane: &ContactPlane, spheres: &[SphereId]) -> bool {
         let Some(surface) = plane.surface else { return false };
-        match self.stance.towards_body(spheres) {
-            Some(body) => dot(body, surface.normal) > dot(body, self.stance.model.up()),
-            None => surface.normal[1] > std::f64::consts::FRAC_1_SQRT_2,
+        let body = self.stance.towards_body(spheres).unwrap_or_default();
+        let near = |direction| dot(body, direction) > NEAR * dot(body, body).sqrt();
+        match (near(surface.normal), near(self.stance.model.up())) {
+            (true, false) => true,
+            (false, true) => false,
+            _ => surface.normal[1] > NEAR,
         }
     }
 }
