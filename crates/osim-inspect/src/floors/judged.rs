@@ -8,9 +8,9 @@ use osim_model::{Model, SphereId};
 use super::slope::Lie;
 use super::stance::Stance;
 
-/// What a plane is.
+/// What kind of plane it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Verdict {
+pub(crate) enum PlaneKind {
     /// A level floor, or a plane that is meant to be none, such as the net of a goal; or nothing is known.
     Fine,
     /// A slope of so many degrees.
@@ -27,7 +27,7 @@ pub(crate) enum Verdict {
 #[derive(Debug)]
 pub(crate) struct JudgedPlane {
     pub(crate) plane: ContactPlane,
-    pub(crate) verdict: Verdict,
+    pub(crate) kind: PlaneKind,
 }
 
 /// All planes on which the forces of a model that apply press moving spheres.
@@ -42,9 +42,9 @@ impl Floors {
             return Self(Vec::new());
         }
         let judge = Judge::new(Stance::of(model, &pose), &planes);
-        let verdicts: Vec<Verdict> = planes.iter().map(|plane| judge.verdict(plane)).collect();
-        let judged = planes.into_iter().zip(verdicts);
-        Self(judged.map(|(plane, verdict)| JudgedPlane { plane, verdict }).collect())
+        let kinds: Vec<PlaneKind> = planes.iter().map(|plane| judge.kind(plane)).collect();
+        let judged = planes.into_iter().zip(kinds);
+        Self(judged.map(|(plane, kind)| JudgedPlane { plane, kind }).collect())
     }
 
     /// Whether there is any plane that moving spheres press on.
@@ -81,13 +81,13 @@ impl<'m> Judge<'m> {
         Self { with_floor, trees_with_floor: trees, has_limbs, stance }
     }
 
-    fn verdict(&self, plane: &ContactPlane) -> Verdict {
+    fn kind(&self, plane: &ContactPlane) -> PlaneKind {
         if !self.without_floor(hung_on(&self.stance, plane)).is_empty() {
-            return Verdict::OnLimb;
+            return PlaneKind::OnLimb;
         }
         match Lie::of(self.stance.model, plane) {
-            None | Some(Lie::Level) => Verdict::Fine,
-            Some(Lie::Slope(degrees)) => Verdict::Slope(degrees),
+            None | Some(Lie::Level) => PlaneKind::Fine,
+            Some(Lie::Slope(degrees)) => PlaneKind::Slope(degrees),
             Some(Lie::Steep(degrees)) => self.steep(plane, degrees),
         }
     }
@@ -99,14 +99,14 @@ impl<'m> Judge<'m> {
 
     /// A wall is no floor: nothing stands on it. Hands lean on one while the feet of the same body have their floor, and a ball meets
     /// a net while something else has one.
-    fn steep(&self, plane: &ContactPlane, degrees: f64) -> Verdict {
+    fn steep(&self, plane: &ContactPlane, degrees: f64) -> PlaneKind {
         let standing = self.standing_on(plane);
         if standing.is_empty() {
-            Verdict::Fine
+            PlaneKind::Fine
         } else if self.is_gravity_to_blame(plane, &standing) {
-            Verdict::GravityAside(degrees)
+            PlaneKind::GravityAside(degrees)
         } else {
-            Verdict::Steep(degrees)
+            PlaneKind::Steep(degrees)
         }
     }
 

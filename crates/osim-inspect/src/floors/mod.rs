@@ -4,6 +4,6 @@ mod judged;
 mod slope;
 mod stance;
 
-pub(crate) use judged::{Floors, JudgedPlane, Verdict};
+pub(crate) use judged::{Floors, JudgedPlane, PlaneKind};
 pub use slope::weight_share;
 pub(crate) use slope::weight_share_at;

@@ -1,14 +1,15 @@
 //! A floor is a slope.
 
 use osim_messages::{readable, shown, three_significant};
-use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 
-use crate::floors::{Floors, JudgedPlane, Verdict};
+use crate::floors::{Floors, JudgedPlane, PlaneKind};
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::FloorSlopes,
     severity: Severity::Info,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Floor),
     what: "A floor leans by more than 1 degree, and by no more than 45: a slope.",
     why: "On a slope only the part of gravity along its normal presses spheres into it; figures under body weight use that part. Published slopes have up to 20.5 degrees.",
     advice: "Nothing, if that is meant; else turn the half-space",
@@ -25,7 +26,7 @@ pub(crate) fn find(floors: &Floors) -> Vec<Finding> {
 }
 
 fn of_plane(judged: &JudgedPlane) -> Option<Finding> {
-    let (Verdict::Slope(degrees), plane) = (judged.verdict, &judged.plane) else { return None };
+    let (PlaneKind::Slope(degrees), plane) = (judged.kind, &judged.plane) else { return None };
     let text = format!(
         "{} leans by {} degrees: {} of the weight presses on it",
         shown(&plane.name),

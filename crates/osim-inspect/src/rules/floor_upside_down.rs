@@ -1,6 +1,6 @@
 //! A floor is upside down.
 
-use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 
 use super::turned_floors::{UPSIDE_DOWN_DEGREES, turned};
 use crate::floors::Floors;
@@ -9,6 +9,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::FloorUpsideDown,
     severity: Severity::Error,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Floor),
     what: "A floor is upside down: its solid side is above.",
     why: "The half-space is solid where the body is, so its spheres begin deep inside it and are pushed down. In OpenSim the solid side of a half-space is where x is above 0 in its own frame.",
     advice: "Turn the half-space: orientation 0 0 -1.5707963267948966 makes it face y, 0 0 1.5707963267948966 makes it face −y",

@@ -1,15 +1,16 @@
 //! Gravity does not press spheres on their floor.
 
 use osim_messages::{readable, shown};
-use osim_model::{Example, Finding, FindingCode, Model, Repair, Rule, Seen, Severity};
+use osim_model::{Example, Finding, FindingCode, Model, Repair, Rule, Seen, Severity, VerdictOn};
 
 use super::turned_floors::UPSIDE_DOWN_DEGREES;
-use crate::floors::{Floors, JudgedPlane, Verdict};
+use crate::floors::{Floors, JudgedPlane, PlaneKind};
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::GravityNotDown,
     severity: Severity::Error,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Floor),
     what: "Gravity points out of the floor or along it, not into it.",
     why: "The body is where the floor faces, and gravity pulls it away from there or along the floor: the model falls for ever.",
     advice: "Write gravity against the direction in which the floor faces, as a rule 0 -9.80665 0",
@@ -32,7 +33,7 @@ pub(crate) fn find(model: &Model, floors: &Floors) -> Option<Finding> {
 }
 
 fn of_plane(model: &Model, judged: &JudgedPlane) -> Option<Finding> {
-    let Verdict::GravityAside(degrees) = judged.verdict else { return None };
+    let PlaneKind::GravityAside(degrees) = judged.kind else { return None };
     let (surface, size) = judged.plane.surface.zip(model.gravity())?;
     let down = surface.normal.map(|value| if value.abs() < NOISE { 0.0 } else { -value * size });
     let points = if degrees > UPSIDE_DOWN_DEGREES { "out of" } else { "along" };

@@ -1,12 +1,13 @@
 //! Gravity is in another unit.
 
 use osim_messages::readable;
-use osim_model::{Example, Finding, FindingCode, Model, Repair, Rule, Seen, Severity};
+use osim_model::{Example, Finding, FindingCode, Model, Repair, Rule, Seen, Severity, VerdictOn};
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::GravityTooLarge,
     severity: Severity::Error,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Floor),
     what: "Gravity is more than 100 m/s²: it is probably in mm/s² or cm/s².",
     why: "Under a thousand times its weight every sphere sinks in beyond its centre, and a simulation explodes. 100 m/s² are ten times the Earth's gravity, and four times that of Jupiter, the most of all planets; 981 and 9810 are the Earth's in cm/s² and mm/s². Figures under that weight are not judged.",
     advice: "Write gravity in m/s²",

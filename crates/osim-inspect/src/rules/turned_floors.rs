@@ -3,15 +3,15 @@
 use osim_messages::{readable, shown, three_significant};
 use osim_model::{Finding, Rule};
 
-use crate::floors::{Floors, JudgedPlane, Verdict};
+use crate::floors::{Floors, JudgedPlane, PlaneKind};
 
 /// A floor that leans by more than this, degrees, is nearer to upside down than to upright.
 pub(super) const UPSIDE_DOWN_DEGREES: f64 = 135.0;
 
 /// The floors that lean as `is_so` (degrees) says, with what to write instead.
 pub(super) fn turned(floors: &Floors, rule: &'static Rule, is_so: impl Fn(f64) -> bool) -> Vec<Finding> {
-    let of_plane = |judged: &JudgedPlane| match judged.verdict {
-        Verdict::Steep(degrees) if is_so(degrees) => of_plane(judged, rule, degrees),
+    let of_plane = |judged: &JudgedPlane| match judged.kind {
+        PlaneKind::Steep(degrees) if is_so(degrees) => of_plane(judged, rule, degrees),
         _ => None,
     };
     floors.iter().filter_map(of_plane).collect()

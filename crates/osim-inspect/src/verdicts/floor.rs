@@ -1,14 +1,27 @@
 //! Whether the floor is one.
 
-use osim_messages::Phrase;
+use osim_feet::{ContactPlane, DefaultPose};
+use osim_messages::{Phrase, readable, shown};
 
 use super::known::Known;
 
-/// How many planes the spheres meet, and that these are level.
+/// The plane that most spheres press on: how it lies, and what carries it.
 pub(super) fn right(known: &Known<'_>) -> Result<Phrase, Phrase> {
-    let forces = known.model.forces().iter().filter(|force| force.applies);
-    if !forces.into_iter().any(|force| known.model.meets_half_space(force)) {
-        return Err("no moving sphere meets a half-space".into());
-    }
-    Ok("it is level".into())
+    let model = known.model;
+    let planes = ContactPlane::all(model, &model.force_ids(), &DefaultPose::of(model));
+    // The first of those that equally many press on.
+    let most = planes.iter().reduce(|a, b| if b.spheres.len() > a.spheres.len() { b } else { a });
+    let plane = most.ok_or_else(|| Phrase::from("no moving sphere meets a half-space"))?;
+    let name = shown(&plane.plane.name).to_string();
+    let Some(surface) = plane.surface else {
+        return Err(format!("how {name} lies is not known").into());
+    };
+    let carrier =
+        plane.plane.body.as_deref().map_or_else(|| "ground".to_owned(), |body| shown(body).to_string());
+    let others = match planes.len() {
+        1 => String::new(),
+        count => format!("; {} more planes", count - 1),
+    };
+    let degrees = readable((surface.tilt_rad.to_degrees() * 100.0).round() / 100.0);
+    Ok(format!("{name} leans by {degrees} degrees, on {carrier}{others}").into())
 }

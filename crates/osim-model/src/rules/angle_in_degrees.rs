@@ -3,13 +3,14 @@
 use osim_messages::{readable, shown};
 
 use crate::contacts::Orientation;
-use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 use crate::model::Model;
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::AngleInDegrees,
     severity: Severity::Error,
     seen: Seen::Model,
+    verdict: Some(VerdictOn::Floor),
     what: "An angle of a half-space, or of a frame that carries it, is in degrees.",
     why: "OpenSim reads orientations in radians: -90 is 14 whole turns and a little more, which looks like a slope of 26.6 degrees.",
     advice: "Write the angles in radians: degrees × π/180",
