@@ -22,7 +22,8 @@ use crate::serialized::optional_phrase;
 pub struct Figures {
     /// Mass whose weight the spheres carry: what the model weighs, else the mass that its contacts are made for, kg.
     pub mass_kg: Option<f64>,
-    /// Gravity that was taken, m/s²: the model's own as a rule; `None` without gravity.
+    /// Gravity that was taken, m/s²: the model's own as a rule; `None` without gravity. On a slope, loads are made of its part along the
+    /// normal of the floor.
     pub gravity_m_s2: Option<f64>,
     /// Speed before an impact, m/s: given, or √(gR/2) with R = √(Σ R_i²/n) of all spheres, as in a drop test.
     pub impact_speed_m_s: Option<f64>,

@@ -8,7 +8,7 @@ pub(crate) static RULE: Rule = Rule {
     severity: Severity::Error,
     seen: Seen::Model,
     verdict: Some(VerdictOn::Floor),
-    what: "Gravity is more than 100 m/s²: it is probably in mm/s² or cm/s².",
+    what: "Gravity is more than 100 m/s2: it is probably in mm/s2 or cm/s2.",
     why: "Under a thousand times its weight every sphere sinks in beyond its centre, and a simulation explodes. 100 m/s² are ten times the Earth's gravity, and four times that of Jupiter, the most of all planets; 981 and 9810 are the Earth's in cm/s² and mm/s². Figures under that weight are not judged.",
     advice: "Write gravity in m/s²",
     repair: Repair::NotPossible(
