@@ -6,7 +6,7 @@ use osim_model::ModelJoint;
 
 /// Bodies that WeldJoints hold together, directly or through others.
 pub(crate) struct Welds<'j> {
-    /// The body that speaks for a group; it is no key itself. `None` is ground.
+    /// From each body to another one of its group; the first of a group has none. `None` is ground.
     leaders: HashMap<Option<&'j str>, Option<&'j str>>,
 }
 

@@ -97,7 +97,7 @@ impl<'m> Judge<'m> {
         spheres
     }
 
-    /// A wall is no floor: nothing stands on it. Hands lean on one while the feet of the same body have their floor, and a ball meets
+    /// A wall is not a floor: nothing stands on it. Hands lean on one while the feet of the same body have their floor, and a ball meets
     /// a net while something else has one.
     fn steep(&self, plane: &ContactPlane, degrees: f64) -> PlaneKind {
         let standing = self.standing_on(plane);
@@ -124,7 +124,7 @@ impl<'m> Judge<'m> {
     }
 
     /// Whether the body is where the floor's normal points, seen from its spheres, and not where gravity has up. Where it is at
-    /// neither, as that of a kicker whose foot is behind him, whether the floor faces y, which is up in nearly all models.
+    /// neither, as in a kicker whose foot is far back, whether the floor faces y, which is up in nearly all models.
     fn is_gravity_to_blame(&self, plane: &ContactPlane, spheres: &[SphereId]) -> bool {
         let Some(surface) = plane.surface else { return false };
         let body = self.stance.towards_body(spheres).unwrap_or_default();

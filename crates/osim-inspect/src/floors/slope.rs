@@ -5,7 +5,7 @@ use osim_model::{ForceId, Model, Orientation};
 
 /// A floor that leans by no more than this, degrees, is level: 180 of 204 planes under spheres in published models are.
 const LEVEL_DEGREES: f64 = 1.0;
-/// What leans by more than this, degrees, is no slope that something stands on. The steepest published slope has 20.5 degrees, and
+/// Nothing stands on a plane that leans by more than this, degrees. The steepest published slope has 20.5 degrees, and
 /// between that and upright planes (90 degrees) there is none.
 const STEEPEST_DEGREES: f64 = 45.0;
 
@@ -35,8 +35,8 @@ impl Lie {
 }
 
 /// The part of the weight that presses the spheres of `forces` on their floor: the cosine of the angle of a slope, else 1. Where
-/// they press on several floors, that of the least steep. A plane that is no floor presses nothing; once it is turned as it should
-/// be, all of the weight does.
+/// they press on several floors, that of the least steep. On a plane that is not a floor nothing presses; once it is turned as it
+/// should be, all of the weight does.
 #[must_use]
 pub fn weight_share(model: &Model, forces: &[ForceId]) -> f64 {
     weight_share_at(model, forces, &DefaultPose::of(model))

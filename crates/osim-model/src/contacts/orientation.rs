@@ -19,7 +19,7 @@ pub struct Orientation {
     pub angles_rad: Option<[f64; 3]>,
 }
 
-/// A turn by more than this, rad, is no turn: one in degrees. OpenSim itself writes no angle beyond π.
+/// An angle beyond this, rad, is in degrees. OpenSim itself writes no angle beyond π.
 const WHOLE_TURN: f64 = std::f64::consts::TAU + 0.01;
 
 impl Orientation {
