@@ -134,23 +134,48 @@ fn meshes_differ(sources: &Sources<'_>) -> Option<FactorQuestion> {
     Some(FactorQuestion::Meshes { body: sources.body.to_owned(), meshes: [of(first), of(other)] })
 }
 
-/// Two sides that are not of one size.
+/// Two sides that are not of one size, by the axes that are known on both.
 fn sides_differ(
     body: &str,
     axes: &[Option<AxisFactor>; 3],
     other: &str,
     others: &[Option<AxisFactor>; 3],
 ) -> Option<FactorQuestion> {
-    let ([Some(x), Some(y), Some(z)], [Some(a), Some(b), Some(c)]) = (*axes, *others) else { return None };
     if is_given(others) {
         return None;
     }
-    let apart = |(one, two): (AxisFactor, AxisFactor)| {
-        (one.factor - two.factor).abs() > AGREEMENT * one.factor.min(two.factor).abs()
+    let apart = |(one, two): (&Option<AxisFactor>, &Option<AxisFactor>)| match (one, two) {
+        (Some(one), Some(two)) => {
+            (one.factor - two.factor).abs() > AGREEMENT * one.factor.min(two.factor).abs()
+        }
+        _ => false,
     };
-    let factors = |[x, y, z]: [AxisFactor; 3]| [x.factor, y.factor, z.factor];
-    [(x, a), (y, b), (z, c)].into_iter().any(apart).then(|| FactorQuestion::Sides {
+    let factors = |axes: &[Option<AxisFactor>; 3]| axes.map(|axis| axis.map_or(f64::NAN, |axis| axis.factor));
+    axes.iter().zip(others).any(apart).then(|| FactorQuestion::Sides {
         bodies: [body.to_owned(), other.to_owned()],
-        factors: [factors([x, y, z]), factors([a, b, c])],
+        factors: [factors(axes), factors(others)],
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn axes(factors: [f64; 3]) -> [Option<AxisFactor>; 3] {
+        let known = |factor: f64| AxisFactor { factor, source: FactorSource::Mesh };
+        factors.map(|factor| (!factor.is_nan()).then(|| known(factor)))
+    }
+
+    #[test]
+    fn an_axis_without_a_factor_does_not_end_the_comparison() {
+        let right = axes([1.02, f64::NAN, 0.95]);
+        let differ = |left| sides_differ("calcn_r", &right, "calcn_l", &axes(left));
+        // 1.09 over 1.02 is 6.9 % more.
+        let Some(FactorQuestion::Sides { factors: [[x, y, z], _], .. }) = differ([1.09, 0.9, 0.95]) else {
+            panic!("not asked")
+        };
+        assert!((x, z) == (1.02, 0.95) && y.is_nan());
+        assert_eq!(differ([1.02, 0.5, 0.95]), None);
+        assert_eq!(differ([f64::NAN, 0.5, 0.95]), None);
+    }
 }

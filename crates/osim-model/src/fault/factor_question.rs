@@ -17,7 +17,7 @@ pub enum FactorQuestion {
     Sides {
         /// Names of both bodies.
         bodies: [String; 2],
-        /// What each would get along x, y and z.
+        /// What each would get along x, y and z; NaN where it is not known.
         factors: [[f64; 3]; 2],
     },
     /// Two different models have nothing in common that says how large a body is.
@@ -39,7 +39,8 @@ pub enum FactorQuestion {
 impl FactorQuestion {
     /// What is not known, and how to say it.
     pub(super) fn phrase(&self) -> Phrase {
-        let three = |factors: &[f64; 3]| factors.map(|factor| format!("{factor:.4}")).join(", ");
+        let one = |factor: f64| if factor.is_nan() { "unknown".to_owned() } else { format!("{factor:.4}") };
+        let three = |factors: &[f64; 3]| factors.map(one).join(", ");
         match self {
             Self::Meshes { body, meshes: [(one, by_one), (other, by_other)] } => phrase![
                 format!(
