@@ -19,6 +19,15 @@ impl Side {
         }
     }
 
+    /// The opposite one.
+    #[must_use]
+    pub const fn other(self) -> Self {
+        match self {
+            Self::Right => Self::Left,
+            Self::Left => Self::Right,
+        }
+    }
+
     /// Reads a side from a name such as `calcn_r`, `RFoot`, `left_toe` or `footL`; `None` where it has none or both.
     #[must_use]
     pub fn of_name(name: &str) -> Option<Self> {

@@ -1,7 +1,7 @@
 //! Numbers that look like slips: a mass in another unit, a sphere larger than the bones around it.
 
 use std::cmp::Ordering;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use osim_messages::Input;
 
@@ -9,6 +9,7 @@ use crate::contacts::Sphere;
 use crate::fault::{MassSlip, NeedsAnswer};
 use crate::mass::{MassRequest, same_mass};
 use crate::model::Model;
+use crate::side::Side;
 
 /// How near to a factor between units a ratio of masses counts as that factor.
 const NEAR: f64 = 0.15;
@@ -87,6 +88,10 @@ impl MassRequest {
 pub struct JointDistances {
     /// The longest distance between two joints of one body, m: of the body of this name and of those that it is joined to.
     around_m: BTreeMap<String, f64>,
+    /// The same, of the body alone.
+    own_m: BTreeMap<String, f64>,
+    /// The same, of the body and those above it on its limb.
+    of_limb_m: HashMap<String, Option<f64>>,
     longest_of_all_m: Option<f64>,
 }
 
@@ -110,8 +115,23 @@ impl JointDistances {
         };
         Self {
             around_m: neighbours.iter().filter_map(around).collect(),
+            of_limb_m: of_limbs(model, &longest_m),
             longest_of_all_m: longest_m.values().copied().reduce(f64::max),
+            own_m: longest_m,
         }
+    }
+
+    /// The longest distance between two joints of `body`; `None` if it has no two that are apart.
+    #[must_use]
+    pub fn of_body(&self, body: &str) -> Option<f64> {
+        self.own_m.get(body).copied()
+    }
+
+    /// The longest bone of the limb: the longest distance between two joints of `body`, or of one above it up to where the limb
+    /// leaves the trunk. `None` if none of these has two joints that are apart.
+    #[must_use]
+    pub fn of_limb(&self, body: &str) -> Option<f64> {
+        self.of_limb_m.get(body).copied().flatten()
     }
 
     /// The longest distance between two joints of one body: of the body that carries `sphere` and of those that it is joined to.
@@ -138,6 +158,33 @@ impl JointDistances {
         let sphere = sphere.name.clone();
         (radius_m > longest_m).then_some(NeedsAnswer::Radius { sphere, radius_m, longest_m, said_for })
     }
+}
+
+/// For each body that hangs on another one or carries one, the longest bone of its limb, each joint looked at once. A limb ends where
+/// the names above it are not of its side.
+fn of_limbs(model: &Model, own_m: &BTreeMap<String, f64>) -> HashMap<String, Option<f64>> {
+    let joints = model.joints.between_bodies(model.components());
+    let mut above: HashMap<&str, &str> = HashMap::new();
+    for joint in joints {
+        above.entry(&joint.child).or_insert(&joint.parent);
+    }
+    let mut of_limb_m: HashMap<String, Option<f64>> = HashMap::new();
+    for body in joints.iter().flat_map(|joint| [joint.child.as_str(), joint.parent.as_str()]) {
+        let (mut way, mut at) = (Vec::new(), Some(body));
+        while let Some(body) = at.filter(|&body| !of_limb_m.contains_key(body)) {
+            // A loop of joints ends here, too.
+            of_limb_m.insert(body.to_owned(), None);
+            way.push(body);
+            let side = Side::of_name(body);
+            at = above.get(body).copied().filter(|up| side.is_none() || Side::of_name(up) == side);
+        }
+        let mut longest_m = at.and_then(|body| of_limb_m.get(body).copied().flatten());
+        for body in way.into_iter().rev() {
+            longest_m = [longest_m, own_m.get(body).copied()].into_iter().flatten().reduce(f64::max);
+            of_limb_m.insert(body.to_owned(), longest_m);
+        }
+    }
+    of_limb_m
 }
 
 /// The longest distance between two of `places`. Where very many are about equally far from their middle (joints on a circle), only

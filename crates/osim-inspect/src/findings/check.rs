@@ -58,7 +58,8 @@ pub fn check_model(
     // Contacts that are made right for the body first need other commands afterwards.
     let in_other_units = gravity_too_large::find(model).is_some();
     let another_gravity = gravity_sources_disagree::find(model, options).filter(|_| !in_other_units);
-    if mismatch.is_some() || another_mass.is_some() || another_gravity.is_some() || places.are_wrong() {
+    let is_unsettled = mismatch.is_some() || another_mass.is_some() || another_gravity.is_some();
+    if is_unsettled || places.are_wrong() || are_spheres_odd(model) {
         remedies = remedies.unsettled();
     }
     let mut findings = traps::findings(model, inspected, &remedies, &Floors::of(model));
@@ -84,4 +85,10 @@ pub fn check_model(
         answer(remedy, model, &options.masses);
     }
     CheckResult::new(model, inspected, known::as_published(inspected, findings))
+}
+
+/// Whether the spheres themselves have to be corrected first: figures of a sphere in millimetres, or of a copy of one, say nothing.
+fn are_spheres_odd(model: &Model) -> bool {
+    let codes = [FindingCode::OddRadius, FindingCode::OddPlace, FindingCode::DoubledSpheres];
+    model.warnings.iter().any(|finding| codes.contains(&finding.code()))
 }

@@ -9,6 +9,7 @@ use super::found::Found;
 use super::remedy::Remedies;
 use crate::floors::Floors;
 use crate::inspection::Inspection;
+use crate::known::{KnownSide, odd_side};
 use crate::rules::{
     default_stiffness, left_right_differ, no_gravity, of_floors, several_spheres_one_force,
     sphere_count_unknown, zero_constant_contact_force,
@@ -25,6 +26,9 @@ pub(super) fn findings(
     let with_remedy =
         |finding: &Finding| Found::new(finding.clone(), remedy(model, &sides, finding, remedies));
     let mut found: Vec<Found> = inspected.warnings.iter().map(with_remedy).collect();
+    let differing = found.iter_mut().filter(|found| found.code() == FindingCode::LeftRightDiffer);
+    let known = LazyCell::new(|| KnownSide::of(model, &sides, inspected));
+    differing.for_each(|found| name_the_odd_side(&mut found.finding, &sides, *known));
     found.extend(model.remarks_on(&meeting_half_space(model)).into_iter().map(Found::from));
     found.extend(of_floors(model, floors).into_iter().map(Found::from));
     let unknown = [no_gravity::find(model, inspected, floors), sphere_count_unknown::find(inspected)];
@@ -36,6 +40,17 @@ pub(super) fn findings(
 fn meeting_half_space(model: &Model) -> Vec<ForceId> {
     let forces = model.forces().iter().filter(|force| model.meets_half_space(force));
     forces.map(|force| force.id).collect()
+}
+
+/// Says which side is the slip, and why, if it is known. A majority is in the message already.
+fn name_the_odd_side(finding: &mut Finding, sides: &BothSides<'_>, known: Option<KnownSide>) {
+    let left = finding.place.as_deref().and_then(|path| sides.force(path));
+    let Some(odd) = left.and_then(|left| odd_side(known, sides, left)) else { return };
+    finding.message.push(format!("; the one on the {} is the odd one", odd.as_str()));
+    if let Some(known) = known {
+        let (side, title) = (known.side.as_str(), known.contacts.title);
+        finding.message.push(format!(", since the contacts on the {side} are those of {title}"));
+    }
 }
 
 fn remedy<'m>(

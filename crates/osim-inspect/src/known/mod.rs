@@ -1,8 +1,10 @@
 //! Contacts that somebody published, known again by their dimensionless values; and which findings are their published state.
 
+mod odd_side;
 mod recognise;
 mod slip;
 mod table;
 
+pub(crate) use odd_side::{KnownSide, odd_side};
 pub use recognise::KnownContacts;
 pub use slip::unexplained_slip;

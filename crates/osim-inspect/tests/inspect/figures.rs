@@ -156,7 +156,7 @@ fn foot_with_a_high_toe() -> String {
     let joint = "<JointSet><objects><FreeJoint name=\"root\"><socket_parent_frame>/ground</socket_parent_frame>\
                  <socket_child_frame>/bodyset/foot_r</socket_child_frame></FreeJoint></objects></JointSet></Model>";
     let text = foot(&[HEEL, TOE]).replace("</Model>", joint);
-    text.replace("<radius>0.03</radius>", "<radius>0.03</radius><location>0 -0.016 0</location>")
+    text.replace("<location>0 0 0.1</location>", "<location>0 -0.016 0</location>")
 }
 
 #[test]

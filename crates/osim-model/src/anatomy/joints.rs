@@ -113,6 +113,15 @@ impl Joints {
         self.all.get_or_init(|| joints.filter_map(|(id, _)| Some((id, read_one(components, id)?))).collect())
     }
 
+    /// Each body at an end of a joint, and where the joint is on it, m.
+    pub(crate) fn ends(&self, components: &Components) -> impl Iterator<Item = (&str, [f64; 3])> {
+        self.read(components).iter().flat_map(|(_, joint)| {
+            let parent = joint.parent.as_deref().map(|body| (body, joint.in_parent.translation_m));
+            let child = joint.child.as_deref().map(|body| (body, joint.in_child.translation_m));
+            parent.into_iter().chain(child)
+        })
+    }
+
     /// Those between bodies.
     pub(crate) fn between_bodies(&self, components: &Components) -> &[AnatomyJoint] {
         let all = self.read(components).iter();

@@ -1,13 +1,8 @@
 //! Left and right contacts differ.
 
-use contact_scaling::Ratios;
-
 use crate::contacts::Force;
 use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
-use crate::model::Model;
-use crate::property::Property;
-use crate::side::{Side, without_side};
-use crate::sides::{Bones, close, right_forces, spheres};
+use crate::sides::{BothSides, Difference};
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::LeftRightDiffer,
@@ -15,7 +10,7 @@ pub(crate) static RULE: Rule = Rule {
     seen: Seen::Model,
     verdict: Some(VerdictOn::Sides),
     what: "Left and right contacts differ.",
-    why: "Contacts of a symmetric model are nearly always meant to be symmetric; a difference usually is a slip of the hand.",
+    why: "Contacts of a symmetric model are nearly always meant to be symmetric; a difference usually is a slip of the hand. Contacts are compared with those at the mirrored place, whatever their names are; numbers that follow the sizes of the bones are right.",
     advice: "Compare the two sides with `inspect` and correct the one that is wrong",
     repair: Repair::Command(
         "writes the values of the right side into the left force, where they can be written in one call",
@@ -27,70 +22,21 @@ pub(crate) static RULE: Rule = Rule {
     },
 };
 
-/// Forces whose names differ only in the side should have equal parameters, or such as follow bones that were scaled unlike.
-pub(super) fn find(model: &Model) -> Vec<Finding> {
-    let mut found = Vec::new();
-    let right = right_forces(model);
-    let mut bones: Option<Bones> = None;
-    let side = |name: &str| Side::of_name(name);
-    for force in model.forces().iter().filter(|force| side(&force.name) == Some(Side::Left)) {
-        let Some(other) = right.get(&without_side(&force.name)).copied() else {
-            continue;
-        };
-        let Some(what) = difference(model, force, other) else { continue };
-        let what = match bones.get_or_insert_with(|| Bones::of(model)).explain_radii(model, force, other) {
-            Some(ratios) => match unlike(force, other, &ratios) {
-                Some(what) => what,
-                None => continue,
-            },
-            None => what,
-        };
-        let text = format!("{} and {} differ: {what}", force.path, other.path);
-        found.push(Finding::at(&RULE, force.line, text).about(&force.path));
-    }
-    found
+/// Forces whose spheres are mirror images should have equal parameters, or such as follow bones that were scaled unlike.
+pub(super) fn find(sides: &BothSides<'_>) -> Vec<Finding> {
+    let found = sides.differences().into_iter();
+    found.filter_map(|(left, right, all)| of_pair(&RULE, left, right, &all, false)).collect()
 }
 
-/// The first difference between them, in words.
-fn difference(model: &Model, left: &Force, right: &Force) -> Option<String> {
-    let differing = left.sets.iter().zip(&right.sets).find_map(|(left, right)| {
-        left.values.iter().zip(&right.values).find(|(l, r)| l.number != r.number && !l.number.is_nan())
-    });
-    let radii = |force: &Force| -> Vec<u64> {
-        spheres(model, force).into_iter().map(|sphere| sphere.radius.number.to_bits()).collect()
-    };
-    match differing {
-        Some((left, right)) => Some(format!("{} is {} and {}", left.property, left.number, right.number)),
-        None => (radii(left) != radii(right)).then(|| "radii differ".to_owned()),
-    }
-}
-
-/// The first parameter that does not follow the radii, in words. The modulus has to; of the others some stay as they are, as the
-/// caller of a change wants it.
-fn unlike(left: &Force, right: &Force, ratios: &Ratios) -> Option<String> {
-    left.sets.iter().zip(&right.sets).find_map(|(left, right)| {
-        let mut pairs = left.values.iter().zip(&right.values).filter(|(l, _)| !l.number.is_nan());
-        let (l, r) = pairs.find(|(l, r)| {
-            let follows = factor(l.property, ratios).is_some_and(|factor| close(l.number, factor * r.number));
-            !follows && (l.number != r.number || l.property == Property::Stiffness)
-        })?;
-        Some(format!(
-            "{} is {} and {}, which does not follow the radii of the two sides",
-            l.property, l.number, r.number
-        ))
-    })
-}
-
-/// By what a parameter is multiplied where radii alone change.
-fn factor(property: Property, ratios: &Ratios) -> Option<f64> {
-    Some(match property {
-        Property::Stiffness => ratios.plane_strain_modulus(),
-        Property::Dissipation => ratios.dissipation(),
-        Property::ConstantContactForce => ratios.constant_contact_force(),
-        Property::HertzSmoothing => ratios.hertz_smoothing(),
-        Property::HuntCrossleySmoothing => ratios.hunt_crossley_smoothing(),
-        Property::TransitionVelocity => ratios.transition_velocity(),
-        Property::ViscousFriction => ratios.viscous_friction(),
-        _ => return None,
-    })
+/// What differs between two forces, as much as `are_small` says: the first difference of that kind.
+pub(super) fn of_pair(
+    rule: &'static Rule,
+    left: &Force,
+    right: &Force,
+    differences: &[Difference],
+    are_small: bool,
+) -> Option<Finding> {
+    let first = differences.iter().find(|difference| difference.is_small == are_small)?;
+    let text = format!("{} and {} differ: {}", left.path, right.path, first.text);
+    Some(Finding::at(rule, left.line, text).about(&left.path))
 }

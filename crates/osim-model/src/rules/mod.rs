@@ -7,9 +7,15 @@ pub(crate) mod contact_defaults;
 pub(crate) mod dead_derivative_smoothing;
 pub(crate) mod default_stiffness;
 pub(crate) mod disabled_force;
+pub(crate) mod doubled_spheres;
 pub(crate) mod duplicate_names;
 pub(crate) mod included_file;
+pub(crate) mod large_friction;
+pub(crate) mod left_right_close;
 pub(crate) mod left_right_differ;
+pub(crate) mod left_right_missing;
+pub(crate) mod left_right_off;
+pub(crate) mod left_right_places;
 pub(crate) mod loop_of_joints;
 pub(crate) mod mass_sources_disagree;
 pub(crate) mod misnamed_parameter_set;
@@ -19,6 +25,9 @@ pub(crate) mod moco_dialect;
 pub(crate) mod not_finite;
 pub(crate) mod not_hertz;
 pub(crate) mod odd_number;
+pub(crate) mod odd_place;
+pub(crate) mod odd_radius;
+pub(crate) mod one_side_only;
 pub(crate) mod out_of_domain;
 mod remarks;
 pub(crate) mod several_parameter_sets;
@@ -40,9 +49,15 @@ pub const RULES: &[&Rule] = &[
     &dead_derivative_smoothing::RULE,
     &default_stiffness::RULE,
     &disabled_force::RULE,
+    &doubled_spheres::RULE,
     &duplicate_names::RULE,
     &included_file::RULE,
+    &large_friction::RULE,
+    &left_right_close::RULE,
     &left_right_differ::RULE,
+    &left_right_missing::RULE,
+    &left_right_off::RULE,
+    &left_right_places::RULE,
     &loop_of_joints::RULE,
     &mass_sources_disagree::RULE,
     &misnamed_parameter_set::RULE,
@@ -52,6 +67,9 @@ pub const RULES: &[&Rule] = &[
     &not_finite::RULE,
     &not_hertz::RULE,
     &odd_number::RULE,
+    &odd_place::RULE,
+    &odd_radius::RULE,
+    &one_side_only::RULE,
     &out_of_domain::RULE,
     &several_parameter_sets::RULE,
     &several_spheres_one_force::RULE,
@@ -73,7 +91,8 @@ pub(crate) fn find(model: &Model) -> Vec<Finding> {
         sphere_in_two_forces::find,
         default_stiffness::find,
         zero_constant_contact_force::find,
-        left_right_differ::find,
+        both_sides,
+        large_friction::find,
         contact_defaults::find,
         moco_dialect::find,
         unknown_class::find,
@@ -81,6 +100,23 @@ pub(crate) fn find(model: &Model) -> Vec<Finding> {
         loop_of_joints::find,
     ];
     all.into_iter().flat_map(|find| find(model)).collect()
+}
+
+/// What rules say about the two sides of the body, and about the places and sizes of spheres on it.
+fn both_sides(model: &Model) -> Vec<Finding> {
+    let sides = model.both_sides();
+    let mut found = left_right_differ::find(&sides);
+    found.extend(left_right_close::find(&sides));
+    let grouped = [
+        left_right_places::find,
+        left_right_missing::find,
+        left_right_off::find,
+        one_side_only::find,
+        doubled_spheres::find,
+    ];
+    found.extend(grouped.into_iter().filter_map(|find| find(&sides)));
+    found.extend([odd_radius::find, odd_place::find].into_iter().filter_map(|find| find(model, &sides)));
+    found
 }
 
 /// What rules say about each component, in the order of the tree.

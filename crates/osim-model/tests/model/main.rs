@@ -10,4 +10,5 @@
 
 mod loops;
 mod reading;
+mod sides;
 mod words;

@@ -364,7 +364,7 @@ fn traps_are_named_with_their_codes() {
         ("shared_sphere", "sphere-in-two-forces"),
         ("one_force_for_all", "several-spheres-one-force"),
         ("unequal_stiffness", "left-right-differ"),
-        ("unequal_radii", "left-right-differ"),
+        ("unequal_radii", "left-right-close"),
         ("not_hertz", "not-hertz"),
         ("elastic_foundation", "not-hertz"),
         ("moco_sphere_in_force", "moco-dialect"),

@@ -18,6 +18,7 @@ mod findings;
 mod known_contacts;
 mod left_like_right;
 mod masses;
+mod odd_side;
 mod placement;
 mod remedies;
 mod rules;

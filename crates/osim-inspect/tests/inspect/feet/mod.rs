@@ -72,10 +72,12 @@ impl Smooth {
         )
     }
 
-    fn sphere(&self) -> String {
+    /// Beside the `others` before it: no two spheres are at one place.
+    fn sphere(&self, others: usize) -> String {
         format!(
             "<ContactSphere name=\"{}\">
 <socket_frame>/bodyset/foot_r</socket_frame>
+<location>0 0 0.{others}</location>
 <radius>{}</radius>
 </ContactSphere>\n",
             self.name, self.radius
@@ -95,7 +97,7 @@ pub fn foot(spheres: &[Smooth]) -> String {
 <ContactGeometrySet name=\"contactgeometryset\"><objects>
 <ContactHalfSpace name=\"floor\"><socket_frame>/ground</socket_frame><orientation>0 0 -1.5707963267948966</orientation></ContactHalfSpace>\n",
     );
-    spheres.iter().for_each(|one| text.push_str(&one.sphere()));
+    spheres.iter().enumerate().for_each(|(others, one)| text.push_str(&one.sphere(others)));
     text.push_str("</objects></ContactGeometrySet>\n<ForceSet name=\"forceset\"><objects>\n");
     spheres.iter().for_each(|one| text.push_str(&one.force()));
     text + "</objects></ForceSet>\n</Model>\n</OpenSimDocument>\n"

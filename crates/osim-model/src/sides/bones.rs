@@ -1,0 +1,78 @@
+//! How large the bones of one side are, compared with those of the other.
+
+use std::collections::{BTreeMap, HashMap};
+
+use crate::anatomy::meshes;
+use crate::model::Model;
+use crate::side::without_side;
+use crate::slip::JointDistances;
+
+/// Sizes of the bones that carry spheres: factors of their meshes, and distances between their joints.
+#[derive(Debug, Default)]
+pub(crate) struct Bones {
+    meshes: HashMap<String, BTreeMap<String, [f64; 3]>>,
+    distances: JointDistances,
+}
+
+impl Bones {
+    pub(crate) fn of(model: &Model) -> Self {
+        let components = model.components();
+        let bodies = components.tree.iter().map(|(id, _)| id).filter(|&id| components.tag(id) == "Body");
+        let meshes = bodies.map(|id| (components.name(id), meshes(components, id))).collect();
+        Self { meshes, distances: JointDistances::of(model) }
+    }
+
+    /// The longest bone of the limb to which `body` belongs, m; `None` where no body of it has two joints.
+    pub(crate) fn longest_of_limb_m(&self, body: &str) -> Option<f64> {
+        self.distances.of_limb(body)
+    }
+
+    /// By how much the body `left` is larger than `right`, along x, y and z: by their meshes, else by the distances between
+    /// their joints; `None` where neither says it.
+    pub(crate) fn ratios(&self, left: &str, right: &str) -> Option<[f64; 3]> {
+        self.of_meshes(left, right).or_else(|| {
+            let ratio = self.distances.of_body(left)? / self.distances.of_body(right)?;
+            (ratio.is_finite() && ratio > 0.0).then_some([ratio; 3])
+        })
+    }
+
+    /// The same by meshes; `None` where no mesh shows the same bone, or these do not agree.
+    fn of_meshes(&self, left: &str, right: &str) -> Option<[f64; 3]> {
+        let (left, right) = (self.meshes.get(left)?, self.meshes.get(right)?);
+        let mut ratios = same_bones(left, right).into_iter().filter_map(|(l, r)| ratio(l, r));
+        let first = ratios.next()?;
+        ratios.all(|other| other.into_iter().zip(first).all(|(a, b)| close(a, b))).then_some(first)
+    }
+}
+
+type Factors<'b> = (&'b [f64; 3], &'b [f64; 3]);
+
+/// The factors of meshes of the same bone: by their names, else in their order.
+fn same_bones<'b>(
+    left: &'b BTreeMap<String, [f64; 3]>,
+    right: &'b BTreeMap<String, [f64; 3]>,
+) -> Vec<Factors<'b>> {
+    let by_name: HashMap<String, &[f64; 3]> =
+        right.iter().map(|(file, factors)| (without_side(file), factors)).collect();
+    let named: Vec<Factors<'b>> =
+        left.iter().filter_map(|(file, l)| Some((l, *by_name.get(&without_side(file))?))).collect();
+    let in_order = || left.values().zip(right.values()).collect();
+    if named.is_empty() && left.len() == right.len() { in_order() } else { named }
+}
+
+/// Left over right. An axis without a number takes the mean of the others, so that it does not end the comparison; `None` where
+/// no axis has one.
+fn ratio(left: &[f64; 3], right: &[f64; 3]) -> Option<[f64; 3]> {
+    // A mirrored mesh has a negative factor.
+    let of_axes: [f64; 3] = std::array::from_fn(|axis| (left[axis] / right[axis]).abs());
+    let is_known = |ratio: &f64| ratio.is_finite() && *ratio > 0.0;
+    let known: Vec<f64> = of_axes.into_iter().filter(is_known).collect();
+    #[expect(clippy::cast_precision_loss, reason = "at most three axes")]
+    let mean = known.iter().sum::<f64>() / known.len() as f64;
+    (!known.is_empty()).then(|| of_axes.map(|ratio| if is_known(&ratio) { ratio } else { mean }))
+}
+
+/// Whether two values are the same, apart from rounding.
+pub(crate) fn close(value: f64, expected: f64) -> bool {
+    (value - expected).abs() <= 1e-6 * expected.abs()
+}

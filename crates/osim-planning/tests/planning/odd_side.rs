@@ -1,0 +1,29 @@
+//! Which of two sides that differ is the slip, where all contacts of one side differ from those of the other.
+
+use crate::checks::{check_text, message};
+use osim_model::FindingCode;
+
+/// Contacts of Falisse et al. (2022), six forces a side.
+const HUMAN: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
+
+/// The human with ten times the stiffness in all forces of one side, whose names end so.
+fn stiffer(end: &str) -> String {
+    let mut parts = HUMAN.split("<SmoothSphereHalfSpaceForce name=\"");
+    let first = parts.next().unwrap().to_owned();
+    parts.fold(first, |text, force| {
+        let is_side = force.split('"').next().unwrap().ends_with(end);
+        let force = if is_side { force.replace(">1000000<", ">10000000<") } else { force.to_owned() };
+        format!("{text}<SmoothSphereHalfSpaceForce name=\"{force}")
+    })
+}
+
+#[test]
+fn the_table_of_known_contacts_shows_which_side_is_the_slip() {
+    for (end, odd, known) in [("_l", "left", "right"), ("_r", "right", "left")] {
+        let found = message(&check_text(&stiffer(end)), FindingCode::LeftRightDiffer);
+        let expected = format!(
+            "; the one on the {odd} is the odd one, since the contacts on the {known} are those of Falisse et al. (2022)"
+        );
+        assert!(found.ends_with(&expected), "{found}");
+    }
+}
