@@ -3,7 +3,7 @@
 use osim_messages::readable;
 
 use crate::contacts::Force;
-use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 use crate::model::Model;
 use crate::property::Property;
 
@@ -14,7 +14,7 @@ pub(crate) static RULE: Rule = Rule {
     code: FindingCode::LargeFriction,
     severity: Severity::Warn,
     seen: Seen::Model,
-    verdict: None,
+    verdict: Some(VerdictOn::Sizes),
     what: "A coefficient of friction is larger than that of any surface.",
     why: "Between a foot and a floor it is about 0.3 to 1. More than 10 mostly is a percentage, or lacks its decimal point; a foot that slides is then stopped by a force of many times its weight.",
     advice: "Write the coefficient, such as 0.8, with `set`",
