@@ -69,10 +69,27 @@ pub(crate) fn dependent_coordinates(model: &Model) -> HashSet<String> {
 
 /// The value at time 0 of a coordinate that is prescribed: `Some(None)` where its function is not known.
 fn prescribed(document: &Document, coordinate: ElementId) -> Option<Option<f64>> {
+    let function = prescribing(document, coordinate)?;
+    Some(document.function_value(function, 0.0))
+}
+
+/// The function that prescribes a coordinate, if one does.
+fn prescribing(document: &Document, coordinate: ElementId) -> Option<ElementId> {
     let is_prescribed = matches!(document.flag(coordinate, "prescribed"), Ok(Some(true)));
     let tree = document.tree();
     let function = tree.children(tree.child(coordinate, "prescribed_function")?).next()?;
-    is_prescribed.then(|| document.function_value(function, 0.0))
+    is_prescribed.then_some(function)
+}
+
+/// Whether a function of time sets a coordinate.
+pub(crate) fn is_prescribed(document: &Document, coordinate: ElementId) -> bool {
+    prescribing(document, coordinate).is_some()
+}
+
+/// The names of the coordinates that constraints make depend on others.
+pub(crate) fn dependent_coordinates(model: &Model) -> HashSet<String> {
+    let couplers = constraints(model).into_iter().filter_map(|(document, id)| coupler(document, id));
+    couplers.map(|coupler| coupler.dependent).collect()
 }
 
 /// Enforced constraints of all files of the model.

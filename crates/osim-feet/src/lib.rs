@@ -41,7 +41,7 @@ pub use scene::{
 };
 pub use sole::{Footprint, Sole, SoleRequest, SoleSphere, soles};
 pub use sphere_pairs::{SpherePair, sphere_pairs};
-pub use standing::{PlacedSphere, Standing, VerticalCoordinate};
+pub use standing::{ByLaw, Lift, NotLifted, OverFloor, Rest, RestingSphere, Standing};
 pub use tilted::Tilting;
 pub use vector::{angle, dot};
 

@@ -15,3 +15,4 @@ mod planes;
 mod pose;
 mod scene;
 mod soles;
+mod standing;

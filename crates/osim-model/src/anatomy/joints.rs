@@ -68,7 +68,7 @@ pub struct ModelJoint {
 pub struct JointCoordinate {
     /// Its name.
     pub name: String,
-    /// Where it is in the joint's file.
+    /// Where it is in the joint's file; the joint itself if only OpenSim makes it.
     pub element: ElementId,
     /// `default_value`, rad or m; `None` where it is not a number.
     pub default: Option<f64>,
@@ -165,7 +165,7 @@ fn read_one(components: &Components, joint: ComponentId) -> Option<ModelJoint> {
         parent: parent.0,
         child: child.0,
         file: components.file_of(joint),
-        coordinates: coordinates(document, element),
+        coordinates: coordinates(document, element).unwrap_or_else(|| unwritten(components, joint)),
         element,
         in_parent: parent.1,
         in_child: child.1,
@@ -174,13 +174,28 @@ fn read_one(components: &Components, joint: ComponentId) -> Option<ModelJoint> {
     })
 }
 
-fn coordinates(document: &Document, joint: ElementId) -> Vec<JointCoordinate> {
+/// The coordinates of a joint that are not in the file: OpenSim makes them by itself, all at 0, before the joint has its name.
+fn unwritten(components: &Components, joint: ComponentId) -> Vec<JointCoordinate> {
+    let count = match components.tag(joint) {
+        "PinJoint" | "SliderJoint" => 1,
+        "UniversalJoint" => 2,
+        "GimbalJoint" | "BallJoint" | "EllipsoidJoint" | "PlanarJoint" => 3,
+        "FreeJoint" => 6,
+        _ => 0,
+    };
+    let element = components.element(joint);
+    let coordinate =
+        |number| JointCoordinate { name: format!("_coord_{number}"), element, default: Some(0.0) };
+    (0..count).map(coordinate).collect()
+}
+
+/// The coordinates that the file has for a joint; `None` if it has no list of them.
+fn coordinates(document: &Document, joint: ElementId) -> Option<Vec<JointCoordinate>> {
     let tree = document.tree();
     let old = || tree.child(tree.child(joint, "CoordinateSet")?, "objects");
-    let list = tree.child(joint, "coordinates").or_else(old);
-    let coordinates = list.into_iter().flat_map(|list| tree.children(list));
-    let coordinates = coordinates.filter(|&id| tree.name(id) == "Coordinate");
-    coordinates
+    let list = tree.child(joint, "coordinates").or_else(old)?;
+    let coordinates = tree.children(list).filter(|&id| tree.name(id) == "Coordinate");
+    let found = coordinates
         .map(|element| {
             let name = tree.attribute(element, "name").unwrap_or_default().into_owned();
             let default = match tree.child(element, "default_value") {
@@ -191,7 +206,8 @@ fn coordinates(document: &Document, joint: ElementId) -> Vec<JointCoordinate> {
             };
             JointCoordinate { name, element, default }
         })
-        .collect()
+        .collect();
+    Some(found)
 }
 
 /// The body at one end of a joint (`None` is ground), and the joint's frame on it.

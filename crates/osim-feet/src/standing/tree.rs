@@ -1,0 +1,97 @@
+//! Joints as a tree from ground: what a body hangs on, and what hangs on a joint.
+
+use std::collections::{HashMap, HashSet, VecDeque};
+
+use osim_model::ModelJoint;
+
+/// The joint over which a body hangs on ground or on another body.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Hanging<'j> {
+    pub(super) joint: &'j ModelJoint,
+    /// The body that hangs on the joint.
+    pub(super) body: &'j str,
+    /// The body above it; `None` is ground.
+    pub(super) parent: Option<&'j str>,
+    /// Whether the joint leads from what is above to the body, and not the other way round.
+    pub(super) forward: bool,
+}
+
+/// The bodies of a model by the joints over which ground is reached first. A joint that closes a loop is left out.
+pub(super) struct JointTree<'j> {
+    above: HashMap<&'j str, Hanging<'j>>,
+    below: HashMap<&'j str, Vec<&'j str>>,
+}
+
+impl<'j> JointTree<'j> {
+    pub(super) fn of(joints: &'j [ModelJoint]) -> Self {
+        let mut at: HashMap<Option<&str>, Vec<&'j ModelJoint>> = HashMap::new();
+        for joint in joints {
+            at.entry(joint.parent.as_deref()).or_default().push(joint);
+            at.entry(joint.child.as_deref()).or_default().push(joint);
+        }
+        let mut tree = Self { above: HashMap::new(), below: HashMap::new() };
+        let mut waiting: VecDeque<Option<&'j str>> = VecDeque::from([None]);
+        while let Some(here) = waiting.pop_front() {
+            for &joint in at.get(&here).into_iter().flatten() {
+                let forward = joint.parent.as_deref() == here;
+                let there = if forward { &joint.child } else { &joint.parent };
+                let Some(body) = there.as_deref().filter(|body| !tree.above.contains_key(body)) else {
+                    continue;
+                };
+                tree.above.insert(body, Hanging { joint, body, parent: here, forward });
+                tree.below.entry(here.unwrap_or_default()).or_default().push(body);
+                waiting.push_back(Some(body));
+            }
+        }
+        tree
+    }
+
+    /// The joints from `body` to ground.
+    pub(super) fn way(&self, body: &str) -> Vec<Hanging<'j>> {
+        let mut way = Vec::new();
+        let mut at = self.above.get(body);
+        while let Some(hanging) = at {
+            way.push(*hanging);
+            at = hanging.parent.and_then(|parent| self.above.get(parent));
+        }
+        way
+    }
+
+    /// The body on top of the tree in which `body` is: the one that hangs on ground.
+    pub(super) fn top(&self, body: &str) -> Option<&'j str> {
+        self.way(body).last().map(|hanging| hanging.body)
+    }
+
+    /// The joints above all of `bodies`, from the lowest to ground. Each body is looked at once.
+    pub(super) fn way_of_all(&self, bodies: &[&str]) -> Vec<Hanging<'j>> {
+        let Some(first) = bodies.first() else { return Vec::new() };
+        let way = self.way(first);
+        // Where on the first way the ways of other bodies end.
+        let mut joins: HashMap<&str, usize> =
+            way.iter().enumerate().map(|(place, hanging)| (hanging.body, place)).collect();
+        let mut common = 0;
+        for body in bodies {
+            let mut passed = Vec::new();
+            let mut at = self.above.get(body);
+            while let Some(hanging) = at.filter(|hanging| !joins.contains_key(hanging.body)) {
+                passed.push(hanging.body);
+                at = hanging.parent.and_then(|parent| self.above.get(parent));
+            }
+            let place = at.and_then(|hanging| joins.get(hanging.body).copied()).unwrap_or(way.len());
+            joins.extend(passed.into_iter().map(|body| (body, place)));
+            common = common.max(place);
+        }
+        way.into_iter().skip(common).collect()
+    }
+
+    /// `body` and all bodies below it.
+    pub(super) fn with_all_below(&self, body: &'j str) -> HashSet<&'j str> {
+        let mut found = HashSet::from([body]);
+        let mut waiting = vec![body];
+        while let Some(above) = waiting.pop() {
+            let below = self.below.get(above).into_iter().flatten().copied();
+            waiting.extend(below.filter(|body| found.insert(body)));
+        }
+        found
+    }
+}
