@@ -1,0 +1,115 @@
+"""Bodies on their feet: with the coordinate that `inspect` says, the contact forces of the real OpenSim carry the weight.
+
+As posed, on all feet, and on one limb alone; and each sphere carries what `inspect` says of it. The weight is that of the bodies which
+OpenSim moves with the coordinate.
+"""
+
+from functools import cache
+
+import pytest
+
+import command
+import models
+from opensim_standing import posed
+
+TOLERANCE = 1e-6  # of the load
+FIXTURES = [path for folder in ("feet", "drawn_feet") for path in sorted((models.FIXTURES / folder).glob("*.osim"))]
+MODELS = models.fixtures("reads") + FIXTURES + models.corpus()
+# In the records of a SmoothSphereHalfSpaceForce the body is called so.
+SPHERE = "Sphere"
+
+
+@cache
+def inspected(path):
+    outcome = command.inspect(path, *asked(path))
+    return outcome.report if outcome.status == 0 else None
+
+
+def asked(path):
+    return ("--mass", "78.2") if path.stem in command.ASKED else ()
+
+
+def standing(path, how):
+    """The bodies that a coordinate puts on their feet, as posed or on one limb."""
+    report = inspected(path)
+    if report is None or any(force["parameters"].get("constant_contact_force") == 0 for force in report["forces"]):
+        # OpenSim divides 0 by 0 where cf is 0 and nothing slips.
+        return []
+    return [body for body in report["standing"] if body["coordinate"] and body[how] and body["weight_n"]]
+
+
+@cache
+def opensim(path, how, alone=None):
+    """What OpenSim finds where all bodies stand."""
+    values = [[body["joint"], body["coordinate"], body[how]["value_m"]] for body in standing(path, how)]
+    (found,) = posed([(path, values, alone and list(alone))])
+    assert "error" not in found, found
+    return found
+
+
+def pressing(path):
+    """`{force path: {spheres' paths}}` of the forces that apply."""
+    report = inspected(path)
+    paths = {}
+    for force in report["forces"]:
+        own = [sphere["path"] for sphere in report["spheres"] if sphere["name"] in force["spheres"]]
+        if force["applies"]:
+            paths.setdefault(force["path"], (force["type"], set()))[1].update(own)
+    return paths
+
+
+def on_sphere(path, found, sphere):
+    """What the forces press `sphere` with, and all others of its body that they press."""
+    body = next(one["body"] for one in inspected(path)["spheres"] if one["path"] == sphere)
+    total = 0.0
+    for force, (kind, spheres) in pressing(path).items():
+        if sphere in spheres:
+            total += found["forces"][force][SPHERE if kind.startswith("Smooth") else body]
+    return total
+
+
+def shares_its_force(path, sphere):
+    """Whether a HuntCrossleyForce that presses it presses another sphere, too: OpenSim tells bodies apart, not spheres."""
+    return any(sphere in spheres and len(spheres) > 1 for _, spheres in pressing(path).values())
+
+
+def floor_of(path, found):
+    """The part of gravity along the normal of the floors: of all planes that lean by less than 45 degrees, which are alike."""
+    floors = [slope for slope in found["slopes"] if slope > 2**-0.5] or [1.0]
+    assert max(floors) - min(floors) < 1e-9, path
+    return floors[0]
+
+
+def stands(how):
+    return [path for path in MODELS if standing(path, how)]
+
+
+@pytest.mark.parametrize("path", MODELS, ids=models.label)
+@pytest.mark.parametrize("how", ["as_posed", "on_one_limb"])
+def test_the_coordinate_puts_it_on_its_feet(path, how):
+    bodies = standing(path, how)
+    if not bodies:
+        pytest.skip("no body stands on spheres")
+    together = opensim(path, how)
+    slope = floor_of(path, together)
+    for body, moved in zip(bodies, together["moved"], strict=True):
+        assert body["mass_kg"] == pytest.approx(moved, rel=1e-12)
+        rest = body[how]
+        weight = body["mass_kg"] * together["gravity"] * slope
+        assert rest["load_n"] == pytest.approx(weight, rel=TOLERANCE)
+        total = 0.0
+        for sphere in rest["spheres"]:
+            alone = (sphere["path"],) if shares_its_force(path, sphere["path"]) else None
+            force = on_sphere(path, opensim(path, how, alone), sphere["path"])
+            assert force == pytest.approx(sphere["force_n"], rel=TOLERANCE, abs=TOLERANCE * weight), sphere
+            total += force
+        assert total == pytest.approx(weight, rel=TOLERANCE)
+
+
+def test_so_many_models_stand(record_property):
+    """Most fixtures, and of the corpus all with contacts whose joints are understood."""
+    for how in ("as_posed", "on_one_limb"):
+        found = [models.label(path) for path in stands(how)]
+        record_property(how, len(found))
+        print(how, len(found), "models")
+        assert len([one for one in found if not one.startswith("corpus")]) > 50
