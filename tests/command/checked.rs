@@ -60,6 +60,9 @@ const PLAIN: &[Case] = triggers! {
     "force-before-contact": "check/force_before_contact.osim",
     "floats": "check/floats.osim",
     "contacts-of-another-mass": "check/contacts_of_another_mass.osim",
+    "uneven-bottoms": "check/uneven_bottoms.osim",
+    "unlevel-foot": "format/mixed_radii.osim",
+    "not-on-floor": "format/no_sides.osim",
     "spheres-misplaced": "check/spheres_misplaced.osim",
     "spheres-not-compared": "check/spheres_not_compared.osim",
     "known-contacts": "check/known_contacts.osim",
@@ -420,7 +423,9 @@ fn published_models_and_what_is_known_of_them() {
     // Falisse's smoothing "does not have the issue" of the paper's Fig. C.5; its indentation and damping are beyond both laws.
     assert_eq!(
         of("v40000_falisse_2022_human"),
-        BTreeSet::from(["beyond-hertz".into(), "beyond-hunt-crossley".into(), "known-contacts".into()])
+        BTreeSet::from(
+            ["beyond-hertz", "beyond-hunt-crossley", "known-contacts", "not-on-floor"].map(String::from)
+        )
     );
     // The same contacts under 78 kg.
     assert!(of("v40000_opencap_lai_arnold_crlf").contains("contacts-of-another-mass"));

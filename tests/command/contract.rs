@@ -94,6 +94,54 @@ pub(crate) struct Inspection {
     pub(crate) warnings: Vec<Finding>,
     pub(crate) bodies: Vec<Body>,
     pub(crate) figures: Figures,
+    pub(crate) standing: Vec<Standing>,
+    pub(crate) why_no_standing: Option<String>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Standing {
+    pub(crate) body: String,
+    pub(crate) mass_kg: Option<f64>,
+    pub(crate) weight_n: Option<f64>,
+    pub(crate) coordinate: Option<String>,
+    pub(crate) joint: Option<String>,
+    pub(crate) why_no_coordinate: Option<String>,
+    pub(crate) default_m: Option<f64>,
+    pub(crate) touching_m: Option<f64>,
+    pub(crate) bottoms: Vec<Bottom>,
+    pub(crate) as_posed: Option<OnFeet>,
+    pub(crate) on_one_limb: Option<OnFeet>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Bottom {
+    pub(crate) sphere: String,
+    pub(crate) path: String,
+    pub(crate) height_m: f64,
+    pub(crate) radius_m: f64,
+    pub(crate) tilt_rad: f64,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct OnFeet {
+    pub(crate) limb: Option<String>,
+    pub(crate) value_m: Option<f64>,
+    pub(crate) down_m: f64,
+    pub(crate) load_n: f64,
+    pub(crate) carried: bool,
+    pub(crate) spheres: Vec<StandingSphere>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct StandingSphere {
+    pub(crate) sphere: String,
+    pub(crate) path: String,
+    pub(crate) relative_indentation: f64,
+    pub(crate) force_n: f64,
 }
 
 #[derive(Debug, Deserialize)]

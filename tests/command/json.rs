@@ -28,6 +28,37 @@ const SMOOTH: [&str; 9] = [
     "viscous_friction",
 ];
 
+/// Six level spheres of the 62 kg human rest at x/R 0.3396 (the real OpenSim, Falisse's smoothing).
+#[test]
+fn inspect_says_where_the_model_stands() {
+    let bench = Bench::human();
+    let ran = bench.run("inspect human.osim --format json").done().wrote_nothing();
+    let [seen]: [Inspection; 1] = lines(&ran).try_into().unwrap();
+    let [body] = &seen.standing[..] else { panic!("one body: {:?}", seen.standing) };
+    assert_eq!((body.body.as_str(), body.coordinate.as_deref()), ("pelvis", Some("pelvis_ty")));
+    assert_eq!((seen.why_no_standing, &body.why_no_coordinate), (None, &None));
+    assert!(body.joint.is_some());
+    let (mass, weight) = (body.mass_kg.unwrap(), body.weight_n.unwrap());
+    assert!((mass - 62.0).abs() < 1e-9 && (weight - 62.0 * 9.81).abs() < 1e-6);
+    let lowest = body.bottoms.iter().map(|one| one.height_m).fold(f64::INFINITY, f64::min);
+    assert!((body.default_m.unwrap() - lowest - body.touching_m.unwrap()).abs() < 1e-12);
+    let one = body.on_one_limb.as_ref().unwrap();
+    assert_eq!((one.limb.as_deref(), one.carried, one.spheres.len()), (Some("femur_r"), true, 6));
+    let carried: f64 = one.spheres.iter().map(|sphere| sphere.force_n).sum();
+    assert!((carried - weight).abs() < 1e-6 && (one.load_n - weight).abs() < 1e-9);
+    assert!((body.default_m.unwrap() - one.down_m - one.value_m.unwrap()).abs() < 1e-12);
+    for (sphere, bottom) in one.spheres.iter().zip(&body.bottoms) {
+        assert_eq!((&sphere.sphere, &sphere.path), (&bottom.sphere, &bottom.path));
+        assert!(bottom.tilt_rad < 1e-6, "feet are flat: {bottom:?}");
+        assert!(
+            (sphere.relative_indentation - 0.3396).abs() < 5e-5 && bottom.radius_m == 0.032,
+            "{sphere:?}"
+        );
+    }
+    let all = body.as_posed.as_ref().unwrap();
+    assert_eq!((&all.limb, all.carried, all.spheres.len()), (&None, true, 12));
+}
+
 #[test]
 fn inspect_says_what_the_model_holds() {
     let bench = Bench::human();

@@ -8,6 +8,7 @@ use osim_model::files::OpenModel;
 use osim_planning::ModelFeet;
 use osim_report::inspection::force_groups::{described, groups};
 use osim_report::inspection::lengths;
+use osim_report::inspection::on_feet::sentences;
 
 use super::detail_level::DetailLevel;
 use super::entry::Entry;
@@ -67,7 +68,7 @@ pub(super) fn fill(fragment: &mut Fragment, inspected: Inspected<'_>, dialect: &
         fragment,
         &[State { name: String::new(), figures: &inspected.figures, is_reference: false }],
     );
-    let body = html! { (forces(inspected)) (spheres(inspected)) (factors(inspected)) };
+    let body = html! { (forces(inspected)) (spheres(inspected)) (standing(inspected)) (factors(inspected)) };
     fragment.section("contacts", "Forces and spheres of the model", &body);
     fragment.section("model", "The model and its files", &the_model(inspected, files));
     drawn
@@ -92,6 +93,20 @@ fn forces(inspected: &Inspection) -> Markup {
         caption.push_str(" * not in the file: from <defaults> or OpenSim's class default.");
     }
     table("Forces", &caption, &["forces", "E₁*", "E*", "α", "friction", "slip", "cf", "bd", "bv"], &rows)
+}
+
+/// Where bodies are over their floors, and what puts them on their feet.
+fn standing(inspected: &Inspection) -> Markup {
+    let several = inspected.standing.len() > 1;
+    html! {
+        @for body in &inspected.standing {
+            p {
+                "Standing" @if several { " of " (body.body) } ": "
+                @for (number, sentence) in sentences(body).iter().enumerate() { @if number > 0 { "; " } (sentence) } "."
+            }
+        }
+        @if let Some(why) = &inspected.why_no_standing { p.note { "Where it stands is not known: " (why) "." } }
+    }
 }
 
 fn spheres(inspected: &Inspection) -> Markup {

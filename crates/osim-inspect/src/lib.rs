@@ -42,8 +42,8 @@ pub use figures::{Figure, Figures, LimbFigures, LimitCheck, Shown, SphereFigures
 pub use findings::{Changeable, CheckResult, Counts, Found, Kin, check_model, misplaced_spheres};
 pub use floors::weight_share;
 pub use inspection::{
-    ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,
-    InspectedLimb, InspectedSphere, Inspection, Origins, Parameters,
+    Bottom, ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,
+    InspectedLimb, InspectedSphere, Inspection, OnFeet, Origins, Parameters, StandingBody, StandingSphere,
 };
 pub use known::{KnownContacts, unexplained_slip};
 pub use load_sharing::LoadSharing;

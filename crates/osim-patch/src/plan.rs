@@ -11,7 +11,7 @@ use osim_model::{
 };
 
 use crate::change::{Change, Move};
-use crate::edit::{Edit, Patch};
+use crate::edit::{Edit, Patch, edited};
 use crate::insert::insert;
 use crate::node::Node;
 use crate::note_edits;
@@ -335,6 +335,14 @@ impl Plan {
             edits.extend(note_edits::remove(document));
         }
         edits
+    }
+
+    /// The model as it will be, where its main file alone changes.
+    ///
+    /// # Errors
+    /// As [`patched`](Self::patched), and those of [`Model::rebuilt`].
+    pub fn changed(&self, model: &Model) -> Result<Model, Fault> {
+        edited(self.ground(model), self.edits(model, FileId::MAIN))
     }
 
     /// The patched bytes of `file`; identical to the original where nothing changes.

@@ -8,12 +8,12 @@ use std::collections::HashMap;
 
 use contact_scaling::{mixed_radii, restitution};
 use osim_feet::DefaultPose;
+use osim_feet::Standing;
 use osim_messages::Phrase;
 use osim_model::{
     CountOf, Fault, GravityFor, Limbs, Mass, Model, Needed, Selected, SphereId, loaded_spheres,
 };
 
-use super::bottoms::Bottoms;
 use super::data::{Figures, LimbFigures};
 use super::limb::LoadedLimb;
 use super::on_floor::Weight;
@@ -23,7 +23,8 @@ use crate::load_sharing::LoadSharing;
 use crate::options::Stance;
 
 impl Figures {
-    /// Figures of the `selected` forces of `model`, whose weight is shared as `sharing` says.
+    /// Figures of the `selected` forces of `model`, whose weight is shared as `sharing` says; those at the default pose follow from how
+    /// the bodies are `standing` there, as far as it is known.
     ///
     /// # Errors
     /// A value that is not a plain number or outside its domain, with its place.
@@ -33,14 +34,15 @@ impl Figures {
         sharing: &LoadSharing,
         mass: Option<&Mass>,
         stance: &Stance,
+        standing: &[Standing],
     ) -> Result<Self, Fault> {
         let loads = sphere_loads(&loaded_spheres(model, &selected.forces)?)?;
         // Without the others nothing is known of a limb that stands level.
-        let standing = loaded_spheres(model, sharing.forces()).and_then(|all| sphere_loads(&all)).ok();
+        let all = loaded_spheres(model, sharing.forces()).and_then(|all| sphere_loads(&all)).ok();
         let gravity =
             stance.gravity_m_s2.or(model.gravity()).filter(|&gravity| gravity > 0.0 && gravity.is_finite());
         let speed =
-            stance.impact_speed_m_s.or_else(|| default_speed(standing.as_deref().unwrap_or(&loads), gravity));
+            stance.impact_speed_m_s.or_else(|| default_speed(all.as_deref().unwrap_or(&loads), gravity));
         let pose = DefaultPose::of(model);
         let weight = mass.zip(gravity).map(|(mass, gravity)| Weight {
             mass_kg: mass.kg,
@@ -51,10 +53,8 @@ impl Figures {
             (_, None) => Some(Needed::Gravity { purpose: GravityFor::Figures }.phrase()),
             _ => None,
         };
-        let bottoms =
-            Bottoms::of(model, &pose, standing.as_deref().unwrap_or_default().iter().map(|one| one.sphere));
         let mut limbs = Vec::new();
-        let mut all_standing = standing.as_ref().map(|all| by_limb(sharing.limbs(), all));
+        let mut by_limb = all.as_ref().map(|all| by_limb(sharing.limbs(), all));
         for (place, group) in groups(sharing.limbs(), &loads, stance) {
             if group.count.is_none() && why.is_none() {
                 why = limbs_unknown(sharing.limbs());
@@ -62,9 +62,9 @@ impl Figures {
             let limb = LoadedLimb {
                 model,
                 members: &group.members,
-                standing: all_standing.as_mut().and_then(|all| all.get_mut(place)).map(std::mem::take),
+                all: by_limb.as_mut().and_then(|all| all.get_mut(place)).map(std::mem::take),
                 count: group.count,
-                bottoms: &bottoms,
+                standing,
                 weight,
                 speed,
             };

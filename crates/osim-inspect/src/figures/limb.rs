@@ -3,9 +3,10 @@
 use std::collections::HashMap;
 
 use contact_scaling::{SharedLoad, Spheres, equilibrium};
+use osim_feet::Standing;
 use osim_model::{ForceId, Model};
 
-use super::bottoms::{Bottoms, Stand};
+use super::bottoms::Stand;
 use super::data::SphereFigures;
 use super::on_floor::{OnFloor, Rest, Weight};
 use super::register::Figure;
@@ -20,11 +21,11 @@ pub(super) struct LoadedLimb<'s> {
     /// The chosen spheres, which have figures.
     pub(super) members: &'s [&'s SphereLoads],
     /// All its spheres; `None` where not all can be read.
-    pub(super) standing: Option<Vec<&'s SphereLoads>>,
+    pub(super) all: Option<Vec<&'s SphereLoads>>,
     /// Spheres that share the weight.
     pub(super) count: Option<f64>,
-    /// Heights of the bottoms of spheres at the default pose, as far as they are known, m.
-    pub(super) bottoms: &'s Bottoms,
+    /// Bodies on their floors at the default pose, as far as they are known.
+    pub(super) standing: &'s [Standing],
     pub(super) weight: Option<Weight>,
     /// Speed before an impact, m/s.
     pub(super) speed: Option<f64>,
@@ -39,11 +40,8 @@ impl LoadedLimb<'_> {
     /// Figures of every sphere. Where a law rests is looked for once: the spheres of a limb are mostly alike.
     pub(super) fn spheres(&self) -> Vec<SphereFigures> {
         let level: Vec<Level> = BODY_WEIGHTS.iter().filter_map(|&weights| self.level(weights)).collect();
-        let stand = self
-            .standing
-            .as_deref()
-            .zip(self.load(1.0))
-            .map(|(all, load)| Stand::of(all, load, self.bottoms));
+        let stand =
+            self.all.as_deref().zip(self.load(1.0)).map(|(all, load)| Stand::of(all, load, self.standing));
         let mut known: HashMap<Vec<u64>, Vec<Rest>> = HashMap::new();
         let mut figures = Vec::new();
         for &one in self.members {
@@ -64,18 +62,18 @@ impl LoadedLimb<'_> {
     /// The limb under `body_weights`, all its spheres level.
     fn level(&self, body_weights: f64) -> Option<Level> {
         let load_n = self.load(body_weights)?.per_sphere_n();
-        let Some(standing) = &self.standing else {
+        let Some(all) = &self.all else {
             return Some(Level { body_weights, load_n, rest: Some((None, None)) });
         };
-        let first = standing.first()?;
-        if standing.iter().all(|member| member.laws == first.laws) {
+        let first = all.first()?;
+        if all.iter().all(|member| member.laws == first.laws) {
             return Some(Level { body_weights, load_n, rest: None });
         }
-        let all: Vec<Spheres> = standing.iter().flat_map(|member| member.laws.iter().copied()).collect();
+        let laws: Vec<Spheres> = all.iter().flat_map(|member| member.laws.iter().copied()).collect();
         #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
-        let on_limb = load_n * standing.len() as f64;
-        let hertz = equilibrium::hertz_indentation(&all, on_limb).ok();
-        let model_law = equilibrium::indentation(&all, on_limb).ok();
+        let on_limb = load_n * all.len() as f64;
+        let hertz = equilibrium::hertz_indentation(&laws, on_limb).ok();
+        let model_law = equilibrium::indentation(&laws, on_limb).ok();
         Some(Level { body_weights, load_n, rest: Some((hertz, model_law)) })
     }
 

@@ -4,6 +4,7 @@ use std::collections::{HashMap, HashSet};
 
 use contact_scaling::{DimensionlessContact, EQUAL_SURFACES, Scale, ScaleValues, mixed_radii};
 use osim_compare::{BodyFactors, Factors};
+use osim_feet::Standing;
 use osim_model::files::FileName;
 use osim_model::{
     CountOf, Fault, Finding, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected, SetId, SphereId,
@@ -14,6 +15,7 @@ use super::data::{
     ContactsMass, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce, InspectedLimb,
     InspectedSphere, Inspection, Origins, Parameters,
 };
+use super::standing::StandingBody;
 use crate::figures::Figures;
 use crate::known::KnownContacts;
 use crate::load_sharing::LoadSharing;
@@ -48,7 +50,12 @@ impl InspectOptions {
         }
         let (mass, contacts_mass) = (mass.ok(), contacts_mass.ok());
         let weight = mass.as_ref().or(contacts_mass.as_ref());
-        let figures = Figures::of(model, &selected, &sharing, weight, &self.stance);
+        // Where nobody chose among several bodies, all of them stand somewhere.
+        let forces = if unknown.is_some() { model.force_ids() } else { sharing.forces().to_vec() };
+        let bodies = Standing::all(model, &forces);
+        let known = bodies.as_deref().unwrap_or_default();
+        let figures = Figures::of(model, &selected, &sharing, weight, &self.stance, known);
+        let standing = StandingBody::all(model, known, sharing.limbs(), self.stance.limbs);
         let count = sharing.count(self.stance.spheres, self.stance.limbs, CountOf::Model).ok();
         let contacts = contacts(model, &selected, contacts_mass.as_ref(), count);
         let known = KnownContacts::find(model, &selected.forces, count, mass.as_ref().map(|mass| mass.kg));
@@ -62,6 +69,8 @@ impl InspectOptions {
             factors,
             known,
             figures: figures.unwrap_or_else(|fault| Figures::absent(fault.phrase())),
+            standing,
+            why_no_standing: bodies.err().map(|fault| fault.to_string()),
         };
         Inspection::new(name.into(), model, found)
     }
@@ -108,6 +117,8 @@ pub(super) struct Found<'f> {
     pub factors: Option<&'f Factors>,
     pub known: Option<KnownContacts>,
     pub figures: Figures,
+    pub standing: Vec<StandingBody>,
+    pub why_no_standing: Option<String>,
 }
 
 /// The contacts of all parameter sets.
@@ -159,6 +170,8 @@ impl Inspection {
             known_contacts: found.known,
             placement: None,
             figures: found.figures,
+            standing: found.standing,
+            why_no_standing: found.why_no_standing,
         }
     }
 }

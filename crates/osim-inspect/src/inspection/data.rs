@@ -14,6 +14,7 @@ use schemars::JsonSchema;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
+use super::standing::StandingBody;
 use crate::figures::Figures;
 use crate::known::KnownContacts;
 #[cfg(feature = "schemas")]
@@ -74,6 +75,10 @@ pub struct Inspection {
     pub placement: Option<Placement>,
     /// What the contacts do under the weight.
     pub figures: Figures,
+    /// Each joint tree with spheres over a floor: where it is over it at the default pose, and what puts it on its feet.
+    pub standing: Vec<StandingBody>,
+    /// Why that is not known, in words: the default pose of a body is not.
+    pub why_no_standing: Option<String>,
 }
 
 /// The mass that the contacts are made for.

@@ -2,8 +2,11 @@
 
 mod build;
 mod data;
+mod standing;
+mod standing_words;
 
 pub use data::{
     ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,
     InspectedLimb, InspectedSphere, Inspection, Origins, Parameters,
 };
+pub use standing::{Bottom, OnFeet, StandingBody, StandingSphere};

@@ -22,12 +22,15 @@ pub(crate) mod left_right_differ;
 mod limits;
 pub(crate) mod mass_unknown;
 pub(crate) mod no_gravity;
+pub(crate) mod not_on_floor;
 pub(crate) mod several_spheres_one_force;
 pub(crate) mod sphere_count_unknown;
 pub(crate) mod spheres_left_behind;
 pub(crate) mod stale_note;
 pub(crate) mod sunk_in;
 mod turned_floors;
+pub(crate) mod uneven_bottoms;
+pub(crate) mod unlevel_foot;
 pub(crate) mod wide_transition;
 pub(crate) mod zero_constant_contact_force;
 
@@ -58,9 +61,12 @@ pub const RULES: &[&Rule] = &[
     &large_constant_indentation::RULE,
     &mass_unknown::RULE,
     &no_gravity::RULE,
+    &not_on_floor::RULE,
     &sphere_count_unknown::RULE,
     &stale_note::RULE,
     &sunk_in::RULE,
+    &uneven_bottoms::RULE,
+    &unlevel_foot::RULE,
     &wide_transition::RULE,
 ];
 
@@ -87,6 +93,8 @@ pub(crate) fn of_figures(limits: &Limits<'_>) -> Vec<Found> {
         wide_transition::find(limits),
         force_before_contact::find(limits),
         floats::find(limits),
+        uneven_bottoms::find(limits),
+        unlevel_foot::find(limits),
     ];
-    found.into_iter().flatten().collect()
+    found.into_iter().flatten().chain(not_on_floor::find(limits)).collect()
 }

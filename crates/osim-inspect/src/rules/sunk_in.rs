@@ -4,7 +4,7 @@ use osim_messages::four_significant;
 use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 
 use super::limits::{CENTRE, Limits};
-use crate::figures::Figure;
+use crate::figures::{Figure, SphereFigures};
 use crate::findings::Found;
 
 pub(crate) static RULE: Rule = Rule {
@@ -24,9 +24,29 @@ pub(crate) static RULE: Rule = Rule {
 };
 
 pub(crate) fn find(limits: &Limits<'_>) -> Option<Found> {
+    level(limits).or_else(|| at_their_own_heights(limits))
+}
+
+/// Whether a sphere is as deep as its centre where its limb carries the body and each sphere is at its own height.
+pub(super) fn is_own_height_too_deep(sphere: &SphereFigures) -> Option<f64> {
+    sphere.value(Figure::StandingIndentationModelLaw).filter(|&x| x >= CENTRE)
+}
+
+fn level(limits: &Limits<'_>) -> Option<Found> {
     let found = limits.concerned(|sphere| sphere.value(Figure::Indentation).filter(|&x| x >= CENTRE))?;
     let x = four_significant(found.most);
     let text = format!("at body weight on one limb x/R is {x} by Hertz: in up to the centre");
     let remedy = limits.remedies.indentation(&limits.spheres, 1.0);
     Some(Found::new(limits.about(&RULE, &text, &found), remedy))
+}
+
+/// Softer contacts are not what is wrong then: the lower spheres carry what all should carry.
+fn at_their_own_heights(limits: &Limits<'_>) -> Option<Found> {
+    let found = limits.concerned(is_own_height_too_deep)?;
+    let x = four_significant(found.most);
+    let text = format!(
+        "at body weight on one limb x/R is {x} with each sphere at its own height at the default pose: the lower ones carry it alone, in \
+         up to the centre"
+    );
+    Some(limits.about(&RULE, &text, &found).into())
 }

@@ -1,49 +1,33 @@
 //! Remarks about where new spheres are over the floor.
 
-use osim_feet::{PlacedSphere, Standing};
-use osim_messages::{Phrase, readable};
+use std::collections::HashSet;
+
+use osim_feet::Standing;
+use osim_inspect::{LoadSharing, Stance, StandingBody};
+use osim_messages::{Phrase, shown};
 use osim_model::Model;
 use osim_patch::Plan;
 
-/// Bottoms this close to the floor are on it, m.
-const ON_FLOOR_M: f64 = 1e-4;
-
-/// How far the spheres that `plan` adds are from the floor of `built`, the model with them, at the default pose, and which
-/// coordinate puts the lowest on it. `None` if there are several floors.
+/// How far the spheres that `plan` adds are from the floor of `built`, the model that it makes, at the default pose, and which
+/// coordinate puts the body on them. `None` if they press on no floor.
 pub(crate) fn standing(plan: &Plan, built: &Model) -> Option<Phrase> {
-    let spheres: Vec<PlacedSphere<'_>> = plan
-        .new_spheres()
-        .into_iter()
-        .map(|new| PlacedSphere {
-            name: new.name,
-            body: new.body,
-            centre_m: new.centre_m,
-            radius_m: new.radius_m,
-        })
-        .collect();
-    match Standing::of(built, &spheres) {
-        Ok(standing) => standing.map(|standing| said(&standing).into()),
-        Err(fault) => Some(format!("how far the spheres are from the floor is not known: {fault}").into()),
-    }
+    let forces = built.force_ids();
+    let bodies = match Standing::all(built, &forces) {
+        Ok(bodies) => bodies,
+        Err(fault) => {
+            return Some(format!("how far the spheres are from the floor is not known: {fault}").into());
+        }
+    };
+    let limbs = LoadSharing::of(built, &forces);
+    let new = plan.new_spheres();
+    let new: HashSet<&str> = new.iter().map(|sphere| sphere.name).collect();
+    let is_new = |body: &StandingBody| body.bottoms.iter().any(|one| new.contains(one.sphere.as_str()));
+    let bodies = StandingBody::all(built, &bodies, limbs.limbs(), Stance::default().limbs);
+    bodies.into_iter().find(is_new).and_then(|body| said(&body))
 }
 
-fn said(standing: &Standing) -> String {
-    let Standing { lowest, gap_m, coordinate, .. } = standing;
-    let gap_mm = readable((gap_m.abs() * 1e4).round() / 10.0);
-    if gap_m.abs() <= ON_FLOOR_M {
-        return format!("at the default pose {lowest}, the lowest sphere, touches the floor");
-    }
-    let place = if *gap_m > 0.0 { "above" } else { "below" };
-    let mut text = format!(
-        "at the default pose the bottom of {lowest}, the lowest sphere, is {gap_mm} mm {place} the floor"
-    );
-    if let Some(coordinate) = coordinate {
-        text.push_str(&format!(
-            "; it touches the floor with {} = {} m (now {} m)",
-            coordinate.name,
-            readable((coordinate.touching_m * 1e6).round() / 1e6),
-            readable(coordinate.default_m),
-        ));
-    }
-    text
+fn said(body: &StandingBody) -> Option<Phrase> {
+    let (lowest, place, way) = (body.lowest()?, body.place()?, body.way_to_stand());
+    let lowest = shown(&lowest.sphere);
+    Some(format!("at the default pose {lowest}, the lowest sphere, is {place}; {way}").into())
 }

@@ -63,7 +63,7 @@ impl Variant {
         let mass = target_mass_kg.map(given).or_else(|| request.masses.request().of_model(model).ok());
         let stance = Stance::from(&request.counts.stance_options(request.wanted.impact_speed, None));
         let sharing = LoadSharing::of(model, &selected.forces);
-        let figures = Figures::of(model, &selected, &sharing, mass.as_ref(), &stance).ok();
+        let figures = Figures::of(model, &selected, &sharing, mass.as_ref(), &stance, &[]).ok();
         let bytes = model.file(FileId::MAIN).bytes().to_vec();
         Ok(Self { bytes, values: values(model, &selected), figures })
     }

@@ -4,6 +4,7 @@ mod csv_rows;
 pub mod force_groups;
 pub mod lengths;
 mod models_table;
+pub mod on_feet;
 pub mod rows;
 mod sphere_sheet;
 pub mod standing;

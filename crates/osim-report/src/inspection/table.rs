@@ -1,10 +1,11 @@
 //! A model's contacts as tables of at most 80 columns.
 
 use osim_inspect::{InspectedSphere, Inspection};
-use osim_messages::{Dialect, Phrase, one_line, readable};
+use osim_messages::{Dialect, Phrase, one_line, readable, shown};
 
 use super::force_groups::{described, groups, has_default};
 use super::lengths::{decimals, metres};
+use super::on_feet::sentences;
 use super::sphere_sheet;
 use crate::layout::{Colour, clipped, painted, table, wrapped};
 use crate::messages::warnings;
@@ -25,6 +26,7 @@ pub fn text(inspected: &Inspection, dialect: &dyn Dialect, colour: Colour) -> St
         let figures = sphere_sheet::text(inspected, dialect);
         text.push_str(if figures.is_empty() { "" } else { "\n" });
         text.push_str(&painted(&figures, colour));
+        text.push_str(&standing(inspected));
     }
     if inspected.body_factors.is_some() {
         text.push('\n');
@@ -117,6 +119,23 @@ fn forces(inspected: &Inspection) -> String {
     text.push_str("   friction static/dynamic/viscous)\n");
     if inspected.forces.iter().any(has_default) {
         text.push_str("  (* not in the file: from <defaults> or OpenSim's class default)\n");
+    }
+    text
+}
+
+/// Where bodies are over their floors, and what puts them on their feet.
+fn standing(inspected: &Inspection) -> String {
+    let several = inspected.standing.len() > 1;
+    let mut text = String::new();
+    for body in &inspected.standing {
+        let which = if several { format!(" of {}", shown(&body.body)) } else { String::new() };
+        text.push_str(&format!("\nStanding{which}:\n"));
+        for sentence in sentences(body) {
+            text.push_str(&wrapped(&format!("  {sentence}"), "    "));
+        }
+    }
+    if let Some(why) = &inspected.why_no_standing {
+        text.push_str(&wrapped(&format!("where it stands is not known: {why}"), ""));
     }
     text
 }

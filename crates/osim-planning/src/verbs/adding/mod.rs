@@ -117,7 +117,8 @@ impl Adding {
             Some(bare) => rebuilt.clone().after(bare),
             None => rebuilt.clone(),
         });
-        plan.remarks.extend(standing(&plan, rebuilt.model()));
+        let stands = plan.changed(model).ok().and_then(|changed| standing(&plan, &changed));
+        plan.remarks.extend(stands);
         Ok(plan)
     }
 

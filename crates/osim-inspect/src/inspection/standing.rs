@@ -1,0 +1,193 @@
+//! How a body is over its floor at the default pose, and what puts it on its feet.
+
+use std::collections::HashMap;
+
+use osim_feet::{OverFloor, Rest, RestingSphere, Standing};
+use osim_model::{Limb, Limbs, Model, SphereId};
+#[cfg(feature = "schemas")]
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Bottoms of limbs this close are equally low, m.
+const LEVEL_M: f64 = 1e-9;
+
+/// A joint tree over its floor, its joints as they are at the default pose.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct StandingBody {
+    /// The body on top of the tree, which is joined to ground.
+    pub body: String,
+    /// Mass of the bodies that the coordinate moves, kg: no platforms, balls or chairs.
+    pub mass_kg: Option<f64>,
+    /// The part of their weight along the floor's normal, N.
+    pub weight_n: Option<f64>,
+    /// The free coordinate that moves all its spheres alike along the normal; null if there is none.
+    pub coordinate: Option<String>,
+    /// The joint that has it.
+    pub joint: Option<String>,
+    /// Why there is none, in words.
+    pub why_no_coordinate: Option<String>,
+    /// The coordinate's value at the default pose, m.
+    pub default_m: Option<f64>,
+    /// Its value at which the lowest sphere just touches the floor, m.
+    pub touching_m: Option<f64>,
+    /// Its spheres that press on floors, in file order.
+    pub bottoms: Vec<Bottom>,
+    /// On all its feet, each sphere at its own height; null if its weight or a contact is not known, or nothing carries it.
+    pub as_posed: Option<OnFeet>,
+    /// On the spheres of one limb alone, the lower one or, of equally low ones, the first; of several stance limbs with its share of the
+    /// weight. Null also where limbs are not known.
+    pub on_one_limb: Option<OnFeet>,
+}
+
+/// The lowest point of a sphere over its floor.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct Bottom {
+    /// Name of the sphere.
+    pub sphere: String,
+    /// Its component path.
+    pub path: String,
+    /// Height over the floor along the floor's normal, m; below 0 inside the floor.
+    pub height_m: f64,
+    /// Radius of the sphere, m.
+    pub radius_m: f64,
+    /// Angle between the floor's normal and the axis of the sphere's body that is nearest to it, rad: 0 if the body is upright.
+    pub tilt_rad: f64,
+}
+
+/// A body at rest on spheres, by the laws of the file.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct OnFeet {
+    /// The limb whose spheres alone carry it; null for all of its limbs.
+    pub limb: Option<String>,
+    /// The coordinate's value there, m.
+    pub value_m: Option<f64>,
+    /// How far the body is below its default pose there, along the normal, m; below 0 if it is above.
+    pub down_m: f64,
+    /// What the spheres carry along the normal, N.
+    pub load_n: f64,
+    /// Whether each sphere is less deep than its radius: beyond that no contact law knows it.
+    pub carried: bool,
+    /// Each of these spheres, in file order.
+    pub spheres: Vec<StandingSphere>,
+}
+
+/// A sphere of a body at rest.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct StandingSphere {
+    /// Its name.
+    pub sphere: String,
+    /// Its component path.
+    pub path: String,
+    /// How deep it is in the floor, in its radius; not above 0 if it does not touch.
+    pub relative_indentation: f64,
+    /// What it carries along the normal, N.
+    pub force_n: f64,
+}
+
+impl StandingSphere {
+    /// Whether it touches the floor.
+    #[must_use]
+    pub fn touches(&self) -> bool {
+        self.relative_indentation > 0.0
+    }
+}
+
+impl OnFeet {
+    /// The spheres that touch the floor.
+    pub fn touching(&self) -> impl Iterator<Item = &StandingSphere> {
+        self.spheres.iter().filter(|one| one.touches())
+    }
+
+    /// The sphere that is deepest, in its radius; the first of several.
+    #[must_use]
+    pub fn deepest(&self) -> Option<&StandingSphere> {
+        self.spheres.iter().reduce(|a, b| if b.relative_indentation > a.relative_indentation { b } else { a })
+    }
+}
+
+impl StandingBody {
+    /// Each of `standing`; `limbs` are those of its spheres, of which `stance_limbs` share the weight.
+    #[must_use]
+    pub fn all(model: &Model, standing: &[Standing], limbs: &Limbs, stance_limbs: f64) -> Vec<Self> {
+        let share = 1.0 / stance_limbs;
+        standing.iter().map(|one| Self::new(model, one, limbs.known().unwrap_or_default(), share)).collect()
+    }
+
+    fn new(model: &Model, standing: &Standing, limbs: &[Limb], share: f64) -> Self {
+        let spheres: Vec<SphereId> = standing.spheres.iter().map(|over| over.sphere).collect();
+        let rest = |chosen: &[SphereId], share, limb: Option<&Limb>| {
+            let rest = standing.rest(chosen, share)?.ok()?;
+            Some(on_feet(model, standing, &rest, limb))
+        };
+        let lift = standing.lift.as_ref();
+        Self {
+            body: standing.top.clone(),
+            mass_kg: standing.mass_kg,
+            weight_n: standing.load_n,
+            coordinate: lift.ok().map(|lift| lift.coordinate.clone()),
+            joint: lift.ok().map(|lift| lift.joint.clone()),
+            why_no_coordinate: lift.err().map(ToString::to_string),
+            default_m: lift.ok().map(|lift| lift.default_m),
+            touching_m: standing.lowest().and_then(|lowest| standing.value(lowest.gap_m)),
+            bottoms: bottoms(model, standing),
+            as_posed: rest(&spheres, 1.0, None),
+            on_one_limb: lower(standing, limbs).and_then(|limb| rest(&limb.spheres, share, Some(limb))),
+        }
+    }
+
+    /// The lowest of its bottoms; of equally low ones the first.
+    #[must_use]
+    pub fn lowest(&self) -> Option<&Bottom> {
+        self.bottoms.iter().reduce(|a, b| if b.height_m < a.height_m - LEVEL_M { b } else { a })
+    }
+}
+
+fn bottoms(model: &Model, standing: &Standing) -> Vec<Bottom> {
+    let bottom = |over: &OverFloor| {
+        let sphere = model.sphere(over.sphere)?;
+        let (height_m, radius_m, tilt_rad) = (over.gap_m, sphere.radius.number, over.tilt_rad);
+        Some(Bottom { sphere: sphere.name.clone(), path: sphere.path.clone(), height_m, radius_m, tilt_rad })
+    };
+    standing.spheres.iter().filter_map(bottom).collect()
+}
+
+/// The limb with the lowest bottom; of equally low ones the first.
+fn lower<'l>(standing: &Standing, limbs: &'l [Limb]) -> Option<&'l Limb> {
+    let gaps: HashMap<SphereId, f64> =
+        standing.spheres.iter().map(|over| (over.sphere, over.gap_m)).collect();
+    let lowest = |limb: &Limb| {
+        // The spheres of a limb are on one tree.
+        limb.spheres.first().filter(|first| gaps.contains_key(first))?;
+        limb.spheres.iter().filter_map(|sphere| gaps.get(sphere)).copied().reduce(f64::min)
+    };
+    let heights = limbs.iter().filter_map(|limb| Some((lowest(limb)?, limb)));
+    heights.reduce(|a, b| if b.0 < a.0 - LEVEL_M { b } else { a }).map(|(_, limb)| limb)
+}
+
+fn on_feet(model: &Model, standing: &Standing, rest: &Rest, limb: Option<&Limb>) -> OnFeet {
+    let sphere = |one: &RestingSphere| {
+        let sphere = model.sphere(one.sphere)?;
+        Some(StandingSphere {
+            sphere: sphere.name.clone(),
+            path: sphere.path.clone(),
+            relative_indentation: one.relative_indentation,
+            force_n: one.force_n,
+        })
+    };
+    OnFeet {
+        limb: limb.map(|limb| limb.name.clone()),
+        value_m: standing.value(rest.down_m),
+        down_m: rest.down_m,
+        load_n: rest.load_n,
+        carried: rest.is_carried(),
+        spheres: rest.spheres.iter().filter_map(sphere).collect(),
+    }
+}

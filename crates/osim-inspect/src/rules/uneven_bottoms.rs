@@ -1,0 +1,111 @@
+//! Bottoms of one foot that lie at different heights.
+
+use std::collections::HashSet;
+
+use osim_messages::{readable, shown, three_significant};
+use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
+
+use super::limits::Limits;
+use crate::figures::{Figure, LimbFigures, SphereFigures};
+use crate::findings::Found;
+use crate::inspection::{Bottom, Inspection};
+
+/// Bottoms that differ by more than this, in the radius of the lowest sphere, are too uneven.
+const TOO_MUCH: f64 = 0.5;
+/// Bodies that lean more than this are posed so, rad: the pose moves their spheres.
+const TILTED: f64 = 3.0 * std::f64::consts::PI / 180.0;
+/// Heights have rounding errors.
+const ROUNDING: f64 = 1e-9;
+
+pub(crate) static RULE: Rule = Rule {
+    code: FindingCode::UnevenBottoms,
+    severity: Severity::Warn,
+    seen: Seen::Model,
+    verdict: Some(VerdictOn::Standing),
+    what: "The bottoms of a limb's spheres differ in height by more than half a radius at the default pose, and the foot lies flat there.",
+    why: "The lower spheres carry the body, the higher ones little or nothing, so that figures of a level foot do not hold. Of 134 published models with level floors two differ so much.",
+    advice: "Correct the places of the spheres; `inspect MODEL` says how deep each is. Where radii change, `rescale MODEL target_mass=KG level` keeps bottoms where they are, and so does `transfer` with the same option",
+    repair: Repair::NotPossible("which of the spheres is at the right height is not in the file"),
+    example: Example::Models { good: "check/known_contacts.osim", bad: "check/uneven_bottoms.osim" },
+};
+
+/// The limb whose bottoms differ most.
+pub(crate) fn find(limits: &Limits<'_>) -> Option<Found> {
+    let worst = Uneven::worst(limits)?;
+    worst.is_too_much().then(|| worst.finding(&RULE).into())
+}
+
+/// A limb whose lowest and highest bottoms differ.
+pub(super) struct Uneven<'i> {
+    limb: &'i LimbFigures,
+    lowest: &'i Bottom,
+    highest: &'i Bottom,
+    /// By how much, in the radius of the lowest sphere.
+    share: f64,
+    /// How far the bodies of these spheres lean, rad.
+    tilt_rad: f64,
+}
+
+impl<'i> Uneven<'i> {
+    /// The limb whose bottoms differ most.
+    pub(super) fn worst(limits: &Limits<'i>) -> Option<Self> {
+        let limbs = limits.inspected.figures.limbs.iter();
+        let uneven = limbs.filter_map(|limb| Self::of(limits.inspected, limb));
+        uneven.reduce(|a, b| if b.share > a.share { b } else { a })
+    }
+
+    /// Whether they differ by more than `share` of the radius of the lowest sphere.
+    pub(super) fn is_beyond(&self, share: f64) -> bool {
+        self.share > share + ROUNDING
+    }
+
+    /// Whether that is a warning: a foot that leans has such contacts by its pose.
+    pub(super) fn is_too_much(&self) -> bool {
+        self.is_beyond(TOO_MUCH) && self.tilt_rad <= TILTED
+    }
+
+    fn of(inspected: &'i Inspection, limb: &'i LimbFigures) -> Option<Self> {
+        let own: HashSet<&str> = limb.spheres.iter().map(|sphere| sphere.path.as_str()).collect();
+        let bottoms = inspected.standing.iter().flat_map(|body| &body.bottoms);
+        let bottoms: Vec<&Bottom> = bottoms.filter(|bottom| own.contains(bottom.path.as_str())).collect();
+        limb.limb.as_ref()?;
+        let lowest = bottoms.iter().copied().reduce(|a, b| if b.height_m < a.height_m { b } else { a })?;
+        let highest = bottoms.iter().copied().reduce(|a, b| if b.height_m > a.height_m { b } else { a })?;
+        let share = (highest.height_m - lowest.height_m) / lowest.radius_m;
+        let tilt_rad = bottoms.iter().map(|bottom| bottom.tilt_rad).fold(0.0, f64::max);
+        Some(Self { limb, lowest, highest, share, tilt_rad })
+    }
+
+    pub(super) fn finding(&self, rule: &'static Rule) -> Finding {
+        let Self { limb, lowest, highest, share, tilt_rad } = self;
+        let millimetres = readable(((highest.height_m - lowest.height_m) * 1e4).round() / 10.0);
+        let tilted = match *tilt_rad > TILTED {
+            true => format!("; the foot leans by {:.0} degrees there", tilt_rad.to_degrees()),
+            false => String::new(),
+        };
+        let text = format!(
+            "the bottoms of {} differ by {millimetres} mm at the default pose, {} R, from {} to {}{}{tilted}",
+            shown(limb.limb.as_deref().unwrap_or_default()),
+            three_significant(*share),
+            shown(&lowest.sphere),
+            shown(&highest.sphere),
+            self.shares(),
+        );
+        Finding::new(rule, text).about(&highest.path)
+    }
+
+    /// How deep the two are where the limb carries the body.
+    fn shares(&self) -> String {
+        let of = |bottom: &Bottom| {
+            let is_it = |sphere: &&SphereFigures| sphere.path == bottom.path;
+            let sphere = self.limb.spheres.iter().find(is_it)?;
+            Some(three_significant(sphere.value(Figure::StandingIndentationModelLaw)?))
+        };
+        match of(self.lowest).zip(of(self.highest)) {
+            Some((lowest, highest)) => {
+                format!(": with body weight on them x/R is {lowest} and {highest}")
+            }
+            None => String::new(),
+        }
+    }
+}
