@@ -251,8 +251,27 @@ fn with_a_model_an_indentation_writes_the_stiffness_and_nothing_else() {
         let text = new.trim_start_matches("<stiffness>").trim_end_matches("</stiffness>");
         assert_close(text.parse().unwrap(), 3_281_223.193_765_884, 1e-14, &new);
     }
-    // Partial: dissipation and smoothing still are what they were, for whatever mass.
-    assert!(bench.text("out.osim").contains("; partial; by design;"));
+    // The stiffness is made for the weight of the body, and so are the others taken to be.
+    assert!(
+        bench
+            .text("out.osim")
+            .contains("made for 62 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by design;")
+    );
+    bench.run("out.osim --target-mass 500 -o scaled.osim").done();
+    // For another mass, or a load in newtons, the rest is not.
+    for (other, note) in [("--mass 70", "made for 70 kg"), ("--load 300", "made for unknown")] {
+        bench.run(&format!("design scaled.osim --indentation 0.16 {other} -o other.osim --force")).done();
+        let text = bench.text("other.osim");
+        assert!(text.contains(note) && text.contains("; partial; by design;"), "{other}");
+        bench.run("other.osim --target-mass 62").failed().says(&["--contacts-mass KG"]);
+    }
+    // What no load decides stays made for the mass of before.
+    bench.run("design scaled.osim --restitution 0.9 -o calm.osim").done();
+    assert!(
+        bench
+            .text("calm.osim")
+            .contains("made for 500 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by design;")
+    );
     // The tool reads its own result back as what was asked for.
     let ran = bench.run("drop-test out.osim --format json").done();
     assert_close(object(&ran)["relative_indentation_hertz"].as_f64().unwrap(), 0.16, 1e-12, "x̂");

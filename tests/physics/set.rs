@@ -112,14 +112,56 @@ fn a_factor_is_not_applied_twice_by_accident() {
 }
 
 #[test]
-fn after_a_plain_change_the_mass_is_asked_for() {
+fn after_a_plain_change_the_contacts_are_made_for_what_they_were_made_for() {
     let bench = Bench::human();
-    bench.run("set human.osim dissipation=1 -o out.osim").done();
-    assert!(bench.text("out.osim").contains(
-        "contacts made for unknown at 9.81 m/s2 (osim-contact-scale 0.1.0; partial; by set dissipation=1;"
-    ));
-    bench.run("out.osim --target-mass 500").failed().wrote_nothing().says(&["--contacts-mass KG"]);
-    bench.run("out.osim --target-mass 500 --contacts-mass 62").done().wrote(&["out.scaled.osim"]);
+    let noted = |model: &str, note: &str| {
+        let text = bench.text(model);
+        assert!(
+            text.contains(&format!("contacts made for {note} at 9.81 m/s2 (osim-contact-scale 0.1.0; ")),
+            "{text}"
+        );
+    };
+    // Nobody said a mass: what the bodies weigh is taken, as without the note, and the note does not say it.
+    bench.run("set human.osim dissipation=1 -o own.osim").done();
+    assert!(
+        bench
+            .text("own.osim")
+            .contains("made for unknown at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by set dissipation=1;")
+    );
+    bench
+        .run("own.osim --target-mass 500 -o a.osim")
+        .done()
+        .says(&["contacts taken as made for 62 kg (sum of"]);
+    // The caller says it, or the note: it stays.
+    bench.run("set human.osim dissipation=1 --contacts-mass 61 -o said.osim").done();
+    noted("said.osim", "61 kg");
+    bench.run("said.osim --target-mass 500 -o b.osim").done().says(&["contacts made for 61 kg (note"]);
+    bench.run("set b.osim stiffness=x2 --select *_r -o c.osim").done();
+    noted("c.osim", "500 kg");
+    bench.run("c.osim --target-mass 62 -o d.osim").done().says(&["contacts made for 500 kg (note"]);
+    // A note that is in doubt stays so.
+    bench.run("human.osim --target-mass 500 --only stiffness -o part.osim").done();
+    bench.run("set part.osim dissipation=1 -o still.osim").done();
+    assert!(bench.text("still.osim").contains("; partial; by set dissipation=1;"));
+    bench.run("still.osim --target-mass 62").failed().wrote_nothing().says(&["--contacts-mass KG", "500 kg"]);
+}
+
+#[test]
+fn bodies_that_were_scaled_since_no_longer_weigh_what_the_contacts_are_made_for() {
+    let bench = Bench::with(&[("scale_tool/generic_smooth.osim", "generic.osim")]);
+    bench.run("set generic.osim dissipation=1 -o set.osim").done();
+    bench.run("set.osim --target-mass 100 -o other.osim").done();
+    // As OpenSim scales meshes.
+    let text = bench.text("set.osim");
+    let (size, scaled) =
+        ("<scale_factors>1.01 1 1.02</scale_factors>", "<scale_factors>1.2 1 1.02</scale_factors>");
+    assert!(text.contains(size));
+    bench.write("scaled.osim", text.replace(size, scaled));
+    bench
+        .run("scaled.osim --target-mass 100")
+        .failed()
+        .wrote_nothing()
+        .says(&["the note gives no mass, and the bodies were scaled since", "--contacts-mass KG"]);
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::anatomy::meshes;
 use crate::contacts::{Force, Sphere};
 use crate::model::Model;
-use crate::note::BodySize;
+use crate::note::{BodySize, Note};
 
 /// Places closer than this are one, m.
 const SAME_PLACE_M: f64 = 1e-9;
@@ -71,6 +71,13 @@ impl Model {
             factors.is_some_and(|factors| self.belongs_elsewhere(sphere, *factors))
         });
         Some(ScaledSinceNote { factors, left_behind })
+    }
+
+    /// Whether a body that carries spheres has other mesh factors than when `note` was written.
+    pub(crate) fn bodies_have_other_sizes(&self, note: &Note) -> bool {
+        let now = self.body_sizes();
+        let same_body = |then: &BodySize| now.iter().find(|size| size.body == then.body);
+        note.sizes.iter().any(|then| same_body(then).is_some_and(|now| !now.is_as_large_as(then)))
     }
 
     /// Whether a sphere is somewhere else once its place is multiplied by the factors of its body.

@@ -76,6 +76,9 @@ impl Model {
     }
 
     /// Why the note about the contacts cannot be relied on; `None` if it can, or if there is no note.
+    ///
+    /// A note of [`Scope::All`] that gives no mass can be relied on: nobody said one, and the contacts are taken as made for what the
+    /// bodies weigh, as without a note. Once OpenSim has scaled the bodies, they no longer weigh that.
     #[must_use]
     pub fn doubt_about_note(&self) -> Option<NoteDoubt> {
         if self.note_fault.is_some() {
@@ -83,13 +86,13 @@ impl Model {
         }
         let note = self.note.as_ref()?;
         if note.digest != self.contact_digest(|_| None) {
-            Some(NoteDoubt::ValuesChanged)
-        } else if note.scope == Scope::Partial {
-            Some(NoteDoubt::Partial)
-        } else if note.contacts_mass_kg.is_none() {
-            Some(NoteDoubt::MassUnknown)
-        } else {
-            None
+            return Some(NoteDoubt::ValuesChanged);
+        }
+        match (note.contacts_mass_kg, note.scope) {
+            (Some(_), Scope::Partial) => Some(NoteDoubt::Partial),
+            (None, Scope::Partial) => Some(NoteDoubt::MassUnknown),
+            (Some(_), Scope::All) => None,
+            (None, Scope::All) => self.bodies_have_other_sizes(note).then_some(NoteDoubt::BodiesScaled),
         }
     }
 }

@@ -93,7 +93,7 @@ pub use finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, V
 pub use following::{MovedSpheres, RadiusAxis};
 pub use ground_planes::GroundPlane;
 pub use limbs::{Limb, Limbs};
-pub use mass::{Mass, MassRequest, MassSource, SAME_MASS, positive_mass, same_mass};
+pub use mass::{Mass, MassRequest, MassSource, SAME_MASS, positive_mass, same_gravity, same_mass};
 pub use model::Model;
 pub use note::{BodySize, Credits, Note, Scope};
 pub use object_name::{refuse_name, refuse_name_in_paths};

@@ -11,6 +11,9 @@ use crate::rules::mass_sources_disagree::{self, Said};
 /// Masses closer than this (relative) count as one: a scale is not read better than to 0.1 %.
 pub const SAME_MASS: f64 = 1e-3;
 
+/// Gravities closer than this (relative) count as one.
+const SAME_GRAVITY: f64 = 1e-3;
+
 /// What the user says about masses. Give what is known and take the rest from [`MassRequest::default`]: fields may be added.
 ///
 /// ```
@@ -203,6 +206,12 @@ impl MassRequest {
 #[must_use]
 pub fn same_mass(a: f64, b: f64) -> bool {
     (a - b).abs() <= SAME_MASS * b.abs()
+}
+
+/// Whether two gravities count as one: `noted` is within a thousandth of `own`.
+#[must_use]
+pub fn same_gravity(noted: f64, own: f64) -> bool {
+    (noted - own).abs() <= SAME_GRAVITY * own
 }
 
 /// `kg`, if it is a mass. The caller said it as `input`, which a refusal names.

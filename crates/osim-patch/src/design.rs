@@ -6,11 +6,12 @@ use contact_scaling::{
 };
 use osim_messages::{Phrase, phrase, readable};
 use osim_model::{
-    DissipationBy, Fault, FindingCode, Force, ForceKind, GravityFor, Mass, Model, Needed, Property,
-    PropertySet, RadiusRule, Scope, Selected, SetId,
+    DissipationBy, Fault, FindingCode, Force, ForceKind, GravityFor, Mass, Model, Needed, Note, Property,
+    PropertySet, RadiusRule, Scope, Selected, SetId, same_gravity, same_mass,
 };
 
 use crate::builder::{New, PlanBuilder};
+use crate::note::KeptMass;
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
 use crate::radii::{Radii, SphereRule};
 use crate::remarks::{PLACES_STAY, bottoms_remark, rest_remark};
@@ -84,6 +85,9 @@ pub struct Design {
     pub contact_stiffness_n_m: Option<f64>,
     /// Mass that the result is made for, where the load is body weight.
     pub target_mass: Option<Mass>,
+    /// The mass that the contacts were made for before, or are taken as made for, where that is not in doubt. What is not
+    /// designed stays made for it.
+    pub contacts_mass: Option<Mass>,
     /// Gravity, m/s², where it is not the model's.
     pub gravity_m_s2: Option<f64>,
 }
@@ -101,6 +105,7 @@ impl Default for Design {
             radius: RadiusRule::Keep,
             contact_stiffness_n_m: None,
             target_mass: None,
+            contacts_mass: None,
             gravity_m_s2: None,
         }
     }
@@ -144,14 +149,18 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
     }
     let smooth = selected.forces.iter().filter_map(|&id| model.force(id)).any(is_smooth);
     let masses = wanted.target_mass.clone().map(Masses::same);
+    let made = wanted.made_for(model, wanted.is_complete(smooth) && selected.complete);
     Ok(Plan::new(
         model,
         Contents { changes, moves, masses, taken: wanted.taken(), warnings, remarks },
         &NoteFacts {
             followed: None,
-            target_mass_kg: wanted.target_mass.as_ref().map(|mass| mass.kg),
-            gravity_m_s2: wanted.gravity_m_s2.or(model.gravity()),
-            scope: if wanted.is_complete(smooth) && selected.complete { Scope::All } else { Scope::Partial },
+            target_mass_kg: made.kg,
+            gravity_m_s2: wanted
+                .load
+                .and(wanted.gravity_m_s2.or(model.gravity()))
+                .or(model.contacts_gravity()),
+            scope: made.scope,
             operation: "design",
         },
     ))
@@ -188,6 +197,32 @@ fn carry(plan: &mut PlanBuilder<'_>, force: &Force, property: Property, own: &Ra
 }
 
 impl Design {
+    /// What the note says afterwards of the mass. `complete`: every property of every force was designed.
+    ///
+    /// | what is wanted | the mass before | the note |
+    /// |---|---|---|
+    /// | nothing that a load decides | | as [`KeptMass::of`] has it |
+    /// | an indentation under the weight of M | M, said or taken | M, all |
+    /// | | another, or in doubt | M, partial; all where the design is complete |
+    /// | an indentation under a load in N | | no mass, partial |
+    fn made_for(&self, model: &Model, complete: bool) -> KeptMass {
+        let Some(target) = &self.target_mass else {
+            let kept = || KeptMass::of(model, None);
+            return self.load.map_or_else(kept, |_| KeptMass { kg: None, scope: Scope::Partial });
+        };
+        let noted = model.note.as_ref();
+        let agrees = self.contacts_mass.as_ref().is_some_and(|before| same_mass(before.kg, target.kg))
+            && self.is_under_gravity_of(noted, model);
+        let kg = noted.and_then(|note| note.contacts_mass_kg).filter(|_| agrees).unwrap_or(target.kg);
+        KeptMass { kg: Some(kg), scope: if agrees || complete { Scope::All } else { Scope::Partial } }
+    }
+
+    /// Whether the load is under the gravity that the note gives, where it gives one.
+    fn is_under_gravity_of(&self, note: Option<&Note>, model: &Model) -> bool {
+        let (noted, own) = (note.and_then(|note| note.gravity_m_s2), self.gravity_m_s2.or(model.gravity()));
+        noted.zip(own).is_none_or(|(noted, own)| same_gravity(noted, own))
+    }
+
     /// (11) with (B.2) where a stiffness is wanted.
     fn radius_rule(&self) -> Result<SphereRule, Fault> {
         match (self.contact_stiffness_n_m, self.modulus, &self.load) {

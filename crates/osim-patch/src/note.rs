@@ -70,13 +70,43 @@ pub fn kept_note(model: &Model, rebuilt: &Rebuilt, operation: &str) -> Option<No
 #[must_use]
 pub fn note_of_rest(model: &Model, rebuilt: &Rebuilt) -> Option<Note> {
     let note = kept_note(model, rebuilt, "remove").filter(|_| has_rest(model, rebuilt.model()))?;
-    Some(Note { scope: Scope::Partial, made: rebuilt.made.clone(), ..note })
+    // Where nobody said a mass, that of the bodies is as good for a part.
+    let scope = if note.contacts_mass_kg.is_none() { note.scope } else { Scope::Partial };
+    Some(Note { scope, made: rebuilt.made.clone(), ..note })
 }
 
 /// Whether a note of the contacts of `model` is about something in `rebuilt`, too.
 pub(crate) fn has_rest(model: &Model, rebuilt: &Model) -> bool {
     let on_ground = |model: &Model| model.forces().iter().any(|force| model.meets_half_space(force));
     on_ground(rebuilt) || (!on_ground(model) && !rebuilt.forces().is_empty())
+}
+
+/// What a note says of the mass after a change that leaves the contacts made for what they were made for.
+pub(crate) struct KeptMass {
+    pub(crate) kg: Option<f64>,
+    pub(crate) scope: Scope,
+}
+
+impl KeptMass {
+    /// After a change of `model`, for whose contacts `contacts_mass` is known or taken:
+    ///
+    /// | the note before | who says the mass | the note afterwards |
+    /// |---|---|---|
+    /// | none | nobody: what the bodies weigh is taken | no mass, all |
+    /// | none, or any | the caller | that mass, all |
+    /// | M, all | the note | M, all |
+    /// | no mass, all | nobody | no mass, all |
+    /// | the same, and the bodies were scaled since | nobody | no mass, partial |
+    /// | in doubt: partial, values changed since, not readable | nobody | what it gives, partial |
+    pub(crate) fn of(model: &Model, contacts_mass: Option<&Mass>) -> Self {
+        let said = contacts_mass.filter(|mass| mass.source == MassSource::ContactsMass);
+        let noted = model.note.as_ref().and_then(|note| note.contacts_mass_kg);
+        match (said, model.doubt_about_note()) {
+            (Some(mass), _) => Self { kg: Some(mass.kg), scope: Scope::All },
+            (None, Some(_)) => Self { kg: noted, scope: Scope::Partial },
+            (None, None) => Self { kg: noted, scope: Scope::All },
+        }
+    }
 }
 
 /// Whether two notes say the same of the contacts, apart from the program and operation that wrote them.

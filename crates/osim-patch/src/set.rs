@@ -1,11 +1,10 @@
 //! Plain changes: a property becomes a value, or is multiplied by a factor. Nothing else follows.
 
 use osim_messages::phrase;
-use osim_model::{
-    Assignment, Fault, Mass, Model, Needed, Property, RadiusFrom, Scope, Selected, moving_spheres,
-};
+use osim_model::{Assignment, Fault, Mass, Model, Needed, Property, RadiusFrom, Selected, moving_spheres};
 
 use crate::builder::{New, PlanBuilder};
+use crate::note::KeptMass;
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
 use crate::radii::Users;
 use crate::rules::nothing_to_change;
@@ -123,19 +122,15 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
     }
     taken.push(format!("{operation}; nothing else follows"));
     let masses = wanted.contacts_mass.clone().map(Masses::same);
+    let kept = KeptMass::of(model, wanted.contacts_mass.as_ref());
     Ok(Plan::new(
         model,
         Contents { changes, moves, masses, taken, warnings, remarks: vec![] },
         &NoteFacts {
             followed: None,
-            // What the bodies weigh is not yet what the contacts were made for.
-            target_mass_kg: wanted
-                .contacts_mass
-                .as_ref()
-                .filter(|mass| mass.source.is_of_contacts())
-                .map(|mass| mass.kg),
+            target_mass_kg: kept.kg,
             gravity_m_s2: model.contacts_gravity(),
-            scope: Scope::Partial,
+            scope: kept.scope,
             // Every change since the last whole rescaling counts: none may be applied twice without a question.
             operation: &before.map_or(operation.clone(), |before| format!("{before}{AND}{operation}")),
         },

@@ -1,7 +1,9 @@
 //! The note gives another gravity than the model.
 
 use osim_messages::{Input, phrase, readable};
-use osim_model::{Example, Finding, FindingCode, Model, Repair, Rule, Seen, Severity, VerdictOn};
+use osim_model::{
+    Example, Finding, FindingCode, Model, Repair, Rule, Seen, Severity, VerdictOn, same_gravity,
+};
 
 use crate::options::InspectOptions;
 
@@ -21,15 +23,11 @@ pub(crate) static RULE: Rule = Rule {
     },
 };
 
-/// Two gravities that differ by less than this, relatively, are the same.
-const SAME_GRAVITY: f64 = 1e-3;
-
 /// The finding, where the note in the file gives a gravity, the model another, and nobody says which is meant.
 pub(crate) fn find(model: &Model, options: &InspectOptions) -> Option<Finding> {
     let noted = model.note.as_ref()?.gravity_m_s2?;
     let own = model.gravity().filter(|&gravity| gravity > 0.0)?;
-    let differ = (noted - own).abs() > SAME_GRAVITY * own;
-    if options.stance.gravity_m_s2.is_some() || !differ {
+    if options.stance.gravity_m_s2.is_some() || same_gravity(noted, own) {
         return None;
     }
     let (noted, own) = (readable(noted), readable(own));

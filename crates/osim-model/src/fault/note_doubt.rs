@@ -16,6 +16,8 @@ pub enum NoteDoubt {
     Partial,
     /// It says itself that the mass is not known.
     MassUnknown,
+    /// It gives no mass because nobody said one, and the bodies, whose mass was taken, were scaled since.
+    BodiesScaled,
 }
 
 impl NoteDoubt {
@@ -29,6 +31,7 @@ impl NoteDoubt {
             Self::ValuesChanged => "the values are no longer those the note was written for",
             Self::Partial => "only some values were changed by the run that left the note",
             Self::MassUnknown => "the mass was not known when the note was written",
+            Self::BodiesScaled => "the note gives no mass, and the bodies were scaled since it was written",
         }
     }
 }

@@ -1,11 +1,11 @@
 //! What a note says.
 
-/// How much of the contacts a change covered: all or not all.
+/// Whether all contacts are made for one mass.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scope {
-    /// Every default force and every default property.
+    /// They are: for the mass that the note gives, or, where it gives none, for what the bodies weighed.
     All,
-    /// Something was left behind.
+    /// Something was left behind, or nobody can know.
     Partial,
 }
 

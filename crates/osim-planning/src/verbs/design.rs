@@ -16,6 +16,7 @@ use serde_json::json;
 
 use super::asking::Asking;
 use crate::planner::{Change, Planner};
+use crate::remarks::refuse_known;
 
 /// Plans designs.
 pub(super) struct Designing {
@@ -147,6 +148,14 @@ impl Designing {
     }
 }
 
+impl Designing {
+    /// What the contacts are made for as they are, or are taken as made for; `None` where that is in doubt.
+    fn contacts_mass(&self, model: &Model, selected: &Selected) -> Option<Mass> {
+        let (mass, _) = self.masses.of_contacts(model).ok()?;
+        refuse_known(model, selected, &mass, Input::ContactsMass).ok().map(|()| mass)
+    }
+}
+
 impl Planner for Designing {
     fn name(&self) -> &'static str {
         "design"
@@ -188,6 +197,7 @@ impl Designing {
         wanted.speed_width = width(asked.speed_width);
         wanted.radius = asked.radius().unwrap_or(RadiusRule::Keep);
         wanted.contact_stiffness_n_m = asked.contact_stiffness.map(Positive::get);
+        wanted.contacts_mass = self.contacts_mass(model, selected);
         wanted.target_mass = target_mass;
         wanted.gravity_m_s2 = self.load.gravity();
         design(model, selected, &wanted)
