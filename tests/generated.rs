@@ -184,7 +184,7 @@ fn checked(path: &Path) -> Option<CheckResult> {
     let inspector = Inspector::new(&InspectionOptions::default());
     let inspected = inspector.inspect(&opened).ok()?;
     inspector.refuse_without_contacts(&opened, &inspected).ok()?;
-    Some(inspector.check(&opened.model, &inspected, None))
+    Some(inspector.check(&opened.model, &inspected, None, &InMemory::default()))
 }
 
 fn limits() -> String {

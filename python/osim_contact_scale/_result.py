@@ -303,7 +303,8 @@ class Remedy:
     """
 
     call: str
-    _request: str = field(repr=False)
+    #: The requests that lead to it, the last of them its own.
+    _requests: str = field(repr=False)
     _source: Any = field(repr=False, compare=False, default=None)
     #: The other models of the call that found it, by the names that they have in the request.
     _others: dict[str, Any] = field(repr=False, compare=False, default_factory=dict)
@@ -316,7 +317,8 @@ class Remedy:
         Parameters
         ----------
         source : path, bytes, Result or opensim.Model, optional
-            Another state of the model, such as the result of another remedy. By default the model that the finding is about.
+            Another state of the model, such as the result of another remedy. By default the model that the finding is about, after
+            the remedies that have to come before this one.
 
         Returns
         -------
@@ -327,16 +329,23 @@ class Remedy:
         RequestError
             The model was named in a folder that is no longer the current one: its name may be that of another model here.
         """
-        fields = json.loads(self._request)
-        verb = fields.pop("verb")
-        named = fields.pop("models", [None])
-        if source is None:
+        steps = json.loads(self._requests)
+        named = steps[0].get("models", [None])
+        if source is not None:
+            steps = steps[-1:]
+        else:
             source = self._source if self._source is not None else named[0]
         if is_path(source) and self._folder not in (None, os.getcwd()) and not os.path.isabs(at_home(source)):
             message = f"{printable(os.fsdecode(source))} was named in the folder {self._folder}, which is no longer the current one"
             raise RequestError("usage", f"{message}: go back to that folder, or check it by its whole path")
+        for step in steps:
+            source = self._planned(step, source)
+        return source
+
+    def _planned(self, step: dict[str, Any], source: Any) -> Result:
+        fields = {name: value for name, value in step.items() if name not in ("verb", "models", "output")}
         others = {name: self._others[fields[name]] for name in MODELS if fields.get(name) in self._others}
-        return plan(verb, source, fields | others)
+        return plan(step["verb"], source, fields | others)
 
     def __str__(self) -> str:
         return self.call

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::support::Bench;
+use crate::support::{Bench, HUMAN};
 
 fn request(bench: &Bench, request: &Value) -> crate::support::Ran {
     bench.run_with("request -", request.to_string().as_bytes())
@@ -51,14 +51,14 @@ fn results_are_those_of_the_call() {
 
 #[test]
 fn what_it_says_is_in_the_words_of_requests() {
-    let bench = Bench::human();
-    let checked = request(&bench, &json!({"verb": "check", "models": ["human.osim"], "format": "json"}));
+    let bench = Bench::with(&[HUMAN, ("check/beyond_hertz.osim", "model.osim")]);
+    let checked = request(&bench, &json!({"verb": "check", "models": ["model.osim"], "format": "json"}));
     let checked: Value = serde_json::from_str(&checked.done().out()).unwrap();
     let remedy = checked["findings"][0]["command"].as_str().unwrap();
     // The remedy is a request itself, and is one that runs.
     let asked: Value = serde_json::from_str(remedy).unwrap();
     assert_eq!(asked["verb"], "design");
-    bench.run_with("request -", remedy.as_bytes()).done().wrote(&["human.scaled.osim"]);
+    bench.run_with("request -", remedy.as_bytes()).done().wrote(&["model.scaled.osim"]);
 
     request(&bench, &json!({"verb": "design", "models": ["human.osim"]}))
         .usage()

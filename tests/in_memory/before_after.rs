@@ -7,7 +7,7 @@ use osim_inspect::InspectOptions;
 use osim_model::files::{InMemory, ModelFiles, OpenModel};
 use osim_model::{Fault, Model};
 use osim_patch::Plan;
-use osim_planning::{BeforeAfter, Change, Planner, changeable, check_with_trials, prepare};
+use osim_planning::{BeforeAfter, Change, Planner, changeable, check_with_remedies, prepare};
 use osim_requests::options::InspectionOptions;
 use osim_requests::spell::CommandLine;
 use serde_json::json;
@@ -42,7 +42,7 @@ impl Planner for Planned<'_> {
 
 fn found(planner: &dyn Planner, opened: &OpenModel) -> serde_json::Value {
     let options = InspectOptions::from(&planner.inspection());
-    let mut found = check_with_trials(
+    let mut found = check_with_remedies(
         &options,
         &opened.model,
         &options.inspect(opened.name(), &opened.model, None),

@@ -204,8 +204,9 @@ fn a_report_about_a_model_is_the_command_s() {
 
 #[test]
 fn a_remedy_can_be_asked_for_and_its_finding_is_gone() {
-    let mut engine = engine_of(&Bench::human());
-    let look = ask(&mut engine, &json!({"do": "look", "model": "human.osim"}));
+    let bench = Bench::with(&[("check/floats.osim", "floats.osim")]);
+    let mut engine = engine_of(&bench);
+    let look = ask(&mut engine, &json!({"do": "look", "model": "floats.osim"}));
     let finding = look["findings"]
         .as_array()
         .unwrap()

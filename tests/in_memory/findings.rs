@@ -22,7 +22,7 @@ fn checked(request: &CheckRequest, path: &Path, files: &InMemory) -> CheckResult
     let opened = open_with(path, inspector.set_files().beside(), files).unwrap();
     let inspected = inspector.inspect(&opened).unwrap();
     inspector.refuse_without_contacts(&opened, &inspected).unwrap();
-    let mut found = inspector.check(&opened.model, &inspected, None);
+    let mut found = inspector.check(&opened.model, &inspected, None, files);
     found.spell(&CommandLine);
     found
 }
@@ -69,27 +69,28 @@ fn put_right(bench: &Bench, model: &str, code: FindingCode) {
     let found = checked(&check_of(model), Path::new(model), &files);
     let finding = found.findings.iter().find(|finding| finding.code() == code).unwrap();
 
-    let remedy = finding.remedy.as_ref().unwrap();
-    // A dictionary can be kept, sent and changed before it is run.
-    let remedy = Request::from_json(remedy.to_json().as_bytes()).unwrap();
-    let change = prepare(remedy, &files).unwrap();
-    let changed = Changed::new(&change, Path::new(model), &files).unwrap();
-
-    let command = finding.command.as_deref().unwrap();
-    bench.run(command.strip_prefix("osim-contact-scale ").unwrap()).done();
-    for made in changed.results {
-        assert!(bench.read(&made.name.to_string_lossy()) == made.bytes, "{command}");
-        files.add(model, made.bytes);
+    let mut last = model.to_owned();
+    for (remedy, command) in found.steps_to(finding).iter().zip(&found.commands) {
+        // A dictionary can be kept, sent and changed before it is run.
+        let remedy = Request::from_json(remedy.to_json().as_bytes()).unwrap();
+        let change = prepare(remedy, &files).unwrap();
+        let changed = Changed::new(&change, &change.models[0], &files).unwrap();
+        bench.run(command.strip_prefix("osim-contact-scale ").unwrap()).done();
+        for made in changed.results {
+            last = made.name.to_string_lossy().into_owned();
+            assert!(bench.read(&last) == made.bytes, "{command}");
+            files.add(made.name, made.bytes);
+        }
     }
-    let left = checked(&check_of(model), Path::new(model), &files);
-    assert!(left.findings.iter().all(|finding| finding.code() != code), "{command}: {left:?}");
+    let left = checked(&check_of(&last), Path::new(&last), &files);
+    assert!(last != model && left.findings.iter().all(|finding| finding.code() != code), "{left:?}");
 }
 
 #[test]
 fn remedies() {
     for (fixture, code) in [
-        (HUMAN.0, FindingCode::BeyondHertz),
-        (HUMAN.0, FindingCode::BeyondHuntCrossley),
+        ("check/beyond_hertz.osim", FindingCode::BeyondHertz),
+        ("check/beyond_hunt_crossley.osim", FindingCode::BeyondHuntCrossley),
         ("check/contacts_of_another_mass.osim", FindingCode::ContactsOfAnotherMass),
         ("check/wide_transition.osim", FindingCode::WideTransition),
         ("format/left_out_stiffness.osim", FindingCode::DefaultStiffness),
@@ -105,7 +106,7 @@ fn a_remedy_in_the_words_of_requests_is_a_request() {
     let opened =
         open_with(Path::new("human.osim"), inspector.set_files().beside(), &files_of(&bench)).unwrap();
     let inspected = inspector.inspect(&opened).unwrap();
-    let mut found = inspector.check(&opened.model, &inspected, None);
+    let mut found = inspector.check(&opened.model, &inspected, None, &files_of(&bench));
     found.spell(&osim_requests::spell::JsonRequest);
     let asked = json!({"verb": "check", "models": ["human.osim"], "format": "json"}).to_string();
     assert_eq!(line(&found), bench.run_with("request -", asked.as_bytes()).out());

@@ -42,7 +42,7 @@ fn of_an_inspection() {
     let inspector = Inspector::of_inspect(&request, &files);
     let opened = open_with(&request.models[0], inspector.set_files().beside(), &files).unwrap();
     let mut inspected = inspector.inspect(&opened).unwrap();
-    let mut found = inspector.check(&opened.model, &inspected, None);
+    let mut found = inspector.check(&opened.model, &inspected, None, &files);
     inspected.spell(&CommandLine);
     found.spell(&CommandLine);
     let mut feet = ModelFeet::of(opened.name(), &opened, &inspector.options().selection).unwrap();

@@ -86,12 +86,6 @@ pub(crate) fn is_prescribed(document: &Document, coordinate: ElementId) -> bool 
     prescribing(document, coordinate).is_some()
 }
 
-/// The names of the coordinates that constraints make depend on others.
-pub(crate) fn dependent_coordinates(model: &Model) -> HashSet<String> {
-    let couplers = constraints(model).into_iter().filter_map(|(document, id)| coupler(document, id));
-    couplers.map(|coupler| coupler.dependent).collect()
-}
-
 /// Enforced constraints of all files of the model.
 fn constraints(model: &Model) -> Vec<(&Document, ElementId)> {
     let files = [FileId::MAIN].into_iter().chain(model.companions().map(|(file, _)| file));

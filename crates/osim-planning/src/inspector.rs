@@ -5,12 +5,13 @@ use std::path::{Path, PathBuf};
 
 use osim_compare::{Factors, Placement, ScaleFile};
 use osim_inspect::{CheckResult, InspectOptions, Inspection, unexplained_slip};
-use osim_model::files::{Failure, Files, OpenModel};
+use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::{Anatomy, Fault, Finding, Model, Severity};
 use osim_requests::options::{AnswerOptions, InspectionOptions, SetFiles};
 use osim_requests::{CheckRequest, InspectRequest};
 
 use crate::opening::{open, scale_file};
+use crate::remedies::Trials;
 use crate::trial::check_with_trials;
 
 /// Inspects models, on any thread.
@@ -121,28 +122,46 @@ impl Inspector {
             asked.map_err(|kind| opened.failure(Fault::new(kind)))?;
         }
         let generic = self.generic.as_ref().map(Result::as_ref).transpose().map_err(Failure::clone)?;
-        let (factors, placement) = match (generic, &self.places) {
-            (None, _) => (None, None),
+        let factors = match (generic, &self.places) {
             (Some((generic, file)), None) => {
                 let scaled = Anatomy::of(&opened.model).map_err(|fault| opened.failure(fault))?;
                 let found = Factors::find(&scaled, generic, file.as_ref(), &BTreeMap::new());
-                (Some(found.map_err(|fault| opened.failure(fault))?), None)
+                Some(found.map_err(|fault| opened.failure(fault))?)
             }
-            (Some((generic, file)), Some(OriginalFiles { from, body_scale_file })) => {
-                let (model, body_scale_file) = (&opened.model, body_scale_file.as_deref());
-                let placement = Placement::compare(model, from, body_scale_file, generic, file.as_ref());
-                (None, Some(placement))
-            }
+            _ => None,
         };
         let mut inspection = self.options.inspect(opened.name(), &opened.model, factors.as_ref());
-        inspection.placement = placement;
+        inspection.placement = self.placement(&opened.model);
         Ok(inspection)
     }
 
-    /// What is wrong with a model that was inspected; `compiled` names files that other programs would read instead of it.
+    /// What is wrong with a model that was inspected, with remedies that were tried; `compiled` names files that other programs would
+    /// read instead of it. `files` are those that remedies name.
     #[must_use]
-    pub fn check(&self, model: &Model, inspected: &Inspection, compiled: Option<&Finding>) -> CheckResult {
-        check_with_trials(&self.options, model, inspected, compiled)
+    pub fn check(
+        &self,
+        model: &Model,
+        inspected: &Inspection,
+        compiled: Option<&Finding>,
+        files: &dyn Files,
+    ) -> CheckResult {
+        let found = check_with_trials(&self.options, model, inspected, compiled);
+        let inspect = |name: &FileName, model: &Model| self.inspect_again(name, model);
+        Trials { options: &self.options, files, inspect: &inspect }.tried(model, found)
+    }
+
+    /// A model that a remedy made, inspected like the first.
+    fn inspect_again(&self, name: &FileName, model: &Model) -> Inspection {
+        let mut inspection = self.options.inspect(name.clone(), model, None);
+        inspection.placement = self.placement(model);
+        inspection
+    }
+
+    /// The places of the spheres compared with those in the generic model, where one is named for that.
+    fn placement(&self, model: &Model) -> Option<Placement> {
+        let (generic, file) = self.generic.as_ref()?.as_ref().ok()?;
+        let OriginalFiles { from, body_scale_file } = self.places.as_ref()?;
+        Some(Placement::compare(model, from, body_scale_file.as_deref(), generic, file.as_ref()))
     }
 
     /// Refuses a model that has no contacts and nothing else that is wrong with it, so that one in a folder is skipped.

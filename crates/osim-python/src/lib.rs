@@ -19,6 +19,7 @@ mod outputs;
 mod planned;
 mod problem;
 mod progress;
+mod remedies;
 mod runs;
 mod scaling;
 mod surveyed;

@@ -14,7 +14,7 @@ use osim_report::json::PlanRecord;
 use osim_report::plan as plan_text;
 use osim_requests::Request;
 use osim_requests::options::OutputOptions;
-use osim_requests::spell::{JsonRequest, Python as PythonWords};
+use osim_requests::spell::Python as PythonWords;
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::{PyBytes, PyDict, PyList};
@@ -23,6 +23,7 @@ use serde_json::{Map, Value};
 use crate::files::{Memory, RequestFiles};
 use crate::guard::{dictionary, fields_of, guarded};
 use crate::problem::Problem;
+use crate::remedies::remedies;
 
 /// The words of all messages.
 pub(crate) static WORDS: Words = &PythonWords;
@@ -176,10 +177,7 @@ impl Planned {
         both.into_iter()
             .map(|found| {
                 let record = dictionary(py, &found)?;
-                let mut as_requests = found;
-                as_requests.spell(&JsonRequest);
-                let requests = as_requests.findings.into_iter().map(|finding| finding.command).collect();
-                Ok((record, requests))
+                Ok((record, remedies(&found)))
             })
             .collect()
     }

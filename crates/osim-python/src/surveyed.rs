@@ -15,7 +15,6 @@ use osim_planning::Inspector;
 use osim_report::json::FailureRecord;
 use osim_requests::Request;
 use osim_requests::options::ReportOptions;
-use osim_requests::spell::JsonRequest;
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyDict;
@@ -25,6 +24,7 @@ use crate::guard::{dictionary, fields_of, guarded};
 use crate::planned::WORDS;
 use crate::problem::Problem;
 use crate::progress::Watch;
+use crate::remedies::remedies;
 
 /// What is known of a model; its findings also as requests that put them right.
 enum Seen {
@@ -203,9 +203,7 @@ impl How<'_> {
             .map(|found| Box::new(self.survey.entry(&inspected, found)));
         let seen = match found.filter(|_| is_check) {
             Some(found) => {
-                let mut requests = found.clone();
-                requests.spell(&JsonRequest);
-                let requests = requests.findings.into_iter().map(|finding| finding.command).collect();
+                let requests = remedies(&found);
                 Seen::Checked(Box::new(found), requests)
             }
             None => Seen::Inspected(Box::new(inspected.inspection)),

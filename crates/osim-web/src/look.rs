@@ -43,9 +43,9 @@ struct RemedyShown {
 }
 
 impl FindingShown {
-    /// `finding`, which was spelled.
-    fn of(finding: &Found) -> Self {
-        let request = finding.remedy.as_ref();
+    /// `finding`, which was spelled. Its remedy is shown where it is the `first` step: later ones are for the result of that.
+    fn of(finding: &Found, first: Option<&Request>) -> Self {
+        let request = finding.remedy.as_ref().filter(|remedy| first == Some(remedy));
         let remedy = request
             .zip(finding.command.clone())
             .map(|(request, text)| RemedyShown { text, request: request.to_map() });
@@ -55,7 +55,7 @@ impl FindingShown {
 
     /// All of a model.
     pub(crate) fn all(found: &CheckResult) -> Vec<Self> {
-        found.findings.iter().map(Self::of).collect()
+        found.findings.iter().map(|finding| Self::of(finding, found.steps.first())).collect()
     }
 }
 
@@ -74,10 +74,11 @@ pub(crate) fn inspector(model: &str, mut fields: Fields, shelf: &Shelf) -> Resul
 fn seen(
     inspector: &Inspector,
     opened: &Opened,
+    shelf: &Shelf,
     words: &dyn FrontEnd,
 ) -> Result<(Inspection, CheckResult), Problem> {
     let mut inspection = inspector.inspect(&opened.model)?;
-    let mut found = inspector.check(&opened.model.model, &inspection, None);
+    let mut found = inspector.check(&opened.model.model, &inspection, None, shelf);
     inspection.spell(words);
     found.spell(words);
     Ok((inspection, found))
@@ -97,7 +98,7 @@ pub(crate) fn look(
     wanted: Option<&[String]>,
     shelf: &Shelf,
 ) -> Result<Look, Problem> {
-    let (inspection, found) = seen(inspector, opened, &Page)?;
+    let (inspection, found) = seen(inspector, opened, shelf, &Page)?;
     let wants = |id: &str| wanted.is_none_or(|wanted| wanted.iter().any(|one| one == id));
     let feet = wants("feet").then(|| feet(inspector, opened, shelf)).flatten();
     let digests = if wants("model") { opened.digests() } else { Vec::new() };
@@ -119,7 +120,7 @@ pub(crate) fn entry(
     shelf: &Shelf,
     words: &dyn FrontEnd,
 ) -> Result<Entry, Problem> {
-    let (inspection, found) = seen(inspector, opened, words)?;
+    let (inspection, found) = seen(inspector, opened, shelf, words)?;
     let shown = Inspected {
         options: inspector.options(),
         model: &opened.model,

@@ -10,7 +10,7 @@ pub(crate) static RULE: Rule = Rule {
     verdict: Some(VerdictOn::Sizes),
     what: "Spheres stand where they were before OpenSim scaled their bodies.",
     why: "OpenSim's Scale Tool scales bones, joints and masses. It leaves contact spheres where they were, as large and as stiff as before, so that they hang beyond the foot of a smaller animal and end short of a larger one's.",
-    advice: "`rescale MODEL target_mass=KG follow_bodies` where the note in the file has the sizes of the bones; else `transfer MODEL from=ORIGINAL follow_bodies`, where ORIGINAL is the model that was scaled. Both make the contacts right for this mass, too. Add `level` only where the foot became about as much lower as it became shorter and narrower",
+    advice: "Compare with the model that was scaled: `check MODEL from=ORIGINAL` gives the command that moves the spheres with their bodies and makes the contacts right for this mass, too",
     repair: Repair::Command(
         "lets the spheres follow their bodies, where the note has their sizes or the original is named",
     ),

@@ -13,7 +13,7 @@ pub(crate) static RULE: Rule = Rule {
     verdict: Some(VerdictOn::Sizes),
     what: "Spheres do not fit their bones, as in no published model or as in one of another size.",
     why: "Either OpenSim scaled the bones and left the spheres behind, or the spheres were taken from a model of another size. Then they push where the foot is not.",
-    advice: "See where each belongs with `check MODEL from=ORIGINAL`, where ORIGINAL is the model that was scaled; then `transfer MODEL from=ORIGINAL follow_bodies`. With the Scale Tool's ScaleSet alone: `rescale MODEL body_scale_file=SCALESET.xml contacts_mass=KG target_mass=KG`",
+    advice: "See where each belongs with `check MODEL from=ORIGINAL`, where ORIGINAL is the model that was scaled: it gives the command that puts them there, if there is one",
     repair: Repair::NotPossible(
         "it needs the model that was scaled, or the ScaleSet, and only you know where they are",
     ),

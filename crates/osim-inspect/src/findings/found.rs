@@ -12,7 +12,8 @@ use osim_requests::spell::Speller;
 pub struct Found {
     /// What was found.
     pub finding: Finding,
-    /// What puts it right; `None` where only the user can know what to write.
+    /// What puts it right; `None` where only the user can know what to write, and for a remark. Where the result says
+    /// [`steps`](crate::CheckResult::steps) it is one of them.
     pub remedy: Option<Request>,
     /// Whether known contacts were published with it.
     pub as_published: bool,

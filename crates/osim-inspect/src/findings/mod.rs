@@ -14,5 +14,5 @@ pub use check::{Changeable, check_model};
 pub use found::Found;
 pub use kin::Kin;
 pub use places::misplaced_spheres;
-pub(crate) use remedy::{Remedies, exactly, rounded, touching_indentation};
+pub(crate) use remedy::{Remedies, exactly, rounded, standing_width, touching_indentation};
 pub use result::{CheckResult, Counts};

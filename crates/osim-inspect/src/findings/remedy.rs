@@ -10,8 +10,8 @@ use osim_model::files::FileName;
 use osim_model::{Assignment, ForceId, Pattern, Property, Selection};
 use osim_requests::options::{CountOptions, ForceOptions, LoadOptions, MassOptions, SetFiles, WantedOptions};
 use osim_requests::{
-    Acceleration, Assignments, ConstantIndentation, Count, DesignRequest, Kilograms, Positive,
-    RelativeIndentation, Request, SetRequest, TransferRequest,
+    Acceleration, Assignments, ConstantIndentation, Count, DesignRequest, Kilograms, RelativeIndentation,
+    Request, SetRequest, TransferRequest,
 };
 
 use crate::figures::{Figure, SphereFigures};
@@ -149,31 +149,24 @@ impl<'m> Remedies<'m> {
         self.set(vec![(property, Assignment::Factor(factor))]).map(Request::from)
     }
 
-    /// Brings x̂ down to the limit under `body_weights`; where the law is smoothed, its constant indentation with it.
-    pub(crate) fn indentation(&self, spheres: &[&SphereFigures], body_weights: f64) -> Option<Request> {
+    /// Brings x̂ down to the limit under body weight; where the law is smoothed, its constant indentation with it.
+    pub(crate) fn indentation(&self, spheres: &[&SphereFigures]) -> Option<Request> {
         let limit = limits::INDENTATION.value;
         if self.joined || !self.counted {
             // The sphere that sinks in most decides. x̂ follows E*^(-2/3) (11).
-            let figure = if body_weights > 1.0 { Figure::IndentationAtTwo } else { Figure::Indentation };
-            let deepest = spheres.iter().filter_map(|sphere| sphere.value(figure)).fold(0.0, f64::max);
+            let depths = spheres.iter().filter_map(|sphere| sphere.value(Figure::Indentation));
+            let deepest = depths.fold(0.0, f64::max);
             let factor = (deepest / limit).powf(1.5);
             return self.factor(Property::Stiffness, (factor * 1e3).ceil() / 1e3);
         }
         let smooth = spheres.iter().any(|sphere| sphere.value(Figure::ConstantIndentation).is_some());
-        // x̂ at body weight once it is at the limit under the load asked for.
-        let x_hat = limit / body_weights.powf(2.0 / 3.0);
-        let constant = smooth.then(|| constant_indentation_below(x_hat));
+        let constant = smooth.then(|| constant_indentation_below(limit));
         let wanted = WantedOptions {
             indentation: Some(RelativeIndentation::new(limit).ok()?),
             constant_indentation: constant.map(ConstantIndentation::new).transpose().ok()?,
             ..WantedOptions::default()
         };
-        let body_weights = Some(body_weights).filter(|&weights| weights != 1.0);
-        let load = LoadOptions {
-            body_weights: body_weights.map(Positive::new).transpose().ok()?,
-            gravity: self.load.gravity,
-            ..LoadOptions::default()
-        };
+        let load = LoadOptions { gravity: self.load.gravity, ..LoadOptions::default() };
         let (masses, counts) = (self.load.masses.clone(), self.load.counts.clone());
         Some(DesignRequest { load, masses, counts, ..self.design(wanted)? }.into())
     }
@@ -212,6 +205,16 @@ pub(crate) fn rounded(kg: f64) -> f64 {
 pub(crate) fn touching_indentation(spheres: &[&SphereFigures]) -> Option<f64> {
     let least = spheres.iter().filter_map(|sphere| sphere.value(Figure::Indentation)).reduce(f64::min)?;
     Some(constant_indentation_below(least))
+}
+
+/// The width over which contact may set in, over R, so that no sphere carries more than this share of its load above the floor.
+///
+/// With bd in (C.7), (C.1) lets through ½ (1 − tanh u) of (u/(bd R x̂))^(3/2) of the load, u = −bd x. That is largest at u = 0.8792, where it
+/// is 0.12118/(bd R x̂)^(3/2); from that and (C.8), the width is 2 artanh(1 − 2t) (share/0.12118)^(2/3) x̂.
+pub(crate) fn standing_width(spheres: &[&SphereFigures], share: f64) -> Option<f64> {
+    let least = spheres.iter().filter_map(|sphere| sphere.value(Figure::Indentation)).reduce(f64::min)?;
+    let full = 2.0 * (1.0 - 2.0 * limits::TRANSITION_THRESHOLD).atanh();
+    Some(two_digits_below(full * (share / 0.121_18).powf(2.0 / 3.0) * least)).filter(|&width| width > 0.0)
 }
 
 /// √cf/R with which a sphere that rests at x̂ carries a tenth of its load while just touching, rounded down.

@@ -3,6 +3,7 @@
 use std::cmp::Reverse;
 
 use osim_model::{FindingCode, Model, Severity};
+use osim_requests::Request;
 use osim_requests::spell::Speller;
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
@@ -35,6 +36,12 @@ pub struct CheckResult {
     #[serde(serialize_with = "found_records")]
     #[cfg_attr(feature = "schemas", schemars(with = "Vec<FindingRecord>"))]
     pub findings: Vec<Found>,
+    /// The calls that put right what can be put right, in the order in which they work: each changes what the one before wrote.
+    pub commands: Vec<String>,
+    /// The same as requests.
+    #[serde(skip)]
+    #[cfg_attr(feature = "schemas", schemars(skip))]
+    pub steps: Vec<Request>,
 }
 
 /// How many findings of each severity.
@@ -79,6 +86,10 @@ impl CheckResult {
     /// Everything found in a model, in any order.
     #[must_use]
     pub fn new(model: &Model, inspected: &Inspection, mut findings: Vec<Found>) -> Self {
+        // A remark is worth knowing, and no reason to change the model.
+        for remark in findings.iter_mut().filter(|finding| finding.severity == Severity::Info) {
+            remark.remedy = None;
+        }
         // What spheres do where they should not be is a symptom.
         let is_symptom = |finding: &Found| {
             !matches!(finding.code(), FindingCode::SpheresLeftBehind | FindingCode::SpheresMisplaced)
@@ -99,7 +110,27 @@ impl CheckResult {
             counts,
             verdicts: verdicts::of(model, inspected, &findings),
             findings,
+            commands: Vec::new(),
+            steps: Vec::new(),
         }
+        .with_steps_of_remedies()
+    }
+
+    /// The same with each remedy as a step by itself, which nobody has tried.
+    fn with_steps_of_remedies(mut self) -> Self {
+        for remedy in self.findings.iter().filter_map(|found| found.remedy.as_ref()) {
+            if !self.steps.contains(remedy) {
+                self.steps.push(remedy.clone());
+            }
+        }
+        self
+    }
+
+    /// The steps up to the one that puts a finding right, this one last; none where nothing does.
+    #[must_use]
+    pub fn steps_to(&self, finding: &Found) -> &[Request] {
+        let last = self.steps.iter().position(|step| finding.remedy.as_ref() == Some(step));
+        last.and_then(|last| self.steps.get(..=last)).unwrap_or_default()
     }
 
     /// Whether something is as bad as `severity`, or worse.
@@ -112,5 +143,6 @@ impl CheckResult {
     pub fn spell(&mut self, speller: &dyn Speller) {
         self.verdicts.iter_mut().for_each(|verdict| verdict.spell(speller));
         self.findings.iter_mut().for_each(|finding| finding.spell(speller));
+        self.commands = self.steps.iter().map(|step| speller.request(step)).collect();
     }
 }

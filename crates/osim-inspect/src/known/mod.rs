@@ -8,3 +8,4 @@ mod table;
 pub(crate) use odd_side::{KnownSide, odd_side};
 pub use recognise::KnownContacts;
 pub use slip::unexplained_slip;
+pub(crate) use table::is_published;

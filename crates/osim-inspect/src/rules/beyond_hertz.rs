@@ -15,7 +15,7 @@ pub(crate) static RULE: Rule = Rule {
     verdict: Some(VerdictOn::Mass),
     what: "Spheres sink in deeper than Hertz' law is accurate for, at body weight on one limb.",
     why: "Hertz' law was found accurate up to a relative indentation of {indentation}, a contact patch of 0.4 R. Beyond, the contact is a non-linear spring and no longer a material; most published gait models are there (Falisse et al. 2022: 0.353).",
-    advice: "Nothing, if a spring is meant; else make the spheres stiffer, larger or more: `design` finds the numbers",
+    advice: "Nothing, if a spring is meant; else stiffer, larger or more spheres, for a relative indentation of {indentation} at most",
     repair: Repair::NotPossible("a remark: most published contacts are so, and their authors meant it"),
     example: Example::Piece {
         model: "check/within_limits.osim",

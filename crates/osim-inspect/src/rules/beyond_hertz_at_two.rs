@@ -15,8 +15,8 @@ pub(crate) static RULE: Rule = Rule {
     verdict: Some(VerdictOn::Mass),
     what: "Spheres sink in deeper than Hertz' law is accurate for, at two body weights and not at one.",
     why: "A foot carries more than body weight in running and landing. At twice body weight the relative indentation is above {indentation}, up to which Hertz' law is accurate.",
-    advice: "Nothing, if the model only walks; else make the spheres stiffer, larger or more: `design` with `body_weights=2` finds the numbers",
-    repair: Repair::NotPossible("a remark: most published contacts are so, and their authors meant it"),
+    advice: "Nothing, if the model only walks; else stiffer, larger or more spheres, for a relative indentation of {indentation} at two body weights",
+    repair: Repair::NotPossible("walking is within the limit; whether the model runs, only you know"),
     example: Example::Piece {
         model: "check/within_limits.osim",
         good: "<stiffness>4.4876e7</stiffness>",

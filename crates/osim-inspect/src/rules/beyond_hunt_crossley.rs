@@ -15,7 +15,7 @@ pub(crate) static RULE: Rule = Rule {
     verdict: Some(VerdictOn::Solver),
     what: "Restitution by (13) is so low that the Hunt-Crossley law is not accurate.",
     why: "The Hunt-Crossley law describes materials that give back most of the impact speed. Below a restitution of {restitution} at the impact speed, dissipation is a damper that makes a simulation calm; energies lost in contact are not those of a material.",
-    advice: "Nothing, if that is meant; else make the dissipation smaller: `design` finds it for a `restitution`",
+    advice: "Nothing, if that is meant; else a smaller dissipation, for a restitution of {restitution} at least",
     repair: Repair::NotPossible("a remark: most published contacts are so, and their authors meant it"),
     example: Example::Piece {
         model: "check/within_limits.osim",

@@ -16,7 +16,7 @@ pub(crate) static RULE: Rule = Rule {
     verdict: Some(VerdictOn::Mass),
     what: "The contacts are published ones, made for a body of another mass.",
     why: "Radius, stiffness, dissipation and number of spheres are those of a published model, but the body weighs something else: contacts that are not scaled sink in more or less than they did there.",
-    advice: "If OpenSim scaled this model, `check MODEL from=GENERIC`, then `transfer MODEL from=GENERIC follow_bodies`. If its spheres are where they belong, `rescale MODEL contacts_mass=KG target_mass=KG`, with the mass the contacts were made for and the mass of this body",
+    advice: "If OpenSim scaled this model, `check MODEL from=GENERIC` compares it with the one that was scaled. If its spheres are where they belong, scale the contacts from the mass they were made for to the mass of this body",
     repair: Repair::Command(
         "scales the contacts from the mass they were made for to that of this body, where the places of the spheres are known to be right",
     ),

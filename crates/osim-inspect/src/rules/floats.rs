@@ -1,6 +1,6 @@
 //! The smoothing alone carries body weight: the spheres do not touch the floor.
 
-use contact_scaling::limits::SUGGESTED_TRANSITION_WIDTH;
+use contact_scaling::limits::{SUGGESTED_TRANSITION_WIDTH, TOUCHING_SHARE};
 use osim_messages::four_significant;
 use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 use osim_requests::options::WantedOptions;
@@ -8,7 +8,7 @@ use osim_requests::{ConstantIndentation, Positive, Request};
 
 use super::limits::Limits;
 use crate::figures::{Figure, SphereFigures};
-use crate::findings::{Found, Remedies, touching_indentation};
+use crate::findings::{Found, Remedies, standing_width, touching_indentation};
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::Floats,
@@ -17,7 +17,7 @@ pub(crate) static RULE: Rule = Rule {
     verdict: Some(VerdictOn::Mass),
     what: "The smoothing alone carries body weight: the spheres do not touch the floor.",
     why: "With constant_contact_force and hertz_smoothing far too large for the spheres, the force before contact holds the body in the air.",
-    advice: "Make constant_contact_force smaller with `design MODEL constant_indentation=X`",
+    advice: "Make constant_contact_force smaller and hertz_smoothing larger, until the spheres touch the floor",
     repair: Repair::Command("designs constant_contact_force so that the spheres touch the floor"),
     example: Example::Piece {
         model: "check/within_limits.osim",
@@ -38,8 +38,12 @@ pub(crate) fn find(limits: &Limits<'_>) -> Option<Found> {
 /// Brings the spheres to the floor. Where contact sets in over a long way that has to be shorter, too: far above the floor the force
 /// of (C.1) is large again.
 fn remedy(remedies: &Remedies<'_>, spheres: &[&SphereFigures]) -> Option<Request> {
-    let wide = spheres.iter().any(|sphere| sphere.is_within(Figure::TransitionWidth) == Some(false));
-    let width = wide.then_some(SUGGESTED_TRANSITION_WIDTH);
+    let (tenth, half) = (standing_width(spheres, TOUCHING_SHARE.value)?, standing_width(spheres, 0.5)?);
+    let is_wide = |sphere: &&SphereFigures| {
+        let width = sphere.value(Figure::TransitionWidth);
+        sphere.is_within(Figure::TransitionWidth) == Some(false) || width.is_some_and(|width| width > half)
+    };
+    let width = spheres.iter().any(is_wide).then_some(tenth.min(SUGGESTED_TRANSITION_WIDTH));
     let wanted = WantedOptions {
         constant_indentation: Some(ConstantIndentation::new(touching_indentation(spheres)?).ok()?),
         state_width: width.map(Positive::new).transpose().ok()?,

@@ -14,7 +14,7 @@ pub(crate) static RULE: Rule = Rule {
     verdict: Some(VerdictOn::Solver),
     what: "A sphere that only just touches the floor carries a large part of its share of body weight already.",
     why: "Smoothing lets force through before contact (Fig. C.5): the floor repels the foot, as if the spheres were larger. In Falisse et al. (2022), where that did no harm, it is 0.074 of the share.",
-    advice: "Make constant_contact_force smaller with `design MODEL constant_indentation=X`",
+    advice: "Make constant_contact_force smaller",
     repair: Repair::Command("designs constant_contact_force so that the share comes down to the limit"),
     example: Example::Piece {
         model: "check/within_limits.osim",

@@ -15,7 +15,7 @@ pub(crate) static RULE: Rule = Rule {
     verdict: Some(VerdictOn::Solver),
     what: "The constant indentation of constant_contact_force is a large part of the radius.",
     why: "constant_contact_force is a squared indentation and does not grow with the sphere by itself: OpenSim's default of 1e-5 m2, made for spheres of 32 mm, is 3.2 mm. On smaller spheres it holds the body up before they touch (C.2).",
-    advice: "`design MODEL constant_indentation={constant_indentation}`, or {suggested_indentation} where spheres sink in by less than {indentation} R",
+    advice: "Make constant_contact_force smaller, for a constant indentation of {constant_indentation} of the radius at most; where spheres sink in by less than {indentation} R, of {suggested_indentation}",
     repair: Repair::Command("designs constant_contact_force for the limit"),
     example: Example::Piece {
         model: "check/within_limits.osim",

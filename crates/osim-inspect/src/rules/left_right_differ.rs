@@ -1,12 +1,28 @@
-//! The remedy of a rule about models: the values of the right side.
+//! The remedy of a rule about models: the side that is a slip gets the values of the other.
+//!
+//! Which side that is, other forces of the model decide, or the table of known contacts. Where nothing decides, there is no remedy:
+//! to copy one side would be right as often as wrong.
+
+use std::cmp::Ordering;
 
 use osim_model::{Assignment, BothSides, Finding, Force, Model, Property};
 use osim_requests::options::ForceOptions;
 use osim_requests::{Request, SetRequest};
 
 use crate::findings::{Remedies, exactly};
+use crate::known::is_published;
 
-/// Writes the values of the right side into the force that `finding` is about.
+/// Numbers that differ by less than this, relatively, are one.
+const SAME: f64 = 1e-6;
+
+/// A number that differs between the sides.
+struct Differing {
+    property: Property,
+    left: f64,
+    right: f64,
+}
+
+/// Writes the values of the side that is right into the other force of the pair that `finding` is about.
 pub(crate) fn remedy(
     remedies: &Remedies<'_>,
     model: &Model,
@@ -14,51 +30,82 @@ pub(crate) fn remedy(
     finding: &Finding,
 ) -> Option<Request> {
     let left = sides.force(finding.place.as_deref()?)?;
-    let values = differing(model, sides, left, sides.right_of(left)?)?;
-    // A value that nobody may set is no repair of the other side.
-    let can_be_set = values.iter().all(|(property, value)| property.allows(*value));
-    if !can_be_set || !remedies.options.selection.select.is_empty() {
+    let right = sides.right_of(left)?;
+    let values = differing(model, sides, left, right)?;
+    let others: Vec<&Force> =
+        model.forces().iter().filter(|force| force.id != left.id && force.id != right.id).collect();
+    let which: Vec<Ordering> =
+        values.iter().map(|values| which_is_right(model, &others, values, [left, right])).collect();
+    let (wrong, of_right) = match which.as_slice() {
+        all if all.iter().all(|one| one.is_gt()) => (left, true),
+        all if all.iter().all(|one| one.is_lt()) => (right, false),
+        _ => return None,
+    };
+    let value = |one: &Differing| if of_right { one.right } else { one.left };
+    let assignments: Vec<(Property, f64)> = values.iter().map(|one| (one.property, value(one))).collect();
+    can_be_set(&assignments).then_some(())?;
+    if !remedies.options.selection.select.is_empty() {
         return None;
     }
-    let assignments = values.iter().map(|(property, value)| (*property, Assignment::Value(*value)));
+    let assignments = assignments.iter().map(|(property, value)| (*property, Assignment::Value(*value)));
     let set = remedies.set(assignments.collect())?;
-    let choice = ForceOptions { select: vec![exactly(&left.name)?], ..remedies.choice() };
+    let choice = ForceOptions { select: vec![exactly(&wrong.name)?], ..remedies.choice() };
     Some(SetRequest { choice, ..set }.into())
 }
 
-/// What to write into `left` so that it is like `right`; `None` where one `set` cannot say it.
-fn differing(
-    model: &Model,
-    sides: &BothSides<'_>,
-    left: &Force,
-    right: &Force,
-) -> Option<Vec<(Property, f64)>> {
-    let ([of_left], [of_right]) = (left.sets.as_slice(), right.sets.as_slice()) else { return None };
-    let mut changes: Vec<(Property, f64)> = of_left
-        .values
-        .iter()
-        .zip(&of_right.values)
-        .filter(|(l, r)| l.number != r.number)
-        .map(|(_, r)| (r.property, r.number))
-        .collect();
-    let radii = |force: &Force| -> Vec<f64> {
-        let spheres = force.spheres().into_iter().filter_map(|id| model.sphere(id));
-        spheres.map(|sphere| sphere.radius.number).collect()
+/// Whether nobody refuses to write them; a constant_contact_force of 0 would be.
+fn can_be_set(values: &[(Property, f64)]) -> bool {
+    values.iter().all(|(property, value)| property.allows(*value))
+        && !values.contains(&(Property::ConstantContactForce, 0.0))
+}
+
+/// Greater if the right side has the better witnesses, less if the left has, equal if nothing decides: first the other forces,
+/// then known contacts.
+fn which_is_right(model: &Model, others: &[&Force], values: &Differing, pair: [&Force; 2]) -> Ordering {
+    let with = |wanted: f64| {
+        let has = |force: &&&Force| numbers(model, force, values.property).any(|one| is_same(one, wanted));
+        others.iter().filter(has).count()
     };
-    let (ours, theirs) = (radii(left), radii(right));
+    let [left, right] = pair.map(|force| is_published(|property| numbers(model, force, property).next()));
+    with(values.right).cmp(&with(values.left)).then(right.cmp(&left))
+}
+
+fn is_same(a: f64, b: f64) -> bool {
+    (a - b).abs() <= SAME * b.abs()
+}
+
+/// The numbers that a force has of a property: of each set, or of each sphere.
+fn numbers<'m>(model: &'m Model, force: &'m Force, property: Property) -> impl Iterator<Item = f64> + 'm {
+    let of_spheres = if property == Property::Radius { radii(model, force) } else { Vec::new() };
+    let of_sets =
+        force.sets.iter().flat_map(|set| &set.values).filter(move |value| value.property == property);
+    of_sets.map(|value| value.number).chain(of_spheres)
+}
+
+fn radii(model: &Model, force: &Force) -> Vec<f64> {
+    let spheres = force.spheres().into_iter().filter_map(|id| model.sphere(id));
+    spheres.map(|sphere| sphere.radius.number).collect()
+}
+
+/// What differs between the forces; `None` where one `set` cannot say it.
+fn differing(model: &Model, sides: &BothSides<'_>, left: &Force, right: &Force) -> Option<Vec<Differing>> {
+    let ([of_left], [of_right]) = (left.sets.as_slice(), right.sets.as_slice()) else { return None };
+    let pairs = of_left.values.iter().zip(&of_right.values).filter(|(l, r)| l.number != r.number);
+    let mut found: Vec<Differing> =
+        pairs.map(|(l, r)| Differing { property: r.property, left: l.number, right: r.number }).collect();
+    let (ours, theirs) = (radii(model, left), radii(model, right));
     if ours != theirs {
         // On bones of another size the radius of the other side is wrong, and numbers that follow it are.
         if sides.bones_differ(left, right) {
             return None;
         }
-        let first = *theirs.first()?;
-        if theirs.iter().any(|&radius| radius != first) {
-            return None;
-        }
-        changes.push((Property::Radius, first));
+        found.push(Differing { property: Property::Radius, left: only(&ours)?, right: only(&theirs)? });
     }
-    if changes.contains(&(Property::ConstantContactForce, 0.0)) {
-        return None; // It would be refused.
-    }
-    Some(changes).filter(|changes| !changes.is_empty())
+    Some(found).filter(|found| !found.is_empty())
+}
+
+/// The number that all of them are.
+fn only(numbers: &[f64]) -> Option<f64> {
+    let first = *numbers.first()?;
+    numbers.iter().all(|&one| one == first).then_some(first)
 }

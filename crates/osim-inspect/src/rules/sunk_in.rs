@@ -14,7 +14,7 @@ pub(crate) static RULE: Rule = Rule {
     verdict: Some(VerdictOn::Mass),
     what: "Spheres sink in by their whole radius or more at body weight on one limb.",
     why: "A sphere that is in the floor up to its centre meets no surface that a contact law knows: OpenSim goes on with the same formula. The stiffness is nearly always one of a lighter body, or the spheres too small.",
-    advice: "Scale the contacts to this body with `rescale MODEL contacts_mass=KG target_mass=KG`, or `design MODEL indentation={indentation}`",
+    advice: "If the contacts were made for another body, scale them to this one; else make them stiffer, for a relative indentation of {indentation}",
     repair: Repair::Command("designs or multiplies the stiffness as for beyond-hertz"),
     example: Example::Piece {
         model: "check/within_limits.osim",
@@ -36,7 +36,7 @@ fn level(limits: &Limits<'_>) -> Option<Found> {
     let found = limits.concerned(|sphere| sphere.value(Figure::Indentation).filter(|&x| x >= CENTRE))?;
     let x = four_significant(found.most);
     let text = format!("at body weight on one limb x/R is {x} by Hertz: in up to the centre");
-    let remedy = limits.remedies.indentation(&limits.spheres, 1.0);
+    let remedy = limits.remedies.indentation(&limits.spheres);
     Some(Found::new(limits.about(&RULE, &text, &found), remedy))
 }
 

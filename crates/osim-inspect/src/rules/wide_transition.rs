@@ -17,7 +17,7 @@ pub(crate) static RULE: Rule = Rule {
     verdict: Some(VerdictOn::Solver),
     what: "Contact sets in over more of the radius than in published models.",
     why: "hertz_smoothing is an inverse length: OpenSim's default of 300 1/m, made for spheres of 32 mm, spreads the onset of contact over 10 mm. On smaller spheres that is a large part of the radius, half of it before they touch (C.7).",
-    advice: "`design MODEL state_width={suggested_width}`",
+    advice: "Let contact set in over {suggested_width} of the radius, with a larger hertz_smoothing",
     repair: Repair::Command("designs hertz_smoothing for a width within the limit"),
     example: Example::Piece {
         model: "check/within_limits.osim",

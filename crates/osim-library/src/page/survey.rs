@@ -79,7 +79,7 @@ impl Survey<'_> {
 
     /// What is wrong with it, spelled.
     pub fn check(&self, inspected: &mut Inspected, compiled: Option<&Finding>) -> CheckResult {
-        let mut found = self.inspector.check(&inspected.opened.model, &inspected.inspection, compiled);
+        let mut found = self.inspector.check(&inspected.opened.model, &inspected.inspection, compiled, &Disk);
         found.spell(self.words);
         found
     }

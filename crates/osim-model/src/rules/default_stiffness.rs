@@ -12,7 +12,7 @@ pub(crate) static RULE: Rule = Rule {
     verdict: Some(VerdictOn::Mass),
     what: "A stiffness is left at its class default.",
     why: "OpenSim's default stiffness (1 N/m2 in SmoothSphereHalfSpaceForce) carries nothing; it is nearly always a forgotten value.",
-    advice: "Set a stiffness, for example with `transfer from=falisse2022`",
+    advice: "Set a stiffness, for example that of a published model",
     repair: Repair::Command("takes the contacts of a published model"),
     example: Example::Piece {
         model: "check/within_limits.osim",

@@ -11,7 +11,7 @@ pub(crate) static RULE: Rule = Rule {
     verdict: Some(VerdictOn::Solver),
     what: "One HuntCrossleyForce has several spheres.",
     why: "In Simbody, when one sphere of a HuntCrossleyForce leaves the ground faster than 2/(3 dissipation), the spheres evaluated after it lose their force in that step.",
-    advice: "Give each sphere a HuntCrossleyForce of its own with `convert MODEL to=hunt-crossley`",
+    advice: "Give each sphere a HuntCrossleyForce of its own",
     repair: Repair::Command(
         "makes one force for each sphere; stiffness, dissipation and friction stay as they are",
     ),

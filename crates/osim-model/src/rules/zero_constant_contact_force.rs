@@ -12,7 +12,7 @@ pub(crate) static RULE: Rule = Rule {
     verdict: Some(VerdictOn::Solver),
     what: "A SmoothSphereHalfSpaceForce has a constant_contact_force of 0.",
     why: "Simbody divides by the root of the squared slip speed plus constant_contact_force: with 0, the force is NaN whenever the sphere does not slip, even without friction. Scaling leaves a value of 0 as it is.",
-    advice: "Give it a small value, for example `design MODEL constant_indentation={suggested_indentation}`",
+    advice: "Give it a small value, for example for a constant indentation of {suggested_indentation} of the radius",
     repair: Repair::Command("designs constant_contact_force for a small constant indentation"),
     example: Example::Piece {
         model: "check/within_limits.osim",

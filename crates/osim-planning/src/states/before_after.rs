@@ -2,12 +2,13 @@
 
 use osim_inspect::series::Body;
 use osim_inspect::{CheckResult, Figures, InspectOptions, Inspection, ReferenceState, check_model};
-use osim_model::Property;
-use osim_model::files::{Failure, ModelFiles, OpenModel};
+use osim_model::files::{Failure, FileName, InMemory, ModelFiles, OpenModel};
+use osim_model::{Model, Property};
 use osim_patch::Plan;
 use osim_requests::spell::Speller;
 
 use crate::afterwards::options_after;
+use crate::remedies::Trials;
 use crate::states::both::body;
 use crate::{ModelFeet, Planner, trial};
 
@@ -95,7 +96,8 @@ impl BeforeAfter {
 }
 
 fn seen(options: &InspectOptions, opened: &OpenModel, changes: bool) -> (Inspection, CheckResult) {
-    let inspection = options.inspect(opened.name(), &opened.model, None);
+    let inspect = |name: &FileName, model: &Model| options.inspect(name.clone(), model, None);
+    let inspection = inspect(opened.name(), &opened.model);
     let check = check_model(
         options,
         &opened.model,
@@ -103,7 +105,9 @@ fn seen(options: &InspectOptions, opened: &OpenModel, changes: bool) -> (Inspect
         None,
         trial::with_numbers(options, &opened.model, changes),
     );
-    (inspection, check)
+    // Remedies of a model by itself name no other files.
+    let trials = Trials { options, files: &InMemory::default(), inspect: &inspect };
+    (inspection, trials.tried(&opened.model, check))
 }
 
 /// Whether `plan` shows that the numbers of the model can be changed: it changes those that remedies change, in all of the chosen

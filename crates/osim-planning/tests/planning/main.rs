@@ -10,12 +10,13 @@
 )]
 
 mod checks;
-mod composed;
+mod compose;
 #[allow(dead_code, reason = "the tests of osim-inspect have these feet, too")]
 #[path = "../../../osim-inspect/tests/inspect/feet/mod.rs"]
 mod feet;
 mod findings;
 mod known_contacts;
+mod left_behind;
 mod left_like_right;
 mod masses;
 mod odd_side;

@@ -22,6 +22,11 @@ const ONE_FOOT: &str = include_str!("../../../osim-model/tests/data/one_foot.osi
 /// The contacts of the human above under a body of 90 kg.
 const OTHER_MASS: &str = include_str!("../../../../fixtures/check/contacts_of_another_mass.osim");
 
+/// The human with a stiffness that nobody published: what is wrong with it is a warning, and no published state.
+fn human() -> String {
+    HUMAN.replace(">1000000<", ">1001000<")
+}
+
 /// 62 kg on 6 spheres a foot, by the Hertz law.
 const HUNT_CROSSLEY: &str = include_str!("../../../../fixtures/table1/human_62kg_hunt_crossley.osim");
 /// 53 kg on a sphere of 0.05 m and one of 0.025 m a foot, which share a set of parameters: E₁* = 1.2345678 MPa, α = 2.25 s/m.
@@ -61,7 +66,7 @@ fn multiplied(property: &str, factor: f64) -> Value {
 
 #[test]
 fn spheres_that_sink_in_too_deep_get_the_indentation_of_the_limit() {
-    let result = check("human.osim", HUMAN);
+    let result = check("human.osim", &human());
     let Some(Request::Design(design)) = &find(&result, FindingCode::BeyondHertz).remedy else { panic!() };
     assert_eq!(design.models, [Path::new("human.osim")]);
     // At rest a sphere that just touches carries ½ (x̂_c / 0.16)^{3/2} of its share, a tenth at most: x̂_c ≤ 0.0547. The load is the
@@ -74,15 +79,15 @@ fn spheres_that_sink_in_too_deep_get_the_indentation_of_the_limit() {
 fn a_damper_gets_the_restitution_of_the_limit_at_its_own_impact_speed() {
     // √(g R / 2) is 0.39618 m/s; rounded up, so that the limit is kept.
     let expected = json!({"restitution": 0.8, "impact_speed": 0.3962});
-    assert_eq!(design_of(&check("human.osim", HUMAN), FindingCode::BeyondHuntCrossley), expected);
+    assert_eq!(design_of(&check("human.osim", &human()), FindingCode::BeyondHuntCrossley), expected);
 }
 
 #[test]
 fn what_a_remedy_says_puts_the_finding_right() {
-    let result = check("human.osim", HUMAN);
+    let result = check("human.osim", &human());
     let deep = wanted(&result, FindingCode::BeyondHertz);
     let damped = wanted(&result, FindingCode::BeyondHuntCrossley);
-    let model = Model::parse(HUMAN).unwrap();
+    let model = Model::parse(human()).unwrap();
     let selected = Selection::default().apply(&model).unwrap();
     let mut request = Design::default();
     request.modulus = deep.indentation.map(|x| DesignModulus::Indentation(x.get()));
@@ -140,17 +145,19 @@ fn a_sphere_that_has_sunk_in_gets_the_indentation_of_the_limit() {
 }
 
 #[test]
-fn what_is_too_deep_at_two_body_weights_gets_the_limit_there() {
-    // x̂ is 0.105 at body weight and 0.166 at twice.
+fn a_remark_has_no_remedy() {
+    // x̂ is 0.105 at body weight and 0.166 at twice: a remark.
     let result = check_foot(&[Smooth { stiffness: 1.5e7, ..SOLE }]);
-    // 0.16 at twice the weight is 0.10079 at body weight; of that 0.2^(2/3), 0.03447.
-    let expected = json!({"indentation": 0.16, "body_weights": 2.0, "constant_indentation": 0.034});
-    assert_eq!(design_of(&result, FindingCode::BeyondHertzAtTwo), expected);
+    assert_eq!(find(&result, FindingCode::BeyondHertzAtTwo).remedy, None);
+    // What was published so is one, too.
+    let published = check("human.osim", HUMAN);
+    assert_eq!(find(&published, FindingCode::BeyondHertz).remedy, None);
+    assert_eq!(published.steps, []);
 }
 
 #[test]
 fn the_hertz_law_has_no_constant_indentation_to_bring_down() {
-    let result = check("human.osim", HUNT_CROSSLEY);
+    let result = check("human.osim", &HUNT_CROSSLEY.replace(">1000000<", ">1001000<"));
     assert_eq!(design_of(&result, FindingCode::BeyondHertz), json!({"indentation": 0.16}));
 }
 
@@ -161,14 +168,6 @@ fn spheres_of_two_sizes_under_one_set_of_parameters_are_all_made_stiffer() {
     assert_eq!(remedy(&result, FindingCode::BeyondHertz), multiplied("stiffness", 11.168));
     // 0.2 / 0.440326 m/s / 2.25 s/m is 0.20187, rounded down.
     assert_eq!(remedy(&result, FindingCode::BeyondHuntCrossley), multiplied("dissipation", 0.2));
-}
-
-#[test]
-fn at_two_body_weights_the_sphere_that_is_deepest_there_decides() {
-    let stiffer = MIXED_RADII.replace(">1234567.8<", ">18518517<");
-    let result = check_text(&stiffer);
-    // Fifteen times as stiff: the toe is in 0.20863 R deep; (0.20863/0.16)^(3/2) is 1.48897.
-    assert_eq!(remedy(&result, FindingCode::BeyondHertzAtTwo), multiplied("stiffness", 1.489));
 }
 
 #[test]
@@ -230,11 +229,12 @@ fn a_sphere_that_floats_comes_down_to_the_floor() {
     let floating = Smooth { constant_contact_force: 1e-4, ..SOLE };
     let expected = json!({"constant_indentation": 0.029});
     assert_eq!(design_of(&check_foot(&[floating]), FindingCode::Floats), expected);
-    // Where contact sets in over a long way, that has to be shorter as well.
+    // Where contact sets in over a long way, that has to be shorter as well: 2 artanh(0.9) (0.1/0.12118)^(2/3) is 2.5905, times
+    // x̂ = 0.086535 is 0.22417.
     let wide = check_foot(&[Smooth { hertz_smoothing: 100.0, ..floating }]);
     assert_eq!(
         design_of(&wide, FindingCode::Floats),
-        json!({"constant_indentation": 0.029, "state_width": 0.3})
+        json!({"constant_indentation": 0.029, "state_width": 0.22})
     );
 }
 
@@ -265,7 +265,7 @@ fn what_was_said_of_the_load_is_said_again() {
     };
     let stance = Stance { spheres: Some(5.0), limbs: 2.0, gravity_m_s2: Some(12.0), impact_speed_m_s: None };
     let result =
-        check_with("human.osim", HUMAN, &InspectOptions { masses, stance, ..InspectOptions::default() });
+        check_with("human.osim", &human(), &InspectOptions { masses, stance, ..InspectOptions::default() });
     let design = design_of(&result, FindingCode::BeyondHertz);
     let load =
         ["mass", "gravity", "exclude_body", "spheres", "stance_limbs"].map(|field| design[field].clone());
@@ -275,7 +275,7 @@ fn what_was_said_of_the_load_is_said_again() {
 #[test]
 fn a_gravity_that_is_the_models_own_is_not_said() {
     let stance = Stance { gravity_m_s2: Some(9.81), ..Stance::default() };
-    let result = check_with("human.osim", HUMAN, &InspectOptions { stance, ..InspectOptions::default() });
+    let result = check_with("human.osim", &human(), &InspectOptions { stance, ..InspectOptions::default() });
     assert_eq!(design_of(&result, FindingCode::BeyondHertz)["gravity"], Value::Null);
 }
 
@@ -295,7 +295,7 @@ fn sets_that_stand_alone_are_named_again() {
         selection: Selection { exclude: vec!["kick".parse().unwrap()], ..Selection::default() },
         ..InspectOptions::default()
     };
-    let result = check_with("forces.xml", HUMAN, &options);
+    let result = check_with("forces.xml", &human(), &options);
     let Some(Request::Design(design)) = &find(&result, FindingCode::BeyondHertz).remedy else { panic!() };
     assert_eq!(design.set_files.geometry, options.geometry);
     assert_eq!(design.set_files.model, options.model);
@@ -353,10 +353,10 @@ impl Speller for Terse {
 
 #[test]
 fn a_front_end_spells_findings_and_remedies() {
-    let mut result = check("human.osim", HUMAN);
+    let mut result = check("human.osim", &human());
     assert_eq!(find(&result, FindingCode::BeyondHertz).command, None);
     result.spell(&Terse);
     let deep = find(&result, FindingCode::BeyondHertz);
     assert_eq!(deep.command.as_deref(), Some("change by design"));
-    assert!(deep.advice.to_string().contains("<design>"), "{}", deep.advice);
+    assert!(!deep.advice.to_string().contains('<'), "{}", deep.advice);
 }

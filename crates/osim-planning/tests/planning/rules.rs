@@ -4,8 +4,9 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use crate::checks::rule;
+use osim_messages::{Call, Dialect, Input};
 use osim_model::files::{Beside, InMemory};
-use osim_model::{Example, Finding, FindingCode};
+use osim_model::{Example, Finding, FindingCode, Seen};
 use osim_planning::{Inspector, open_with, prepare, rules};
 use osim_requests::Request;
 use osim_requests::spell::CommandLine;
@@ -29,7 +30,7 @@ fn texts_are_spelled_as_the_command_says_it() {
         (
             FindingCode::ZeroConstantContactForce,
             "even without friction.",
-            "Give it a small value, for example design MODEL --constant-indentation 0.05",
+            "Give it a small value, for example for a constant indentation of 0.05 of the radius",
         ),
         (FindingCode::DisabledForce, "", "Nothing, if that is meant; else --skip-disabled"),
         (
@@ -40,18 +41,38 @@ fn texts_are_spelled_as_the_command_says_it() {
         (
             FindingCode::BeyondHertzAtTwo,
             "",
-            "Nothing, if the model only walks; else design MODEL --indentation 0.16 --body-weights 2",
+            "Nothing, if the model only walks; else stiffer, larger or more spheres, for a relative indentation of 0.16 at two body weights",
         ),
         (
             FindingCode::SunkIn,
             "",
-            "Scale the contacts to this body with MODEL --contacts-mass KG --target-mass KG, or design MODEL \
-             --indentation 0.16",
+            "If the contacts were made for another body, scale them to this one; else make them stiffer, for a relative \
+             indentation of 0.16",
         ),
     ] {
         let rule = rule(code);
         assert!(rule.why().spelled(&CommandLine).contains(why), "{code}");
         assert_eq!(rule.advice().spelled(&CommandLine), advice);
+    }
+}
+
+#[test]
+fn no_advice_about_a_model_names_a_command_that_changes_it() {
+    // What changes a model is tried first: it is the remedy of a finding.
+    struct Changing;
+    impl Dialect for Changing {
+        fn input(&self, _: Input, _: Option<&osim_messages::Example>) -> String {
+            String::new()
+        }
+        fn call(&self, call: &Call) -> String {
+            format!("<{}>", call.verb.name())
+        }
+    }
+    for rule in rules::all().iter().filter(|rule| rule.seen == Seen::Model) {
+        let advice = rule.advice().spelled(&Changing);
+        for verb in ["rescale", "transfer", "set", "design", "convert", "note", "add", "remove"] {
+            assert!(!advice.contains(&format!("<{verb}>")), "{}: {advice}", rule.code);
+        }
     }
 }
 
@@ -83,7 +104,7 @@ fn checked(model: &str, files: &InMemory) -> BTreeSet<FindingCode> {
     let inspector = Inspector::of_check(&request, files);
     let opened = open_with(Path::new(model), inspector.set_files().beside(), files).unwrap();
     let inspected = inspector.inspect(&opened).unwrap();
-    let found = inspector.check(&opened.model, &inspected, None);
+    let found = inspector.check(&opened.model, &inspected, None, files);
     codes(found.findings.iter().map(|found| &found.finding))
 }
 

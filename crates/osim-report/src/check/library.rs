@@ -3,8 +3,9 @@
 use std::cmp::Reverse;
 
 use osim_inspect::{CheckResult, Counts};
-use osim_messages::{Dialect, Phrase};
+use osim_messages::{Phrase, one_line};
 use osim_model::{FindingCode, Severity};
+use osim_requests::spell::FrontEnd;
 
 use crate::layout::{Colour, clipped, severity, table};
 
@@ -15,7 +16,12 @@ pub struct LibraryTable {
     models: Vec<(String, Option<Counts>)>,
     /// For each code and severity, how many models, and the first of them.
     codes: Vec<(Severity, FindingCode, usize, String)>,
+    /// What puts them right, model by model.
+    commands: Vec<String>,
 }
+
+/// Commands that are listed; more are counted.
+const LISTED: usize = 30;
 
 impl LibraryTable {
     /// Adds what was found in the next model.
@@ -33,6 +39,7 @@ impl LibraryTable {
             }
         }
         self.models.push((found.model.clone(), Some(found.counts)));
+        self.commands.extend(found.commands.iter().cloned());
     }
 
     /// Adds a model that could not be read.
@@ -40,11 +47,11 @@ impl LibraryTable {
         self.models.push((model.to_owned(), None));
     }
 
-    /// One row for each model, then one for each code.
+    /// One row for each model, then one for each code, then the commands that put them right.
     ///
     /// Names are clipped where a line has an end; in a file or a pipe they are whole.
     #[must_use]
-    pub fn text(mut self, whole_names: bool, dialect: &dyn Dialect, colour: Colour) -> String {
+    pub fn text(mut self, whole_names: bool, words: &dyn FrontEnd, colour: Colour) -> String {
         let shown = |name: &str, width| if whole_names { name.to_owned() } else { clipped(name, width) };
         let mut models = table(&["model", "errors", "warnings", "remarks"]);
         for (model, counts) in &self.models {
@@ -70,8 +77,24 @@ impl LibraryTable {
         let more = Phrase::template(
             "In full, with commands that fix it: `check MODEL`. What one means: `explain topics=FINDING`",
         );
-        text.push_str(&format!("\n{}\n\n{}\n", codes.trim_fmt(), more.spelled(dialect)));
-        painted_rows(&text, colour)
+        text.push_str(&format!("\n{}\n", codes.trim_fmt()));
+        text = painted_rows(&text, colour);
+        text.push_str(&self.to_put_right(words.prompt()));
+        text.push_str(&format!("\n{}\n", more.spelled(words)));
+        text
+    }
+
+    /// The commands, each in a line of its own; where there are too many, how many.
+    fn to_put_right(&self, prompt: &str) -> String {
+        let count = self.commands.len();
+        if count == 0 {
+            return String::new();
+        }
+        if count > LISTED {
+            return format!("\n{count} commands put it right: each model by itself says them.\n");
+        }
+        let lines = self.commands.iter().map(|command| format!("  {prompt}{}\n", one_line(command.clone())));
+        format!("\nTo put it right, for each model in this order:\n{}", lines.collect::<String>())
     }
 }
 

@@ -1,5 +1,7 @@
 //! Findings of one model, for people.
 
+use std::collections::BTreeSet;
+
 use osim_inspect::{CheckResult, Found};
 use osim_messages::one_line;
 use osim_model::FindingCode;
@@ -26,6 +28,10 @@ pub fn text(found: &CheckResult, prompt: &str, colour: Colour) -> String {
     };
     let mut text = wrapped_with_path(&found.model, &head, "  ");
     text.push_str(&verdicts::lines(&found.verdicts, colour));
+    // What puts several findings right is not repeated with each.
+    let mended: BTreeSet<FindingCode> =
+        found.findings.iter().filter(|one| one.command.is_some()).map(|one| one.code()).collect();
+    let at_end = found.commands.len() > 1 || mended.len() > 1;
     let mut rest = shown.as_slice();
     while let Some(first) = rest.first() {
         // The same trap in several places is explained once.
@@ -33,10 +39,25 @@ pub fn text(found: &CheckResult, prompt: &str, colour: Colour) -> String {
         let (alike, others) = rest.split_at(same);
         text.push('\n');
         let more = if first.code() == FindingCode::KnownContacts { published.as_str() } else { "" };
-        text.push_str(&block(first, alike, more, (prompt, colour)));
+        text.push_str(&block(first, alike, more, colour));
+        if !at_end {
+            text.push_str(&commands(alike.iter().filter_map(|finding| finding.command.as_ref()), prompt));
+        }
         rest = others;
     }
+    if at_end {
+        let order = if found.commands.len() > 1 { ", one after the other" } else { "" };
+        text.push_str(&format!("\nTo put it right{order}:\n"));
+        text.push_str(&commands(&found.commands, prompt));
+    }
     text
+}
+
+/// Commands, each once and in a line of its own, never broken: they are there to be copied.
+fn commands<'f>(commands: impl IntoIterator<Item = &'f String>, prompt: &str) -> String {
+    let mut commands: Vec<&String> = commands.into_iter().collect();
+    commands.dedup();
+    commands.into_iter().map(|command| format!("  {prompt}{}\n", one_line(command.clone()))).collect()
 }
 
 /// The codes that are the published state of known contacts.
@@ -51,7 +72,7 @@ fn published(found: &CheckResult) -> String {
     if codes.is_empty() { String::new() } else { format!(" (as published: {})", codes.join(", ")) }
 }
 
-fn block(first: &Found, alike: &[&Found], more: &str, (prompt, colour): (&str, Colour)) -> String {
+fn block(first: &Found, alike: &[&Found], more: &str, colour: Colour) -> String {
     let mut text = format!("{} {}\n", severity(first.severity, colour), first.code());
     for finding in alike {
         let line = finding.line.map(|line| format!("line {line}: ")).unwrap_or_default();
@@ -62,11 +83,5 @@ fn block(first: &Found, alike: &[&Found], more: &str, (prompt, colour): (&str, C
     }
     text.push_str(&wrapped(&format!("  Why: {}", first.why), "       "));
     text.push_str(&wrapped(&format!("  Do:  {}.", first.advice), "       "));
-    // Never broken into lines: it is there to be copied.
-    let mut commands: Vec<&String> = alike.iter().filter_map(|finding| finding.command.as_ref()).collect();
-    commands.dedup();
-    for command in commands {
-        text.push_str(&format!("  {prompt}{}\n", one_line(command.clone())));
-    }
     text
 }

@@ -6,7 +6,7 @@ use osim_inspect::{CheckResult, InspectOptions, Inspection};
 use osim_model::files::{Beside, FileError, Files, ModelFiles, OpenModel};
 use osim_model::{MassRequest, Model};
 use osim_patch::{Plan, Rescale, rescale};
-use osim_planning::check_with_trials;
+use osim_planning::check_with_remedies;
 use osim_requests::spell::FrontEnd;
 
 struct Disk;
@@ -39,7 +39,7 @@ pub(crate) fn inspected(
     front_end: &dyn FrontEnd,
 ) -> (Inspection, CheckResult) {
     let mut inspected = options.inspect(model.name(), &model.model, None);
-    let mut found = check_with_trials(options, &model.model, &inspected, None);
+    let mut found = check_with_remedies(options, &model.model, &inspected, None);
     inspected.spell(front_end);
     found.spell(front_end);
     (inspected, found)

@@ -22,7 +22,7 @@ use super::set::SetRequest;
 use super::transfer::TransferRequest;
 use crate::dictionary;
 use crate::fault::RequestFault;
-use crate::options::{AnswerOptions, RunOptions};
+use crate::options::{AnswerOptions, OutputOptions, RunOptions};
 #[cfg(feature = "clap")]
 use crate::relation::Relation;
 #[cfg(feature = "schemas")]
@@ -115,6 +115,21 @@ impl Request {
             Self::Design(request) => &mut request.answers,
             Self::Set(request) => &mut request.answers,
             Self::Note(request) => &mut request.answers,
+            _ => return None,
+        })
+    }
+
+    /// Where results go, of a verb that changes models.
+    pub fn output_mut(&mut self) -> Option<&mut OutputOptions> {
+        Some(match self {
+            Self::Rescale(request) => &mut request.output,
+            Self::Transfer(request) => &mut request.output,
+            Self::Add(request) => &mut request.output,
+            Self::Remove(request) => &mut request.output,
+            Self::Convert(request) => &mut request.output,
+            Self::Design(request) => &mut request.output,
+            Self::Set(request) => &mut request.output,
+            Self::Note(request) => &mut request.output,
             _ => return None,
         })
     }

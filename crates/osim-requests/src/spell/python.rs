@@ -78,9 +78,14 @@ impl Dialect for Python {
 }
 
 impl Speller for Python {
-    /// The call that plans the change of one model, makes that of many, or answers.
+    /// The call that plans the change of one model, makes that of many, or answers. A change whose file is named writes it.
     fn request(&self, request: &Request) -> String {
-        call_of(&Fields::of(request))
+        let fields = Fields::of(request);
+        let written: Vec<String> =
+            keywords(fields.only(FieldGroup::Output).filter(|(name, _)| name == "output")).collect();
+        let writes = is_plan(&fields) && !written.is_empty();
+        let write = if writes { format!(".write({})", joined(written.into_iter())) } else { String::new() };
+        format!("{}{write}", call_of(&fields))
     }
 
     /// Lines from the import on, which write and print the result of the call.

@@ -1,0 +1,100 @@
+//! Models with a damage that people do by hand, by unit, or by scaling one thing and not the other.
+
+use osim_model::files::InMemory;
+use osim_model::{FileId, Model, Side};
+use osim_planning::prepare;
+use osim_requests::Request;
+use serde_json::{Value, json};
+
+use super::cases::NAME;
+
+/// A model with one thing wrong, and what.
+pub struct Damaged {
+    pub what: &'static str,
+    pub text: String,
+}
+
+/// Every damage that the model can have.
+pub fn damages(text: &str, model: &Model) -> Vec<Damaged> {
+    let left = names(model, Side::Left);
+    let right = names(model, Side::Right);
+    let first: Vec<&str> = left.first().copied().into_iter().collect();
+    let set = |assignments: Value, select: &[&str]| {
+        changed(text, &json!({"verb": "set", "set": assignments, "select": select}))
+    };
+    let made: Vec<(&'static str, Option<String>)> = vec![
+        (
+            "left ten times stiffer",
+            (!left.is_empty()).then(|| set(json!({"stiffness": "x10"}), &left)).flatten(),
+        ),
+        (
+            "right ten times stiffer",
+            (!right.is_empty()).then(|| set(json!({"stiffness": "x10"}), &right)).flatten(),
+        ),
+        (
+            "one ten times stiffer",
+            (!first.is_empty()).then(|| set(json!({"stiffness": "x10"}), &first)).flatten(),
+        ),
+        ("one larger", (!first.is_empty()).then(|| set(json!({"radius": "x1.2"}), &first)).flatten()),
+        ("mass x 3", times(text, "mass", 3.0)),
+        ("radii x 2", set(json!({"radius": "x2"}), &[])),
+        ("dissipation 0", set(json!({"dissipation": 0}), &[])),
+        ("dissipation 50", set(json!({"dissipation": 50}), &[])),
+        ("stiffness / 30", set(json!({"stiffness": "x0.0333"}), &[])),
+        ("constant force of another size", set(json!({"constant_contact_force": "x1000"}), &[])),
+        ("smoothed too much", set(json!({"hertz_smoothing": "x0.05"}), &[])),
+        (
+            "one missing",
+            (!first.is_empty()).then(|| changed(text, &json!({"verb": "remove", "select": first}))).flatten(),
+        ),
+        ("one doubled", doubled(text, model)),
+        ("bones x 1.2", times(text, "scale_factors", 1.2)),
+    ];
+    made.into_iter().filter_map(|(what, text)| Some(Damaged { what, text: text? })).collect()
+}
+
+fn names(model: &Model, side: Side) -> Vec<&str> {
+    let plain = |name: &&str| !name.contains(['*', '?', '[', '{', '\\', '!']);
+    let forces = model.forces().iter().filter(|force| Side::of_name(&force.name) == Some(side));
+    forces.map(|force| force.name.as_str()).filter(plain).collect()
+}
+
+/// The model after a request, without a note of it.
+fn changed(text: &str, fields: &Value) -> Option<String> {
+    let mut fields = fields.as_object()?.clone();
+    fields.retain(|_, value| *value != json!([]));
+    fields.extend([("models".to_owned(), json!([NAME])), ("no_note".to_owned(), true.into())]);
+    let request = Request::from_json(Value::Object(fields).to_string().as_bytes()).ok()?;
+    let files = InMemory::from_iter([(NAME, text)]);
+    let change = prepare(request, &files).ok()?;
+    let opened = change.open(NAME.as_ref(), &files).ok()?;
+    let plan = change.plan(&opened, &files).ok().filter(|plan| !plan.is_empty())?;
+    String::from_utf8(plan.patched(&opened.model, FileId::MAIN).ok()?).ok()
+}
+
+/// All numbers in elements of this name, multiplied.
+fn times(text: &str, tag: &str, factor: f64) -> Option<String> {
+    let (open, close) = (format!("<{tag}>"), format!("</{tag}>"));
+    let mut parts = text.split(open.as_str());
+    let mut out = parts.next()?.to_owned();
+    let mut found = false;
+    for part in parts {
+        let (inner, rest) = part.split_once(close.as_str())?;
+        let numbers: Option<Vec<f64>> = inner.split_whitespace().map(|word| word.parse().ok()).collect();
+        let new = numbers.filter(|numbers| !numbers.is_empty()).map(|numbers| {
+            found = true;
+            numbers.iter().map(|number| (number * factor).to_string()).collect::<Vec<_>>().join(" ")
+        });
+        out.push_str(&format!("{open}{}{close}{rest}", new.unwrap_or_else(|| inner.to_owned())));
+    }
+    found.then_some(out)
+}
+
+/// With the first force once more.
+fn doubled(text: &str, model: &Model) -> Option<String> {
+    let force = model.forces().iter().find(|force| force.file == FileId::MAIN)?;
+    let span = model.document().tree().span(force.element());
+    let piece = text.get(span.clone())?;
+    let named = piece.replacen(&format!("\"{}\"", force.name), &format!("\"{}_0\"", force.name), 1);
+    (named != piece).then(|| format!("{}{named}{}", &text[..span.end], &text[span.end..]))
+}

@@ -1,0 +1,111 @@
+//! A folder in memory in which commands are run as they are printed.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use osim_inspect::CheckResult;
+use osim_model::files::{Files, InMemory};
+use osim_model::{FindingCode, Severity};
+use osim_planning::{Inspector, open_with, prepare};
+use osim_requests::options::OutputOptions;
+use osim_requests::{CheckRequest, Request};
+use serde_json::{Value, json};
+
+use super::cases::NAME;
+
+/// Files, and how they are checked.
+#[derive(Clone)]
+pub struct Desk {
+    pub files: InMemory,
+    options: Value,
+}
+
+impl Desk {
+    pub fn of(text: &str, options: &Value) -> Self {
+        Self { files: InMemory::from_iter([(NAME, text)]), options: options.clone() }
+    }
+
+    fn request(&self, model: &Path) -> CheckRequest {
+        let mut request = json!({"verb": "check", "models": [model]});
+        request.as_object_mut().unwrap().extend(self.options.as_object().unwrap().clone());
+        match Request::from_json(request.to_string().as_bytes()) {
+            Ok(Request::Check(check)) => *check,
+            other => panic!("{}: {other:?}", self.options),
+        }
+    }
+
+    /// What `check` finds in a file; `None` where it cannot be read, or there is nothing to check.
+    pub fn check(&self, model: &Path) -> Option<CheckResult> {
+        let inspector = Inspector::of_check(&self.request(model), &self.files);
+        let opened = open_with(model, inspector.set_files().beside(), &self.files).ok()?;
+        let inspected = inspector.inspect(&opened).ok()?;
+        inspector.refuse_without_contacts(&opened, &inspected).ok()?;
+        Some(inspector.check(&opened.model, &inspected, None, &self.files))
+    }
+
+    /// Runs a command as it is printed: the name of the new file, and the codes of its warnings. Nothing is overwritten.
+    pub fn run(&mut self, request: &Request) -> Result<(String, BTreeSet<&'static str>), String> {
+        // As somebody who copies the text.
+        let request =
+            Request::from_json(request.to_json().as_bytes()).map_err(|fault| format!("{fault:?}"))?;
+        let change = prepare(request, &self.files).map_err(|error| format!("{error:?}"))?;
+        let [model] = change.models.as_slice() else { return Err("not one model".to_owned()) };
+        let opened = change.open(model, &self.files).map_err(|failure| failure.message.to_string())?;
+        let plan = change.plan(&opened, &self.files).map_err(|failure| failure.message.to_string())?;
+        let warned: BTreeSet<_> = plan
+            .warnings
+            .iter()
+            .filter(|warning| warning.severity >= Severity::Warn)
+            .map(|warning| warning.code().as_str())
+            .collect();
+        if plan.is_empty() {
+            return Err("nothing to change".to_owned());
+        }
+        let output = change.output.output.clone().unwrap_or_else(|| OutputOptions::beside(model));
+        let bytes =
+            plan.patched(&opened.model, osim_model::FileId::MAIN).map_err(|fault| fault.to_string())?;
+        if self.files.exists(&output) {
+            return Err(format!("{} exists already", output.display()));
+        }
+        let name = output.to_string_lossy().into_owned();
+        self.files.add(output, bytes);
+        Ok((name, warned))
+    }
+
+    /// What becomes of each verb on a file: the codes that it warns with, or why it is refused.
+    pub fn verbs(&self, model: &str, kg: f64) -> Vec<(Value, Result<BTreeSet<&'static str>, String>)> {
+        let calls = [
+            json!({"verb": "rescale", "target_mass": kg * 1.3}),
+            json!({"verb": "transfer", "from": "falisse2022"}),
+            json!({"verb": "set", "set": {"viscous_friction": "x1.1"}}),
+            json!({"verb": "set", "set": {"stiffness": "x1.01"}}),
+            json!({"verb": "design", "restitution": 0.85, "impact_speed": 0.3}),
+            json!({"verb": "design", "constant_indentation": 0.021}),
+            json!({"verb": "convert", "to": "hunt-crossley"}),
+            json!({"verb": "convert", "to": "smooth"}),
+            json!({"verb": "note", "contacts_mass": kg}),
+            json!({"verb": "remove"}),
+        ];
+        let run = |call: Value| {
+            let mut fields = call.clone();
+            // What was said of the masses is said again.
+            let masses =
+                ["mass", "exclude_body"].into_iter().filter_map(|name| Some((name, self.options.get(name)?)));
+            if ["rescale", "transfer", "set", "design"].iter().any(|verb| call["verb"] == *verb) {
+                masses.for_each(|(name, value)| fields[name] = value.clone());
+            }
+            fields.as_object_mut().unwrap().insert("models".to_owned(), json!([model]));
+            fields.as_object_mut().unwrap().insert("output".to_owned(), "result.osim".into());
+            let request = Request::from_json(fields.to_string().as_bytes()).unwrap();
+            let ran = self.clone().run(&request).map(|(_, warned)| warned);
+            (call, ran)
+        };
+        calls.into_iter().map(run).collect()
+    }
+}
+
+/// What is at least a warning, as code and place; about spheres it is one for all.
+pub fn wrong(found: &CheckResult) -> BTreeSet<(FindingCode, Option<String>)> {
+    let bad = found.findings.iter().filter(|one| one.severity >= Severity::Warn);
+    bad.map(|one| (one.code(), one.place.clone().filter(|_| one.spheres.is_empty()))).collect()
+}

@@ -1,0 +1,305 @@
+//! Every command that `check` proposes is run as it is printed, on every model and on each with every damage: it succeeds, its
+//! finding is gone, no warning is new, every verb runs on the result as it did before, and what comes of all of them has no
+//! command left.
+
+mod cases;
+mod damage;
+mod desk;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+use osim_inspect::CheckResult;
+use osim_messages::{Call, Dialect, Example, Input};
+use osim_model::{FindingCode, MassRequest, Model, Repair, Severity};
+use osim_planning::rules;
+use osim_requests::Request;
+use serde_json::{Value, json};
+
+use cases::{NAME, models, options};
+use damage::damages;
+use desk::{Desk, wrong};
+
+/// What was run and what held.
+#[derive(Default)]
+struct Counts {
+    models: usize,
+    remedies: (usize, usize),
+    chains: (usize, usize),
+    prose: (usize, usize),
+    /// Of findings that are at least warnings: how many are there, and how many have no command.
+    findings: (usize, usize),
+    /// Codes that have a command somewhere.
+    proposed: BTreeSet<FindingCode>,
+    causes: BTreeMap<String, usize>,
+    failures: Vec<String>,
+    without: Vec<String>,
+}
+
+impl Counts {
+    fn add(&mut self, other: Self) {
+        let pairs = [
+            (&mut self.remedies, other.remedies),
+            (&mut self.chains, other.chains),
+            (&mut self.prose, other.prose),
+            (&mut self.findings, other.findings),
+        ];
+        for (own, more) in pairs {
+            *own = (own.0 + more.0, own.1 + more.1);
+        }
+        self.models += other.models;
+        self.proposed.extend(other.proposed);
+        for (cause, count) in other.causes {
+            *self.causes.entry(cause).or_default() += count;
+        }
+        self.failures.extend(other.failures);
+        self.without.extend(other.without);
+    }
+
+    fn fails(&mut self, name: &str, cause: &str, what: &str) {
+        *self.causes.entry(cause.to_owned()).or_default() += 1;
+        self.failures.push(format!("{name}: {cause}: {what}"));
+    }
+}
+
+/// The commands of a check, in the order in which they are to be run.
+fn commands(found: &CheckResult) -> Vec<Request> {
+    found.steps.clone()
+}
+
+/// The model that a command makes of `on`.
+fn step(
+    desk: &mut Desk,
+    request: &Request,
+    name: &str,
+    counts: &mut Counts,
+    verbs: Option<f64>,
+) -> Option<String> {
+    counts.remedies.0 += 1;
+    let said = Value::Object(request.to_map()).to_string();
+    let model = request.to_map()["models"][0].as_str().unwrap().to_owned();
+    let before = desk.check(Path::new(&model));
+    let made = match desk.run(request) {
+        Err(why) => {
+            counts.fails(name, "refused", &format!("{said}: {why}"));
+            return None;
+        }
+        Ok((made, _)) => made,
+    };
+    let (Some(before), Some(after)) = (before, desk.check(Path::new(&made))) else {
+        counts.fails(name, "cannot be checked", &said);
+        return Some(made);
+    };
+    let its = before.findings.iter().filter(|one| one.remedy.as_ref() == Some(request));
+    let its: BTreeSet<_> =
+        its.map(|one| (one.code(), one.place.clone().filter(|_| one.spheres.is_empty()))).collect();
+    let (was, is) = (wrong(&before), wrong(&after));
+    let codes = |set: &BTreeSet<(FindingCode, Option<String>)>| -> BTreeSet<_> {
+        set.iter().map(|(code, _)| *code).collect()
+    };
+    let mut held = true;
+    let all_after: BTreeSet<_> = after
+        .findings
+        .iter()
+        .map(|one| (one.code(), one.place.clone().filter(|_| one.spheres.is_empty())))
+        .collect();
+    if let Some(left) = its.iter().find(|one| all_after.contains(one)) {
+        counts.fails(name, "finding stays", &format!("{said}: {left:?}"));
+        held = false;
+    }
+    let (old, new) = (codes(&was), codes(&is));
+    if let Some(new) = new.difference(&old).next() {
+        counts.fails(name, "new warning", &format!("{said}: {new}"));
+        held = false;
+    }
+    let pairs =
+        verbs.into_iter().flat_map(|kg| desk.verbs(&model, kg).into_iter().zip(desk.verbs(&made, kg)));
+    for ((call, then), (_, now)) in pairs {
+        let worse = match (&then, &now) {
+            (_, Err(why)) if why == "nothing to change" => None,
+            // Contacts that are known again, under another body: so they were published, and so it asks.
+            (_, Err(why)) if why.starts_with("the contacts are those of ") => None,
+            (Ok(_), Err(why)) => Some(format!("refused: {why}")),
+            (Ok(then), Ok(now)) => now
+                .difference(then)
+                // What is found in the result as it was in the model is not new.
+                .filter(|code| !is.iter().any(|(found, _)| found.as_str() == **code))
+                // The smoothing that `convert` takes is that of soft contacts, and it says so where they are stiff.
+                .find(|code| !(call["to"] == "smooth" && ["force-before-contact", "floats"].contains(code)))
+                .map(|code| format!("warned: {code}")),
+            _ => None,
+        };
+        if let Some(worse) = worse {
+            counts.fails(name, "a verb afterwards", &format!("{said}, then {call}: {worse}"));
+            held = false;
+        }
+    }
+    counts.remedies.1 += usize::from(held);
+    Some(made)
+}
+
+/// Runs every command of a model alone and all of them one after the other.
+fn try_model(name: &str, text: &str, given: &Value, with_verbs: bool, counts: &mut Counts) {
+    let Ok(model) = Model::parse(text) else { return };
+    let kg = MassRequest::default().of_model(&model).map_or(60.0, |mass| mass.kg);
+    let mut desk = Desk::of(text, given);
+    let Some(found) = desk.check(Path::new(NAME)) else { return };
+    counts.models += 1;
+    let bad = found.findings.iter().filter(|one| one.severity >= Severity::Warn);
+    counts.findings.0 += bad.clone().count();
+    counts.findings.1 += bad.clone().filter(|one| one.remedy.is_none()).count();
+    for one in bad.filter(|one| one.remedy.is_none() && matches!(one.rule.repair, Repair::Command(_))) {
+        *counts.causes.entry(format!("without a command: {}", one.code())).or_default() += 1;
+        if std::env::var_os("COMPOSE_FAILURES").is_some() {
+            counts.without.push(format!("{name}: {}: {}", one.code(), one.message));
+        }
+    }
+    counts.proposed.extend(found.findings.iter().filter(|one| one.remedy.is_some()).map(|one| one.code()));
+    let all = commands(&found);
+    prose(name, &found, &desk, kg, counts);
+    if all.is_empty() {
+        return;
+    }
+    counts.chains.0 += 1;
+    let failures = counts.failures.len();
+    let mut last = None;
+    let mut names = BTreeSet::new();
+    for request in &all {
+        if let Some(made) = step(&mut desk, request, name, counts, with_verbs.then_some(kg)) {
+            names.insert(made.clone());
+            last = Some(made);
+        }
+    }
+    if names.len() < all.len() {
+        *counts.causes.entry("chain: a step is missing".to_owned()).or_default() += 1;
+    }
+    let left = last.and_then(|last| desk.check(Path::new(&last)));
+    let settled = left.as_ref().is_some_and(|left| commands(left).is_empty());
+    if !settled {
+        counts.fails(
+            name,
+            "chain: advice again",
+            &format!(
+                "{:?}",
+                left.map(|left| commands(&left).iter().map(Request::to_json).collect::<Vec<_>>())
+            ),
+        );
+    }
+    counts.chains.1 += usize::from(counts.failures.len() == failures && names.len() == all.len());
+}
+
+/// Calls that a text names.
+#[derive(Default)]
+struct Calls(std::cell::RefCell<Vec<Call>>);
+
+impl Dialect for Calls {
+    fn input(&self, _: Input, _: Option<&Example>) -> String {
+        String::new()
+    }
+
+    fn call(&self, call: &Call) -> String {
+        self.0.borrow_mut().push(call.clone());
+        String::new()
+    }
+}
+
+/// Runs the commands that change a model and are named in what is said of it, with the numbers that are meant.
+fn prose(name: &str, found: &CheckResult, desk: &Desk, kg: f64, counts: &mut Counts) {
+    for finding in &found.findings {
+        let calls = Calls::default();
+        for text in [&finding.message, &finding.advice] {
+            let _ = text.spelled(&calls);
+        }
+        for call in calls.0.into_inner() {
+            let Some(request) = filled(&call, kg) else { continue };
+            counts.prose.0 += 1;
+            let mut desk = desk.clone();
+            let ran = desk.run(&request).ok().and_then(|(made, _)| desk.check(Path::new(&made)));
+            let gone = ran.is_some_and(|left| left.findings.iter().all(|one| one.code() != finding.code()));
+            counts.prose.1 += usize::from(gone);
+            if !gone {
+                counts.fails(name, "prose", &format!("{}: {}", finding.code(), request.to_json()));
+            }
+        }
+    }
+}
+
+fn filled(call: &Call, kg: f64) -> Option<Request> {
+    let verb = call.verb.name();
+    if !["rescale", "transfer", "set", "design", "convert"].contains(&verb) {
+        return None;
+    }
+    let mut fields = json!({"verb": verb, "models": [NAME], "output": "prose.osim"});
+    for (input, example) in &call.inputs {
+        let text = example.as_ref().map(ToString::to_string).unwrap_or_default();
+        let value = match text.as_str() {
+            "" => true.into(),
+            "KG" => kg.into(),
+            "X" => 0.05.into(),
+            other => other.parse::<f64>().map_or_else(|_| Value::from(other), Value::from),
+        };
+        fields.as_object_mut()?.insert(input.name().to_owned(), value);
+    }
+    Request::from_json(fields.to_string().as_bytes()).ok()
+}
+
+/// Whether everything is tried on every model: the fixtures of the format differ in little.
+fn thorough() -> bool {
+    std::env::var_os("REMEDIES").is_some_and(|which| which == "all")
+}
+
+fn try_all(models: &[(usize, (String, String))]) -> Counts {
+    let mut counts = Counts::default();
+    for (at, (name, text)) in models {
+        let Ok(model) = Model::parse(text.as_str()) else { continue };
+        let whole = thorough() || !name.starts_with("format/") || at % 8 == 0;
+        for given in options(&model) {
+            let verbs = thorough() || (whole && given == json!({}));
+            try_model(&format!("{name} {given}"), text, &given, verbs, &mut counts);
+        }
+        for damaged in damages(text, &model).into_iter().filter(|_| whole) {
+            try_model(&format!("{name} [{}]", damaged.what), &damaged.text, &json!({}), true, &mut counts);
+        }
+    }
+    counts
+}
+
+#[test]
+fn every_remedy_composes() {
+    let all: Vec<_> = models().into_iter().enumerate().collect();
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let mut parts = vec![Vec::new(); threads];
+    for (at, model) in all.into_iter().enumerate() {
+        parts[at % threads].push(model);
+    }
+    let mut counts = Counts::default();
+    std::thread::scope(|scope| {
+        let running: Vec<_> = parts.iter().map(|part| scope.spawn(|| try_all(part))).collect();
+        for part in running {
+            counts.add(part.join().unwrap());
+        }
+    });
+    let Counts { models, remedies, chains, prose, findings, proposed, causes, failures, without } = counts;
+    println!(
+        "{models} models: {} remedies run, {} held; {} chains run, {} held; {} commands in prose, {} held; {} findings, {} of them \
+         without a command",
+        remedies.0, remedies.1, chains.0, chains.1, prose.0, prose.1, findings.0, findings.1
+    );
+    for (cause, count) in &causes {
+        println!("  {cause}: {count}");
+    }
+    if let Some(path) = std::env::var_os("COMPOSE_FAILURES") {
+        std::fs::write(path, [failures.as_slice(), &without].concat().join("\n")).unwrap();
+    }
+    // The register says the same of every code as what is proposed. Spheres that were left behind follow the model that was scaled.
+    let alone = |code: &FindingCode| *code != FindingCode::SpheresLeftBehind;
+    let with_command = rules::all().iter().filter(|rule| matches!(rule.repair, Repair::Command(_)));
+    let with_command: BTreeSet<_> = with_command.map(|rule| rule.code).filter(alone).collect();
+    assert_eq!(proposed.into_iter().filter(alone).collect::<BTreeSet<_>>(), with_command);
+    assert!(
+        failures.is_empty(),
+        "{} fail; the first:\n{}",
+        failures.len(),
+        failures[..failures.len().min(20)].join("\n")
+    );
+}
