@@ -301,9 +301,11 @@ fn no_real_model_has_a_floor_that_is_none() {
                 assert!(!CODES.contains(&code), "{}: {finding:#}", path.display());
             }
         }
-        models += usize::from(report["findings"].is_array());
+        let findings = report["findings"].as_array();
+        let has_contacts = |all: &Vec<Value>| all.iter().all(|one| one["code"] != "bare-model");
+        models += usize::from(findings.is_some_and(has_contacts));
     }
-    // Of 26 models nine have no contacts, so there is nothing to check. Two platforms are turned: by a coordinate of 0.349066 rad, which
+    // Of 26 models nine have no contacts, so there is nothing to judge. Two platforms are turned: by a coordinate of 0.349066 rad, which
     // is 20 degrees, and by one of 10 degrees.
     assert_eq!(models, 17);
     let expected = [

@@ -51,7 +51,7 @@ fn results_are_those_of_the_call() {
 
 #[test]
 fn what_it_says_is_in_the_words_of_requests() {
-    let bench = Bench::with(&[HUMAN, ("check/beyond_hertz.osim", "model.osim")]);
+    let bench = Bench::with(&[HUMAN, ("check/wide_transition.osim", "model.osim")]);
     let checked = request(&bench, &json!({"verb": "check", "models": ["model.osim"], "format": "json"}));
     let checked: Value = serde_json::from_str(&checked.done().out()).unwrap();
     let remedy = checked["findings"][0]["command"].as_str().unwrap();

@@ -89,8 +89,8 @@ fn put_right(bench: &Bench, model: &str, code: FindingCode) {
 #[test]
 fn remedies() {
     for (fixture, code) in [
-        ("check/beyond_hertz.osim", FindingCode::BeyondHertz),
-        ("check/beyond_hunt_crossley.osim", FindingCode::BeyondHuntCrossley),
+        ("check/sunk_in.osim", FindingCode::SunkIn),
+        ("check/floats.osim", FindingCode::Floats),
         ("check/contacts_of_another_mass.osim", FindingCode::ContactsOfAnotherMass),
         ("check/wide_transition.osim", FindingCode::WideTransition),
         ("format/left_out_stiffness.osim", FindingCode::DefaultStiffness),

@@ -13,10 +13,7 @@ pub(crate) static RULE: Rule = Rule {
     why: "Limbs are found by left and right sides below the joint tree. Where that does not work, figures under body weight are absent, and indentations are not judged.",
     advice: "Say it with `spheres=N`; where spheres of several bodies are there that only ground joins, choose those of one with `select=GLOB`",
     repair: Repair::NotPossible("only you know how many spheres share the weight"),
-    example: Example::Models {
-        good: "check/within_limits.osim",
-        bad: "format/components_unknown_class.osim",
-    },
+    example: Example::Models { good: "check/within_limits.osim", bad: "format/no_sides.osim" },
 };
 
 /// Limbs are not known either where forces of several animals are there and nobody chose among them.

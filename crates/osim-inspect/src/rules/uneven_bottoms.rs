@@ -24,7 +24,7 @@ pub(crate) static RULE: Rule = Rule {
     verdict: Some(VerdictOn::Standing),
     what: "The bottoms of a limb's spheres differ in height by more than half a radius at the default pose, and the foot lies flat there.",
     why: "The lower spheres carry the body, the higher ones little or nothing, so that figures of a level foot do not hold. Of 134 published models with level floors two differ so much.",
-    advice: "Correct the places of the spheres; `inspect MODEL` says how deep each is. Where radii change, `rescale MODEL target_mass=KG level` keeps bottoms where they are, and so does `transfer` with the same option",
+    advice: "Correct the places of the spheres; `inspect MODEL` says how deep each is. Where radii change, `level` keeps bottoms where they are",
     repair: Repair::NotPossible("which of the spheres is at the right height is not in the file"),
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/uneven_bottoms.osim" },
 };

@@ -17,7 +17,7 @@ pub(crate) static RULE: Rule = Rule {
     verdict: Some(VerdictOn::Sizes),
     what: "A coefficient of friction is larger than that of any surface.",
     why: "Between a foot and a floor it is about 0.3 to 1. More than 10 mostly is a percentage, or lacks its decimal point; a foot that slides is then stopped by a force of many times its weight.",
-    advice: "Write the coefficient, such as 0.8, with `set`",
+    advice: "Write the coefficient that is meant, such as 0.8",
     repair: Repair::NotPossible("only you know the number that is meant"),
     example: Example::Piece {
         model: "check/within_limits.osim",

@@ -11,7 +11,7 @@ pub(crate) static RULE: Rule = Rule {
     verdict: Some(VerdictOn::Sides),
     what: "Left and right contacts differ as little as those of published models.",
     why: "Of 150 published models with contacts on both sides, the radii of five differ by 0.7 to 5.7 %, and the transition velocity of one by 5 %. Up to 10 % in radii and 20 % in transition velocities are taken to be meant.",
-    advice: "Nothing, if that is meant; else write the number of one side into the other with `set`",
+    advice: "Nothing, if that is meant; else write the number of one side into the other",
     repair: Repair::NotPossible("nothing is wrong"),
     example: Example::Piece {
         model: "table1/human_62kg_smooth_sphere.osim",

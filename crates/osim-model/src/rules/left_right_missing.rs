@@ -12,7 +12,7 @@ pub(crate) static RULE: Rule = Rule {
     verdict: Some(VerdictOn::Sides),
     what: "A sphere has no counterpart on the other side.",
     why: "The other side has the body but fewer spheres, so that each of them carries more of the weight. Of 150 published models with contacts on both sides four have unlike numbers, all with prostheses.",
-    advice: "Add the sphere that is missing with `add`, or take the one that is too many out of the file",
+    advice: "Add the sphere that is missing, or take the one that is too many out of the file",
     repair: Repair::NotPossible("only you know which side is right"),
     example: Example::Piece {
         model: "format/v40000.osim",

@@ -18,7 +18,7 @@ pub(crate) static RULE: Rule = Rule {
     verdict: Some(VerdictOn::Sizes),
     what: "The radius of a sphere does not fit the length of its limb.",
     why: "Radii of published feet are 0.011 to 0.2 of the limb's longest bone, and in 95 % of them R / M^(1/3) is between 0.0002 and 0.029 m/kg^(1/3). Much more or less is another unit, mostly millimetres, or another animal's sphere.",
-    advice: "Write radii in metres; to take them from a model of another size, use `transfer MODEL from=REFERENCE`",
+    advice: "Write radii in metres; contacts of a model of another size need radii that follow it",
     repair: Repair::NotPossible("only you know the size that is meant"),
     example: Example::Piece {
         model: "table1/human_62kg_smooth_sphere.osim",

@@ -12,7 +12,7 @@ pub(crate) static RULE: Rule = Rule {
     verdict: Some(VerdictOn::Sides),
     what: "Spheres are on one side alone: the other one has none, or no body for them.",
     why: "A model that kicks, hops on one leg or has a prosthesis may need no more; one that walks falls to the other side.",
-    advice: "Nothing, if that is meant; else give the other side contacts with `add`",
+    advice: "Nothing, if that is meant; else give the other side contacts, too",
     repair: Repair::NotPossible("nothing is wrong"),
     example: Example::Piece {
         model: "format/v40000.osim",

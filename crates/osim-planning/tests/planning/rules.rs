@@ -68,7 +68,9 @@ fn no_advice_about_a_model_names_a_command_that_changes_it() {
             format!("<{}>", call.verb.name())
         }
     }
-    for rule in rules::all().iter().filter(|rule| rule.seen == Seen::Model) {
+    // Without contacts there is nothing else to do.
+    let of_models = rules::of(|code| code != FindingCode::BareModel).filter(|rule| rule.seen == Seen::Model);
+    for rule in of_models {
         let advice = rule.advice().spelled(&Changing);
         for verb in ["rescale", "transfer", "set", "design", "convert", "note", "add", "remove"] {
             assert!(!advice.contains(&format!("<{verb}>")), "{}: {advice}", rule.code);

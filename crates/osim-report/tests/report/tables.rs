@@ -30,7 +30,7 @@ fn a_table_says_what_to_do_next_in_the_words_of_its_front_end() {
 
 #[test]
 fn colours_are_all_that_they_add() {
-    let model = open("check/beyond_hertz.osim");
+    let model = open("check/wide_transition.osim");
     let (seen, found) = inspected(&InspectOptions::default(), &model, &CommandLine);
     for [plain, painted] in [
         [Colour::Plain, Colour::Ansi].map(|colour| inspection::text(&seen, &CommandLine, colour)),
