@@ -33,8 +33,8 @@ function results = check(varargin)
 %     AsTable: true gives a table of MATLAB with a row for each result; the name of a list in the
 %         results, such as 'warnings', one with a row for each of its entries. Not in GNU Octave.
 %
-%   RESULTS: an array of structs with the fields model, counts, findings. docs/json.md says what each
-%   holds; what is missing is NaN, '' or empty.
+%   RESULTS: an array of structs with the fields model, counts, verdicts, findings, commands.
+%   docs/json.md says what each holds; what is missing is NaN, '' or empty.
 %
 %   Example:
 %       seen = osimcontact.check({'human.osim', 'emu.osim'});
