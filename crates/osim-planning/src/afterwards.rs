@@ -63,7 +63,8 @@ fn options_before(aims: Aims, before: &InspectOptions, plan: &Plan) -> InspectOp
 pub(crate) fn worse_findings(
     aims: Aims,
     before: &InspectOptions,
-    (opened, plan): (&OpenModel, &Plan),
+    opened: &OpenModel,
+    plan: &Plan,
     answers: Option<&AnswerOptions>,
 ) -> Result<Vec<Finding>, Failure> {
     if plan.is_empty() {
@@ -84,7 +85,11 @@ pub(crate) fn worse_findings(
     }
     let old = check(&options_before(aims, before, plan), opened, &opened.model);
     let kin = Kin::of(&old.findings);
-    let is_worse = |one: &&Found| kin.nearest(one).is_none_or(|was| was.severity < one.severity);
+    // Contacts that are no longer those of a published model are not worse for it.
+    let is_worse = |one: &&Found| {
+        let was = kin.nearest(one);
+        was.is_none_or(|was| was.code() != one.code() && was.rule.severity < one.rule.severity)
+    };
     let worse: Vec<Finding> = bad.into_iter().filter(is_worse).map(of_new_model).collect();
     let is_meant = aims.as_given || answers.is_some_and(|answers| answers.has(Question::WrongAfterwards));
     match worse.iter().find(|one| one.severity == Severity::Error) {

@@ -52,7 +52,7 @@ pub trait Planner: Send + Sync {
         let standing: Vec<_> = plan.standing_warnings(model).cloned().collect();
         plan.warnings.splice(0..0, standing);
         let before = InspectOptions::from(&self.inspection());
-        let worse = worse_findings(self.aims(), &before, (opened, &plan), self.answers())?;
+        let worse = worse_findings(self.aims(), &before, opened, &plan, self.answers())?;
         plan.warnings.extend(worse);
         Ok(plan)
     }
