@@ -89,7 +89,8 @@ def stands(how):
 def test_the_coordinate_puts_it_on_its_feet(path, how):
     bodies = standing(path, how)
     if not bodies:
-        pytest.skip("no body stands on spheres")
+        # Nothing stands there; the next test counts the others.
+        return
     together = opensim(path, how)
     slope = floor_of(path, together)
     for body, moved in zip(bodies, together["moved"], strict=True):
@@ -106,10 +107,10 @@ def test_the_coordinate_puts_it_on_its_feet(path, how):
         assert total == pytest.approx(weight, rel=TOLERANCE)
 
 
-def test_so_many_models_stand(record_property):
-    """Most fixtures, and of the corpus all with contacts whose joints are understood."""
-    for how in ("as_posed", "on_one_limb"):
-        found = [models.label(path) for path in stands(how)]
-        record_property(how, len(found))
-        print(how, len(found), "models")
-        assert len([one for one in found if not one.startswith("corpus")]) > 50
+@pytest.mark.parametrize("how", ["as_posed", "on_one_limb"])
+def test_so_many_models_stand(how):
+    """Most fixtures, and of the corpus those with limbs on a floor whose joints are understood."""
+    found = [models.label(path) for path in stands(how)]
+    of_corpus = [one for one in found if one.startswith("corpus")]
+    assert len(found) - len(of_corpus) >= 190
+    assert len(of_corpus) >= 11 or not models.corpus()
