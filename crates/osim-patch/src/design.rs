@@ -85,7 +85,7 @@ pub struct Design {
     pub contact_stiffness_n_m: Option<f64>,
     /// Mass that the result is made for, where the load is body weight.
     pub target_mass: Option<Mass>,
-    /// The mass that the contacts were made for before, or are taken as made for, where that is not in doubt. What is not
+    /// The mass that the contacts were made for before, or are taken as made for, if that is not in doubt. What is not
     /// designed stays made for it.
     pub contacts_mass: Option<Mass>,
     /// Gravity, m/s², where it is not the model's.

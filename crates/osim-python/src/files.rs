@@ -11,7 +11,7 @@ use pyo3::pybacked::PyBackedBytes;
 /// Bytes by their names.
 pub(crate) type Memory = BTreeMap<PathBuf, Vec<u8>>;
 
-/// Memory first, then the disk where that is allowed.
+/// Memory first, then the disk if that is allowed.
 #[derive(Debug)]
 pub(crate) struct RequestFiles {
     memory: Memory,

@@ -100,7 +100,7 @@ fn make(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Session) -> 
     untold.map_or(Ok(end), Err)
 }
 
-/// How many models of which size will be made: shown before anything is made.
+/// How many models of each size will be made: shown before anything is made.
 fn announce(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Session) -> Result<()> {
     if request.quiet {
         return Ok(());

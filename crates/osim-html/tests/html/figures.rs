@@ -1,4 +1,4 @@
-//! Figures: titles, units, limits, and what is said where nothing can be drawn.
+//! Figures: titles, units, limits, and the text where nothing can be drawn.
 
 use contact_plots::{Drawing, ForceAxis, IndentationAxis, Paper, figure, force_figure};
 use osim_figures::{self as figures, Axes};

@@ -62,7 +62,7 @@ const NEAR: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 struct Judge<'m> {
     stance: Stance<'m>,
-    /// Spheres with a floor that they can stand on, or with one of which nothing is known.
+    /// Spheres with a floor that they can stand on, or with one that nothing is known about.
     with_floor: HashSet<SphereId>,
     /// The trees of bodies that have such spheres.
     trees_with_floor: HashSet<String>,

@@ -114,7 +114,7 @@ impl OnFeet {
 }
 
 impl StandingBody {
-    /// Each of `standing`; `limbs` are those of its spheres, of which `stance_limbs` share the weight.
+    /// Each of `standing`; `limbs` are those of its spheres; `stance_limbs` of them share the weight.
     #[must_use]
     pub fn all(model: &Model, standing: &[Standing], limbs: &Limbs, stance_limbs: f64) -> Vec<Self> {
         let share = 1.0 / stance_limbs;

@@ -1,4 +1,4 @@
-//! What is said of a body over its floor: `check`, `inspect` and changes share it.
+//! The words for a body over its floor: `check`, `inspect` and changes share it.
 
 use osim_messages::{readable, shown};
 

@@ -43,7 +43,7 @@ impl KnownContacts {
         Self { name: &entry.name, title: &entry.title, source: &entry.source, made_for_kg }
     }
 
-    /// The contacts of `forces`, of which `count` spheres share the weight, under a body of `mass_kg`.
+    /// The contacts of `forces`, if `count` of their spheres share the weight, under a body of `mass_kg`.
     ///
     /// Known contacts have the dimensionless values of an entry at that mass, whatever their radii; or at any mass with
     /// radii that follow it (R ∝ M^(1/3)). Both say every value, so one that differs by more than 1e-6 is seen. Gravity is

@@ -23,7 +23,7 @@ const HUNT_CROSSLEY: &str = include_str!("../../../../fixtures/table1/human_62kg
 const TWO_FORCES: &str = include_str!("../../../../fixtures/format/shared_sphere.osim");
 /// The same sphere under a force of each class.
 const TWO_CLASSES: &str = include_str!("../../../../fixtures/format/shared_sphere_two_classes.osim");
-/// Two feet of which no name says which is the left one.
+/// Two feet whose names do not say which is the left one.
 const NO_SIDES: &str = include_str!("../../../../fixtures/format/no_sides.osim");
 
 fn inspect_with(text: &str, stance: Stance) -> Inspection {

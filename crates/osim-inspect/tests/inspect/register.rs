@@ -13,7 +13,7 @@ use crate::feet::{HEEL, Smooth, TOE, foot};
 use osim_inspect::{Figure, Figures, InspectOptions, LimitCheck, SphereFigures};
 use osim_model::Model;
 
-/// Two feet of which no name says which is the left one.
+/// Two feet whose names do not say which is the left one.
 const NO_SIDES: &str = include_str!("../../../../fixtures/format/no_sides.osim");
 
 fn figures(text: &str) -> Figures {

@@ -37,7 +37,7 @@ pub(super) fn find(sides: &BothSides<'_>) -> Option<Finding> {
     Some(finding.of_spheres(all.iter().map(|(_, pair)| pair.left.sphere.name.clone()).collect()))
 }
 
-/// How far a pair is apart, as a part of the limb's longest bone, where that is too far.
+/// How far a pair is apart, as a part of the limb's longest bone, if that is too far.
 fn beyond(pair: &SpherePair<'_>) -> Option<f64> {
     let Some(bodies) = &pair.bodies else { return Some(f64::INFINITY) };
     let apart = bodies.apart_m(pair.right.place_m, pair.left.place_m)? / bodies.bone_m?;

@@ -23,7 +23,7 @@ pub(super) fn near(images: &[[[f64; 3]; 2]], others: &[[f64; 3]], within_m: f64)
     each_once(found.into_iter().map(|(_, image, other)| (image, other)), images.len(), others.len())
 }
 
-/// The first pairs of which neither place is in an earlier one.
+/// The first pairs whose places are in no earlier one.
 fn each_once(
     pairs: impl Iterator<Item = (usize, usize)>,
     images: usize,

@@ -24,7 +24,7 @@ pub(super) fn output(request: &mut Request, from: &Path, files: &dyn Files) -> O
     Some(to)
 }
 
-/// Lets a step that is the only one write the file that every change writes, where that is not there yet. A model that is the result
+/// Lets a step that is the only one write the file that every change writes, if that is not there yet. A model that is the result
 /// of a step stays in its series.
 pub(super) fn unnumbered(request: &mut Request, from: &Path, files: &dyn Files) {
     if numbered(from).1 == 0

@@ -149,7 +149,7 @@ impl Designing {
 }
 
 impl Designing {
-    /// What the contacts are made for as they are, or are taken as made for; `None` where that is in doubt.
+    /// What the contacts are made for as they are, or are taken as made for; `None` if that is in doubt.
     fn contacts_mass(&self, model: &Model, selected: &Selected) -> Option<Mass> {
         let (mass, _) = self.masses.of_contacts(model).ok()?;
         refuse_known(model, selected, &mass, Input::ContactsMass).ok().map(|()| mass)

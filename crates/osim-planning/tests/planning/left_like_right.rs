@@ -109,7 +109,7 @@ fn the_side_that_differs_gets_the_value_of_the_other() {
     assert_eq!(remedy(&result, FindingCode::LeftRightDiffer), expected);
 }
 
-/// Two feet of six spheres, of which the left foot was scaled by 0.99, 0.96 and 0.97: its radii by their geometric mean, the
+/// Two feet of six spheres; the left foot was scaled by 0.99, 0.96 and 0.97: its radii by their geometric mean, the
 /// parameters of its forces as (10), (14), (C.2), (C.5) and (C.10) have it for one mass.
 fn smaller_left_foot() -> String {
     let text = include_str!("../../../../fixtures/check/known_contacts.osim");

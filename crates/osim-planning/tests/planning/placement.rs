@@ -22,7 +22,7 @@ const SCALED: &str = include_str!("../../../../fixtures/scale_tool/scaled_smooth
 const PLACES: [FindingCode; 3] =
     [FindingCode::SpheresLeftBehind, FindingCode::SpheresMisplaced, FindingCode::SpheresNotCompared];
 
-/// What is said of places in one file.
+/// The findings about places in one file.
 fn alone(text: &str) -> Vec<FindingCode> {
     codes(&check(text, None))
 }

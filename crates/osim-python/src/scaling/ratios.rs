@@ -43,7 +43,7 @@ pub(super) const ALL: &[Function] = &[
         of_size(radius_ratio, gravity_ratio)?.viscous_friction()),
 ];
 
-/// Ratios of which only size and gravity matter.
+/// Ratios in which only size and gravity matter.
 fn of_size(radius: f64, gravity: f64) -> Result<Ratios, DomainError> {
     Ratios::new(RatioValues { radius, gravity, ..Ratios::identity().values() })
 }

@@ -69,7 +69,7 @@ pub enum TopicRecord {
         code: &'static str,
         /// How bad it is.
         severity: &'static str,
-        /// Whether a check looks for it; else it is said of changes alone.
+        /// Whether a check looks for it; else changes alone report it.
         checked: bool,
         /// What it is, in a sentence.
         what: String,

@@ -6,7 +6,7 @@ use osim_messages::{four_significant, shown, three_significant};
 /// Spheres that are named at most.
 const NAMED: usize = 6;
 
-/// What is said of a body: where it is at the default pose, and where it stands on all its feet and on one limb.
+/// The text about a body: where it is at the default pose, and where it stands on all its feet and on one limb.
 pub fn sentences(body: &StandingBody) -> Vec<String> {
     let Some((lowest, place)) = body.lowest().zip(body.place()) else { return Vec::new() };
     let mut said = format!("at the default pose {}, the lowest sphere, is {place}", shown(&lowest.sphere));

@@ -26,7 +26,7 @@ fn registers() -> [(&'static str, Vec<&'static Quantity>); 4] {
     ]
 }
 
-/// A body of 62 kg on six spheres of the paper, and what else is said.
+/// A body of 62 kg on six spheres of the paper, and what else is given.
 fn drop(others: &Value) -> DropResult {
     let mut request = json!({
         "verb": "drop-test", "mass": 62, "spheres": 6, "radius": 0.032, "stiffness": 1e6, "dissipation": 2, "samples": 3,

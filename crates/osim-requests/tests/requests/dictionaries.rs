@@ -1,4 +1,4 @@
-//! Requests from dictionaries: what is read, and what is said of a wrong one.
+//! Requests from dictionaries: what is read, and the messages about a wrong one.
 
 use osim_messages::{Input, Verb};
 use osim_requests::{Request, RequestFault, schema_of};

@@ -30,7 +30,7 @@ pub const SOLE: Smooth = Smooth {
     hunt_crossley_smoothing: 50.0,
 };
 
-/// A heel of which no figure has the value of another.
+/// A heel whose figures all differ.
 pub const HEEL: Smooth = Smooth {
     name: "heel_r",
     radius: 0.05,

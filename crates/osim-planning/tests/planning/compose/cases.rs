@@ -8,7 +8,7 @@ use osim_model::Model;
 
 pub const NAME: &str = "model.osim";
 
-/// The project's models that hold one whole model each, and those of OSIM_CORPUS, where that is set.
+/// The project's models that hold one whole model each, and those of OSIM_CORPUS, if that is set.
 pub fn models() -> Vec<(String, String)> {
     let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
     let mut found = Vec::new();

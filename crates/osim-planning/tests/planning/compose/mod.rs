@@ -203,7 +203,7 @@ impl Dialect for Calls {
     }
 }
 
-/// Runs the commands that change a model and are named in what is said of it, with the numbers that are meant.
+/// Runs the commands that change a model and are named in its findings, with the numbers that are meant.
 fn prose(name: &str, found: &CheckResult, desk: &Desk, kg: f64, counts: &mut Counts) {
     for finding in &found.findings {
         let calls = Calls::default();
