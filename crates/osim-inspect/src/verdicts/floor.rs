@@ -20,6 +20,7 @@ pub(super) fn right(known: &Known<'_>) -> Result<Phrase, Phrase> {
         plane.plane.body.as_deref().map_or_else(|| "ground".to_owned(), |body| shown(body).to_string());
     let others = match planes.len() {
         1 => String::new(),
+        2 => "; one more plane".to_owned(),
         count => format!("; {} more planes", count - 1),
     };
     let degrees = readable((surface.tilt_rad.to_degrees() * 100.0).round() / 100.0);
