@@ -195,7 +195,10 @@ impl How<'_> {
             Err(failure) => return (Seen::Failed(Box::new(failure)), None),
         };
         let beside = from_disk.then(|| self.folders.compiled_beside(&source.path)).flatten();
-        let found = (is_check || self.with_page).then(|| self.survey.check(&mut inspected, beside.as_ref()));
+        // A remedy may name what is in memory alone. What it reads is not kept.
+        let files = || RequestFiles::new(self.memory.clone(), true);
+        let wanted = is_check || self.with_page;
+        let found = wanted.then(|| self.survey.check(&mut inspected, beside.as_ref(), &files()));
         inspected.inspection.spell(WORDS);
         let entry = found
             .as_ref()

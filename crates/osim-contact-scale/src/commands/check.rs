@@ -128,7 +128,7 @@ fn one(
         survey.inspector.refuse_without_contacts(&seen.opened, &seen.inspection)?;
     }
     let beside = (!source.is_stdin()).then(|| folders.compiled_beside(&source.path)).flatten();
-    let found = survey.check(&mut seen, beside.as_ref());
+    let found = survey.check(&mut seen, beside.as_ref(), &Disk);
     let entry = with_page.then(|| {
         seen.inspection.spell(survey.words);
         Box::new(survey.entry(&seen, &found))

@@ -132,7 +132,7 @@ fn one(
 ) -> Result<Inspected, Failure> {
     let mut seen = survey.inspect(source)?;
     let beside = folders.filter(|_| !source.is_stdin()).and_then(|known| known.compiled_beside(&source.path));
-    let found = (with_page || folders.is_some()).then(|| survey.check(&mut seen, beside.as_ref()));
+    let found = (with_page || folders.is_some()).then(|| survey.check(&mut seen, beside.as_ref(), &Disk));
     seen.inspection.spell(survey.words);
     let counts = found.as_ref().map(|found| found.counts);
     let entry = found.filter(|_| with_page).map(|found| Box::new(survey.entry(&seen, &found)));

@@ -4,7 +4,7 @@ use osim_html::{About, Columns, DetailLevel, Entry, Examined, NamedDigest};
 use osim_inspect::{CheckResult, Inspection};
 use osim_messages::Verb;
 use osim_model::Finding;
-use osim_model::files::{Failure, OpenModel};
+use osim_model::files::{Failure, Files, OpenModel};
 use osim_planning::{Inspector, ModelFeet};
 use osim_requests::options::ReportOptions;
 
@@ -77,9 +77,14 @@ impl Survey<'_> {
         Ok(Inspected { opened, inspection })
     }
 
-    /// What is wrong with it, spelled.
-    pub fn check(&self, inspected: &mut Inspected, compiled: Option<&Finding>) -> CheckResult {
-        let mut found = self.inspector.check(&inspected.opened.model, &inspected.inspection, compiled, &Disk);
+    /// What is wrong with it, spelled; remedies are tried with what `files` has beside it.
+    pub fn check(
+        &self,
+        inspected: &mut Inspected,
+        compiled: Option<&Finding>,
+        files: &dyn Files,
+    ) -> CheckResult {
+        let mut found = self.inspector.check(&inspected.opened.model, &inspected.inspection, compiled, files);
         found.spell(self.words);
         found
     }
