@@ -338,9 +338,10 @@ class Remedy:
         if is_path(source) and self._folder not in (None, os.getcwd()) and not os.path.isabs(at_home(source)):
             message = f"{printable(os.fsdecode(source))} was named in the folder {self._folder}, which is no longer the current one"
             raise RequestError("usage", f"{message}: go back to that folder, or check it by its whole path")
-        for step in steps:
-            source = self._planned(step, source)
-        return source
+        result = self._planned(steps[0], source)
+        for step in steps[1:]:
+            result = self._planned(step, result)
+        return result
 
     def _planned(self, step: dict[str, Any], source: Any) -> Result:
         fields = {name: value for name, value in step.items() if name not in ("verb", "models", "output")}

@@ -7,10 +7,10 @@ import shutil
 import osim_contact_scale as ocs
 import pytest
 from conftest import FIXTURES, HUMAN
+from osim_contact_scale._html import html_table
 
 #: Its contacts sink in too deep, and there is a remedy.
-DEEP = FIXTURES / "check" / "beyond_hertz.osim"
-from osim_contact_scale._html import html_table
+DEEP = FIXTURES / "check" / "sunk_in.osim"
 
 
 def test_findings_are_values():

@@ -7,7 +7,7 @@ import shutil
 
 import osim_contact_scale as ocs
 import pytest
-from conftest import FIXTURES, HUMAN, asked
+from conftest import FIXTURES, asked
 
 
 def test_nothing_is_written_before_write(human):
@@ -156,20 +156,20 @@ def test_a_standalone_set_and_its_geometry(tmp_path):
 
 
 def test_findings_have_remedies_that_can_be_applied():
-    model = FIXTURES / "check" / "beyond_hertz.osim"
+    model = FIXTURES / "check" / "sunk_in.osim"
     (record,) = asked(verb="check", models=[str(model)])
     check = ocs.check(model)
     assert [finding.code for finding in check.findings] == [finding["code"] for finding in record["findings"]]
-    finding = next(finding for finding in check.findings if finding.code == "beyond-hertz")
+    finding = next(finding for finding in check.findings if finding.code == "sunk-in")
     fixed = finding.remedy.apply()
-    assert "beyond-hertz" in {finding.code for finding in fixed.findings_before}
-    assert "beyond-hertz" not in {finding.code for finding in fixed.findings}
+    assert "sunk-in" in {finding.code for finding in fixed.findings_before}
+    assert "sunk-in" not in {finding.code for finding in fixed.findings}
     # The call that it shows is the same as what it does.
     again = eval(finding.remedy.call, {"ocs": ocs})
     assert again.to_bytes() == fixed.to_bytes()
     # Applied to a result, it builds on it.
     result = ocs.rescale(model, target_mass=90)
-    more = next(finding for finding in result.findings if finding.code == "beyond-hertz").remedy.apply()
+    more = next(finding for finding in result.findings if finding.code == "sunk-in").remedy.apply()
     assert more.record["model"] == result.path and more.to_bytes() != fixed.to_bytes()
 
 
@@ -234,7 +234,7 @@ def test_a_force_set_keeps_its_new_spheres(tmp_path):
 
 
 def test_remedies_of_the_model_as_it_was(human):
-    human.write_bytes((FIXTURES / "check" / "beyond_hertz.osim").read_bytes())
+    human.write_bytes((FIXTURES / "check" / "sunk_in.osim").read_bytes())
     result = ocs.rescale(human, target_mass=62.5)
     (remedy, *_) = [finding.remedy for finding in result.findings_before if finding.remedy]
     (same, *_) = [finding.remedy for finding in ocs.check(human).findings if finding.remedy]
