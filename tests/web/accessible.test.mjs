@@ -28,9 +28,9 @@ const SCREENS = {
     await user.spelled();
   },
   "a remedy that was applied": async (user) => {
-    await user.open(HUMAN);
+    await user.open(given("check/sunk_in.osim"));
     await user.button(/^Apply: Design/).first().click();
-    await user.opened("human.scaled.osim");
+    await user.opened("sunk_in.scaled.osim");
     await user.settled();
   },
   "several models": async (user) => {

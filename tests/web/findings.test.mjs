@@ -7,28 +7,29 @@ import { Folder } from "./support/command.mjs";
 import { given } from "./support/places.mjs";
 
 const HUMAN = given("table1/human_62kg_smooth_sphere.osim", "human.osim");
+const SUNK_IN = given("check/sunk_in.osim");
 const APPLY = /^Apply: Design the contacts: “relative indentation”/;
 
 inChromium("a remedy is applied by its button, shows what it changed, and the finding is gone", async (user) => {
-  await user.open(HUMAN);
-  const before = await findings(user, "human.osim");
-  assert.ok(before.includes("beyond-hertz"));
+  await user.open(SUNK_IN);
+  const before = await findings(user, "sunk_in.osim");
+  assert.ok(before.includes("sunk-in"));
   await user.button(APPLY).click();
-  await user.opened("human.scaled.osim");
+  await user.opened("sunk_in.scaled.osim");
   const done = user.region(/^Done: /);
   await done.getByRole("table", { name: /^Numbers that change/ }).getByRole("row", { name: /^stiffness/ }).waitFor();
   assert.equal(await user.page.evaluate(() => document.activeElement.textContent.startsWith("Done: ")), true);
-  const after = await findings(user, "human.scaled.osim");
-  assert.ok(!after.includes("beyond-hertz"), after.join());
+  const after = await findings(user, "sunk_in.scaled.osim");
+  assert.ok(!after.includes("sunk-in"), after.join());
 });
 
 inChromium("what a remedy made is the command's file", async (user) => {
-  await user.open(HUMAN);
+  await user.open(SUNK_IN);
   await user.button(APPLY).click();
-  await user.opened("human.scaled.osim");
-  const [download] = await user.downloads(user.button("Download human.scaled.osim", user.region("human.scaled.osim")));
-  const folder = new Folder(HUMAN);
-  await folder.run("design", "human.osim", "--indentation", "0.16", "--constant-indentation", "0.054");
+  await user.opened("sunk_in.scaled.osim");
+  const [download] = await user.downloads(user.button("Download sunk_in.scaled.osim", user.region("sunk_in.scaled.osim")));
+  const folder = new Folder(SUNK_IN);
+  await folder.run("design", "sunk_in.osim", "--indentation", "0.16", "--constant-indentation", "0.054");
   assert.deepEqual(folder.made(), [download.name]);
   assert.ok(folder.read(download.name).equals(download.bytes));
   folder.end();

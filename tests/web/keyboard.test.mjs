@@ -66,18 +66,18 @@ inChromium("what has the focus is seen", async (user) => {
 
 inChromium("a remedy, its undoing and the explanation of a finding", async (user) => {
   const { page } = user;
-  await user.open(HUMAN);
-  await tabTo(user, "beyond-hertz");
+  await user.open(given("check/sunk_in.osim"));
+  await tabTo(user, "sunk-in");
   await page.keyboard.press("Enter");
   await page.getByRole("dialog", { name: "Explanation" }).waitFor();
   await page.keyboard.press("Escape");
-  assert.equal(await focused(user), "beyond-hertz", "the focus is where it was");
+  assert.equal(await focused(user), "sunk-in", "the focus is where it was");
   await tabTo(user, /^Apply: Design/);
   await page.keyboard.press("Enter");
-  await user.opened("human.scaled.osim");
+  await user.opened("sunk_in.scaled.osim");
   await tabTo(user, "Undo", "Shift+Tab");
   await page.keyboard.press("Enter");
-  await user.opened("human.osim");
+  await user.opened("sunk_in.osim");
 });
 
 /** Presses a key until what has this name has the focus. */
