@@ -23,12 +23,14 @@ pub(super) fn findings(
     floors: &Floors,
 ) -> Vec<Found> {
     let sides = LazyCell::new(|| model.both_sides());
-    let with_remedy =
-        |finding: &Finding| Found::new(finding.clone(), remedy(model, &sides, finding, remedies));
-    let mut found: Vec<Found> = inspected.warnings.iter().map(with_remedy).collect();
-    let differing = found.iter_mut().filter(|found| found.code() == FindingCode::LeftRightDiffer);
     let known = LazyCell::new(|| KnownSide::of(model, &sides, inspected));
-    differing.for_each(|found| name_the_odd_side(&mut found.finding, &sides, *known));
+    let with_remedy = |finding: &Finding| {
+        if finding.code() == FindingCode::LeftRightDiffer {
+            return of_sides(model, &sides, *known, finding, remedies);
+        }
+        Found::new(finding.clone(), remedy(model, finding, remedies))
+    };
+    let mut found: Vec<Found> = inspected.warnings.iter().map(with_remedy).collect();
     found.extend(model.remarks_on(&meeting_half_space(model)).into_iter().map(Found::from));
     found.extend(of_floors(model, floors).into_iter().map(Found::from));
     let unknown = [no_gravity::find(model, inspected, floors), sphere_count_unknown::find(inspected)];
@@ -42,6 +44,20 @@ fn meeting_half_space(model: &Model) -> Vec<ForceId> {
     forces.map(|force| force.id).collect()
 }
 
+/// A difference of the sides, with the side that is the slip, if it is known.
+fn of_sides(
+    model: &Model,
+    sides: &BothSides<'_>,
+    known: Option<KnownSide>,
+    finding: &Finding,
+    remedies: &Remedies<'_>,
+) -> Found {
+    let remedy = left_right_differ::remedy(remedies, model, sides, known, finding);
+    let mut named = finding.clone();
+    name_the_odd_side(&mut named, sides, known);
+    Found::new(named, remedy)
+}
+
 /// Says which side is the slip, and why, if it is known. A majority is in the message already.
 fn name_the_odd_side(finding: &mut Finding, sides: &BothSides<'_>, known: Option<KnownSide>) {
     let left = finding.place.as_deref().and_then(|path| sides.force(path));
@@ -53,17 +69,11 @@ fn name_the_odd_side(finding: &mut Finding, sides: &BothSides<'_>, known: Option
     }
 }
 
-fn remedy<'m>(
-    model: &'m Model,
-    sides: &LazyCell<BothSides<'m>, impl FnOnce() -> BothSides<'m>>,
-    finding: &Finding,
-    remedies: &Remedies<'_>,
-) -> Option<Request> {
+fn remedy(model: &Model, finding: &Finding, remedies: &Remedies<'_>) -> Option<Request> {
     match finding.code() {
         FindingCode::DefaultStiffness => default_stiffness::remedy(remedies),
         FindingCode::ZeroConstantContactForce => zero_constant_contact_force::remedy(remedies),
         FindingCode::SeveralSpheres => several_spheres_one_force::remedy(remedies, model, finding),
-        FindingCode::LeftRightDiffer => left_right_differ::remedy(remedies, model, sides, finding),
         _ => None,
     }
 }

@@ -8,4 +8,3 @@ mod table;
 pub(crate) use odd_side::{KnownSide, odd_side};
 pub use recognise::KnownContacts;
 pub use slip::unexplained_slip;
-pub(crate) use table::is_published;

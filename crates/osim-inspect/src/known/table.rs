@@ -3,11 +3,8 @@
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
-use osim_model::{FindingCode, Property, Severity};
+use osim_model::{FindingCode, Severity};
 use serde::Deserialize;
-
-/// Numbers closer than this (relative) are one.
-const SAME: f64 = 1e-6;
 
 /// A published contact.
 #[derive(Debug, Deserialize)]
@@ -72,24 +69,6 @@ impl Entry {
             Level::Info => Severity::Info,
         })
     }
-}
-
-impl PublishedContact {
-    /// Whether radius, stiffness and dissipation are its own, by `number` of each.
-    fn has(&self, number: &impl Fn(Property) -> Option<f64>) -> bool {
-        let own = [
-            (Property::Radius, self.radius_m),
-            (Property::Stiffness, self.stiffness),
-            (Property::Dissipation, self.dissipation),
-        ];
-        own.into_iter()
-            .all(|(property, own)| number(property).is_some_and(|number| (number - own).abs() <= SAME * own))
-    }
-}
-
-/// Whether a contact with these numbers was published as it is.
-pub(crate) fn is_published(number: impl Fn(Property) -> Option<f64>) -> bool {
-    entries().iter().flat_map(|entry| &entry.contacts).any(|contact| contact.has(&number))
 }
 
 /// Every known contact.

@@ -1,19 +1,14 @@
 //! The remedy of a rule about models: the side that is a slip gets the values of the other.
 //!
-//! Which side that is, other forces of the model decide, or the table of known contacts. Where nothing decides, there is no remedy:
+//! Which side that is, the table of known contacts says, or the other forces of the model. Where neither does, there is no remedy:
 //! to copy one side would be right as often as wrong.
 
-use std::cmp::Ordering;
-
-use osim_model::{Assignment, BothSides, Finding, Force, Model, Property};
+use osim_model::{Assignment, BothSides, Finding, Force, Model, Property, Side};
 use osim_requests::options::ForceOptions;
 use osim_requests::{Request, SetRequest};
 
 use crate::findings::{Remedies, exactly};
-use crate::known::is_published;
-
-/// Numbers that differ by less than this, relatively, are one.
-const SAME: f64 = 1e-6;
+use crate::known::{KnownSide, odd_side};
 
 /// A number that differs between the sides.
 struct Differing {
@@ -27,21 +22,15 @@ pub(crate) fn remedy(
     remedies: &Remedies<'_>,
     model: &Model,
     sides: &BothSides<'_>,
+    known: Option<KnownSide>,
     finding: &Finding,
 ) -> Option<Request> {
     let left = sides.force(finding.place.as_deref()?)?;
     let right = sides.right_of(left)?;
     let values = differing(model, sides, left, right)?;
-    let others: Vec<&Force> =
-        model.forces().iter().filter(|force| force.id != left.id && force.id != right.id).collect();
-    let which: Vec<Ordering> =
-        values.iter().map(|values| which_is_right(model, &others, values, [left, right])).collect();
-    let (wrong, of_right) = match which.as_slice() {
-        all if all.iter().all(|one| one.is_gt()) => (left, true),
-        all if all.iter().all(|one| one.is_lt()) => (right, false),
-        _ => return None,
-    };
-    let value = |one: &Differing| if of_right { one.right } else { one.left };
+    let odd = odd_side(known, sides, left)?;
+    let wrong = if odd == Side::Left { left } else { right };
+    let value = |one: &Differing| if odd == Side::Left { one.right } else { one.left };
     let assignments: Vec<(Property, f64)> = values.iter().map(|one| (one.property, value(one))).collect();
     can_be_set(&assignments).then_some(())?;
     if !remedies.options.selection.select.is_empty() {
@@ -57,29 +46,6 @@ pub(crate) fn remedy(
 fn can_be_set(values: &[(Property, f64)]) -> bool {
     values.iter().all(|(property, value)| property.allows(*value))
         && !values.contains(&(Property::ConstantContactForce, 0.0))
-}
-
-/// Greater if the right side has the better witnesses, less if the left has, equal if nothing decides: first the other forces,
-/// then known contacts.
-fn which_is_right(model: &Model, others: &[&Force], values: &Differing, pair: [&Force; 2]) -> Ordering {
-    let with = |wanted: f64| {
-        let has = |force: &&&Force| numbers(model, force, values.property).any(|one| is_same(one, wanted));
-        others.iter().filter(has).count()
-    };
-    let [left, right] = pair.map(|force| is_published(|property| numbers(model, force, property).next()));
-    with(values.right).cmp(&with(values.left)).then(right.cmp(&left))
-}
-
-fn is_same(a: f64, b: f64) -> bool {
-    (a - b).abs() <= SAME * b.abs()
-}
-
-/// The numbers that a force has of a property: of each set, or of each sphere.
-fn numbers<'m>(model: &'m Model, force: &'m Force, property: Property) -> impl Iterator<Item = f64> + 'm {
-    let of_spheres = if property == Property::Radius { radii(model, force) } else { Vec::new() };
-    let of_sets =
-        force.sets.iter().flat_map(|set| &set.values).filter(move |value| value.property == property);
-    of_sets.map(|value| value.number).chain(of_spheres)
 }
 
 fn radii(model: &Model, force: &Force) -> Vec<f64> {
