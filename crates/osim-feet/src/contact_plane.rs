@@ -9,6 +9,10 @@ use crate::default_pose::DefaultPose;
 use crate::vector::angle;
 use crate::welds::Welds;
 
+/// A plane that leans by more than this is a wall, rad: 45 degrees. The steepest published slope has 20.5 degrees, and between that and
+/// upright planes (90 degrees) there is none.
+pub const STEEPEST_RAD: f64 = std::f64::consts::FRAC_PI_4;
+
 /// A half-space that moving spheres press on: a floor, or a wall. It reads like its [`HalfSpace`].
 ///
 /// ```

@@ -16,6 +16,7 @@ mod couplers;
 mod default_pose;
 mod fault;
 mod folders;
+mod held;
 mod mesh;
 mod movements;
 mod pose_fault;
@@ -29,7 +30,7 @@ mod welds;
 
 pub use bone::Bone;
 pub use bones::bones;
-pub use contact_plane::{ContactPlane, PlaneSurface};
+pub use contact_plane::{ContactPlane, PlaneSurface, STEEPEST_RAD};
 pub use default_pose::DefaultPose;
 pub use fault::FeetFault;
 pub use folders::MeshFolders;

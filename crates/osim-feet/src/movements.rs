@@ -1,10 +1,11 @@
 //! How bodies can move against each other: what joints and their coordinates leave free.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
-use osim_model::{JointCoordinate, Model, ModelJoint, Placement};
+use osim_model::{Model, ModelJoint, Placement};
 
-use crate::couplers::{coordinate_values, dependent_coordinates};
+use crate::couplers::coordinate_values;
+use crate::held::{Held, HeldCoordinates};
 
 /// How far a coordinate is moved to see what it moves, rad or m.
 const STEP: f64 = 0.1;
@@ -60,7 +61,7 @@ impl Movements {
         let coordinates = Coordinates {
             model,
             values: coordinate_values(model, &joints).0,
-            dependent: dependent_coordinates(model),
+            held: HeldCoordinates::of(model),
         };
         let mut above = HashMap::new();
         for joint in &joints {
@@ -123,7 +124,7 @@ impl Movements {
 struct Coordinates<'m> {
     model: &'m Model,
     values: HashMap<String, f64>,
-    dependent: HashSet<String>,
+    held: HeldCoordinates<'m>,
 }
 
 impl Coordinates<'_> {
@@ -136,19 +137,13 @@ impl Coordinates<'_> {
             .collect::<Option<Vec<f64>>>()
             .and_then(|values| Some((joint.placement(self.model, &values)?, values)));
         let Some((here, values)) = placed else { return Freedom::ALL };
-        let free =
-            joint.coordinates.iter().enumerate().filter(|(_, coordinate)| self.is_free(joint, coordinate));
+        let is_free = |coordinate| self.held.held(joint, coordinate) == Held::Not;
+        let free = joint.coordinates.iter().enumerate().filter(|(_, coordinate)| is_free(coordinate));
         free.fold(Freedom::default(), |all, (index, _)| {
             let mut moved = values.clone();
             moved.iter_mut().skip(index).take(1).for_each(|value| *value += STEP);
             all.and(joint.placement(self.model, &moved).map_or(Freedom::ALL, |there| moved_by(&here, &there)))
         })
-    }
-
-    fn is_free(&self, joint: &ModelJoint, coordinate: &JointCoordinate) -> bool {
-        let document = self.model.file(joint.file);
-        let is = |tag| matches!(document.flag(coordinate.element, tag), Ok(Some(true)));
-        !is("locked") && !is("prescribed") && !self.dependent.contains(&coordinate.name)
     }
 }
 

@@ -1,17 +1,13 @@
 //! How high the bottoms of spheres are over their floors.
 
 use std::collections::{BTreeSet, HashMap, HashSet};
-use std::f64::consts::FRAC_PI_4;
 
 use osim_model::{ForceId, LoadedSphere, Model, Placement, SphereId};
 
-use crate::contact_plane::{ContactPlane, PlaneSurface};
+use crate::contact_plane::{ContactPlane, PlaneSurface, STEEPEST_RAD};
 use crate::default_pose::DefaultPose;
 use crate::pose_fault::PoseFault;
 use crate::vector::dot;
-
-/// A plane that leans further than this is a wall, rad.
-const WALL: f64 = FRAC_PI_4;
 
 /// A sphere over a floor.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,7 +40,9 @@ impl Floors {
     pub(super) fn of(model: &Model, forces: &[ForceId], pose: &DefaultPose) -> Self {
         let planes = ContactPlane::all(model, forces, pose).into_iter();
         let planes: Vec<(ContactPlane, PlaneSurface)> = planes
-            .filter_map(|plane| Some((plane.surface.filter(|surface| surface.tilt_rad <= WALL)?, plane)))
+            .filter_map(|plane| {
+                Some((plane.surface.filter(|surface| surface.tilt_rad <= STEEPEST_RAD)?, plane))
+            })
             .map(|(surface, plane)| (plane, surface))
             .collect();
         let mut of_sphere: HashMap<SphereId, Vec<usize>> = HashMap::new();

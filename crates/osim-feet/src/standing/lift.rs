@@ -1,12 +1,13 @@
 //! The coordinate that lifts spheres from their floor.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 use osim_model::{JointCoordinate, Model, ModelJoint, Placement};
 
 use super::tree::Hanging;
-use crate::couplers::{coordinate_values, dependent_coordinates, is_prescribed};
+use crate::couplers::coordinate_values;
 use crate::default_pose::DefaultPose;
+use crate::held::{Held, HeldCoordinates};
 use crate::vector::dot;
 
 /// Movements this close to each other are one (per metre of the coordinate).
@@ -58,14 +59,6 @@ pub enum NotLifted {
     SeveralFloors,
 }
 
-/// What keeps a coordinate at its value.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Held {
-    Not,
-    Locked,
-    Driven,
-}
-
 /// What a coordinate does to all spheres below its joint.
 enum Moves {
     Lifts(f64),
@@ -78,13 +71,13 @@ pub(super) struct Lifting<'m> {
     model: &'m Model,
     pose: &'m DefaultPose,
     values: HashMap<String, f64>,
-    dependent: HashSet<String>,
+    held: HeldCoordinates<'m>,
 }
 
 impl<'m> Lifting<'m> {
     pub(super) fn of(model: &'m Model, joints: &[ModelJoint], pose: &'m DefaultPose) -> Self {
         let (values, _) = coordinate_values(model, joints);
-        Self { model, pose, values, dependent: dependent_coordinates(model) }
+        Self { model, pose, values, held: HeldCoordinates::of(model) }
     }
 
     /// The coordinate of the joints on `way` that lifts most along `normal`, with its joint's place on the way.
@@ -95,7 +88,7 @@ impl<'m> Lifting<'m> {
             for (index, coordinate) in hanging.joint.coordinates.iter().enumerate() {
                 let name = || coordinate.name.clone();
                 let moves = self.moves(hanging, index, normal).unwrap_or(Moves::Other);
-                let found = match (moves, self.held(hanging, coordinate)) {
+                let found = match (moves, self.held.held(hanging.joint, coordinate)) {
                     (Moves::Lifts(rise), Held::Not) => {
                         let more =
                             best.as_ref().is_none_or(|(_, known)| rise.abs() > known.rise.abs() + SAME);
@@ -115,17 +108,6 @@ impl<'m> Lifting<'m> {
             }
         }
         best.ok_or(not)
-    }
-
-    fn held(&self, hanging: &Hanging<'_>, coordinate: &JointCoordinate) -> Held {
-        let document = self.model.file(hanging.joint.file);
-        let is_locked = matches!(document.flag(coordinate.element, "locked"), Ok(Some(true)));
-        match is_locked {
-            true => Held::Locked,
-            false if self.dependent.contains(&coordinate.name) => Held::Driven,
-            false if is_prescribed(document, coordinate.element) => Held::Driven,
-            false => Held::Not,
-        }
     }
 
     fn moves(&self, hanging: &Hanging<'_>, index: usize, normal: [f64; 3]) -> Option<Moves> {

@@ -1,13 +1,10 @@
 //! Slopes: how steep a floor may be, and which part of the weight presses spheres on it.
 
-use osim_feet::{ContactPlane, DefaultPose};
+use osim_feet::{ContactPlane, DefaultPose, STEEPEST_RAD};
 use osim_model::{ForceId, Model, Orientation};
 
 /// A floor that leans by no more than this, degrees, is level: 180 of 204 planes under spheres in published models are.
 const LEVEL_DEGREES: f64 = 1.0;
-/// Nothing stands on a plane that leans by more than this, degrees. The steepest published slope has 20.5 degrees, and
-/// between that and upright planes (90 degrees) there is none.
-const STEEPEST_DEGREES: f64 = 45.0;
 
 /// How a plane lies in the field of gravity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,7 +25,7 @@ impl Lie {
         let surface = plane.surface.filter(|_| known && !in_degrees)?;
         Some(match surface.tilt_rad.to_degrees() {
             degrees if degrees <= LEVEL_DEGREES => Self::Level,
-            degrees if degrees <= STEEPEST_DEGREES => Self::Slope(degrees),
+            degrees if surface.tilt_rad <= STEEPEST_RAD => Self::Slope(degrees),
             degrees => Self::Steep(degrees),
         })
     }
