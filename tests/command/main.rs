@@ -15,6 +15,7 @@
 
 mod add_slips;
 mod added;
+mod afterwards;
 mod bad_input;
 mod batch;
 mod bytes;

@@ -6,7 +6,7 @@ use crate::anatomy::joints::Joints;
 use crate::components::{Companion, Components};
 use crate::contacts::ContactReader;
 use crate::document::Document;
-use crate::fault::{Fault, FaultKind, Needed, NoteDoubt};
+use crate::fault::{Fault, FaultKind, FileId, Needed, NoteDoubt};
 use crate::model::Model;
 use crate::note::{Note, NotesFound};
 use crate::rules;
@@ -81,19 +81,29 @@ impl Model {
         Ok(model)
     }
 
-    /// The same model with other bytes of its main file; `edits` says where these are new, as for [`Document::edited`];
-    /// the files beside it stay.
+    /// The same model with other bytes of its main file; `edits` says where these are new, as for [`Document::edited`]. Files beside
+    /// it stay, but for `others`, which have new bytes.
     ///
     /// # Errors
     /// Those of [`Document::parse`] and of [`Model::read_with`].
-    pub fn rebuilt(&self, bytes: Vec<u8>, edits: &[(Range<usize>, usize)]) -> Result<Self, Fault> {
+    pub fn rebuilt(
+        &self,
+        bytes: Vec<u8>,
+        edits: &[(Range<usize>, usize)],
+        others: &[(FileId, Vec<u8>)],
+    ) -> Result<Self, Fault> {
         let document = self.document().edited(bytes, edits)?;
         let mut named = document.included_files().into_iter();
-        let companions = self.components.companions().iter().map(|companion| Companion {
-            document: companion.document.clone(),
-            included_by: companion.included_by.and_then(|_| named.next()).map(|(element, _)| element),
+        let companions = self.companions().map(|(file, companion)| {
+            let changed = others.iter().find(|(other, _)| *other == file);
+            let included_by = companion.included_by.and_then(|_| named.next()).map(|(element, _)| element);
+            let document = match changed {
+                Some((_, bytes)) => Document::parse(bytes.as_slice())?,
+                None => companion.document.clone(),
+            };
+            Ok(Companion { document, included_by })
         });
-        let companions = companions.collect();
+        let companions = companions.collect::<Result<_, Fault>>()?;
         Self::read_with(document, companions)
     }
 

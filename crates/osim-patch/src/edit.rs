@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use osim_model::{Fault, FaultKind, Model};
+use osim_model::{Fault, FaultKind, FileId, Model};
 
 /// Replace these bytes by this text; an empty span inserts. [`splice`] applies edits, [`Patch`] without a copy.
 ///
@@ -94,10 +94,22 @@ pub fn splice(bytes: &[u8], edits: &[Edit]) -> Result<Vec<u8>, Fault> {
 /// # Errors
 /// As [`Patch::new`], and those of [`Model::rebuilt`].
 pub(crate) fn edited(model: &Model, edits: Vec<Edit>) -> Result<Model, Fault> {
+    edited_with(model, edits, &[])
+}
+
+/// The same with new bytes of other files of the model.
+///
+/// # Errors
+/// As [`edited`].
+pub(crate) fn edited_with(
+    model: &Model,
+    edits: Vec<Edit>,
+    others: &[(FileId, Vec<u8>)],
+) -> Result<Model, Fault> {
     let patch = Patch::new(model.document().bytes(), edits)?;
     let places: Vec<(Range<usize>, usize)> =
         patch.edits.iter().map(|edit| (edit.span.clone(), edit.text.len())).collect();
-    model.rebuilt(patch.to_vec(), &places)
+    model.rebuilt(patch.to_vec(), &places, others)
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ use osim_model::{
 };
 
 use crate::change::{Change, Move};
-use crate::edit::{Edit, Patch, edited};
+use crate::edit::{Edit, Patch, edited_with};
 use crate::insert::insert;
 use crate::node::Node;
 use crate::note_edits;
@@ -337,12 +337,15 @@ impl Plan {
         edits
     }
 
-    /// The model as it will be, where its main file alone changes.
+    /// The model as it will be, with all of its files.
     ///
     /// # Errors
     /// As [`patched`](Self::patched), and those of [`Model::rebuilt`].
     pub fn changed(&self, model: &Model) -> Result<Model, Fault> {
-        edited(self.ground(model), self.edits(model, FileId::MAIN))
+        let others = self.files(model).filter(|&file| file != FileId::MAIN);
+        let others =
+            others.map(|file| Ok((file, self.patched(model, file)?))).collect::<Result<Vec<_>, Fault>>()?;
+        edited_with(self.ground(model), self.edits(model, FileId::MAIN), &others)
     }
 
     /// The patched bytes of `file`; identical to the original where nothing changes.

@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use osim_inspect::{CheckResult, Found, InspectOptions, Inspection};
-use osim_model::files::{FileName, Files, ModelFiles};
-use osim_model::{FileId, FindingCode, Model, Repair, Severity};
+use osim_model::files::{FileName, Files};
+use osim_model::{FindingCode, Model, Repair, Severity};
 use osim_requests::{ConstantIndentation, Request};
 
 use super::merged::{Candidate, joined, merged};
@@ -88,12 +88,7 @@ impl Trials<'_> {
     fn after(&self, request: &Request, model: &Model, to: &Path) -> Option<State> {
         let change = prepare(request.clone(), self.files).ok()?;
         let plan = change.planner.plan(model).ok().filter(|plan| !plan.is_empty())?;
-        let bytes = plan.patched(model, FileId::MAIN).ok()?;
-        let mut files = ModelFiles::read(to, bytes, change.set_files.beside(), self.files).ok()?;
-        for file in plan.files(model).filter(|file| *file != FileId::MAIN) {
-            files.replace_companion(file, plan.patched(model, file).ok()?);
-        }
-        let model = files.open().ok()?.model;
+        let model = plan.changed(model).ok()?;
         let inspected = (self.inspect)(&FileName::from(to), &model);
         let found = check_with_trials(self.options, &model, &inspected, None);
         Some(State { model, found })

@@ -9,6 +9,7 @@
     reason = "a test fails by panicking"
 )]
 
+mod afterwards;
 mod checks;
 mod compose;
 #[allow(dead_code, reason = "the tests of osim-inspect have these feet, too")]

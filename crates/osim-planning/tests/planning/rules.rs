@@ -79,7 +79,7 @@ fn no_advice_about_a_model_names_a_command_that_changes_it() {
 }
 
 /// All fixtures, by their paths below `fixtures/`.
-fn fixtures() -> InMemory {
+pub fn fixtures() -> InMemory {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
     let mut files = InMemory::default();
     let mut folders = vec![root.clone()];

@@ -1,0 +1,58 @@
+//! The model that a change is judged by is the one that its bytes are read as.
+
+use std::path::{Path, PathBuf};
+
+use osim_model::FileId;
+use osim_model::files::{Beside, Files, InMemory, ModelFiles};
+use osim_planning::prepare;
+use osim_requests::Request;
+use serde_json::json;
+
+use crate::rules::fixtures;
+
+/// Models that include files, with contacts of several kinds, and animals of several sizes.
+const FOLDERS: [&str; 3] = ["check", "format", "table1"];
+
+fn models(files: &InMemory) -> Vec<PathBuf> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
+    let of_folder = |folder: &str| std::fs::read_dir(root.join(folder)).unwrap();
+    let paths = FOLDERS.into_iter().flat_map(|folder| {
+        of_folder(folder).map(move |entry| Path::new(folder).join(entry.unwrap().file_name()))
+    });
+    let is_model = |path: &PathBuf| path.extension().is_some_and(|end| end == "osim") && files.exists(path);
+    paths.filter(is_model).collect()
+}
+
+#[test]
+fn the_changed_model_is_what_its_bytes_are_read_as() {
+    let files = fixtures();
+    let mut compared = 0;
+    for path in models(&files) {
+        for call in [
+            json!({"verb": "rescale", "target_mass": 100, "contacts_mass": 62}),
+            json!({"verb": "convert", "to": "hunt-crossley"}),
+            json!({"verb": "remove"}),
+        ] {
+            let mut call = call.clone();
+            call["models"] = json!([path]);
+            let request = Request::from_json(call.to_string().as_bytes()).unwrap();
+            let Ok(change) = prepare(request, &files) else { continue };
+            let Ok(opened) = change.open(&path, &files) else { continue };
+            // The plan itself, which nobody refuses for what comes of it.
+            let Ok(plan) = change.planner.plan(&opened.model) else { continue };
+            let changed = plan.changed(&opened.model).unwrap();
+            let bytes = plan.patched(&opened.model, FileId::MAIN).unwrap();
+            let mut read = ModelFiles::read(&path, bytes, Beside::default(), &files).unwrap();
+            for file in plan.files(&opened.model).filter(|file| *file != FileId::MAIN) {
+                read.replace_companion(file, plan.patched(&opened.model, file).unwrap());
+            }
+            let read = read.open().unwrap().model;
+            assert_eq!(changed.document().bytes(), read.document().bytes(), "{call}");
+            assert_eq!(changed.contact_digest(|_| None), read.contact_digest(|_| None), "{call}");
+            assert_eq!(changed.places_digest(|_| None), read.places_digest(|_| None), "{call}");
+            assert_eq!((&changed.note, &changed.warnings), (&read.note, &read.warnings), "{call}");
+            compared += 1;
+        }
+    }
+    assert!(compared > 200, "{compared}");
+}
