@@ -126,7 +126,7 @@ impl CheckResult {
         self
     }
 
-    /// The steps up to the one that puts a finding right, this one last; none where nothing does.
+    /// The steps up to the one that puts a finding right, this one last; empty if no step does.
     #[must_use]
     pub fn steps_to(&self, finding: &Found) -> &[Request] {
         let last = self.steps.iter().position(|step| finding.remedy.as_ref() == Some(step));

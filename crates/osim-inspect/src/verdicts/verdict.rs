@@ -27,7 +27,7 @@ pub struct Verdict {
     pub text: Phrase,
     /// Component path of the force, sphere or body that decides, where there is one.
     pub place: Option<String>,
-    /// Codes of the findings that are about it, the worst first; none where it is right or not known.
+    /// Codes of the findings that are about it, the worst first; empty if it is right or not known.
     #[serde(serialize_with = "codes")]
     #[cfg_attr(feature = "schemas", schemars(with = "Vec<String>"))]
     pub codes: Vec<FindingCode>,

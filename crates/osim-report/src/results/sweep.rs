@@ -20,7 +20,7 @@ pub struct SweepRecord {
     /// Its name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model_bytes: Option<Vec<u8>>,
-    /// The table that says what is in which file; none where nothing was made.
+    /// The table that says what is in which file; null if nothing was made.
     pub manifest: Option<String>,
     /// Its name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -31,7 +31,7 @@ choices! {
         /// Feet from the side and from above.
         Feet = "feet", "Feet from the side and from above: bones, joints, spheres to scale";
         /// The paper's Fig. 1, which cannot be drawn.
-        Fig1 = "fig1", "The paper's Fig. 1: not drawn, but what it needs is said";
+        Fig1 = "fig1", "The paper's Fig. 1: not drawn; the output says what it needs";
         /// The paper's Fig. 4.
         Fig4 = "fig4", "The paper's Fig. 4";
         /// The paper's Fig. C.5.
