@@ -67,7 +67,7 @@ impl<'t> MadeFiles<'t> {
         self.known_elsewhere.get_or_init(|| known_by(self.tables)).as_ref().map_err(LibraryFault::clone)
     }
 
-    /// Records that the file is complete and about to take its name, or has it.
+    /// Records that the file is about to be written with this digest, or has it.
     ///
     /// # Errors
     /// There is no room for its line.

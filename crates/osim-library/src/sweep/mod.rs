@@ -265,22 +265,25 @@ impl<'s> SweepRun<'s> {
         digest: &str,
     ) -> Result<bool, LibraryFault> {
         self.origin.find_included_from(path)?;
-        let Some(mode) = self.mode_of(path, bytes, |there| files.knows(name, there))? else {
-            files.about_to_finish(name, digest)?;
-            return Ok(true);
-        };
+        let mode = self.mode_of(path, bytes, |there| files.knows(name, there))?;
+        files.about_to_finish(name, digest)?;
+        let Some(mode) = mode else { return Ok(true) };
+        match self.put(path, bytes, mode) {
+            Ok(()) => Ok(false),
+            // A run of another part made it in the meantime.
+            Err(_) if self.mode() == Mode::Replace && is_there(path, bytes) => Ok(true),
+            Err(fault) => Err(fault),
+        }
+    }
+
+    /// Gives `bytes` the name `path`.
+    fn put(&self, path: &Path, bytes: &[u8], mode: Mode) -> Result<(), LibraryFault> {
         let like = self.origin.stamp_of(FileId::MAIN).map(Stamp::metadata);
         let prepared = Prepared::new(path, bytes, like, mode)?;
         if prepared.replaces() {
             prepared.sync()?;
         }
-        files.about_to_finish(name, digest)?;
-        match prepared.commit() {
-            Ok(()) => Ok(false),
-            // A run of another part made it in the meantime.
-            Err(_) if self.mode() == Mode::Replace && is_there(path, bytes) => Ok(true),
-            Err(fault) => Err(fault.within("not written")),
-        }
+        prepared.commit().map_err(|fault| fault.within("not written"))
     }
 
     /// How a variant may be written; `None` if it is there, byte for byte. `is_ours` knows digests of what earlier sweeps made
