@@ -228,21 +228,26 @@ impl Run {
         let mut dice = Dice::new();
         eprintln!("seed {}, an undisturbed run takes {duration:?}", dice.seed);
         let (mut kills, mut in_the_middle) = (0, 0);
-        // Beside other work a run may need much longer than the one that was timed: kills come later, until enough of them hit.
+        // Beside other work a run may need much longer than the one that was timed: kills come later where they come before anything
+        // was written, and sooner where runs end before them, until enough of them hit.
         while kills < wanted || (in_the_middle * 4 <= kills && kills < 20 * wanted) {
             let bench = self.bench();
             let before = bench.files();
             let mut call = self.call.to_owned();
             // Then it may end, however slow the machine has become since an undisturbed run was timed.
             let mut most = 20.min(wanted);
-            while self.is_killed(&bench, &call, if most > 0 { dice.up_to(duration) } else { CALM }) {
+            loop {
+                if !self.is_killed(&bench, &call, if most > 0 { dice.up_to(duration) } else { CALM }) {
+                    duration = duration * 4 / 5;
+                    break;
+                }
                 kills += 1;
                 most -= 1;
                 let after = bench.files();
                 let done = self.check(&before, &after, &calm);
                 in_the_middle += usize::from(0 < done && done < self.models);
                 if done == 0 {
-                    duration = CALM.min(duration * 5 / 4);
+                    duration = duration * 5 / 4;
                 }
                 call = self.again();
             }

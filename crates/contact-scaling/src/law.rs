@@ -58,6 +58,14 @@ impl Law {
         }
     }
 
+    /// A force (N) that the spring at rest does not exceed between two indentations (m), the deeper one last.
+    pub(crate) fn rest_force_limit(&self, from_m: f64, to_m: f64) -> f64 {
+        match self {
+            Self::HuntCrossley(law) => law.hertz().force(to_m),
+            Self::Smooth(law) => law.rest_force_limit(from_m, to_m),
+        }
+    }
+
     /// Slope of the force at rest, in N/m, at the indentation x (m).
     #[must_use]
     pub fn rest_stiffness(&self, indentation_m: f64) -> f64 {

@@ -163,6 +163,12 @@ impl SmoothSphere {
         self.elastic_force(indentation_m) * self.at_rest
     }
 
+    /// A force (N) that is not exceeded at rest between two indentations (m): F_cf grows with |x|, the contact state with x.
+    pub(crate) fn rest_force_limit(&self, from_m: f64, to_m: f64) -> f64 {
+        let farthest = from_m.abs().max(to_m.abs());
+        self.constant_indentation_force(farthest) * self.contact_state(to_m) * self.at_rest
+    }
+
     /// Stiffness at rest, ∂F/∂x = ∂F_s/∂x (½ + ½ tanh(2 bv/(3α))), in N/m.
     ///
     /// x in m, bv in s/m, α in s/m.

@@ -58,8 +58,7 @@ impl ContactPlane {
     /// on every plane of its forces, but for those of its own body and of bodies that are welded to it.
     #[must_use]
     pub fn all(model: &Model, forces: &[ForceId], pose: &DefaultPose) -> Vec<Self> {
-        let joints = model.joints();
-        let welds = Welds::of(&joints);
+        let welds = Welds::of(model.joints());
         let mut pairing = Pairing::default();
         for force in forces.iter().filter_map(|&id| model.force(id)).filter(|force| force.applies) {
             let spheres: Vec<&Sphere> =

@@ -37,11 +37,7 @@ impl DefaultPose {
     /// That of `model`.
     #[must_use]
     pub fn of(model: &Model) -> Self {
-        Self::of_joints(model, &model.joints())
-    }
-
-    /// The same, where the model's joints were read before.
-    pub(crate) fn of_joints(model: &Model, joints: &[ModelJoint]) -> Self {
+        let joints = model.joints();
         let (values, doubt) = coordinate_values(model, joints);
         let places = Places { model, values: &values };
         let mut pose = Self { placements: HashMap::new(), doubt };

@@ -60,11 +60,11 @@ impl Movements {
         let joints = model.joints();
         let coordinates = Coordinates {
             model,
-            values: coordinate_values(model, &joints).0,
+            values: coordinate_values(model, joints).0,
             held: HeldCoordinates::of(model),
         };
         let mut above = HashMap::new();
-        for joint in &joints {
+        for joint in joints {
             let (body, parent) = match (&joint.child, &joint.parent) {
                 (Some(child), parent) => (child, parent.clone()),
                 // A joint written the other way round, from the body to ground.

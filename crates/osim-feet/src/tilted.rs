@@ -29,10 +29,10 @@ impl Sole {
     #[must_use]
     pub fn tilted_by(&self, model: &Model) -> Vec<Tilting> {
         let joints = model.joints();
-        let (values, _) = coordinate_values(model, &joints);
+        let (values, _) = coordinate_values(model, joints);
         let pose = DefaultPose::of(model);
         let mut found: Vec<Tilting> = Vec::new();
-        for joint in self.joints_above(&joints) {
+        for joint in self.joints_above(joints) {
             let own: Option<Vec<f64>> =
                 joint.coordinates.iter().map(|coordinate| values.get(&coordinate.name).copied()).collect();
             let Some(own) = own else { continue };

@@ -27,7 +27,7 @@ impl Model {
         for (id, _) in components.tree.iter().filter(|(id, _)| components.tag(*id) == "Body") {
             shapes.entry(components.name(id)).or_insert_with(|| of_body(components, id));
         }
-        for (body, place_m) in self.joints.ends(components) {
+        for (body, place_m) in self.body_facts.joints.ends(components) {
             if let Some(shape) = shapes.get_mut(body) {
                 shape.joints_m.push(place_m);
             }

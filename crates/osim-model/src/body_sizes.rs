@@ -2,7 +2,6 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::anatomy::meshes;
 use crate::contacts::{Force, Sphere};
 use crate::model::Model;
 use crate::note::{BodySize, Note};
@@ -96,20 +95,11 @@ impl Model {
             .filter_map(|sphere| self.sphere(sphere)?.body.as_deref())
             .filter(|name| BodySize::can_name(name))
             .collect();
-        let components = self.components();
-        let bodies = components.tree.iter().filter(|(id, _)| components.tag(*id) == "Body");
-        let mut sizes: Vec<BodySize> = bodies
-            .filter_map(|(id, _)| {
-                let body = components.name(id);
-                if !carrying.contains(body.as_str()) {
-                    return None;
-                }
-                let factors = *meshes(components, id).values().next()?;
-                factors.iter().all(|factor| *factor > 0.0).then_some(BodySize { body, factors })
-            })
-            .collect();
-        sizes.sort_by(|a, b| a.body.cmp(&b.body));
-        sizes.dedup_by(|a, b| a.body == b.body);
-        sizes
+        let meshes = &self.body_facts.bone_sizes(self.components()).meshes;
+        let size = |body: &str| {
+            let factors = *meshes.get(body)?.values().next()?;
+            factors.iter().all(|factor| *factor > 0.0).then(|| BodySize { body: body.to_owned(), factors })
+        };
+        carrying.into_iter().filter_map(size).collect()
     }
 }

@@ -35,6 +35,7 @@
 
 mod anatomy;
 mod assignment;
+mod body_facts;
 mod body_shapes;
 mod body_sizes;
 mod class;

@@ -1,6 +1,8 @@
 //! The typed view of a model: bodies, limbs, contact spheres and contact forces with their effective values.
 
-use crate::anatomy::joints::Joints;
+use std::sync::Arc;
+
+use crate::body_facts::BodyFacts;
 use crate::components::{Companion, Components};
 use crate::contacts::{Force, ForceId, SetId, Sphere, SphereId};
 use crate::document::Document;
@@ -24,7 +26,7 @@ use osim_xml::ElementId;
 pub struct Model {
     pub(crate) components: Components,
     pub(crate) skeleton: Skeleton,
-    pub(crate) joints: Joints,
+    pub(crate) body_facts: Arc<BodyFacts>,
     pub(crate) spheres: Vec<Sphere>,
     pub(crate) forces: Vec<Force>,
     /// A comment that begins like the note and cannot be read, or a pair whose notes differ.

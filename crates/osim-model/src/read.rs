@@ -1,9 +1,12 @@
 //! Documents → [`Model`].
 
 use std::ops::Range;
+use std::sync::Arc;
 
-use crate::anatomy::joints::Joints;
-use crate::components::{Companion, Components};
+use osim_xml::{ElementId, KeptElements};
+
+use crate::body_facts::BodyFacts;
+use crate::components::{Companion, ComponentId, Components};
 use crate::contacts::ContactReader;
 use crate::document::Document;
 use crate::fault::{Fault, FaultKind, FileId, Needed, NoteDoubt};
@@ -11,6 +14,9 @@ use crate::model::Model;
 use crate::note::{Note, NotesFound};
 use crate::rules;
 use crate::skeleton::Skeleton;
+
+/// Elements of a model that say nothing of bodies, joints and frames.
+const APART_FROM_BODIES: [&str; 3] = ["ContactGeometrySet", "ForceSet", "credits"];
 
 impl Model {
     /// Reads a model from the bytes of one file.
@@ -35,7 +41,10 @@ impl Model {
     /// A document that is not a model and no force set with its geometry, or a connection that leads nowhere.
     pub fn read_with(document: Document, companions: Vec<Companion>) -> Result<Self, Fault> {
         check_data_root(&document, companions.is_empty()).map_err(|fault| fault.located(document.bytes()))?;
-        let components = Components::new(document, companions);
+        Self::of_components(Components::new(document, companions), Arc::default())
+    }
+
+    fn of_components(components: Components, body_facts: Arc<BodyFacts>) -> Result<Self, Fault> {
         let skeleton = Skeleton::read(&components);
         let mut reader = ContactReader::new(&components, &skeleton);
         if let Err(fault) = reader.read() {
@@ -64,7 +73,7 @@ impl Model {
         let mut model = Self {
             components,
             skeleton,
-            joints: Joints::default(),
+            body_facts,
             spheres,
             forces,
             note_fault: None,
@@ -104,7 +113,33 @@ impl Model {
             Ok(Companion { document, included_by })
         });
         let companions = companions.collect::<Result<_, Fault>>()?;
-        Self::read_with(document, companions)
+        match self.kept_elements(&document, edits).filter(|_| others.is_empty()) {
+            Some(kept) => {
+                let components = self.components.moved(document, companions, &kept);
+                Self::of_components(components, Arc::clone(&self.body_facts))
+            }
+            None => Self::read_with(document, companions),
+        }
+    }
+
+    /// Where the elements are in `document`, which `edits` made of the main file, if these changed nothing but the properties of contacts
+    /// and forces, and credits; `None` if they did more, or moved an element that something is known of.
+    fn kept_elements(&self, document: &Document, edits: &[(Range<usize>, usize)]) -> Option<KeptElements> {
+        let tree = self.document().tree();
+        let is_apart = |owner: ElementId| {
+            let mut above = std::iter::successors(Some(owner), |&id| tree.parent(id));
+            // What is put among objects is a new component.
+            !["objects", "components"].contains(&tree.name(owner))
+                && above.any(|id| APART_FROM_BODIES.contains(&tree.name(id)))
+        };
+        let kept = tree.kept_elements(document.tree(), edits, is_apart)?;
+        let stays = |id: ComponentId| {
+            let tag = self.components.tag(id);
+            let is_of_bodies = tag == "Body" || tag.ends_with("Joint") || tag.ends_with("Frame");
+            let element = self.components.element(id);
+            !is_of_bodies || self.components.file_of(id) != FileId::MAIN || kept.place(element) == element
+        };
+        self.components.tree.iter().all(|(id, _)| stays(id)).then_some(kept)
     }
 
     /// Of the note in the credits and that of an earlier version in a comment, the one that describes these contacts counts;
@@ -146,4 +181,47 @@ fn check_data_root(document: &Document, alone: bool) -> Result<(), Fault> {
         tag => FaultKind::WrongDataRoot { tag: tag.to_owned() },
     };
     Err(Fault::over(kind, tree.open_span(root)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TEXT: &str = include_str!("../tests/data/one_foot.osim");
+
+    /// Whether the model with `new` in the place of `old` is taken for one with the same bodies.
+    fn keeps_bodies(old: &str, new: &str) -> bool {
+        let model = Model::parse(TEXT).unwrap();
+        let at = TEXT.find(old).unwrap();
+        let text = TEXT.replacen(old, new, 1);
+        // What differs.
+        let before = old.bytes().zip(new.bytes()).take_while(|(a, b)| a == b).count();
+        let ends = old.bytes().skip(before).rev().zip(new.bytes().skip(before).rev());
+        let after = ends.take_while(|(a, b)| a == b).count();
+        let edits = [(at + before..at + old.len() - after, new.len() - before - after)];
+        let rebuilt = model.rebuilt(text.clone().into_bytes(), &edits, &[]).unwrap();
+        let read = Model::parse(text).unwrap();
+        let tags = |model: &Model| {
+            let of = |(id, _)| (model.components.tree.path(id), model.components.tag(id).to_owned());
+            model.components.tree.iter().map(of).collect::<Vec<_>>()
+        };
+        assert_eq!(tags(&rebuilt), tags(&read));
+        assert_eq!(rebuilt.joints(), read.joints());
+        Arc::ptr_eq(&model.body_facts, &rebuilt.body_facts)
+    }
+
+    #[test]
+    fn a_change_of_contacts_alone_keeps_what_is_known_of_bodies() {
+        let sphere = "</ContactSphere>";
+        assert!(keeps_bodies("<radius>0.03", "<radius>0.035"));
+        assert!(keeps_bodies(
+            "\n\t\t\t\t</ContactSphere>",
+            "\n\t\t\t\t\t<location>0 0.1 0</location>\n\t\t\t\t</ContactSphere>"
+        ));
+        // A mass, a new sphere, a name.
+        assert!(!keeps_bodies("<mass>10", "<mass>20"));
+        let another = format!("{sphere}<ContactSphere><socket_frame>/ground</socket_frame>{sphere}");
+        assert!(!keeps_bodies(sphere, &another));
+        assert!(!keeps_bodies("name=\"contact_heel_r\"", "name=\"other\""));
+    }
 }

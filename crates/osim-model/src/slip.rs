@@ -83,7 +83,7 @@ impl MassRequest {
     }
 }
 
-/// How far apart the joints of each body are: a measure of how large the bones around a sphere are.
+/// How far apart the joints of each body are, from [`Model::joint_distances`]: a measure of how large the bones around a sphere are.
 #[derive(Debug, Clone, Default)]
 pub struct JointDistances {
     /// The longest distance between two joints of one body, m: of the body of this name and of those that it is joined to.
@@ -97,11 +97,10 @@ pub struct JointDistances {
 
 impl JointDistances {
     /// Reads the joints between the bodies of `model`.
-    #[must_use]
-    pub fn of(model: &Model) -> Self {
+    pub(crate) fn of(model: &Model) -> Self {
         let mut neighbours: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
         let mut places: BTreeMap<String, Vec<[f64; 3]>> = BTreeMap::new();
-        for joint in model.joints.between_bodies(model.components()) {
+        for joint in model.body_facts.joints.between_bodies(model.components()) {
             places.entry(joint.parent.clone()).or_default().push(joint.in_parent_m);
             places.entry(joint.child.clone()).or_default().push(joint.in_child_m);
             neighbours.entry(joint.parent.clone()).or_default().insert(joint.child.clone());
@@ -163,7 +162,7 @@ impl JointDistances {
 /// For each body that hangs on another one or carries one, the longest bone of its limb, each joint looked at once. A limb ends where
 /// the names above it are not of its side.
 fn of_limbs(model: &Model, own_m: &BTreeMap<String, f64>) -> HashMap<String, Option<f64>> {
-    let joints = model.joints.between_bodies(model.components());
+    let joints = model.body_facts.joints.between_bodies(model.components());
     let mut above: HashMap<&str, &str> = HashMap::new();
     for joint in joints {
         above.entry(&joint.child).or_insert(&joint.parent);

@@ -6,8 +6,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 use osim_messages::{Dialect, Phrase, shortest};
 use osim_model::{
-    Class, ElementId, Fault, FileId, Finding, JointDistances, Mass, Model, Note, Property, Scope, Sphere,
-    SphereId, ValueKey,
+    Class, ElementId, Fault, FileId, Finding, Mass, Model, Note, Property, Scope, Sphere, SphereId, ValueKey,
 };
 
 use crate::change::{Change, Move};
@@ -249,7 +248,7 @@ impl Plan {
         let mut radii = self.changes.iter().filter(|change| change.property == Property::Radius).peekable();
         radii.peek()?;
         let model = self.ground(model);
-        let distances = JointDistances::of(model);
+        let distances = model.joint_distances();
         let spheres: HashMap<&str, &Sphere> =
             model.spheres().iter().map(|sphere| (sphere.path.as_str(), sphere)).collect();
         radii.find_map(|change| {

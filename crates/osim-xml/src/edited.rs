@@ -14,7 +14,7 @@ const WRAP: (&str, &str) = ("<x>", "</x>");
 impl Tree {
     /// The tree of `bytes`, which are this file's with other bytes in some places: `edits` says, by place, which bytes of this
     /// file gave way to how many new ones. The same as [`Tree::scan`] of `bytes`, and faster where something was inserted, or
-    /// took the place of `<tag/>`. That `edits` are those that were made is not looked up, but where debug assertions are on.
+    /// took the place of text or of `<tag/>`. That `edits` are those that were made is not looked up, but where debug assertions are on.
     ///
     /// ```
     /// use osim_xml::Tree;
@@ -32,6 +32,7 @@ impl Tree {
         edits: &[(Range<usize>, usize)],
     ) -> Result<Self, SyntaxError> {
         let file = FileText::new(bytes.into());
+        let edits = &joined(edits);
         if refuse_foreign_encodings(file.bytes()).is_ok()
             && let Some((pieces, elements)) = Splice::of(self, file.as_str(), edits)
         {
@@ -45,9 +46,24 @@ impl Tree {
     }
 }
 
+/// The same edits, those without a byte between them as one.
+fn joined(edits: &[(Range<usize>, usize)]) -> Vec<(Range<usize>, usize)> {
+    let mut joined: Vec<(Range<usize>, usize)> = Vec::with_capacity(edits.len());
+    for (span, length) in edits {
+        match joined.last_mut().filter(|(last, _)| last.end == span.start) {
+            Some((last, sum)) => {
+                last.end = span.end;
+                *sum = sum.saturating_add(*length);
+            }
+            None => joined.push((span.clone(), *length)),
+        }
+    }
+    joined
+}
+
 /// A new text in place of old bytes.
 struct New<'t> {
-    /// In the old file: nothing, or a whole `<tag/>`.
+    /// In the old file: nothing, a whole text between tags, or a whole `<tag/>`.
     span: Range<usize>,
     /// Where it begins in the new file.
     start: usize,
@@ -68,14 +84,16 @@ struct Inserted {
     parent: usize,
     /// The first old element after it.
     next: usize,
-    /// Bytes that the file has more by it.
-    more: usize,
+    /// Bytes that the file has more by it; fewer below 0.
+    more: isize,
 }
 
 /// Old pieces and elements with what was inserted between them.
 struct Splice<'t> {
     old: &'t Tree,
     inserted: Vec<Inserted>,
+    /// How much all those before each one, and at the end all together, put in.
+    counts: Vec<Count>,
 }
 
 impl<'t> Splice<'t> {
@@ -85,10 +103,10 @@ impl<'t> Splice<'t> {
         text: &str,
         edits: &[(Range<usize>, usize)],
     ) -> Option<(Vec<StoredPiece>, Vec<StoredElement>)> {
-        let mut splice = Self { old, inserted: Vec::new() };
-        let mut shift = 0;
+        let mut splice = Self { old, inserted: Vec::new(), counts: vec![Count::default()] };
+        let mut shift: isize = 0;
         for (span, length) in edits {
-            let new = splice.new_text(text, (span, *length), span.start.checked_add(shift)?)?;
+            let new = splice.new_text(text, (span, *length), span.start.checked_add_signed(shift)?)?;
             let inserted = splice.inserted(&new)?;
             // Each has its own pieces to give way, in order.
             if splice.inserted.last().is_some_and(|last| {
@@ -97,12 +115,15 @@ impl<'t> Splice<'t> {
                 return None;
             }
             shift += inserted.more;
+            let before = splice.counts.last().copied().unwrap_or_default();
+            splice.counts.push(before.with(&inserted));
             splice.inserted.push(inserted);
         }
-        (old.text().len() + shift == text.len()).then(|| (splice.pieces(), splice.elements()))
+        let is_whole = old.text().len().checked_add_signed(shift) == Some(text.len());
+        is_whole.then(|| (splice.pieces(), splice.elements()))
     }
 
-    /// What an edit put into `text`, from `start` on. A part of `<tag/>` gave way with the whole tag.
+    /// What an edit put into `text`, from `start` on. A part of `<tag/>` or of a text gave way with the whole of it.
     fn new_text<'n>(
         &self,
         text: &'n str,
@@ -111,12 +132,16 @@ impl<'t> Splice<'t> {
     ) -> Option<New<'n>> {
         let from = |start: usize, length| text.get(start..start.checked_add(length)?);
         if span.is_empty() {
-            return Some(New { span: span.clone(), start, text: from(start, length)? });
+            let text = from(start, length).filter(|text| !text.is_empty())?;
+            return Some(New { span: span.clone(), start, text });
         }
         let old = self.old.stored_pieces();
-        let tag = old.partition_point(|piece| piece.start as usize <= span.start).checked_sub(1)?;
-        let begin = old.get(tag).filter(|piece| piece.kind == PieceKind::Empty)?.start as usize;
-        let to = old.get(tag + 1)?.start as usize;
+        let at = old.partition_point(|piece| piece.start as usize <= span.start).checked_sub(1)?;
+        let piece = old.get(at)?;
+        if !matches!(piece.kind, PieceKind::Empty | PieceKind::Text) {
+            return None;
+        }
+        let (begin, to) = (piece.start as usize, old.get(at + 1)?.start as usize);
         let (before, after) = (span.start - begin, to.checked_sub(span.end)?);
         let start = start.checked_sub(before)?;
         let length = before.checked_add(length)?.checked_add(after)?;
@@ -129,8 +154,16 @@ impl<'t> Splice<'t> {
         let (old, at) = (self.old.stored_pieces(), span.start);
         let (pieces, elements) = scan_plain(&[WRAP.0, text, WRAP.1].concat(), 0)?;
         let inside = pieces.get(1..pieces.len().checked_sub(1)?)?;
+        let more = isize::try_from(text.len()).ok()?.checked_sub_unsigned(span.len())?;
         // The piece that begins at `at` or is the first after it.
         let after = old.partition_point(|piece| (piece.start as usize) < at);
+        if let Some(border) = self.after_text(span) {
+            // Words for words: all pieces stay.
+            let is_text = inside.len() == 1 && inside.iter().all(|piece| piece.kind == PieceKind::Text);
+            let (parent, next) = self.old.place_among_elements(border).filter(|_| is_text)?;
+            let (pieces, elements, replaced) = (Vec::new(), Vec::new(), border..border);
+            return Some(Inserted { replaced, gone: 0, pieces, elements, parent, next, more });
+        }
         let gone = usize::from(!span.is_empty());
         // A tag gives way to elements, and to nothing beside them.
         let is_tag = |piece: Option<&StoredPiece>| piece.is_some_and(|piece| piece.kind != PieceKind::Text);
@@ -173,34 +206,27 @@ impl<'t> Splice<'t> {
             let subtree_end = element.subtree_end.checked_sub(1)?;
             own.push((StoredElement { open, close, subtree_end, ..*element }, element.parent.checked_sub(1)));
         }
-        let (parent, next) = self.place_among_elements(replaced.end)?;
-        let more = text.len().checked_sub(span.len())?;
+        let (parent, next) = self.old.place_among_elements(replaced.end)?;
         Some(Inserted { replaced, gone, pieces: own_pieces, elements: own, parent, next, more })
     }
 
-    /// The innermost old element that holds the border before piece `piece`, and the first element after it.
-    fn place_among_elements(&self, piece: usize) -> Option<(usize, usize)> {
-        let elements = self.old.stored_elements();
-        let next = elements.partition_point(|element| (element.open as usize) < piece);
-        let mut parent = next.checked_sub(1)?;
-        loop {
-            let element = elements.get(parent)?;
-            if element.close as usize >= piece {
-                return Some((parent, next));
-            }
-            // The root is its own parent: outside of it nothing is inserted.
-            parent = Some(element.parent as usize).filter(|&above| above != parent)?;
-        }
+    /// The piece after the text that `span` is; `None` if it is nothing, or a tag.
+    fn after_text(&self, span: &Range<usize>) -> Option<usize> {
+        let old = self.old.stored_pieces();
+        let after = old.partition_point(|piece| (piece.start as usize) <= span.start);
+        let text = old.get(after.checked_sub(1)?).filter(|piece| piece.kind == PieceKind::Text);
+        text.filter(|_| !span.is_empty()).map(|_| after)
     }
 
     fn pieces(&self) -> Vec<StoredPiece> {
         let old = self.old.stored_pieces();
         let more: usize = self.inserted.iter().map(|inserted| inserted.pieces.len()).sum();
         let mut pieces = Vec::with_capacity(old.len() + more);
-        let (mut from, mut shift) = (0, 0);
-        let kept = |range: Range<usize>, shift: usize| {
+        let (mut from, mut shift) = (0, 0_isize);
+        let kept = |range: Range<usize>, shift: isize| {
             let kept = old.get(range).unwrap_or_default().iter();
-            kept.map(move |piece| StoredPiece { start: piece.start + small(shift), ..*piece })
+            let moved = move |start: u32| small((start as usize).saturating_add_signed(shift));
+            kept.map(move |piece| StoredPiece { start: moved(piece.start), ..*piece })
         };
         for inserted in &self.inserted {
             pieces.extend(kept(from..inserted.replaced.start, shift));
@@ -214,6 +240,9 @@ impl<'t> Splice<'t> {
 
     fn elements(&self) -> Vec<StoredElement> {
         let old = self.old.stored_elements();
+        if self.inserted.iter().all(|inserted| inserted.replaced.is_empty() && inserted.pieces.is_empty()) {
+            return old.to_vec();
+        }
         let more: usize = self.inserted.iter().map(|inserted| inserted.elements.len()).sum();
         let mut elements = Vec::with_capacity(old.len() + more);
         let mut from = 0;
@@ -223,8 +252,7 @@ impl<'t> Splice<'t> {
             let first = small(elements.len());
             let tag = old.get(inserted.parent).map_or(0, |parent| parent.open);
             let parent = small(inserted.parent) + self.before(tag).elements;
-            let earlier = self.inserted.get(..index).unwrap_or_default();
-            let pieces = small(inserted.replaced.start) + Count::of(earlier).pieces;
+            let pieces = small(inserted.replaced.start) + self.count_before(index).pieces;
             elements.extend(inserted.elements.iter().map(|(element, above)| StoredElement {
                 open: pieces + element.open,
                 close: pieces + element.close,
@@ -240,7 +268,12 @@ impl<'t> Splice<'t> {
     /// Old elements, counted again.
     fn extend_kept(&self, elements: &mut Vec<StoredElement>, range: Range<usize>) {
         let old = self.old.stored_elements();
+        let first = self.inserted.first().map_or(usize::MAX, |inserted| inserted.replaced.start);
         elements.extend(old.get(range).unwrap_or_default().iter().map(|element| {
+            // Most of a model is before its contacts.
+            if (element.close as usize) < first {
+                return *element;
+            }
             let (open, close) = (self.before(element.open), self.before(element.close));
             let parent = old.get(element.parent as usize).map_or(0, |parent| parent.open);
             StoredElement {
@@ -257,26 +290,29 @@ impl<'t> Splice<'t> {
     /// How much was inserted before the old piece `piece`, a tag.
     fn before(&self, piece: u32) -> Count {
         let until = self.inserted.partition_point(|inserted| inserted.replaced.end <= piece as usize);
-        Count::of(self.inserted.get(..until).unwrap_or_default())
+        self.count_before(until)
+    }
+
+    /// How much those before the one at `index` put in.
+    fn count_before(&self, index: usize) -> Count {
+        self.counts.get(index).copied().unwrap_or_default()
     }
 }
 
 /// How many more there are.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 struct Count {
     pieces: u32,
     elements: u32,
 }
 
 impl Count {
-    fn of(inserted: &[Inserted]) -> Self {
-        let mut count = Self { pieces: 0, elements: 0 };
-        for one in inserted {
-            // Text that gives way goes on in what takes its place, and a tag gives way to elements: there are never fewer.
-            count.pieces += small(one.pieces.len().saturating_sub(one.replaced.len()));
-            count.elements += small(one.elements.len().saturating_sub(one.gone));
+    fn with(self, one: &Inserted) -> Self {
+        // Text that gives way goes on in what takes its place, and a tag gives way to elements: there are never fewer.
+        Self {
+            pieces: self.pieces + small(one.pieces.len().saturating_sub(one.replaced.len())),
+            elements: self.elements + small(one.elements.len().saturating_sub(one.gone)),
         }
-        count
     }
 }
 
@@ -292,12 +328,19 @@ mod tests {
     /// Both trees, where one is spliced: what is inserted, whether that was possible, and that both are equal.
     #[track_caller]
     fn spliced(text: &str, insertions: &[(usize, &str)]) -> bool {
+        let changes: Vec<_> = insertions.iter().map(|(at, text)| (*at..*at, *text)).collect();
+        replaced(text, &changes)
+    }
+
+    /// The same where bytes give way.
+    #[track_caller]
+    fn replaced(text: &str, changes: &[(Range<usize>, &str)]) -> bool {
         let tree = Tree::scan(text).unwrap();
         let mut new = text.to_owned();
-        for (at, inserted) in insertions.iter().rev() {
-            new.insert_str(*at, inserted);
+        for (span, inserted) in changes.iter().rev() {
+            new.replace_range(span.clone(), inserted);
         }
-        let edits: Vec<_> = insertions.iter().map(|(at, text)| (*at..*at, text.len())).collect();
+        let edits: Vec<_> = changes.iter().map(|(span, text)| (span.clone(), text.len())).collect();
         let found = Splice::of(&tree, &new, &edits);
         let scanned = Tree::scan(new.as_str());
         match (&found, &scanned) {
@@ -332,6 +375,35 @@ mod tests {
             }
         }
         assert!(count > 1000, "{count}");
+    }
+
+    #[test]
+    fn what_takes_the_place_of_anything_is_found_as_by_a_scan() {
+        let mut count = 0;
+        let places: Vec<usize> = (0..=TEXT.len()).filter(|&at| TEXT.is_char_boundary(at)).collect();
+        let last = TEXT.find("/f>").unwrap() - 3;
+        for &at in &places {
+            for &end in places.iter().filter(|&&end| end >= at) {
+                for text in ["", "<n/>", "words", "]]>", "a < b", "<d/>"] {
+                    count += usize::from(replaced(TEXT, &[(at..end, text)]));
+                    if end < last {
+                        count += usize::from(replaced(TEXT, &[(at..end, text), (last..last + 1, "23")]));
+                    }
+                }
+            }
+        }
+        assert!(count > 200, "{count}");
+    }
+
+    #[test]
+    fn numbers_that_give_way_to_numbers_take_no_scan() {
+        let text = "<s><a>0.032</a>\n<b> 1 2 3 </b><t/><c>5</c></s>";
+        let at = |number: &str| text.find(number).unwrap();
+        let of = |number: &str| at(number)..at(number) + number.len();
+        let (shorter, last) = ((of("0.032"), "1"), (of("5"), "6"));
+        assert!(replaced(text, &[shorter.clone(), (of("1 2 3"), "0.12345 7 8"), last.clone()]));
+        // Beside a new element, too.
+        assert!(replaced(text, &[shorter, (at("<t/>")..at("<t/>"), "<n>1</n>"), last]));
     }
 
     #[test]

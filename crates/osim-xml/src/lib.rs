@@ -13,6 +13,8 @@
 mod decode;
 mod edited;
 mod file_text;
+mod kept;
+
 pub mod opensim_text;
 mod plain;
 mod position;
@@ -22,6 +24,7 @@ mod syntax;
 mod tree;
 mod white;
 
+pub use kept::KeptElements;
 pub use position::{LineIndex, Position};
 pub use raw_text::RawText;
 pub use syntax::{SyntaxError, SyntaxFault};

@@ -121,7 +121,7 @@ impl Foot {
                 .cloned()
                 .collect(),
         };
-        foot.add_joints(anatomy, bodies, &places, &model.joints());
+        foot.add_joints(anatomy, bodies, &places, model.joints());
         foot
     }
 

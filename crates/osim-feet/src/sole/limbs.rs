@@ -63,8 +63,8 @@ pub(super) fn foot_bodies(model: &Model, bones: &[Bone]) -> Vec<FootBodies> {
 
 /// The body on which each hangs.
 fn parents(model: &Model) -> HashMap<String, String> {
-    let joints = model.joints().into_iter();
-    joints.filter_map(|joint| Some((joint.child?, joint.parent?))).collect()
+    let joints = model.joints().iter();
+    joints.filter_map(|joint| Some((joint.child.clone()?, joint.parent.clone()?))).collect()
 }
 
 /// The highest body above `body`, itself included, that is listed, or that is of the same side and has other bodies that are

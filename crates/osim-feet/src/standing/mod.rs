@@ -52,10 +52,10 @@ impl Standing {
     /// It is not known where a body is at the default pose.
     pub fn all(model: &Model, forces: &[ForceId]) -> Result<Vec<Self>, PoseFault> {
         let joints = model.joints();
-        let pose = DefaultPose::of_joints(model, &joints);
+        let pose = DefaultPose::of(model);
         let floors = Floors::of(model, forces, &pose);
-        let tree = JointTree::of(&joints);
-        let lifting = Lifting::of(model, &joints, &pose);
+        let tree = JointTree::of(joints);
+        let lifting = Lifting::of(model, joints, &pose);
         let bodies = model.bodies().iter().enumerate();
         let masses = bodies.map(|(place, body)| (body.name.as_str(), (place, body.mass_kg().ok()))).collect();
         let mut found = Vec::new();

@@ -1,6 +1,6 @@
 //! Questions that a remedy would be asked: what was found answers them, so that its command runs as it is printed.
 
-use osim_model::{JointDistances, MassRequest, Model, NeedsAnswer, Question, Selection};
+use osim_model::{MassRequest, Model, NeedsAnswer, Question, Selection};
 use osim_requests::options::{AnswerOptions, ForceOptions, MassOptions};
 use osim_requests::{Kilograms, Request, RescaleRequest};
 
@@ -44,7 +44,7 @@ fn of_rescale(request: &RescaleRequest, model: &Model, masses: &MassRequest) -> 
     let said = MassRequest { contacts_mass_kg, target_mass_kg, ..said(&request.masses, masses) };
     let mut asked = asked_of(&said, model, &request.choice);
     if let (Some(contacts_mass_kg), Some(target_mass_kg)) = (contacts_mass_kg, target_mass_kg) {
-        let distances = JointDistances::of(model);
+        let distances = model.joint_distances();
         let ratio = (target_mass_kg / contacts_mass_kg).cbrt();
         asked.extend(model.spheres().iter().filter_map(|sphere| {
             let radius_m = sphere.radius_m().ok()?;

@@ -3,50 +3,78 @@
 use crate::document::Document;
 use osim_xml::{ElementId, opensim_text};
 
+/// A function of one coordinate, read from a file.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Function {
+    /// The coefficients of a polynomial, that of the highest power first; a constant is one.
+    Polynomial(Vec<f64>),
+    /// Another one, times a number.
+    Scaled(f64, Box<Function>),
+    /// Straight lines between points.
+    Straight(Vec<f64>, Vec<f64>),
+    /// SIMM's cubic spline.
+    Spline(Vec<f64>, Vec<f64>),
+}
+
 impl Document {
     /// The value at `x` of the function of one coordinate at `function`; `None` for a function that is not known.
     #[must_use]
     pub fn function_value(&self, function: ElementId, x: f64) -> Option<f64> {
-        evaluate(self, function, x)
+        Some(Function::read(self, function)?.value(x))
     }
 }
 
-/// The value at `x` of a function of one coordinate; `None` for one that is not known.
-pub(super) fn evaluate(document: &Document, function: ElementId, x: f64) -> Option<f64> {
-    let tree = document.tree();
-    match tree.name(function) {
-        "Constant" => match tree.child(function, "value") {
-            Some(_) => numbers(document, function, "value")?.first().copied(),
-            None => Some(0.0),
-        },
-        "LinearFunction" | "PolynomialFunction" => {
-            let coefficients = numbers(document, function, "coefficients")?;
-            Some(coefficients.into_iter().fold(0.0, |sum, coefficient| sum * x + coefficient))
+impl Function {
+    /// 0 everywhere.
+    pub(super) const ZERO: Self = Self::Polynomial(Vec::new());
+
+    /// The function at `element`; `None` for one that is not known.
+    pub(super) fn read(document: &Document, element: ElementId) -> Option<Self> {
+        let tree = document.tree();
+        match tree.name(element) {
+            "Constant" => match tree.child(element, "value") {
+                Some(_) => Some(Self::Polynomial(vec![*numbers(document, element, "value")?.first()?])),
+                None => Some(Self::ZERO),
+            },
+            "LinearFunction" | "PolynomialFunction" => {
+                Some(Self::Polynomial(numbers(document, element, "coefficients")?))
+            }
+            "MultiplierFunction" => {
+                let inner = tree.children(tree.child(element, "function")?).next()?;
+                let scale = match tree.child(element, "scale") {
+                    Some(_) => numbers(document, element, "scale")?.first().copied()?,
+                    None => 1.0,
+                };
+                Some(Self::Scaled(scale, Box::new(Self::read(document, inner)?)))
+            }
+            "PiecewiseLinearFunction" => {
+                let (xs, ys) = knots(document, element)?;
+                Some(Self::Straight(xs, ys))
+            }
+            // OpenSim reads both as the first.
+            "SimmSpline" | "NaturalCubicSpline" | "natCubicSpline" => {
+                let (xs, ys) = knots(document, element)?;
+                Some(Self::Spline(xs, ys))
+            }
+            "GCVSpline" | "PiecewiseConstantFunction" => {
+                let (_, ys) = knots(document, element)?;
+                // Many joints hold constants as curves between equal values.
+                let first = ys.first().copied()?;
+                ys.iter().all(|&y| y == first).then(|| Self::Polynomial(vec![first]))
+            }
+            _ => None,
         }
-        "MultiplierFunction" => {
-            let inner = tree.children(tree.child(function, "function")?).next()?;
-            let scale = match tree.child(function, "scale") {
-                Some(_) => numbers(document, function, "scale")?.first().copied()?,
-                None => 1.0,
-            };
-            Some(scale * evaluate(document, inner, x)?)
+    }
+
+    pub(super) fn value(&self, x: f64) -> f64 {
+        match self {
+            Self::Polynomial(coefficients) => {
+                coefficients.iter().fold(0.0, |sum, coefficient| sum * x + coefficient)
+            }
+            Self::Scaled(scale, inner) => scale * inner.value(x),
+            Self::Straight(xs, ys) => straight(xs, ys, x),
+            Self::Spline(xs, ys) => spline(xs, ys, x),
         }
-        "PiecewiseLinearFunction" => {
-            let (xs, ys) = knots(document, function)?;
-            Some(straight(&xs, &ys, x))
-        }
-        // OpenSim reads both as the first.
-        "SimmSpline" | "NaturalCubicSpline" | "natCubicSpline" => {
-            let (xs, ys) = knots(document, function)?;
-            Some(spline(&xs, &ys, x))
-        }
-        "GCVSpline" | "PiecewiseConstantFunction" => {
-            let (_, ys) = knots(document, function)?;
-            // Many joints hold constants as curves between equal values.
-            let first = ys.first().copied()?;
-            ys.iter().all(|&y| y == first).then_some(first)
-        }
-        _ => None,
     }
 }
 

@@ -1,11 +1,12 @@
 //! Joints between bodies: where they are on both, and how the bodies are placed to each other at the default pose.
 
+use std::collections::HashSet;
 use std::sync::OnceLock;
 
 use osim_xml::ElementId;
 
 use super::functions::numbers;
-use super::pose::motion;
+use super::pose::Motion;
 use crate::components::{ComponentId, Components, MAX_FRAME_CHAIN};
 use crate::document::Document;
 use crate::fault::FileId;
@@ -60,6 +61,8 @@ pub struct ModelJoint {
     in_body: bool,
     /// Whether the child moves the parent, which such a joint may say.
     reversed: bool,
+    /// What its coordinates do, read when it is first placed; `None` inside if it is not understood.
+    motion: OnceLock<Option<Motion>>,
 }
 
 /// A coordinate of a joint.
@@ -81,10 +84,12 @@ impl ModelJoint {
         self.in_parent.translation_m
     }
 
-    pub(super) fn placed(&self, document: &Document, values: &[f64]) -> Option<Placement> {
-        let names = self.coordinates.iter().map(|coordinate| coordinate.name.as_str());
-        let values: Vec<(&str, f64)> = names.zip(values.iter().copied()).collect();
-        let motion = motion(document, self.element, &values)?;
+    pub(super) fn placed(&self, components: &Components, values: &[f64]) -> Option<Placement> {
+        let motion = self.motion.get_or_init(|| {
+            let names: Vec<&str> = self.coordinates.iter().map(|one| one.name.as_str()).collect();
+            Motion::read(components.document(self.file), self.element, &names)
+        });
+        let motion = motion.as_ref()?.placement(values);
         let motion = if self.reversed { motion.inverse() } else { motion };
         Some(self.in_parent.then(&motion).then(&self.in_child.inverse()))
     }
@@ -103,6 +108,7 @@ impl ModelJoint {
 #[derive(Debug, Default)]
 pub(crate) struct Joints {
     all: OnceLock<Vec<(ComponentId, ModelJoint)>>,
+    converted: OnceLock<Vec<ModelJoint>>,
     between_bodies: OnceLock<Vec<AnatomyJoint>>,
 }
 
@@ -111,6 +117,15 @@ impl Joints {
     pub(super) fn read(&self, components: &Components) -> &[(ComponentId, ModelJoint)] {
         let joints = components.tree.iter().filter(|(id, _)| components.tag(*id).ends_with("Joint"));
         self.all.get_or_init(|| joints.filter_map(|(id, _)| Some((id, read_one(components, id)?))).collect())
+    }
+
+    /// All but those that are `ignored`, with their frames as OpenSim converts them.
+    pub(super) fn converted(&self, components: &Components, ignored: &[ComponentId]) -> &[ModelJoint] {
+        self.converted.get_or_init(|| {
+            let ignored: HashSet<&ComponentId> = ignored.iter().collect();
+            let read = self.read(components).iter().filter(|(id, _)| !ignored.contains(id));
+            read.map(|(_, joint)| joint.clone().converted()).collect()
+        })
     }
 
     /// Each body at an end of a joint, and where the joint is on it, m.
@@ -126,17 +141,17 @@ impl Joints {
     pub(crate) fn between_bodies(&self, components: &Components) -> &[AnatomyJoint] {
         let all = self.read(components).iter();
         self.between_bodies
-            .get_or_init(|| all.filter_map(|(_, joint)| between_bodies(components, joint.clone())).collect())
+            .get_or_init(|| all.filter_map(|(_, joint)| between_bodies(components, joint)).collect())
     }
 }
 
-fn between_bodies(components: &Components, joint: ModelJoint) -> Option<AnatomyJoint> {
+fn between_bodies(components: &Components, joint: &ModelJoint) -> Option<AnatomyJoint> {
     let defaults: Option<Vec<f64>> = joint.coordinates.iter().map(|coordinate| coordinate.default).collect();
     Some(AnatomyJoint {
-        placement: defaults.and_then(|values| joint.placed(components.document(joint.file), &values)),
-        name: joint.name,
-        parent: joint.parent?,
-        child: joint.child?,
+        name: joint.name.clone(),
+        parent: joint.parent.clone()?,
+        child: joint.child.clone()?,
+        placement: defaults.and_then(|values| joint.placed(components, &values)),
         in_parent_m: joint.in_parent.translation_m,
         in_child_m: joint.in_child.translation_m,
     })
@@ -171,6 +186,7 @@ fn read_one(components: &Components, joint: ComponentId) -> Option<ModelJoint> {
         in_child: child.1,
         in_body: old.is_some(),
         reversed: old.is_some() && matches!(document.flag(element, "reverse"), Ok(Some(true))),
+        motion: OnceLock::new(),
     })
 }
 

@@ -1,9 +1,6 @@
 //! What a model says of its joints.
 
-use std::collections::HashSet;
-
 use super::joints::ModelJoint;
-use crate::components::ComponentId;
 use crate::model::Model;
 use crate::reference_frame::Placement;
 
@@ -11,10 +8,8 @@ impl Model {
     /// All joints whose frames lead to bodies or to ground, in file order, without those that OpenSim ignores. Frames of joints in
     /// bodies are as OpenSim converts them, with six digits.
     #[must_use]
-    pub fn joints(&self) -> Vec<ModelJoint> {
-        let ignored: HashSet<&ComponentId> = self.skeleton().ignored_joints.iter().collect();
-        let found = self.joints.read(self.components()).iter().filter(|(id, _)| !ignored.contains(id));
-        found.map(|(_, joint)| joint.clone().converted()).collect()
+    pub fn joints(&self) -> &[ModelJoint] {
+        self.body_facts.joints.converted(self.components(), &self.skeleton().ignored_joints)
     }
 }
 
@@ -23,6 +18,6 @@ impl ModelJoint {
     /// where a function of the joint, or the joint itself, is not understood.
     #[must_use]
     pub fn placement(&self, model: &Model, values: &[f64]) -> Option<Placement> {
-        self.placed(model.file(self.file), values)
+        self.placed(model.components(), values)
     }
 }

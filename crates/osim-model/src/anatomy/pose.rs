@@ -2,7 +2,7 @@
 
 use osim_xml::{ElementId, opensim_text};
 
-use super::functions::evaluate;
+use super::functions::Function;
 use crate::document::Document;
 use crate::reference_frame::{Placement, Rotation, times};
 
@@ -10,64 +10,123 @@ use crate::reference_frame::{Placement, Rotation, times};
 const ROTATIONS: [&str; 3] = ["rotation1", "rotation2", "rotation3"];
 const TRANSLATIONS: [&str; 3] = ["translation1", "translation2", "translation3"];
 
-/// The child's frame of the joint at `element` in its parent's; `None` if it is not known. `values` are those of its
-/// coordinates, in their order, with their names.
-pub(super) fn motion(document: &Document, element: ElementId, values: &[(&str, f64)]) -> Option<Placement> {
-    let value = |index: usize| values.get(index).map_or(0.0, |(_, value)| *value);
-    let [first, second, third, ..] = std::array::from_fn::<f64, 6, _>(value);
-    let turned = Rotation::body_fixed_xyz([first, second, third]);
-    let only = |rotation| Placement { rotation, ..Placement::IDENTITY };
-    Some(match document.tree().name(element) {
-        "WeldJoint" => Placement::IDENTITY,
-        "PinJoint" => only(Rotation::about([0.0, 0.0, 1.0], first)),
-        "SliderJoint" => Placement { translation_m: [first, 0.0, 0.0], ..Placement::IDENTITY },
-        "UniversalJoint" => only(Rotation::body_fixed_xyz([first, second, 0.0])),
-        "GimbalJoint" | "BallJoint" => only(turned),
-        "PlanarJoint" => Placement {
-            rotation: Rotation::about([0.0, 0.0, 1.0], first),
-            translation_m: [second, third, 0.0],
-        },
-        "FreeJoint" => Placement { rotation: turned, translation_m: [value(3), value(4), value(5)] },
-        "EllipsoidJoint" => {
-            let radii = document.triple(element, "radii_x_y_z")?;
-            Placement { rotation: turned, translation_m: times(radii, turned.to_body([0.0, 0.0, 1.0])) }
-        }
-        "CustomJoint" => spatial(document, element, values)?,
-        _ => return None,
-    })
+/// What the coordinates of a joint do to the frame of its child, read from the file once.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Motion {
+    Weld,
+    Pin,
+    Slider,
+    Universal,
+    /// Three angles, as in a gimbal.
+    Turned,
+    Planar,
+    Free,
+    /// Three angles, and the radii of the ellipsoid that the child glides on, m.
+    Ellipsoid([f64; 3]),
+    /// The axes of a `<SpatialTransform>`.
+    Spatial(Vec<Axis>),
 }
 
-/// A `<SpatialTransform>`: rotations about three axes, each in the frame that those before have turned, and translations.
-fn spatial(document: &Document, joint: ElementId, values: &[(&str, f64)]) -> Option<Placement> {
-    let tree = document.tree();
-    let Some(transform) = tree.child(joint, "SpatialTransform") else { return Some(Placement::IDENTITY) };
-    let mut placement = Placement::IDENTITY;
-    for (index, axis) in tree.children(transform).enumerate() {
-        let name = tree.attribute(axis, "name").unwrap_or_default();
-        let named = ROTATIONS.iter().chain(&TRANSLATIONS).position(|known| *known == &*name);
-        let value = value_of(document, axis, values)?;
-        let direction = document.triple(axis, "axis").unwrap_or([0.0; 3]);
-        if named.unwrap_or(index) < ROTATIONS.len() {
-            placement.rotation = placement.rotation.after(&Rotation::about(direction, value));
-        } else {
-            let [x, y, z] = direction;
-            let length = libm::sqrt(x * x + y * y + z * z);
-            // OpenSim gives each axis the length 1; one without length moves nothing.
-            let value = if length > 0.0 { value / length } else { 0.0 };
-            placement.translation_m =
-                std::array::from_fn(|i| placement.translation_m[i] + direction[i] * value);
+/// One axis of a `<SpatialTransform>`.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Axis {
+    /// Whether it turns about the axis; else it shifts along it.
+    turns: bool,
+    direction: [f64; 3],
+    /// Which of the joint's coordinates it is a function of; `None` if of none.
+    coordinate: Option<usize>,
+    function: Function,
+}
+
+impl Motion {
+    /// That of the joint at `element` with these `coordinates`, by name; `None` if it is not known.
+    pub(super) fn read(document: &Document, element: ElementId, coordinates: &[&str]) -> Option<Self> {
+        Some(match document.tree().name(element) {
+            "WeldJoint" => Self::Weld,
+            "PinJoint" => Self::Pin,
+            "SliderJoint" => Self::Slider,
+            "UniversalJoint" => Self::Universal,
+            "GimbalJoint" | "BallJoint" => Self::Turned,
+            "PlanarJoint" => Self::Planar,
+            "FreeJoint" => Self::Free,
+            "EllipsoidJoint" => Self::Ellipsoid(document.triple(element, "radii_x_y_z")?),
+            "CustomJoint" => Self::Spatial(axes(document, element, coordinates)?),
+            _ => return None,
+        })
+    }
+
+    /// The child's frame of the joint in its parent's where its coordinates have `values`; 0 where there are fewer.
+    pub(super) fn placement(&self, values: &[f64]) -> Placement {
+        let value = |index: usize| values.get(index).copied().unwrap_or(0.0);
+        let [first, second, third] = [value(0), value(1), value(2)];
+        let turned = || Rotation::body_fixed_xyz([first, second, third]);
+        let only = |rotation| Placement { rotation, ..Placement::IDENTITY };
+        match self {
+            Self::Weld => Placement::IDENTITY,
+            Self::Pin => only(Rotation::about([0.0, 0.0, 1.0], first)),
+            Self::Slider => Placement { translation_m: [first, 0.0, 0.0], ..Placement::IDENTITY },
+            Self::Universal => only(Rotation::body_fixed_xyz([first, second, 0.0])),
+            Self::Turned => only(turned()),
+            Self::Planar => Placement {
+                rotation: Rotation::about([0.0, 0.0, 1.0], first),
+                translation_m: [second, third, 0.0],
+            },
+            Self::Free => Placement { rotation: turned(), translation_m: [value(3), value(4), value(5)] },
+            Self::Ellipsoid(radii_m) => {
+                let rotation = turned();
+                Placement { rotation, translation_m: times(*radii_m, rotation.to_body([0.0, 0.0, 1.0])) }
+            }
+            Self::Spatial(axes) => {
+                axes.iter().fold(Placement::IDENTITY, |placement, axis| axis.after(placement, value))
+            }
         }
     }
-    Some(placement)
 }
 
-/// What moves along or about one axis.
-fn value_of(document: &Document, axis: ElementId, values: &[(&str, f64)]) -> Option<f64> {
+impl Axis {
+    /// `placement`, turned or shifted further: rotations come one after the other, each in the frame that those before have turned.
+    fn after(&self, mut placement: Placement, value_of: impl Fn(usize) -> f64) -> Placement {
+        let value = self.function.value(self.coordinate.map_or(0.0, value_of));
+        if self.turns {
+            placement.rotation = placement.rotation.after(&Rotation::about(self.direction, value));
+            return placement;
+        }
+        let [x, y, z] = self.direction;
+        let length = libm::sqrt(x * x + y * y + z * z);
+        // OpenSim gives each axis the length 1; one without length moves nothing.
+        let value = if length > 0.0 { value / length } else { 0.0 };
+        placement.translation_m =
+            std::array::from_fn(|i| placement.translation_m[i] + self.direction[i] * value);
+        placement
+    }
+}
+
+/// The axes of a joint's `<SpatialTransform>`, in the order in which they are applied.
+fn axes(document: &Document, joint: ElementId, coordinates: &[&str]) -> Option<Vec<Axis>> {
+    let tree = document.tree();
+    let Some(transform) = tree.child(joint, "SpatialTransform") else { return Some(Vec::new()) };
+    let read = |(index, axis): (usize, ElementId)| {
+        let name = tree.attribute(axis, "name").unwrap_or_default();
+        let named = ROTATIONS.iter().chain(&TRANSLATIONS).position(|known| *known == &*name);
+        let (coordinate, function) = function_of(document, axis, coordinates)?;
+        let turns = named.unwrap_or(index) < ROTATIONS.len();
+        let direction = document.triple(axis, "axis").unwrap_or([0.0; 3]);
+        Some(Axis { turns, direction, coordinate, function })
+    };
+    tree.children(transform).enumerate().map(read).collect()
+}
+
+/// What moves along or about one axis: a function, and the coordinate that it is of.
+fn function_of(
+    document: &Document,
+    axis: ElementId,
+    coordinates: &[&str],
+) -> Option<(Option<usize>, Function)> {
     let tree = document.tree();
     let names = tree.child(axis, "coordinates").map(|list| tree.text_of(list)).unwrap_or_default();
     let mut names = opensim_text::list(&names);
-    let argument = match names.next() {
-        Some(name) => Some(values.iter().find(|(known, _)| *known == name)?.1),
+    let coordinate = match names.next() {
+        Some(name) => Some(coordinates.iter().position(|known| *known == name)?),
         None => None,
     };
     // A function of several coordinates is not understood.
@@ -76,10 +135,12 @@ fn value_of(document: &Document, axis: ElementId, values: &[(&str, f64)]) -> Opt
     }
     let wrapped = tree.child(axis, "function").and_then(|wrapper| tree.children(wrapper).next());
     let is_function = |id: &ElementId| !["coordinates", "axis", "function"].contains(&tree.name(*id));
-    match wrapped.or_else(|| tree.children(axis).find(is_function)) {
-        Some(function) => evaluate(document, function, argument.unwrap_or(0.0)),
-        None => argument.is_none().then_some(0.0),
-    }
+    let function = match wrapped.or_else(|| tree.children(axis).find(is_function)) {
+        Some(function) => Function::read(document, function)?,
+        None if coordinate.is_none() => Function::ZERO,
+        None => return None,
+    };
+    Some((coordinate, function))
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use std::collections::HashSet;
 use super::tree::{ComponentId, ComponentTree};
 use crate::document::Document;
 use crate::fault::{Fault, FaultKind, FileId};
-use osim_xml::ElementId;
+use osim_xml::{ElementId, KeptElements};
 
 /// A file that belongs to the model beside its main one, for [`Model::read_with`](crate::Model::read_with).
 ///
@@ -68,6 +68,11 @@ impl Components {
             tree.add(FileId::companion(index), &companion.document, mount);
         }
         Self { main, companions, tree }
+    }
+
+    /// The same components in another main file, which has them at the places of `kept`.
+    pub(crate) fn moved(&self, main: Document, companions: Vec<Companion>, kept: &KeptElements) -> Self {
+        Self { main, companions, tree: self.tree.moved(kept) }
     }
 
     pub(crate) fn main(&self) -> &Document {

@@ -8,7 +8,7 @@ use std::collections::{HashMap, HashSet};
 use super::classes;
 use crate::document::Document;
 use crate::fault::FileId;
-use osim_xml::ElementId;
+use osim_xml::{ElementId, KeptElements};
 
 /// Sets of a model that may hold contacts or what they are attached to; markers, muscles' path points and the like are
 /// skipped, which keeps large models fast.
@@ -34,7 +34,7 @@ pub(crate) struct Component {
 }
 
 /// All components of the files read together, with look-up by path and by name.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct ComponentTree {
     list: Vec<Component>,
     roots: Vec<ComponentId>,
@@ -97,6 +97,17 @@ impl ComponentTree {
                 *slot = role;
             }
         }
+    }
+
+    /// The same components, those of the main file at the places of `kept`.
+    pub(crate) fn moved(&self, kept: &KeptElements) -> Self {
+        let mut moved = self.clone();
+        let own = moved.list.iter_mut().map(|component| (component.file, &mut component.element));
+        let skipped = moved.skipped.iter_mut().map(|(file, element)| (*file, element));
+        for (_, element) in own.chain(skipped).filter(|(file, _)| *file == FileId::MAIN) {
+            *element = kept.place(*element);
+        }
+        moved
     }
 
     fn push_root(&mut self, file: FileId, document: &Document, mount: Option<ComponentId>) -> ComponentId {

@@ -2,43 +2,39 @@
 
 use std::collections::{BTreeMap, HashMap};
 
-use crate::anatomy::meshes;
 use crate::model::Model;
 use crate::side::without_side;
-use crate::slip::JointDistances;
 
 /// Sizes of the bones that carry spheres: factors of their meshes, and distances between their joints.
-#[derive(Debug, Default)]
-pub(crate) struct Bones {
-    meshes: HashMap<String, BTreeMap<String, [f64; 3]>>,
-    distances: JointDistances,
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Bones<'m> {
+    model: &'m Model,
 }
 
-impl Bones {
-    pub(crate) fn of(model: &Model) -> Self {
-        let components = model.components();
-        let bodies = components.tree.iter().map(|(id, _)| id).filter(|&id| components.tag(id) == "Body");
-        let meshes = bodies.map(|id| (components.name(id), meshes(components, id))).collect();
-        Self { meshes, distances: JointDistances::of(model) }
+impl<'m> Bones<'m> {
+    pub(crate) fn of(model: &'m Model) -> Self {
+        Self { model }
     }
 
     /// The longest bone of the limb to which `body` belongs, m; `None` where no body of it has two joints.
     pub(crate) fn longest_of_limb_m(&self, body: &str) -> Option<f64> {
-        self.distances.of_limb(body)
+        self.model.joint_distances().of_limb(body)
     }
 
     /// By how much the body `left` is larger than `right`, along x, y and z: by their meshes, else by the distances between
     /// their joints; `None` where neither says it.
     pub(crate) fn ratios(&self, left: &str, right: &str) -> Option<[f64; 3]> {
         self.of_meshes(left, right).or_else(|| {
-            let ratio = self.distances.of_body(left)? / self.distances.of_body(right)?;
+            let distances = self.model.joint_distances();
+            let ratio = distances.of_body(left)? / distances.of_body(right)?;
             (ratio.is_finite() && ratio > 0.0).then_some([ratio; 3])
         })
     }
 
     /// The same by meshes; `None` where no mesh shows the same bone, or these do not agree.
     fn of_meshes(&self, left: &str, right: &str) -> Option<[f64; 3]> {
-        let (left, right) = (self.meshes.get(left)?, self.meshes.get(right)?);
+        let meshes = &self.model.body_facts.bone_sizes(self.model.components()).meshes;
+        let (left, right) = (meshes.get(left)?, meshes.get(right)?);
         let mut ratios = same_bones(left, right).into_iter().filter_map(|(l, r)| ratio(l, r));
         let first = ratios.next()?;
         ratios.all(|other| other.into_iter().zip(first).all(|(a, b)| close(a, b))).then_some(first)

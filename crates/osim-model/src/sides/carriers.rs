@@ -33,10 +33,6 @@ impl<'m> Users<'m> {
         Self(users)
     }
 
-    pub(crate) fn is_empty(&self) -> bool {
-        self.0.is_empty()
-    }
-
     pub(crate) fn of_sphere(&self, sphere: SphereId) -> &[(&'m Force, &'m ParameterSet)] {
         self.0.get(&sphere).map(Vec::as_slice).unwrap_or_default()
     }

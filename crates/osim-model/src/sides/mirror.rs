@@ -128,7 +128,7 @@ impl<'m> BodyPairs<'m> {
     }
 
     /// The pair to which `body` belongs; `None` if it has no counterpart.
-    pub(crate) fn pair(&self, body: &str, bones: &Bones) -> Option<BodyPair<'m>> {
+    pub(crate) fn pair(&self, body: &str, bones: &Bones<'_>) -> Option<BodyPair<'m>> {
         let [right, left] = *self.named.get(&without_side(body))?;
         let (right, left) = (right?, left?);
         let bone_m =
@@ -161,7 +161,7 @@ fn marks(model: &Model) -> BTreeMap<String, BTreeMap<String, [f64; 3]>> {
             marks.entry(components.name(id)).or_default().insert(String::new(), centre);
         }
     }
-    for joint in model.joints.between_bodies(components) {
+    for joint in model.body_facts.joints.between_bodies(components) {
         let name = without_side(&joint.name);
         marks.entry(joint.parent.clone()).or_default().insert(format!("{name} below"), joint.in_parent_m);
         marks.entry(joint.child.clone()).or_default().insert(format!("{name} above"), joint.in_child_m);

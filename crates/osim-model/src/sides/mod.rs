@@ -36,7 +36,7 @@ pub struct BothSides<'m> {
     model: &'m Model,
     by_path: HashMap<&'m str, &'m Force>,
     users: Users<'m>,
-    bones: Bones,
+    bones: Bones<'m>,
     usual: Usual,
     pub(crate) pairs: Vec<SpherePair<'m>>,
     /// Spheres without a counterpart, where both sides have spheres.
@@ -58,7 +58,7 @@ impl Model {
 impl<'m> BothSides<'m> {
     fn of(model: &'m Model) -> Self {
         let users = Users::of(model);
-        let bones = if users.is_empty() { Bones::default() } else { Bones::of(model) };
+        let bones = Bones::of(model);
         let spheres = users.on_sides(model);
         let has = |side| spheres.iter().any(|placed| placed.side == side);
         let (mut found, mut one_side) = (Pairs::default(), Vec::new());

@@ -31,7 +31,7 @@ impl Bones {
     /// Those of `model`.
     #[must_use]
     pub(crate) fn of(model: &Model) -> Self {
-        Self { anatomy: Anatomy::of(model).ok(), distances: JointDistances::of(model) }
+        Self { anatomy: Anatomy::of(model).ok(), distances: model.joint_distances().clone() }
     }
 
     /// How far a place is from the nearest joint of `body`, or its origin; `None` if it is not known how large the bones are.

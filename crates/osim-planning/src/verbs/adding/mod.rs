@@ -14,9 +14,7 @@ use std::path::{Path, PathBuf};
 use osim_inspect::ReferenceState;
 use osim_messages::Phrase;
 use osim_model::files::{Failure, Files, InMemory, OpenModel};
-use osim_model::{
-    Fault, FaultKind, FindingCode, ForceId, JointDistances, Model, Question, Selected, Selection,
-};
+use osim_model::{Fault, FaultKind, FindingCode, ForceId, Model, Question, Selected, Selection};
 use osim_patch::{Layout, Plan, Rebuilt, remove};
 use osim_requests::BodyScale;
 use osim_requests::options::{AnswerOptions, InspectionOptions};
@@ -151,7 +149,7 @@ impl Adding {
             return Ok(());
         }
         let own: HashSet<&str> = layout.contacts.iter().map(|contact| contact.sphere.as_str()).collect();
-        let distances = JointDistances::of(built);
+        let distances = built.joint_distances();
         let spheres = built.spheres().iter().filter(|sphere| own.contains(sphere.name.as_str()));
         let mut slips =
             spheres.filter_map(|sphere| distances.radius_slip(sphere, sphere.radius.number, true));

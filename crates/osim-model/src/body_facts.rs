@@ -1,0 +1,32 @@
+//! What a model says of its bodies and joints: read when somebody first asks for it, and the same after a change of its contacts alone.
+
+use std::sync::OnceLock;
+
+use crate::anatomy::joints::Joints;
+use crate::anatomy::{BoneSizes, bone_sizes};
+use crate::components::Components;
+use crate::model::Model;
+use crate::slip::JointDistances;
+
+/// What several who check or plan a change ask for.
+#[derive(Debug, Default)]
+pub(crate) struct BodyFacts {
+    pub(crate) joints: Joints,
+    bone_sizes: OnceLock<BoneSizes>,
+    distances: OnceLock<JointDistances>,
+}
+
+impl BodyFacts {
+    /// Factors of meshes and translations of frames.
+    pub(crate) fn bone_sizes(&self, components: &Components) -> &BoneSizes {
+        self.bone_sizes.get_or_init(|| bone_sizes(components))
+    }
+}
+
+impl Model {
+    /// How far apart the joints of each body are.
+    #[must_use]
+    pub fn joint_distances(&self) -> &JointDistances {
+        self.body_facts.distances.get_or_init(|| JointDistances::of(self))
+    }
+}
