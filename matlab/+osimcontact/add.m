@@ -20,6 +20,8 @@ function results = add(varargin)
 %     mirror: Give a reference that has one side only the other one too, mirrored in this axis. Takes
 %         'z'.
 %     class: Class of the new forces [default: the reference's]. Takes 'smooth' or 'hunt-crossley'.
+%     friction: Scale transition_velocity and viscous_friction of the reference too (an extension of the
+%         paper). Takes true or false.
 %     radius: Radii: isometric (R ~ M^1/3), follow (with the factors of the bodies), or a radius in
 %         metres [default: 'isometric']. Takes a number or a text.
 %     body_scale: Factors of a body against the reference's. Takes a struct or containers.Map, a text or

@@ -51,6 +51,7 @@ def add(
     geometry_dir: StrPath | None = None,
     mirror: Literal["z"] | None = None,
     class_: Literal["smooth", "hunt-crossley"] | None = None,
+    friction: bool = False,
     radius: float | str | None = None,
     body_scale: str | Sequence[str] | Mapping[str, Any] | None = None,
     body_map: str | Sequence[str] | None = None,
@@ -112,6 +113,8 @@ def add(
         Give a reference that has one side only the other one too, mirrored in this axis.
     class_ : {"smooth", "hunt-crossley"}, optional
         Class of the new forces [default: the reference's]
+    friction : bool, optional
+        Scale transition_velocity and viscous_friction of the reference too (an extension of the paper)
     radius : float or str, optional
         Radii: isometric (R ~ M^1/3), follow (with the factors of the bodies), or a radius in metres.
     body_scale : str or list of str or dict, optional
@@ -194,7 +197,7 @@ def add(
     ContactScaleError
         It cannot be done: the subclass says why.
     """
-    keywords = {"from": from_, "contacts": contacts, "default_pose": default_pose or None, "feet": feet, "count": count, "pad": pad, "geometry_dir": geometry_dir, "mirror": mirror, "class": class_, "radius": radius, "body_scale": body_scale, "body_map": body_map, "replace": replace or None, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "indentation": indentation, "young": young, "poisson": poisson, "restitution": restitution, "impact_speed": impact_speed, "constant_indentation": constant_indentation, "state_width": state_width, "speed_width": speed_width, "threshold": threshold, "static_friction": static_friction, "dynamic_friction": dynamic_friction, "viscous_friction": viscous_friction, "transition_velocity": transition_velocity, "load": load, "body_weights": body_weights, "gravity": gravity, "spheres": spheres, "stance_limbs": stance_limbs, "reference_mass": reference_mass, "reference_spheres": reference_spheres, "reference_gravity": reference_gravity, "reference_select": reference_select, "reference_sphere": reference_sphere, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "no_note": no_note or None, "yes": yes}
+    keywords = {"from": from_, "contacts": contacts, "default_pose": default_pose or None, "feet": feet, "count": count, "pad": pad, "geometry_dir": geometry_dir, "mirror": mirror, "class": class_, "friction": friction or None, "radius": radius, "body_scale": body_scale, "body_map": body_map, "replace": replace or None, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "indentation": indentation, "young": young, "poisson": poisson, "restitution": restitution, "impact_speed": impact_speed, "constant_indentation": constant_indentation, "state_width": state_width, "speed_width": speed_width, "threshold": threshold, "static_friction": static_friction, "dynamic_friction": dynamic_friction, "viscous_friction": viscous_friction, "transition_velocity": transition_velocity, "load": load, "body_weights": body_weights, "gravity": gravity, "spheres": spheres, "stance_limbs": stance_limbs, "reference_mass": reference_mass, "reference_spheres": reference_spheres, "reference_gravity": reference_gravity, "reference_select": reference_select, "reference_sphere": reference_sphere, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "no_note": no_note or None, "yes": yes}
     return _run.plan("add", source, keywords)
 
 

@@ -216,3 +216,61 @@ fn factors_that_no_animals_differ_by_are_asked_about() {
         .says(&[]);
     bench.run(&format!("{call} calcn_r=60 --body-scale calcn_l=60 --yes implausible-scale --dry-run")).done();
 }
+
+/// 0.05 rad are 2.9 degrees: the foot counts as flat, but its spheres would be others than those of the left foot.
+#[test]
+fn feet_that_are_not_posed_alike_are_asked_about() {
+    let bench = human();
+    posed(&bench, "one.osim", &[("calcn_r_angle", 0.05)]);
+    let call = format!("add one.osim {UNDER_BONES} --count 6 --pad 0.02");
+    asks(
+        &bench,
+        &call,
+        &[
+            "calcn_r and calcn_l are not posed as mirror images at the default pose, by 2.9 degrees",
+            "give the coordinates of both legs the same default values (now calcn_r_angle = 0.05 rad and 0)",
+            "if it is meant, say --yes unequal-feet",
+        ],
+    );
+    bench.run(&format!("{call} --yes unequal-feet -o meant.osim")).done();
+    // Both legs alike.
+    posed(&bench, "both.osim", &[("calcn_r_angle", 0.05), ("calcn_l_angle", 0.05)]);
+    bench.run(&format!("add both.osim {UNDER_BONES} --count 6 --pad 0.02 --dry-run")).done();
+}
+
+#[test]
+fn parts_of_feet_that_get_nothing_are_named() {
+    let bench = human();
+    let numbers = "--from falisse2022 --count 4 --pad 0.02 --dry-run";
+    bench
+        .run(&format!("add human.osim --feet calcn_r,toes_r {numbers}"))
+        .done()
+        .says(&["one side alone gets spheres: the other side has calcn_l, toes_l"]);
+    bench.run(&format!("add human.osim --feet calcn_r,calcn_l {numbers} --yes tilted-foot")).done().says(&[
+        "no spheres under toes_r, toes_l: part of the foot, but not among the bodies that were given",
+    ]);
+    bench
+        .run(&format!("add human.osim {UNDER_BONES} --count 6 --pad 0.02 --dry-run"))
+        .done()
+        .says_not(&["one side alone", "no spheres under"]);
+}
+
+/// Speeds go with M^(1/6): 8 times the mass, 1.41 times the speed.
+#[test]
+fn speeds_of_friction_that_stay_are_named_or_scaled() {
+    let bench = human();
+    let call = format!("add human.osim {UNDER_BONES} --count 6 --pad 0.02 --mass 496");
+    let words = "transition_velocity and viscous_friction stay the reference's, but speeds of this body are 1.41 times as high";
+    bench.run(&format!("{call} -o stays.osim")).done().says(&[words, "--friction"]);
+    bench.run(&format!("{call} --friction -o scaled.osim")).done().says_not(&[words]);
+    assert!(bench.text("stays.osim").contains("<transition_velocity>0.2</transition_velocity>"));
+    let scaled = bench.text("scaled.osim");
+    let (_, after) = scaled.split_once("<transition_velocity>").unwrap();
+    let value: f64 = after.split_once('<').unwrap().0.parse().unwrap();
+    // 0.2 m/s times the square root of 2.
+    assert!((value - 0.282_842_712_474_619).abs() < 1e-12, "{value}");
+    bench
+        .run(&format!("{call} --friction --viscous-friction 0.5 --dry-run"))
+        .usage()
+        .says(&["--viscous-friction"]);
+}

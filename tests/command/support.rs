@@ -238,6 +238,16 @@ impl Ran {
         self
     }
 
+    /// None of `words` is printed, on either stream.
+    #[track_caller]
+    pub(crate) fn says_not(self, words: &[&str]) -> Self {
+        let text = format!("{}{}", self.out(), self.err());
+        for word in words {
+            assert!(!text.contains(word), "'{word}' is in:\n{text}");
+        }
+        self
+    }
+
     /// The run as a reviewer reads it.
     fn transcript(&self) -> String {
         let mut text = format!("$ {}\n", self.call);

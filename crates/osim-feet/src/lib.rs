@@ -20,6 +20,7 @@ mod held;
 mod mesh;
 mod movements;
 mod pose_fault;
+mod posed_unlike;
 mod scene;
 mod sole;
 mod sphere_pairs;

@@ -19,6 +19,8 @@ pub enum Question {
     ImplausibleScale,
     /// A foot that does not lie flat at the default pose.
     TiltedFoot,
+    /// Feet that are not posed alike: what is laid under them would differ.
+    UnequalFeet,
     /// A change after which the contacts are wrong.
     WrongAfterwards,
     /// A very large number of files.
@@ -27,12 +29,13 @@ pub enum Question {
 
 impl Question {
     /// Every question.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::ImplausibleMass,
         Self::ImplausibleRadius,
         Self::ImplausiblePlace,
         Self::ImplausibleScale,
         Self::TiltedFoot,
+        Self::UnequalFeet,
         Self::WrongAfterwards,
         Self::ManyModels,
     ];
@@ -46,6 +49,7 @@ impl Question {
             Self::ImplausiblePlace => "implausible-place",
             Self::ImplausibleScale => "implausible-scale",
             Self::TiltedFoot => "tilted-foot",
+            Self::UnequalFeet => "unequal-feet",
             Self::WrongAfterwards => "wrong-afterwards",
             Self::ManyModels => "many-models",
         }

@@ -2,6 +2,8 @@
 //! questions about values that are probably in another unit, and what is refused.
 
 mod class_age;
+mod feet;
+mod friction;
 mod known;
 mod planes;
 mod smoothing;
@@ -11,6 +13,8 @@ mod still_named;
 mod units;
 
 pub(crate) use class_age::too_new;
+pub(crate) use feet::parts_of_feet;
+pub(crate) use friction::friction_stays;
 pub(crate) use known::refuse_known;
 pub(crate) use planes::{leaning, planes_left};
 pub(crate) use smoothing::{smoothed, too_smooth};

@@ -200,6 +200,11 @@ const QUESTION: &[ErrorCode] = &[
         "give the coordinates that the message names default values at which the foot lies flat, or the places in a table, `contacts=TABLE`; if it is meant, `yes=tilted-foot`",
     ),
     code(
+        "unequal-feet",
+        "left and right foot are not posed as mirror images at the default pose (by more than 1 degree): spheres under their bones would differ from side to side",
+        "give the coordinates of both legs the same default values, or the places in a table, `contacts=TABLE`; if it is meant, `yes=unequal-feet`",
+    ),
+    code(
         "wrong-afterwards",
         "the model that would be written has an error that it does not have now: `check MODEL` says of every model what it says here of the new one",
         "do what the message says of the error; if it is meant, `yes=wrong-afterwards`",

@@ -58,6 +58,9 @@ pub struct AddRequest {
     /// Class of the new forces [default: the reference's]
     #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub class: Option<ClassChoice>,
+    /// Scale transition_velocity and viscous_friction of the reference too (an extension of the paper)
+    #[cfg_attr(feature = "clap", arg(long, hide_short_help = true))]
+    pub friction: bool,
     /// Radii: isometric (R ~ M^1/3), follow (with the factors of the bodies), or a radius in metres
     #[cfg_attr(feature = "clap", arg(long, value_name = "RULE", default_value_t))]
     pub radius: NewRadius,
@@ -127,6 +130,10 @@ impl AddRequest {
             Relation::Needs("count", "feet"),
             Relation::Needs("pad", "feet"),
             Relation::Needs("geometry_dir", "feet"),
+            Relation::Needs("friction", "from"),
+            // What is given is not scaled.
+            Relation::Excludes("friction", "viscous_friction"),
+            Relation::Excludes("friction", "transition_velocity"),
             // Places of a table or under bones are this model's own.
             Relation::Needs("mirror", "from"),
             Relation::Excludes("mirror", "contacts"),

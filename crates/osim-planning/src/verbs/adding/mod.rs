@@ -25,7 +25,7 @@ use self::numbers::Numbers;
 use self::places::Places;
 use self::reference::FromReference;
 use crate::planner::Planner;
-use crate::remarks::{leaning, planes_left, scale_slip, standing, too_new};
+use crate::remarks::{friction_stays, leaning, planes_left, scale_slip, standing, too_new};
 
 /// Plans contacts for models that have none.
 struct Adding {
@@ -36,6 +36,8 @@ struct Adding {
     /// Factors that the caller gave.
     body_scale: Vec<BodyScale>,
     answers: AnswerOptions,
+    /// Whether speeds of friction are scaled.
+    friction: bool,
     remarks: Vec<Phrase>,
     reads: Vec<PathBuf>,
     settings: String,
@@ -108,6 +110,9 @@ impl Adding {
         plan.name_operation("add");
         plan.warnings.retain(|warning| warning.code() != FindingCode::NothingToChange);
         plan.remarks.splice(0..0, remarks);
+        if !self.friction && self.reference().is_some() {
+            plan.remarks.extend(friction_stays(&plan, rebuilt.model()));
+        }
         plan.remarks.extend(too_new(&rebuilt));
         plan.remarks.extend(leaning(base, &rebuilt));
         plan.remarks.extend(removed.and_then(|forces| planes_left(model, &forces, &rebuilt)));

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 use osim_feet::{DefaultPose, FeetFault, MeshFolders, Sole, SoleRequest, Tilting, bones, soles};
-use osim_messages::{Input, Phrase, four_significant, phrase};
+use osim_messages::{Input, Phrase, four_significant, phrase, shown};
 use osim_model::files::Files;
 use osim_model::{Fault, Model, NeedsAnswer, Question, Side};
 use osim_patch::{Layout, NewContact};
@@ -15,7 +15,10 @@ use super::bodies::{meant, plain};
 use super::fault::AddFault;
 use super::numbers::Numbers;
 use crate::contact_table::{ContactRow, ContactTable, PlaceFault};
-use crate::remarks::{Bones, pad_slip};
+use crate::remarks::{Bones, pad_slip, parts_of_feet};
+
+/// Feet whose poses differ by more than this are unequal, rad: a degree. At the fore end of a foot that is 2 % of its length.
+const UNEQUAL: f64 = std::f64::consts::PI / 180.0;
 
 /// Where spheres are.
 pub(super) enum Places {
@@ -75,11 +78,14 @@ impl Places {
                     Some(said) => said,
                     None => numbers.radius(None)? * numbers.growth(model)?,
                 };
-                for sole in feet.soles(model, path, radius_m, files, &mut remarks)? {
-                    answers.ask(pad_slip(&sole, feet.pad_m)).map_err(Fault::new)?;
-                    answers.ask(tilted(&sole, model)).map_err(Fault::new)?;
-                    layout.contacts.extend(under(&sole, numbers)?);
+                let soles = feet.soles(model, path, radius_m, files, &mut remarks)?;
+                for sole in &soles {
+                    answers.ask(pad_slip(sole, feet.pad_m)).map_err(Fault::new)?;
+                    answers.ask(tilted(sole, model)).map_err(Fault::new)?;
+                    layout.contacts.extend(under(sole, numbers)?);
                 }
+                answers.ask(unequal(&soles, model)).map_err(Fault::new)?;
+                remarks.extend(parts_of_feet(model, &soles));
             }
         }
         if !self.has_radii() {
@@ -245,6 +251,32 @@ fn tilted(sole: &Sole, model: &Model) -> Option<NeedsAnswer> {
         ],
     });
     Some(NeedsAnswer::Other { question: Question::TiltedFoot, text })
+}
+
+/// What is asked about a pair of feet of which one is turned otherwise than the other's mirror image.
+fn unequal(soles: &[Sole], model: &Model) -> Option<NeedsAnswer> {
+    let pairs = soles
+        .iter()
+        .enumerate()
+        .flat_map(|(at, one)| soles.iter().skip(at + 1).map(move |other| (one, other)));
+    let posed = pairs.filter_map(|(one, other)| Some((one, other, one.posed_unlike(other, model)?)));
+    let (sole, other, apart_rad) =
+        posed.max_by(|a, b| a.2.total_cmp(&b.2)).filter(|pair| pair.2 > UNEQUAL)?;
+    let listed = |sole: &Sole| match Tilting::listed(&sole.tilted_by(model)) {
+        none if none.is_empty() => "0".to_owned(),
+        values => values,
+    };
+    let name = |sole: &Sole| shown(sole.bodies.first().map(String::as_str).unwrap_or_default()).to_string();
+    let text = format!(
+        "{} and {} are not posed as mirror images at the default pose, by {:.1} degrees, so that spheres under their bones would differ: \
+         give the coordinates of both legs the same default values (now {} and {})",
+        name(sole),
+        name(other),
+        apart_rad.to_degrees(),
+        listed(sole),
+        listed(other),
+    );
+    Some(NeedsAnswer::Other { question: Question::UnequalFeet, text: text.into() })
 }
 
 /// The spheres that stand on one sole, each called after the body that carries it.

@@ -66,6 +66,7 @@ pub(in crate::verbs) fn prepare(request: AddRequest, files: &dyn Files) -> Resul
         own: request.choice.selection(),
         body_scale: request.body_scale.clone(),
         answers: request.answers.clone(),
+        friction: request.friction,
         remarks,
         reads: reads.collect(),
         settings,
@@ -280,7 +281,8 @@ fn settings(request: &AddRequest, is_file: bool) -> String {
         request.pad,
         geometry,
         request.mirror,
-        request.class
+        request.class,
+        request.friction
     ]);
     let numbers = json!([request.numbers, request.load]);
     json!(["add", preset, radius, scales, maps, replace, choice, counts, reference, masses, places, numbers])

@@ -85,6 +85,7 @@ pub(super) fn transfer(request: &AddRequest, from: &Path) -> TransferRequest {
         answers: request.answers.clone(),
         ..TransferRequest::default()
     };
+    transfer.scaling.friction = request.friction;
     if request.has_places() {
         return transfer;
     }
