@@ -79,7 +79,7 @@ impl<'f> Feet<'f> {
         });
         let single: Vec<&str> =
             single.filter(|body| !self.joints_below().any(|(parent, _)| parent == *body)).collect();
-        said(&single, |bodies| format!("feet of one piece, without a joint for toes: {bodies}"))
+        said(&single, |bodies| format!("feet of one rigid piece: {bodies}"))
     }
 }
 
