@@ -1,7 +1,7 @@
 //! Models with a damage that people do by hand, by unit, or by scaling one thing and not the other.
 
 use osim_model::files::InMemory;
-use osim_model::{FileId, Model, Side};
+use osim_model::{FileId, Model, Side, without_side};
 use osim_planning::prepare;
 use osim_requests::Request;
 use serde_json::{Value, json};
@@ -49,6 +49,26 @@ pub fn damages(text: &str, model: &Model) -> Vec<Damaged> {
         ),
         ("one doubled", doubled(text, model)),
         ("bones x 1.2", times(text, "scale_factors", 1.2)),
+        (
+            "smoothed by 0",
+            each(text, model, "SmoothSphereHalfSpaceForce", &["constant_contact_force"], |_| {
+                Some("0".into())
+            }),
+        ),
+        ("gravity up", times(text, "gravity", -1.0)),
+        ("gravity in mm/s2", times(text, "gravity", 1000.0)),
+        ("gravity tilted", each(text, model, "Model", &["gravity"], |_| Some("9.81 0 0".to_owned()))),
+        ("floor upside down", floor(text, model, "0 0 1.5707963267948966")),
+        ("floor upright", floor(text, model, "0 0 0")),
+        ("floor sloping", floor(text, model, "0 0 -1.3")),
+        ("floor in degrees", floor(text, model, "0 0 -90")),
+        ("floor on a limb", on_limb(text, model)),
+        (
+            "radii in millimetres",
+            each(text, model, "ContactSphere", &["radius"], |radius| scaled(radius, 1000.0)),
+        ),
+        ("places in millimetres", each(text, model, "ContactSphere", PLACE, |place| scaled(place, 1000.0))),
+        ("one on the other side", on_other_side(text, model)),
     ];
     made.into_iter().filter_map(|(what, text)| Some(Damaged { what, text: text? })).collect()
 }
@@ -88,6 +108,75 @@ fn times(text: &str, tag: &str, factor: f64) -> Option<String> {
         out.push_str(&format!("{open}{}{close}{rest}", new.unwrap_or_else(|| inner.to_owned())));
     }
     found.then_some(out)
+}
+
+/// Tags of a geometry's place and of its frame, in all document versions.
+const PLACE: &[&str] = &["location", "translation"];
+const FRAME: &[&str] = &["socket_frame", "body_name", "socket_frame_connectee_name"];
+
+/// The model with other texts of the properties `names` in all elements called `tag`, where `new` gives one.
+fn each(
+    text: &str,
+    model: &Model,
+    tag: &str,
+    names: &[&str],
+    new: impl Fn(&str) -> Option<String>,
+) -> Option<String> {
+    let tree = model.document().tree();
+    let owners = tree.elements().filter(|&id| tree.name(id) == tag);
+    let properties = owners.flat_map(|id| names.iter().filter_map(move |name| tree.child(id, name)));
+    let mut made = text.to_owned();
+    let mut changed = false;
+    for id in properties.collect::<Vec<_>>().into_iter().rev() {
+        let inside = tree.open_span(id).end..tree.close_span(id).start;
+        if let Some(new) = text.get(inside.clone()).and_then(&new) {
+            made.replace_range(inside, &new);
+            changed = true;
+        }
+    }
+    changed.then_some(made)
+}
+
+fn scaled(numbers: &str, factor: f64) -> Option<String> {
+    let numbers: Option<Vec<f64>> = numbers.split_whitespace().map(|word| word.parse().ok()).collect();
+    Some(numbers?.iter().map(|number| (number * factor).to_string()).collect::<Vec<_>>().join(" "))
+}
+
+fn floor(text: &str, model: &Model, orientation: &str) -> Option<String> {
+    each(text, model, "ContactHalfSpace", &["orientation"], |_| Some(orientation.to_owned()))
+}
+
+/// With all floors on the body that carries the first sphere.
+fn on_limb(text: &str, model: &Model) -> Option<String> {
+    let body = model.spheres().iter().find_map(|sphere| sphere.body.clone())?;
+    each(text, model, "ContactHalfSpace", FRAME, |frame| named(frame, &body))
+}
+
+/// With the spheres of the first body on its counterpart.
+fn on_other_side(text: &str, model: &Model) -> Option<String> {
+    let body = model.spheres().iter().find_map(|sphere| sphere.body.clone())?;
+    let is_counterpart = |other: &str| {
+        let side = Side::of_name(&body);
+        side.is_some()
+            && Side::of_name(other).is_some_and(|of| Some(of) != side)
+            && without_side(other) == without_side(&body)
+    };
+    let other = model.bodies().iter().map(|one| one.name.as_str()).find(|name| is_counterpart(name))?;
+    let first = std::cell::Cell::new(true);
+    each(text, model, "ContactSphere", FRAME, |frame| {
+        let is_it = frame.trim().rsplit('/').next() == Some(body.as_str());
+        (is_it && first.replace(false)).then(|| named(frame, other)).flatten()
+    })
+}
+
+/// A path or name with another body at its end.
+fn named(frame: &str, body: &str) -> Option<String> {
+    let frame = frame.trim();
+    Some(match frame.rsplit_once('/') {
+        Some((_, "ground")) => format!("/bodyset/{body}"),
+        Some((before, _)) => format!("{before}/{body}"),
+        None => body.to_owned(),
+    })
 }
 
 /// With the first force once more.
