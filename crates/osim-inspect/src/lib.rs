@@ -45,7 +45,7 @@ pub use inspection::{
     Bottom, ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,
     InspectedLimb, InspectedSphere, Inspection, OnFeet, Origins, Parameters, StandingBody, StandingSphere,
 };
-pub use known::{KnownContacts, unexplained_slip};
+pub use known::{KnownContacts, ReferenceContacts, unexplained_slip};
 pub use load_sharing::LoadSharing;
 pub use mass_mismatch::MassMismatch;
 pub use options::{InspectOptions, Stance};

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use osim_compare::{Factors, Placement, ScaleFile};
-use osim_inspect::{CheckResult, InspectOptions, Inspection, unexplained_slip};
+use osim_inspect::{CheckResult, InspectOptions, Inspection, ReferenceContacts, unexplained_slip};
 use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::{Anatomy, Fault, Finding, Model, Severity};
 use osim_requests::options::{AnswerOptions, InspectionOptions, SetFiles};
@@ -21,12 +21,21 @@ pub struct Inspector {
     set_files: SetFiles,
     /// The generic model's bones and the Scale Tool's factors, where a generic model is named; why not, where it cannot be
     /// read: that is a failure of each model.
-    generic: Option<Result<(Anatomy, Option<ScaleFile>), Failure>>,
+    generic: Option<Result<Generic, Failure>>,
     /// The names of both files, where they are for the places of spheres and not for factors.
     places: Option<OriginalFiles>,
     reads: Vec<PathBuf>,
     /// Answers to questions about masses that the caller gave; `None` if the masses were asked about already.
     answers: Option<AnswerOptions>,
+}
+
+/// What is known of the generic model.
+#[derive(Debug)]
+struct Generic {
+    anatomy: Anatomy,
+    contacts: ReferenceContacts,
+    /// The Scale Tool's factors.
+    file: Option<ScaleFile>,
 }
 
 /// Names of the files that say where spheres belong.
@@ -36,16 +45,12 @@ struct OriginalFiles {
     body_scale_file: Option<PathBuf>,
 }
 
-/// The generic model's bones and the Scale Tool's factors.
-fn generic_model(
-    from: &Path,
-    body_scale_file: Option<&Path>,
-    files: &dyn Files,
-) -> Result<(Anatomy, Option<ScaleFile>), Failure> {
+fn generic_model(from: &Path, body_scale_file: Option<&Path>, files: &dyn Files) -> Result<Generic, Failure> {
     let generic = open(from, files)?;
     let anatomy = Anatomy::of(&generic.model).map_err(|fault| generic.failure(fault))?;
     let file = body_scale_file.map(|path| scale_file(path, files)).transpose()?;
-    Ok((anatomy, file))
+    let contacts = ReferenceContacts::of(&from.display().to_string(), &generic.model);
+    Ok(Generic { anatomy, contacts, file })
 }
 
 impl Inspector {
@@ -123,15 +128,15 @@ impl Inspector {
         }
         let generic = self.generic.as_ref().map(Result::as_ref).transpose().map_err(Failure::clone)?;
         let factors = match (generic, &self.places) {
-            (Some((generic, file)), None) => {
+            (Some(Generic { anatomy, file, .. }), None) => {
                 let scaled = Anatomy::of(&opened.model).map_err(|fault| opened.failure(fault))?;
-                let found = Factors::find(&scaled, generic, file.as_ref(), &BTreeMap::new());
+                let found = Factors::find(&scaled, anatomy, file.as_ref(), &BTreeMap::new());
                 Some(found.map_err(|fault| opened.failure(fault))?)
             }
             _ => None,
         };
         let mut inspection = self.options.inspect(opened.name(), &opened.model, factors.as_ref());
-        inspection.placement = self.placement(&opened.model);
+        self.compare(&opened.model, &mut inspection);
         Ok(inspection)
     }
 
@@ -153,15 +158,17 @@ impl Inspector {
     /// A model that a remedy made, inspected like the first.
     fn inspect_again(&self, name: &FileName, model: &Model) -> Inspection {
         let mut inspection = self.options.inspect(name.clone(), model, None);
-        inspection.placement = self.placement(model);
+        self.compare(model, &mut inspection);
         inspection
     }
 
-    /// The places of the spheres compared with those in the generic model, where one is named for that.
-    fn placement(&self, model: &Model) -> Option<Placement> {
-        let (generic, file) = self.generic.as_ref()?.as_ref().ok()?;
-        let OriginalFiles { from, body_scale_file } = self.places.as_ref()?;
-        Some(Placement::compare(model, from, body_scale_file.as_deref(), generic, file.as_ref()))
+    /// Adds the places of the spheres compared with those in the generic model, and its contacts, where one is named for that.
+    fn compare(&self, model: &Model, inspection: &mut Inspection) {
+        let (Some(Ok(generic)), Some(files)) = (&self.generic, &self.places) else { return };
+        let (from, scale_file) = (&files.from, files.body_scale_file.as_deref());
+        let placement = Placement::compare(model, from, scale_file, &generic.anatomy, generic.file.as_ref());
+        inspection.placement = Some(placement);
+        inspection.reference_contacts = Some(generic.contacts.clone());
     }
 
     /// Refuses a model that has no contacts and nothing else that is wrong with it, so that one in a folder is skipped.

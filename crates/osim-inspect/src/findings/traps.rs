@@ -26,7 +26,7 @@ pub(super) fn findings(
     let known = LazyCell::new(|| KnownSide::of(model, &sides, inspected));
     let with_remedy = |finding: &Finding| {
         if finding.code() == FindingCode::LeftRightDiffer {
-            return of_sides(model, &sides, *known, finding, remedies);
+            return of_sides(model, &sides, known.as_ref(), finding, remedies);
         }
         Found::new(finding.clone(), remedy(model, finding, remedies))
     };
@@ -48,7 +48,7 @@ fn meeting_half_space(model: &Model) -> Vec<ForceId> {
 fn of_sides(
     model: &Model,
     sides: &BothSides<'_>,
-    known: Option<KnownSide>,
+    known: Option<&KnownSide>,
     finding: &Finding,
     remedies: &Remedies<'_>,
 ) -> Found {
@@ -59,12 +59,12 @@ fn of_sides(
 }
 
 /// Says which side is the slip, and why, if it is known. A majority is in the message already.
-fn name_the_odd_side(finding: &mut Finding, sides: &BothSides<'_>, known: Option<KnownSide>) {
+fn name_the_odd_side(finding: &mut Finding, sides: &BothSides<'_>, known: Option<&KnownSide>) {
     let left = finding.place.as_deref().and_then(|path| sides.force(path));
     let Some(odd) = left.and_then(|left| odd_side(known, sides, left)) else { return };
     finding.message.push(format!("; the one on the {} is the odd one", odd.as_str()));
     if let Some(known) = known {
-        let (side, title) = (known.side.as_str(), known.contacts.title);
+        let (side, title) = (known.side.as_str(), &known.title);
         finding.message.push(format!(", since the contacts on the {side} are those of {title}"));
     }
 }

@@ -16,7 +16,7 @@ use serde::{Serialize, Serializer};
 
 use super::standing::StandingBody;
 use crate::figures::Figures;
-use crate::known::KnownContacts;
+use crate::known::{KnownContacts, ReferenceContacts};
 #[cfg(feature = "schemas")]
 use crate::serialized::FindingRecord;
 use crate::serialized::{optional_phrase, records};
@@ -73,6 +73,9 @@ pub struct Inspection {
     /// Its spheres compared with those of the model that was scaled, where `check` was given one.
     #[serde(skip)]
     pub placement: Option<Placement>,
+    /// The contacts of that model.
+    #[serde(skip)]
+    pub reference_contacts: Option<ReferenceContacts>,
     /// What the contacts do under the weight.
     pub figures: Figures,
     /// Each joint tree with spheres over a floor: where it is over it at the default pose, and what puts it on its feet.

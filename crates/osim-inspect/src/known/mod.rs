@@ -2,9 +2,11 @@
 
 mod odd_side;
 mod recognise;
+mod reference_contacts;
 mod slip;
 mod table;
 
 pub(crate) use odd_side::{KnownSide, odd_side};
 pub use recognise::KnownContacts;
+pub use reference_contacts::ReferenceContacts;
 pub use slip::unexplained_slip;

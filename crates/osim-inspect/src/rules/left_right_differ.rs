@@ -22,7 +22,7 @@ pub(crate) fn remedy(
     remedies: &Remedies<'_>,
     model: &Model,
     sides: &BothSides<'_>,
-    known: Option<KnownSide>,
+    known: Option<&KnownSide>,
     finding: &Finding,
 ) -> Option<Request> {
     let left = sides.force(finding.place.as_deref()?)?;
