@@ -27,8 +27,12 @@ impl Raised {
 /// The first rest that a body lowered onto its spheres meets; `hertz` is that of the Hertz law.
 pub(crate) fn first_rest(spheres: &[Raised], load_n: f64, hertz: f64) -> Result<f64, DomainError> {
     let Some(step) = smallest_transition(spheres) else { return Ok(hertz) };
+    let mut in_reach: Vec<(f64, &Raised)> = spheres.iter().map(|s| (reach(s), s)).collect();
+    in_reach.sort_by(|a, b| a.0.total_cmp(&b.0));
+    // Those above carry nothing, to the last bit.
+    let near = |x: f64| in_reach.iter().take_while(move |(from, _)| *from <= x).map(|(_, s)| *s);
     let sum = |of: &dyn Fn(&Law, f64) -> f64, x: f64| -> f64 {
-        spheres.iter().map(|s| s.spheres.count() * of(s.spheres.law(), x - s.height_m)).sum()
+        near(x).map(|s| s.spheres.count() * of(s.spheres.law(), x - s.height_m)).sum()
     };
     let carried = |x: f64| sum(&|law, x| law.rest_force(x), x) >= load_n;
     let falls = |x: f64| sum(&|law, x| law.rest_stiffness(x), x) < 0.0;
@@ -43,16 +47,19 @@ pub(crate) fn first_rest(spheres: &[Raised], load_n: f64, hertz: f64) -> Result<
         let most = |s: &Raised| {
             s.spheres.count() * s.spheres.law().rest_force_limit(from - s.height_m, to - s.height_m)
         };
-        spheres.iter().map(most).sum::<f64>() * (1.0 + 1e-9) < load_n
+        near(to).map(most).sum::<f64>() * (1.0 + 1e-9) < load_n
     };
     // Short steps through the onset of each sphere, where its force can rise and fall; elsewhere forces only rise.
     for onset in onsets(spheres) {
         below = below.max(onset - 20.0 * step);
         // A transition shorter than a number can say at this height is none.
         while below <= onset && below < below + 0.05 * step {
-            if never_carried(below, below + 1.001 * step) {
+            let unseen = [20, 5].into_iter();
+            let unseen = unseen.map(|steps| (steps, 0.05 * f64::from(steps) * step));
+            let mut unseen = unseen.filter(|(_, long)| never_carried(below, below + 1.001 * long));
+            if let Some((steps, _)) = unseen.next() {
                 // The same steps, unseen.
-                for _ in 0..20 {
+                for _ in 0..steps {
                     if below <= onset {
                         above = below;
                         below += 0.05 * step;
@@ -65,7 +72,8 @@ pub(crate) fn first_rest(spheres: &[Raised], load_n: f64, hertz: f64) -> Result<
             }
             above = below;
             below += 0.05 * step;
-            if !falls(above) && falls(below) {
+            // Where it begins to fall within a step, its top is there.
+            if falls(below) && !falls(above) {
                 let top = bisect(above, below, falls);
                 below = if carried(top) { top } else { below };
             }
@@ -82,6 +90,15 @@ pub(crate) fn first_rest(spheres: &[Raised], load_n: f64, hertz: f64) -> Result<
     }
     within(below.is_finite() && !carried(above), "load", load_n, "a load that the spheres can carry")?;
     Ok(bisect(above, below, carried))
+}
+
+/// The indentation of the lowest sphere up to which `sphere` carries nothing: a contact state is 0 in all digits 20 transitions
+/// before contact.
+fn reach(sphere: &Raised) -> f64 {
+    match sphere.spheres.law() {
+        Law::HuntCrossley(_) => sphere.height_m,
+        Law::Smooth(law) => sphere.height_m - 20.0 / law.smoothing().hertz_smoothing,
+    }
 }
 
 /// The heights at which spheres begin to touch, each once, the lowest first.

@@ -37,6 +37,16 @@ struct Above {
 #[derive(Debug, Clone)]
 pub struct Movements {
     above: HashMap<String, Above>,
+    ends: HashMap<String, End>,
+}
+
+/// What is known of the way from a body to ground.
+#[derive(Debug, Clone)]
+struct End {
+    /// The last body on it.
+    top: String,
+    /// Whether anything is free on it.
+    moves: bool,
 }
 
 impl Freedom {
@@ -75,19 +85,20 @@ impl Movements {
                 .entry(body.clone())
                 .or_insert_with(|| Above { parent, freedom: coordinates.freedom_of(joint) });
         }
-        Self { above }
+        Self { ends: ends(&above), above }
     }
 
     /// Whether `body` can move in ground.
     #[must_use]
     pub fn moves(&self, body: &str) -> bool {
-        self.way(body).iter().any(|(_, freedom)| freedom.is_any())
+        // A body that hangs on nothing moves as it likes.
+        self.ends.get(body).is_none_or(|end| end.moves)
     }
 
     /// The body above `body` that hangs on no other one; `body` itself if nothing is above it.
     #[must_use]
     pub fn top<'b>(&'b self, body: &'b str) -> &'b str {
-        self.way(body).last().map_or(body, |(last, _)| *last)
+        self.ends.get(body).map_or(body, |end| end.top.as_str())
     }
 
     /// What is free between two bodies; `None` where they hang together only through ground.
@@ -118,6 +129,31 @@ impl Movements {
         }
         way
     }
+}
+
+/// The ends of the ways of all bodies that hang on others or on ground, each joint looked at once.
+fn ends(above: &HashMap<String, Above>) -> HashMap<String, End> {
+    let mut ends: HashMap<String, End> = HashMap::new();
+    for body in above.keys() {
+        let (mut way, mut at) = (Vec::new(), Some(body.as_str()));
+        // Joints in a circle end where they have all been passed.
+        while let Some((name, joint)) = at.and_then(|name| Some((name, above.get(name)?))) {
+            if ends.contains_key(name) || way.len() > above.len() {
+                break;
+            }
+            way.push((name, joint.freedom));
+            at = joint.parent.as_deref();
+        }
+        let known = at.and_then(|name| ends.get(name).cloned());
+        let last = at.or(way.last().map(|(name, _)| *name)).unwrap_or(body);
+        let alone = || End { top: last.to_owned(), moves: at.is_some() };
+        let mut end = known.unwrap_or_else(alone);
+        for (name, freedom) in way.into_iter().rev() {
+            end.moves |= freedom.is_any();
+            ends.insert(name.to_owned(), end.clone());
+        }
+    }
+    ends
 }
 
 /// The coordinates of a model at the default pose.

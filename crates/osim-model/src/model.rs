@@ -1,10 +1,11 @@
 //! The typed view of a model: bodies, limbs, contact spheres and contact forces with their effective values.
 
-use std::sync::Arc;
+use std::collections::BTreeMap;
+use std::sync::{Arc, OnceLock};
 
 use crate::body_facts::BodyFacts;
-use crate::components::{Companion, Components};
-use crate::contacts::{Force, ForceId, SetId, Sphere, SphereId};
+use crate::components::{Companion, ComponentId, Components};
+use crate::contacts::{Force, ForceId, HalfSpace, SetId, Sphere, SphereId};
 use crate::document::Document;
 use crate::fault::{Fault, FileId, NoteDoubt};
 use crate::finding::Finding;
@@ -27,6 +28,7 @@ pub struct Model {
     pub(crate) components: Components,
     pub(crate) skeleton: Skeleton,
     pub(crate) body_facts: Arc<BodyFacts>,
+    pub(crate) half_spaces: OnceLock<BTreeMap<ComponentId, HalfSpace>>,
     pub(crate) spheres: Vec<Sphere>,
     pub(crate) forces: Vec<Force>,
     /// A comment that begins like the note and cannot be read, or a pair whose notes differ.

@@ -1,7 +1,7 @@
 //! Documents → [`Model`].
 
 use std::ops::Range;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use osim_xml::{ElementId, KeptElements};
 
@@ -74,6 +74,7 @@ impl Model {
             components,
             skeleton,
             body_facts,
+            half_spaces: OnceLock::new(),
             spheres,
             forces,
             note_fault: None,

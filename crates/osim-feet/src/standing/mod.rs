@@ -6,7 +6,7 @@ mod lift;
 mod rest;
 mod tree;
 
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 
 use contact_scaling::DomainError;
 use osim_model::{ForceId, Model, SphereId, loaded_spheres};
@@ -88,11 +88,17 @@ impl Standing {
         load_n: f64,
         law: ByLaw,
     ) -> Option<Result<Rest, DomainError>> {
-        let chosen: HashSet<SphereId> = chosen.iter().copied().collect();
-        let is_chosen = |one: &&Pressing| chosen.contains(&one.contact.sphere);
-        let pressing: Vec<&Pressing> = self.pressing.iter().filter(is_chosen).collect();
-        let known: HashSet<SphereId> = pressing.iter().map(|one| one.contact.sphere).collect();
-        (!chosen.is_empty() && known == chosen).then(|| Rest::of(&pressing, load_n, law))
+        let chosen: BTreeSet<SphereId> = chosen.iter().copied().collect();
+        let of = |sphere: &SphereId| {
+            let start = self.pressing.partition_point(|one| one.contact.sphere < *sphere);
+            let own = self.pressing.iter().skip(start);
+            own.take_while(|one| one.contact.sphere == *sphere).collect::<Vec<&Pressing>>()
+        };
+        let pressing: Vec<Vec<&Pressing>> = chosen.iter().map(of).collect();
+        if pressing.is_empty() || pressing.iter().any(Vec::is_empty) {
+            return None;
+        }
+        Some(Rest::of(&pressing.concat(), load_n, law))
     }
 
     /// The value of the coordinate at which the tree is `down_m` lower than at the default pose; `None` if no coordinate lifts it.

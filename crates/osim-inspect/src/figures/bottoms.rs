@@ -8,6 +8,14 @@ use osim_model::SphereId;
 
 use super::sphere_loads::SphereLoads;
 
+/// The joint tree of each sphere on a floor, which all its limb is on.
+pub(super) type Trees<'s> = HashMap<SphereId, &'s Standing>;
+
+/// By sphere, the tree that it is on.
+pub(super) fn by_sphere(standing: &[Standing]) -> Trees<'_> {
+    standing.iter().flat_map(|tree| tree.spheres.iter().map(move |over| (over.sphere, tree))).collect()
+}
+
 /// x̂ of the spheres of a limb that carries the body, its bodies as they are at the default pose; empty where the pose or a sphere
 /// is not known.
 pub(super) struct Stand {
@@ -17,10 +25,9 @@ pub(super) struct Stand {
 
 impl Stand {
     /// `all` spheres of a limb; each carries its share of `load` on the average.
-    pub(super) fn of(all: &[&SphereLoads], load: SharedLoad, standing: &[Standing]) -> Self {
+    pub(super) fn of(all: &[&SphereLoads], load: SharedLoad, trees: &Trees<'_>) -> Self {
         let spheres: Vec<SphereId> = all.iter().map(|one| one.sphere).collect();
-        let is_on = |own: &&Standing| own.spheres.iter().any(|over| Some(&over.sphere) == spheres.first());
-        let own = standing.iter().find(is_on);
+        let own = spheres.first().and_then(|first| trees.get(first));
         #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
         let on_limb = load.per_sphere_n() * all.len() as f64;
         let rest = |law| {

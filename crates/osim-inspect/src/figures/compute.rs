@@ -14,6 +14,7 @@ use osim_model::{
     CountOf, Fault, GravityFor, Limbs, Mass, Model, Needed, Selected, SphereId, loaded_spheres,
 };
 
+use super::bottoms::by_sphere;
 use super::data::{Figures, LimbFigures};
 use super::limb::LoadedLimb;
 use super::on_floor::Weight;
@@ -54,6 +55,7 @@ impl Figures {
             _ => None,
         };
         let mut limbs = Vec::new();
+        let trees = by_sphere(standing);
         let mut by_limb = all.as_ref().map(|all| by_limb(sharing.limbs(), all));
         for (place, group) in groups(sharing.limbs(), &loads, stance) {
             if group.count.is_none() && why.is_none() {
@@ -64,7 +66,7 @@ impl Figures {
                 members: &group.members,
                 all: by_limb.as_mut().and_then(|all| all.get_mut(place)).map(std::mem::take),
                 count: group.count,
-                standing,
+                trees: &trees,
                 weight,
                 speed,
             };

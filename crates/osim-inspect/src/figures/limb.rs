@@ -3,10 +3,9 @@
 use std::collections::HashMap;
 
 use contact_scaling::{SharedLoad, Spheres, equilibrium};
-use osim_feet::Standing;
 use osim_model::{ForceId, Model};
 
-use super::bottoms::Stand;
+use super::bottoms::{Stand, Trees};
 use super::data::SphereFigures;
 use super::on_floor::{OnFloor, Rest, Weight};
 use super::register::Figure;
@@ -25,7 +24,7 @@ pub(super) struct LoadedLimb<'s> {
     /// Spheres that share the weight.
     pub(super) count: Option<f64>,
     /// Bodies on their floors at the default pose, as far as they are known.
-    pub(super) standing: &'s [Standing],
+    pub(super) trees: &'s Trees<'s>,
     pub(super) weight: Option<Weight>,
     /// Speed before an impact, m/s.
     pub(super) speed: Option<f64>,
@@ -41,7 +40,7 @@ impl LoadedLimb<'_> {
     pub(super) fn spheres(&self) -> Vec<SphereFigures> {
         let level: Vec<Level> = BODY_WEIGHTS.iter().filter_map(|&weights| self.level(weights)).collect();
         let stand =
-            self.all.as_deref().zip(self.load(1.0)).map(|(all, load)| Stand::of(all, load, self.standing));
+            self.all.as_deref().zip(self.load(1.0)).map(|(all, load)| Stand::of(all, load, self.trees));
         let mut known: HashMap<Vec<u64>, Vec<Rest>> = HashMap::new();
         let mut figures = Vec::new();
         for &one in self.members {

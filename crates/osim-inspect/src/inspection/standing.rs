@@ -1,6 +1,6 @@
 //! How a body is over its floor at the default pose, and what puts it on its feet.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 use osim_feet::{OverFloor, Rest, RestingSphere, Standing};
 use osim_model::{Limb, Limbs, Model, SphereId};
@@ -118,10 +118,16 @@ impl StandingBody {
     #[must_use]
     pub fn all(model: &Model, standing: &[Standing], limbs: &Limbs, stance_limbs: f64) -> Vec<Self> {
         let share = 1.0 / stance_limbs;
-        standing.iter().map(|one| Self::new(model, one, limbs.known().unwrap_or_default(), share)).collect()
+        let limbs = limbs.known().unwrap_or_default();
+        let places = limbs.iter().enumerate();
+        let limb_of = places.flat_map(|(at, limb)| limb.spheres.iter().map(move |&sphere| (sphere, at)));
+        let limb_of: HashMap<SphereId, usize> = limb_of.collect();
+        let lower = |one| limbs.get(lower(one, &limb_of)?);
+        standing.iter().map(|one| Self::new(model, one, lower(one), share)).collect()
     }
 
-    fn new(model: &Model, standing: &Standing, limbs: &[Limb], share: f64) -> Self {
+    /// `lower` is the limb that can carry it alone.
+    fn new(model: &Model, standing: &Standing, lower: Option<&Limb>, share: f64) -> Self {
         let spheres: Vec<SphereId> = standing.spheres.iter().map(|over| over.sphere).collect();
         let rest = |chosen: &[SphereId], share, limb: Option<&Limb>| {
             let rest = standing.rest(chosen, share)?.ok()?;
@@ -139,7 +145,7 @@ impl StandingBody {
             touching_m: standing.lowest().and_then(|lowest| standing.value(lowest.gap_m)),
             bottoms: bottoms(model, standing),
             as_posed: rest(&spheres, 1.0, None),
-            on_one_limb: lower(standing, limbs).and_then(|limb| rest(&limb.spheres, share, Some(limb))),
+            on_one_limb: lower.and_then(|limb| rest(&limb.spheres, share, Some(limb))),
         }
     }
 
@@ -159,17 +165,15 @@ fn bottoms(model: &Model, standing: &Standing) -> Vec<Bottom> {
     standing.spheres.iter().filter_map(bottom).collect()
 }
 
-/// The limb with the lowest bottom; of equally low ones the first.
-fn lower<'l>(standing: &Standing, limbs: &'l [Limb]) -> Option<&'l Limb> {
-    let gaps: HashMap<SphereId, f64> =
-        standing.spheres.iter().map(|over| (over.sphere, over.gap_m)).collect();
-    let lowest = |limb: &Limb| {
-        // The spheres of a limb are on one tree.
-        limb.spheres.first().filter(|first| gaps.contains_key(first))?;
-        limb.spheres.iter().filter_map(|sphere| gaps.get(sphere)).copied().reduce(f64::min)
-    };
-    let heights = limbs.iter().filter_map(|limb| Some((lowest(limb)?, limb)));
-    heights.reduce(|a, b| if b.0 < a.0 - LEVEL_M { b } else { a }).map(|(_, limb)| limb)
+/// Which of the limbs has the lowest bottom of a tree; of equally low ones the first.
+fn lower(standing: &Standing, limb_of: &HashMap<SphereId, usize>) -> Option<usize> {
+    let mut lowest: BTreeMap<usize, f64> = BTreeMap::new();
+    for over in &standing.spheres {
+        let Some(&limb) = limb_of.get(&over.sphere) else { continue };
+        let height_m = lowest.entry(limb).or_insert(over.gap_m);
+        *height_m = height_m.min(over.gap_m);
+    }
+    lowest.into_iter().reduce(|a, b| if b.1 < a.1 - LEVEL_M { b } else { a }).map(|(limb, _)| limb)
 }
 
 fn on_feet(model: &Model, standing: &Standing, rest: &Rest, limb: Option<&Limb>) -> OnFeet {

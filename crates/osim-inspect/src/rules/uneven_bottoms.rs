@@ -1,6 +1,6 @@
 //! Bottoms of one foot that lie at different heights.
 
-use std::collections::HashSet;
+use std::collections::HashMap;
 
 use osim_messages::{readable, shown, three_significant};
 use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
@@ -8,7 +8,7 @@ use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, Ve
 use super::limits::Limits;
 use crate::figures::{Figure, LimbFigures, SphereFigures};
 use crate::findings::Found;
-use crate::inspection::{Bottom, Inspection};
+use crate::inspection::Bottom;
 
 /// Bottoms that differ by more than this, in the radius of the lowest sphere, are too uneven.
 const TOO_MUCH: f64 = 0.5;
@@ -49,8 +49,10 @@ pub(super) struct Uneven<'i> {
 impl<'i> Uneven<'i> {
     /// The limb whose bottoms differ most.
     pub(super) fn worst(limits: &Limits<'i>) -> Option<Self> {
+        let bottoms = limits.inspected.standing.iter().flat_map(|body| &body.bottoms);
+        let bottoms: HashMap<&str, &Bottom> = bottoms.map(|bottom| (bottom.path.as_str(), bottom)).collect();
         let limbs = limits.inspected.figures.limbs.iter();
-        let uneven = limbs.filter_map(|limb| Self::of(limits.inspected, limb));
+        let uneven = limbs.filter_map(|limb| Self::of(&bottoms, limb));
         uneven.reduce(|a, b| if b.share > a.share { b } else { a })
     }
 
@@ -64,11 +66,10 @@ impl<'i> Uneven<'i> {
         self.is_beyond(TOO_MUCH) && self.tilt_rad <= TILTED
     }
 
-    fn of(inspected: &'i Inspection, limb: &'i LimbFigures) -> Option<Self> {
-        let own: HashSet<&str> = limb.spheres.iter().map(|sphere| sphere.path.as_str()).collect();
-        let bottoms = inspected.standing.iter().flat_map(|body| &body.bottoms);
-        let bottoms: Vec<&Bottom> = bottoms.filter(|bottom| own.contains(bottom.path.as_str())).collect();
+    fn of(bottoms: &HashMap<&str, &'i Bottom>, limb: &'i LimbFigures) -> Option<Self> {
         limb.limb.as_ref()?;
+        let own = limb.spheres.iter().filter_map(|sphere| bottoms.get(sphere.path.as_str()));
+        let bottoms: Vec<&Bottom> = own.copied().collect();
         let lowest = bottoms.iter().copied().reduce(|a, b| if b.height_m < a.height_m { b } else { a })?;
         let highest = bottoms.iter().copied().reduce(|a, b| if b.height_m > a.height_m { b } else { a })?;
         let share = (highest.height_m - lowest.height_m) / lowest.radius_m;

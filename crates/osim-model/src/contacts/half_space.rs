@@ -1,5 +1,7 @@
 //! Half-spaces: the floor, and other planes that spheres meet.
 
+use std::collections::BTreeMap;
+
 use osim_xml::ElementId;
 
 use super::force::{Force, ParameterSet};
@@ -59,9 +61,16 @@ impl Model {
     /// All half-spaces whose frame can be found, in file order.
     #[must_use]
     pub fn half_spaces(&self) -> Vec<HalfSpace> {
-        let components = self.components();
-        let planes = components.tree.iter().filter(|(id, _)| components.tag(*id) == "ContactHalfSpace");
-        planes.filter_map(|(id, _)| read(components, id)).collect()
+        self.planes().values().cloned().collect()
+    }
+
+    /// The same by component, read when somebody first asks: many forces press on one floor.
+    fn planes(&self) -> &BTreeMap<ComponentId, HalfSpace> {
+        self.half_spaces.get_or_init(|| {
+            let components = self.components();
+            let planes = components.tree.iter().filter(|(id, _)| components.tag(*id) == "ContactHalfSpace");
+            planes.filter_map(|(id, _)| Some((id, read(components, id)?))).collect()
+        })
     }
 
     /// The half-spaces on which `force` presses its spheres, each once: those among its surfaces, and the one that a force of Moco
@@ -89,7 +98,7 @@ impl Model {
     /// The half-spaces among the surfaces of a parameter set, in its order; not one that its force keeps inside itself.
     #[must_use]
     pub fn half_spaces_of(&self, set: &ParameterSet) -> Vec<HalfSpace> {
-        set.half_space_components.iter().filter_map(|&id| read(self.components(), id)).collect()
+        set.half_space_components.iter().filter_map(|id| self.planes().get(id).cloned()).collect()
     }
 }
 
