@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use osim_messages::Input;
 
+use crate::anatomy::AnatomyJoint;
 use crate::contacts::Sphere;
 use crate::fault::{MassSlip, NeedsAnswer};
 use crate::mass::{MassRequest, same_mass};
@@ -98,9 +99,15 @@ pub struct JointDistances {
 impl JointDistances {
     /// Reads the joints between the bodies of `model`.
     pub(crate) fn of(model: &Model) -> Self {
+        Self::of_joints(model.body_facts.joints.between_bodies(model.components()))
+    }
+
+    /// Those of these joints between bodies, such as [`Anatomy::joints`](crate::Anatomy::joints).
+    #[must_use]
+    pub fn of_joints(joints: &[AnatomyJoint]) -> Self {
         let mut neighbours: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
         let mut places: BTreeMap<String, Vec<[f64; 3]>> = BTreeMap::new();
-        for joint in model.body_facts.joints.between_bodies(model.components()) {
+        for joint in joints {
             places.entry(joint.parent.clone()).or_default().push(joint.in_parent_m);
             places.entry(joint.child.clone()).or_default().push(joint.in_child_m);
             neighbours.entry(joint.parent.clone()).or_default().insert(joint.child.clone());
@@ -114,7 +121,7 @@ impl JointDistances {
         };
         Self {
             around_m: neighbours.iter().filter_map(around).collect(),
-            of_limb_m: of_limbs(model, &longest_m),
+            of_limb_m: of_limbs(joints, &longest_m),
             longest_of_all_m: longest_m.values().copied().reduce(f64::max),
             own_m: longest_m,
         }
@@ -161,8 +168,7 @@ impl JointDistances {
 
 /// For each body that hangs on another one or carries one, the longest bone of its limb, each joint looked at once. A limb ends where
 /// the names above it are not of its side.
-fn of_limbs(model: &Model, own_m: &BTreeMap<String, f64>) -> HashMap<String, Option<f64>> {
-    let joints = model.body_facts.joints.between_bodies(model.components());
+fn of_limbs(joints: &[AnatomyJoint], own_m: &BTreeMap<String, f64>) -> HashMap<String, Option<f64>> {
     let mut above: HashMap<&str, &str> = HashMap::new();
     for joint in joints {
         above.entry(&joint.child).or_insert(&joint.parent);
