@@ -95,6 +95,8 @@ const PLAIN: &[Case] = triggers! {
     "doubled-spheres": "check/doubled_spheres.osim",
     "odd-radius": "check/odd_radius.osim",
     "odd-place": "check/odd_place.osim",
+    "crowded-spheres": "check/crowded_spheres.osim",
+    "left-right-swapped": "check/left_right_swapped.osim",
     "large-friction": "check/large_friction.osim",
     "contact-defaults": "format/defaults_smooth.osim",
     "not-hertz": "format/not_hertz.osim",

@@ -14,6 +14,8 @@ pub enum Evidence {
     Note(ScaledSinceNote),
     /// A published layout is on bones of another size.
     OtherSize(LayoutAnswer),
+    /// Each foot has the places that the published layout of this title has on the other foot.
+    Mirrored(&'static str),
     /// Spheres reach further than published ones.
     Reach(Vec<Reach>),
     /// They are right: by the note, or a published layout on bones of its size.
@@ -27,10 +29,15 @@ pub enum Evidence {
 impl Evidence {
     /// What is known of `model`. `noted` is what its note says about sizes, where it has such a note.
     pub fn of(model: &Model, noted: Option<ScaledSinceNote>) -> Self {
+        let bones = Bones::of(model);
+        // A note says that spheres are where somebody put them.
+        if let Some(title) = bones.as_ref().and_then(|bones| layouts::mirrored(model, bones)) {
+            return Self::Mirrored(title);
+        }
         if let Some(noted) = noted {
             return if noted.is_scaled() { Self::Note(noted) } else { Self::Right };
         }
-        let Some(bones) = Bones::of(model) else { return Self::Unscaled };
+        let Some(bones) = bones else { return Self::Unscaled };
         match layouts::answer(model, &bones) {
             Some(LayoutAnswer::AsPublished) => return Self::Right,
             Some(other) => return Self::OtherSize(other),
@@ -50,7 +57,7 @@ impl Evidence {
 
     /// Whether spheres are where they should not be: everything else waits until they are moved.
     pub fn is_wrong(&self) -> bool {
-        matches!(self, Self::Note(_) | Self::OtherSize(_) | Self::Reach(_))
+        matches!(self, Self::Note(_) | Self::OtherSize(_) | Self::Mirrored(_) | Self::Reach(_))
     }
 
     /// Whether spheres are known to be where they belong.
@@ -65,6 +72,7 @@ impl Evidence {
             Self::OtherSize(LayoutAnswer::OtherSize { title, body, here, published }) => {
                 Some(spheres_misplaced::of_layout(title, body, *here, *published))
             }
+            Self::Mirrored(title) => Some(spheres_misplaced::of_mirrored(title)),
             Self::Reach(odd) => spheres_misplaced::of_reach(model, odd),
             Self::Unknown => Some(spheres_not_compared::of_scaled_bones()),
             Self::OtherSize(LayoutAnswer::AsPublished) | Self::Right | Self::Unscaled => None,
@@ -118,5 +126,33 @@ mod tests {
                 "{name}: its layout is in the table, or its bones are not scaled"
             );
         }
+    }
+
+    const FALISSE: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
+
+    /// `text` with the sign of z changed in the place of each sphere.
+    fn mirrored(text: &str) -> String {
+        let of_sphere = |part: &str| {
+            let start = part.find("<location>").unwrap() + "<location>".len();
+            let end = start + part[start..].find('<').unwrap();
+            let [x, y, z] = *part[start..end].split(' ').collect::<Vec<_>>() else { panic!("{part}") };
+            let z: f64 = z.parse().unwrap();
+            format!("{}{x} {y} {}{}", &part[..start], -z, &part[end..])
+        };
+        let mut parts = text.split("<ContactSphere ");
+        let first = parts.next().unwrap().to_owned();
+        parts.fold(first, |text, part| format!("{text}<ContactSphere {}", of_sphere(part)))
+    }
+
+    #[test]
+    fn feet_with_the_places_of_the_other_foot_are_named() {
+        let of = |text: &str| Evidence::of(&Model::parse(text).unwrap(), None);
+        assert_eq!(of(FALISSE), Evidence::Right);
+        let swapped = mirrored(FALISSE);
+        assert_eq!(of(&swapped), Evidence::Mirrored("Falisse et al. (2022)"));
+        assert_eq!(of(&mirrored(&swapped)), Evidence::Right);
+        // On bones of another size, too: which foot it is comes first.
+        let grown = swapped.replace("0.913924 0.913924 0.913924", "0.8 0.8 0.8");
+        assert_eq!(of(&grown), Evidence::Mirrored("Falisse et al. (2022)"));
     }
 }

@@ -96,6 +96,21 @@ pub(super) fn answer(model: &Model, bones: &Bones) -> Option<LayoutAnswer> {
     Some(LayoutAnswer::OtherSize { title: &layout.title, body, here, published })
 }
 
+/// The published layout whose mirror image the spheres of `model` are, as people cite it: each foot has the places of the other one.
+/// `None` where they are as published, too.
+pub(super) fn mirrored(model: &Model, bones: &Bones) -> Option<&'static str> {
+    let list = places(model)?;
+    let mirrored = list.iter().map(Place::mirrored).collect();
+    let title = known(mirrored, bones)?.title.as_str();
+    known(list, bones).is_none().then_some(title)
+}
+
+/// The layout of these places, in one of the sizes that were published or as it grows with the bones.
+fn known(list: Vec<Place>, bones: &Bones) -> Option<&'static Layout> {
+    let places = Places::from(list);
+    layouts().iter().find(|layout| layout.is_of(&places) || layout.grew_to(&places.list, bones))
+}
+
 /// Where the spheres that stand are; `None` if the place of one is not known, or there are none.
 fn places(model: &Model) -> Option<Vec<Place>> {
     let spheres = model.loaded_spheres(&model.force_ids());
@@ -136,6 +151,11 @@ impl Layout {
 }
 
 impl Place {
+    /// The same place on the other foot, in its frame.
+    fn mirrored(&self) -> Self {
+        Self(self.0.clone(), self.1, self.2, -self.3)
+    }
+
     fn is(&self, other: &Self) -> bool {
         let near = |a: f64, b: f64| (a - b).abs() <= SAME_PLACE_M;
         self.0 == other.0 && near(self.1, other.1) && near(self.2, other.2) && near(self.3, other.3)

@@ -1,4 +1,4 @@
-//! Spheres do not fit their bones, as in no published model or as in one of another size.
+//! Spheres do not fit their bones, as in no published model, as in one of another size, or as on the other foot.
 
 use osim_messages::{Input, phrase};
 use osim_model::{Example, Finding, FindingCode, Model, Repair, Rule, Seen, Severity, Sphere, VerdictOn};
@@ -11,8 +11,8 @@ pub(crate) static RULE: Rule = Rule {
     severity: Severity::Warn,
     seen: Seen::Model,
     verdict: Some(VerdictOn::Sizes),
-    what: "Spheres do not fit their bones, as in no published model or as in one of another size.",
-    why: "Either OpenSim scaled the bones and left the spheres behind, or the spheres were taken from a model of another size. Then they push where the foot is not.",
+    what: "Spheres do not fit their bones, as in no published model, as in one of another size, or as on the other foot.",
+    why: "OpenSim scaled the bones and left the spheres behind, the spheres were taken from a model of another size, or left and right were swapped. Then they push where the foot is not.",
     advice: "See where each belongs with `check MODEL from=ORIGINAL`, where ORIGINAL is the model that was scaled: it gives the command that puts them there, if there is one",
     repair: Repair::NotPossible(
         "it needs the model that was scaled, or the ScaleSet, and only you know where they are",
@@ -39,6 +39,14 @@ pub(crate) fn of_layout(title: &str, body: &str, here: [f64; 3], published: [f64
         "the spheres stand where {title} has them on bones of size {}, and {body} has the size {}",
         size(published),
         size(here)
+    );
+    Finding::new(&RULE, text)
+}
+
+/// Each foot has the places that the published layout `title` has on the other one.
+pub(crate) fn of_mirrored(title: &str) -> Finding {
+    let text = format!(
+        "each foot has the spheres where {title} has them on the other foot: left and right are swapped, or z has the wrong sign"
     );
     Finding::new(&RULE, text)
 }

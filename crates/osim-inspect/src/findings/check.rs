@@ -89,6 +89,11 @@ pub fn check_model(
 
 /// Whether the spheres themselves have to be corrected first: figures of a sphere in millimetres, or of a copy of one, say nothing.
 fn are_spheres_odd(model: &Model) -> bool {
-    let codes = [FindingCode::OddRadius, FindingCode::OddPlace, FindingCode::DoubledSpheres];
+    let codes = [
+        FindingCode::OddRadius,
+        FindingCode::OddPlace,
+        FindingCode::CrowdedSpheres,
+        FindingCode::DoubledSpheres,
+    ];
     model.warnings.iter().any(|finding| codes.contains(&finding.code()))
 }

@@ -12,7 +12,7 @@ pub(crate) static RULE: Rule = Rule {
     verdict: Some(VerdictOn::Sides),
     what: "A sphere is not at the mirrored place of its counterpart on the other side.",
     why: "In published models each sphere is at most 2.3 % of the limb's longest bone from the mirror image of its counterpart, in the frames of the two bodies and by the sizes of their bones. More is a sign that was forgotten, another unit, or another body.",
-    advice: "Look at `plot feet`, and correct the place, or the body, of the sphere that is wrong",
+    advice: "Look at `plot MODEL output=FILE.svg kind=feet`, and correct the place, or the body, of the sphere that is wrong",
     repair: Repair::NotPossible("only you know which side is right"),
     example: Example::Piece {
         model: "table1/human_62kg_smooth_sphere.osim",

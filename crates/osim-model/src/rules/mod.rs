@@ -4,6 +4,7 @@
 pub(crate) mod angle_in_degrees;
 pub(crate) mod connectee_by_name;
 pub(crate) mod contact_defaults;
+pub(crate) mod crowded_spheres;
 pub(crate) mod dead_derivative_smoothing;
 pub(crate) mod default_stiffness;
 pub(crate) mod disabled_force;
@@ -16,6 +17,7 @@ pub(crate) mod left_right_differ;
 pub(crate) mod left_right_missing;
 pub(crate) mod left_right_off;
 pub(crate) mod left_right_places;
+pub(crate) mod left_right_swapped;
 pub(crate) mod loop_of_joints;
 pub(crate) mod mass_sources_disagree;
 pub(crate) mod misnamed_parameter_set;
@@ -46,6 +48,7 @@ pub const RULES: &[&Rule] = &[
     &angle_in_degrees::RULE,
     &connectee_by_name::RULE,
     &contact_defaults::RULE,
+    &crowded_spheres::RULE,
     &dead_derivative_smoothing::RULE,
     &default_stiffness::RULE,
     &disabled_force::RULE,
@@ -58,6 +61,7 @@ pub const RULES: &[&Rule] = &[
     &left_right_missing::RULE,
     &left_right_off::RULE,
     &left_right_places::RULE,
+    &left_right_swapped::RULE,
     &loop_of_joints::RULE,
     &mass_sources_disagree::RULE,
     &misnamed_parameter_set::RULE,
@@ -112,7 +116,9 @@ fn both_sides(model: &Model) -> Vec<Finding> {
         left_right_missing::find,
         left_right_off::find,
         one_side_only::find,
+        left_right_swapped::find,
         doubled_spheres::find,
+        crowded_spheres::find,
     ];
     found.extend(grouped.into_iter().filter_map(|find| find(&sides)));
     found.extend([odd_radius::find, odd_place::find].into_iter().filter_map(|find| find(model, &sides)));

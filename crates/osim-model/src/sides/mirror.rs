@@ -41,6 +41,13 @@ impl BodyPair<'_> {
         Some([mirrored, times(self.sizes.unwrap_or([1.0; 3]), mirrored)])
     }
 
+    /// The only axis that changes its sign (0, 1 or 2): in the frames of both bodies it leads sideways.
+    pub(crate) fn reversed_axis(&self) -> Option<usize> {
+        let signs = self.signs?;
+        let mut reversed = (0..3).filter(|&axis| signs[axis] < 0.0);
+        reversed.next().filter(|_| reversed.next().is_none())
+    }
+
     /// How far a place on the left body is from the mirror image of one on the right body, m.
     pub(crate) fn apart_m(&self, right_m: [f64; 3], left_m: [f64; 3]) -> Option<f64> {
         nearest(self.images(right_m)?, left_m)

@@ -37,6 +37,7 @@ pub struct BothSides<'m> {
     by_path: HashMap<&'m str, &'m Force>,
     users: Users<'m>,
     bones: Bones<'m>,
+    bodies: BodyPairs<'m>,
     usual: Usual,
     pub(crate) pairs: Vec<SpherePair<'m>>,
     /// Spheres without a counterpart, where both sides have spheres.
@@ -61,11 +62,12 @@ impl<'m> BothSides<'m> {
         let bones = Bones::of(model);
         let spheres = users.on_sides(model);
         let has = |side| spheres.iter().any(|placed| placed.side == side);
+        let bodies = BodyPairs::of(model);
         let (mut found, mut one_side) = (Pairs::default(), Vec::new());
         match (has(Side::Right), has(Side::Left)) {
-            (true, true) => found = Pairs::of(spheres, &BodyPairs::of(model), &bones),
-            (true, false) if BodyPairs::of(model).has(Side::Left) => one_side = spheres,
-            (false, true) if BodyPairs::of(model).has(Side::Right) => one_side = spheres,
+            (true, true) => found = Pairs::of(spheres, &bodies, &bones),
+            (true, false) if bodies.has(Side::Left) => one_side = spheres,
+            (false, true) if bodies.has(Side::Right) => one_side = spheres,
             _ => {}
         }
         let sets = set_pairs(&found.pairs, &users);
@@ -74,7 +76,7 @@ impl<'m> BothSides<'m> {
             by_path.entry(force.path.as_str()).or_insert(force);
         }
         let (usual, Pairs { pairs, alone }) = (Usual::of(model), found);
-        Self { model, by_path, users, bones, usual, pairs, alone, one_side, sets }
+        Self { model, by_path, users, bones, bodies, usual, pairs, alone, one_side, sets }
     }
 
     /// The force with this component path.
@@ -156,6 +158,12 @@ impl<'m> BothSides<'m> {
     /// The longest bone of the limb to which `body` belongs, m; `None` where no body of it has two joints.
     pub(crate) fn longest_of_limb_m(&self, body: &str) -> Option<f64> {
         self.bones.longest_of_limb_m(body)
+    }
+
+    /// The axis of its frame (0, 1 or 2) that leads from `body` sideways; `None` if no body of the other side is its mirror image in one
+    /// axis.
+    pub(crate) fn sideways_axis(&self, body: &str) -> Option<usize> {
+        self.bodies.pair(body, &self.bones)?.reversed_axis()
     }
 }
 

@@ -9,6 +9,7 @@
 )]
 
 mod loops;
+mod places;
 mod reading;
 mod sides;
 mod words;

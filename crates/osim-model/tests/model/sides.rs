@@ -25,11 +25,13 @@ const JUDGED: &[FindingCode] = &[
     FindingCode::LeftRightDiffer,
     FindingCode::LeftRightPlaces,
     FindingCode::LeftRightMissing,
+    FindingCode::LeftRightSwapped,
     FindingCode::LeftRightOff,
     FindingCode::LeftRightClose,
     FindingCode::OneSideOnly,
     FindingCode::OddRadius,
     FindingCode::OddPlace,
+    FindingCode::CrowdedSpheres,
     FindingCode::LargeFriction,
 ];
 
@@ -331,6 +333,64 @@ fn radii_places_and_friction_in_other_units_are_named() {
     assert!(found.contains(&FindingCode::OddRadius), "{found:?}");
 }
 
+/// The spheres of the fixture.
+const SPHERES: [&str; 6] = ["heel_r", "ball_r", "toe_r", "heel_l", "ball_l", "toe_l"];
+
+/// `text` with the place of a sphere moved along z, m.
+fn aside(text: &str, name: &str, by_m: f64) -> String {
+    let own = element(text, SPHERE, name);
+    let start = own.find("<location>").unwrap() + "<location>".len();
+    let old = &own[start..start + own[start..].find('<').unwrap()];
+    let [x, y, z] = *old.split(' ').map(|number| number.parse::<f64>().unwrap()).collect::<Vec<_>>() else {
+        panic!("{old}")
+    };
+    edited(text, (SPHERE, name), &format!(">{old}<"), &format!(">{x} {y} {}<", z + by_m))
+}
+
+#[test]
+fn places_aside_and_in_thousandths_are_named() {
+    // Outwards on both sides, so that they are mirror images; the ball is in a frame that is turned.
+    let outwards =
+        |text: String, name: &&str| aside(&text, name, if name.ends_with("_r") { 0.2 } else { -0.2 });
+    let text = ["heel_r", "toe_r", "heel_l", "toe_l"].iter().fold(HUMAN.to_owned(), outwards);
+    assert_found(&text, &[FindingCode::OddPlace]);
+    let found = message(&text, FindingCode::OddPlace);
+    assert!(
+        found.contains(" m sideways from the nearest joint of ") && found.ends_with("; 3 other spheres, too"),
+        "{found}"
+    );
+    // 0.05 m are the width of a foot.
+    let outwards =
+        |text: String, name: &&str| aside(&text, name, if name.ends_with("_r") { 0.05 } else { -0.05 });
+    assert_found(&["heel_r", "heel_l"].iter().fold(HUMAN.to_owned(), outwards), &[]);
+
+    let places = (1..=6).flat_map(|number| [format!("s{number}_r"), format!("s{number}_l")]);
+    let text =
+        places.fold(PUBLISHED.to_owned(), |text, name| times(&text, (SPHERE, &name), "location", 0.001));
+    assert_found(&text, &[FindingCode::CrowdedSpheres]);
+    let found = message(&text, FindingCode::CrowdedSpheres);
+    // The toes' spheres are 15 mm apart in x and 80.617 mm in z, and the calcaneus is 163.42 mm long.
+    let expected = "the 2 spheres of toes_l are within 0.000082 m, 0.000502 of the limb's longest bone (0.163 m), expected at least 0.02";
+    assert_eq!(found, format!("{expected}; those of 3 other bodies, too"));
+}
+
+#[test]
+fn names_of_the_other_side_are_named() {
+    let swapped = SPHERES.iter().fold(HUMAN.to_owned(), |text, name| {
+        let other = if let Some(bone) = name.strip_suffix("_r") {
+            format!("{bone}_l")
+        } else {
+            name.replace("_l", "_r")
+        };
+        text.replace(&format!("name=\"{name}\""), &format!("name=\"@{other}\""))
+            .replace(&format!("/{name}<"), &format!("/@{other}<"))
+    });
+    let text = swapped.replace('@', "");
+    assert_found(&text, &[FindingCode::LeftRightSwapped]);
+    let found = message(&text, FindingCode::LeftRightSwapped);
+    assert_eq!(found, "heel_l is on calcn_r, and heel_r on calcn_l; 2 other pairs, too");
+}
+
 /// What is judged in the models of a folder that have contacts, by name.
 fn judged_in(folder: &Path) -> Vec<(String, BTreeSet<FindingCode>)> {
     let mut paths: Vec<PathBuf> =
@@ -383,12 +443,14 @@ fn no_fixture_is_accused_that_is_not_about_it() {
     let accused: Vec<&str> =
         found.iter().filter(|(_, codes)| !codes.is_empty()).map(|(name, _)| name.as_str()).collect();
     let about_it = [
+        "crowded_spheres",
         "doubled_spheres",
         "large_friction",
         "left_right_close",
         "left_right_missing",
         "left_right_off",
         "left_right_places",
+        "left_right_swapped",
         "odd_place",
         "odd_radius",
         "one_side_only",
