@@ -144,6 +144,15 @@ const COMPOSED: &[Case] = &[
         check: "model.osim",
     },
     Case {
+        code: "odd-mesh",
+        fixtures: &[
+            ("feet/human_in_millimetres.osim", "model.osim"),
+            ("feet/Geometry/r_human_foot.vtp", "r_human_foot.vtp"),
+        ],
+        before: "",
+        check: "model.osim",
+    },
+    Case {
         code: "included-file",
         fixtures: &[
             ("format/file_forceset.osim", "model.osim"),

@@ -46,7 +46,7 @@ fn found(planner: &dyn Planner, opened: &OpenModel) -> serde_json::Value {
         &options,
         &opened.model,
         &options.inspect(opened.name(), &opened.model, None),
-        None,
+        &[],
     );
     found.spell(&CommandLine);
     serde_json::to_value(found).unwrap()

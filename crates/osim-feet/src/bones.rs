@@ -40,7 +40,12 @@ pub fn bones(
     Ok(bones)
 }
 
-fn bone(attached: &AttachedMesh, folders: &MeshFolders, files: &dyn Files) -> Result<Bone, FeetFault> {
+/// The bone that one mesh shows.
+pub(crate) fn bone(
+    attached: &AttachedMesh,
+    folders: &MeshFolders,
+    files: &dyn Files,
+) -> Result<Bone, FeetFault> {
     let (body, mesh, factors) = (attached.body.clone(), attached.file.clone(), attached.factors);
     if factors.iter().any(|factor| !is_length(*factor) || *factor == 0.0) {
         return Err(FeetFault::Factors { body, mesh, factors });

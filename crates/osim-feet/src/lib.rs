@@ -19,6 +19,7 @@ mod folders;
 mod held;
 mod mesh;
 mod movements;
+mod odd_mesh;
 mod pose_fault;
 mod posed_unlike;
 mod scene;
@@ -37,6 +38,7 @@ pub use fault::FeetFault;
 pub use folders::MeshFolders;
 pub use mesh::{MeshFault, mesh_points};
 pub use movements::{Freedom, Movements};
+pub use odd_mesh::{OddMesh, odd_meshes, odd_size};
 pub use pose_fault::PoseFault;
 pub use scene::{
     FloorPlace, Foot, FootBodies, FootBone, FootFrame, FootJoint, FootSphere, ViewAxes, silhouette,

@@ -10,7 +10,7 @@
 //! let inspected = options.inspect("one_foot.osim", &model, None);
 //! let sphere = &inspected.figures.limbs[0].spheres[0];
 //! assert!(sphere.value(Figure::Indentation).is_some_and(|x| x > 0.0));
-//! let found = check_model(&options, &model, &inspected, None, Changeable::UNTRIED);
+//! let found = check_model(&options, &model, &inspected, &[], Changeable::UNTRIED);
 //! assert_eq!(found.counts.error, 0);
 //! # Ok(())
 //! # }

@@ -97,7 +97,7 @@ pub(crate) fn worse_findings(
 
 fn check(options: &InspectOptions, opened: &OpenModel, model: &Model) -> CheckResult {
     let inspected = options.inspect(opened.name(), model, None);
-    check_model(options, model, &inspected, None, NO_REMEDIES)
+    check_model(options, model, &inspected, &[], NO_REMEDIES)
 }
 
 /// Whether the verb says it itself, with a way out of its own: then it is neither repeated nor refused, such as what the smoothing of

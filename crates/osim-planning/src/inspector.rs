@@ -12,6 +12,7 @@ use osim_requests::{CheckRequest, InspectRequest};
 
 use crate::opening::{open, scale_file};
 use crate::remedies::Trials;
+use crate::rules::odd_mesh;
 use crate::trial::check_with_trials;
 
 /// Inspects models, on any thread.
@@ -141,7 +142,7 @@ impl Inspector {
     }
 
     /// What is wrong with a model that was inspected, with remedies that were tried; `compiled` names files that other programs would
-    /// read instead of it. `files` are those that remedies name.
+    /// read instead of it. `files` has those that remedies name, and the meshes of feet.
     #[must_use]
     pub fn check(
         &self,
@@ -150,7 +151,10 @@ impl Inspector {
         compiled: Option<&Finding>,
         files: &dyn Files,
     ) -> CheckResult {
-        let found = check_with_trials(&self.options, model, inspected, compiled);
+        let name = FileName::from_parts(inspected.model.clone(), inspected.model_bytes.clone());
+        let mesh = odd_mesh::find(model, &name.to_path(), files);
+        let beside: Vec<Finding> = compiled.cloned().into_iter().chain(mesh).collect();
+        let found = check_with_trials(&self.options, model, inspected, &beside);
         let inspect = |name: &FileName, model: &Model| self.inspect_again(name, model);
         Trials { options: &self.options, files, inspect: &inspect }.tried(model, found)
     }

@@ -33,14 +33,13 @@ fn can_be_changed(options: &InspectOptions, model: &Model) -> bool {
     plan.and_then(|plan| plan.patched(model, FileId::MAIN)).is_ok()
 }
 
-/// Checks a model that was inspected, after it was tried what can be changed; `compiled` names files that other programs would
-/// read instead of it.
+/// Checks a model that was inspected, after it was tried what can be changed; `beside` is what was found in files beside it.
 #[must_use]
 pub fn check_with_trials(
     options: &InspectOptions,
     model: &Model,
     inspected: &Inspection,
-    compiled: Option<&Finding>,
+    beside: &[Finding],
 ) -> CheckResult {
-    check_model(options, model, inspected, compiled, changeable(options, model))
+    check_model(options, model, inspected, beside, changeable(options, model))
 }

@@ -38,4 +38,17 @@ pub enum MeshFault {
     /// All points are in one line.
     #[error("all its points are in one line, expected the surface of a bone")]
     InOneLine,
+    /// A point is far from all others: a broken number would decide where the sole is.
+    #[error(
+        "point {point} is {distance} from the middle of the mesh, alone, where nine of ten points are within {reach}: its numbers are \
+         broken, correct them or take it out of the file"
+    )]
+    StrayPoint {
+        /// Which point, from 1.
+        point: usize,
+        /// How far it is from the middle, in the unit of the file.
+        distance: String,
+        /// How far nine of ten points are at most.
+        reach: String,
+    },
 }

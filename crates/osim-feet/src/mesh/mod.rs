@@ -9,11 +9,15 @@ mod fault;
 mod numbers;
 mod obj;
 mod stl;
+mod stray;
 mod vtk_array;
 mod vtp;
 
 use std::collections::HashSet;
 
+use osim_messages::three_significant;
+
+use self::stray::stray;
 pub use fault::MeshFault;
 
 /// The largest coordinate or factor: products of these are finite.
@@ -32,7 +36,8 @@ const SAME_LINE: f64 = 1e-6;
 /// ```
 ///
 /// # Errors
-/// Bytes that are not such a file, or are cut off; points that are not finite, fewer than four, too many, or all in one line.
+/// Bytes that are not such a file, or are cut off; points that are not finite, fewer than four, too many, all in one line, or one far from
+/// all others.
 pub fn mesh_points(name: &str, bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
     let ending = name.rsplit_once('.').map(|(_, ending)| ending.to_ascii_lowercase());
     let points = match ending.as_deref() {
@@ -58,12 +63,31 @@ fn checked(mut points: Vec<[f64; 3]>) -> Result<Vec<[f64; 3]>, MeshFault> {
         }
     }
     let mut seen = HashSet::with_capacity(points.len());
-    // -0 is 0.
-    points.retain(|point| seen.insert(point.map(|value| (value + 0.0).to_bits())));
+    // The place in the file of each point that stays.
+    let (mut numbers, mut number) = (Vec::new(), 0);
+    points.retain(|point| {
+        number += 1;
+        // -0 is 0.
+        let is_new = seen.insert(point.map(|value| (value + 0.0).to_bits()));
+        if is_new {
+            numbers.push(number);
+        }
+        is_new
+    });
     if points.len() < 4 {
         return Err(MeshFault::FewPoints(points.len()));
     }
-    if in_one_line(&points) { Err(MeshFault::InOneLine) } else { Ok(points) }
+    if in_one_line(&points) {
+        return Err(MeshFault::InOneLine);
+    }
+    match stray(&points) {
+        Some(stray) => Err(MeshFault::StrayPoint {
+            point: numbers.get(stray.index).copied().unwrap_or_default(),
+            distance: three_significant(stray.distance),
+            reach: three_significant(stray.reach),
+        }),
+        None => Ok(points),
+    }
 }
 
 /// Whether all points are as good as in the line through the first and the one farthest from it.

@@ -32,13 +32,13 @@ impl Changeable {
     pub const UNTRIED: Self = Self { numbers: true, radii: true };
 }
 
-/// Everything found in a model that was inspected; `compiled` names files that other programs would read instead of it.
+/// Everything found in a model that was inspected; `beside` is what was found in files beside it.
 #[must_use]
 pub fn check_model(
     options: &InspectOptions,
     model: &Model,
     inspected: &Inspection,
-    compiled: Option<&Finding>,
+    beside: &[Finding],
     changeable: Changeable,
 ) -> CheckResult {
     let is_joined = |finding: &Finding| {
@@ -80,7 +80,7 @@ pub fn check_model(
     findings.extend(another_mass);
     findings.extend(another_gravity.map(Found::from));
     findings.extend(placed);
-    findings.extend(compiled.cloned().map(Found::from));
+    findings.extend(beside.iter().cloned().map(Found::from));
     for remedy in findings.iter_mut().filter_map(|found| found.remedy.as_mut()) {
         answer(remedy, model, &options.masses);
     }

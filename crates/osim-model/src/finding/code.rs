@@ -52,6 +52,7 @@ codes! {
     OddRadius = "odd-radius",
     OddPlace = "odd-place",
     CrowdedSpheres = "crowded-spheres",
+    OddMesh = "odd-mesh",
     LargeFriction = "large-friction",
     ContactDefaults = "contact-defaults",
     NotHertz = "not-hertz",

@@ -70,7 +70,7 @@ fn numbers(values: &[f64; 3], count: usize) -> Phrase {
 pub(crate) fn too_smooth(model: &Model) -> Vec<Finding> {
     let options = InspectOptions::default();
     let inspection = options.inspect("", model, None);
-    let found = check_model(&options, model, &inspection, None, trial::with_numbers(&options, model, true))
+    let found = check_model(&options, model, &inspection, &[], trial::with_numbers(&options, model, true))
         .findings
         .into_iter();
     found

@@ -90,7 +90,7 @@ impl Trials<'_> {
         let plan = change.planner.plan(model).ok().filter(|plan| !plan.is_empty())?;
         let model = plan.changed(model).ok()?;
         let inspected = (self.inspect)(&FileName::from(to), &model);
-        let found = check_with_trials(self.options, &model, &inspected, None);
+        let found = check_with_trials(self.options, &model, &inspected, &[]);
         Some(State { model, found })
     }
 }

@@ -12,16 +12,16 @@ use osim_model::{Finding, Model};
 
 use crate::trial::check_with_trials;
 
-/// Checks a model that was inspected, with remedies that were tried, for a model by itself: they name no other files. `compiled`
-/// names files that other programs would read instead of it.
+/// Checks a model that was inspected, with remedies that were tried, for a model by itself: they name no other files. `beside` is
+/// what was found in files beside it.
 #[must_use]
 pub fn check_with_remedies(
     options: &InspectOptions,
     model: &Model,
     inspected: &Inspection,
-    compiled: Option<&Finding>,
+    beside: &[Finding],
 ) -> CheckResult {
     let inspect = |name: &FileName, model: &Model| options.inspect(name.clone(), model, None);
     let trials = Trials { options, files: &InMemory::default(), inspect: &inspect };
-    trials.tried(model, check_with_trials(options, model, inspected, compiled))
+    trials.tried(model, check_with_trials(options, model, inspected, beside))
 }

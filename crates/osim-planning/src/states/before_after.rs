@@ -102,7 +102,7 @@ fn seen(options: &InspectOptions, opened: &OpenModel, changes: bool) -> (Inspect
         options,
         &opened.model,
         &inspection,
-        None,
+        &[],
         trial::with_numbers(options, &opened.model, changes),
     );
     // Remedies of a model by itself name no other files.

@@ -313,7 +313,7 @@ fn a_name_that_is_no_text_is_kept_in_its_bytes() {
     let model = Model::parse(HUMAN.replace(">1000000<", ">100000<")).unwrap();
     let name = FileName::from_parts("f\u{fffd}.osim".to_owned(), Some(b"f\xff.osim".to_vec()));
     let options = InspectOptions::default();
-    let result = check_with_trials(&options, &model, &options.inspect(name.clone(), &model, None), None);
+    let result = check_with_trials(&options, &model, &options.inspect(name.clone(), &model, None), &[]);
     assert_eq!(result.model_bytes.as_deref(), name.bytes());
     let Some(Request::Design(design)) = &find(&result, FindingCode::SunkIn).remedy else { panic!() };
     assert_eq!(design.models, [name.to_path()]);
@@ -352,8 +352,12 @@ fn what_is_known_of_files_beside_the_model_is_among_the_findings() {
     let model = Model::parse(foot(&[SOLE])).unwrap();
     let options = InspectOptions::default();
     let beside = Finding::new(rule(FindingCode::CompiledModelBeside), "F_model.so is here");
-    let result =
-        check_with_trials(&options, &model, &options.inspect("model.osim", &model, None), Some(&beside));
+    let result = check_with_trials(
+        &options,
+        &model,
+        &options.inspect("model.osim", &model, None),
+        std::slice::from_ref(&beside),
+    );
     assert_eq!(result.findings, [beside.into()]);
 }
 
@@ -366,7 +370,7 @@ fn only_a_model_that_can_be_changed_is_told_how() {
     let inspected = options.inspect("human.osim", &model, None);
     let remedies = |changes| {
         let result =
-            check_model(&options, &model, &inspected, None, Changeable { numbers: changes, radii: true });
+            check_model(&options, &model, &inspected, &[], Changeable { numbers: changes, radii: true });
         result.findings.iter().filter(|finding| finding.remedy.is_some()).count()
     };
     assert_eq!((remedies(true), remedies(false)), (1, 0));

@@ -20,7 +20,7 @@ fn inspect(text: &str, options: &InspectOptions) -> (Model, Inspection) {
 fn check(text: &str) -> CheckResult {
     let options = InspectOptions::default();
     let (model, inspected) = inspect(text, &options);
-    check_with_trials(&options, &model, &inspected, None)
+    check_with_trials(&options, &model, &inspected, &[])
 }
 
 /// Name and mass of the contacts.

@@ -24,3 +24,4 @@ mod odd_side;
 mod placement;
 mod remedies;
 mod rules;
+mod sizes;

@@ -38,7 +38,7 @@ fn check(text: &str, generic: Option<&str>) -> CheckResult {
         let original = Anatomy::of(&Model::parse(generic).unwrap()).unwrap();
         Placement::compare(&model, Path::new("generic.osim"), None, &original, None)
     });
-    check_with_trials(&options, &model, &inspected, None)
+    check_with_trials(&options, &model, &inspected, &[])
 }
 
 /// The text with this sphere at this x, mm.

@@ -78,7 +78,7 @@ fn no_advice_about_a_model_names_a_command_that_changes_it() {
     }
 }
 
-/// All fixtures, by their paths below `fixtures/`.
+/// All models and meshes of the fixtures, by their paths below `fixtures/`.
 pub fn fixtures() -> InMemory {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
     let mut files = InMemory::default();
@@ -87,7 +87,10 @@ pub fn fixtures() -> InMemory {
         for path in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
             if path.is_dir() {
                 folders.push(path);
-            } else if path.extension().is_some_and(|end| end == "osim" || end == "xml") {
+            } else if path
+                .extension()
+                .is_some_and(|end| ["osim", "xml", "vtp"].iter().any(|known| end == *known))
+            {
                 files.add(path.strip_prefix(&root).unwrap(), std::fs::read(&path).unwrap());
             }
         }

@@ -28,7 +28,7 @@ const MODELS: [&str; 10] = [
 fn remedies(options: &InspectOptions, name: &str, front_end: &dyn FrontEnd) -> Vec<String> {
     let model = open(name);
     let inspected = options.inspect(name, &model.model, None);
-    let mut found = check_with_trials(options, &model.model, &inspected, None);
+    let mut found = check_with_trials(options, &model.model, &inspected, &[]);
     found.spell(front_end);
     found.findings.into_iter().filter_map(|finding| finding.command).collect()
 }
@@ -88,7 +88,7 @@ fn spheres_follow_by_the_words_of_each_front_end() {
         let from = Path::new("generic.osim");
         inspected.placement = Some(Placement::compare(&model.model, from, file, &original, None));
         for words in [&CommandLine as &dyn FrontEnd, &Python, &Page, &JsonRequest] {
-            let mut found = check_with_trials(&options, &model.model, &inspected, None);
+            let mut found = check_with_trials(&options, &model.model, &inspected, &[]);
             found.spell(words);
             review.push_str(found.findings[0].command.as_deref().unwrap());
             review.push('\n');

@@ -39,7 +39,7 @@ pub(crate) fn inspected(
     front_end: &dyn FrontEnd,
 ) -> (Inspection, CheckResult) {
     let mut inspected = options.inspect(model.name(), &model.model, None);
-    let mut found = check_with_remedies(options, &model.model, &inspected, None);
+    let mut found = check_with_remedies(options, &model.model, &inspected, &[]);
     inspected.spell(front_end);
     found.spell(front_end);
     (inspected, found)

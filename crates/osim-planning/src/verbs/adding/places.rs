@@ -4,7 +4,9 @@ use std::cell::LazyCell;
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
-use osim_feet::{DefaultPose, FeetFault, MeshFolders, Sole, SoleRequest, Tilting, bones, soles};
+use osim_feet::{
+    Bone, DefaultPose, FeetFault, MeshFolders, Sole, SoleRequest, Tilting, bones, odd_size, soles,
+};
 use osim_messages::{Input, Phrase, four_significant, phrase, shown};
 use osim_model::files::Files;
 use osim_model::{Fault, Model, NeedsAnswer, Question, Side};
@@ -78,7 +80,7 @@ impl Places {
                     Some(said) => said,
                     None => numbers.radius(None)? * numbers.growth(model)?,
                 };
-                let soles = feet.soles(model, path, radius_m, files, &mut remarks)?;
+                let soles = feet.soles((model, path), radius_m, (answers, files), &mut remarks)?;
                 for sole in &soles {
                     answers.ask(pad_slip(sole, feet.pad_m)).map_err(Fault::new)?;
                     answers.ask(tilted(sole, model)).map_err(Fault::new)?;
@@ -207,10 +209,9 @@ impl TablePlaces {
 impl FeetPlaces {
     fn soles(
         &self,
-        model: &Model,
-        path: &Path,
+        (model, path): (&Model, &Path),
         radius_m: f64,
-        files: &dyn Files,
+        (answers, files): (&AnswerOptions, &dyn Files),
         remarks: &mut Vec<Phrase>,
     ) -> Result<Vec<Sole>, AddFault> {
         let mut folders = MeshFolders::of_model(path);
@@ -219,6 +220,7 @@ impl FeetPlaces {
         }
         let bodies: Vec<&str> = self.bodies.iter().map(String::as_str).collect();
         let bones = bones(model, &bodies, &folders, files)?;
+        answers.ask(bones.iter().find_map(|bone| size_slip(model, bone))).map_err(Fault::new)?;
         let nothing = |folder: &&PathBuf| !bones.iter().any(|bone| bone.file.starts_with(folder));
         if let Some(folder) =
             self.geometry_dir.as_ref().filter(nothing).filter(|folder| !files.exists(folder))
@@ -232,6 +234,12 @@ impl FeetPlaces {
         let request = SoleRequest { count: self.count, radius_m, pad_m: self.pad_m };
         Ok(soles(model, &bones, &request)?)
     }
+}
+
+/// What is asked about a mesh in another unit, or of another animal.
+fn size_slip(model: &Model, bone: &Bone) -> Option<NeedsAnswer> {
+    let text = odd_size(model, bone)?.text;
+    Some(NeedsAnswer::Other { question: Question::ImplausibleScale, text: text.into() })
 }
 
 /// What is asked about a foot that does not lie flat.

@@ -11,7 +11,7 @@ use crate::feet::{Smooth, foot};
 /// What is found in a model that is called `name`.
 pub fn check_with(name: &str, text: &str, options: &InspectOptions) -> CheckResult {
     let model = Model::parse(text).unwrap();
-    check_with_trials(options, &model, &options.inspect(name, &model, None), None)
+    check_with_trials(options, &model, &options.inspect(name, &model, None), &[])
 }
 
 pub fn check_text(text: &str) -> CheckResult {
