@@ -21,7 +21,9 @@ def here(path):
         if sphere is not None:
             spheres.append({"name": sphere.getName(), "centre": at, "radius": sphere.getRadius()})
         elif opensim.ContactHalfSpace.safeDownCast(geometry) is not None:
-            floors.append({"at": at, "base": geometry.getFrame().findBaseFrame().getName()})
+            # The half-space is on the side of its x.
+            outward = frame.xformFrameVecToBase(geometry.getTransform().xformFrameVecToBase(opensim.Vec3(-1, 0, 0)))
+            floors.append({"at": at, "base": geometry.getFrame().findBaseFrame().getName(), "normal": vector(outward)})
     joints = {}
     for joint in model.getJointList():
         joints[joint.getName()] = vector(joint.getParentFrame().getTransformInGround(state).p())

@@ -40,7 +40,7 @@ export const VERBS = {
   },
   set: {
     title: "Set", about: "Write numbers of your own, or multiply by a factor.",
-    usual: ["set", "select"],
+    usual: ["set", "level", "select"],
   },
   design: {
     title: "Design", about: "Find parameters from what you want: indentation, stiffness, restitution.",

@@ -4,15 +4,18 @@
 export function relations(conditions, known) {
   const excludes = [];
   const needs = [];
+  const either = [];
   for (const condition of conditions) {
     const both = bothGiven(condition);
     const need = needed(condition);
     if (both) excludes.push(both);
     else if (need) needs.push(need);
+    else if (oneGiven(condition)) either.push(oneGiven(condition));
     else if (!given(condition)) throw new Error(`a condition that forms do not know: ${JSON.stringify(condition)}`);
   }
   return {
     excludes: excludes.filter((pair) => pair.every((name) => known.has(name))),
+    either: either.filter((pair) => pair.every((name) => known.has(name))),
     needs: needs.filter(([name, others]) => known.has(name) && others.every((other) => known.has(other))),
   };
 }
@@ -26,6 +29,12 @@ function given(schema) {
 /** The two fields that exclude each other: not both given. */
 function bothGiven(schema) {
   const names = schema.not?.allOf?.map(given);
+  return names?.length === 2 && names.every(Boolean) ? names : undefined;
+}
+
+/** Two fields, if one or the other must be given. */
+function oneGiven(schema) {
+  const names = schema.anyOf?.map(given);
   return names?.length === 2 && names.every(Boolean) ? names : undefined;
 }
 

@@ -45,7 +45,10 @@ pub use scene::{
 };
 pub use sole::{Footprint, Sole, SoleRequest, SoleSphere, soles};
 pub use sphere_pairs::{SpherePair, sphere_pairs};
-pub use standing::{ByLaw, Lift, NotLifted, OverFloor, Rest, RestingSphere, Standing};
+pub use standing::{
+    ByLaw, LEANING_RAD, LevelledSphere, Lift, NotLevelled, NotLifted, OverFloor, Rest, RestingSphere,
+    Standing, levelled,
+};
 pub use tilted::Tilting;
 pub use vector::{angle, dot};
 

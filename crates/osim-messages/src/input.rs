@@ -89,7 +89,7 @@ inputs! {
     Kind = "kind", "what to draw";
     Label = "label", "name of a curve";
     Ladder = "ladder", "steps of a ladder";
-    Level = "level", "bottoms stay on the sole";
+    Level = "level", "level bottoms";
     LevelAxis = "level_axis", "axis that points up";
     Load = "load", "total load";
     Mass = "mass", "mass of the model";

@@ -84,7 +84,7 @@ pub struct Move {
     pub from: [f64; 3],
     /// Location to be written, m.
     pub to: [f64; 3],
-    /// Why: `follow` (its body was scaled) or `level` (its bottom stays).
+    /// Why: `follow` (its body was scaled) or `level` (its bottom stays, or comes to the height of its foot's lowest one).
     pub equation: &'static str,
     /// Line of the location, from 1, or of the sphere that gets one.
     pub line: usize,

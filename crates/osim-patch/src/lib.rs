@@ -43,6 +43,7 @@ mod design;
 mod edit;
 mod gravity;
 mod insert;
+mod levelled;
 mod node;
 mod note;
 mod note_edits;

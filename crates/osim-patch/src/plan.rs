@@ -81,6 +81,8 @@ impl Masses {
 
 /// Why a sphere moves that follows its body.
 pub(crate) const FOLLOW: &str = "follow";
+/// Why a sphere moves whose bottom stays on the sole, or comes to the height of its foot's lowest one.
+pub(crate) const LEVEL: &str = "level";
 
 /// Elements that an object lacks and gets.
 struct Absent {
@@ -237,8 +239,15 @@ impl Plan {
         })
     }
 
+    /// Records in the note where spheres are, by the digest of their places.
+    pub(crate) fn note_places(&mut self, places: String) {
+        if let Some(note) = &mut self.note {
+            note.places = Some(places);
+        }
+    }
+
     /// The model in which numbers change: `model`, or that with other objects.
-    fn ground<'m>(&'m self, model: &'m Model) -> &'m Model {
+    pub(crate) fn ground<'m>(&'m self, model: &'m Model) -> &'m Model {
         self.rebuilt.as_ref().map_or(model, Rebuilt::model)
     }
 

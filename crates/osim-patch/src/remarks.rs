@@ -13,6 +13,9 @@ pub const PLACES_STAY: &str = "body masses and sphere locations stay as they are
 /// The remark if contacts are scaled to a gravity that is not the model's.
 pub(crate) const GRAVITY_STAYS: &str = "the model's own <gravity> stays as it is: set it in OpenSim";
 
+/// The remark if spheres move because their feet are made level.
+pub(crate) const LEVEL_FEET: &str = "sphere centres move along the normal of their floor until the bottoms of each foot are as low as its lowest one, at the default pose";
+
 /// Says what is special about the chosen forces.
 pub(crate) fn warn_forces(plan: &mut PlanBuilder<'_>, forces: &[ForceId], properties: &PropertySet) {
     let model = plan.model;

@@ -1,16 +1,21 @@
 //! Plain changes: a property becomes a value, or is multiplied by a factor. Nothing else follows.
 
 use osim_messages::phrase;
-use osim_model::{Assignment, Fault, Mass, Model, Needed, Property, RadiusFrom, Selected, moving_spheres};
+use osim_model::{
+    Assignment, Fault, Mass, Model, Needed, Property, RadiusFrom, Selected, SphereId, moving_spheres,
+};
 
 use crate::builder::{New, PlanBuilder};
 use crate::note::KeptMass;
-use crate::plan::{Contents, Masses, NoteFacts, Plan};
+use crate::plan::{Contents, LEVEL, Masses, NoteFacts, Plan};
 use crate::radii::Users;
+use crate::remarks::LEVEL_FEET;
 use crate::rules::nothing_to_change;
 
 /// Between the operations that a note lists.
 const AND: &str = " + ";
+/// What follows an operation that made feet level as well.
+const AND_LEVEL: &str = " level";
 
 impl New {
     /// What `assignment` makes of a value.
@@ -47,6 +52,8 @@ impl New {
 pub struct Set {
     /// Properties and what happens to them.
     pub assignments: Vec<(Property, Assignment)>,
+    /// Where the centres of spheres are to be for level feet, in their own frames, m; `None` where they stay.
+    pub level: Option<Vec<(SphereId, [f64; 3])>>,
     /// The mass that the contacts were made for, where known; it stays.
     pub contacts_mass: Option<Mass>,
     /// Whether to apply factors once more to a file whose note says they were applied already.
@@ -60,12 +67,17 @@ impl Set {
         Self { assignments, ..Self::default() }
     }
 
-    /// The operation as the note records it: `set stiffness=x2 dissipation=1`.
+    /// The operation as the note records it: `set stiffness=x2 dissipation=1`, with `level` at its end where feet are made level.
     #[must_use]
     pub fn operation(&self) -> String {
-        let each: Vec<_> =
-            self.assignments.iter().map(|(property, value)| format!("{property}={value}")).collect();
-        format!("set {}", each.join(" "))
+        let level = self.level.as_ref().map_or("", |_| AND_LEVEL);
+        format!("{}{level}", self.assigned())
+    }
+
+    /// The same without `level`.
+    fn assigned(&self) -> String {
+        let each = self.assignments.iter().map(|(property, value)| format!(" {property}={value}"));
+        format!("set{}", each.collect::<String>())
     }
 }
 
@@ -80,15 +92,17 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
     let relative = wanted.assignments.iter().any(|(_, value)| matches!(value, Assignment::Factor(_)));
     let before =
         model.note.as_ref().map(|note| note.operation.as_str()).filter(|done| done.starts_with("set "));
-    let done = before.is_some_and(|done| done.split(AND).any(|one| one == operation));
+    // Feet that are level stay so: only values are applied twice.
+    let assigned = |one: &str| one.strip_suffix(AND_LEVEL).unwrap_or(one) == wanted.assigned();
+    let done = before.is_some_and(|done| done.split(AND).any(assigned));
     if relative && !wanted.again && done {
         return Err(Fault::new(Needed::Repetition { operation }));
     }
+    let users = Users::outside(model, &selected.forces);
     let mut plan = PlanBuilder::new(model);
     for &(property, value) in &wanted.assignments {
         let mut found = false;
         if property == Property::Radius {
-            let users = Users::outside(model, &selected.forces);
             for sphere in moving_spheres(model, &selected.forces) {
                 let from = plan.model.radius_m(sphere)?;
                 if New::assigned(value, from).to != from {
@@ -111,8 +125,12 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
             return Err(Fault::refused(format!("none of the chosen forces has a {property}")));
         }
     }
+    for &(sphere, location_m) in wanted.level.iter().flatten() {
+        users.refuse(model, &selected.forces, sphere, RadiusFrom::Level)?;
+        plan.location(sphere, location_m, LEVEL)?;
+    }
     let PlanBuilder { changes, moves, mut warnings, .. } = plan;
-    if changes.is_empty() {
+    if changes.is_empty() && moves.is_empty() {
         warnings.push(nothing_to_change::by_set());
     }
     let mut taken = phrase![];
@@ -121,11 +139,12 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
         taken.push("; ");
     }
     taken.push(format!("{operation}; nothing else follows"));
+    let remarks = if moves.is_empty() { vec![] } else { vec![LEVEL_FEET.into()] };
     let masses = wanted.contacts_mass.clone().map(Masses::same);
     let kept = KeptMass::of(model, wanted.contacts_mass.as_ref());
     Ok(Plan::new(
         model,
-        Contents { changes, moves, masses, taken, warnings, remarks: vec![] },
+        Contents { changes, moves, masses, taken, warnings, remarks },
         &NoteFacts {
             followed: None,
             target_mass_kg: kept.kg,

@@ -137,6 +137,8 @@ fn with_field(verb: Verb, schema: &Value, field: &str) -> Value {
     let mut wanted: Vec<&str> = required.filter(|name| !["verb", "models"].contains(name)).collect();
     // A sweep has one of two.
     wanted.extend((verb == Verb::Sweep && !["ladder", "soft"].contains(&field)).then_some("grid"));
+    // And so has a set.
+    wanted.extend((verb == Verb::Set && field != "level").then_some("set"));
     wanted.push(field);
     while let Some(name) = wanted.pop() {
         if said.get(name).is_none() || name == "models" {

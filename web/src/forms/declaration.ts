@@ -38,6 +38,8 @@ export interface Form {
   verb: string;
   fields: Field[];
   required: string[];
+  /** One or the other of each pair must be given. */
+  either: [string, string][];
   excludes: [string, string][];
   needs: [string, string[]][];
 }

@@ -51,9 +51,12 @@ export function problems(form: Form, values: Values): Map<string, string> {
   return new Map(found);
 }
 
-/** Fields that must be given and are not. */
+/** Fields that must be given and are not; the first of two, if one or the other must be. */
 export function unsaid(form: Form, values: Values): Field[] {
-  return form.fields.filter(({ name }) => form.required.includes(name) && values.get(name) === undefined);
+  const isSaid = (name: string): boolean => values.get(name) !== undefined;
+  const missing = form.either.filter((pair) => !pair.some(isSaid)).map(([first]) => first);
+  const wanted = [...form.required.filter((name) => !isSaid(name)), ...missing];
+  return form.fields.filter(({ name }) => wanted.includes(name));
 }
 
 /** Whether the form says anything at all. */

@@ -2,6 +2,7 @@
 //! are where they carry the tree's weight.
 
 mod gaps;
+mod levelled;
 mod lift;
 mod rest;
 mod tree;
@@ -17,6 +18,7 @@ use crate::pose_fault::PoseFault;
 use crate::vector::{angle, dot};
 
 pub use gaps::OverFloor;
+pub use levelled::{LEANING_RAD, LevelledSphere, NotLevelled, levelled};
 pub use lift::{Lift, NotLifted};
 pub use rest::{ByLaw, Rest, RestingSphere};
 

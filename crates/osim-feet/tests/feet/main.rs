@@ -10,6 +10,7 @@
 
 mod bones;
 mod given;
+mod levelled;
 mod meshes;
 mod planes;
 mod pose;

@@ -18,6 +18,9 @@ use crate::figures::{Figure, SphereFigures};
 use crate::inspection::Inspection;
 use crate::options::InspectOptions;
 
+/// The preset whose contacts are proposed where a model's own make no sense.
+const PRESET: &str = "falisse2022";
+
 /// What all remedies for one model share. A remedy is a request: it is asked like any other.
 pub(crate) struct Remedies<'m> {
     /// `None` for standard input, which cannot be read twice, for a model that is not changed as it is, and where something
@@ -145,6 +148,13 @@ impl<'m> Remedies<'m> {
         })
     }
 
+    /// Makes the bottoms of each foot level.
+    pub(crate) fn level(&self) -> Option<Request> {
+        // A sphere that another force needs as it is can move no more than its radius can change.
+        let models = self.models(true)?;
+        Some(SetRequest { models, level: true, ..self.set(Vec::new())? }.into())
+    }
+
     pub(crate) fn factor(&self, property: Property, factor: f64) -> Option<Request> {
         self.set(vec![(property, Assignment::Factor(factor))]).map(Request::from)
     }
@@ -174,6 +184,17 @@ impl<'m> Remedies<'m> {
     pub(crate) fn constant_indentation(&self, constant_indentation: f64) -> Option<Request> {
         let constant_indentation = Some(ConstantIndentation::new(constant_indentation).ok()?);
         self.design(WantedOptions { constant_indentation, ..WantedOptions::default() }).map(Request::from)
+    }
+
+    /// Contacts of a published model, under the load that was said, or with so many stance limbs.
+    pub(crate) fn published(&self, stance_limbs: Option<f64>) -> Option<TransferRequest> {
+        // A transfer takes the model's own gravity.
+        let known = self.has_own_gravity() && self.weighed && self.counted;
+        let mut request = known.then(|| self.transfer(PRESET.into()))??;
+        if let Some(limbs) = stance_limbs {
+            request.counts.stance_limbs = Count::new(limbs).ok()?;
+        }
+        Some(request)
     }
 
     /// Contacts of another model or preset, under the load that was said.

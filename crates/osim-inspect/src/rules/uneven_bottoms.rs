@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use osim_feet::LEANING_RAD;
 use osim_messages::{readable, shown, three_significant};
 use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 
@@ -12,8 +13,6 @@ use crate::inspection::Bottom;
 
 /// Bottoms that differ by more than this, in the radius of the lowest sphere, are too uneven.
 const TOO_MUCH: f64 = 0.5;
-/// Bodies that lean more than this are posed so, rad: the pose moves their spheres.
-const TILTED: f64 = 3.0 * std::f64::consts::PI / 180.0;
 /// Heights have rounding errors.
 const ROUNDING: f64 = 1e-9;
 
@@ -24,15 +23,17 @@ pub(crate) static RULE: Rule = Rule {
     verdict: Some(VerdictOn::Standing),
     what: "The bottoms of a limb's spheres differ in height by more than half a radius at the default pose, and the foot lies flat there.",
     why: "The lower spheres carry the body, the higher ones little or nothing, so that figures of a level foot do not hold. Of 134 published models with level floors two differ so much.",
-    advice: "Correct the places of the spheres; `inspect MODEL` says how deep each is. Where radii change, `level` keeps bottoms where they are",
-    repair: Repair::NotPossible("which of the spheres is at the right height is not in the file"),
+    advice: "If the spheres are meant to be on one sole, make their bottoms level, as low as the lowest one; else correct the places that are wrong. `inspect MODEL` says how deep each sphere is. Where radii change, `level` keeps bottoms where they are",
+    repair: Repair::Command(
+        "moves the centres of the limb's spheres until their bottoms are as low as its lowest one at the default pose",
+    ),
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/uneven_bottoms.osim" },
 };
 
 /// The limb whose bottoms differ most.
 pub(crate) fn find(limits: &Limits<'_>) -> Option<Found> {
     let worst = Uneven::worst(limits)?;
-    worst.is_too_much().then(|| worst.finding(&RULE).into())
+    worst.is_too_much().then(|| Found::new(worst.finding(&RULE), limits.remedies.level()))
 }
 
 /// A limb whose lowest and highest bottoms differ.
@@ -63,7 +64,7 @@ impl<'i> Uneven<'i> {
 
     /// Whether that is a warning: a foot that leans has such contacts by its pose.
     pub(super) fn is_too_much(&self) -> bool {
-        self.is_beyond(TOO_MUCH) && self.tilt_rad <= TILTED
+        self.is_beyond(TOO_MUCH) && self.tilt_rad <= LEANING_RAD
     }
 
     fn of(bottoms: &HashMap<&str, &'i Bottom>, limb: &'i LimbFigures) -> Option<Self> {
@@ -80,7 +81,7 @@ impl<'i> Uneven<'i> {
     pub(super) fn finding(&self, rule: &'static Rule) -> Finding {
         let Self { limb, lowest, highest, share, tilt_rad } = self;
         let millimetres = readable(((highest.height_m - lowest.height_m) * 1e4).round() / 10.0);
-        let tilted = match *tilt_rad > TILTED {
+        let tilted = match *tilt_rad > LEANING_RAD {
             true => format!("; the foot leans by {:.0} degrees there", tilt_rad.to_degrees()),
             false => String::new(),
         };

@@ -82,6 +82,8 @@ pub enum RadiusFrom {
     ContactStiffness,
     /// A value that is set.
     Assignment,
+    /// The foot, whose bottoms are made level: the centre changes then, and not the radius.
+    Level,
 }
 
 impl RadiusFrom {
@@ -92,6 +94,7 @@ impl RadiusFrom {
             Self::Bodies => phrase!["leave radii as they are with ", Input::Keep.being("radius")],
             Self::ContactStiffness => phrase!["leave out ", Input::ContactStiffness],
             Self::Assignment => "set no radius".into(),
+            Self::Level => phrase!["leave out ", Input::Level],
         }
     }
 }

@@ -11,7 +11,7 @@ use osim_model::{
 use super::rule::{Pair, SphereRule};
 use super::users::Users;
 use crate::builder::{New, PlanBuilder};
-use crate::plan::FOLLOW;
+use crate::plan::{FOLLOW, LEVEL};
 
 /// Old and new radius of each moving sphere of the chosen forces.
 pub(crate) struct Radii(BTreeMap<SphereId, Pair>);
@@ -89,7 +89,7 @@ impl Radii {
             let Some(found) = plan.model.sphere(sphere) else { continue };
             let location = found.location_m;
             let axis = axis.in_frame(&plan.model.rotation_of(found)?);
-            plan.location(sphere, axis.centre(location, pair.old, pair.new, |vector| vector), "level")?;
+            plan.location(sphere, axis.centre(location, pair.old, pair.new, |vector| vector), LEVEL)?;
         }
         Ok(())
     }

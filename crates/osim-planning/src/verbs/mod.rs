@@ -6,6 +6,7 @@ mod asking;
 mod convert;
 pub(crate) mod design;
 mod following;
+mod levelling;
 mod note;
 mod operation;
 mod reference;

@@ -1,16 +1,18 @@
 //! Plain changes.
 
-use osim_model::{Fault, Mass, MassRequest, MassSource, Model, Selection};
+use osim_model::{Fault, Mass, MassRequest, MassSource, Model, Selected, Selection, SphereId};
 use osim_patch::{Plan, Set, set};
 use osim_requests::options::{InspectionOptions, StanceOptions};
 use osim_requests::{Assignments, RequestFault, SetRequest};
 use serde_json::json;
 
 use super::asking::Asking;
+use super::levelling;
 use crate::planner::{Change, Planner};
 
 struct Setting {
     assignments: Assignments,
+    level: bool,
     selection: Selection,
     masses: MassRequest,
     may_repeat: bool,
@@ -23,18 +25,19 @@ struct Setting {
 /// # Errors
 /// No model, or nothing to set.
 pub(crate) fn prepare(request: SetRequest) -> Result<Change, RequestFault> {
-    let SetRequest { models, set, masses, choice, output, run: _, answers, set_files } = request;
+    let SetRequest { models, set, level, masses, choice, output, run: _, answers, set_files } = request;
     if models.is_empty() {
         return Err(RequestFault::Missing { field: "models" });
     }
-    if set.is_empty() {
+    if set.is_empty() && !level {
         return Err(RequestFault::general(
             "nothing to set, expected PROPERTY=VALUE or PROPERTY=xFACTOR, for example stiffness=x2",
         ));
     }
     let planner = Setting {
-        settings: json!(["set", set, masses, choice]).to_string(),
+        settings: json!(["set", set, level, masses, choice]).to_string(),
         assignments: set,
+        level,
         selection: choice.selection(),
         masses: masses.request(),
         may_repeat: output.may_repeat(),
@@ -68,8 +71,31 @@ impl Planner for Setting {
         let mut wanted = Set::new(self.assignments.as_slice().to_vec());
         wanted.contacts_mass = contacts_mass;
         wanted.again = self.may_repeat;
+        if self.level {
+            wanted.level = Some(self.level_places(model, &selected, &wanted)?);
+        }
         let mut plan = set(model, &selected, &wanted)?;
         plan.warnings.append(&mut warnings);
         Ok(plan)
+    }
+}
+
+impl Setting {
+    /// Where spheres have to be for level feet, with the radii that they get.
+    fn level_places(
+        &self,
+        model: &Model,
+        selected: &Selected,
+        wanted: &Set,
+    ) -> Result<Vec<(SphereId, [f64; 3])>, Fault> {
+        let changed;
+        let model = match self.assignments.is_empty() {
+            true => model,
+            false => {
+                changed = set(model, selected, wanted)?.changed(model)?;
+                &changed
+            }
+        };
+        levelling::places(model, &selected.forces)
     }
 }

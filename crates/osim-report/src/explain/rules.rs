@@ -43,12 +43,22 @@ pub(super) const ALL: &[Equation] = &[
     Equation {
         label: "level",
         aliases: &[],
-        title: "The sphere's bottom stays on the sole while its radius changes",
-        forms: &[rule("new centre = centre + (R_b − R_a) up")],
+        title: "The bottom stays on the sole, or comes down to the lowest of its foot",
+        forms: &[
+            Form { note: "rescale, transfer", ..rule("new centre = centre + (R_b − R_a) up") },
+            Form { note: "set, add", ..rule("new centre = centre − (h − h_min) n") },
+        ],
         symbols: &[
             R_B,
             R_A,
             symbol("up", "the axis of the sphere's frame that points up (`level_axis`)", "1"),
+            symbol(
+                "h",
+                "height of the sphere's bottom over its floor at the default pose, with its new radius",
+                "m",
+            ),
+            symbol("h_min", "the least h of the spheres of its limb", "m"),
+            symbol("n", "the normal of its floor", "1"),
         ],
         source: "your request: `level`",
     },

@@ -25,6 +25,9 @@ pub struct SetRequest {
     /// Properties by OpenSim's names, each with its value, or with a factor such as "x2"
     #[cfg_attr(feature = "clap", arg(skip))]
     pub set: Assignments,
+    /// Move the centres of spheres until the bottoms of each foot are as low as its lowest one, at the default pose
+    #[cfg_attr(feature = "clap", arg(long, help_heading = "What changes"))]
+    pub level: bool,
     /// Which mass is meant.
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
@@ -53,7 +56,7 @@ pub struct SetRequest {
 
 impl SetRequest {
     pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[
-        &[Relation::Expected("models"), Relation::Expected("set")],
+        &[Relation::Expected("models"), Relation::RequiredUnless("set", "level")],
         OutputOptions::RELATIONS,
         RunOptions::RELATIONS,
     ];

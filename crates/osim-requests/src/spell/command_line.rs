@@ -175,6 +175,7 @@ mod tests {
             &json!({"verb": "set", "models": "a.osim", "set": {"stiffness": "x2", "dissipation": 1.5}, "in_place": true}),
             "set a.osim stiffness=x2 dissipation=1.5 --in-place",
         );
+        is_spelled(&json!({"verb": "set", "models": "a.osim", "level": true}), "set a.osim --level");
     }
 
     #[test]

@@ -195,6 +195,8 @@ fn an_object_without_fields_says_nothing_in_the_schema_too() {
         ),
         (json!({"verb": "sweep", "model": "a.osim", "grid": {}}), false),
         (json!({"verb": "set", "models": ["a.osim"], "set": {}}), false),
+        (json!({"verb": "set", "models": ["a.osim"], "level": true}), true),
+        (json!({"verb": "set", "models": ["a.osim"], "level": false}), false),
         (json!({"verb": "set", "models": ["a.osim"], "set": "stiffness=x2"}), true),
         (json!({"verb": "sweep", "model": "a.osim", "grid": "stiffness=x1,x2"}), true),
     ] {

@@ -15,7 +15,7 @@ use osim_inspect::ReferenceState;
 use osim_messages::Phrase;
 use osim_model::files::{Failure, Files, InMemory, OpenModel};
 use osim_model::{Fault, FaultKind, FindingCode, ForceId, Model, Question, Selected, Selection};
-use osim_patch::{Layout, Plan, Rebuilt, remove};
+use osim_patch::{Deed, Layout, Plan, Rebuilt, remove};
 use osim_requests::BodyScale;
 use osim_requests::options::{AnswerOptions, InspectionOptions};
 
@@ -24,12 +24,15 @@ use self::made::added;
 use self::numbers::Numbers;
 use self::places::Places;
 use self::reference::FromReference;
+use super::levelling;
 use crate::planner::Planner;
 use crate::remarks::{friction_stays, leaning, planes_left, scale_slip, standing, too_new};
 
 /// Plans contacts for models that have none.
 struct Adding {
     source: Source,
+    /// Whether feet are made level.
+    level: bool,
     replace: bool,
     /// Which of the model's own forces are replaced.
     own: Selection,
@@ -120,6 +123,10 @@ impl Adding {
             Some(bare) => rebuilt.clone().after(bare),
             None => rebuilt.clone(),
         });
+        if self.level {
+            let changed = plan.changed(model)?;
+            plan.level(model, &levelling::places(&changed, &new_forces(&plan, &changed))?)?;
+        }
         let stands = plan.changed(model).ok().and_then(|changed| standing(&plan, &changed));
         plan.remarks.extend(stands);
         Ok(plan)
@@ -160,4 +167,11 @@ impl Adding {
             spheres.filter_map(|sphere| distances.radius_slip(sphere, sphere.radius.number, true));
         slips.next().map_or(Ok(()), |asks| Err(Fault::new(asks)))
     }
+}
+
+/// The forces in `built`, the model that `plan` makes, that it adds.
+fn new_forces(plan: &Plan, built: &Model) -> Vec<ForceId> {
+    let added = plan.objects().iter().filter(|object| object.deed == Deed::Added);
+    let paths: HashSet<&str> = added.map(|object| object.path.as_str()).collect();
+    Selected::those(built, |force| paths.contains(force.path.as_str())).forces
 }

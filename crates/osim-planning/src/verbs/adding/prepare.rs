@@ -62,6 +62,7 @@ pub(in crate::verbs) fn prepare(request: AddRequest, files: &dyn Files) -> Resul
     let reads = request.from.clone().filter(|_| is_file).into_iter().chain(request.contacts.clone());
     let planner = Adding {
         source,
+        level: request.level,
         replace: request.replace,
         own: request.choice.selection(),
         body_scale: request.body_scale.clone(),
@@ -282,7 +283,8 @@ fn settings(request: &AddRequest, is_file: bool) -> String {
         geometry,
         request.mirror,
         request.class,
-        request.friction
+        request.friction,
+        request.level
     ]);
     let numbers = json!([request.numbers, request.load]);
     json!(["add", preset, radius, scales, maps, replace, choice, counts, reference, masses, places, numbers])
