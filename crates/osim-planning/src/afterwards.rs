@@ -7,6 +7,8 @@ use osim_model::{Fault, Finding, FindingCode, Model, NeedsAnswer, Question, Seve
 use osim_patch::Plan;
 use osim_requests::options::AnswerOptions;
 
+use crate::moved_bottoms::moved_bottoms;
+
 /// No remedy is asked for: what can be changed does not matter.
 const NO_REMEDIES: Changeable = Changeable { numbers: false, radii: false };
 
@@ -53,7 +55,16 @@ fn options_before(aims: Aims, before: &InspectOptions, plan: &Plan) -> InspectOp
     options
 }
 
-/// Warnings and errors of the model with `plan` that the model without it does not have, or has as less bad.
+/// Whether the contacts are for a body that the bodies of the model still have to become: contacts are often scaled before the body is.
+/// What its default pose is then nobody knows yet, so that every isometric rescaling to another mass would warn of the pose that is.
+fn is_to_be_scaled(aims: Aims, plan: &Plan, weighs_kg: Option<f64>) -> bool {
+    let target_mass_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
+    let is_other = |target| weighs_kg.is_none_or(|weighs| !same_mass(weighs, target));
+    aims.carries_target && target_mass_kg.is_some_and(is_other)
+}
+
+/// Warnings and errors of the model with `plan` that the model without it does not have, or has as less bad; and what the plan does to
+/// bottoms that stood.
 ///
 /// # Errors
 /// An error among them, unless the caller means it; the new model cannot be read, which would be a defect.
@@ -70,29 +81,45 @@ pub(crate) fn worse_findings(
     let failure = |fault| opened.failure(fault);
     let weighs = before.masses.of_model(&opened.model).ok();
     let weighs = weighs.or_else(|| Some(before.masses.of_contacts(&opened.model).ok()?.0));
-    let after = options_after(aims, before, plan, weighs.map(|mass| mass.kg));
+    let weighs_kg = weighs.map(|mass| mass.kg);
     let changed = plan.changed(&opened.model).map_err(failure)?;
-    let found = check(&after, opened, &changed);
+    let after = options_after(aims, before, plan, weighs_kg);
+    let is_meant = aims.as_given || answers.is_some_and(|answers| answers.has(Question::WrongAfterwards));
+    let worse = worse_than(&options_before(aims, before, plan), &after, opened, plan, &changed);
+    let mut said: Vec<Finding> = match worse.iter().find(|one| one.severity == Severity::Error) {
+        Some(wrong) if !is_meant => return Err(failure(Fault::new(asks(wrong)))),
+        _ => worse.iter().map(of_new_model).collect(),
+    };
+    if !is_to_be_scaled(aims, plan, weighs_kg) {
+        said.extend(moved_bottoms(plan, &opened.model, &changed, &said));
+    }
+    Ok(said)
+}
+
+/// What is wrong with the model `changed` by `plan`, and was not, or less.
+fn worse_than(
+    before: &InspectOptions,
+    after: &InspectOptions,
+    opened: &OpenModel,
+    plan: &Plan,
+    changed: &Model,
+) -> Vec<Found> {
+    let found = check(after, opened, changed);
     // Contacts are often scaled before the body is.
     let is_due = |one: &&Found| one.code() == FindingCode::MassSourcesDisagree;
     let is_bad = |one: &&Found| one.severity >= Severity::Warn && !is_due(one) && !is_known(plan, one);
     let bad: Vec<&Found> = found.findings.iter().filter(is_bad).collect();
     if bad.is_empty() {
-        return Ok(Vec::new());
+        return Vec::new();
     }
-    let old = check(&options_before(aims, before, plan), opened, &opened.model);
+    let old = check(before, opened, &opened.model);
     let kin = Kin::of(&old.findings);
     // Contacts that are no longer those of a published model are not worse for it.
     let is_worse = |one: &&Found| {
         let was = kin.nearest(one);
         was.is_none_or(|was| was.code() != one.code() && was.rule.severity < one.rule.severity)
     };
-    let worse: Vec<&Found> = bad.into_iter().filter(is_worse).collect();
-    let is_meant = aims.as_given || answers.is_some_and(|answers| answers.has(Question::WrongAfterwards));
-    match worse.iter().find(|one| one.severity == Severity::Error) {
-        Some(wrong) if !is_meant => Err(failure(Fault::new(asks(wrong)))),
-        _ => Ok(worse.into_iter().map(of_new_model).collect()),
-    }
+    bad.into_iter().filter(is_worse).cloned().collect()
 }
 
 fn check(options: &InspectOptions, opened: &OpenModel, model: &Model) -> CheckResult {

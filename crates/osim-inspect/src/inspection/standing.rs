@@ -10,6 +10,10 @@ use serde::Serialize;
 
 /// Bottoms of limbs this close are equally low, m.
 const LEVEL_M: f64 = 1e-9;
+/// A sphere this deep, in its radius, is inside the floor.
+const INSIDE: f64 = 0.5;
+/// A body this little below where it stands, in the radius of its lowest sphere, stands.
+const STANDS: f64 = 0.1;
 
 /// A joint tree over its floor, its joints as they are at the default pose.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -147,6 +151,14 @@ impl StandingBody {
             as_posed: rest(&spheres, 1.0, None),
             on_one_limb: lower.and_then(|limb| rest(&limb.spheres, share, Some(limb))),
         }
+    }
+
+    /// Whether a sphere is inside the floor at the default pose and the body deeper than where its feet carry it.
+    #[must_use]
+    pub fn is_inside_floor(&self) -> bool {
+        let Some(lowest) = self.lowest() else { return false };
+        let deeper = self.as_posed.as_ref().is_none_or(|rest| rest.down_m < -STANDS * lowest.radius_m);
+        deeper && self.bottoms.iter().any(|bottom| bottom.height_m < -INSIDE * bottom.radius_m)
     }
 
     /// The lowest of its bottoms; of equally low ones the first.

@@ -7,10 +7,6 @@ use super::limits::Limits;
 use crate::findings::Found;
 use crate::inspection::StandingBody;
 
-/// A sphere this deep, in its radius, is inside the floor.
-const INSIDE: f64 = 0.5;
-/// A body this little below where it stands, in the radius of its lowest sphere, stands.
-const STANDS: f64 = 0.1;
 /// A body this high is above the floor, m.
 const ABOVE_M: f64 = 0.020;
 
@@ -40,9 +36,7 @@ pub(crate) fn find(limits: &Limits<'_>) -> Vec<Found> {
 /// Whether a simulation of `body` starts inside the floor or above it.
 fn is_off(body: &StandingBody) -> bool {
     let Some(lowest) = body.lowest() else { return false };
-    let deeper = body.as_posed.as_ref().is_none_or(|rest| rest.down_m < -STANDS * lowest.radius_m);
-    let inside = body.bottoms.iter().any(|bottom| bottom.height_m < -INSIDE * bottom.radius_m);
-    lowest.height_m > ABOVE_M || (inside && deeper)
+    lowest.height_m > ABOVE_M || body.is_inside_floor()
 }
 
 fn finding(body: &StandingBody, of_several: bool) -> Option<Finding> {

@@ -59,6 +59,7 @@ codes! {
     MixedRadii = "mixed-radii",
     SeveralParameterSets = "several-parameter-sets",
     Terrain = "terrain",
+    BottomsMoved = "bottoms-moved",
     NothingToChange = "nothing-to-change",
     NotFinite = "not-finite",
     OddNumber = "odd-number",

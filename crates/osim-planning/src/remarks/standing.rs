@@ -2,27 +2,25 @@
 
 use std::collections::HashSet;
 
-use osim_feet::Standing;
-use osim_inspect::{LoadSharing, Stance, StandingBody};
+use osim_inspect::StandingBody;
 use osim_messages::{Phrase, shown};
 use osim_model::Model;
 use osim_patch::Plan;
 
+use crate::standing_bodies::standing_bodies;
+
 /// How far the spheres that `plan` adds are from the floor of `built`, the model that it makes, at the default pose, and which
 /// coordinate puts the body on them. `None` if they press on no floor.
 pub(crate) fn standing(plan: &Plan, built: &Model) -> Option<Phrase> {
-    let forces = built.force_ids();
-    let bodies = match Standing::all(built, &forces) {
-        Ok(bodies) => bodies,
+    let bodies = match standing_bodies(built) {
+        Ok((bodies, _)) => bodies,
         Err(fault) => {
             return Some(format!("how far the spheres are from the floor is not known: {fault}").into());
         }
     };
-    let limbs = LoadSharing::of(built, &forces);
     let new = plan.new_spheres();
     let new: HashSet<&str> = new.iter().map(|sphere| sphere.name).collect();
     let is_new = |body: &StandingBody| body.bottoms.iter().any(|one| new.contains(one.sphere.as_str()));
-    let bodies = StandingBody::all(built, &bodies, limbs.limbs(), Stance::default().limbs);
     bodies.into_iter().find(is_new).and_then(|body| said(&body))
 }
 

@@ -1,5 +1,6 @@
 //! All rules, in the order of their codes; and those about files beside a model: two are raised by the library, which finds them.
 
+pub(crate) mod bottoms_moved;
 pub mod compiled_model_beside;
 pub mod hard_linked;
 pub(crate) mod odd_mesh;
@@ -9,7 +10,8 @@ use std::sync::LazyLock;
 use osim_model::{FindingCode, Rule};
 
 /// The rules of this crate.
-const RULES: &[&Rule] = &[&compiled_model_beside::RULE, &hard_linked::RULE, &odd_mesh::RULE];
+const RULES: &[&Rule] =
+    &[&bottoms_moved::RULE, &compiled_model_beside::RULE, &hard_linked::RULE, &odd_mesh::RULE];
 
 /// Every rule of every crate, one for each code.
 #[must_use]

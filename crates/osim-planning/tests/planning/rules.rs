@@ -121,7 +121,7 @@ fn said(request: &str, files: &InMemory) -> BTreeSet<FindingCode> {
     if let Request::Inspect(request) = &request {
         return codes(&Inspector::of_inspect(request, files).inspect(&opened).unwrap().warnings);
     }
-    let plan = prepare(request, files).unwrap().planner.plan(&opened.model).unwrap();
+    let plan = prepare(request, files).unwrap().plan(&opened, files).unwrap();
     codes(&plan.warnings)
 }
 
