@@ -20,6 +20,7 @@ pub(crate) mod known_contacts;
 pub(crate) mod large_constant_indentation;
 pub(crate) mod left_right_differ;
 mod limits;
+mod many_limbs;
 pub(crate) mod mass_unknown;
 pub(crate) mod no_gravity;
 pub(crate) mod not_on_floor;

@@ -26,7 +26,8 @@ pub(crate) fn of(model: &Model, inspected: &Inspection, findings: &[Found]) -> V
 fn of_one(on: VerdictOn, known: &Known<'_>, findings: &[Found]) -> Verdict {
     let deciding: Vec<&Found> = findings.iter().filter(|found| found.rule.verdict == Some(on)).collect();
     if let Some((worst, others)) = deciding.split_first() {
-        return Verdict::of_findings(on, worst, others);
+        let story = (on == VerdictOn::Mass).then(|| mass::beside(known, worst.code())).flatten();
+        return Verdict::of_findings(on, worst, others).and(story);
     }
     if findings.iter().any(|found| found.code() == FindingCode::BareModel) {
         return Verdict::without_findings(on, Err("there are no contacts".into()));

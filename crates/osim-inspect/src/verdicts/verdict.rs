@@ -88,6 +88,15 @@ impl Verdict {
         Self { on, sign, text, place: worst.place.clone(), codes }
     }
 
+    /// The same with something more that is known.
+    pub(super) fn and(mut self, more: Option<Phrase>) -> Self {
+        if let Some(more) = more {
+            self.text.push("; ");
+            self.text.push(&more);
+        }
+        self
+    }
+
     /// What is right, or why that is not known.
     pub(super) fn without_findings(on: VerdictOn, right: Result<Phrase, Phrase>) -> Self {
         let (sign, text) = match right {

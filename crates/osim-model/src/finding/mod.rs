@@ -99,6 +99,12 @@ impl Finding {
         Self { message: message.into(), ..self }
     }
 
+    /// The same with other advice than its rule's.
+    #[must_use]
+    pub fn with_advice(self, advice: impl Into<Phrase>) -> Self {
+        Self { advice: advice.into(), ..self }
+    }
+
     /// The same, as bad as `severity`.
     #[must_use]
     pub fn with_severity(self, severity: Severity) -> Self {

@@ -19,6 +19,8 @@ mod findings;
 mod known_contacts;
 mod left_behind;
 mod left_like_right;
+mod levelled;
+mod many_limbs;
 mod masses;
 mod odd_side;
 mod placement;

@@ -76,6 +76,26 @@ fn spheres_that_sink_in_too_deep_get_the_indentation_of_the_limit() {
 }
 
 #[test]
+fn contacts_that_were_made_for_this_body_are_not_to_be_scaled() {
+    let masses = MassRequest { contacts_mass_kg: Some(62.0), ..MassRequest::default() };
+    let said = check_with("human.osim", &human(), &InspectOptions { masses, ..InspectOptions::default() });
+    let advice = find(&said, FindingCode::SunkIn).advice.to_string();
+    assert!(
+        advice.starts_with(
+            "They were made for 62 kg (`contacts_mass`), which the body weighs: make them stiffer"
+        ),
+        "{advice}"
+    );
+    let unsaid = check("human.osim", &human());
+    assert!(
+        find(&unsaid, FindingCode::SunkIn)
+            .advice
+            .to_string()
+            .starts_with("If the contacts were made for another body")
+    );
+}
+
+#[test]
 fn what_a_remedy_says_puts_the_finding_right() {
     let result = check("human.osim", &human());
     let deep = wanted(&result, FindingCode::SunkIn);

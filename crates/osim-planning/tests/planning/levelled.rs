@@ -1,0 +1,203 @@
+//! Feet that `set` and `add` make level, and what a change that moves bottoms says.
+
+use std::path::Path;
+
+use osim_inspect::{InspectOptions, Inspection};
+use osim_model::files::InMemory;
+use osim_model::{FileId, FindingCode, Model};
+use osim_patch::Plan;
+use osim_planning::prepare;
+use osim_requests::Request;
+use serde_json::{Value, json};
+
+use crate::checks::{check_with, find, has, said};
+
+/// Two spheres of each foot, s5 and s6, are 21.8 mm lower than the other four; all have R = 0.032 m.
+const UNEVEN: &str = include_str!("../../../../fixtures/check/uneven_bottoms.osim");
+/// A heel of 0.0325 m whose bottom is 2.5 mm inside the floor.
+const HEEL: &str = include_str!("../../../../fixtures/check/within_limits.osim");
+/// A human's feet without contacts, and a table of them: heels of 0.03 m at y = 0.01 m, balls of 0.025 m at y = 0.005 m.
+const FEET: &str = include_str!("../../../../fixtures/feet/human_40000.osim");
+const TABLE: &str = include_str!("../../../../fixtures/contact_tables/own.csv");
+const NAME: &str = "model.osim";
+
+fn planned(text: &str, fields: &Value) -> Result<(Model, Plan), String> {
+    let mut fields = fields.clone();
+    fields["models"] = json!([NAME]);
+    let files = InMemory::from_iter([(NAME, text), ("table.csv", TABLE)]);
+    let request = Request::from_json(fields.to_string().as_bytes()).map_err(|fault| format!("{fault:?}"))?;
+    let change = prepare(request, &files).map_err(|error| format!("{error:?}"))?;
+    let opened = change.open(Path::new(NAME), &files).map_err(|failure| failure.message.to_string())?;
+    let plan = change.plan(&opened, &files).map_err(|failure| failure.message.to_string())?;
+    Ok((opened.model, plan))
+}
+
+fn changed(text: &str, fields: &Value) -> String {
+    let (model, plan) = planned(text, fields).unwrap();
+    String::from_utf8(plan.patched(&model, FileId::MAIN).unwrap()).unwrap()
+}
+
+fn inspected(text: &str) -> Inspection {
+    InspectOptions::default().inspect(NAME, &Model::parse(text).unwrap(), None)
+}
+
+/// The heights of the bottoms of one side over the floor, m.
+fn heights(text: &str, side: &str) -> Vec<f64> {
+    let bodies = inspected(text).standing;
+    let bottoms = bodies.iter().flat_map(|body| &body.bottoms).filter(|bottom| bottom.sphere.ends_with(side));
+    bottoms.map(|bottom| bottom.height_m).collect()
+}
+
+fn lowest(text: &str) -> f64 {
+    heights(text, "_r").into_iter().fold(f64::INFINITY, f64::min)
+}
+
+/// Whether the bottoms of each foot are at one height.
+fn is_level(text: &str) -> bool {
+    ["_r", "_l"].into_iter().all(|side| {
+        let heights = heights(text, side);
+        assert!(heights.len() > 1, "{heights:?}");
+        let lowest = heights.iter().copied().fold(f64::INFINITY, f64::min);
+        heights.iter().all(|height| height - lowest < 1e-9)
+    })
+}
+
+/// What a change says about bottoms that it moves.
+fn moved(text: &str, fields: &Value) -> Vec<String> {
+    let (_, plan) = planned(text, fields).unwrap();
+    let own = plan.warnings.iter().filter(|warning| warning.code() == FindingCode::BottomsMoved);
+    own.map(|warning| warning.message.to_string()).collect()
+}
+
+#[test]
+fn an_uneven_foot_has_a_remedy_after_which_nothing_is_wrong() {
+    let found = check_with(NAME, UNEVEN, &InspectOptions::default());
+    let remedy = find(&found, FindingCode::UnevenBottoms).remedy.as_ref();
+    assert_eq!(said(remedy), json!({"verb": "set", "level": true}));
+    let after = changed(UNEVEN, &json!({"verb": "set", "level": true}));
+    assert!(is_level(&after) && !is_level(UNEVEN));
+    let found = check_with(NAME, &after, &InspectOptions::default());
+    assert_eq!((found.counts.error, found.counts.warn, found.steps.len()), (0, 0, 0));
+    assert!(!has(&found, FindingCode::UnlevelFoot));
+    // The lowest stays where it was.
+    assert!((lowest(&after) - lowest(UNEVEN)).abs() < 1e-12);
+    // Once more it changes nothing.
+    assert!(planned(&after, &json!({"verb": "set", "level": true})).unwrap().1.is_empty());
+}
+
+#[test]
+fn feet_are_level_with_the_radii_that_they_get() {
+    let request =
+        json!({"verb": "set", "set": {"radius": "x1.5"}, "select": ["*1_r", "*5_l"], "level": true});
+    let after = changed(UNEVEN, &request);
+    // Spheres of forces that are not chosen stay: s1_r alone on its foot, and s5_l on its.
+    assert!(planned(UNEVEN, &request).unwrap().1.moves.is_empty());
+    assert!(!is_level(&after));
+    let after = changed(&after, &json!({"verb": "set", "set": {"stiffness": "x2"}, "level": true}));
+    assert!(is_level(&after));
+    // A radius that grows makes its own bottom the lowest.
+    let all = changed(UNEVEN, &json!({"verb": "set", "set": {"radius": "x2"}, "level": true}));
+    assert!(is_level(&all));
+    assert!((lowest(&all) - (lowest(UNEVEN) - 0.032)).abs() < 1e-12);
+}
+
+#[test]
+fn a_factor_is_not_applied_twice_because_feet_were_made_level_with_it() {
+    let first = changed(UNEVEN, &json!({"verb": "set", "set": {"stiffness": "x2"}, "level": true}));
+    assert!(first.contains("by set stiffness=x2 level;"), "{first}");
+    for again in [
+        json!({"verb": "set", "set": {"stiffness": "x2"}}),
+        json!({"verb": "set", "set": {"stiffness": "x2"}, "level": true}),
+    ] {
+        let mut again = again;
+        again["in_place"] = json!(true);
+        assert!(planned(&first, &again).is_err(), "{again}");
+    }
+}
+
+#[test]
+fn nothing_to_set_is_still_missing() {
+    assert!(planned(UNEVEN, &json!({"verb": "set"})).unwrap_err().contains("Missing"));
+    assert!(planned(UNEVEN, &json!({"verb": "set", "level": false})).unwrap_err().contains("Missing"));
+}
+
+#[test]
+fn added_spheres_are_level_where_that_is_asked() {
+    let add = |level: bool| {
+        let request = json!({"verb": "add", "contacts": "table.csv", "class": "smooth", "indentation": 0.16, "level": level});
+        changed(FEET, &request)
+    };
+    let (plain, level) = (add(false), add(true));
+    // 0.01 - 0.03 and 0.005 - 0.025 are level as they are: then nothing moves.
+    assert!(is_level(&plain));
+    assert_eq!(plain.matches("<location>").count(), level.matches("<location>").count());
+    let high = TABLE.replace("ball_r,calcn_r,0.16,0.005", "ball_r,calcn_r,0.16,0.015");
+    let files = |level: bool| {
+        let files = InMemory::from_iter([(NAME, FEET), ("table.csv", &high)]);
+        let request = json!({
+            "verb": "add", "models": [NAME], "contacts": "table.csv", "class": "smooth", "indentation": 0.16, "level": level,
+        });
+        let change = prepare(Request::from_json(request.to_string().as_bytes()).unwrap(), &files).unwrap();
+        let opened = change.open(Path::new(NAME), &files).unwrap();
+        let plan = change.plan(&opened, &files).unwrap();
+        (String::from_utf8(plan.patched(&opened.model, FileId::MAIN).unwrap()).unwrap(), plan)
+    };
+    let (uneven, _) = files(false);
+    assert!(!is_level(&uneven));
+    let (level, plan) = files(true);
+    assert!(is_level(&level));
+    // What is written is what the plan says, and what its note says.
+    let ball = plan.new_spheres().into_iter().find(|sphere| sphere.name == "ball_r").unwrap();
+    assert!((ball.centre_m[1] - 0.005).abs() < 1e-12, "{ball:?}");
+    let model = Model::parse(level).unwrap();
+    assert!(model.doubt_about_note().is_none());
+    assert_eq!(model.note.as_ref().unwrap().places, Some(model.places_digest(|_| None)));
+}
+
+#[test]
+fn a_change_after_which_the_default_pose_no_longer_stands_says_so() {
+    // 2.5 mm and 32.5 mm more.
+    let said = moved(HEEL, &json!({"verb": "set", "set": {"radius": "x2"}}));
+    let [said] = said.as_slice() else { panic!("{said:?}") };
+    assert!(
+        said.starts_with("the default pose was 2.5 mm inside the floor and is 35 mm inside the floor now; "),
+        "{said}"
+    );
+    assert!(said.ends_with(" puts it on its feet"), "{said}");
+    // Bottoms that stay, and little that moves.
+    assert!(moved(HEEL, &json!({"verb": "set", "set": {"radius": "x1.05"}})).is_empty());
+    let body =
+        json!({"verb": "rescale", "target_mass": 61.5, "contacts_mass": 7.6875, "radius": "isometric"});
+    assert_eq!(moved(HEEL, &body).len(), 1);
+    let mut level = body.clone();
+    level["level"] = json!(true);
+    assert!(moved(HEEL, &level).is_empty());
+}
+
+#[test]
+fn a_body_that_is_still_to_be_scaled_is_not_judged_by_its_pose() {
+    assert!(moved(HEEL, &json!({"verb": "rescale", "target_mass": 492.0})).is_empty());
+}
+
+#[test]
+fn a_model_that_did_not_stand_does_not_lose_its_stand() {
+    for height in ["0.9", "-0.5"] {
+        let text =
+            HEEL.replace("<location>0 -0.05 0</location>", &format!("<location>0 {height} 0</location>"));
+        assert_ne!(text, HEEL);
+        assert!(moved(&text, &json!({"verb": "set", "set": {"radius": "x2"}})).is_empty());
+    }
+}
+
+#[test]
+fn a_change_that_makes_a_foot_uneven_says_so() {
+    let level = changed(UNEVEN, &json!({"verb": "set", "level": true, "no_note": true}));
+    // R = 0.032 becomes 0.0416: 9.6 mm, 0.231 of the largest radius.
+    let said = moved(&level, &json!({"verb": "set", "set": {"radius": "x1.3"}, "select": ["*1_r"]}));
+    let [said] = said.as_slice() else { panic!("{said:?}") };
+    let expected = "the bottoms of calcn_r differed by 0 mm at the default pose and differ by 9.6 mm now, 0.231 R, from s1_r to s";
+    assert!(said.starts_with(expected), "{said}");
+    // Level again, with that radius.
+    let again = json!({"verb": "set", "set": {"radius": "x1.3"}, "select": ["*_r"], "level": true});
+    assert!(moved(&level, &again).iter().all(|said| !said.contains("differed")));
+}
