@@ -55,6 +55,7 @@ def add(
     radius: float | str | None = None,
     body_scale: str | Sequence[str] | Mapping[str, Any] | None = None,
     body_map: str | Sequence[str] | None = None,
+    level: bool = False,
     replace: bool = False,
     select: str | Sequence[str] | None = None,
     exclude: str | Sequence[str] | None = None,
@@ -121,6 +122,9 @@ def add(
         Factors of a body against the reference's (or one, BODY=f); one or several in a list.
     body_map : str or list of str, optional
         A body of the reference, and the one that takes its spheres here; one or several in a list.
+    level : bool, optional
+        Move the centres of spheres until the bottoms of each foot are as low as its lowest one, at the default
+        pose.
     replace : bool, optional
         Take the model's own foot contacts out first.
     select : str or list of str, optional
@@ -197,7 +201,7 @@ def add(
     ContactScaleError
         It cannot be done: the subclass says why.
     """
-    keywords = {"from": from_, "contacts": contacts, "default_pose": default_pose or None, "feet": feet, "count": count, "pad": pad, "geometry_dir": geometry_dir, "mirror": mirror, "class": class_, "friction": friction or None, "radius": radius, "body_scale": body_scale, "body_map": body_map, "replace": replace or None, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "indentation": indentation, "young": young, "poisson": poisson, "restitution": restitution, "impact_speed": impact_speed, "constant_indentation": constant_indentation, "state_width": state_width, "speed_width": speed_width, "threshold": threshold, "static_friction": static_friction, "dynamic_friction": dynamic_friction, "viscous_friction": viscous_friction, "transition_velocity": transition_velocity, "load": load, "body_weights": body_weights, "gravity": gravity, "spheres": spheres, "stance_limbs": stance_limbs, "reference_mass": reference_mass, "reference_spheres": reference_spheres, "reference_gravity": reference_gravity, "reference_select": reference_select, "reference_sphere": reference_sphere, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "no_note": no_note or None, "yes": yes}
+    keywords = {"from": from_, "contacts": contacts, "default_pose": default_pose or None, "feet": feet, "count": count, "pad": pad, "geometry_dir": geometry_dir, "mirror": mirror, "class": class_, "friction": friction or None, "radius": radius, "body_scale": body_scale, "body_map": body_map, "level": level or None, "replace": replace or None, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "indentation": indentation, "young": young, "poisson": poisson, "restitution": restitution, "impact_speed": impact_speed, "constant_indentation": constant_indentation, "state_width": state_width, "speed_width": speed_width, "threshold": threshold, "static_friction": static_friction, "dynamic_friction": dynamic_friction, "viscous_friction": viscous_friction, "transition_velocity": transition_velocity, "load": load, "body_weights": body_weights, "gravity": gravity, "spheres": spheres, "stance_limbs": stance_limbs, "reference_mass": reference_mass, "reference_spheres": reference_spheres, "reference_gravity": reference_gravity, "reference_select": reference_select, "reference_sphere": reference_sphere, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "no_note": no_note or None, "yes": yes}
     return _run.plan("add", source, keywords)
 
 
@@ -1148,6 +1152,7 @@ def set(
     hertz_smoothing: float | str | None = None,
     hunt_crossley_smoothing: float | str | None = None,
     radius: float | str | None = None,
+    level: bool = False,
     contacts_mass: float | None = None,
     mass: float | None = None,
     exclude_body: str | Sequence[str] | None = None,
@@ -1167,6 +1172,9 @@ def set(
         Path of a model (.osim) or ForceSet (.xml), its bytes, a Result, or an `opensim.Model`.
     stiffness, dissipation, static_friction, dynamic_friction, viscous_friction, transition_velocity, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing, radius : float or str, optional
         The value of this property, or a factor such as "x2".
+    level : bool, optional
+        Move the centres of spheres until the bottoms of each foot are as low as its lowest one, at the default
+        pose.
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
@@ -1198,7 +1206,7 @@ def set(
     ContactScaleError
         It cannot be done: the subclass says why.
     """
-    keywords = {"set": _run.assignments({"stiffness": stiffness, "dissipation": dissipation, "static_friction": static_friction, "dynamic_friction": dynamic_friction, "viscous_friction": viscous_friction, "transition_velocity": transition_velocity, "constant_contact_force": constant_contact_force, "hertz_smoothing": hertz_smoothing, "hunt_crossley_smoothing": hunt_crossley_smoothing, "radius": radius}), "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}
+    keywords = {"set": _run.assignments({"stiffness": stiffness, "dissipation": dissipation, "static_friction": static_friction, "dynamic_friction": dynamic_friction, "viscous_friction": viscous_friction, "transition_velocity": transition_velocity, "constant_contact_force": constant_contact_force, "hertz_smoothing": hertz_smoothing, "hunt_crossley_smoothing": hunt_crossley_smoothing, "radius": radius}), "level": level or None, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}
     return _run.plan("set", source, keywords)
 
 
