@@ -11,6 +11,7 @@ mod attached;
 mod bone_sizes;
 mod functions;
 pub(crate) mod joints;
+mod mesh_elements;
 mod model_joints;
 mod pose;
 

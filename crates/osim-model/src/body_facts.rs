@@ -5,8 +5,7 @@ use std::sync::OnceLock;
 use crate::anatomy::joints::Joints;
 use crate::anatomy::{BoneSizes, bone_sizes};
 use crate::components::Components;
-use crate::model::Model;
-use crate::slip::JointDistances;
+use crate::joint_distances::JointDistances;
 
 /// What several who check or plan a change ask for.
 #[derive(Debug, Default)]
@@ -21,12 +20,9 @@ impl BodyFacts {
     pub(crate) fn bone_sizes(&self, components: &Components) -> &BoneSizes {
         self.bone_sizes.get_or_init(|| bone_sizes(components))
     }
-}
 
-impl Model {
     /// How far apart the joints of each body are.
-    #[must_use]
-    pub fn joint_distances(&self) -> &JointDistances {
-        self.body_facts.distances.get_or_init(|| JointDistances::of(self))
+    pub(crate) fn joint_distances(&self, components: &Components) -> &JointDistances {
+        self.distances.get_or_init(|| JointDistances::of_joints(self.joints.between_bodies(components)))
     }
 }

@@ -52,6 +52,7 @@ mod following;
 mod footing_tree;
 mod frames;
 mod ground_planes;
+mod joint_distances;
 mod limbs;
 mod loops;
 mod mass;
@@ -93,6 +94,7 @@ pub use fault::{
 pub use finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 pub use following::{MovedSpheres, RadiusAxis};
 pub use ground_planes::GroundPlane;
+pub use joint_distances::JointDistances;
 pub use limbs::{Limb, Limbs};
 pub use mass::{Mass, MassRequest, MassSource, SAME_MASS, positive_mass, same_gravity, same_mass};
 pub use model::Model;
@@ -111,7 +113,7 @@ pub use selection::Selection;
 pub use side::{Side, without_side};
 pub use sides::BothSides;
 pub use skeleton::Body;
-pub use slip::{JointDistances, mass_slip};
+pub use slip::mass_slip;
 pub use value::{Origin, Value};
 
 /// The example of the README compiles.

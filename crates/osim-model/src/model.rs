@@ -9,6 +9,7 @@ use crate::contacts::{Force, ForceId, HalfSpace, SetId, Sphere, SphereId};
 use crate::document::Document;
 use crate::fault::{Fault, FileId, NoteDoubt};
 use crate::finding::Finding;
+use crate::joint_distances::JointDistances;
 use crate::note::Note;
 use crate::property::Property;
 use crate::skeleton::{Body, Skeleton};
@@ -90,6 +91,12 @@ impl Model {
             Some(sphere) => sphere.radius_m(),
             None => Err(Fault::refused(format!("there is no sphere number {}", sphere.index()))),
         }
+    }
+
+    /// How far apart the joints of each body are.
+    #[must_use]
+    pub fn joint_distances(&self) -> &JointDistances {
+        self.body_facts.joint_distances(&self.components)
     }
 
     /// Handles of all contact forces, in file order.

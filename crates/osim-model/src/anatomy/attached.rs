@@ -3,13 +3,12 @@
 use osim_xml::{ElementId, opensim_text};
 
 use super::joints::on_base;
+use super::mesh_elements::{GEOMETRY_SETS, file_of, scale};
 use crate::components::{ComponentId, Components};
 use crate::document::Document;
 use crate::model::Model;
 use crate::reference_frame::{Placement, six_digits, times};
 
-/// Documents before this version list file names alone.
-pub(super) const GEOMETRY_SETS: u32 = 20101;
 /// Documents before this version have a `<VisibleObject>`; OpenSim rounds its numbers as it converts them.
 const GEOMETRY: u32 = 30502;
 /// From then on, OpenSim reads no list of this name.
@@ -119,15 +118,4 @@ fn transform(document: &Document, element: ElementId) -> Placement {
         Some([a, b, c, x, y, z]) => Placement::of_triples([*a, *b, *c], [*x, *y, *z]),
         _ => Placement::IDENTITY,
     }
-}
-
-pub(super) fn file_of(document: &Document, element: ElementId, tag: &str) -> String {
-    let tree = document.tree();
-    tree.child(element, tag).map(|file| tree.text_of(file)).unwrap_or_default()
-}
-
-/// Factors that are written but are not numbers stay visible as NaN: they must not pass for 1.
-pub(super) fn scale(document: &Document, element: ElementId) -> [f64; 3] {
-    let missing = document.tree().child(element, "scale_factors").is_none();
-    document.triple(element, "scale_factors").unwrap_or([if missing { 1.0 } else { f64::NAN }; 3])
 }

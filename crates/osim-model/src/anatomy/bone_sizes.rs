@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, HashMap};
 
 use osim_xml::opensim_text;
 
-use super::attached::{GEOMETRY_SETS, file_of, scale};
+use super::mesh_elements::{GEOMETRY_SETS, file_of, scale};
 use crate::components::{ComponentId, Components};
 use crate::reference_frame::times;
 

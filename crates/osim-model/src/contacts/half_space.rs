@@ -1,14 +1,10 @@
 //! Half-spaces: the floor, and other planes that spheres meet.
 
-use std::collections::BTreeMap;
-
 use osim_xml::ElementId;
 
-use super::force::{Force, ParameterSet};
 use super::orientation::Orientation;
 use crate::components::{Base, ComponentId, Components};
 use crate::fault::FileId;
-use crate::model::Model;
 use crate::reference_frame::Rotation;
 
 /// Components of a unit vector below this are what rounding left.
@@ -57,64 +53,9 @@ pub struct FrameProperty {
     pub ground: &'static str,
 }
 
-impl Model {
-    /// All half-spaces whose frame can be found, in file order.
-    #[must_use]
-    pub fn half_spaces(&self) -> Vec<HalfSpace> {
-        self.planes().values().cloned().collect()
-    }
-
-    /// The same by component, read when somebody first asks: many forces press on one floor.
-    fn planes(&self) -> &BTreeMap<ComponentId, HalfSpace> {
-        self.half_spaces.get_or_init(|| {
-            let components = self.components();
-            let planes = components.tree.iter().filter(|(id, _)| components.tag(*id) == "ContactHalfSpace");
-            planes.filter_map(|(id, _)| Some((id, read(components, id)?))).collect()
-        })
-    }
-
-    /// The half-spaces on which `force` presses its spheres, each once: those among its surfaces, and the one that a force of Moco
-    /// 0.1 to 0.3 keeps inside itself.
-    #[must_use]
-    pub fn planes_of(&self, force: &Force) -> Vec<HalfSpace> {
-        let mut planes: Vec<HalfSpace> = Vec::new();
-        for set in &force.sets {
-            let inside = set.half_space_inside.and_then(|id| inside(self.components(), id));
-            for plane in self.half_spaces_of(set).into_iter().chain(inside) {
-                if !planes.contains(&plane) {
-                    planes.push(plane);
-                }
-            }
-        }
-        planes
-    }
-
-    /// The half-spaces that forces of Moco 0.1 to 0.3 keep inside themselves, in file order.
-    pub(crate) fn half_spaces_inside(&self) -> impl Iterator<Item = HalfSpace> + '_ {
-        let sets = self.forces().iter().flat_map(|force| &force.sets);
-        sets.filter_map(|set| inside(self.components(), set.half_space_inside?))
-    }
-
-    /// The half-spaces among the surfaces of a parameter set, in its order; not one that its force keeps inside itself.
-    #[must_use]
-    pub fn half_spaces_of(&self, set: &ParameterSet) -> Vec<HalfSpace> {
-        set.half_space_components.iter().filter_map(|id| self.planes().get(id).cloned()).collect()
-    }
-}
-
-fn read(components: &Components, id: ComponentId) -> Option<HalfSpace> {
-    HalfSpace::read(components, id, ("frame", &["body_name"]), ("location", "orientation"))
-}
-
-/// The half-space that a force of Moco 0.1 to 0.3 keeps inside itself.
-fn inside(components: &Components, force: ComponentId) -> Option<HalfSpace> {
-    let place = ("contact_half_space_location", "contact_half_space_orientation");
-    HalfSpace::read(components, force, ("half_space_frame", &[]), place)
-}
-
 impl HalfSpace {
     /// The half-space that `id` is or keeps inside itself, by the names of its socket and of its place.
-    fn read(
+    pub(super) fn read(
         components: &Components,
         id: ComponentId,
         (socket, legacy): (&str, &[&str]),

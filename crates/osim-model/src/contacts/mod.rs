@@ -6,6 +6,7 @@ mod ids;
 mod loaded_sphere;
 mod moving;
 mod orientation;
+mod planes;
 mod read;
 mod slot;
 mod sphere;
