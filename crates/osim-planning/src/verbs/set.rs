@@ -1,5 +1,6 @@
 //! Plain changes.
 
+use osim_messages::{Input, phrase};
 use osim_model::{Fault, Mass, MassRequest, MassSource, Model, Selected, Selection, SphereId};
 use osim_patch::{Plan, Set, set};
 use osim_requests::options::{InspectionOptions, StanceOptions};
@@ -30,9 +31,10 @@ pub(crate) fn prepare(request: SetRequest) -> Result<Change, RequestFault> {
         return Err(RequestFault::Missing { field: "models" });
     }
     if set.is_empty() && !level {
-        return Err(RequestFault::general(
-            "nothing to set, expected PROPERTY=VALUE or PROPERTY=xFACTOR, for example stiffness=x2",
-        ));
+        return Err(RequestFault::general(phrase![
+            "nothing to set, expected PROPERTY=VALUE or PROPERTY=xFACTOR, for example stiffness=x2, or ",
+            Input::Level,
+        ]));
     }
     let planner = Setting {
         settings: json!(["set", set, level, masses, choice]).to_string(),
