@@ -321,3 +321,20 @@ fn a_link_below_the_folder_leads_outside_like_any_path() {
     std::os::unix::fs::symlink("../elsewhere", bench.path("t/link")).unwrap();
     bench.run("batch t/rows.csv").usage().wrote_nothing().says(&["is outside the folder"]);
 }
+
+/// What a spreadsheet writes where a formula has no value is no number, no name and not nothing.
+#[test]
+fn a_broken_formula_of_the_spreadsheet_is_called_that() {
+    let bench = Bench::with(&[("check/known_contacts.osim", "human.osim")]);
+    for (cell, column) in
+        [("#REF!", "target-mass"), ("#N/A", "target-mass"), ("#DIV/0!", "output"), ("Err:502", "target-mass")]
+    {
+        let row = if column == "output" { format!("70,{cell}") } else { format!("{cell},out.osim") };
+        bench.write("table.csv", format!("model,target-mass,output\nhuman.osim,{row}\n"));
+        let expected = format!("row 2, column '{column}': '{cell}' is a broken formula of the spreadsheet");
+        bench.run("batch table.csv").usage().wrote_nothing().says(&[&expected]);
+    }
+    // A remark of the user's own is not read.
+    bench.write("table.csv", "model,target-mass,output,#why\nhuman.osim,70,out.osim,#N/A\n");
+    bench.run("batch table.csv").done();
+}

@@ -208,3 +208,15 @@ fn masses_are_short_for_people_and_exact_for_programs() {
     let json = bench.run("inspect one.osim --format json").done().out();
     assert!(json.contains("20.000000000000018"), "{json}");
 }
+
+/// A choice that chooses nothing is probably a slip, and says so without standing in the way.
+#[test]
+fn a_pattern_that_matches_no_force_is_named() {
+    let bench = Bench::with(&[("check/known_contacts.osim", "human.osim")]);
+    let call = "rescale human.osim --target-mass 70 --dry-run";
+    let words = "--exclude balls_*: no contact force of the model has such a name";
+    bench.run(&format!("{call} --exclude balls_*")).done().says(&[words]);
+    let words = "--select typo_*: no contact force of the model has such a name";
+    bench.run(&format!("{call} --select contact_* --select typo_*")).done().says(&[words]);
+    bench.run(&format!("{call} --select contact_*")).done().says_not(&["no contact force of the model"]);
+}

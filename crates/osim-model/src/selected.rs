@@ -8,7 +8,7 @@ use crate::components::Base;
 use crate::contacts::{Force, ForceId};
 use crate::fault::{Fault, FaultKind, Needed, TreeOfForces};
 use crate::model::Model;
-use crate::pattern::any_matches;
+use crate::pattern::{Pattern, any_matches};
 use crate::selection::Selection;
 
 /// The forces chosen by [`Selection::apply`]; none by default.
@@ -55,6 +55,15 @@ impl Selection {
     /// No force at all, or no force that matches.
     pub fn apply_to_all(&self, model: &Model) -> Result<Selected, Fault> {
         self.chosen_of(model, &ids(model, |_| true))
+    }
+
+    /// Patterns by which no contact force of `model` is called, each with the input that it was given as: probably a slip.
+    #[must_use]
+    pub fn unmatched(&self, model: &Model) -> Vec<(Input, &Pattern)> {
+        let selected = self.select.iter().map(|pattern| (Input::Select, pattern));
+        let given = selected.chain(self.exclude.iter().map(|pattern| (Input::Exclude, pattern)));
+        let is_idle = |pattern: &Pattern| !model.forces().iter().any(|force| pattern.matches(&force.name));
+        given.filter(|(_, pattern)| is_idle(pattern)).collect()
     }
 
     fn chosen_of(&self, model: &Model, candidates: &[ForceId]) -> Result<Selected, Fault> {

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use osim_inspect::{InspectOptions, ReferenceState};
+use osim_messages::phrase;
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::{Fault, Model};
 use osim_patch::Plan;
@@ -52,6 +53,11 @@ pub trait Planner: Send + Sync {
         let standing: Vec<_> = plan.standing_warnings(model).cloned().collect();
         plan.warnings.splice(0..0, standing);
         let before = InspectOptions::from(&self.inspection());
+        for (input, pattern) in before.selection.unmatched(model) {
+            let matched =
+                phrase![input.being(pattern.to_string()), ": no contact force of the model has such a name"];
+            plan.remarks.push(matched);
+        }
         let worse = worse_findings(self.aims(), &before, opened, &plan, self.answers())?;
         plan.warnings.extend(worse);
         Ok(plan)

@@ -166,7 +166,38 @@ fn has_comma(cell: &str) -> bool {
     cell.split_once(',').is_some_and(|(head, tail)| digits(head) && digits(tail))
 }
 
+/// What is wrong with a cell for which [`is_broken_formula`] holds, to be read after it.
+pub(crate) const BROKEN_FORMULA: &str =
+    "is a broken formula of the spreadsheet: repair it there, and save the table again";
+
+/// Whether a spreadsheet wrote into the cell that its formula has no value, such as `#REF!` and `#N/A`.
+#[must_use]
+pub(crate) fn is_broken_formula(cell: &str) -> bool {
+    const ERRORS: [&str; 12] = [
+        "#REF!",
+        "#N/A",
+        "#VALUE!",
+        "#NAME?",
+        "#DIV/0!",
+        "#NUM!",
+        "#NULL!",
+        "#SPILL!",
+        "#CALC!",
+        "#FIELD!",
+        "#GETTING_DATA",
+        "#ERROR!",
+    ];
+    let cell = cell.trim();
+    // LibreOffice writes numbers of errors, such as Err:502.
+    let numbered =
+        cell.strip_prefix("Err:").is_some_and(|rest| rest.bytes().all(|byte| byte.is_ascii_digit()));
+    numbered || ERRORS.iter().any(|known| known.eq_ignore_ascii_case(cell))
+}
+
 fn with_point(cell: &str, delimiter: u8) -> Result<Cow<'_, str>, &'static str> {
+    if is_broken_formula(cell) {
+        return Err(BROKEN_FORMULA);
+    }
     match (cell.matches(',').count(), cell.contains('.')) {
         (0, _) => Ok(cell.into()),
         (1, false) if delimiter != b',' => Ok(cell.replace(',', ".").into()),

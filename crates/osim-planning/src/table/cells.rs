@@ -11,7 +11,7 @@ use serde_json::{Map, Value};
 use super::columns::{Column, Columns, Kind};
 use super::fault::RowFault;
 use crate::presets::find_preset;
-use crate::sheet::{Row, Sheet};
+use crate::sheet::{BROKEN_FORMULA, Row, Sheet, is_broken_formula};
 use crate::subject::looks_like_file;
 use crate::verbs::any::{CHANGING, changing_verbs};
 
@@ -48,6 +48,9 @@ impl Cells {
             fields: Map::new(),
         };
         for (column, cell) in filled(row, columns) {
+            if column.kind != Kind::Remark && is_broken_formula(cell) {
+                return Err(RowFault::of(&column.header, format!("'{cell}' {BROKEN_FORMULA}")));
+            }
             match column.kind {
                 Kind::Model => cells.model = below(folder, cell),
                 Kind::Path => cells.path(&column.field, below(folder, cell)),
