@@ -1,6 +1,6 @@
 //! The mesh of a foot does not fit the skeleton.
 
-use std::collections::HashSet;
+use std::collections::{BTreeSet, HashSet};
 use std::path::Path;
 
 use osim_feet::{DefaultPose, FootBodies, MeshFolders, odd_meshes};
@@ -9,6 +9,8 @@ use osim_model::{Anatomy, Example, Finding, FindingCode, Model, Repair, Rule, Se
 
 /// Bodies whose meshes are looked at: more than a model has feet. Each is a file to read.
 const MOST_BODIES: usize = 40;
+/// Among more bodies nobody looks for those near the ground, which takes longer than all other rules.
+const MOST_BARE_BODIES: usize = 200;
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::OddMesh,
@@ -24,7 +26,10 @@ pub(crate) static RULE: Rule = Rule {
 
 /// One finding, about the first mesh of a foot that does not fit; the model is the file at `path`.
 pub(crate) fn find(model: &Model, path: &Path, files: &dyn Files) -> Option<Finding> {
-    let feet = feet(model)?;
+    let feet = feet(model);
+    if feet.is_empty() {
+        return None;
+    }
     let bodies: HashSet<&str> = feet.iter().take(MOST_BODIES).map(String::as_str).collect();
     let odd = odd_meshes(model, &bodies, &MeshFolders::of_model(path), files);
     let first = odd.first()?;
@@ -36,11 +41,14 @@ pub(crate) fn find(model: &Model, path: &Path, files: &dyn Files) -> Option<Find
     Some(Finding::new(&RULE, format!("{}{more}", first.text)))
 }
 
-/// The bodies of feet: those with spheres and what belongs to their feet; in a model without spheres those near the ground.
-fn feet(model: &Model) -> Option<Vec<String>> {
-    let anatomy = Anatomy::of(model).ok()?;
-    let moving = model.spheres().iter().filter(|sphere| !sphere.fixed).map(|sphere| sphere.id);
-    let spheres: Vec<_> = moving.collect();
-    let feet = FootBodies::find(model, &anatomy, &spheres, &model.force_ids(), &DefaultPose::of(model));
-    Some(feet.into_iter().flat_map(|foot| foot.bodies).collect())
+/// The bodies of feet: those with spheres; in a model without spheres those near the ground.
+fn feet(model: &Model) -> BTreeSet<String> {
+    let moving = model.spheres().iter().filter(|sphere| !sphere.fixed);
+    let carriers: BTreeSet<String> = moving.filter_map(|sphere| sphere.body.clone()).collect();
+    if !carriers.is_empty() || model.bodies().len() > MOST_BARE_BODIES {
+        return carriers;
+    }
+    let Ok(anatomy) = Anatomy::of(model) else { return carriers };
+    let feet = FootBodies::find(model, &anatomy, &[], &[], &DefaultPose::of(model));
+    feet.into_iter().flat_map(|foot| foot.bodies).collect()
 }
