@@ -2,6 +2,8 @@
 
 use std::borrow::Cow;
 
+use osim_requests::values::typed::trimmed;
+
 use super::cell::from_cell;
 use super::unequal::Unequal;
 
@@ -187,7 +189,7 @@ pub(crate) fn is_broken_formula(cell: &str) -> bool {
         "#GETTING_DATA",
         "#ERROR!",
     ];
-    let cell = cell.trim();
+    let cell = trimmed(cell);
     // LibreOffice writes numbers of errors, such as Err:502.
     let numbered =
         cell.strip_prefix("Err:").is_some_and(|rest| rest.bytes().all(|byte| byte.is_ascii_digit()));
