@@ -128,17 +128,19 @@ impl Model {
     fn kept_elements(&self, document: &Document, edits: &[(Range<usize>, usize)]) -> Option<KeptElements> {
         let tree = self.document().tree();
         let is_apart = |owner: ElementId| {
-            let mut above = std::iter::successors(Some(owner), |&id| tree.parent(id));
+            let above = std::iter::successors(Some(owner), |&id| tree.parent(id));
+            let above: Vec<&str> = above.map(|id| tree.name(id)).collect();
             // What is put among objects is a new component.
             !["objects", "components"].contains(&tree.name(owner))
-                && above.any(|id| APART_FROM_BODIES.contains(&tree.name(id)))
+                && above.iter().any(|tag| APART_FROM_BODIES.contains(tag))
+                && !above.iter().any(|tag| is_of_bodies(tag))
         };
         let kept = tree.kept_elements(document.tree(), edits, is_apart)?;
         let stays = |id: ComponentId| {
-            let tag = self.components.tag(id);
-            let is_of_bodies = tag == "Body" || tag.ends_with("Joint") || tag.ends_with("Frame");
             let element = self.components.element(id);
-            !is_of_bodies || self.components.file_of(id) != FileId::MAIN || kept.place(element) == element
+            !is_of_bodies(self.components.tag(id))
+                || self.components.file_of(id) != FileId::MAIN
+                || kept.place(element) == element
         };
         self.components.tree.iter().all(|(id, _)| stays(id)).then_some(kept)
     }
@@ -170,6 +172,11 @@ impl Model {
             self.warnings.push(rules::mixed_pair::found());
         }
     }
+}
+
+/// Whether what is known of bodies is read from elements called so.
+fn is_of_bodies(tag: &str) -> bool {
+    tag == "Body" || tag.ends_with("Joint") || tag.ends_with("Frame")
 }
 
 fn check_data_root(document: &Document, alone: bool) -> Result<(), Fault> {
