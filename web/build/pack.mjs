@@ -1,4 +1,4 @@
-// Packs bytes into an element of the page: compressed by Zstandard, five letters for four bytes. It is data, not a script: nothing runs it.
+// Packs bytes into an element of the page: compressed by Zstandard, eleven letters for nine bytes. It is data, not a script: nothing runs it.
 
 import { spawnSync } from "node:child_process";
 
@@ -16,25 +16,25 @@ function packed(bytes) {
   return inLetters(done.stdout);
 }
 
-/** Four bytes as five letters of 85, a sixteenth less than in base64; `bytesOf` in web/src/engine/unpack.ts reads them. */
+/** Nine bytes as eleven letters of 94, of which 94^11 are just enough; `bytesOf` in web/src/engine/unpack.ts reads them. */
 function inLetters(bytes) {
   let text = "";
-  for (let start = 0; start < bytes.length; start += 4) {
-    const count = Math.min(4, bytes.length - start);
-    let value = 0;
-    for (let at = 0; at < 4; at += 1) value = value * 256 + (at < count ? bytes[start + at] : 0);
+  for (let start = 0; start < bytes.length; start += 9) {
+    const count = Math.min(9, bytes.length - start);
+    let value = 0n;
+    for (let at = 0; at < 9; at += 1) value = value * 256n + BigInt(at < count ? bytes[start + at] : 0);
     let group = "";
-    for (let at = 0; at < 5; at += 1) {
-      group = letter(value % 85) + group;
-      value = Math.floor(value / 85);
+    for (let at = 0; at < 11; at += 1) {
+      group = letter(Number(value % 94n)) + group;
+      value /= 94n;
     }
-    text += group.slice(0, count + 1);
+    text += group.slice(0, Math.ceil((count * 11) / 9));
   }
   return text;
 }
 
-/** From # on, without <, which could end the element. */
+/** All that can be printed, from the blank to ~, without <, which could end the element. */
 function letter(digit) {
-  const code = 35 + digit;
+  const code = 32 + digit;
   return String.fromCharCode(code < 60 ? code : code + 1);
 }
