@@ -49,22 +49,26 @@ pub(crate) fn first_rest(spheres: &[Raised], load_n: f64, hertz: f64) -> Result<
         };
         near(to).map(most).sum::<f64>() * (1.0 + 1e-9) < load_n
     };
+    // How many steps in which nothing can carry the load are taken at once: fewer the nearer the load is.
+    let mut unseen;
     // Short steps through the onset of each sphere, where its force can rise and fall; elsewhere forces only rise.
     for onset in onsets(spheres) {
         below = below.max(onset - 20.0 * step);
+        unseen = 20;
         // A transition shorter than a number can say at this height is none.
         while below <= onset && below < below + 0.05 * step {
-            let unseen = [20, 5].into_iter();
-            let unseen = unseen.map(|steps| (steps, 0.05 * f64::from(steps) * step));
-            let mut unseen = unseen.filter(|(_, long)| never_carried(below, below + 1.001 * long));
-            if let Some((steps, _)) = unseen.next() {
+            if never_carried(below, below + 1.001 * 0.05 * f64::from(unseen) * step) {
                 // The same steps, unseen.
-                for _ in 0..steps {
+                for _ in 0..unseen {
                     if below <= onset {
                         above = below;
                         below += 0.05 * step;
                     }
                 }
+                continue;
+            }
+            if unseen > 1 {
+                unseen = if unseen > 5 { 5 } else { 1 };
                 continue;
             }
             if carried(below) {
