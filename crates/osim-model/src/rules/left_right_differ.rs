@@ -13,7 +13,7 @@ pub(crate) static RULE: Rule = Rule {
     why: "Contacts of a symmetric model are nearly always meant to be symmetric; a difference usually is a slip of the hand. Contacts are compared with those at the mirrored place, whatever their names are; numbers that follow the sizes of the bones are right.",
     advice: "Compare the two sides with `inspect` and correct the one that is wrong",
     repair: Repair::Command(
-        "writes the values of one side into the force of the other, where other forces, known contacts or the original of `check` with `from` show which is right",
+        "writes the values of one side into the force of the other, where other forces, known contacts or the original model show which is right",
     ),
     example: Example::Piece {
         model: "table1/human_62kg_smooth_sphere.osim",
