@@ -26,7 +26,9 @@ def written_anew(tmp_path_factory):
 @pytest.mark.parametrize("folder", ["table1", "format", "bad", "check"])
 def test_generators_write_what_is_committed(folder, written_anew):
     anew = {path.name: path.read_bytes() for path in (written_anew / folder).iterdir()}
-    committed = {path for path in (FIXTURES / folder).iterdir() if not path.stem.endswith(".scaled")}
+    # What OpenSim logs where it runs is nobody's fixture.
+    own = (path for path in (FIXTURES / folder).iterdir() if path.name != "opensim.log")
+    committed = {path for path in own if not path.stem.endswith(".scaled")}
     assert anew == {path.name: path.read_bytes() for path in committed}
     assert (written_anew / "README.md").read_bytes() == (FIXTURES / "README.md").read_bytes()
 
