@@ -20,6 +20,7 @@ mod bad_input;
 mod batch;
 mod bytes;
 mod checked;
+mod checked_sides;
 mod contract;
 mod converted;
 mod corpus;

@@ -8,7 +8,7 @@ use crate::model::Model;
 use crate::reference_frame::Rotation;
 
 mod attached;
-mod bone_sizes;
+pub(crate) mod bone_sizes;
 mod functions;
 pub(crate) mod joints;
 mod mesh_elements;
@@ -16,7 +16,7 @@ mod model_joints;
 mod pose;
 
 pub use attached::AttachedMesh;
-pub(crate) use bone_sizes::{BoneSizes, bone_sizes};
+use bone_sizes::BoneSizes;
 pub use joints::{AnatomyJoint, JointCoordinate, ModelJoint};
 
 /// The part of a model that scaling changes (or should have changed), by body name.

@@ -2,8 +2,8 @@
 
 use std::sync::OnceLock;
 
+use crate::anatomy::bone_sizes::{BoneSizes, bone_sizes};
 use crate::anatomy::joints::Joints;
-use crate::anatomy::{BoneSizes, bone_sizes};
 use crate::components::Components;
 use crate::joint_distances::JointDistances;
 

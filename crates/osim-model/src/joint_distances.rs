@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-use crate::anatomy::AnatomyJoint;
+use crate::anatomy::joints::AnatomyJoint;
 use crate::contacts::Sphere;
 use crate::fault::NeedsAnswer;
 use crate::side::Side;
