@@ -46,11 +46,9 @@ impl Words {
     /// What must not be written in a JSON Schema. In names, `_` separates the words.
     #[must_use]
     pub fn in_schema(&self, file: &str, text: &str) -> Vec<String> {
-        let mut found = self.in_text(file, 1, &text.replace('_', " "));
-        found.extend(
-            self.field.iter().flat_map(|field| field.in_text(file, 1, text, |rest| rest.starts_with("\":"))),
-        );
-        found
+        let of_field = |field: &Word| field.in_text(file, 1, text, |rest| rest.starts_with("\":"));
+        let in_names = self.in_text(file, 1, &text.replace('_', " "));
+        in_names.into_iter().chain(self.field.iter().flat_map(of_field)).collect()
     }
 
     /// What must not be written in the strings and doc comments of a crate: names in `{}` and code in backticks aside.
@@ -60,10 +58,9 @@ impl Words {
         let mut found = Vec::new();
         for module in tree.values() {
             for token in &module.texts {
-                let text = if token.is_doc() {
-                    without(&token.text, ['`', '`'], |_| true)
-                } else {
-                    without(&token.text, ['{', '}'], is_name)
+                let text = match token.is_doc() {
+                    true => without(&token.text, ['`', '`'], |_| true),
+                    false => without(&token.text, ['{', '}'], is_name),
                 };
                 found.extend(self.in_text(&module.file, token.line, &text));
             }
@@ -81,20 +78,18 @@ impl Word {
             allowed.iter().any(|around| around.start() <= found.start() && found.end() <= around.end())
         };
         let found = self.not.find_iter(text).filter(|found| !is_allowed(found) && fits(&text[found.end()..]));
-        found
-            .map(|found| {
-                let line = line + text[..found.start()].matches('\n').count();
-                let written = found.as_str().split_ascii_whitespace().collect::<Vec<_>>().join(" ");
-                format!("{file}:{line}: not '{written}', but {}", self.say)
-            })
-            .collect()
+        let in_words = |found: regex::Match<'_>| {
+            let line = line + text[..found.start()].matches('\n').count();
+            let written = found.as_str().split_ascii_whitespace().collect::<Vec<_>>().join(" ");
+            format!("{file}:{line}: not '{written}', but {}", self.say)
+        };
+        found.map(in_words).collect()
     }
 }
 
 /// A text with blanks in the place of what is between two marks, where it `fits`. Lines stay.
 fn without(text: &str, [open, close]: [char; 2], fits: impl Fn(&str) -> bool) -> String {
-    let mut left = String::with_capacity(text.len());
-    let mut rest = text;
+    let (mut left, mut rest) = (String::with_capacity(text.len()), text);
     while let Some((before, after)) = rest.split_once(open) {
         left.push_str(before);
         left.push(open);
@@ -105,8 +100,7 @@ fn without(text: &str, [open, close]: [char; 2], fits: impl Fn(&str) -> bool) ->
             rest = after;
         }
     }
-    left.push_str(rest);
-    left
+    left + rest
 }
 
 fn pattern<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Regex, D::Error> {
