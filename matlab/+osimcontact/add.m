@@ -60,7 +60,8 @@ function results = add(varargin)
 %     gravity: Gravity, m/s2 [default: the model's, else 9.80665]. Takes a number.
 %     spheres: Spheres that share the body weight, all stance limbs together [default: as found per
 %         limb]. Takes a whole number.
-%     stance_limbs: Limbs that share the body weight [default: 1]. Takes a whole number.
+%     stance_limbs: Limbs that share the body weight [default: as the note in the model says, else 1].
+%         Takes a whole number.
 %     reference_mass: Mass its contacts are made for, kg [default: its note, else its bodies]. Takes a
 %         number.
 %     reference_spheres: Its spheres that share the body weight [default: as found per limb]. Takes a

@@ -13,7 +13,8 @@ function results = check(varargin)
 %     force: Replace an existing report. Takes true or false.
 %     spheres: Spheres that share the body weight, all stance limbs together [default: as found per
 %         limb]. Takes a whole number.
-%     stance_limbs: Limbs that share the body weight [default: 1]. Takes a whole number.
+%     stance_limbs: Limbs that share the body weight [default: as the note in the model says, else 1].
+%         Takes a whole number.
 %     impact_speed: Impact speed for the restitution, m/s [default: sqrt(gR/2), a fall from a quarter of
 %         the radius]. Takes a number.
 %     gravity: Gravity, m/s2 [default: the model's own]. Takes a number.

@@ -24,7 +24,8 @@ function results = drop_test(varargin)
 %     gravity: Gravity, m/s2 [default: the model's, else 9.80665]. Takes a number.
 %     spheres: Spheres that share the body weight, all stance limbs together [default: as found per
 %         limb]. Takes a whole number.
-%     stance_limbs: Limbs that share the body weight [default: 1]. Takes a whole number.
+%     stance_limbs: Limbs that share the body weight [default: as the note in the model says, else 1].
+%         Takes a whole number.
 %     contacts_mass: Mass the contacts are made for now, kg [default: the note, else mass]. Takes a
 %         number.
 %     mass: What this model weighs, kg [default: the sum of its bodies]. Takes a number.

@@ -12,7 +12,8 @@ function results = inspect(varargin)
 %     force: Replace an existing report. Takes true or false.
 %     spheres: Spheres that share the body weight, all stance limbs together [default: as found per
 %         limb]. Takes a whole number.
-%     stance_limbs: Limbs that share the body weight [default: 1]. Takes a whole number.
+%     stance_limbs: Limbs that share the body weight [default: as the note in the model says, else 1].
+%         Takes a whole number.
 %     impact_speed: Impact speed for the restitution, m/s [default: sqrt(gR/2), a fall from a quarter of
 %         the radius]. Takes a number.
 %     gravity: Gravity, m/s2 [default: the model's own]. Takes a number.
@@ -33,9 +34,9 @@ function results = inspect(varargin)
 %         results, such as 'warnings', one with a row for each of its entries. Not in GNU Octave.
 %
 %   RESULTS: an array of structs with the fields model, document_version, name, mass_kg, gravity_m_s2,
-%   contacts_mass_kg, limbs, spheres_per_limb, limbs_unknown, spheres, forces, warnings, bodies,
-%   body_factors, known_contacts, figures, standing, why_no_standing. docs/json.md says what each holds;
-%   what is missing is NaN, '' or empty.
+%   contacts_mass_kg, note, limbs, stance_limbs, spheres_per_limb, limbs_unknown, spheres, forces,
+%   warnings, bodies, body_factors, known_contacts, figures, standing, why_no_standing. docs/json.md
+%   says what each holds; what is missing is NaN, '' or empty.
 %
 %   Example:
 %       seen = osimcontact.inspect({'human.osim', 'emu.osim'});

@@ -9,6 +9,8 @@ function results = note(varargin)
 %     contacts_mass: Mass the contacts in the file were made for, kg. Takes a number. Must be given.
 %     contacts_gravity: Gravity the contacts in the file were made for, m/s2 [default: the model's].
 %         Takes a number.
+%     stance_limbs: Limbs that share the body weight [default: as the note in the model says]. Takes a
+%         whole number.
 %     output: Write to this file [default: NAME.scaled.osim beside it]. Takes a text.
 %     geometry_output: Write the changed ContactGeometrySet of a standalone ForceSet to this file. Takes
 %         a text.

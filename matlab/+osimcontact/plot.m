@@ -48,7 +48,8 @@ function results = plot(varargin)
 %     dpi: Pixels to the inch of a PNG [default: 600]. Takes a whole number.
 %     spheres: Spheres that share the body weight, all stance limbs together [default: as found per
 %         limb]. Takes a whole number.
-%     stance_limbs: Limbs that share the body weight [default: 1]. Takes a whole number.
+%     stance_limbs: Limbs that share the body weight [default: as the note in the model says, else 1].
+%         Takes a whole number.
 %     contacts_mass: Mass the contacts are made for now, kg [default: the note, else mass]. Takes a
 %         number.
 %     mass: What this model weighs, kg [default: the sum of its bodies]. Takes a number.

@@ -49,7 +49,8 @@ function results = sweep(varargin)
 %         of texts.
 %     spheres: Spheres that share the body weight, all stance limbs together [default: as found per
 %         limb]. Takes a whole number.
-%     stance_limbs: Limbs that share the body weight [default: 1]. Takes a whole number.
+%     stance_limbs: Limbs that share the body weight [default: as the note in the model says, else 1].
+%         Takes a whole number.
 %     select: Only forces with such a name. Takes a text or a cell array of texts.
 %     exclude: No forces with such a name. Takes a text or a cell array of texts.
 %     skip_disabled: Leave out forces that are switched off. Takes true or false.

@@ -11,7 +11,8 @@ function results = transfer(varargin)
 %     presets: A file with presets of your own (TOML). Takes a text.
 %     spheres: Spheres that share the body weight, all stance limbs together [default: as found per
 %         limb]. Takes a whole number.
-%     stance_limbs: Limbs that share the body weight [default: 1]. Takes a whole number.
+%     stance_limbs: Limbs that share the body weight [default: as the note in the model says, else 1].
+%         Takes a whole number.
 %     reference_mass: Mass its contacts are made for, kg [default: its note, else its bodies]. Takes a
 %         number.
 %     reference_spheres: Its spheres that share the body weight [default: as found per limb]. Takes a

@@ -168,7 +168,7 @@ def add(
     spheres : int, optional
         Spheres that share the body weight, all stance limbs together [default: as found per limb]
     stance_limbs : int, optional
-        Limbs that share the body weight.
+        Limbs that share the body weight [default: as the note in the model says, else 1]
     reference_mass : float, optional
         Mass its contacts are made for, kg [default: its note, else its bodies]
     reference_spheres : int, optional
@@ -315,7 +315,7 @@ def check(
     spheres : int, optional
         Spheres that share the body weight, all stance limbs together [default: as found per limb]
     stance_limbs : int, optional
-        Limbs that share the body weight.
+        Limbs that share the body weight [default: as the note in the model says, else 1]
     impact_speed : float, optional
         Impact speed for the restitution, m/s [default: sqrt(gR/2), a fall from a quarter of the radius]
     gravity : float, optional
@@ -492,7 +492,7 @@ def design(
     spheres : int, optional
         Spheres that share the body weight, all stance limbs together [default: as found per limb]
     stance_limbs : int, optional
-        Limbs that share the body weight.
+        Limbs that share the body weight [default: as the note in the model says, else 1]
     select : str or list of str, optional
         Only forces with such a name; one or several in a list.
     exclude : str or list of str, optional
@@ -586,7 +586,7 @@ def drop_test(
     spheres : int, optional
         Spheres that share the body weight, all stance limbs together [default: as found per limb]
     stance_limbs : int, optional
-        Limbs that share the body weight.
+        Limbs that share the body weight [default: as the note in the model says, else 1]
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
@@ -746,7 +746,7 @@ def inspect(
     spheres : int, optional
         Spheres that share the body weight, all stance limbs together [default: as found per limb]
     stance_limbs : int, optional
-        Limbs that share the body weight.
+        Limbs that share the body weight [default: as the note in the model says, else 1]
     impact_speed : float, optional
         Impact speed for the restitution, m/s [default: sqrt(gR/2), a fall from a quarter of the radius]
     gravity : float, optional
@@ -794,6 +794,7 @@ def note(
     *,
     contacts_mass: float | None = None,
     contacts_gravity: float | None = None,
+    stance_limbs: int | None = None,
     no_note: bool = False,
     yes: str | Sequence[str] | None = None,
     geometry: Source | None = None,
@@ -809,6 +810,8 @@ def note(
         Mass the contacts in the file were made for, kg.
     contacts_gravity : float, optional
         Gravity the contacts in the file were made for, m/s2 [default: the model's]
+    stance_limbs : int, optional
+        Limbs that share the body weight [default: as the note in the model says]
     no_note : bool, optional
         Leave no note (in the credits) in the model.
     yes : str or list of str, optional
@@ -828,7 +831,7 @@ def note(
     ContactScaleError
         It cannot be done: the subclass says why.
     """
-    keywords = {"contacts_mass": contacts_mass, "contacts_gravity": contacts_gravity, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}
+    keywords = {"contacts_mass": contacts_mass, "contacts_gravity": contacts_gravity, "stance_limbs": stance_limbs, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}
     return _run.plan("note", source, keywords)
 
 
@@ -924,7 +927,7 @@ def plot(
     spheres : int, optional
         Spheres that share the body weight, all stance limbs together [default: as found per limb]
     stance_limbs : int, optional
-        Limbs that share the body weight.
+        Limbs that share the body weight [default: as the note in the model says, else 1]
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
@@ -1320,7 +1323,7 @@ def sweep(
     spheres : int, optional
         Spheres that share the body weight, all stance limbs together [default: as found per limb]
     stance_limbs : int, optional
-        Limbs that share the body weight.
+        Limbs that share the body weight [default: as the note in the model says, else 1]
     select : str or list of str, optional
         Only forces with such a name; one or several in a list.
     exclude : str or list of str, optional
@@ -1400,7 +1403,7 @@ def transfer(
     spheres : int, optional
         Spheres that share the body weight, all stance limbs together [default: as found per limb]
     stance_limbs : int, optional
-        Limbs that share the body weight.
+        Limbs that share the body weight [default: as the note in the model says, else 1]
     reference_mass : float, optional
         Mass its contacts are made for, kg [default: its note, else its bodies]
     reference_spheres : int, optional

@@ -76,6 +76,27 @@ pub(crate) struct Finding {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
+pub(crate) struct Note {
+    pub(crate) version: String,
+    pub(crate) steps: Vec<Step>,
+    pub(crate) stance_limbs: Option<f64>,
+    pub(crate) weighed_kg: Option<f64>,
+    pub(crate) changed_since: Vec<String>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Step {
+    pub(crate) operation: String,
+    pub(crate) options: String,
+    pub(crate) from_mass_kg: Option<f64>,
+    pub(crate) reference: Option<String>,
+    pub(crate) reference_digest: Option<String>,
+    pub(crate) date: Option<String>,
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub(crate) struct Inspection {
     pub(crate) schema_version: u32,
     pub(crate) model: String,
@@ -85,9 +106,12 @@ pub(crate) struct Inspection {
     pub(crate) gravity_m_s2: Option<f64>,
     pub(crate) contacts_mass_kg: Option<Mass>,
     #[serde(default)]
+    pub(crate) note: Option<Note>,
+    #[serde(default)]
     pub(crate) known_contacts: Option<Known>,
     pub(crate) limbs: Option<Vec<Limb>>,
     pub(crate) limbs_unknown: Option<String>,
+    pub(crate) stance_limbs: f64,
     pub(crate) spheres_per_limb: Option<usize>,
     pub(crate) spheres: Vec<Sphere>,
     pub(crate) forces: Vec<Force>,

@@ -8,7 +8,7 @@ use crate::support::{Bench, HUMAN, Ran};
 
 /// The objects of a run, one a line and nothing else on standard output.
 #[track_caller]
-fn lines<T: serde::de::DeserializeOwned>(ran: &Ran) -> Vec<T> {
+pub(crate) fn lines<T: serde::de::DeserializeOwned>(ran: &Ran) -> Vec<T> {
     let out = ran.out();
     assert!(out.ends_with('\n'), "{out}");
     out.lines()
@@ -76,6 +76,8 @@ fn inspect_says_what_the_model_holds() {
         limbs.iter().map(|limb| (limb.name.as_str(), limb.side.as_str(), limb.spheres.len())).collect();
     assert_eq!(sides, [("femur_r", "right", 6), ("femur_l", "left", 6)]);
     assert_eq!((seen.spheres_per_limb, seen.limbs_unknown), (Some(6), None));
+    assert_eq!(seen.stance_limbs, 1.0);
+    assert!(seen.note.is_none());
     assert_eq!((seen.spheres.len(), seen.forces.len(), seen.bodies.len()), (12, 12, 9));
     let text = bench.text("human.osim");
     let line = |number: usize| text.lines().nth(number - 1).unwrap();

@@ -113,7 +113,7 @@ fn bodies_are_listed_as_people_write_them() {
     {
         let name = format!("as{number}.osim");
         assert_eq!(add(feet, &name).0, Some(0), "{feet}");
-        assert_eq!(bench.read(&name), bench.read("one.osim"), "{feet}");
+        assert_eq!(without_list(&bench.text(&name)), without_list(&bench.text("one.osim")), "{feet}");
     }
     for feet in ["calcn_r,", "", ",calcn_r"] {
         let (status, error) = add(feet, "none.osim");
@@ -164,4 +164,10 @@ fn a_folder_of_meshes_that_is_not_there_is_named() {
         false,
         &["scale factors of mesh", "of body calcn_r are not three numbers, expected three"],
     );
+}
+
+/// A model without the list of feet in its note, which is as somebody wrote it.
+fn without_list(text: &str) -> String {
+    let (before, list) = text.split_once(" with feet=").unwrap();
+    format!("{before}{}", list.split_once(' ').unwrap().1)
 }

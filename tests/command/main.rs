@@ -38,6 +38,7 @@ mod never_lost;
 mod outside_text;
 mod pages;
 mod placed;
+mod received;
 mod reproduced;
 mod requested;
 mod scaled_bodies;

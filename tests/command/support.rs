@@ -156,6 +156,8 @@ impl Bench {
             .current_dir(self.dir.path())
             .stdin(Stdio::null())
             .env("COLUMNS", "100")
+            // The date of notes: 2025-11-26.
+            .env("SOURCE_DATE_EPOCH", "1764115200")
             .env_remove("CLICOLOR_FORCE")
             .env("NO_COLOR", "1");
         command

@@ -3,11 +3,13 @@
 use osim_web::Engine;
 use serde_json::{Value, json};
 
+use crate::front_end::TODAY;
 use crate::support::{Bench, HUMAN};
 
 /// An engine that has the files of a folder.
 fn engine_of(bench: &Bench) -> Engine {
     let mut engine = Engine::new();
+    engine.set_today(TODAY);
     for (name, bytes) in bench.files() {
         engine.put(&name, bytes);
     }
@@ -266,6 +268,7 @@ fn design_calculates_without_a_model() {
 #[test]
 fn presets_and_explanations() {
     let mut engine = Engine::new();
+    engine.set_today(TODAY);
     let presets = ask(&mut engine, &json!({"do": "presets"}));
     assert!(presets.as_array().unwrap().iter().any(|preset| preset["name"] == "falisse2022"), "{presets}");
     let said = ask(&mut engine, &json!({"do": "explain", "topic": "C.5"}));
@@ -276,6 +279,7 @@ fn presets_and_explanations() {
 #[test]
 fn a_question_that_is_none_is_refused() {
     let mut engine = Engine::new();
+    engine.set_today(TODAY);
     for question in [
         json!(1),
         json!({"do": "sing"}),

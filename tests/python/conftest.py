@@ -18,6 +18,9 @@ else:
     opensim.Logger.removeFileSink()
     opensim.Logger.setLevelString("Error")
 
+# The date of notes: they are compared with those of the command, and a day may end in between.
+os.environ["SOURCE_DATE_EPOCH"] = "1764115200"
+
 TOP = Path(__file__).resolve().parent.parent.parent
 FIXTURES = TOP / "fixtures"
 HUMAN = FIXTURES / "table1" / "human_62kg_smooth_sphere.osim"

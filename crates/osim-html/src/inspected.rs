@@ -177,6 +177,7 @@ fn the_model(inspected: &Inspection, files: &[NamedDigest]) -> Markup {
                 Some(mass) => { (mass.in_words()) }
                 None => { "not known" }
             } }
+            @if let Some(note) = &inspected.note { dt { "Note" } dd { (note.sentences.join(" ")) } }
             dt { "Gravity" } dd { @match inspected.gravity_m_s2 {
                 Some(gravity) => { (four_significant(gravity)) " m/s²" }
                 None => { "cannot be read" }

@@ -43,7 +43,8 @@ pub use findings::{Changeable, CheckResult, Counts, Found, Kin, check_model, mis
 pub use floors::weight_share;
 pub use inspection::{
     Bottom, ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,
-    InspectedLimb, InspectedSphere, Inspection, OnFeet, Origins, Parameters, StandingBody, StandingSphere,
+    InspectedLimb, InspectedSphere, Inspection, NoteStep, NoteStory, OnFeet, Origins, Parameters,
+    StandingBody, StandingSphere,
 };
 pub use known::{KnownContacts, ReferenceContacts, unexplained_slip};
 pub use load_sharing::LoadSharing;

@@ -2,27 +2,28 @@
 
 use std::path::PathBuf;
 
-use osim_model::{MassRequest, Selection};
+use osim_model::{MassRequest, Model, Selection};
 use osim_requests::options::{InspectionOptions, StanceOptions};
 use osim_requests::{Acceleration, Count, Positive};
 
 /// Under which load, on how many spheres.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Stance {
     /// Spheres that share the body weight, all stance limbs together; `None`: as found on a limb.
     pub spheres: Option<f64>,
-    /// Limbs that share the body weight.
-    pub limbs: f64,
+    /// Limbs that share the body weight; `None`: as the note in the model says, else one.
+    pub limbs: Option<f64>,
     /// Speed before an impact, m/s; `None`: √(gR/2).
     pub impact_speed_m_s: Option<f64>,
     /// Gravity instead of the model's own, m/s².
     pub gravity_m_s2: Option<f64>,
 }
 
-impl Default for Stance {
-    /// One limb, its spheres as found, a fall from a quarter of the radius, the model's own gravity.
-    fn default() -> Self {
-        Self { spheres: None, limbs: 1.0, impact_speed_m_s: None, gravity_m_s2: None }
+impl Stance {
+    /// Limbs that share the weight of `model`.
+    #[must_use]
+    pub fn limbs_of(&self, model: &Model) -> f64 {
+        self.limbs.or(model.noted_stance_limbs()).unwrap_or(1.0)
     }
 }
 
@@ -45,7 +46,7 @@ impl From<&StanceOptions> for Stance {
     fn from(options: &StanceOptions) -> Self {
         Self {
             spheres: options.spheres.map(Count::get),
-            limbs: options.stance_limbs.get(),
+            limbs: options.stance_limbs.map(Count::get),
             impact_speed_m_s: options.impact_speed.map(Positive::get),
             gravity_m_s2: options.gravity.map(Acceleration::get),
         }

@@ -2,7 +2,7 @@
 
 use contact_scaling::Preset;
 use osim_model::files::OpenModel;
-use osim_model::{MassRequest, Selection};
+use osim_model::{MassRequest, Selection, short_digest};
 
 use crate::figures::Figures;
 use crate::options::{InspectOptions, Stance};
@@ -14,6 +14,8 @@ use crate::series::Body;
 pub struct ReferenceState {
     /// Its name.
     pub name: String,
+    /// The first 16 digits of the SHA-256 of its file; `None` of a preset.
+    pub digest: Option<String>,
     /// It, to be drawn; `None` if it cannot be.
     pub body: Option<Body>,
     /// Figures of its spheres, where it is a model.
@@ -27,7 +29,7 @@ impl ReferenceState {
         let masses = MassRequest { model_kg: Some(mass_kg), ..MassRequest::default() };
         let stance = Stance { spheres: Some(spheres), gravity_m_s2, ..Stance::default() };
         let name = preset.name.to_string();
-        Self { body: Body::of_preset(preset, &masses, &stance).ok(), name, figures: None }
+        Self { name, digest: None, body: Body::of_preset(preset, &masses, &stance).ok(), figures: None }
     }
 
     /// A model, under the weight that its contacts were made for.
@@ -46,6 +48,7 @@ impl ReferenceState {
         };
         let body = Body::inspected(name.clone(), &open.model, &options, &|fault| open.failure(fault)).ok();
         let figures = options.inspect(open.name(), &open.model, None).figures;
-        Self { name, body, figures: Some(figures) }
+        let digest = Some(short_digest(open.model.document().bytes()));
+        Self { name, digest, body, figures: Some(figures) }
     }
 }

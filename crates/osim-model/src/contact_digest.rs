@@ -2,7 +2,7 @@
 
 use sha2::{Digest, Sha256};
 
-use crate::contacts::{Slot, Sphere};
+use crate::contacts::{Force, Slot, Sphere};
 use crate::fault::{FileId, NoteDoubt};
 use crate::model::Model;
 use crate::note::Scope;
@@ -57,6 +57,19 @@ impl Model {
         first_digits(hash)
     }
 
+    /// Digest of the radii of all spheres of contact forces. `changed` gives the new value of those that a plan changes.
+    #[must_use]
+    pub fn radii_digest(&self, changed: impl Fn(ValueKey) -> Option<f64>) -> String {
+        let mut hash = Sha256::new();
+        for sphere in self.forces().iter().flat_map(Force::spheres).filter_map(|sphere| self.sphere(sphere)) {
+            let key = ValueKey { file: sphere.file, object: sphere.element, property: Property::Radius };
+            hash.update(sphere.path.as_bytes());
+            hash.update([0]);
+            hash.update(changed(key).unwrap_or(sphere.radius.number).to_bits().to_le_bytes());
+        }
+        first_digits(hash)
+    }
+
     /// Digest of the locations of all spheres of contact forces, in their frames. `moved` gives the new location of those that
     /// a plan moves, m.
     #[must_use]
@@ -95,6 +108,12 @@ impl Model {
             (None, Scope::All) => self.bodies_have_other_sizes(note).then_some(NoteDoubt::BodiesScaled),
         }
     }
+}
+
+/// The first 16 digits of the SHA-256 of `bytes`, by which a note knows a reference again.
+#[must_use]
+pub fn short_digest(bytes: &[u8]) -> String {
+    first_digits(Sha256::new_with_prefix(bytes))
 }
 
 fn first_digits(hash: Sha256) -> String {

@@ -79,7 +79,7 @@ pub use assignment::Assignment;
 pub use body_sizes::ScaledSinceNote;
 pub use class::Class;
 pub use components::Companion;
-pub use contact_digest::ValueKey;
+pub use contact_digest::{ValueKey, short_digest};
 pub use contacts::{
     Force, ForceId, ForceKind, FrameProperty, HalfSpace, LoadedSphere, Orientation, ParameterSet, SetId,
     Slot, Sphere, SphereId, Surfaces, contact_of_set, loaded_spheres, moving_spheres, root_mean_square,
@@ -98,7 +98,7 @@ pub use joint_distances::JointDistances;
 pub use limbs::{Limb, Limbs};
 pub use mass::{Mass, MassRequest, MassSource, SAME_MASS, positive_mass, same_gravity, same_mass};
 pub use model::Model;
-pub use note::{BodySize, Credits, Note, Scope};
+pub use note::{BodySize, ChangedSinceNote, Credits, Note, Scope, Source, Step};
 pub use object_name::{refuse_name, refuse_name_in_paths};
 pub use osim_xml::opensim_text::{self, NumberFault};
 pub use osim_xml::{Children, ElementId, LineIndex, Piece, PieceKind, Position, RawText, SyntaxFault, Tree};

@@ -55,6 +55,7 @@ mod rescale;
 mod rules;
 mod scaling;
 mod set;
+mod story;
 mod surfaces;
 mod transfer;
 
@@ -71,6 +72,7 @@ pub use remarks::PLACES_STAY;
 pub use rescale::{FOLLOWING, FOLLOWING_NOTE, Rescale, TRANSFER_FOLLOWING, rescale};
 pub use rules::RULES;
 pub use set::{Set, set};
+pub use story::StepDetails;
 pub use transfer::{
     Reference, ReferenceContact, ScalingRule, Transfer, reference_of_layout, reference_of_model, transfer,
 };

@@ -1,14 +1,15 @@
 //! Writing down what the user knows: the mass that contacts were made for. No number changes.
 
 use osim_messages::{Input, phrase};
-use osim_model::{Fault, Mass, MassSource, Model, Note, Scope, positive_mass};
+use osim_model::{Fault, Mass, MassSource, Model, Note, Scope, Step, positive_mass};
 
 use crate::objects::Rebuilt;
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
 use crate::rules::nothing_to_change;
+use crate::story;
 
-/// Plans a note that the contacts of `model` were made for `contacts_mass_kg` at `gravity_m_s2`, as they are. Later changes need not be
-/// given that mass again, also after OpenSim has saved or scaled the model.
+/// Plans a note that the contacts of `model` were made for `contacts_mass_kg` at `gravity_m_s2`, as they are, and how many `stance_limbs`
+/// share the weight, where that is said. Later changes need not be given that again, also after OpenSim has saved or scaled the model.
 ///
 /// ```
 /// use osim_model::{FileId, MassRequest, MassSource, Model};
@@ -16,7 +17,7 @@ use crate::rules::nothing_to_change;
 ///
 /// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
 /// let model = Model::parse(bytes)?;
-/// let plan = note(&model, 62.0, model.gravity())?;
+/// let plan = note(&model, 62.0, model.gravity(), None)?;
 /// assert!(plan.changes.is_empty() && plan.moves.is_empty());
 ///
 /// let noted = Model::parse(plan.patched(&model, FileId::MAIN)?)?;
@@ -27,7 +28,12 @@ use crate::rules::nothing_to_change;
 ///
 /// # Errors
 /// A mass that is not above 0.
-pub fn note(model: &Model, contacts_mass_kg: f64, gravity_m_s2: Option<f64>) -> Result<Plan, Fault> {
+pub fn note(
+    model: &Model,
+    contacts_mass_kg: f64,
+    gravity_m_s2: Option<f64>,
+    stance_limbs: Option<f64>,
+) -> Result<Plan, Fault> {
     let kg = positive_mass(Input::ContactsMass, contacts_mass_kg)?;
     let contacts_mass = Mass { kg, source: MassSource::ContactsMass };
     let taken = phrase![&contacts_mass.made_for(), ": the note in the file says so; no number changes"];
@@ -41,6 +47,7 @@ pub fn note(model: &Model, contacts_mass_kg: f64, gravity_m_s2: Option<f64>) -> 
     let masses = Some(Masses::same(contacts_mass));
     let mut plan = Plan::new(model, Contents { masses, taken, ..Contents::default() }, &facts);
     plan.note_anyway();
+    plan.note_stance_limbs(stance_limbs);
     if plan.note().zip(model.note.as_ref()).is_some_and(|(new, old)| says_the_same(new, old)) {
         plan.warnings.push(nothing_to_change::by_note(kg));
         plan.keep_note();
@@ -56,8 +63,9 @@ pub fn kept_note(model: &Model, rebuilt: &Rebuilt, operation: &str) -> Option<No
     let mut note = old.clone();
     if old.digest == model.contact_digest(|_| None) {
         note.digest = new.contact_digest(|_| None);
+        note.radii = Some(new.radii_digest(|_| None));
         note.version = env!("CARGO_PKG_VERSION").to_owned();
-        note.operation = Note::operation_text(operation);
+        note.steps = story::after(story::earlier(model), Step::new(operation));
     }
     if old.places.as_ref().is_some_and(|places| *places == model.places_digest(|_| None)) {
         note.places = Some(new.places_digest(|_| None));
@@ -116,6 +124,7 @@ fn says_the_same(new: &Note, old: &Note) -> bool {
             note.contacts_mass_kg,
             note.gravity_m_s2,
             note.scope,
+            note.stance_limbs,
             note.digest.clone(),
             note.places.clone(),
             note.sizes.clone(),

@@ -6,7 +6,8 @@ use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 use osim_messages::{Dialect, Phrase, shortest};
 use osim_model::{
-    Class, ElementId, Fault, FileId, Finding, Mass, Model, Note, Property, Scope, Sphere, SphereId, ValueKey,
+    Class, ElementId, Fault, FileId, Finding, Mass, MassRequest, Model, Note, Property, Scope, Sphere,
+    SphereId, Step, ValueKey, same_mass,
 };
 
 use crate::change::{Change, Move};
@@ -15,6 +16,7 @@ use crate::insert::insert;
 use crate::node::Node;
 use crate::note_edits;
 use crate::objects::{EarlierNote, ObjectChange, Rebuilt};
+use crate::story::{self, StepDetails};
 
 /// Everything that is to be done to one model: made by [`rescale`](crate::rescale), [`transfer`](crate::transfer()),
 /// [`design`](crate::design()) or [`set`](crate::set()), shown and written by the caller.
@@ -90,6 +92,9 @@ struct Absent {
     elements: Vec<Node>,
 }
 
+/// The verb whose contacts are another model's.
+pub(crate) const TRANSFER: &str = "transfer";
+
 /// What the note of a plan says beside the values.
 pub(crate) struct NoteFacts<'o> {
     pub(crate) target_mass_kg: Option<f64>,
@@ -134,9 +139,38 @@ impl Plan {
 
     /// Records in the note what was done, if it is more than the verb: `rescale radius=x2`.
     pub fn name_operation(&mut self, operation: &str) {
-        if let Some(note) = &mut self.note {
-            note.operation = Note::operation_text(operation);
+        if let Some(step) = self.last_step() {
+            step.operation = Note::operation_text(operation);
         }
+    }
+
+    /// Records in the note that its contacts are new: what was done before is about others.
+    pub fn begin_story(&mut self) {
+        if let Some(note) = &mut self.note {
+            note.steps.drain(..note.steps.len().saturating_sub(1));
+        }
+    }
+
+    /// Records in the note what only the caller knows of the change.
+    pub fn add_details(&mut self, details: StepDetails) {
+        let StepDetails { options, reference, stance_limbs, date } = details;
+        self.note_stance_limbs(stance_limbs);
+        if let Some(step) = self.last_step() {
+            step.options = Note::operation_text(&options);
+            step.reference = reference;
+            step.date = date;
+        }
+    }
+
+    /// Records in the note how many limbs share the weight, where that was said.
+    pub(crate) fn note_stance_limbs(&mut self, stance_limbs: Option<f64>) {
+        if let Some(note) = &mut self.note {
+            note.stance_limbs = stance_limbs.or(note.stance_limbs);
+        }
+    }
+
+    fn last_step(&mut self) -> Option<&mut Step> {
+        self.note.as_mut()?.steps.last_mut()
     }
 
     /// Records in the note that all values of the contacts were made for its mass: of contacts that are new, also those that the
@@ -169,14 +203,20 @@ impl Plan {
             .collect();
         let moved: HashMap<&str, [f64; 3]> =
             moves.iter().map(|place| (place.path.as_str(), place.to)).collect();
+        let is_other = |masses: &&Masses| !same_mass(masses.contacts_mass.kg, masses.target_mass_kg);
+        let from_mass_kg = masses.as_ref().filter(is_other).map(|masses| masses.contacts_mass.kg);
+        let step = Step { from_mass_kg, ..Step::new(facts.operation) };
         let note = Some(Note {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             contacts_mass_kg: facts.target_mass_kg.map(without_last_bits),
             gravity_m_s2: facts.gravity_m_s2,
             scope: facts.scope,
-            operation: Note::operation_text(facts.operation),
+            steps: story::continued(model, step, facts.operation == TRANSFER && facts.scope == Scope::All),
+            stance_limbs: model.note.as_ref().and_then(|note| note.stance_limbs),
+            weighed_kg: MassRequest::default().bodies_kg(model).map(without_last_bits),
             sizes: note_edits::sizes(model, facts.followed),
             digest: model.contact_digest(|key| changed.get(&key).copied()),
+            radii: Some(model.radii_digest(|key| changed.get(&key).copied())),
             places: Some(model.places_digest(|sphere| moved.get(sphere.path.as_str()).copied())),
             made: note_edits::made(model, facts.followed),
         });

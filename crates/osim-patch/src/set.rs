@@ -12,7 +12,7 @@ use crate::radii::Users;
 use crate::remarks::LEVEL_FEET;
 use crate::rules::nothing_to_change;
 
-/// Between the operations that a note lists.
+/// Between the operations of a step that an earlier version wrote.
 const AND: &str = " + ";
 /// What follows an operation that made feet level as well.
 const AND_LEVEL: &str = " level";
@@ -81,6 +81,16 @@ impl Set {
     }
 }
 
+/// Whether the note says that the same values were assigned already. Every change since the last whole rescaling counts: none may
+/// be applied twice without a question. Feet that are level stay so.
+fn is_done(model: &Model, wanted: &Set) -> bool {
+    let steps = model.note.iter().flat_map(|note| note.steps.iter().rev());
+    let of_set = steps.map(|step| step.operation.as_str()).take_while(|done| done.starts_with("set "));
+    // Earlier versions wrote all of them as one.
+    let mut each = of_set.flat_map(|done| done.split(AND));
+    each.any(|one| one.strip_suffix(AND_LEVEL).unwrap_or(one) == wanted.assigned())
+}
+
 /// Plans plain changes of the forces `selected` of `model`; nothing else follows from them: see [`Set`] for an example.
 ///
 /// # Errors
@@ -90,12 +100,7 @@ impl Set {
 pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fault> {
     let operation = wanted.operation();
     let relative = wanted.assignments.iter().any(|(_, value)| matches!(value, Assignment::Factor(_)));
-    let before =
-        model.note.as_ref().map(|note| note.operation.as_str()).filter(|done| done.starts_with("set "));
-    // Feet that are level stay so: only values are applied twice.
-    let assigned = |one: &str| one.strip_suffix(AND_LEVEL).unwrap_or(one) == wanted.assigned();
-    let done = before.is_some_and(|done| done.split(AND).any(assigned));
-    if relative && !wanted.again && done {
+    if relative && !wanted.again && is_done(model, wanted) {
         return Err(Fault::new(Needed::Repetition { operation }));
     }
     let users = Users::outside(model, &selected.forces);
@@ -150,8 +155,7 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
             target_mass_kg: kept.kg,
             gravity_m_s2: model.contacts_gravity(),
             scope: kept.scope,
-            // Every change since the last whole rescaling counts: none may be applied twice without a question.
-            operation: &before.map_or(operation.clone(), |before| format!("{before}{AND}{operation}")),
+            operation: &operation,
         },
     ))
 }

@@ -62,7 +62,7 @@ pub use fit::{FitResult, run_fit};
 pub use heat_table::{HeatTable, TableColumn};
 pub use inspector::Inspector;
 pub use opening::{open_with, scale_file};
-pub use planner::{Change, Planner};
+pub use planner::{Change, NoteDetails, Planner};
 pub use plot::{plot_bodies, plot_feet, plot_table};
 pub use presets::{find_presets, presets};
 pub use remedies::check_with_remedies;

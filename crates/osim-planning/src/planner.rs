@@ -6,8 +6,8 @@ use std::sync::Arc;
 use osim_inspect::{InspectOptions, ReferenceState};
 use osim_messages::phrase;
 use osim_model::files::{Failure, Files, OpenModel};
-use osim_model::{Fault, Model};
-use osim_patch::Plan;
+use osim_model::{Fault, Model, Source};
+use osim_patch::{Plan, StepDetails};
 use osim_requests::options::{AnswerOptions, InspectionOptions, OutputOptions, SetFiles};
 
 use crate::afterwards::{Aims, worse_findings};
@@ -32,18 +32,33 @@ pub trait Planner: Send + Sync {
     }
 
     /// The same for a model that was opened: what is odd about the model itself is among the warnings, and what the change makes
-    /// worse. `no_note` leaves no note in it.
+    /// worse. Without `details` it gets no note.
     ///
     /// # Errors
     /// Those of [`plan_beside`](Self::plan_beside); a change after which the model is wrong, unless the caller means it.
-    fn plan_opened(&self, opened: &OpenModel, no_note: bool, files: &dyn Files) -> Result<Plan, Failure> {
+    fn plan_opened(
+        &self,
+        opened: &OpenModel,
+        details: Option<&NoteDetails>,
+        files: &dyn Files,
+    ) -> Result<Plan, Failure> {
         let model = &opened.model;
         let mut plan = self.plan_beside(opened, files)?;
-        if no_note {
-            plan.without_note();
-            if model.note.is_some() && !plan.is_empty() {
-                let text = "the note is removed: the next run cannot know what the contacts are made for";
-                plan.remarks.push(text.into());
+        match details {
+            Some(details) => {
+                let reference = self.reference().map(|reference| Source {
+                    name: reference.name.clone(),
+                    digest: reference.digest.clone(),
+                });
+                let (options, stance_limbs) = (details.options.clone(), details.stance_limbs);
+                plan.add_details(StepDetails { options, reference, stance_limbs, date: files.today() });
+            }
+            None => {
+                plan.without_note();
+                if model.note.is_some() && !plan.is_empty() {
+                    let text = "the note is removed: the next run cannot know what the contacts are made for";
+                    plan.remarks.push(text.into());
+                }
             }
         }
         if plan.adds_credits(model) {
@@ -102,6 +117,15 @@ pub trait Planner: Send + Sync {
     fn settings(&self) -> String;
 }
 
+/// What the note of a changed model says of the request.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct NoteDetails {
+    /// Options that decided which numbers result, as `name=value`.
+    pub options: String,
+    /// Limbs that share the body weight, where the caller said so.
+    pub stance_limbs: Option<f64>,
+}
+
 /// A request that was checked: where its models are, what it plans, and where results go.
 ///
 /// ```
@@ -133,6 +157,8 @@ pub struct Change {
     pub set_files: SetFiles,
     /// What is planned for each model.
     pub planner: Arc<dyn Planner>,
+    /// What notes say of the request.
+    pub details: NoteDetails,
 }
 
 impl Change {
@@ -142,7 +168,7 @@ impl Change {
         set_files: SetFiles,
         planner: impl Planner + 'static,
     ) -> Self {
-        Self { models, output, set_files, planner: Arc::new(planner) }
+        Self { models, output, set_files, planner: Arc::new(planner), details: NoteDetails::default() }
     }
 
     /// Opens one of its models, with the files of a standalone set.
@@ -158,7 +184,8 @@ impl Change {
     /// # Errors
     /// Those of [`Planner::plan_opened`].
     pub fn plan(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
-        self.planner.plan_opened(opened, self.output.no_note, files)
+        let details = Some(&self.details).filter(|_| !self.output.no_note);
+        self.planner.plan_opened(opened, details, files)
     }
 }
 

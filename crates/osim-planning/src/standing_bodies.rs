@@ -12,5 +12,5 @@ pub(crate) fn standing_bodies(model: &Model) -> Result<(Vec<StandingBody>, LoadS
     let forces = model.force_ids();
     let standing = Standing::all(model, &forces)?;
     let sharing = LoadSharing::of(model, &forces);
-    Ok((StandingBody::all(model, &standing, sharing.limbs(), Stance::default().limbs), sharing))
+    Ok((StandingBody::all(model, &standing, sharing.limbs(), Stance::default().limbs_of(model)), sharing))
 }

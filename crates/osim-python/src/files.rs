@@ -76,4 +76,8 @@ impl Files for RequestFiles {
     fn exists(&self, path: &Path) -> bool {
         self.memory.contains_key(path) || self.with_disk && Disk.exists(path)
     }
+
+    fn today(&self) -> Option<String> {
+        Disk.today()
+    }
 }

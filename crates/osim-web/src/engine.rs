@@ -55,6 +55,11 @@ impl Engine {
         Self::default()
     }
 
+    /// The date, as `2026-11-25`, for the notes of models that are changed from now on.
+    pub fn set_today(&mut self, date: &str) {
+        self.shelf.set_today(date);
+    }
+
     /// Adds a file, or replaces the one of that name.
     pub fn put(&mut self, name: &str, bytes: Vec<u8>) {
         self.shelf.put(name, bytes);

@@ -23,6 +23,11 @@ impl Shelf {
         self.files.add(name, bytes);
     }
 
+    /// The date, for notes.
+    pub(crate) fn set_today(&mut self, date: &str) {
+        self.files.set_today(date);
+    }
+
     /// Takes a file away.
     pub(crate) fn remove(&mut self, name: &str) {
         self.names.remove(Path::new(name));
@@ -51,6 +56,10 @@ impl Files for Shelf {
 
     fn exists(&self, path: &Path) -> bool {
         self.files.exists(path) || self.only_one_called_like(path).is_some()
+    }
+
+    fn today(&self) -> Option<String> {
+        self.files.today()
     }
 }
 

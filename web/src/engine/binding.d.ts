@@ -4,6 +4,7 @@ declare module "osim-engine" {
   export class Engine {
     constructor();
     free(): void;
+    set_today(date: string): void;
     put(name: string, bytes: Uint8Array): void;
     remove(name: string): void;
     bytes(name: string): Uint8Array | undefined;

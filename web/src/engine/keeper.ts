@@ -58,7 +58,10 @@ export class Keeper {
   }
 
   call(question: string): string {
-    return this.#started().call(question);
+    const engine = this.#started();
+    // At Greenwich, as the other programs have it.
+    engine.set_today(new Date().toISOString().slice(0, 10));
+    return engine.call(question);
   }
 
   /** Remembers files that the engine made for itself. */

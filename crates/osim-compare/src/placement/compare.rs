@@ -162,7 +162,7 @@ impl PlacedSphere {
 
 /// Whether the note says that this program scaled the radii, and they are as it wrote them.
 fn noted_radii(model: &Model) -> bool {
-    let rescaled = |note: &Note| note.operation.starts_with(Verb::Rescale.name());
+    let rescaled = |note: &Note| note.operation().starts_with(Verb::Rescale.name());
     model.note.as_ref().is_some_and(rescaled) && model.doubt_about_note().is_none()
 }
 

@@ -57,7 +57,7 @@ impl Figures {
         let mut limbs = Vec::new();
         let trees = by_sphere(standing);
         let mut by_limb = all.as_ref().map(|all| by_limb(sharing.limbs(), all));
-        for (place, group) in groups(sharing.limbs(), &loads, stance) {
+        for (place, group) in groups(sharing.limbs(), &loads, stance.spheres, stance.limbs_of(model)) {
             if group.count.is_none() && why.is_none() {
                 why = limbs_unknown(sharing.limbs());
             }
@@ -123,14 +123,19 @@ fn default_speed(loads: &[SphereLoads], gravity: Option<f64>) -> Option<f64> {
 }
 
 /// The chosen spheres of each limb that has some, with its place among the limbs; all together where limbs are not known.
-fn groups<'p>(limbs: &Limbs, loads: &'p [SphereLoads], stance: &Stance) -> Vec<(usize, Group<'p>)> {
+fn groups<'p>(
+    limbs: &Limbs,
+    loads: &'p [SphereLoads],
+    spheres: Option<f64>,
+    stance_limbs: f64,
+) -> Vec<(usize, Group<'p>)> {
     let at_least_one = |count: &f64| *count >= 1.0;
     let members = by_limb(limbs, loads).into_iter().enumerate().filter(|(_, members)| !members.is_empty());
     let group = |(place, members): (usize, Vec<&'p SphereLoads>)| {
         let limb = limbs.known().and_then(|limbs| limbs.get(place));
         let count = match limb {
-            None => stance.spheres,
-            Some(limb) => Some(LoadSharing::count_on(limb, stance.spheres, stance.limbs)),
+            None => spheres,
+            Some(limb) => Some(LoadSharing::count_on(limb, spheres, stance_limbs)),
         };
         let group = Group {
             name: limb.map(|limb| limb.name.clone()),

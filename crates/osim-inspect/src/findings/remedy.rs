@@ -71,10 +71,7 @@ impl<'m> Remedies<'m> {
                 exclude_body: options.masses.exclude_bodies.clone(),
                 ..MassOptions::default()
             },
-            counts: CountOptions {
-                spheres: said(stance.spheres),
-                stance_limbs: said(Some(stance.limbs)).unwrap_or(Count::ONE),
-            },
+            counts: CountOptions { spheres: said(stance.spheres), stance_limbs: said(stance.limbs) },
             gravity: gravity.and_then(|gravity| Acceleration::new(gravity).ok()),
         };
         let name = || FileName::from_parts(inspected.model.clone(), inspected.model_bytes.clone()).to_path();
@@ -192,7 +189,7 @@ impl<'m> Remedies<'m> {
         let known = self.has_own_gravity() && self.weighed && self.counted;
         let mut request = known.then(|| self.transfer(PRESET.into()))??;
         if let Some(limbs) = stance_limbs {
-            request.counts.stance_limbs = Count::new(limbs).ok()?;
+            request.counts.stance_limbs = Some(Count::new(limbs).ok()?);
         }
         Some(request)
     }

@@ -15,6 +15,7 @@ use super::data::{
     ContactsMass, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce, InspectedLimb,
     InspectedSphere, Inspection, Origins, Parameters,
 };
+use super::note_story::NoteStory;
 use super::standing::StandingBody;
 use crate::figures::Figures;
 use crate::known::KnownContacts;
@@ -54,9 +55,10 @@ impl InspectOptions {
         let forces = if unknown.is_some() { model.force_ids() } else { sharing.forces().to_vec() };
         let bodies = Standing::all(model, &forces);
         let known = bodies.as_deref().unwrap_or_default();
+        let stance_limbs = self.stance.limbs_of(model);
         let figures = Figures::of(model, &selected, &sharing, weight, &self.stance, known);
-        let standing = StandingBody::all(model, known, sharing.limbs(), self.stance.limbs);
-        let count = sharing.count(self.stance.spheres, self.stance.limbs, CountOf::Model).ok();
+        let standing = StandingBody::all(model, known, sharing.limbs(), stance_limbs);
+        let count = sharing.count(self.stance.spheres, stance_limbs, CountOf::Model).ok();
         let contacts = contacts(model, &selected, contacts_mass.as_ref(), count);
         let known = KnownContacts::find(model, &selected.forces, count, mass.as_ref().map(|mass| mass.kg));
         let found = Found {
@@ -68,6 +70,7 @@ impl InspectOptions {
             contacts: &contacts,
             factors,
             known,
+            stance_limbs,
             figures: figures.unwrap_or_else(|fault| Figures::absent(fault.phrase())),
             standing,
             why_no_standing: bodies.err().map(|fault| fault.to_string()),
@@ -116,6 +119,7 @@ pub(super) struct Found<'f> {
     pub contacts: &'f SetContacts,
     pub factors: Option<&'f Factors>,
     pub known: Option<KnownContacts>,
+    pub stance_limbs: f64,
     pub figures: Figures,
     pub standing: Vec<StandingBody>,
     pub why_no_standing: Option<String>,
@@ -144,6 +148,7 @@ impl Inspection {
             mass_source: found.mass.map(|mass| mass.source.describe()).unwrap_or_default(),
             gravity_m_s2: model.gravity(),
             contacts_mass_kg: found.contacts_mass.map(ContactsMass::new),
+            note: NoteStory::of(model),
             limbs: found.limbs.known().map(|limbs| {
                 let limb = |limb: &Limb| InspectedLimb {
                     name: limb.name.clone(),
@@ -152,6 +157,7 @@ impl Inspection {
                 };
                 limbs.iter().map(limb).collect()
             }),
+            stance_limbs: found.stance_limbs,
             spheres_per_limb: found.limbs.spheres_per_limb().ok(),
             limbs_unknown: found.limbs.spheres_per_limb().err(),
             spheres: spheres(model, found.limbs),

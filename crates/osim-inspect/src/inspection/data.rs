@@ -14,6 +14,7 @@ use schemars::JsonSchema;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
+use super::note_story::NoteStory;
 use super::standing::StandingBody;
 use crate::figures::Figures;
 use crate::known::{KnownContacts, ReferenceContacts};
@@ -46,8 +47,13 @@ pub struct Inspection {
     pub gravity_m_s2: Option<f64>,
     /// The mass that the contacts are made for.
     pub contacts_mass_kg: Option<ContactsMass>,
+    /// What the note in the model says, where there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub note: Option<NoteStory>,
     /// The limbs, where left and right can be determined.
     pub limbs: Option<Vec<InspectedLimb>>,
+    /// Limbs that share the body weight.
+    pub stance_limbs: f64,
     /// Spheres of each limb, where all have equally many.
     pub spheres_per_limb: Option<usize>,
     /// Why the limbs, or one number of spheres, are not known, in words.

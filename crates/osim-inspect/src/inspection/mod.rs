@@ -2,6 +2,7 @@
 
 mod build;
 mod data;
+mod note_story;
 mod standing;
 mod standing_words;
 
@@ -9,4 +10,6 @@ pub use data::{
     ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,
     InspectedLimb, InspectedSphere, Inspection, Origins, Parameters,
 };
+pub(crate) use note_story::step_in_words;
+pub use note_story::{NoteStep, NoteStory};
 pub use standing::{Bottom, OnFeet, StandingBody, StandingSphere};

@@ -24,7 +24,7 @@ impl ManyLimbs {
         let stance = &limits.remedies.options.stance;
         let limbs = limits.inspected.limbs.as_ref()?.len();
         let is_counted = stance.spheres.is_none() && limits.remedies.counted;
-        (limbs > 2 && is_counted).then_some(Self { limbs, said: stance.limbs })
+        (limbs > 2 && is_counted).then_some(Self { limbs, said: limits.inspected.stance_limbs })
     }
 
     /// `finding` about spheres that sink in by `x` of their radius, as it is for a body on so many limbs: what x/R is on two of them, and

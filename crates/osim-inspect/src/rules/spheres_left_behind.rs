@@ -17,7 +17,7 @@ pub(crate) fn by_note(remedies: &Remedies<'_>, model: &Model) -> Option<Request>
     // What the model weighs otherwise is for the user to say.
     let target_mass_kg = rounded(remedies.body_kg.filter(|_| remedies.load.masses.mass.is_none())?);
     // A rescaling since then may have changed radii, and bottoms with them.
-    let untouched = model.note.as_ref().is_some_and(|note| note.operation == Verb::Note.name());
+    let untouched = model.note.as_ref().is_some_and(|note| note.operation() == Verb::Note.name());
     let level = untouched && !since.factors.values().any(|factors| is_stretched(*factors));
     Some(
         RescaleRequest {

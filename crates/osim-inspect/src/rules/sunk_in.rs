@@ -69,7 +69,7 @@ fn made_for_this_body(limits: &Limits<'_>) -> Option<Phrase> {
 
 /// What carries the body, as the caller said.
 fn carriers(limits: &Limits<'_>) -> String {
-    match limits.remedies.options.stance.limbs {
+    match limits.inspected.stance_limbs {
         1.0 => "one limb".to_owned(),
         limbs => format!("{} limbs", readable(limbs)),
     }

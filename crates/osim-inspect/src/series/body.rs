@@ -247,7 +247,7 @@ fn none_applies() -> Fault {
 fn weight(model: &Model, forces: &[ForceId], masses: &MassRequest, stance: &Stance) -> Result<Weight, Fault> {
     let mass_kg = masses.of_model(model)?.kg;
     let sharing = LoadSharing::of(model, forces);
-    let sphere_count = sharing.count(stance.spheres, stance.limbs, CountOf::Model)?;
+    let sphere_count = sharing.count(stance.spheres, stance.limbs_of(model), CountOf::Model)?;
     let gravity = stance.gravity_m_s2.or(model.gravity().filter(|&gravity| gravity > 0.0));
     let Some(gravity_m_s2) = gravity else {
         return Err(Fault::new(Needed::Gravity { purpose: GravityFor::Weight }));

@@ -1,10 +1,11 @@
 //! Whether the contacts fit the mass of the body.
 
-use osim_messages::{Phrase, four_significant, phrase, readable, shown};
+use osim_messages::{Phrase, four_significant, phrase, readable};
 use osim_model::{FindingCode, MassSource};
 
 use super::known::Known;
 use crate::figures::Figure;
+use crate::inspection::step_in_words;
 
 /// What the contacts are made for, and how deep the deepest sphere is under the body.
 pub(super) fn right(known: &Known<'_>) -> Result<Phrase, Phrase> {
@@ -25,6 +26,11 @@ pub(super) fn beside(known: &Known<'_>, worst: FindingCode) -> Option<Phrase> {
 fn made_for(known: &Known<'_>) -> Option<Phrase> {
     let mass = known.inspected.contacts_mass_kg.as_ref().filter(|mass| mass.recorded)?;
     let note = known.model.note.as_ref().filter(|_| mass.source == MassSource::Note.as_str());
-    let by = note.map(|note| format!(", by {}", shown(&note.operation))).unwrap_or_default();
-    Some(phrase![format!("made for {} kg (", readable(mass.value)), &mass.description, by, ")"])
+    let by = note.and_then(|note| note.steps.last()).map(|step| format!(", by {}", step_in_words(step)));
+    Some(phrase![
+        format!("made for {} kg (", readable(mass.value)),
+        &mass.description,
+        by.unwrap_or_default(),
+        ")"
+    ])
 }

@@ -172,7 +172,7 @@ impl<F: FrontEnd> ModelJob<'_, F> {
 
     fn plan(&self, opened: &OpenModel, record: &mut Record) -> Result<Plan, Failure> {
         let settings = &self.task.settings;
-        let mut plan = settings.planner().plan_opened(opened, settings.no_note, &Disk)?;
+        let mut plan = settings.planner().plan_opened(opened, settings.details(), &Disk)?;
         let compiled = self.task.output().and_then(|path| self.context.folders.compiled_beside(path));
         plan.warnings.extend(compiled);
         let linked = self.task.output().filter(|_| settings.in_place).and_then(other_names);

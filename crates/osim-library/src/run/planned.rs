@@ -7,7 +7,7 @@ use osim_messages::{Input, phrase};
 use osim_model::FileId;
 use osim_model::files::{Failure, Files, ModelFiles, OpenModel};
 use osim_patch::Plan;
-use osim_planning::{BeforeAfter, Change, Planner};
+use osim_planning::{BeforeAfter, Change, NoteDetails, Planner};
 use osim_requests::options::{OutputOptions, RunOptions, SetFiles};
 use osim_requests::spell::Speller;
 
@@ -36,6 +36,7 @@ pub struct PlannedModel {
     plan: Plan,
     planner: Arc<dyn Planner>,
     set_files: SetFiles,
+    details: NoteDetails,
 }
 
 impl PlannedModel {
@@ -64,6 +65,7 @@ impl PlannedModel {
             plan,
             planner: Arc::clone(&change.planner),
             set_files: change.set_files.clone(),
+            details: change.details.clone(),
         })
     }
 
@@ -196,7 +198,8 @@ impl PlannedModel {
     }
 
     fn task(&self, output: &OutputOptions) -> Task {
-        let settings = JobSettings::new(Arc::clone(&self.planner), self.set_files.clone(), output);
+        let settings =
+            JobSettings::new(Arc::clone(&self.planner), self.set_files.clone(), self.details.clone(), output);
         Task::new(self.source.clone(), output, Arc::new(settings))
     }
 }

@@ -41,7 +41,7 @@ impl RunRequest {
     /// # Errors
     /// What is asked for several models makes sense for one only.
     pub fn of_change(change: Change, run: &RunOptions) -> Result<Self, LibraryFault> {
-        let Change { models, output, set_files, planner, .. } = change;
+        let Change { models, output, set_files, planner, details, .. } = change;
         let sources = Sources::find(&models, output.output_dir.as_deref());
         check_usage(&models, &sources, &output, run)?;
         if set_files.geometry.is_some() && sources.models.len() > 1 {
@@ -51,7 +51,7 @@ impl RunRequest {
             ]));
         }
         let verb = planner.name();
-        let settings = Arc::new(JobSettings::new(planner, set_files, &output));
+        let settings = Arc::new(JobSettings::new(planner, set_files, details, &output));
         let task = |source: Source| Task::new(source, &output, Arc::clone(&settings));
         Ok(Self {
             verb,

@@ -135,7 +135,8 @@ impl TableRows<'_> {
             return Ok(Arc::clone(settings));
         }
         let change = self.table.prepare(row, &OrdinaryFiles)?;
-        let settings = Arc::new(JobSettings::new(change.planner, change.set_files, &row.output));
+        let settings =
+            Arc::new(JobSettings::new(change.planner, change.set_files, change.details, &row.output));
         known.insert(key, Arc::clone(&settings));
         Ok(settings)
     }

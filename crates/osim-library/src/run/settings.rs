@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
 use osim_model::files::Files;
-use osim_planning::Planner;
+use osim_planning::{NoteDetails, Planner};
 use osim_requests::options::{OutputOptions, SetFiles};
 
 use crate::digest::sha256;
@@ -17,16 +17,23 @@ pub(super) struct JobSettings {
     pub(super) in_place: bool,
     pub(super) no_backup: bool,
     pub(super) force: bool,
-    pub(super) no_note: bool,
+    no_note: bool,
+    details: NoteDetails,
     digest: OnceLock<String>,
 }
 
 impl JobSettings {
-    /// What `planner` plans, written as `output` says.
-    pub(super) fn new(planner: Arc<dyn Planner>, set_files: SetFiles, output: &OutputOptions) -> Self {
+    /// What `planner` plans and notes say, written as `output` says.
+    pub(super) fn new(
+        planner: Arc<dyn Planner>,
+        set_files: SetFiles,
+        details: NoteDetails,
+        output: &OutputOptions,
+    ) -> Self {
         Self {
             planner,
             set_files,
+            details,
             in_place: output.in_place,
             no_backup: output.no_backup,
             force: output.force,
@@ -37,6 +44,11 @@ impl JobSettings {
 
     pub(super) fn planner(&self) -> &dyn Planner {
         self.planner.as_ref()
+    }
+
+    /// What notes say of the request; `None` where there are to be none.
+    pub(super) fn details(&self) -> Option<&NoteDetails> {
+        Some(&self.details).filter(|_| !self.no_note)
     }
 
     /// Files that are read beside the models.

@@ -2,9 +2,10 @@
 
 use std::cell::RefCell;
 use std::collections::HashMap;
+use std::fmt::Write as _;
 use std::fs::Metadata;
 use std::path::{Path, PathBuf};
-use std::time::SystemTime;
+use std::time::{Duration, SystemTime};
 
 use osim_model::files::{FileError, Files};
 
@@ -28,6 +29,20 @@ impl Files for Disk {
     fn exists(&self, path: &Path) -> bool {
         path.exists()
     }
+
+    fn today(&self) -> Option<String> {
+        today(std::env::var("SOURCE_DATE_EPOCH").ok().as_deref(), SystemTime::now())
+    }
+}
+
+/// The date at Greenwich: of `epoch`, in seconds since 1970, where a build that must be repeatable sets it, else `now`.
+fn today(epoch: Option<&str>, now: SystemTime) -> Option<String> {
+    let set = epoch.and_then(|seconds| seconds.parse().ok()).map(Duration::from_secs);
+    let moment = set.map_or(Some(now), |since| SystemTime::UNIX_EPOCH.checked_add(since))?;
+    // Times that no calendar has, such as those of a clock that was never set, are no date.
+    let mut text = String::new();
+    write!(text, "{}", humantime::format_rfc3339_seconds(moment)).ok()?;
+    text.split_once('T').map(|(date, _)| date.to_owned())
 }
 
 /// The disk for names that are in a file, such as a table: ordinary files and nothing else.
@@ -133,4 +148,19 @@ fn read(path: &Path, kinds: Kinds) -> Result<(Vec<u8>, Option<Stamp>), FileError
     }
     let (bytes, metadata) = door::read(path, kinds)?;
     Ok((bytes, Some(Stamp::of(metadata))))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_date_is_that_of_the_clock_or_of_a_repeatable_build() {
+        let now = SystemTime::UNIX_EPOCH + Duration::from_secs(1_764_115_199);
+        // date -u -d @1764115199: Tue Nov 25 23:59:59 UTC 2025.
+        assert_eq!(today(None, now).as_deref(), Some("2025-11-25"));
+        assert_eq!(today(Some("1764115200"), now).as_deref(), Some("2025-11-26"));
+        assert_eq!(today(Some("soon"), now).as_deref(), Some("2025-11-25"));
+        assert_eq!(today(Some(&u64::MAX.to_string()), now), None);
+    }
 }

@@ -46,6 +46,11 @@ pub trait Files {
 
     /// Whether there is such a file. A name without a file may be that of a preset.
     fn exists(&self, path: &Path) -> bool;
+
+    /// The date where the files are, as `2026-11-25`, for the notes that changed files get; `None` where nobody knows it.
+    fn today(&self) -> Option<String> {
+        None
+    }
 }
 
 /// Why a file cannot be read.
@@ -79,33 +84,46 @@ impl FileError {
 /// assert!(files.exists(Path::new("parts/../walker.osim")));
 /// ```
 #[derive(Debug, Clone, Default)]
-pub struct InMemory(BTreeMap<PathBuf, Vec<u8>>);
+pub struct InMemory {
+    files: BTreeMap<PathBuf, Vec<u8>>,
+    today: Option<String>,
+}
 
 impl InMemory {
     /// Adds a file, or replaces the one of that name.
     pub fn add(&mut self, path: impl Into<PathBuf>, bytes: impl Into<Vec<u8>>) {
-        self.0.insert(plain(&path.into()), bytes.into());
+        self.files.insert(plain(&path.into()), bytes.into());
     }
 
     /// Takes a file away, if it is there.
     pub fn remove(&mut self, path: &Path) {
-        self.0.remove(&plain(path));
+        self.files.remove(&plain(path));
+    }
+
+    /// The date there, as `2026-11-25`: at first nobody knows it.
+    pub fn set_today(&mut self, date: &str) {
+        self.today = Some(date.to_owned());
     }
 }
 
 impl<P: Into<PathBuf>, B: Into<Vec<u8>>> FromIterator<(P, B)> for InMemory {
     fn from_iter<I: IntoIterator<Item = (P, B)>>(files: I) -> Self {
-        Self(files.into_iter().map(|(path, bytes)| (plain(&path.into()), bytes.into())).collect())
+        let named = files.into_iter().map(|(path, bytes)| (plain(&path.into()), bytes.into()));
+        Self { files: named.collect(), today: None }
     }
 }
 
 impl Files for InMemory {
     fn read(&self, path: &Path) -> Result<Vec<u8>, FileError> {
-        self.0.get(&plain(path)).cloned().ok_or_else(FileError::not_found)
+        self.files.get(&plain(path)).cloned().ok_or_else(FileError::not_found)
     }
 
     fn exists(&self, path: &Path) -> bool {
-        self.0.contains_key(&plain(path))
+        self.files.contains_key(&plain(path))
+    }
+
+    fn today(&self) -> Option<String> {
+        self.today.clone()
     }
 }
 

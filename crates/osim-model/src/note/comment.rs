@@ -3,7 +3,9 @@
 use std::ops::Range;
 
 use super::data::{Note, Scope, Unreadable};
-use super::grammar::{BEGINS, gravity_m_s2, mass_kg};
+use super::grammar::BEGINS;
+use super::spelling::{gravity_m_s2, mass_kg};
+use super::step::Step;
 use crate::document::Document;
 use osim_xml::PieceKind;
 
@@ -32,12 +34,25 @@ impl Note {
             "partial" => Scope::Partial,
             _ => return None,
         };
-        let operation = Self::operation_text(fields.next()?.strip_prefix("by ")?);
+        let steps = vec![Step::new(fields.next()?.strip_prefix("by ")?)];
         let digest = fields.next()?.strip_prefix("digest ")?.to_owned();
         let (version, made) = (version.to_owned(), Self::nothing_made());
-        let (sizes, places) = (Vec::new(), None);
-        let note =
-            Self { version, contacts_mass_kg, gravity_m_s2, scope, operation, sizes, digest, places, made };
+        let (sizes, radii, places) = (Vec::new(), None, None);
+        let (stance_limbs, weighed_kg) = (None, None);
+        let note = Self {
+            version,
+            contacts_mass_kg,
+            gravity_m_s2,
+            scope,
+            steps,
+            stance_limbs,
+            weighed_kg,
+            sizes,
+            digest,
+            radii,
+            places,
+            made,
+        };
         fields.next().is_none().then_some(note)
     }
 }
@@ -78,7 +93,7 @@ mod tests {
             (note.contacts_mass_kg, note.gravity_m_s2, note.scope),
             (Some(500.0), Some(9.80665), Scope::All)
         );
-        assert_eq!((note.operation.as_str(), note.digest.as_str()), ("rescale", "0123456789abcdef"));
+        assert_eq!((note.operation(), note.digest.as_str()), ("rescale", "0123456789abcdef"));
         assert_eq!((note.places, note.sizes), (None, vec![]));
         let unknown = text.replace("500 kg", "unknown kg").replace("9.80665 m/s2", "unknown");
         let note = Note::parse_earlier(&unknown).unwrap();

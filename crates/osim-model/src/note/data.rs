@@ -1,5 +1,7 @@
 //! What a note says.
 
+use super::step::Step;
+
 /// Whether all contacts are made for one mass.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scope {
@@ -34,16 +36,30 @@ pub struct Note {
     pub gravity_m_s2: Option<f64>,
     /// All contacts or only some.
     pub scope: Scope,
-    /// What was done, for example `rescale` or `set stiffness=x2`: from [`Note::operation_text`].
-    pub operation: String,
+    /// What was done to the contacts, the oldest step first: at least one.
+    pub steps: Vec<Step>,
+    /// Limbs that share the body weight, where somebody said how many.
+    pub stance_limbs: Option<f64>,
+    /// What the bodies weighed together when it was written, kg; `None` in notes of sets and of earlier versions.
+    pub weighed_kg: Option<f64>,
     /// Mesh scale factors of the bodies that carried spheres when it was written.
     pub sizes: Vec<BodySize>,
     /// Digest of all contact values as written: the first 16 digits of their SHA-256.
     pub digest: String,
+    /// The same of the radii alone; `None` in notes of earlier versions.
+    pub radii: Option<String>,
     /// The same of the spheres' locations; `None` in notes of earlier versions.
     pub places: Option<String>,
     /// What was added to the file for the note, one letter each; `-` for nothing.
     pub made: String,
+}
+
+impl Note {
+    /// What was done last.
+    #[must_use]
+    pub fn operation(&self) -> &str {
+        self.steps.last().map_or("", |step| step.operation.as_str())
+    }
 }
 
 /// The mesh scale factors of one body along x, y and z.

@@ -1,11 +1,15 @@
 //! How a note is spelled: printable ASCII with single blanks, because OpenSim condenses white space and re-encodes the rest.
 //!
-//! `[contacts made for 62 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by rescale; sizes calcn_r=1,1,1; digest 0123456789abcdef;
-//! places 0123456789abcdef; made -)]`
+//! `[contacts made for 62 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by rescale from 70 kg on 2026-11-25; stance limbs 2;
+//! weighed 62 kg; sizes calcn_r=1,1,1; digest 0123456789abcdef; radii 0123456789abcdef; places 0123456789abcdef; made -)]`
+//!
+//! Each step has its own `by`, the oldest first. What nobody said, and what earlier versions did not write, is left out.
 
 use osim_messages::shortest;
 
 use super::data::{BodySize, Note, Scope};
+use super::spelling::{UNKNOWN, gravity_m_s2, is_digest, is_plain, mass_kg, plain, positive};
+use super::step::Step;
 
 /// How every note begins.
 pub(super) const BEGINS: &str = "[contacts made for ";
@@ -13,11 +17,13 @@ pub(super) const BEGINS: &str = "[contacts made for ";
 pub(super) const ENDS: &str = ")]";
 /// What follows mass and gravity in every note; text in square brackets without it is not a note.
 pub(super) const NAMES: &str = " (osim-contact-scale ";
-/// What nobody knew.
-const UNKNOWN: &str = "unknown";
 const NOTHING: &str = "-";
 const NO_SIZES: &str = "none";
-const DIGEST_DIGITS: usize = 16;
+/// Before each step.
+const BY: &str = "by ";
+const STANCE: &str = "stance limbs ";
+const WEIGHED: &str = "weighed ";
+const RADII: &str = "radii ";
 
 impl Note {
     /// The note as it is in the file.
@@ -31,14 +37,20 @@ impl Note {
             Scope::Partial => "partial",
         };
         let sizes: Vec<String> = self.sizes.iter().map(BodySize::text).collect();
+        let steps: String = self.steps.iter().map(|step| format!("; {BY}{}", step.text())).collect();
+        let optional = |name: &str, value: Option<String>| {
+            value.map(|value| format!("; {name}{value}")).unwrap_or_default()
+        };
         format!(
-            "{BEGINS}{} at {}{NAMES}{}; {scope}; by {}; sizes {}; digest {}; places {}; made {}{ENDS}",
+            "{BEGINS}{} at {}{NAMES}{}; {scope}{steps}{}{}; sizes {}; digest {}{}; places {}; made {}{ENDS}",
             known(self.contacts_mass_kg, "kg"),
             known(self.gravity_m_s2, "m/s2"),
             self.version,
-            plain(&self.operation),
+            optional(STANCE, self.stance_limbs.map(shortest)),
+            optional(WEIGHED, self.weighed_kg.map(|kg| format!("{} kg", shortest(kg)))),
             if sizes.is_empty() { NO_SIZES.to_owned() } else { sizes.join(" ") },
             self.digest,
+            optional(RADII, self.radii.clone()),
             self.places.as_deref().unwrap_or(UNKNOWN),
             self.made,
         )
@@ -49,16 +61,23 @@ impl Note {
         let text = text.strip_prefix(BEGINS)?.strip_suffix(ENDS)?;
         let (made_for, fields) = text.split_once(NAMES)?;
         let (mass, gravity) = made_for.split_once(" at ")?;
-        let mut fields = fields.split("; ");
+        let mut fields = fields.split("; ").peekable();
         let version = fields.next()?.to_owned();
         let scope = match fields.next()? {
             "all" => Scope::All,
             "partial" => Scope::Partial,
             _ => return None,
         };
-        let operation = fields.next()?.strip_prefix("by ")?.to_owned();
-        let sizes = sizes(fields.next()?.strip_prefix("sizes ")?)?;
-        let digest = fields.next()?.strip_prefix("digest ").filter(|text| is_digest(text))?.to_owned();
+        let mut next_if = |name: &str| fields.next_if(|field| field.starts_with(name))?.strip_prefix(name);
+        let steps: Vec<Step> = std::iter::from_fn(|| next_if(BY)).map(Step::parse).collect();
+        let stance_limbs = next_if(STANCE).map(positive);
+        let weighed_kg = next_if(WEIGHED).map(|text| mass_kg(text).flatten());
+        let sizes = sizes(next_if("sizes ")?)?;
+        let digest = next_if("digest ").filter(|text| is_digest(text))?.to_owned();
+        let radii = next_if(RADII).map(|text| is_digest(text).then(|| text.to_owned()));
+        if steps.is_empty() {
+            return None;
+        }
         let places = match fields.next()?.strip_prefix("places ")? {
             UNKNOWN => None,
             text if is_digest(text) => Some(text.to_owned()),
@@ -73,9 +92,13 @@ impl Note {
             contacts_mass_kg: mass_kg(mass)?,
             gravity_m_s2: gravity_m_s2(gravity)?,
             scope,
-            operation,
+            steps,
+            // One that is there can be read.
+            stance_limbs: stance_limbs.map_or(Some(None), |limbs| limbs.map(Some))?,
+            weighed_kg: weighed_kg.map_or(Some(None), |kg| kg.map(Some))?,
             sizes,
             digest,
+            radii: radii.map_or(Some(None), |radii| radii.map(Some))?,
             places,
             made,
         };
@@ -127,50 +150,11 @@ impl BodySize {
     }
 }
 
-/// `unknown`, or a mass above 0 with its unit; the outer `None` for anything else.
-#[expect(clippy::option_option, reason = "what is unknown is not what cannot be read")]
-pub(super) fn mass_kg(text: &str) -> Option<Option<f64>> {
-    if text == UNKNOWN {
-        return Some(None);
-    }
-    let kg: f64 = text.strip_suffix(" kg")?.parse().ok()?;
-    (kg.is_finite() && kg > 0.0).then_some(Some(kg))
-}
-
-/// `unknown`, or a gravity of at least 0 with its unit; the outer `None` for anything else.
-#[expect(clippy::option_option, reason = "what is unknown is not what cannot be read")]
-pub(super) fn gravity_m_s2(text: &str) -> Option<Option<f64>> {
-    if text == UNKNOWN {
-        return Some(None);
-    }
-    let gravity: f64 = text.strip_suffix(" m/s2")?.parse().ok()?;
-    (gravity.is_finite() && gravity >= 0.0).then_some(Some(gravity))
-}
-
 fn sizes(text: &str) -> Option<Vec<BodySize>> {
     if text == NO_SIZES {
         return Some(Vec::new());
     }
     text.split(' ').map(BodySize::parse).collect()
-}
-
-fn is_digest(text: &str) -> bool {
-    text.len() == DIGEST_DIGITS && text.bytes().all(|byte| byte.is_ascii_hexdigit())
-}
-
-/// Whether a note, inside a field, can hold `letter`. `-` is among the letters, but two of them would end a comment: see
-/// [`plain`].
-fn is_plain(letter: char) -> bool {
-    letter.is_ascii_graphic() && !";[]()<>&'\"".contains(letter)
-}
-
-/// `text` with `_` for every letter that a note cannot hold, and single blanks.
-fn plain(text: &str) -> String {
-    let words = text.split_ascii_whitespace().map(|word| {
-        let letters = word.chars().map(|letter| if is_plain(letter) { letter } else { '_' });
-        letters.collect::<String>()
-    });
-    words.collect::<Vec<_>>().join(" ").replace("--", "__")
 }
 
 #[cfg(test)]
@@ -183,9 +167,15 @@ mod tests {
             contacts_mass_kg: Some(0.0209),
             gravity_m_s2: Some(9.80665),
             scope: Scope::Partial,
-            operation: "set stiffness=x2".into(),
+            steps: vec![
+                Step { date: Some("2026-11-25".into()), ..Step::new("transfer") },
+                Step::new("set stiffness=x2"),
+            ],
+            stance_limbs: Some(2.0),
+            weighed_kg: Some(0.021),
             sizes: vec![BodySize { body: "calcn_r".into(), factors: [0.913_924, 1.0, 1e-3] }],
             digest: "0123456789abcdef".into(),
+            radii: Some("0011223344556677".into()),
             places: Some("fedcba9876543210".into()),
             made: "c".into(),
         }
@@ -195,8 +185,9 @@ mod tests {
     fn a_note_is_spelled_as_agreed() {
         assert_eq!(
             note().text(),
-            "[contacts made for 0.0209 kg at 9.80665 m/s2 (osim-contact-scale 0.1.0; partial; by set stiffness=x2; \
-             sizes calcn_r=0.913924,1,0.001; digest 0123456789abcdef; places fedcba9876543210; made c)]"
+            "[contacts made for 0.0209 kg at 9.80665 m/s2 (osim-contact-scale 0.1.0; partial; by transfer on 2026-11-25; \
+             by set stiffness=x2; stance limbs 2; weighed 0.021 kg; sizes calcn_r=0.913924,1,0.001; digest 0123456789abcdef; \
+             radii 0011223344556677; places fedcba9876543210; made c)]"
         );
     }
 
@@ -205,7 +196,11 @@ mod tests {
         let nothing_known = Note {
             contacts_mass_kg: None,
             gravity_m_s2: None,
+            steps: vec![Step::new("rescale")],
+            stance_limbs: None,
+            weighed_kg: None,
             sizes: vec![],
+            radii: None,
             places: None,
             made: Note::nothing_made(),
             ..note()
@@ -225,7 +220,7 @@ mod tests {
             ),
         ] {
             assert_eq!(Note::operation_text(operation), expected);
-            let note = Note { operation: Note::operation_text(operation), ..note() };
+            let note = Note { steps: vec![Step::new(operation)], ..note() };
             assert_eq!(Note::parse(&note.text()), Some(note));
         }
     }
@@ -239,6 +234,10 @@ mod tests {
             ("9.80665 m/s2", "NaN m/s2"),
             ("partial", "half"),
             ("; made c", ""),
+            ("; by transfer on 2026-11-25; by set stiffness=x2", ""),
+            ("limbs 2", "limbs two"),
+            ("weighed 0.021 kg", "weighed 0.021"),
+            ("0011223344556677", "0011"),
             ("made c", "made c; more"),
             ("0123456789abcdef", "0123"),
             ("fedcba9876543210", "fedcba987654321z"),

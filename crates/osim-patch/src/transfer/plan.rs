@@ -15,7 +15,7 @@ use super::several_sets;
 use super::similarity::{check_spread, similarity};
 use crate::builder::{New, PlanBuilder};
 use crate::gravity::GravityChange;
-use crate::plan::{Contents, FOLLOW, Masses, NoteFacts, Plan};
+use crate::plan::{Contents, FOLLOW, Masses, NoteFacts, Plan, TRANSFER};
 use crate::radii::{Radii, SphereRule};
 use crate::remarks::{GRAVITY_STAYS, PLACES_STAY, bottoms_remark, warn_forces};
 use crate::rules::{nothing_to_change, reference_without_smoothing};
@@ -210,7 +210,7 @@ fn finish(
             // Without a target, the gravity that the reference's contacts were made for.
             gravity_m_s2: wanted.target_gravity_m_s2.or(wanted.reference.gravity_m_s2).or(model.gravity()),
             scope: if all { Scope::All } else { Scope::Partial },
-            operation: "transfer",
+            operation: TRANSFER,
         },
     )
 }

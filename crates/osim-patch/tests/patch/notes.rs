@@ -15,7 +15,7 @@ fn patched(plan: &Plan, model: &Model) -> String {
 /// The fixture with a note that its contacts were made for 62 kg.
 fn noted(name: &str) -> String {
     let model = Model::parse(fixture(name)).unwrap();
-    patched(&note(&model, 62.0, Some(9.81)).unwrap(), &model)
+    patched(&note(&model, 62.0, Some(9.81), None).unwrap(), &model)
 }
 
 fn credits_fixtures() -> Vec<String> {
@@ -82,11 +82,11 @@ fn a_note_is_replaced_and_says_the_same_as_before() {
         let (mass, _) = MassRequest::default().of_contacts(&model).unwrap();
         assert_eq!((mass.kg, mass.source), (62.0, MassSource::Note), "{name}");
         // The same mass again: nothing to change.
-        let again = note(&model, 62.0, Some(9.81)).unwrap();
+        let again = note(&model, 62.0, Some(9.81), None).unwrap();
         assert!(again.is_empty() && again.warnings.iter().any(|w| w.code().as_str() == "nothing-to-change"));
         assert_eq!(patched(&again, &model), once, "{name}");
         // Another one: the note is replaced, and only that.
-        let other = patched(&note(&model, 70.0, Some(9.81)).unwrap(), &model);
+        let other = patched(&note(&model, 70.0, Some(9.81), None).unwrap(), &model);
         assert_eq!(other.replace("made for 70 kg", "made for 62 kg"), once, "{name}");
     }
 }
@@ -233,7 +233,7 @@ fn bytes_of_others_stay_as_they_are_whatever_their_encoding() {
     let odd = [&text[..at], ODD, b"; ", &text[at..]].concat();
     let noted = |bytes: &[u8], contacts_mass_kg: f64| {
         let model = Model::parse(bytes).unwrap();
-        note(&model, contacts_mass_kg, Some(9.81)).unwrap().patched(&model, FileId::MAIN).unwrap()
+        note(&model, contacts_mass_kg, Some(9.81), None).unwrap().patched(&model, FileId::MAIN).unwrap()
     };
     let with = noted(&odd, 62.0);
     assert!(position(&with, ODD).is_some(), "{}", String::from_utf8_lossy(&with));
@@ -247,4 +247,62 @@ fn bytes_of_others_stay_as_they_are_whatever_their_encoding() {
     assert!(position(&again[first + 1..], ODD).is_some(), "{shown}");
     assert_eq!(shown.matches("[contacts made for 70 kg").count(), 1, "{shown}");
     assert!(!shown.contains("62 kg at"), "{shown}");
+}
+
+// The story that a note says.
+
+/// `text` after its contacts were rescaled to `kg`.
+fn rescaled_again(text: &str, kg: f64) -> String {
+    String::from_utf8(given(text.to_owned()).with_note().rescaled_to(kg).bytes().to_vec()).unwrap()
+}
+
+fn operations(text: &str) -> Vec<String> {
+    let model = Model::parse(text).unwrap();
+    let steps = model.note.unwrap().steps.into_iter();
+    steps
+        .map(|step| match step.from_mass_kg {
+            Some(kg) => format!("{} from {kg}", step.operation),
+            None => step.operation,
+        })
+        .collect()
+}
+
+#[test]
+fn a_note_tells_every_step_and_that_somebody_changed_values_in_between() {
+    let text = rescaled_again(&noted("table1/human_62kg_smooth_sphere.osim"), 124.0);
+    assert_eq!(operations(&text), ["note", "rescale from 62"]);
+    let edited = text.replacen("<dissipation>", "<dissipation>1", 1);
+    let changed = Model::parse(edited.clone()).unwrap().changed_since_note();
+    assert!(changed.values && !changed.radii && !changed.places && changed.weight_kg.is_none());
+    let model = Model::parse(edited).unwrap();
+    let again = patched(&note(&model, 124.0, Some(9.81), Some(2.0)).unwrap(), &model);
+    assert_eq!(operations(&again), ["note", "rescale from 62", "others", "note"]);
+    assert_eq!(Model::parse(again).unwrap().noted_stance_limbs(), Some(2.0));
+}
+
+#[test]
+fn a_note_knows_which_of_radii_places_and_weight_changed() {
+    let text = noted("table1/human_62kg_smooth_sphere.osim");
+    let since = |from: &str, to: &str| {
+        assert!(text.contains(from), "{from}");
+        Model::parse(text.replacen(from, to, 1)).unwrap().changed_since_note()
+    };
+    assert!(Model::parse(text.clone()).unwrap().changed_since_note().is_nothing());
+    let radius = since("<radius>", "<radius>1");
+    assert!(radius.radii && !radius.places && radius.weight_kg.is_none());
+    let (_, spheres) = text.split_once("<ContactSphere name=").unwrap();
+    let (_, location) = spheres.split_once("<location>").unwrap();
+    let (location, _) = location.split_once('<').unwrap();
+    let place = since(&format!("<location>{location}<"), "<location>1 1 1<");
+    assert!(place.places && !place.radii && !place.values);
+    let (then, now) = since("<mass>", "<mass>1").weight_kg.unwrap();
+    assert!(then < now);
+}
+
+#[test]
+fn of_a_long_story_the_first_and_the_latest_steps_are_kept() {
+    let first = noted("table1/human_62kg_smooth_sphere.osim");
+    let text = (1..=12).fold(first, |text, step| rescaled_again(&text, 62.0 + f64::from(step)));
+    let kept = operations(&text);
+    assert_eq!((kept.len(), kept[0].as_str(), kept[7].as_str()), (8, "note", "rescale from 73"));
 }

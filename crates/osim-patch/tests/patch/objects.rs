@@ -116,7 +116,7 @@ fn what_was_added_goes_without_a_trace() {
         let text = document(40000, sets);
         let model = Model::parse(text.clone()).unwrap();
         let rebuilt = add_contacts(&model, &mut layout(ForceKind::SmoothSphereHalfSpace)).unwrap();
-        let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81)).unwrap().on(rebuilt);
+        let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().on(rebuilt);
         let added = plan.patched(&model, FileId::MAIN).unwrap();
         let with = Model::parse(added.clone()).unwrap();
         let selected = Selection::default().apply(&with).unwrap();
@@ -135,7 +135,7 @@ fn a_part_can_go_first_and_then_the_rest() {
         let text = document(40000, sets);
         let model = Model::parse(text.clone()).unwrap();
         let rebuilt = add_contacts(&model, &mut layout(kind)).unwrap();
-        let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81)).unwrap().on(rebuilt);
+        let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().on(rebuilt);
         let with = Model::parse(plan.patched(&model, FileId::MAIN).unwrap()).unwrap();
         let made = with.note.clone().unwrap().made;
 
@@ -165,7 +165,7 @@ fn after_removal(model: &Model, names: &[&str]) -> Vec<u8> {
 fn a_note_that_does_not_fit_any_more_goes_on_not_fitting() {
     let model = Model::parse(document(40000, "")).unwrap();
     let rebuilt = add_contacts(&model, &mut layout(ForceKind::SmoothSphereHalfSpace)).unwrap();
-    let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81)).unwrap().on(rebuilt);
+    let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().on(rebuilt);
     let with = String::from_utf8(plan.patched(&model, FileId::MAIN).unwrap()).unwrap();
     let edited = Model::parse(with.replacen("<stiffness>1000000<", "<stiffness>1100000<", 1)).unwrap();
     let half = Model::parse(after_removal(&edited, &["force_toe"])).unwrap();
@@ -178,7 +178,7 @@ fn a_note_that_does_not_fit_any_more_goes_on_not_fitting() {
 fn a_floor_of_ones_own_is_not_taken_for_the_one_that_was_made() {
     let model = Model::parse(document(40000, "")).unwrap();
     let rebuilt = add_contacts(&model, &mut layout(ForceKind::SmoothSphereHalfSpace)).unwrap();
-    let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81)).unwrap().on(rebuilt);
+    let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().on(rebuilt);
     let with = String::from_utf8(plan.patched(&model, FileId::MAIN).unwrap()).unwrap();
     let floor = with.split_once("<ContactHalfSpace").unwrap().1.split_once("</ContactHalfSpace>").unwrap().0;
     let own = format!(
@@ -213,7 +213,7 @@ fn an_old_note_is_there_again() {
                 .replace("<Model name=\"leg\">", &format!("<Model name=\"leg\">{credits}"));
             let model = Model::parse(text.clone()).unwrap();
             let rebuilt = add_contacts(&model, &mut layout(ForceKind::SmoothSphereHalfSpace)).unwrap();
-            let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81)).unwrap().on(rebuilt);
+            let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().on(rebuilt);
             let with = Model::parse(plan.patched(&model, FileId::MAIN).unwrap()).unwrap();
             assert_eq!(
                 with.note.as_ref().and_then(|note| note.contacts_mass_kg),
@@ -222,7 +222,7 @@ fn an_old_note_is_there_again() {
             );
             assert_eq!(with.doubt_about_note(), None);
             // A change in between replaces the new one alone.
-            let plan = osim_patch::note(&with, 70.0, Some(9.81)).unwrap();
+            let plan = osim_patch::note(&with, 70.0, Some(9.81), None).unwrap();
             let noted = Model::parse(plan.patched(&with, FileId::MAIN).unwrap()).unwrap();
             assert_eq!(noted.note.as_ref().and_then(|note| note.contacts_mass_kg), Some(70.0));
             for with in [with, noted] {
@@ -246,7 +246,7 @@ fn defaults_that_name_a_sphere_are_in_nobodys_way() {
         document(40000, "").replace("<Model name=\"leg\">", &format!("<Model name=\"leg\">{defaults}"));
     let model = Model::parse(text.clone()).unwrap();
     let rebuilt = add_contacts(&model, &mut layout(ForceKind::HuntCrossley)).unwrap();
-    let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81)).unwrap().on(rebuilt);
+    let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().on(rebuilt);
     let with = String::from_utf8(plan.patched(&model, FileId::MAIN).unwrap()).unwrap();
     assert_eq!(String::from_utf8_lossy(&after_removal(&Model::parse(with.clone()).unwrap(), &[])), text);
 

@@ -5,10 +5,10 @@ use std::path::Path;
 use contact_scaling::drop_test::{DropError, DropTest, DropValues, compare};
 use contact_scaling::{Contact, ContactValues, Law, Preset, Spheres};
 use osim_inspect::series::standing_spheres;
-use osim_inspect::{LoadSharing, MassMismatch, unexplained_slip};
+use osim_inspect::{LoadSharing, MassMismatch, Stance, unexplained_slip};
 use osim_messages::{Input, Phrase, phrase};
 use osim_model::files::{Failure, FileName, Files, OpenModel};
-use osim_model::{CountOf, Fault, GravityFor, MassRequest, Needed};
+use osim_model::{CountOf, Fault, GravityFor, MassRequest, Model, Needed};
 use osim_requests::{Count, DropTestRequest, Kilograms, NotNegative, Positive, RequestError, RequestFault};
 
 use super::result::{ComparedDrop, DropResult};
@@ -27,9 +27,16 @@ struct Falling {
 struct Own {
     mass_kg: Option<f64>,
     spheres: Option<f64>,
-    stance_limbs: f64,
+    stance_limbs: Option<f64>,
     gravity_m_s2: Option<f64>,
     count_of: CountOf,
+}
+
+impl Own {
+    /// Limbs that share the weight of `model`.
+    fn limbs_of(&self, model: &Model) -> f64 {
+        Stance { limbs: self.stance_limbs, ..Stance::default() }.limbs_of(model)
+    }
 }
 
 /// Lets the body fall.
@@ -62,7 +69,7 @@ fn about_subject(request: &DropTestRequest) -> Own {
     Own {
         mass_kg: request.masses.mass.map(Kilograms::get),
         spheres: request.counts.spheres(),
-        stance_limbs: request.counts.stance_limbs(),
+        stance_limbs: request.counts.stance_limbs.map(Count::get),
         gravity_m_s2: request.numbers.gravity(),
         count_of: CountOf::Model,
     }
@@ -72,7 +79,7 @@ fn about_other(request: &DropTestRequest) -> Own {
     Own {
         mass_kg: None,
         spheres: request.compare_spheres.map(Count::get),
-        stance_limbs: 1.0,
+        stance_limbs: None,
         gravity_m_s2: None,
         count_of: CountOf::Compared,
     }
@@ -110,7 +117,7 @@ fn of_model(request: &DropTestRequest, open: &OpenModel, own: &Own) -> Result<Fa
     let selected = request.choice.selection().apply(model)?;
     let mass = masses.of_model(model)?;
     let sharing = LoadSharing::of(model, &selected.forces);
-    let count = sharing.count(own.spheres, own.stance_limbs, own.count_of)?;
+    let count = sharing.count(own.spheres, own.limbs_of(model), own.count_of)?;
     let spheres = standing_spheres(model, &selected.forces, count)?;
     let gravity = own.gravity_m_s2.or(model.gravity().filter(|&gravity| gravity > 0.0));
     let Some(gravity) = gravity else {

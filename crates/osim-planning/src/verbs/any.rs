@@ -5,7 +5,7 @@ use osim_model::files::Files;
 use osim_requests::{Request, RequestError, RequestFault};
 
 use super::{adding, convert, design, note, remove, rescale, set, transfer};
-use crate::planner::Change;
+use crate::planner::{Change, NoteDetails};
 
 /// Verbs that change models.
 pub(crate) const CHANGING: [Verb; 8] = [
@@ -34,7 +34,13 @@ pub(crate) fn changing_verbs() -> String {
 /// # Errors
 /// Options that have no effect, or contradict each other; a file that cannot be read; or a verb that changes nothing.
 pub fn prepare(request: impl Into<Request>, files: &dyn Files) -> Result<Change, RequestError> {
-    match request.into() {
+    let request = request.into();
+    let details = NoteDetails { options: request.noted_options(), stance_limbs: request.stance_limbs_said() };
+    Ok(Change { details, ..change(request, files)? })
+}
+
+fn change(request: Request, files: &dyn Files) -> Result<Change, RequestError> {
+    match request {
         Request::Rescale(request) => rescale::prepare(*request, files),
         Request::Design(request) => Ok(design::prepare(*request)?),
         Request::Set(request) => Ok(set::prepare(*request)?),

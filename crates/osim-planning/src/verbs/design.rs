@@ -16,7 +16,7 @@ use serde_json::json;
 
 use super::asking::Asking;
 use crate::planner::{Change, Planner};
-use crate::remarks::refuse_known;
+use crate::remarks::{noted_limbs, refuse_known};
 
 /// Plans designs.
 pub(super) struct Designing {
@@ -131,7 +131,11 @@ impl Designing {
             return Ok((None, None));
         }
         let sharing = LoadSharing::of(model, &selected.forces);
-        let count = sharing.count(self.counts.spheres(), self.counts.stance_limbs(), CountOf::Model)?;
+        let count = sharing.count(
+            self.counts.spheres(),
+            self.counts.stance_limbs(model.noted_stance_limbs()),
+            CountOf::Model,
+        )?;
         let (load_n, mass) = match self.load.load {
             Some(load) => (load.get(), None),
             None => {
@@ -200,6 +204,8 @@ impl Designing {
         wanted.contacts_mass = self.contacts_mass(model, selected);
         wanted.target_mass = target_mass;
         wanted.gravity_m_s2 = self.load.gravity();
-        design(model, selected, &wanted)
+        let mut plan = design(model, selected, &wanted)?;
+        plan.remarks.extend(wanted.load.and(noted_limbs(&self.counts, model)));
+        Ok(plan)
     }
 }

@@ -4,7 +4,7 @@ use osim_messages::{Input, phrase};
 use osim_model::{Fault, Model};
 use osim_patch::{Plan, note};
 use osim_requests::options::{ForceOptions, InspectionOptions, MassOptions, StanceOptions};
-use osim_requests::{Acceleration, NoteRequest, RequestFault};
+use osim_requests::{Acceleration, Count, NoteRequest, RequestFault};
 use serde_json::json;
 
 use super::asking::Asking;
@@ -13,6 +13,7 @@ use crate::planner::{Change, Planner};
 struct Noting {
     contacts_mass_kg: f64,
     gravity_m_s2: Option<f64>,
+    stance_limbs: Option<f64>,
     inspection: InspectionOptions,
     settings: String,
 }
@@ -22,7 +23,16 @@ struct Noting {
 /// # Errors
 /// No model, no mass, or no note.
 pub(super) fn prepare(request: NoteRequest) -> Result<Change, RequestFault> {
-    let NoteRequest { models, contacts_mass, contacts_gravity, output, run: _, answers, set_files } = request;
+    let NoteRequest {
+        models,
+        contacts_mass,
+        contacts_gravity,
+        stance_limbs,
+        output,
+        run: _,
+        answers,
+        set_files,
+    } = request;
     if models.is_empty() {
         return Err(RequestFault::Missing { field: "models" });
     }
@@ -39,13 +49,14 @@ pub(super) fn prepare(request: NoteRequest) -> Result<Change, RequestFault> {
     let planner = Noting {
         contacts_mass_kg: contacts_mass.get(),
         gravity_m_s2: contacts_gravity.map(Acceleration::get),
+        stance_limbs: stance_limbs.map(Count::get),
         inspection: InspectionOptions::new(
             StanceOptions::default(),
             masses,
             ForceOptions::default(),
             set_files.clone(),
         ),
-        settings: json!(["note", contacts_mass, contacts_gravity]).to_string(),
+        settings: json!(["note", contacts_mass, contacts_gravity, stance_limbs]).to_string(),
     };
     let asking = Asking { masses: planner.inspection.masses.request(), answers, planner };
     Ok(Change::new(models, output, set_files, asking))
@@ -65,6 +76,6 @@ impl Planner for Noting {
     }
 
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
-        note(model, self.contacts_mass_kg, self.gravity_m_s2.or(model.gravity()))
+        note(model, self.contacts_mass_kg, self.gravity_m_s2.or(model.gravity()), self.stance_limbs)
     }
 }

@@ -8,7 +8,7 @@ use osim_model::{Fault, Model, Needed, RadiusRule};
 /// # Errors
 /// The question whether it is.
 pub(super) fn refuse_again(model: &Model, operation: &str, may_repeat: bool) -> Result<(), Fault> {
-    let done = model.note.as_ref().is_some_and(|note| note.operation == operation);
+    let done = model.note.as_ref().is_some_and(|note| note.operation() == operation);
     if !done || may_repeat {
         return Ok(());
     }

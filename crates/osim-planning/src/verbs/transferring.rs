@@ -16,6 +16,7 @@ use osim_requests::{Acceleration, Positive, Radius};
 use super::operation::{operation, refuse_again};
 use super::reference::Generic;
 use crate::planner::Planner;
+use crate::remarks::noted_limbs;
 
 /// What the caller gave about the reference: it counts for more than what its file says.
 pub(super) struct ReferenceSaid {
@@ -127,6 +128,7 @@ impl Transferring {
         plan.name_operation(&operation);
         plan.warnings.append(&mut warnings);
         plan.remarks.append(&mut remarks);
+        plan.remarks.extend(noted_limbs(&self.counts, model));
         Ok(plan)
     }
 
@@ -169,7 +171,7 @@ impl Transferring {
         reference: &Reference,
         generic: Option<&Generic>,
     ) -> Result<SphereCounts, Fault> {
-        let limbs = self.counts.stance_limbs();
+        let limbs = self.counts.stance_limbs(model.noted_stance_limbs());
         let here =
             LoadSharing::of(model, &selected.forces).count(self.counts.spheres(), limbs, CountOf::Model);
         let there = match generic {

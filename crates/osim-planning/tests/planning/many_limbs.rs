@@ -2,7 +2,7 @@
 
 use osim_inspect::{InspectOptions, Stance};
 use osim_model::files::InMemory;
-use osim_model::{FileId, FindingCode, Severity, VerdictOn};
+use osim_model::{FileId, FindingCode, Model, Severity, VerdictOn};
 use osim_planning::prepare;
 use osim_requests::Request;
 use serde_json::json;
@@ -19,7 +19,7 @@ fn horse(factor: f64) -> String {
 }
 
 fn trot() -> InspectOptions {
-    InspectOptions { stance: Stance { limbs: 2.0, ..Stance::default() }, ..InspectOptions::default() }
+    InspectOptions { stance: Stance { limbs: Some(2.0), ..Stance::default() }, ..InspectOptions::default() }
 }
 
 #[test]
@@ -56,7 +56,13 @@ fn what_is_proposed_for_a_horse_puts_it_right_on_one_limb_and_on_two() {
     let found = check_with(NAME, &text, &trot());
     let on_mass = found.verdicts.iter().find(|verdict| verdict.on == VerdictOn::Mass).unwrap();
     let said = on_mass.text.to_string();
-    assert!(said.ends_with("; made for 545 kg (note in the file, by transfer)"), "{said}");
+    assert!(
+        said.ends_with("; made for 545 kg (note in the file, by transfer from falisse2022, made for 62 kg)"),
+        "{said}"
+    );
+    // What was said once need not be said again.
+    let model = Model::parse(text.clone()).unwrap();
+    assert_eq!(InspectOptions::default().inspect(NAME, &model, None).stance_limbs, 2.0);
     // Falisse et al. (2022) have x̂ = 0.353 on one human limb, and so has the horse on two.
     let said = message(&check_with(NAME, &text, &trot()), FindingCode::BeyondHertz);
     assert!(said.contains("x/R is 0.353"), "{said}");

@@ -3,7 +3,7 @@
 use crate::checks::{check_text, check_with, codes, has, message};
 use crate::feet::{SOLE, Smooth, foot};
 use osim_inspect::{InspectOptions, MassMismatch};
-use osim_model::{FindingCode, MassRequest, Model, Note, Scope};
+use osim_model::{FindingCode, MassRequest, Model, Note, Scope, Step};
 
 /// Six spheres of the preset falisse2022, which is made for 62 kg, under 90 kg.
 const OTHER_MASS: &str = include_str!("../../../../fixtures/check/contacts_of_another_mass.osim");
@@ -85,7 +85,10 @@ fn noted(text: &str, kg: f64) -> String {
         contacts_mass_kg: Some(kg),
         gravity_m_s2: Some(10.0),
         scope: Scope::All,
-        operation: "rescale".to_owned(),
+        steps: vec![Step::new("rescale")],
+        stance_limbs: None,
+        weighed_kg: None,
+        radii: None,
         sizes: model.body_sizes(),
         digest: model.contact_digest(|_| None),
         places: Some(model.places_digest(|_| None)),

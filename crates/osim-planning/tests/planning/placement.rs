@@ -178,7 +178,7 @@ fn a_model_that_cannot_be_compared_says_why() {
 /// The text with a note that its contacts were made for 62 kg, of this operation.
 fn noted(text: &str, operation: &str) -> String {
     let model = Model::parse(text).unwrap();
-    let mut plan = note(&model, 62.0, model.gravity()).unwrap();
+    let mut plan = note(&model, 62.0, model.gravity(), None).unwrap();
     plan.name_operation(operation);
     String::from_utf8(plan.patched(&model, FileId::MAIN).unwrap()).unwrap()
 }

@@ -263,7 +263,8 @@ fn what_was_said_of_the_load_is_said_again() {
         exclude_bodies: vec!["platform".parse().unwrap()],
         ..MassRequest::default()
     };
-    let stance = Stance { spheres: Some(5.0), limbs: 2.0, gravity_m_s2: Some(12.0), impact_speed_m_s: None };
+    let stance =
+        Stance { spheres: Some(5.0), limbs: Some(2.0), gravity_m_s2: Some(12.0), impact_speed_m_s: None };
     let result =
         check_with("human.osim", &human(), &InspectOptions { masses, stance, ..InspectOptions::default() });
     let design = design_of(&result, FindingCode::SunkIn);

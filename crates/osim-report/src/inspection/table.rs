@@ -49,6 +49,9 @@ fn head(inspected: &Inspection) -> String {
         None => "which mass its contacts are made for is not known".to_owned(),
     };
     text.push_str(&wrapped(&format!("{weighs}; {contacts}"), ""));
+    for sentence in inspected.note.iter().flat_map(|note| &note.sentences) {
+        text.push_str(&wrapped(sentence, ""));
+    }
     if let Some(known) = &inspected.known_contacts {
         let made_for = readable(known.made_for_kg);
         text.push_str(&wrapped(

@@ -64,7 +64,7 @@ fn remedies_say_again_what_was_said_of_the_model() {
     options.masses.model_kg = Some(700.0);
     options.masses.exclude_bodies = patterns(&["a rider", "saddle"]);
     options.stance.spheres = Some(3.0);
-    options.stance.limbs = 2.0;
+    options.stance.limbs = Some(2.0);
     options.selection.exclude = patterns(&["hand_*"]);
     options.selection.skip_disabled = true;
     options.geometry = Some("my geometry.xml".into());

@@ -8,7 +8,7 @@ use crate::relation::Relation;
 use crate::values::{Acceleration, Count, Positive};
 
 /// How many spheres share the body weight.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(
     feature = "clap",
@@ -20,15 +20,9 @@ pub struct CountOptions {
     /// Spheres that share the body weight, all stance limbs together [default: as found per limb]
     #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
     pub spheres: Option<Count>,
-    /// Limbs that share the body weight
-    #[cfg_attr(feature = "clap", arg(long, value_name = "N", default_value_t = Count::ONE))]
-    pub stance_limbs: Count,
-}
-
-impl Default for CountOptions {
-    fn default() -> Self {
-        Self { spheres: None, stance_limbs: Count::ONE }
-    }
+    /// Limbs that share the body weight [default: as the note in the model says, else 1]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
+    pub stance_limbs: Option<Count>,
 }
 
 impl CountOptions {
@@ -37,9 +31,9 @@ impl CountOptions {
         self.spheres.map(Count::get)
     }
 
-    /// Limbs that share the weight.
-    pub fn stance_limbs(&self) -> f64 {
-        self.stance_limbs.get()
+    /// Limbs that share the weight: as said, else as `noted` in the model, else one.
+    pub fn stance_limbs(&self, noted: Option<f64>) -> f64 {
+        self.stance_limbs.map(Count::get).or(noted).unwrap_or(1.0)
     }
 
     /// The same, with what else figures are made for.
@@ -54,7 +48,7 @@ impl CountOptions {
 }
 
 /// What the figures are made for.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(
     feature = "clap",
@@ -66,21 +60,15 @@ pub struct StanceOptions {
     /// Spheres that share the body weight, all stance limbs together [default: as found per limb]
     #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
     pub spheres: Option<Count>,
-    /// Limbs that share the body weight
-    #[cfg_attr(feature = "clap", arg(long, value_name = "N", default_value_t = Count::ONE))]
-    pub stance_limbs: Count,
+    /// Limbs that share the body weight [default: as the note in the model says, else 1]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
+    pub stance_limbs: Option<Count>,
     /// Impact speed for the restitution, m/s [default: sqrt(gR/2), a fall from a quarter of the radius]
     #[cfg_attr(feature = "clap", arg(long, value_name = "M/S"))]
     pub impact_speed: Option<Positive>,
     /// Gravity, m/s2 [default: the model's own]
     #[cfg_attr(feature = "clap", arg(long, value_name = "G"))]
     pub gravity: Option<Acceleration>,
-}
-
-impl Default for StanceOptions {
-    fn default() -> Self {
-        Self { spheres: None, stance_limbs: Count::ONE, impact_speed: None, gravity: None }
-    }
 }
 
 /// The load on the spheres.

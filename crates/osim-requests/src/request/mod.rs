@@ -12,6 +12,7 @@ mod inspect;
 mod knowledge;
 mod library;
 mod note;
+mod noted;
 mod plot;
 mod remove;
 mod reproduce;

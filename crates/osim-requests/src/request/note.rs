@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::options::{AnswerOptions, OutputOptions, RunOptions, SetFiles};
 use crate::relation::Relation;
-use crate::values::{Acceleration, Kilograms, path};
+use crate::values::{Acceleration, Count, Kilograms, path};
 
 /// Writes into models which mass their contacts were made for; no number changes.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -27,6 +27,9 @@ pub struct NoteRequest {
     /// Gravity the contacts in the file were made for, m/s2 [default: the model's]
     #[cfg_attr(feature = "clap", arg(long, value_name = "G", allow_hyphen_values = true))]
     pub contacts_gravity: Option<Acceleration>,
+    /// Limbs that share the body weight [default: as the note in the model says]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
+    pub stance_limbs: Option<Count>,
     /// Where results go.
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]

@@ -111,6 +111,7 @@ impl Adding {
             }
         };
         plan.name_operation("add");
+        plan.begin_story();
         plan.warnings.retain(|warning| warning.code() != FindingCode::NothingToChange);
         plan.remarks.splice(0..0, remarks);
         if !self.friction && self.reference().is_some() {

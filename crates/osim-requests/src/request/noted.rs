@@ -1,0 +1,83 @@
+//! What the note of a changed model says of the request.
+
+use std::path::Path;
+
+use osim_messages::Verb;
+use serde_json::Value;
+
+use super::any::Request;
+use crate::dictionary::map;
+use crate::options::{AnswerOptions, MassOptions, OutputOptions, RunOptions, SetFiles};
+use crate::values::typed::trimmed;
+
+/// Fields that the operation, the mass or the reference of a note gives: see `Step` of `osim-model`.
+const SAID_ELSEWHERE: [&str; 7] = ["verb", "models", "from", "target_mass", "radius", "set", "stance_limbs"];
+
+impl Request {
+    /// The options that decide which numbers result, as `name=value`: without files, masses and answers. Of files that are read, no
+    /// folders, because a model travels.
+    #[must_use]
+    pub fn noted_options(&self) -> String {
+        let others = [
+            map(&AnswerOptions::default()),
+            map(&MassOptions::default()),
+            map(&OutputOptions::default()),
+            map(&RunOptions::default()),
+            map(&SetFiles::default()),
+        ];
+        let of_set = |name: &str| self.verb() == Verb::Set && name == "level";
+        let counts = |name: &str| {
+            !of_set(name)
+                && !SAID_ELSEWHERE.contains(&name)
+                && !others.iter().any(|fields| fields.contains_key(name))
+        };
+        let noted = self.to_map().into_iter().filter(|(name, _)| counts(name));
+        noted.map(|(name, value)| format!("{name}={}", in_a_word(&value))).collect::<Vec<_>>().join(" ")
+    }
+
+    /// Limbs that share the body weight, where the request says so.
+    #[must_use]
+    pub fn stance_limbs_said(&self) -> Option<f64> {
+        self.to_map().get("stance_limbs")?.as_f64()
+    }
+}
+
+fn in_a_word(value: &Value) -> String {
+    match value {
+        Value::String(text) => {
+            let name = Path::new(text).file_name().unwrap_or_default().to_string_lossy().into_owned();
+            trimmed(&name).replace(' ', "_")
+        }
+        Value::Array(items) => items.iter().map(in_a_word).collect::<Vec<_>>().join(","),
+        Value::Object(fields) => {
+            let each = fields.iter().map(|(name, value)| format!("{name}:{}", in_a_word(value)));
+            each.collect::<Vec<_>>().join(",")
+        }
+        other => other.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn notes(json: &str, noted: &str) {
+        assert_eq!(Request::from_json(json.as_bytes()).unwrap().noted_options(), noted);
+    }
+
+    #[test]
+    fn what_decides_numbers_is_told_and_where_files_are_is_not() {
+        notes(r#"{"verb": "rescale", "models": "/home/me/a.osim", "target_mass": 80, "radius": "x2"}"#, "");
+        notes(
+            r#"{"verb": "rescale", "models": "a.osim", "target_mass": 80, "level": true, "only": ["radius", "stiffness"],
+                "output": "b.osim", "yes": ["implausible-mass"]}"#,
+            "level=true only=radius,stiffness",
+        );
+        notes(
+            r#"{"verb": "transfer", "models": "a.osim", "from": "b.osim", "body_scale_file": "/home/me/my scales.xml",
+                "follow_bodies": true, "stance_limbs": 2}"#,
+            "follow_bodies=true body_scale_file=my_scales.xml",
+        );
+    }
+}
