@@ -208,6 +208,24 @@ fn sources_that_disagree_between_different_models_are_told_with_both_values() {
 }
 
 #[test]
+fn a_bone_of_another_animal_in_a_mesh_of_the_same_name_is_asked_about() {
+    let bench = bench("smooth");
+    move_knee(&bench);
+    // 1.0194 by the joint of the toes. The reference's mesh is at 1.01: 2.101 of it is 2.08 times, more than twice that; 2.02 is not.
+    for (factors, asks) in [("2.101 1.854 1.957", true), ("2.02 1.8 1.9", false)] {
+        for body in ["calcn_r", "calcn_l"] {
+            set_mesh(&bench, "scaled.osim", body, factors);
+        }
+        let words = ["mesh of body calcn_r", "toes_r_joint", "another animal's bone", "--body-scale calcn_r=x,y,z"];
+        if asks {
+            refuses(&bench, CALL, &words);
+        } else {
+            assert!(warnings(&plan(&bench, "")).contains("took the first"));
+        }
+    }
+}
+
+#[test]
 fn a_joint_near_the_origin_says_nothing() {
     let bench = bench("smooth");
     move_knee(&bench);

@@ -90,8 +90,10 @@ fn is_given(axes: &[Option<AxisFactor>; 3]) -> bool {
 }
 
 /// What only the user can decide: meshes of one body that differ, sides that differ, a body for which there is no source.
-pub(super) fn ask(factors: &mut [BodyFactors], by_name: &ByName, said: &[Sources<'_>]) {
+pub(super) fn ask(factors: &mut [BodyFactors], by_name: &ByName, said: &[Sources<'_>], scaled: &Anatomy) {
     let pairs = Pairs::of(said);
+    let of_body: HashMap<&str, &Sources<'_>> = said.iter().map(|one| (one.body, one)).collect();
+    let above = |body: &str| of_body.get(scaled.joint_above(body)?.parent.as_str()).copied();
     let questions: Vec<Option<FactorQuestion>> = said
         .iter()
         .map(|sources| {
@@ -105,7 +107,10 @@ pub(super) fn ask(factors: &mut [BodyFactors], by_name: &ByName, said: &[Sources
                 sides_differ(sources.body, &axes, other.body, &by_name.axes(factors, other.body))
             };
             let nothing = || FactorQuestion::Nothing { body: sources.body.to_owned() };
-            of_meshes().or_else(of_sides).or_else(|| axes.iter().all(Option::is_none).then(nothing))
+            of_meshes()
+                .or_else(|| sources.shows_other_bone(&axes, above(sources.body)))
+                .or_else(of_sides)
+                .or_else(|| axes.iter().all(Option::is_none).then(nothing))
         })
         .collect();
     for (body, question) in factors.iter_mut().zip(questions) {

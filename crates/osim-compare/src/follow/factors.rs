@@ -102,7 +102,7 @@ impl Factors {
         if let Some(difference) = &factors.difference {
             factors.warnings.push(not_a_scaled_copy::of_difference(difference.phrase()));
             factors.remarks = different::hang_on(&mut factors.bodies, &factors.by_name, scaled, &carriers);
-            different::ask(&mut factors.bodies, &factors.by_name, &said);
+            different::ask(&mut factors.bodies, &factors.by_name, &said, scaled);
         }
         factors.refuse_no_sizes();
         let carrying: HashSet<&str> = carriers.into_iter().collect();

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use osim_model::{Anatomy, Side, without_side};
+use osim_model::{Anatomy, FactorQuestion, Side, without_side};
 
 use super::body_factors::{AXES, AxisFactor, FactorSource, length};
 use super::bones::{self, BonePair};
@@ -14,6 +14,10 @@ use super::scale_file::ScaleFile;
 const AGREEMENT_IN_A_COPY: f64 = 0.01;
 /// Sources that differ by more than this between different models disagree.
 pub(super) const AGREEMENT: f64 = 0.05;
+
+/// A bone in a mesh that differs by more than this ratio from what the joints of its body say is another animal's: bones of one name
+/// have other proportions, and no two published models differ so much in them.
+const OTHER_BONE: f64 = 2.0;
 
 /// What each source says about one body.
 #[derive(Debug)]
@@ -92,6 +96,43 @@ impl<'a> Sources<'a> {
 
     /// A distance is one number: it is compared with what the factors make of the same distance.
     fn distance_disagrees(&self, taken: &[Option<AxisFactor>; 3]) -> Option<String> {
+        let (distance, source, [along, ratio]) = self.distance_ratios(taken)?;
+        ((ratio - along).abs() > AGREEMENT * along).then(|| {
+            format!(
+                "body {}: {} says {along:.6} for the distance to joint {}, but the distance is {ratio:.6} of the reference's; took the \
+                 first",
+                self.body,
+                source.as_str(),
+                distance.joint
+            )
+        })
+    }
+
+    /// Whether a mesh shows a bone of quite another size than the joints of the body do, or, where there is none for that, those of
+    /// the body `above`.
+    pub(super) fn shows_other_bone(
+        &self,
+        taken: &[Option<AxisFactor>; 3],
+        above: Option<&Self>,
+    ) -> Option<FactorQuestion> {
+        let own = self.distance_ratios(taken);
+        let (distance, source, ratios) = own.or_else(|| {
+            let distance = above?.distance.as_ref()?;
+            let [Some(x), Some(y), Some(z)] = *taken else { return None };
+            let mean = (x.factor * y.factor * z.factor).cbrt();
+            Some((distance, x.source, [mean, distance.ratio()]))
+        })?;
+        let [by_mesh, by_joint] = ratios;
+        let apart = (by_mesh / by_joint).max(by_joint / by_mesh) > OTHER_BONE;
+        let (body, joint) = (self.body.to_owned(), distance.joint.to_owned());
+        (apart && source == FactorSource::Mesh).then_some(FactorQuestion::OtherBone { body, joint, ratios })
+    }
+
+    /// What was taken, and what the distance itself is, as ratios of the distance in the reference.
+    fn distance_ratios(
+        &self,
+        taken: &[Option<AxisFactor>; 3],
+    ) -> Option<(&Distance<'a>, FactorSource, [f64; 2])> {
         let distance = self.distance.as_ref()?;
         let [Some(x), Some(y), Some(z)] = *taken else { return None };
         if x.source >= FactorSource::Distance {
@@ -99,16 +140,7 @@ impl<'a> Sources<'a> {
         }
         let [old_x, old_y, old_z] = distance.old_m;
         let along = length([x.factor * old_x, y.factor * old_y, z.factor * old_z]) / length(distance.old_m);
-        let ratio = distance.ratio();
-        ((ratio - along).abs() > AGREEMENT * along).then(|| {
-            format!(
-                "body {}: {} says {along:.6} for the distance to joint {}, but the distance is {ratio:.6} of the reference's; took the \
-                 first",
-                self.body,
-                x.source.as_str(),
-                distance.joint
-            )
-        })
+        Some((distance, x.source, [along, distance.ratio()]))
     }
 }
 

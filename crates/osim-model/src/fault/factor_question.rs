@@ -20,6 +20,15 @@ pub enum FactorQuestion {
         /// What each would get along x, y and z; NaN where it is not known.
         factors: [[f64; 3]; 2],
     },
+    /// A mesh of one name shows another animal's bone: what its factors say of a distance, and the distance itself, are far apart.
+    OtherBone {
+        /// Name of the body.
+        body: String,
+        /// The joint that the distance goes to.
+        joint: String,
+        /// The distance against the reference's, by the mesh and by the joint.
+        ratios: [f64; 2],
+    },
     /// Two different models have nothing in common that says how large a body is.
     Nothing {
         /// Name of the body.
@@ -62,6 +71,14 @@ impl FactorQuestion {
                 Input::BodyScale.being(format!("{one}=x,y,z")),
                 " and ",
                 Input::BodyScale.being(format!("{other}=x,y,z")),
+            ],
+            Self::OtherBone { body, joint, ratios: [by_mesh, by_joint] } => phrase![
+                format!(
+                    "the mesh of body {body} has a bone of the reference's size times {by_mesh:.4}, but its distance to joint {joint} is \
+                     the reference's times {by_joint:.4}: the file is probably another animal's bone of the same name"
+                ),
+                "; say the factors with ",
+                Input::BodyScale.being(format!("{body}=x,y,z")),
             ],
             Self::Nothing { body } => phrase![
                 format!(
