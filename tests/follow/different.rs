@@ -216,7 +216,8 @@ fn a_bone_of_another_animal_in_a_mesh_of_the_same_name_is_asked_about() {
         for body in ["calcn_r", "calcn_l"] {
             set_mesh(&bench, "scaled.osim", body, factors);
         }
-        let words = ["mesh of body calcn_r", "toes_r_joint", "another animal's bone", "--body-scale calcn_r=x,y,z"];
+        let words =
+            ["mesh of body calcn_r", "toes_r_joint", "another animal's bone", "--body-scale calcn_r=x,y,z"];
         if asks {
             refuses(&bench, CALL, &words);
         } else {

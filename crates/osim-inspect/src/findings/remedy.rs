@@ -1,13 +1,11 @@
 //! Which change puts a finding right.
 
-use std::cell::OnceCell;
-use std::collections::HashSet;
 use std::path::PathBuf;
 
 use contact_scaling::limits;
 use osim_messages::readable;
 use osim_model::files::FileName;
-use osim_model::{Assignment, ForceId, Pattern, Property, Selection};
+use osim_model::{Assignment, Pattern, Property, Selection};
 use osim_requests::options::{CountOptions, ForceOptions, LoadOptions, MassOptions, SetFiles, WantedOptions};
 use osim_requests::{
     Acceleration, Assignments, ConstantIndentation, Count, DesignRequest, Kilograms, RelativeIndentation,
@@ -39,8 +37,6 @@ pub(crate) struct Remedies<'m> {
     pub(crate) body_kg: Option<f64>,
     /// No other force needs a sphere as it is.
     radii_may_change: bool,
-    /// Forces that can be made one for each sphere, once they are looked for.
-    pub(crate) divisible: OnceCell<HashSet<ForceId>>,
 }
 
 /// Whose weight is carried, and by how many spheres: a remedy repeats what the call said.
@@ -79,17 +75,7 @@ impl<'m> Remedies<'m> {
         let counted = inspected.spheres_per_limb.is_some() || stance.spheres.is_some();
         let weighed = inspected.figures.mass_kg.is_some();
         let body_kg = inspected.mass_kg;
-        Self {
-            model,
-            load,
-            options,
-            joined,
-            counted,
-            weighed,
-            body_kg,
-            radii_may_change: true,
-            divisible: OnceCell::new(),
-        }
+        Self { model, load, options, joined, counted, weighed, body_kg, radii_may_change: true }
     }
 
     /// Without such as change radii, unless these `may_change`.

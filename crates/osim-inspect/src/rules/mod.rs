@@ -24,7 +24,6 @@ mod many_limbs;
 pub(crate) mod mass_unknown;
 pub(crate) mod no_gravity;
 pub(crate) mod not_on_floor;
-pub(crate) mod several_spheres_one_force;
 pub(crate) mod sphere_count_unknown;
 pub(crate) mod spheres_left_behind;
 pub(crate) mod stale_note;

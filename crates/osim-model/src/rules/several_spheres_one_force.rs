@@ -6,15 +6,13 @@ use crate::model::Model;
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::SeveralSpheres,
-    severity: Severity::Warn,
+    severity: Severity::Info,
     seen: Seen::Model,
     verdict: Some(VerdictOn::Solver),
     what: "One HuntCrossleyForce has several spheres.",
     why: "In Simbody, when one sphere of a HuntCrossleyForce leaves the ground faster than 2/(3 dissipation), the spheres evaluated after it lose their force in that step.",
-    advice: "Give each sphere a HuntCrossleyForce of its own",
-    repair: Repair::Command(
-        "makes one force for each sphere; stiffness, dissipation and friction stay as they are",
-    ),
+    advice: "Nothing, where feet leave the ground slowly: half of the published models have one force for each foot. Else give each sphere a HuntCrossleyForce of its own",
+    repair: Repair::NotPossible("published models are made so on purpose"),
     example: Example::Models { good: "table1/human_62kg_hunt_crossley.osim", bad: "format/v40000.osim" },
 };
 
