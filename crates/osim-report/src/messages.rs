@@ -2,15 +2,16 @@
 
 use osim_inspect::MassMismatch;
 use osim_messages::{Dialect, one_line};
-use osim_model::{Finding, FindingCode};
+use osim_model::{Finding, FindingCode, Severity};
 
-/// Warnings, one line each: `warning: line 12: message [code]`.
+/// Warnings, one line each: `warning: line 12: message [code]`. What is a remark in `check` is a note.
 #[must_use]
 pub fn warnings(warnings: &[Finding]) -> String {
     let mut text = String::new();
     for warning in warnings {
         let line = warning.line.map(|line| format!("line {line}: ")).unwrap_or_default();
-        text.push_str(&format!("warning: {line}{} [{}]\n", warning.message, warning.code()));
+        let word = if warning.severity == Severity::Info { "note" } else { "warning" };
+        text.push_str(&format!("{word}: {line}{} [{}]\n", warning.message, warning.code()));
     }
     text
 }
