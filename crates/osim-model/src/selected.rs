@@ -66,6 +66,14 @@ impl Selection {
         given.filter(|(_, pattern)| is_idle(pattern)).collect()
     }
 
+    /// Applies the choice to those of `candidates`: they are known, so nothing is asked about several animals.
+    ///
+    /// # Errors
+    /// No force that matches.
+    pub fn apply_among(&self, model: &Model, candidates: &[ForceId]) -> Result<Selected, Fault> {
+        self.chosen_of(model, candidates)
+    }
+
     fn chosen_of(&self, model: &Model, candidates: &[ForceId]) -> Result<Selected, Fault> {
         let explicit = !self.select.is_empty();
         if candidates.is_empty() {

@@ -5,6 +5,7 @@ use std::ops::Range;
 use osim_model::{ElementId, PieceKind, Tree};
 
 use crate::edit::Edit;
+use crate::empty::end_of_empty_tag;
 use crate::node::Node;
 
 /// Inserts `nodes` into `parent`, whose children OpenSim writes in `order`.
@@ -54,7 +55,9 @@ pub(crate) fn append(tree: &Tree, parent: ElementId, nodes: &[Node]) -> Option<E
     let (at, space) = match last {
         Some(last) => {
             let first = tree.children(parent).last().map_or(last.span.start, |child| tree.span(child).start);
-            (last.span.end, white_space_before(tree, first))
+            // White space before what is inserted would be taken for its own.
+            let behind = last.span.end - (last.text.len() - last.text.trim_ascii_end().len());
+            (behind, white_space_before(tree, first))
         }
         None => {
             let inner = Layout::of_empty(tree, parent).map(|layout| layout.inner).unwrap_or_default();
@@ -157,13 +160,9 @@ impl<'t> Layout<'t> {
         let outer = white_space_before(tree, tree.span(parent).start);
         let unit = unit(tree, parent).to_owned();
         let inner = if outer.is_empty() { String::new() } else { format!("{outer}{unit}") };
-        let tag = tree.slice(tree.open_span(parent));
-        let open = tree.open_span(parent);
-        let (start, closes_tag) = if tree.is_empty_tag(parent) {
-            let kept = tag.strip_suffix("/>").unwrap_or(tag).trim_ascii_end();
-            (open.start + kept.len(), ">")
-        } else {
-            (open.end, "")
+        let (start, closes_tag) = match tree.is_empty_tag(parent) {
+            true => (end_of_empty_tag(tree, parent).start, ">"),
+            false => (tree.open_span(parent).end, ""),
         };
         Some(Self {
             name: tree.name(parent),

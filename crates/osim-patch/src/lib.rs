@@ -41,6 +41,7 @@ mod builder;
 mod change;
 mod design;
 mod edit;
+mod empty;
 mod gravity;
 mod insert;
 mod levelled;
@@ -65,7 +66,7 @@ pub use edit::{Edit, Patch, splice};
 pub use note::{kept_note, note, note_of_rest};
 pub use objects::{
     Convert, Converted, Deed, Layout, Leftover, NewContact, NewSphere, ObjectChange, Rebuilt, add_contacts,
-    convert, leftovers, preset_model, presets_with_places, remove,
+    added_forces, convert, leftovers, preset_model, presets_with_places, remove,
 };
 pub use plan::{Masses, Plan};
 pub use remarks::PLACES_STAY;

@@ -3,7 +3,7 @@
 use osim_messages::{Input, phrase};
 use osim_model::{Fault, Mass, MassSource, Model, Note, Scope, Step, positive_mass};
 
-use crate::objects::Rebuilt;
+use crate::objects::{EarlierNote, Rebuilt};
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
 use crate::rules::nothing_to_change;
 use crate::story;
@@ -77,7 +77,8 @@ pub fn kept_note(model: &Model, rebuilt: &Rebuilt, operation: &str) -> Option<No
 /// where none is left, or the model has no note.
 #[must_use]
 pub fn note_of_rest(model: &Model, rebuilt: &Rebuilt) -> Option<Note> {
-    let note = kept_note(model, rebuilt, "remove").filter(|_| has_rest(model, rebuilt.model()))?;
+    let is_out = rebuilt.earlier_note == EarlierNote::TakenOut;
+    let note = kept_note(model, rebuilt, "remove").filter(|_| !is_out)?;
     // Where nobody said a mass, that of the bodies is as good for a part.
     let scope = if note.contacts_mass_kg.is_none() { note.scope } else { Scope::Partial };
     Some(Note { scope, made: rebuilt.made.clone(), ..note })

@@ -6,16 +6,19 @@ use std::ops::Range;
 use osim_model::{BodySize, Credits, Document, ElementId, Force, Model, Note, PieceKind, SphereId, Tree};
 
 use crate::edit::{Edit, splice};
+use crate::empty::{Form, end_of_empty_tag};
 use crate::insert::{insert, insert_first, with_white_space_before};
 use crate::node::Node;
 
 /// What OpenSim writes before and after `<credits>` in a model.
 const ORDER: [&str; 6] = ["defaults", "Ground", "gravity", "credits", "publications", "length_units"];
 const CREDITS: &str = "credits";
-/// Letters in a note's list of what was made: the element `<credits>` was added, or opened from one of these tags. Without the
+/// Letters in a note's list of what was made: the element `<credits>` was added, or opened from one of these forms. Without the
 /// note the file is again what it was.
 const MADE_CREDITS: char = 'c';
-const OPENED: [(char, &str); 2] = [('s', "<credits/>"), ('b', "<credits />")];
+const OPENED: [(char, Form); 2] = [('s', Form::Closed), ('b', Form::ClosedWithBlank)];
+/// The letter of a note beside which a comment of an earlier version stays, because that is about other contacts.
+const COMMENT_STAYS: char = 'k';
 
 /// Whether `document` keeps its note in credits that it does not have yet.
 pub(crate) fn adds_credits(document: &Document) -> bool {
@@ -46,9 +49,9 @@ pub(crate) fn with_letters(made: &str, others: &str) -> String {
     if letters.is_empty() { Note::nothing_made() } else { letters.into_iter().collect() }
 }
 
-/// Letters of a note of objects that are new in a model with the note `earlier`, which is about others.
-pub(crate) fn without_letters(made: &str, earlier: &Note) -> String {
-    let own = |letter: &char| *letter == Note::PLACED || !earlier.made.contains(*letter);
+/// Letters of a note of objects that are new in a model with a note about others, which has the letters `earlier`.
+pub(crate) fn without_letters(made: &str, earlier: &str) -> String {
+    let own = |letter: &char| *letter == Note::PLACED || !earlier.contains(*letter);
     with_letters(&made.chars().filter(own).collect::<String>(), "")
 }
 
@@ -58,8 +61,13 @@ fn is_unmoved(note: &Note, model: &Model) -> bool {
 
 fn opened(document: &Document) -> Option<char> {
     let credits = Credits::of(document).ok()??;
-    let tag = document.tree().slice(document.tree().span(credits.element));
-    OPENED.into_iter().find(|(_, closed)| *closed == tag).map(|(letter, _)| letter)
+    let form = Form::of(document.tree(), credits.element);
+    OPENED.into_iter().find(|(_, known)| *known == form).map(|(letter, _)| letter)
+}
+
+/// The letters of a note beside an earlier one in `document`, which is about other contacts.
+pub(crate) fn letters_beside(document: &Document) -> String {
+    Note::comment_spans(document).next().map(|_| COMMENT_STAYS).into_iter().collect()
 }
 
 /// Sizes of the bodies for which the spheres are placed: today's where all spheres of a body `followed` it, else those that the
@@ -119,7 +127,8 @@ fn leave_with(
         return std::iter::once(own).chain(comments.map(|span| without(tree, span))).collect();
     }
     // A comment of an earlier version would be lost when OpenSim saves the file: its note moves.
-    let mut edits: Vec<Edit> = comments.map(|span| without(tree, span)).collect();
+    let moving = comments.filter(|_| !note.made.contains(COMMENT_STAYS));
+    let mut edits: Vec<Edit> = moving.map(|span| without(tree, span)).collect();
     match Credits::of(document) {
         Ok(Some(credits)) => edits.extend(filled(tree, &credits, of(&credits))),
         Ok(None) => insert(tree, root, &ORDER, &[Node::leaf(CREDITS, note.text())])
@@ -143,15 +152,16 @@ fn add(edits: &mut Vec<Edit>, inserted: Edit) {
 /// Takes the note out of `document`, and the element `<credits>` where it was added for it.
 pub(crate) fn remove(document: &Document) -> Vec<Edit> {
     let tree = document.tree();
-    let mut edits: Vec<Edit> = Note::comment_spans(document).map(|span| without(tree, span)).collect();
+    let made = Note::find(document).map(|note| note.made).unwrap_or_default();
+    let comments = Note::comment_spans(document).filter(|_| !made.contains(COMMENT_STAYS));
+    let mut edits: Vec<Edit> = comments.map(|span| without(tree, span)).collect();
     if let Ok(Some(credits)) = Credits::of(document) {
-        let made = Note::find(document).map(|note| note.made).unwrap_or_default();
         let is_bare = credits.is_note_only() && contains_only_text(tree, credits.element);
-        let closed = OPENED.into_iter().find(|(letter, _)| made.contains(*letter)).map(|(_, tag)| tag);
+        let form = OPENED.into_iter().find(|(letter, _)| made.contains(*letter)).map(|(_, form)| form);
         if is_bare && made.contains(MADE_CREDITS) {
             edits.push(without(tree, tree.span(credits.element)));
-        } else if let (true, Some(tag)) = (is_bare, closed) {
-            edits.push(Edit { span: tree.span(credits.element), text: tag.to_owned() });
+        } else if let (true, Some(form)) = (is_bare, form) {
+            edits.push(form.restored(tree, credits.element));
         } else {
             edits.extend(filled(tree, &credits, credits.edits(None)));
         }
@@ -203,10 +213,7 @@ fn filled(tree: &Tree, credits: &Credits<'_>, edits: Vec<(Range<usize>, String)>
     if text.is_empty() {
         return Vec::new();
     }
-    let span = tree.span(credits.element);
-    let tag = tree.slice(span.clone());
-    let open = tag.strip_suffix("/>").unwrap_or(tag).trim_ascii_end();
-    vec![Edit { span, text: format!("{open}>{text}</{CREDITS}>") }]
+    vec![Edit { span: end_of_empty_tag(tree, credits.element), text: format!(">{text}</{CREDITS}>") }]
 }
 
 fn without(tree: &Tree, span: Range<usize>) -> Edit {

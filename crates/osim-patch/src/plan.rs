@@ -219,6 +219,7 @@ impl Plan {
             radii: Some(model.radii_digest(|key| changed.get(&key).copied())),
             places: Some(model.places_digest(|sphere| moved.get(sphere.path.as_str()).copied())),
             made: note_edits::made(model, facts.followed),
+            added: model.note.as_ref().map(|note| note.added.clone()).unwrap_or_default(),
         });
         Self { changes, moves, masses, taken, warnings, remarks, note, note_anyway: false, rebuilt: None }
     }
@@ -227,11 +228,14 @@ impl Plan {
     #[must_use]
     pub fn on(mut self, rebuilt: Rebuilt) -> Self {
         if let Some(note) = &mut self.note {
-            if let Some(earlier) =
-                rebuilt.model().note.as_ref().filter(|_| rebuilt.earlier_note == EarlierNote::OfOthers)
-            {
+            let model = rebuilt.model();
+            if rebuilt.earlier_note == EarlierNote::OfOthers {
+                let earlier = model.note.as_ref().map_or("", |note| note.made.as_str());
                 note.made = note_edits::without_letters(&note.made, earlier);
+                note.made.push_str(&note_edits::letters_beside(model.document()));
+                note.added.clear();
             }
+            note.added.extend(rebuilt.added.iter().cloned());
             note.made = note_edits::with_letters(&note.made, &rebuilt.made);
         }
         self.rebuilt = Some(rebuilt);
@@ -265,6 +269,12 @@ impl Plan {
     #[must_use]
     pub fn objects(&self) -> &[ObjectChange] {
         self.rebuilt.as_ref().map_or(&[], |rebuilt| &rebuilt.objects)
+    }
+
+    /// Whether it takes back what was added, so that the model is what it was.
+    #[must_use]
+    pub fn takes_back(&self) -> bool {
+        self.rebuilt.as_ref().is_some_and(|rebuilt| rebuilt.earlier_note == EarlierNote::TakenOut)
     }
 
     /// What is odd about `model` itself and stays so: a warning about an object that goes, or that becomes another one, is no

@@ -84,7 +84,11 @@ pub(crate) fn worse_findings(
     let weighs_kg = weighs.map(|mass| mass.kg);
     let changed = plan.changed(&opened.model).map_err(failure)?;
     let after = options_after(aims, before, plan, weighs_kg);
-    let is_meant = aims.as_given || answers.is_some_and(|answers| answers.has(Question::WrongAfterwards));
+    // The model was so before, and nobody has to be asked whether that was meant.
+    let is_as_before = plan.takes_back();
+    let is_meant = aims.as_given
+        || is_as_before
+        || answers.is_some_and(|answers| answers.has(Question::WrongAfterwards));
     let worse = worse_than(&options_before(aims, before, plan), &after, opened, plan, &changed);
     let mut said: Vec<Finding> = match worse.iter().find(|one| one.severity == Severity::Error) {
         Some(wrong) if !is_meant => return Err(failure(Fault::new(asks(wrong)))),

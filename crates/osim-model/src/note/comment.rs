@@ -37,7 +37,7 @@ impl Note {
         let steps = vec![Step::new(fields.next()?.strip_prefix("by ")?)];
         let digest = fields.next()?.strip_prefix("digest ")?.to_owned();
         let (version, made) = (version.to_owned(), Self::nothing_made());
-        let (sizes, radii, places) = (Vec::new(), None, None);
+        let (sizes, radii, places, added) = (Vec::new(), None, None, Vec::new());
         let (stance_limbs, weighed_kg) = (None, None);
         let note = Self {
             version,
@@ -52,6 +52,7 @@ impl Note {
             radii,
             places,
             made,
+            added,
         };
         fields.next().is_none().then_some(note)
     }

@@ -52,6 +52,8 @@ pub struct Note {
     pub places: Option<String>,
     /// What was added to the file for the note, one letter each; `-` for nothing.
     pub made: String,
+    /// Names of the forces that were added beside others, as [`Note::operation_text`] has them; none where all were added.
+    pub added: Vec<String>,
 }
 
 impl Note {

@@ -24,6 +24,8 @@ const BY: &str = "by ";
 const STANCE: &str = "stance limbs ";
 const WEIGHED: &str = "weighed ";
 const RADII: &str = "radii ";
+/// Before the names of forces that were added beside others, where there are some.
+const ADDED: &str = "added ";
 
 impl Note {
     /// The note as it is in the file.
@@ -41,8 +43,9 @@ impl Note {
         let optional = |name: &str, value: Option<String>| {
             value.map(|value| format!("; {name}{value}")).unwrap_or_default()
         };
+        let added = (!self.added.is_empty()).then(|| self.added.join(" "));
         format!(
-            "{BEGINS}{} at {}{NAMES}{}; {scope}{steps}{}{}; sizes {}; digest {}{}; places {}; made {}{ENDS}",
+            "{BEGINS}{} at {}{NAMES}{}; {scope}{steps}{}{}; sizes {}; digest {}{}; places {}; made {}{}{ENDS}",
             known(self.contacts_mass_kg, "kg"),
             known(self.gravity_m_s2, "m/s2"),
             self.version,
@@ -53,6 +56,7 @@ impl Note {
             optional(RADII, self.radii.clone()),
             self.places.as_deref().unwrap_or(UNKNOWN),
             self.made,
+            optional(ADDED, added),
         )
     }
 
@@ -101,6 +105,7 @@ impl Note {
             radii: radii.map_or(Some(None), |radii| radii.map(Some))?,
             places,
             made,
+            added: fields.next().map_or(Some(Vec::new()), names)?,
         };
         fields.next().is_none().then_some(note)
     }
@@ -119,6 +124,15 @@ impl Note {
     #[must_use]
     pub fn placed(&self) -> bool {
         self.made.contains(Self::PLACED)
+    }
+
+    /// The letter among those of `made` that says that all contacts of the model were added.
+    pub const ALL_ADDED: char = 'n';
+
+    /// Whether `force` is one of those that were added, by its name.
+    #[must_use]
+    pub fn has_added(&self, force: &str) -> bool {
+        self.added.contains(&plain(force))
     }
 
     /// `made` of a note of a file to which nothing was added.
@@ -157,6 +171,11 @@ fn sizes(text: &str) -> Option<Vec<BodySize>> {
     text.split(' ').map(BodySize::parse).collect()
 }
 
+/// `added heel toe`.
+fn names(text: &str) -> Option<Vec<String>> {
+    Some(text.strip_prefix(ADDED)?.split(' ').map(str::to_owned).collect())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -178,6 +197,7 @@ mod tests {
             radii: Some("0011223344556677".into()),
             places: Some("fedcba9876543210".into()),
             made: "c".into(),
+            added: vec![],
         }
     }
 
@@ -205,7 +225,9 @@ mod tests {
             made: Note::nothing_made(),
             ..note()
         };
-        for note in [note(), nothing_known] {
+        let beside_others = Note { added: vec!["heel".into(), "toe".into()], ..note() };
+        assert!(beside_others.text().ends_with("; made c; added heel toe)]"), "{}", beside_others.text());
+        for note in [note(), nothing_known, beside_others] {
             assert_eq!(Note::parse(&note.text()), Some(note));
         }
     }

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use osim_model::{Body, Document, Fault, FaultKind, HalfSpace, Model};
+use osim_model::{Body, Document, Fault, FaultKind, HalfSpace, Model, Note};
 
 use super::floor::floor;
 use super::layout::{Layout, NewContact};
@@ -86,9 +86,14 @@ pub fn add_contacts(model: &Model, layout: &mut Layout) -> Result<Rebuilt, Fault
     let mut made: String = made_floor.iter().map(|_| MADE_FLOOR).collect();
     let mut edits = FORCE_SET.add(tree, root, &forces, &mut made);
     edits.extend(GEOMETRY_SET.add(tree, root, &geometry, &mut made));
+    let beside_others = !model.forces().is_empty();
+    if !beside_others {
+        made.push(Note::ALL_ADDED);
+    }
     let mut rebuilt = Rebuilt::new(edited(model, edits)?, objects, made);
-    if !model.forces().iter().any(|force| model.meets_half_space(force)) {
-        rebuilt.earlier_note = EarlierNote::OfOthers;
+    rebuilt.earlier_note = EarlierNote::OfOthers;
+    if beside_others {
+        rebuilt.added = layout.contacts.iter().map(|contact| Note::operation_text(&contact.force)).collect();
     }
     Ok(rebuilt)
 }

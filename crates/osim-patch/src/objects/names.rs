@@ -4,16 +4,24 @@ use std::collections::HashSet;
 
 use osim_model::{Fault, FileId, Model, refuse_name_in_paths};
 
+use super::references::{names, references};
+
 /// Names that are taken in a model, or will be.
 pub(super) struct Names(HashSet<String>);
 
 impl Names {
-    /// Those of the contact geometry and the forces of `model`: OpenSim renames the second of one name without a warning.
+    /// Those of the contact geometry and the forces of `model`: OpenSim renames the second of one name without a warning. Also
+    /// names of geometry that it lacks and something uses: that would meet what is new.
     pub(super) fn of(model: &Model) -> Self {
         let geometry = model.spheres().iter().map(|sphere| sphere.name.clone());
         let planes = model.half_spaces().into_iter().map(|plane| plane.name);
         let members = ["ContactGeometrySet", "ForceSet"].into_iter().flat_map(|set| members(model, set));
-        Self(geometry.chain(planes).chain(members).collect())
+        let mut taken: HashSet<String> = geometry.chain(planes).chain(members).collect();
+        let document = model.document();
+        for element in references(document) {
+            taken.extend(names(&document.tree().text_of(element)).map(str::to_owned));
+        }
+        Self(taken)
     }
 
     /// `name`, or followed by a number where it is taken.

@@ -52,6 +52,8 @@ pub struct Rebuilt {
     pub objects: Vec<ObjectChange>,
     /// Letters for a note's list of what was made: in addition, or what is left of it after a removal.
     pub(crate) made: String,
+    /// Names of the forces that are new, for the note, where the model has others.
+    pub(crate) added: Vec<String>,
     pub(crate) earlier_note: EarlierNote,
 }
 
@@ -68,15 +70,17 @@ pub(crate) enum EarlierNote {
 
 impl Rebuilt {
     pub(crate) fn new(model: Model, objects: Vec<ObjectChange>, made: String) -> Self {
-        Self { model: Arc::new(model), objects, made, earlier_note: EarlierNote::OfContacts }
+        let (model, added) = (Arc::new(model), Vec::new());
+        Self { model, objects, made, added, earlier_note: EarlierNote::OfContacts }
     }
 
     /// The same, made from the model of `first`.
     #[must_use]
     pub fn after(mut self, first: &Self) -> Self {
         self.objects.splice(0..0, first.objects.iter().cloned());
-        if first.earlier_note == EarlierNote::TakenOut {
-            self.earlier_note = EarlierNote::OfOthers;
+        // A part is left of what the earlier note is about: the new one takes its place.
+        if first.earlier_note != EarlierNote::TakenOut {
+            self.earlier_note = EarlierNote::OfContacts;
         }
         self
     }

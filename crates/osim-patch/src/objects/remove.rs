@@ -3,13 +3,15 @@
 use std::collections::{BTreeSet, HashSet};
 
 use osim_model::{
-    ElementId, Fault, FileId, Force, ForceId, ForceKind, HalfSpace, Model, Selected, SphereId, Tree,
+    Document, ElementId, Fault, FaultKind, FileId, Force, ForceId, HalfSpace, Model, Note, Selected,
+    SphereId, Tree,
 };
 
 use super::add::MADE_FLOOR;
 use super::covered::Covered;
 use super::rebuilt::{Deed, EarlierNote, ObjectChange, Rebuilt};
-use super::sets::{FORCE_SET, GEOMETRY_SET, Set};
+use super::references::{names, references};
+use super::sets::{FORCE_SET, GEOMETRY_SET};
 use super::whole::refuse_parts;
 use crate::edit::{Edit, edited};
 use crate::insert::with_white_space_before;
@@ -65,7 +67,7 @@ pub fn remove(model: &Model, selected: &Selected) -> Result<Rebuilt, Fault> {
     }
     refuse_users(model, &elements, &going_names)?;
     let mut rebuilt = edited(model, without(model, &elements, &mut made))?;
-    let is_last = !crate::note::has_rest(model, &rebuilt);
+    let is_last = !crate::note::has_rest(model, &rebuilt) || takes_all_added(model, &going);
     if is_last {
         // Without contacts, a note about contacts would be wrong.
         rebuilt = edited(&rebuilt, crate::note_edits::remove(rebuilt.document()))?;
@@ -92,12 +94,29 @@ fn removed(class: &'static str, name: &str, path: &str, body: Option<String>) ->
 fn refuse_other_file(model: &Model, file: FileId, path: &str) -> Result<(), Fault> {
     match model.included_file(file) {
         Some(included) => {
-            let kind =
-                osim_model::FaultKind::IncludedFile { path: path.to_owned(), file: included.to_owned() };
+            let kind = FaultKind::IncludedFile { path: path.to_owned(), file: included.to_owned() };
             Err(Fault::new(kind).of(path))
         }
         None => Ok(()),
     }
+}
+
+/// The forces of `model` that were added to it, by the record in its note; `None` where it has no such record.
+#[must_use]
+pub fn added_forces(model: &Model) -> Option<Vec<ForceId>> {
+    let note = model.note.as_ref()?;
+    let all = note.made.contains(Note::ALL_ADDED);
+    let is_added = |force: &&Force| {
+        if all { force.sets.iter().any(|set| set.half_spaces > 0) } else { note.has_added(&force.name) }
+    };
+    let forces: Vec<ForceId> = model.forces().iter().filter(is_added).map(|force| force.id).collect();
+    (!forces.is_empty()).then_some(forces)
+}
+
+/// Whether of those that were added beside others none stays: the note was about them.
+fn takes_all_added(model: &Model, going: &HashSet<ForceId>) -> bool {
+    let beside_others = model.note.as_ref().is_some_and(|note| !note.added.is_empty());
+    beside_others && added_forces(model).is_some_and(|added| added.iter().all(|force| going.contains(force)))
 }
 
 /// Edits that take out `elements`; of a set that loses all members, what was `made` goes, too, and with it the letters for it.
@@ -108,7 +127,7 @@ fn without(model: &Model, elements: &[ElementId], made: &mut String) -> Vec<Edit
     let mut edits: Vec<Edit> = Vec::new();
     for set in [FORCE_SET, GEOMETRY_SET] {
         if is_emptied(tree, set.element(tree, root), &going) {
-            edits.extend(restored(tree, root, &set, made));
+            edits.extend(set.restored(tree, root, made));
             *made = set.forgotten(made);
         }
     }
@@ -129,60 +148,35 @@ fn is_emptied(tree: &Tree, set: Option<ElementId>, going: &HashSet<ElementId>) -
     members.peek().is_some() && members.all(|member| going.contains(&member))
 }
 
-fn restored(tree: &Tree, root: ElementId, set: &Set, made: &str) -> Option<Edit> {
-    let (element, text) = set.restored(tree, root, made)?;
-    let own = tree.span(element);
-    let span = if text.is_empty() { with_white_space_before(tree, own) } else { own };
-    Some(Edit { span, text })
-}
-
-/// Things in the file that name what goes would make OpenSim refuse it. What `<defaults>` name for forces counts only for those that
-/// have nothing of their own there, and what such a force uses does not go.
-fn refuse_users(model: &Model, elements: &[ElementId], names: &HashSet<String>) -> Result<(), Fault> {
+/// Things in the file that name what goes would make OpenSim refuse it.
+fn refuse_users(model: &Model, elements: &[ElementId], going: &HashSet<String>) -> Result<(), Fault> {
     let document = model.document();
     let tree = document.tree();
-    let of_forces = |&id: &ElementId| {
-        [ForceKind::HuntCrossley, ForceKind::SmoothSphereHalfSpace]
-            .iter()
-            .any(|kind| kind.as_str() == tree.name(id))
-    };
-    let defaults = document.defaults().into_iter().flat_map(|defaults| tree.children(defaults));
-    let ignored = elements.iter().copied().chain(defaults.filter(of_forces));
-    let gone = Covered::of(ignored.map(|element| tree.span(element)).collect());
-    for element in tree.elements().filter(|&id| is_reference(tree.name(id))) {
+    let gone = Covered::of(elements.iter().map(|&element| tree.span(element)).collect());
+    for element in references(document) {
         let span = tree.span(element);
         let text = tree.text_of(element);
-        let named = osim_model::opensim_text::list(&text).find_map(|word| {
-            let name = word.rsplit('/').next().unwrap_or(word);
-            names.get(name)
-        });
-        if let Some(name) = named.filter(|_| !gone.covers(&span)) {
-            let in_defaults = document
-                .defaults()
-                .is_some_and(|defaults| Covered::of(vec![tree.span(defaults)]).covers(&span));
-            let (place, way_out) = match in_defaults {
-                true => (
-                    " in <defaults>",
-                    "take that out of the file in a text editor first, as OpenSim does not show it",
-                ),
-                false => ("", "take that out in OpenSim first"),
-            };
-            return Err(Fault::over(
-                osim_model::FaultKind::Refused(format!(
-                    "<{}>{place} uses {name}, which would go: {way_out}, or choose the forces that go",
-                    tree.name(element)
-                )),
-                span,
-            ));
+        let Some(name) = names(&text).find(|name| going.contains(*name)) else { continue };
+        if !gone.covers(&span) {
+            return Err(Fault::over(in_use(document, element, name), span));
         }
     }
     Ok(())
 }
 
-/// Whether elements of this name name contact geometry.
-fn is_reference(tag: &str) -> bool {
-    tag == "geometry"
-        || tag == "socket_sphere"
-        || tag == "socket_half_space"
-        || tag == "socket_contact_geometry"
+/// What is said where `element` uses the geometry `name`.
+fn in_use(document: &Document, element: ElementId, name: &str) -> FaultKind {
+    let tree = document.tree();
+    let is_above = |defaults| Covered::of(vec![tree.span(defaults)]).covers(&tree.span(element));
+    let (place, way_out) = match document.defaults().is_some_and(is_above) {
+        true => (
+            " in <defaults>",
+            "take that out of the file in a text editor first, as OpenSim does not show it",
+        ),
+        false => ("", "take that out in OpenSim first"),
+    };
+    FaultKind::Refused(format!(
+        "<{}>{place} uses {name}, which would go: {way_out}, or choose the forces that go",
+        tree.name(element)
+    ))
 }

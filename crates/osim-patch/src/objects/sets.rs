@@ -4,7 +4,8 @@ use osim_model::{ElementId, Tree};
 
 use super::whole::{FORCES, GEOMETRY};
 use crate::edit::Edit;
-use crate::insert::{append, fill, insert};
+use crate::empty::Form;
+use crate::insert::{append, fill, insert, with_white_space_before};
 use crate::node::Node;
 
 /// What OpenSim writes around its sets in a model.
@@ -36,42 +37,6 @@ pub(super) struct Letters {
     pub(super) objects: char,
     /// An element without content was opened: of the set, and of its `<objects>`.
     opened: [[(char, Form); 3]; 2],
-}
-
-/// How an element without content was written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Form {
-    /// `<objects/>`
-    Closed,
-    /// `<objects />`
-    ClosedWithBlank,
-    /// `<objects></objects>`
-    Open,
-}
-
-impl Form {
-    fn of(tree: &Tree, element: ElementId) -> Option<Self> {
-        let tag = tree.slice(tree.open_span(element));
-        if !tree.is_empty_tag(element) {
-            return Some(Self::Open);
-        }
-        match tag.strip_suffix("/>")?.strip_suffix(' ') {
-            None => Some(Self::Closed),
-            // What has two blanks, or a tab, is opened and stays open.
-            Some(kept) => (kept.trim_ascii_end().len() == kept.len()).then_some(Self::ClosedWithBlank),
-        }
-    }
-
-    /// The element as it was, from its start tag as it is now.
-    fn restored(self, tree: &Tree, element: ElementId) -> String {
-        let open = tree.slice(tree.open_span(element));
-        let kept = open.strip_suffix('>').unwrap_or(open);
-        match self {
-            Self::Closed => format!("{kept}/>"),
-            Self::ClosedWithBlank => format!("{kept} />"),
-            Self::Open => format!("{open}</{}>", tree.name(element)),
-        }
-    }
 }
 
 /// A set with its letters.
@@ -150,24 +115,28 @@ impl Set {
         made.chars().filter(|&letter| !own(letter)).collect()
     }
 
-    /// Takes back what `add` made of the set, if none of its members stays; `None` if it made nothing.
-    pub(super) fn restored(&self, tree: &Tree, model: ElementId, made: &str) -> Option<(ElementId, String)> {
+    /// The edit that takes back what `add` made of the set, if none of its members stays; `None` if it made nothing.
+    pub(super) fn restored(&self, tree: &Tree, model: ElementId, made: &str) -> Option<Edit> {
         let set = self.element(tree, model)?;
         let form = |letters: &[(char, Form); 3]| {
             letters.iter().find(|(letter, _)| made.contains(*letter)).map(|(_, form)| *form)
         };
+        let whole = |element| {
+            let span = with_white_space_before(tree, tree.span(element));
+            Some(Edit { span, text: String::new() })
+        };
         let [of_set, of_objects] = &self.letters.opened;
         if made.contains(self.letters.set) {
-            return Some((set, String::new()));
+            return whole(set);
         }
         if let Some(form) = form(of_set) {
-            return Some((set, form.restored(tree, set)));
+            return Some(form.restored(tree, set));
         }
         let objects = tree.child(set, OBJECTS)?;
         if made.contains(self.letters.objects) {
-            return Some((objects, String::new()));
+            return whole(objects);
         }
-        form(of_objects).map(|form| (objects, form.restored(tree, objects)))
+        form(of_objects).map(|form| form.restored(tree, objects))
     }
 }
 
@@ -188,6 +157,6 @@ fn opened(
     made: &mut String,
 ) -> Vec<Edit> {
     let form = Form::of(tree, element);
-    made.extend(letters.iter().find(|(_, known)| Some(*known) == form).map(|(letter, _)| *letter));
+    made.extend(letters.iter().find(|(_, known)| *known == form).map(|(letter, _)| *letter));
     fill(tree, element, nodes).into_iter().collect()
 }

@@ -266,8 +266,28 @@ fn defaults_that_name_a_sphere_are_in_nobodys_way() {
 fn defaults_of_a_class_that_is_not_read_are_refused_with_a_way_out() {
     let other =
         "<defaults><ElasticFoundationForce><geometry>heel</geometry></ElasticFoundationForce></defaults>";
-    let text = document(40000, "").replace("<Model name=\"leg\">", &format!("<Model name=\"leg\">{other}"));
-    let rebuilt = add_contacts(&Model::parse(text).unwrap(), &mut layout(ForceKind::HuntCrossley)).unwrap();
-    let fault = remove(rebuilt.model(), &Selected::those(rebuilt.model(), |_| true)).unwrap_err().to_string();
+    let model = Model::parse(document(40000, "")).unwrap();
+    let added = add_contacts(&model, &mut layout(ForceKind::HuntCrossley)).unwrap();
+    let text = String::from_utf8(added.model().document().bytes().to_vec()).unwrap();
+    let model =
+        Model::parse(text.replace("<Model name=\"leg\">", &format!("<Model name=\"leg\">{other}"))).unwrap();
+    let fault = remove(&model, &Selected::those(&model, |_| true)).unwrap_err().to_string();
     assert!(fault.contains("in <defaults> uses heel") && fault.contains("text editor"), "{fault}");
+}
+
+/// What something names without having it is not what is new: it would meet that, and be in the way when it goes.
+#[test]
+fn new_objects_have_names_that_nothing_uses() {
+    let other = "<ForceSet><objects><ElasticFoundationForce name=\"e\"><ElasticFoundationForce::ContactParametersSet \
+                 name=\"contact_parameters\"><objects><ElasticFoundationForce::ContactParameters><geometry>heel</geometry>\
+                 </ElasticFoundationForce::ContactParameters></objects></ElasticFoundationForce::ContactParametersSet>\
+                 </ElasticFoundationForce></objects></ForceSet>";
+    let text = document(40000, other);
+    let model = Model::parse(text.clone()).unwrap();
+    let added = add_contacts(&model, &mut layout(ForceKind::HuntCrossley)).unwrap();
+    let names: Vec<&str> = added.model().spheres().iter().map(|sphere| sphere.name.as_str()).collect();
+    assert_eq!(names, ["heel_2", "toe"]);
+    let plan = osim_patch::note(added.model(), 62.0, Some(9.81), None).unwrap().on(added);
+    let with = Model::parse(plan.patched(&model, FileId::MAIN).unwrap()).unwrap();
+    assert_eq!(String::from_utf8_lossy(&after_removal(&with, &[])), text);
 }

@@ -2,7 +2,7 @@
 
 use osim_messages::{Input, Phrase, phrase, readable};
 use osim_model::{Fault, Model, Note, Selection};
-use osim_patch::{Deed, Plan, note_of_rest, remove};
+use osim_patch::{Deed, Plan, added_forces, note_of_rest, remove};
 use osim_requests::options::{InspectionOptions, MassOptions, SetFiles, StanceOptions};
 use osim_requests::{RemoveRequest, RequestFault};
 use serde_json::json;
@@ -57,7 +57,12 @@ impl Planner for Removing {
     }
 
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
-        let selected = self.selection.apply(model)?;
+        // What was added is known, also where a change of it would have to be asked about.
+        let added = added_forces(model).filter(|_| self.selection.select.is_empty());
+        let selected = match added {
+            Some(added) => self.selection.apply_among(model, &added)?,
+            None => self.selection.apply(model)?,
+        };
         let rebuilt = remove(model, &selected)?;
         let count = |class: &str| {
             let gone = rebuilt.objects.iter().filter(|object| object.deed == Deed::Removed);

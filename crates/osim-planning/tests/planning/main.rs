@@ -27,3 +27,4 @@ mod placement;
 mod remedies;
 mod rules;
 mod sizes;
+mod taken_back;

@@ -93,6 +93,7 @@ fn noted(text: &str, kg: f64) -> String {
         digest: model.contact_digest(|_| None),
         places: Some(model.places_digest(|_| None)),
         made: Note::nothing_made(),
+        added: vec![],
     };
     text.replacen("<gravity>", &format!("<credits>{}</credits>\n<gravity>", note.text()), 1)
 }

@@ -1,0 +1,103 @@
+//! Ways of giving a model contacts, and what is done with it before they are taken out.
+
+use osim_model::{Model, Question};
+use serde_json::{Value, json};
+
+pub const TABLE: &str = "places.csv";
+/// The way of a model that keeps contacts of its own.
+const BESIDE: &str = "beside others";
+
+/// A request that gives contacts, with the table that it reads.
+pub struct Way {
+    pub name: &'static str,
+    pub request: Value,
+    pub table: String,
+}
+
+/// Ways for this model, which is called `name`.
+pub fn ways(name: &str, model: &Model) -> Vec<Way> {
+    let bodies: Vec<&str> = model.bodies().iter().map(|body| body.name.as_str()).collect();
+    let (Some(first), Some(last)) = (bodies.first(), bodies.last()) else { return Vec::new() };
+    let yes: Vec<&str> = Question::ALL.iter().map(|question| question.code()).collect();
+    let request = |fields: Value| {
+        let mut request = json!({"verb": "add", "models": [name], "yes": yes, "mass": 61.5});
+        request.as_object_mut().unwrap().extend(fields.as_object().unwrap().clone());
+        request
+    };
+    let row = |(at, body): (usize, &&str)| format!("s{at},{body},0.0{at},-0.01,0.005,0.03\n");
+    let table_of = |bodies: &[&str]| {
+        let rows: String = bodies.iter().enumerate().map(row).collect();
+        format!("name,body,x,y,z,radius\n{rows}")
+    };
+    let feet = ["calcn_r", "calcn_l", "toes_r", "toes_l"];
+    let has_feet = feet.iter().all(|foot| bodies.contains(foot));
+    // Of two feet with toes, or of one foot.
+    let of_reference = |class: &str| match has_feet {
+        true => {
+            let factors: serde_json::Map<_, _> =
+                feet.iter().map(|foot| ((*foot).to_owned(), json!(1.0))).collect();
+            request(json!({"from": "falisse2022", "class": class, "body_scale": factors}))
+        }
+        false => request(json!({
+            "from": "format/v40600.osim", "class": class, "reference_mass": 61.5, "body_scale": {"calcn_r": [1.1, 0.9, 1.2]},
+        })),
+    };
+    let by_table = |class: &str| {
+        request(json!({
+            "contacts": TABLE, "class": class, "indentation": 0.1, "restitution": 0.3, "load": 30.0, "spheres": 2, "impact_speed": 0.3,
+        }))
+    };
+    let mut ways = Vec::new();
+    if has_feet || bodies.contains(&"calcn_r") {
+        for (name, class) in [("reference", "smooth"), ("reference, Hunt-Crossley", "hunt-crossley")] {
+            ways.push(Way { name, request: of_reference(class), table: String::new() });
+        }
+    }
+    ways.extend([
+        Way { name: "table", request: by_table("smooth"), table: table_of(&[first, last]) },
+        Way { name: "table, Hunt-Crossley", request: by_table("hunt-crossley"), table: table_of(&[last]) },
+        Way {
+            name: "table, every body",
+            request: by_table("smooth"),
+            table: table_of(&bodies.iter().copied().take(9).collect::<Vec<_>>()),
+        },
+    ]);
+    if has_feet && name.starts_with("feet/") | name.starts_with("corpus/") {
+        let fields = json!({"feet": ["calcn_r", "calcn_l"], "count": 3, "pad": 0.01, "from": "falisse2022"});
+        ways.push(Way { name: "meshes", request: request(fields), table: String::new() });
+    }
+    let loaded: Vec<&str> = model.spheres().iter().filter_map(|sphere| sphere.body.as_deref()).collect();
+    let free: Vec<&str> = bodies.iter().copied().filter(|body| !loaded.contains(body)).take(2).collect();
+    if model.forces().iter().any(|force| model.meets_half_space(force)) {
+        if free.is_empty() {
+            return Vec::new();
+        }
+        let mut request = by_table("smooth");
+        request["exclude"] = json!(["*"]);
+        return vec![Way { name: BESIDE, request, table: table_of(&free) }];
+    }
+    ways
+}
+
+/// What is done in between: none, one or two requests, about the new forces where there are others.
+pub fn between(name: &str, way: &Way) -> Vec<(&'static str, Vec<Value>)> {
+    let one = |mut request: Value| {
+        request["models"] = json!([name]);
+        if way.name == BESIDE && request["verb"] != "note" {
+            request["select"] = json!([if request["verb"] == "remove" { "force_s0*" } else { "force_s*" }]);
+        }
+        request
+    };
+    let rescale = one(json!({"verb": "rescale", "contacts_mass": 61.5, "target_mass": 150.0}));
+    let note = one(json!({"verb": "note", "contacts_mass": 77.0}));
+    vec![
+        ("nothing", vec![]),
+        ("rescale", vec![rescale.clone()]),
+        ("note", vec![note.clone()]),
+        ("set", vec![one(json!({"verb": "set", "set": {"stiffness": "x2", "viscous_friction": 0.7}}))]),
+        ("convert to smooth", vec![one(json!({"verb": "convert", "to": "smooth"}))]),
+        ("convert to hunt-crossley", vec![one(json!({"verb": "convert", "to": "hunt-crossley"}))]),
+        ("note, rescale", vec![note, rescale]),
+        ("part", vec![one(json!({"verb": "remove", "select": ["*s0*", "*_r"]}))]),
+    ]
+}
