@@ -14,6 +14,7 @@ use osim_messages::{Call, Dialect, Example, Input, Phrase, Verb};
 use osim_model::files::{Beside, InMemory, ModelFiles};
 use osim_model::{FindingCode, Repair, Rule, Seen, Severity};
 use osim_planning::{DesignQuantity, DropColumn, DropFigure, DropRow, Inspector, rules};
+use osim_report::ExitStatus;
 use osim_report::explain::ErrorGroup;
 use osim_requests::options::InspectionOptions;
 use osim_requests::spell::{CommandLine, Speller};
@@ -272,6 +273,12 @@ fn errors(group: ErrorGroup) -> String {
     table(&header, rows)
 }
 
+/// docs/errors.md: what the exit status says.
+fn exit_statuses() -> String {
+    let row = |status: &ExitStatus| vec![status.code().to_string(), status.meaning().to_owned()];
+    table(&["status", "means"], ExitStatus::ALL.iter().map(row))
+}
+
 /// docs/requests.md: the verbs that take a request, each with its schema.
 fn verbs() -> String {
     let asked = Verb::ALL.iter().filter(|verb| schema_of(**verb).is_some()).map(|verb| verb.name());
@@ -292,6 +299,7 @@ fn parts() -> Vec<(&'static str, &'static str, String)> {
         ("json.md", "drop-series", drop_series()),
         ("drop-test.md", "drop-test-figures", drop_rows()),
         ("requests.md", "verbs", verbs()),
+        ("errors.md", "exit-statuses", exit_statuses()),
         ("errors.md", "errors-file", errors(ErrorGroup::File)),
         ("errors.md", "errors-model", errors(ErrorGroup::Model)),
         ("errors.md", "errors-question", errors(ErrorGroup::Question)),

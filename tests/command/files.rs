@@ -58,12 +58,30 @@ fn a_symlink_stays_one() {
     );
 }
 
+/// Of a folder whose new files get another group.
+#[cfg(unix)]
+#[test]
+fn owner_and_group_are_kept() {
+    use std::os::unix::fs::{MetadataExt, PermissionsExt, chown};
+    let bench = Bench::human();
+    let given = |name: &str, group| chown(bench.path(name), None, Some(group)).is_ok();
+    if !given("human.osim", 54321) || !given(".", 12345) {
+        crate::support::skipped("owner_and_group_are_kept", "this user may not give files to groups");
+        return;
+    }
+    std::fs::set_permissions(bench.path("."), PermissionsExt::from_mode(0o2775)).unwrap();
+    std::fs::set_permissions(bench.path("human.osim"), PermissionsExt::from_mode(0o2664)).unwrap();
+    bench.run("human.osim --target-mass 1190 --in-place").done();
+    let seen = bench.path("human.osim").metadata().unwrap();
+    assert_eq!((seen.gid(), seen.mode() & 0o7777), (54321, 0o2664));
+}
+
 #[cfg(unix)]
 #[test]
 fn permissions_are_kept() {
     use std::os::unix::fs::{MetadataExt, PermissionsExt};
     let bench = Bench::human();
-    let mode = |name: &str| bench.path(name).metadata().unwrap().mode() & 0o777;
+    let mode = |name: &str| bench.path(name).metadata().unwrap().mode() & 0o7777;
     for bits in [0o640, 0o600, 0o444] {
         std::fs::set_permissions(bench.path("human.osim"), PermissionsExt::from_mode(bits)).unwrap();
         bench.run(&format!("human.osim --target-mass 1190 -o {bits:o}.osim")).done();
@@ -72,6 +90,14 @@ fn permissions_are_kept() {
     std::fs::set_permissions(bench.path("human.osim"), PermissionsExt::from_mode(0o640)).unwrap();
     bench.run("human.osim --target-mass 1190 --in-place").done();
     assert_eq!((mode("human.osim"), mode("human.osim.bak")), (0o640, 0o640));
+    for (kg, bits) in [(1500, 0o2664), (1600, 0o2660)] {
+        std::fs::set_permissions(bench.path("human.osim"), PermissionsExt::from_mode(bits)).unwrap();
+        bench.run(&format!("human.osim --target-mass {kg} --in-place")).done();
+        assert_eq!(mode("human.osim"), bits);
+        // A copy is another file: its group got no right from anybody.
+        bench.run(&format!("human.osim --target-mass 70 -o {kg}.osim")).done();
+        assert_eq!(mode(&format!("{kg}.osim")), bits & 0o777);
+    }
     // Replacing a file keeps that file's permissions.
     bench.write("out.osim", "old");
     std::fs::set_permissions(bench.path("out.osim"), PermissionsExt::from_mode(0o604)).unwrap();

@@ -217,6 +217,12 @@ impl Ran {
         self.ends_with(2)
     }
 
+    /// Exit status 3: another run has a file.
+    #[track_caller]
+    pub(crate) fn busy(self) -> Self {
+        self.ends_with(3)
+    }
+
     /// Exactly these files are new or have other bytes.
     #[track_caller]
     pub(crate) fn wrote(self, files: &[&str]) -> Self {

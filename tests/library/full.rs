@@ -95,6 +95,24 @@ fn no_model_is_written_whose_line_has_no_room() {
 }
 
 #[test]
+fn a_figure_that_has_no_room_is_an_error() {
+    let bench = Bench::human();
+    for ending in ["svg", "png", "pdf"] {
+        let call = format!("ulimit -f 2; \"$COMMAND\" plot force human.osim -o figure.{ending}");
+        let (status, text) = shell(&bench, &call);
+        assert_eq!(status, Some(1), "{text}");
+        assert!(text.contains(&format!("error: cannot write figure.{ending}: File too large")), "{text}");
+    }
+    no_temporary_files(&bench);
+    assert_eq!(bench.files().len(), 1);
+    let full = "error: cannot write to standard output: No space left on device";
+    for call in ["plot force human.osim -o -", "inspect human.osim", "explain", "--help"] {
+        let (status, text) = shell(&bench, &format!("\"$COMMAND\" {call} >/dev/full"));
+        assert!(status == Some(1) && text.contains(full), "{call}: {status:?} {text}");
+    }
+}
+
+#[test]
 fn a_full_standard_output_stops_no_model() {
     let bench = library(12);
     let (status, text) = shell(&bench, &format!("\"$COMMAND\" {CALL} --format json >/dev/full"));

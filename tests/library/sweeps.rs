@@ -235,7 +235,7 @@ fn two_sweeps_into_one_folder_do_not_mix() {
     other.lock().unwrap();
     for how in ["--resume", "--force"] {
         let refused = bench.run(&format!("{CALL} {how}"));
-        refused.usage().wrote_nothing().says(&["being written by another run", "-d DIR"]);
+        refused.busy().wrote_nothing().says(&["being written by another run", "-d DIR"]);
     }
     drop(other);
     resume(&bench).done();

@@ -1,6 +1,6 @@
 //! The command `osim-contact-scale`: words, terminal and exit status around the libraries.
 //!
-//! Exit status: 0 all done, 1 a model failed or needs an answer, 2 wrong usage, 130 stopped by Ctrl-C.
+//! [`osim_report::ExitStatus`] has what the exit status says.
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
@@ -23,7 +23,7 @@ use clap::FromArgMatches;
 use clap::error::ErrorKind;
 
 use args::{Cli, check_typed, command, usage_line};
-use exit::Exit;
+use exit::{Exit, exit_of, text_of};
 use meant::{axis_meant, figure_meant, meant};
 use session::Session;
 use terminal::Terminal;
@@ -31,6 +31,7 @@ use words::WORDS;
 
 /// Does what the words of the command line say.
 pub fn main() -> ExitCode {
+    interrupt::outlive_size_limit();
     let mut session = Session { terminal: Terminal::default(), words: WORDS };
     let parsed = command()
         .try_get_matches()
@@ -42,8 +43,8 @@ pub fn main() -> ExitCode {
                 Err(fault) => Err(session.usage(&fault)),
             };
             done.unwrap_or_else(|error| {
-                session.terminal.error_line(&format!("{error:#}"));
-                Exit::Usage
+                session.terminal.error_line(&text_of(&error));
+                exit_of(&error)
             })
         }
         Err(error) => usage(&error, &mut session.terminal),
@@ -70,9 +71,19 @@ fn usage(error: &clap::Error, terminal: &mut Terminal) -> Exit {
         ErrorKind::DisplayHelp
         | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand
         | ErrorKind::DisplayVersion => {
-            // Nobody is left to tell if this fails.
-            let _ = error.print();
-            if error.use_stderr() { Exit::Usage } else { Exit::Done }
+            // A reader that has seen enough is no failure.
+            let printed = error.print().or_else(|why| match why.kind() {
+                std::io::ErrorKind::BrokenPipe => Ok(()),
+                _ => Err(anyhow::Error::from(why)),
+            });
+            match printed {
+                Ok(()) if !error.use_stderr() => Exit::Done,
+                Ok(()) => Exit::Usage,
+                Err(why) => {
+                    terminal.error_line(&text_of(&why));
+                    exit_of(&why)
+                }
+            }
         }
         kind => {
             let words: Vec<String> =

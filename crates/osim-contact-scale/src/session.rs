@@ -6,7 +6,7 @@ use osim_model::files::Failure;
 use osim_report::json::{FailureRecord, line};
 use osim_requests::{RequestError, RequestFault};
 
-use crate::exit::Exit;
+use crate::exit::{Ended, Exit, exit_of_cause};
 use crate::failure;
 use crate::terminal::Terminal;
 use crate::words::Words;
@@ -47,6 +47,6 @@ impl Session {
 
     /// The same of files.
     pub(crate) fn refused(&self, fault: &LibraryFault) -> anyhow::Error {
-        anyhow::anyhow!(fault.spelled(self.words))
+        Ended { text: fault.spelled(self.words), exit: exit_of_cause(fault.cause()) }.into()
     }
 }

@@ -10,17 +10,34 @@ use osim_model::files::{Failure, FileName};
 #[derive(Debug, Clone, PartialEq)]
 pub struct LibraryFault {
     message: Phrase,
+    cause: Cause,
+}
+
+/// Whose fault it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Cause {
+    /// The call's: it asks for what is not done.
+    Call,
+    /// The system's: a full disk, a folder that may not be written.
+    System,
+    /// Nobody's: another run has a file, and will be done with it.
+    Busy,
 }
 
 impl LibraryFault {
     /// In words; what the reader can say is in them as data.
     pub fn new(message: impl Into<Phrase>) -> Self {
-        Self { message: message.into() }
+        Self { message: message.into(), cause: Cause::Call }
     }
 
     /// What could not be done, and why not.
     pub(crate) fn because(what: impl Display, why: impl Display) -> Self {
-        Self::new(format!("{what}: {why}"))
+        Self { cause: Cause::System, ..Self::new(format!("{what}: {why}")) }
+    }
+
+    /// Another run has a file.
+    pub(crate) fn busy(message: Phrase) -> Self {
+        Self { message, cause: Cause::Busy }
     }
 
     /// This output is there, and no run wrote it like that. No file is replaced unless the user asks for it.
@@ -48,7 +65,13 @@ impl LibraryFault {
     pub fn within(self, what: impl Display) -> Self {
         let mut message = Phrase::from(format!("{what}: "));
         message.push(&self.message);
-        Self { message }
+        Self { message, cause: self.cause }
+    }
+
+    /// Whose fault it is.
+    #[must_use]
+    pub fn cause(&self) -> Cause {
+        self.cause
     }
 
     /// What is wrong, with inputs as data.

@@ -21,7 +21,7 @@ mod write;
 
 pub use digest::{sha256, sha256_of_parts};
 pub use door::{head, reason};
-pub use fault::LibraryFault;
+pub use fault::{Cause, LibraryFault};
 pub use folders::{Folders, make_folder_of};
 pub use paths::{folder_of, resolved};
 pub use source::{Disk, FOLDER_MARK, Loaded, OrdinaryFiles, Origin, Source, Sources, SplitName, Stamp};

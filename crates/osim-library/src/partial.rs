@@ -5,7 +5,7 @@
 
 use std::ffi::OsString;
 use std::fs::File;
-use std::io::{Read, Seek, SeekFrom, Write};
+use std::io::{ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use osim_messages::{Input, Phrase, phrase};
@@ -70,7 +70,11 @@ impl Partial {
     pub(crate) fn open(whole: &Path, resume: bool, way_out: &Phrase) -> Result<Self, LibraryFault> {
         let path = Self::path_of(whole);
         let cannot = || format!("cannot write {}", path.display());
-        let opened = door::alone(&path).map_err(|error| door::reason(&error)).context(cannot)?;
+        let opened = door::alone(&path).map_err(|error| match error.kind() {
+            // The call names what is no file.
+            ErrorKind::Other => LibraryFault::new(format!("{}: {error}", cannot())),
+            _ => LibraryFault::because(cannot(), door::reason(&error)),
+        })?;
         let Some(mut file) = opened else {
             return Err(being_written(whole, way_out));
         };
@@ -113,7 +117,7 @@ impl Partial {
 fn being_written(whole: &Path, way_out: &Phrase) -> LibraryFault {
     let mut message = phrase![format!("{} is being written by another run: ", whole.display())];
     message.push(way_out);
-    LibraryFault::new(message)
+    LibraryFault::busy(message)
 }
 
 /// The length of what was written to its end.

@@ -29,6 +29,7 @@
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 pub mod check;
+mod exit_status;
 pub mod explain;
 pub mod inspection;
 pub mod json;
@@ -37,3 +38,5 @@ pub mod messages;
 pub mod plan;
 pub mod reproduce;
 pub mod results;
+
+pub use exit_status::ExitStatus;

@@ -10,6 +10,7 @@ use clap::{ArgMatches, Command, CommandFactory, Parser, Subcommand};
 use help::in_words_of_the_command;
 use later::Later;
 use osim_messages::Verb;
+use osim_report::ExitStatus;
 use osim_requests::command_line::{check, with_relations};
 use osim_requests::{
     AddRequest, BatchRequest, CheckRequest, ConvertRequest, DesignRequest, DropTestRequest, ExplainRequest,
@@ -19,6 +20,13 @@ use osim_requests::{
 pub(crate) use own::{CompletionsArgs, ManArgs, RequestArgs, SetArgs};
 pub(crate) use usage::usage_line;
 use usual::with_usual_first;
+
+/// Where the equations are from.
+macro_rules! equations {
+    () => {
+        "Equations: Van Bijlert (2026), doi:10.1016/j.jbiomech.2026.113420"
+    };
+}
 
 /// Makes the contact parameters of OpenSim models right at every body size.
 ///
@@ -30,7 +38,7 @@ use usual::with_usual_first;
     args_conflicts_with_subcommands = true,
     arg_required_else_help = true,
     disable_help_subcommand = true,
-    after_help = "More options with --help. Equations: Van Bijlert (2026), doi:10.1016/j.jbiomech.2026.113420"
+    after_help = concat!("More options with --help. ", equations!())
 )]
 pub(crate) struct Cli {
     #[command(subcommand)]
@@ -106,7 +114,15 @@ pub(crate) enum VerbArgs {
 
 /// The parser, with what options need and exclude, and help in the words of the command line.
 pub(crate) fn command() -> Command {
-    in_words_of_the_command(with_usual_first(with_relations(Cli::command(), Verb::Rescale), Verb::Rescale))
+    let command = with_usual_first(with_relations(Cli::command(), Verb::Rescale), Verb::Rescale);
+    in_words_of_the_command(command.after_long_help(exit_statuses()))
+}
+
+/// What each exit status says, at the end of the long help.
+fn exit_statuses() -> String {
+    let line = |status: &ExitStatus| format!("  {:>3}  {}\n", status.code(), status.meaning());
+    let lines: String = ExitStatus::ALL.iter().map(line).collect();
+    format!("Exit status:\n{lines}\n{}", equations!())
 }
 
 /// Checks that the options which were typed go together.

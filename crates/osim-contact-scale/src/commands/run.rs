@@ -45,7 +45,6 @@ pub(super) fn run(request: RunRequest, options: &RunOptions, session: &mut Sessi
     for kept in run.kept() {
         session.terminal.note_line(kept)?;
     }
-    interrupt::outlive_size_limit();
     let counts = work_off(&run, options, format, &mut page, session)?;
     if let Err(fault) = run.finish() {
         session.terminal.error_line(&fault.spelled(session.words));
@@ -101,7 +100,7 @@ fn work_off(
     shower.progress.end();
     match counts {
         Ok(counts) => Ok((counts, untold)),
-        Err(fault) => Err(anyhow::anyhow!(fault.spelled(shower.words))),
+        Err(fault) => Err(session.refused(&fault)),
     }
 }
 

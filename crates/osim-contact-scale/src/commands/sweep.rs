@@ -83,7 +83,6 @@ fn begun(sweep: &SweepRun<'_>, manifest: Option<&Path>) -> SweepRecord {
 
 fn make(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Session) -> Result<SweepEnd> {
     interrupt::listen();
-    interrupt::outlive_size_limit();
     let watch = Watch(Progress::begin(sweep.count(), request.quiet));
     let json = request.format == Format::Json;
     // What cannot be shown is no reason to leave the other variants undone.

@@ -1,5 +1,7 @@
 //! Writing without ever leaving a file half written or losing one.
 
+#[cfg(target_os = "linux")]
+mod access_list;
 mod exchange;
 mod in_place;
 mod prepared;

@@ -112,7 +112,11 @@ impl Prepared {
         {
             return Err(foreign(&shown));
         }
-        keep_permissions(&temporary, like).context(cannot)?;
+        #[cfg(target_os = "linux")]
+        if existing.is_some() {
+            super::access_list::keep_access_list(&temporary, &target);
+        }
+        keep_permissions(&temporary, like, existing.is_some()).context(cannot)?;
         Ok(Self { temporary, shown, target, replaces: existing.is_some() })
     }
 
@@ -236,21 +240,27 @@ fn keep_owner(_file: &NamedTempFile, _like: &Metadata) -> std::io::Result<bool> 
     Ok(true)
 }
 
-/// The mode bits of the file that is replaced or copied, exactly: a process's mask takes nothing from them.
+/// The mode bits of the file that is replaced or copied, exactly: a process's mask takes nothing from them. A file that is replaced
+/// keeps set-user-ID and set-group-ID, too, where that user or group is still its own.
 #[cfg(unix)]
-fn keep_permissions(file: &NamedTempFile, like: Option<&Metadata>) -> std::io::Result<()> {
-    use std::os::unix::fs::PermissionsExt;
+fn keep_permissions(file: &NamedTempFile, like: Option<&Metadata>, replaces: bool) -> std::io::Result<()> {
+    use std::os::unix::fs::{MetadataExt, PermissionsExt};
+    const SET_USER_ID: u32 = 0o4000;
+    const SET_GROUP_ID: u32 = 0o2000;
     match like {
         Some(like) => {
-            let mode = std::fs::Permissions::from_mode(like.permissions().mode() & 0o777);
-            file.as_file().set_permissions(mode)
+            let own = file.as_file().metadata()?;
+            let mut kept = if replaces { 0o1777 } else { 0o777 };
+            kept |= if replaces && own.uid() == like.uid() { SET_USER_ID } else { 0 };
+            kept |= if replaces && own.gid() == like.gid() { SET_GROUP_ID } else { 0 };
+            file.as_file().set_permissions(std::fs::Permissions::from_mode(like.permissions().mode() & kept))
         }
         None => Ok(()),
     }
 }
 
 #[cfg(not(unix))]
-fn keep_permissions(_file: &NamedTempFile, _like: Option<&Metadata>) -> std::io::Result<()> {
+fn keep_permissions(_file: &NamedTempFile, _like: Option<&Metadata>, _replaces: bool) -> std::io::Result<()> {
     Ok(())
 }
 

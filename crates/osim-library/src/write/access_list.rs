@@ -1,0 +1,78 @@
+//! Access lists (POSIX ACLs) of files that are replaced: a folder may give every new file a list, and the successor of a file that has
+//! none should not get one.
+
+use std::path::Path;
+
+use rustix::fs::{XattrFlags, fremovexattr, fsetxattr, getxattr};
+use rustix::io::Errno;
+use tempfile::NamedTempFile;
+
+/// The attribute by which Linux gives and takes the list of a file.
+const NAME: &str = "system.posix_acl_access";
+/// More than any list has: 64 KiB is the most that Linux takes as one attribute.
+const MOST: usize = 1 << 16;
+
+/// Gives `file` the access list of `existing`, or takes away that of its folder where `existing` has none. Where the file system has no
+/// such lists there is nothing to do.
+pub(super) fn keep_access_list(file: &NamedTempFile, existing: &Path) {
+    let mut list = vec![0_u8; MOST];
+    // A file that could not be read would not be replaced.
+    let kept = match getxattr(existing, NAME, &mut list) {
+        Ok(length) => fsetxattr(file, NAME, list.get(..length).unwrap_or_default(), XattrFlags::empty()),
+        Err(Errno::NODATA) => fremovexattr(file, NAME),
+        Err(_) => Ok(()),
+    };
+    // Where that is not possible, the mode bits are still those of the file.
+    let _ = kept;
+}
+
+#[cfg(test)]
+mod tests {
+    use rustix::fs::setxattr;
+
+    use super::*;
+    use crate::write::{Mode, Prepared};
+
+    /// A list as Linux has it: version 2, then tag, rights and id of each entry. Owner, user 12345, group, mask, others.
+    fn list(rights_of_user: u16) -> Vec<u8> {
+        let nobody = u32::MAX;
+        let entries = [
+            (0x01, 6, nobody),
+            (0x02, rights_of_user, 12345),
+            (0x04, 4, nobody),
+            (0x10, 6, nobody),
+            (0x20, 4, nobody),
+        ];
+        let entry = |(tag, rights, id): (u16, u16, u32)| {
+            [tag.to_le_bytes().as_slice(), &rights.to_le_bytes(), &id.to_le_bytes()].concat()
+        };
+        [2_u32.to_le_bytes().to_vec(), entries.into_iter().flat_map(entry).collect()].concat()
+    }
+
+    fn read(path: &Path) -> Option<Vec<u8>> {
+        let mut seen = vec![0; MOST];
+        let length = getxattr(path, NAME, &mut seen).ok()?;
+        seen.truncate(length);
+        Some(seen)
+    }
+
+    #[test]
+    fn the_list_of_a_folder_is_not_given_to_a_file_that_has_none() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("model.osim");
+        let replace = || Prepared::new(&path, b"new", None, Mode::InPlace).unwrap().commit().unwrap();
+        std::fs::write(&path, "old").unwrap();
+        if setxattr(folder.path(), "system.posix_acl_default", &list(6), XattrFlags::empty()).is_err() {
+            println!(
+                "skipped: the_list_of_a_folder_is_not_given_to_a_file_that_has_none: no access lists here"
+            );
+            return;
+        }
+        replace();
+        assert_eq!(read(&path), None);
+        // One of its own stays.
+        setxattr(&path, NAME, &list(4), XattrFlags::empty()).unwrap();
+        replace();
+        assert_eq!(read(&path), Some(list(4)));
+    }
+}
