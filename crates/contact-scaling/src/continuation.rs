@@ -17,6 +17,9 @@ pub struct Step {
     pub dissipation_factor: f64,
 }
 
+/// More steps than anybody climbs, and few enough for the memory of any computer.
+pub const MOST_STEPS: u32 = 100_000;
+
 /// Ratio of the composite moduli that belong to two dimensionless stiffnesses at one load,
 /// E*_a / E*_b = (k̂_a / k̂_b)^(3/2), without unit.
 ///
@@ -47,7 +50,7 @@ pub fn modulus_ratio(stiffness_a: f64, stiffness_b: f64) -> Result<f64, DomainEr
 /// are is our choice.
 ///
 /// # Errors
-/// [`DomainError`] unless 0 < `first` < `last`, `dissipation_ratio` ≥ 1, all finite, and `count` ≥ 2.
+/// [`DomainError`] unless 0 < `first` < `last`, `dissipation_ratio` ≥ 1, all finite, and 2 ≤ `count` ≤ [`MOST_STEPS`].
 ///
 /// ```
 /// use contact_scaling::continuation::steps;
@@ -68,7 +71,7 @@ pub fn steps(first: f64, last: f64, dissipation_ratio: f64, count: u32) -> Resul
     )?;
     let ratio = positive("ratio of the dissipations", dissipation_ratio)?;
     within(ratio >= 1.0, "ratio of the dissipations", ratio, "1 or more")?;
-    within(count >= 2, "number of steps", f64::from(count), "2 or more")?;
+    within((2..=MOST_STEPS).contains(&count), "number of steps", f64::from(count), "2 to 100000")?;
     (0..count).map(|index| step(first / last, last, ratio, index, count)).collect()
 }
 

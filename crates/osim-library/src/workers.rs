@@ -6,6 +6,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::mpsc;
 use std::thread::available_parallelism;
 
+use osim_requests::Jobs;
 use rayon::ThreadPoolBuilder;
 
 use crate::fault::{Context, LibraryFault};
@@ -13,11 +14,15 @@ use crate::fault::{Context, LibraryFault};
 /// How many results may wait for an earlier one. A slow model holds up the reports after it, never the memory.
 const WINDOW: usize = 512;
 
-/// Threads to use: those asked for, else one per processor; never more than there are items.
+/// More threads than this, and than four per processor, only wait for each other.
+const MANY: usize = 64;
+
+/// Threads to use: those asked for, else one per processor; never more than there are items, or than are of any use.
 #[must_use]
-pub fn threads(asked: Option<NonZeroUsize>, items: usize) -> usize {
-    let all = || available_parallelism().map_or(1, NonZeroUsize::get);
-    asked.map_or_else(all, NonZeroUsize::get).min(items.max(1))
+pub fn threads(asked: Option<Jobs>, items: usize) -> usize {
+    let all = available_parallelism().map_or(1, NonZeroUsize::get);
+    let most = MANY.max(all.saturating_mul(4)).min(items.max(1));
+    asked.map_or(all, |jobs| jobs.get().into()).min(most)
 }
 
 /// Does `work` for every item on `threads` threads and hands the results to `each` in the order of the items.
@@ -79,7 +84,9 @@ mod tests {
     #[test]
     fn results_come_in_the_order_of_the_items_whoever_is_ready_first() {
         let items: Vec<usize> = (0..2000).collect();
-        for threads in [1, 2, 7] {
+        let most = threads("4096".parse().ok(), items.len());
+        assert!(most >= MANY);
+        for threads in [1, 2, 7, most] {
             let mut reported = Vec::new();
             let slow = |&item: &usize| {
                 if item.is_multiple_of(500) {

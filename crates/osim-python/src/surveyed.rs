@@ -1,7 +1,6 @@
 //! `inspect` and `check`: many models, on all processors.
 
 use std::collections::BTreeMap;
-use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::sync::Mutex;
 
@@ -13,8 +12,8 @@ use osim_messages::Verb;
 use osim_model::files::Failure;
 use osim_planning::Inspector;
 use osim_report::json::FailureRecord;
-use osim_requests::Request;
 use osim_requests::options::ReportOptions;
+use osim_requests::{Jobs, Request};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyDict;
@@ -70,7 +69,8 @@ pub(crate) fn survey<'py>(
             return Err(failure.clone().into());
         }
         let work = Work { verb, models: &models, inspector: &inspector, report: &report, files: &files };
-        work.done(jobs.and_then(NonZeroUsize::new), call, &Watch::new(callback))
+        // Python checked it with its own name.
+        work.done(jobs.and_then(|jobs| jobs.to_string().parse().ok()), call, &Watch::new(callback))
     })?;
     let rows = rows.into_iter().map(|seen| row(py, seen)).collect::<PyResult<_>>()?;
     Ok((rows, remarks))
@@ -88,7 +88,7 @@ impl Work<'_> {
     /// All models, in the order in which they were named.
     fn done(
         &self,
-        jobs: Option<NonZeroUsize>,
+        jobs: Option<Jobs>,
         call: String,
         watch: &Watch,
     ) -> Result<(Vec<Seen>, Vec<String>), Problem> {

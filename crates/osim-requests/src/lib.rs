@@ -48,9 +48,9 @@ pub use request::{
 };
 pub use values::{
     Acceleration, Assignments, Axis, AxisName, BodyMap, BodyScale, ConstantIndentation, ContactOnset, Count,
-    Dpi, DropHeight, FigureWidth, FontSize, Grid, GridValue, Height, Kilograms, Metres, NewRadius,
+    Dpi, DropHeight, FigureWidth, FontSize, Grid, GridValue, Height, Jobs, Kilograms, Metres, NewRadius,
     NotNegative, PoissonRatio, Positive, Radius, RelativeIndentation, RestitutionCoefficient, Samples, Shard,
-    Span, SpheresOfFoot, Threshold, assignment,
+    Span, SpheresOfFoot, Steps, Threshold, assignment,
 };
 
 /// The example of the README compiles.

@@ -118,7 +118,14 @@ fn announce(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Session)
         megabytes(size.saturating_mul(count)),
         sweep.folder().display()
     );
-    Ok(session.terminal.note(&text)?)
+    session.terminal.note(&text)?;
+    if request.ladder.is_some() {
+        session.terminal.note(
+            "note: steps are equal in k R n/F by the Hertz law (B.3); relative_indentation_model_law in the manifest is where the \
+             contacts rest by the law of their class\n",
+        )?;
+    }
+    Ok(())
 }
 
 fn text(sweep: &SweepRun<'_>, request: &SweepRequest, end: &SweepEnd) -> String {

@@ -37,10 +37,6 @@ impl Ladder {
         );
         let falls = now > then && then > 0.0;
         let ratio = if falls { now / then } else { 1.0 };
-        if count < 2 {
-            let message = phrase![Input::Ladder, format!(" {count}: expected 2 steps or more")];
-            return Err(RequestFault::refused(Input::Ladder, message));
-        }
         let soft = request.soft.get();
         let steps = continuation::steps(soft, last, ratio, count).map_err(|error| {
             let message = phrase![Input::Soft, format!(" {}: {error}", shortest(soft))];

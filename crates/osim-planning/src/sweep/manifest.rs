@@ -1,5 +1,6 @@
 //! The table that says what is in which file.
 
+use osim_inspect::Figure;
 use osim_messages::shortest;
 use osim_model::Property;
 
@@ -19,14 +20,16 @@ const PROPERTIES: [Property; 6] = [
 pub(super) const GRID: &str = "grid_";
 /// What a ladder asks at each step.
 pub(super) const LADDER: [&str; 1] = ["wanted_dimensionless_stiffness"];
+/// x̂ at rest by the Hertz law, in whose k̂ a ladder steps, and by the law of the class of the force.
+const HERTZ: &str = "relative_indentation_hertz";
+const MODEL_LAW: &str = "relative_indentation_model_law";
 /// The number of the point or step, from 1, and its file.
 const FIRST: [&str; 2] = ["index", "file"];
 
 /// Names of the columns: the number and the file, what was asked, what is in the file, what follows from it.
 pub(super) fn header(asked: Vec<String>) -> Vec<String> {
     let properties = PROPERTIES.map(|property| property.name().to_owned());
-    let follows =
-        ["relative_indentation", "dimensionless_stiffness", "restitution", "sha256"].map(str::to_owned);
+    let follows = [HERTZ, MODEL_LAW, "dimensionless_stiffness", "restitution", "sha256"].map(str::to_owned);
     let first = FIRST.map(str::to_owned).into_iter();
     first.chain(asked).chain(properties).chain(follows).collect()
 }
@@ -52,7 +55,8 @@ pub(super) fn row(
     let cell = |value: Option<f64>| value.map(shortest).unwrap_or_default();
     let properties = PROPERTIES.map(|property| cell(variant.common(property)));
     let follows = [
-        cell(variant.indentation()),
+        variant.indentations(Figure::Indentation),
+        variant.indentations(Figure::IndentationModelLaw),
         cell(variant.dimensionless_stiffness()),
         cell(variant.restitution()),
         sha256,

@@ -67,7 +67,7 @@ impl<'s> SweepPlan<'s> {
         let count = request.count()?;
         // What is wrong with the model itself is reported once, not for every variant.
         Variant::unchanged(request, &model)?;
-        let ladder = request.ladder.map(|steps| Ladder::of(request, &model, steps)).transpose()?;
+        let ladder = request.ladder.map(|steps| Ladder::of(request, &model, steps.get())).transpose()?;
         part::check(request, count)?;
         Ok(Self { request, model, ladder, count })
     }

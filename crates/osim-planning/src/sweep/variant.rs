@@ -1,6 +1,7 @@
 //! One variant of the model: its bytes, and what is in them.
 
 use osim_inspect::{Figure, Figures, LoadSharing, Stance};
+use osim_messages::shortest;
 use osim_model::files::{Failure, ModelFiles};
 use osim_model::{Fault, FileId, Mass, MassSource, Model, Property, Selected};
 use osim_requests::SweepRequest;
@@ -78,9 +79,26 @@ impl Variant {
         alike(self.all(property))
     }
 
-    /// x̂ under one body weight by the Hertz law (11).
-    pub(super) fn indentation(&self) -> Option<f64> {
-        self.figure(Figure::Indentation)
+    /// x̂ under one body weight: a number where all spheres have the same, else that of each kind, called by its first sphere, such as
+    /// `heel_r=0.16 toe_r=0.12`. `figure` says by which law.
+    pub(super) fn indentations(&self, figure: Figure) -> String {
+        let spheres = self.figures.iter().flat_map(Figures::spheres);
+        let known: Option<Vec<(&str, f64)>> =
+            spheres.map(|sphere| Some((sphere.sphere.as_str(), sphere.value(figure)?))).collect();
+        let mut kinds: Vec<(&str, f64)> = Vec::new();
+        for (name, value) in known.unwrap_or_default() {
+            if !kinds.iter().any(|(_, known)| is_alike(*known, value)) {
+                kinds.push((name, value));
+            }
+        }
+        match kinds.as_slice() {
+            [(_, value)] => shortest(*value),
+            _ => kinds
+                .iter()
+                .map(|(name, value)| format!("{name}={}", shortest(*value)))
+                .collect::<Vec<_>>()
+                .join(" "),
+        }
     }
 
     /// k̂ under one body weight (B.3).
@@ -103,7 +121,11 @@ impl Variant {
 /// The common value; figures of like spheres may differ in their last digits.
 fn alike(mut values: impl Iterator<Item = f64>) -> Option<f64> {
     let first = values.next()?;
-    values.all(|value| (value - first).abs() <= 1e-12 * first.abs()).then_some(first)
+    values.all(|value| is_alike(first, value)).then_some(first)
+}
+
+fn is_alike(first: f64, value: f64) -> bool {
+    (value - first).abs() <= 1e-12 * first.abs()
 }
 
 /// Parameters of the selected forces, and radii of their spheres.

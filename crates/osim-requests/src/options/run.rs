@@ -1,6 +1,5 @@
 //! How a run goes about its work, and how results are shown.
 
-use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 #[cfg(feature = "schemas")]
@@ -9,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::choice::choices;
 use crate::relation::Relation;
-use crate::values::{Shard, path, serial};
+use crate::values::{Jobs, Shard, path};
 
 choices! {
     /// How a change is shown.
@@ -79,8 +78,7 @@ pub struct RunOptions {
     pub report: Option<PathBuf>,
     /// Models to work on at once [default: one per processor]
     #[cfg_attr(feature = "clap", arg(long, value_name = "N", hide_short_help = true))]
-    #[serde(deserialize_with = "serial::optional_count")]
-    pub jobs: Option<NonZeroUsize>,
+    pub jobs: Option<Jobs>,
     /// Keep a line per model in this file (.csv or .ndjson)
     #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", hide_short_help = true))]
     #[serde(with = "path::optional")]

@@ -1,6 +1,5 @@
 //! Many models: as a table says, and variants of one.
 
-use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 #[cfg(feature = "schemas")]
@@ -12,7 +11,7 @@ use crate::options::{
     WantedOptions,
 };
 use crate::relation::Relation;
-use crate::values::{Axis, Positive, Shard, axis, path, serial};
+use crate::values::{Axis, Jobs, Positive, Shard, Steps, axis, path, serial};
 
 /// One row per model; columns are named like the long options of rescale, transfer, design and set.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -66,8 +65,7 @@ pub struct SweepRequest {
     pub grid: Vec<Axis>,
     /// N steps from a soft contact to `indentation` and `restitution`, to search for a gait in turn
     #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
-    #[serde(deserialize_with = "serial::optional_from_text")]
-    pub ladder: Option<u32>,
+    pub ladder: Option<Steps>,
     /// With `ladder`: dimensionless stiffness of the first step
     #[cfg_attr(feature = "clap", arg(long, value_name = "K", default_value_t = Positive::SOFT_STIFFNESS))]
     pub soft: Positive,
@@ -106,8 +104,7 @@ pub struct SweepRequest {
         feature = "clap",
         arg(long, value_name = "N", help_heading = "Output", hide_short_help = true)
     )]
-    #[serde(deserialize_with = "serial::optional_count")]
-    pub jobs: Option<NonZeroUsize>,
+    pub jobs: Option<Jobs>,
     /// What is wanted at every point.
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]

@@ -9,6 +9,8 @@ use crate::values::{Axis, AxisName};
 
 /// More models than this are made only if the caller confirms it.
 const MANY: usize = 10_000;
+/// More than this no sweep makes.
+const MOST: usize = 1_000_000;
 
 impl SweepRequest {
     /// Checks what can be known without the model.
@@ -18,6 +20,12 @@ impl SweepRequest {
     pub fn check(&self) -> Result<(), RequestFault> {
         self.check_axes()?;
         let count = self.count()?;
+        if count > MOST && self.point.is_none() && !self.dry_run {
+            let message = format!(
+                "{count} models are more than 1,000,000, the most that one sweep makes: give fewer values"
+            );
+            return Err(RequestFault::general(message));
+        }
         // One point is one model. A share asks, too: all shares together, and the call that ends them, make as many.
         if self.is_large() && self.point.is_none() && !self.answers.has(Question::ManyModels) && !self.dry_run
         {
@@ -50,7 +58,7 @@ impl SweepRequest {
     /// # Errors
     /// More than can be counted.
     pub fn count(&self) -> Result<usize, RequestFault> {
-        let made = self.ladder.map_or_else(|| points(&self.grid), |steps| usize::try_from(steps).ok());
+        let made = self.ladder.map_or_else(|| points(&self.grid), |steps| usize::try_from(steps.get()).ok());
         made.ok_or_else(|| RequestFault::general("more models than can be counted: give fewer values"))
     }
 }

@@ -39,4 +39,4 @@ pub use quantity::{
 pub use radius::Radius;
 pub use shard::Shard;
 pub use span::Span;
-pub use whole::{Dpi, Samples, SpheresOfFoot};
+pub use whole::{Dpi, Jobs, Samples, SpheresOfFoot, Steps};

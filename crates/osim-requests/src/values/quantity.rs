@@ -152,11 +152,11 @@ quantities! {
         if (4.0..=40.0).contains(&size) { Ok(size) } else { Err(format!("expected {expected}")) }
     }, {"type": "number", "minimum": 4, "maximum": 40};
 
-    /// A number of things, 1 or more.
+    /// A number of things, 1 to a million.
     Count = |text| match trimmed(text).parse::<u32>() {
-        Ok(count) if count >= 1 => Ok(f64::from(count)),
-        _ => Err("expected a whole number, 1 or more".to_owned()),
-    }, {"type": "integer", "minimum": 1};
+        Ok(count) if (1..=1_000_000).contains(&count) => Ok(f64::from(count)),
+        _ => Err("expected a whole number from 1 to 1000000".to_owned()),
+    }, {"type": "integer", "minimum": 1, "maximum": 1_000_000};
 }
 
 impl Kilograms {
@@ -235,7 +235,10 @@ mod tests {
         assert_eq!("0".parse::<NotNegative>().unwrap().get(), 0.0);
         assert_eq!("-0.1".parse::<Metres>().unwrap_err(), "expected metres, 0 or more");
         assert!("5 mm".parse::<Metres>().unwrap_err().ends_with("type 0.005"));
-        assert!("1.5".parse::<Count>().is_err());
+        assert_eq!("1000000".parse::<Count>().map(Count::get), Ok(1e6));
+        for refused in ["0", "1.5", "1000001", "1e9", "99999999999"] {
+            assert_eq!(refused.parse::<Count>().unwrap_err(), "expected a whole number from 1 to 1000000");
+        }
         assert!("0.5".parse::<Threshold>().is_err());
         assert!("1.01".parse::<RelativeIndentation>().is_err());
     }

@@ -2,7 +2,6 @@
 
 use std::fmt::Display;
 use std::marker::PhantomData;
-use std::num::NonZeroUsize;
 use std::str::FromStr;
 
 use osim_messages::shortest;
@@ -73,15 +72,6 @@ where
         None => Ok(None),
         Some(value) => from_text(value).map(Some).map_err(D::Error::custom),
     }
-}
-
-/// Reads a number of things, which may be absent.
-///
-/// # Errors
-/// It is not a whole number, or less than 1.
-pub fn optional_count<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Option<NonZeroUsize>, D::Error> {
-    let expected = |_| D::Error::custom("expected a whole number, 1 or more");
-    optional_from_text(deserializer).map_err(expected)
 }
 
 /// Reads a list of such values, or one alone in its place.

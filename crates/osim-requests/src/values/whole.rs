@@ -78,6 +78,42 @@ whole_numbers! {
     Samples(u32) = 2 to 1_000_000, 1001;
     /// Spheres under one foot.
     SpheresOfFoot(u8) = 1 to 60, 4;
+    /// Steps of a ladder.
+    Steps(u32) = 2 to 100_000, 5;
+    /// Models to work on at once.
+    Jobs(u16) = 1 to 4096, 1;
     /// Pixels to the inch.
     Dpi(u16) = 50 to 2400, 600;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Each type with its bounds: the largest is taken, and one more is refused with both.
+    #[test]
+    fn every_count_has_a_largest() {
+        macro_rules! bounds {
+            ($($name:ident $least:literal $most:literal;)+) => {$(
+                let expected = format!("expected a whole number from {} to {}", $least, $most);
+                for taken in [$least, $most] {
+                    assert_eq!(taken.to_string().parse::<$name>().map(|count| count.to_string()), Ok(taken.to_string()));
+                }
+                for refused in [$least - 1, $most + 1] {
+                    assert_eq!(refused.to_string().parse::<$name>(), Err(expected.clone()));
+                }
+                for refused in ["1e9", "1000000000", "99999999999999999999", "-1", "2.5", ""] {
+                    assert_eq!(refused.parse::<$name>(), Err(expected.clone()), "{refused}");
+                }
+            )+};
+        }
+        bounds! {
+            Samples 2 1_000_000;
+            SpheresOfFoot 1 60;
+            Steps 2 100_000;
+            Jobs 1 4096;
+            Dpi 50 2400;
+        }
+        assert_eq!("100000".parse::<Steps>().map(Steps::get), Ok(contact_scaling::continuation::MOST_STEPS));
+    }
 }
