@@ -157,8 +157,8 @@ fn the_largest_counts_are_taken_and_more_is_refused() {
     bench.run(&format!("{} --point 1000000", grid(1000))).done().says(&["point 1000000 of 1000000"]);
     bench.run(&format!("{} --point 1000001", grid(1000))).usage();
     bench.run(&grid(1001)).usage().says(&["1001000 models", "1,000,000, the most that one sweep makes"]);
-    bench.run("sweep emu.osim --grid stiffness=x1 --jobs 4096 -d out").done();
-    bench.run("sweep emu.osim --grid stiffness=x1 --jobs 4097").usage().says(&["from 1 to 4096"]);
+    bench.run("sweep emu.osim --grid stiffness=x1 --jobs 4096 -d one").done();
+    bench.run("sweep emu.osim --grid stiffness=x1 --jobs 4097 -d one").usage().says(&["from 1 to 4096"]);
     bench.run("inspect emu.osim --spheres 1000000").done();
     bench.run("inspect emu.osim --spheres 1000001").usage().says(&["from 1 to 1000000"]);
     bench.run("drop-test emu.osim --samples 1000000 --duration 0.01 --format json").done();
