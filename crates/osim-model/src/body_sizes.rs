@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::contacts::{Force, Sphere};
+use crate::contacts::{Sphere, moving_spheres};
 use crate::model::Model;
 use crate::note::{BodySize, Note};
 
@@ -64,7 +64,7 @@ impl Model {
             Some((now.body.clone(), factors))
         });
         let factors: BTreeMap<String, [f64; 3]> = ratios.collect();
-        let left_behind = self.forces().iter().flat_map(Force::spheres).any(|id| {
+        let left_behind = moving_spheres(self, &self.force_ids()).into_iter().any(|id| {
             let Some(sphere) = self.sphere(id) else { return false };
             let factors = sphere.body.as_ref().and_then(|body| factors.get(body));
             factors.is_some_and(|factors| self.belongs_elsewhere(sphere, *factors))
@@ -86,11 +86,11 @@ impl Model {
         there.into_iter().zip(sphere.location_m).any(|(there, here)| (there - here).abs() > SAME_PLACE_M)
     }
 
-    /// Mesh scale factors of the bodies that carry the spheres of contact forces, by name; bodies without meshes, or with a
+    /// Mesh scale factors of the bodies that carry moving spheres of contact forces, by name; bodies without meshes, or with a
     /// name that a note cannot hold, are left out. Of several meshes the first counts, in the order of their names.
     #[must_use]
     pub fn body_sizes(&self) -> Vec<BodySize> {
-        let spheres = self.forces().iter().flat_map(Force::spheres);
+        let spheres = moving_spheres(self, &self.force_ids()).into_iter();
         let carrying: BTreeSet<&str> = spheres
             .filter_map(|sphere| self.sphere(sphere)?.body.as_deref())
             .filter(|name| BodySize::can_name(name))

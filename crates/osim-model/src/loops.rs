@@ -9,6 +9,8 @@ use crate::components::{Base, ComponentId};
 pub(crate) struct JointLink {
     pub joint: ComponentId,
     pub ends: [Base; 2],
+    /// Whether it is a WeldJoint.
+    pub weld: bool,
     /// Whether it is a WeldJoint or a FreeJoint: with one of these in a loop, OpenSim counts a body twice.
     pub counts_twice: bool,
 }

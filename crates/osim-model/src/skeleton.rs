@@ -21,6 +21,8 @@ pub struct Body {
     pub mass: Value,
     /// The file it is in.
     pub file: FileId,
+    /// Whether only WeldJoints are between it and ground: spheres on it are scenery.
+    pub fixed: bool,
 }
 
 impl Body {
@@ -46,7 +48,7 @@ impl Body {
 #[derive(Debug, Default)]
 pub(crate) struct Skeleton {
     pub bodies: Vec<Body>,
-    parents: HashMap<ComponentId, Link>,
+    parents: HashMap<ComponentId, Base>,
     pub loops: Loops,
     /// Joints that OpenSim does not read: all but the first of a body in documents that have joints in bodies.
     pub ignored_joints: Vec<ComponentId>,
@@ -56,18 +58,12 @@ pub(crate) struct Skeleton {
     welded: HashSet<ComponentId>,
 }
 
-#[derive(Debug, Clone, Copy)]
-struct Link {
-    parent: Base,
-    weld: bool,
-}
-
 impl Skeleton {
     /// Reads all bodies and joints. A joint whose frames lead nowhere is left out: only limbs need it, and a body
     /// without a joint to a parent stands on ground.
     pub(crate) fn read(components: &Components) -> Self {
         let mut skeleton = Self::default();
-        let mut links = Vec::new();
+        let (mut ids, mut links) = (Vec::new(), Vec::new());
         let mut last_joined = None;
         for (id, component) in components.tree.iter() {
             let tag = components.tag(id);
@@ -77,7 +73,8 @@ impl Skeleton {
                     let document = components.document(component.file);
                     let mass = document.value(component.element, Class::Body, Property::Mass, "mass");
                     let path = components.tree.path(id);
-                    skeleton.bodies.push(Body { name, path, mass, file: component.file });
+                    skeleton.bodies.push(Body { name, path, mass, file: component.file, fixed: false });
+                    ids.push(id);
                 }
             } else if tag.ends_with("Joint") {
                 let inside = component.parent.filter(|&owner| components.tag(owner) == "Body");
@@ -90,10 +87,14 @@ impl Skeleton {
         }
         skeleton.loops = Loops::of(&links);
         skeleton.index();
+        skeleton.welded = welded_to_ground(&links);
+        for (body, id) in skeleton.bodies.iter_mut().zip(ids) {
+            body.fixed = skeleton.welded.contains(&id);
+        }
         skeleton
     }
 
-    /// Finds the top of each body and what is welded to ground, each link looked at once. Joints that form a loop have no top:
+    /// Finds the top of each body, each link looked at once. Joints that form a loop have no top:
     /// the loop is cut above the body that comes first in the files.
     fn index(&mut self) {
         let mut joined: Vec<ComponentId> = self.parents.keys().copied().collect();
@@ -113,18 +114,7 @@ impl Skeleton {
                 }
                 way.push(parent);
             };
-            for id in way.into_iter().rev() {
-                if let Some(link) = self.parents.get(&id).filter(|link| link.weld)
-                    && match link.parent {
-                        Base::Ground => true,
-                        Base::Body(parent) => self.welded.contains(&parent),
-                        Base::Unknown => false,
-                    }
-                {
-                    self.welded.insert(id);
-                }
-                self.tops.insert(id, top);
-            }
+            self.tops.extend(way.into_iter().map(|id| (id, top)));
         }
     }
 
@@ -152,20 +142,20 @@ impl Skeleton {
         let ends = [known(parent)?, known(child)?];
         match (parent, child) {
             (Some(parent), Some(Base::Body(child))) => {
-                self.parents.entry(child).or_insert(Link { parent, weld });
+                self.parents.entry(child).or_insert(parent);
             }
             // A joint written the other way round, from the body to ground.
             (Some(Base::Body(body)), Some(Base::Ground)) => {
-                self.parents.entry(body).or_insert(Link { parent: Base::Ground, weld });
+                self.parents.entry(body).or_insert(Base::Ground);
             }
             _ => {}
         }
-        Some(JointLink { joint, ends, counts_twice: weld || components.tag(joint) == "FreeJoint" })
+        Some(JointLink { joint, ends, weld, counts_twice: weld || components.tag(joint) == "FreeJoint" })
     }
 
     pub(crate) fn parent(&self, body: ComponentId) -> Option<ComponentId> {
-        match self.parents.get(&body)?.parent {
-            Base::Body(parent) => Some(parent),
+        match self.parents.get(&body)? {
+            Base::Body(parent) => Some(*parent),
             Base::Ground | Base::Unknown => None,
         }
     }
@@ -175,7 +165,7 @@ impl Skeleton {
         self.tops.get(&body).copied().unwrap_or(body)
     }
 
-    /// Whether it is ground or a body welded to ground: what is there is terrain.
+    /// Whether it is ground or a body welded to ground: what is there is scenery.
     pub(crate) fn is_fixed(&self, base: Base) -> bool {
         match base {
             Base::Ground => true,
@@ -183,4 +173,24 @@ impl Skeleton {
             Base::Body(body) => self.welded.contains(&body),
         }
     }
+}
+
+/// The bodies between which and ground are only WeldJoints, whichever end each is written from.
+fn welded_to_ground(links: &[JointLink]) -> HashSet<ComponentId> {
+    let mut at: HashMap<Base, Vec<Base>> = HashMap::new();
+    for [one, other] in links.iter().filter(|link| link.weld).map(|link| link.ends) {
+        at.entry(one).or_default().push(other);
+        at.entry(other).or_default().push(one);
+    }
+    let (mut welded, mut next) = (HashSet::new(), vec![Base::Ground]);
+    while let Some(from) = next.pop() {
+        for &to in at.get(&from).into_iter().flatten() {
+            if let Base::Body(body) = to
+                && welded.insert(body)
+            {
+                next.push(to);
+            }
+        }
+    }
+    welded
 }

@@ -28,7 +28,7 @@ pub struct Sphere {
     pub frame: String,
     /// Name of the body that carries the frame; `None` is ground or a body in a file that was not given.
     pub body: Option<String>,
-    /// Whether it is on ground or on a body welded to ground: terrain, never resized.
+    /// Whether it is on ground or on a body welded to ground: scenery, which counts nowhere and is never changed.
     pub fixed: bool,
     /// Line of its element, from 1.
     pub line: usize,

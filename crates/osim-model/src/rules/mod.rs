@@ -99,6 +99,7 @@ pub(crate) fn find(model: &Model) -> Vec<Finding> {
         large_friction::find,
         contact_defaults::find,
         moco_dialect::find,
+        terrain::find,
         unknown_class::find,
         components,
         loop_of_joints::find,

@@ -1,7 +1,7 @@
 //! What is special about forces without being wrong. A check says it of every force, a change of those that it changes.
 
-use super::{disabled_force, mixed_radii, several_parameter_sets, terrain};
-use crate::contacts::{Force, ForceId};
+use super::{disabled_force, mixed_radii, several_parameter_sets};
+use crate::contacts::ForceId;
 use crate::finding::Finding;
 use crate::model::Model;
 
@@ -13,7 +13,6 @@ impl Model {
         let mut found: Vec<Finding> =
             forces().filter_map(|force| mixed_radii::of_force(self, force)).collect();
         found.extend(forces().filter_map(several_parameter_sets::of_force));
-        found.extend(terrain::of_spheres(self, &forces().flat_map(Force::spheres).collect()));
         found.extend(forces().filter_map(disabled_force::of_force));
         found
     }

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::contacts::SphereId;
+use crate::contacts::{SphereId, moving_spheres};
 use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 use crate::model::Model;
 
@@ -26,7 +26,7 @@ pub(super) fn find(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
     let mut users: HashMap<SphereId, Vec<&str>> = HashMap::new();
     for force in model.forces().iter().filter(|force| force.applies && model.meets_half_space(force)) {
-        for sphere in force.spheres() {
+        for sphere in moving_spheres(model, &[force.id]) {
             users.entry(sphere).or_default().push(&force.path);
         }
     }

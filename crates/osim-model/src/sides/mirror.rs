@@ -92,7 +92,7 @@ pub(crate) struct BodyPairs<'m> {
 impl<'m> BodyPairs<'m> {
     pub(crate) fn of(model: &'m Model) -> Self {
         let mut named: BTreeMap<String, [Option<&str>; 2]> = BTreeMap::new();
-        for body in model.bodies() {
+        for body in model.bodies().iter().filter(|body| !body.fixed) {
             let Some(side) = Side::of_name(&body.name) else { continue };
             let [right, left] = named.entry(without_side(&body.name)).or_default();
             let own = if side == Side::Right { right } else { left };

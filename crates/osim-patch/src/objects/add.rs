@@ -42,7 +42,7 @@ const FLOOR: &str = "floor";
 ///
 /// # Errors
 /// - A set that stands alone, or one in another file.
-/// - A body that the model does not have ([`FaultKind::UnknownBody`]).
+/// - A body that the model does not have ([`FaultKind::UnknownBody`]), or that is welded to ground.
 /// - A `constant_contact_force` of 0, a name that OpenSim refuses, a radius that is not above 0, or several half-spaces that could be the floor.
 pub fn add_contacts(model: &Model, layout: &mut Layout) -> Result<Rebuilt, Fault> {
     refuse_parts(model)?;
@@ -69,6 +69,7 @@ pub fn add_contacts(model: &Model, layout: &mut Layout) -> Result<Rebuilt, Fault
         let Some(body) = bodies.get(contact.body.as_str()) else {
             return Err(Fault::new(FaultKind::UnknownBody { body: contact.body.clone() }));
         };
+        refuse_scenery(body)?;
         refuse_misread(model, &body.path)?;
         contact.sphere = names.take(&contact.sphere)?;
         contact.force = names.take(&contact.force)?;
@@ -96,6 +97,19 @@ pub fn add_contacts(model: &Model, layout: &mut Layout) -> Result<Rebuilt, Fault
         rebuilt.added = layout.contacts.iter().map(|contact| Note::operation_text(&contact.force)).collect();
     }
     Ok(rebuilt)
+}
+
+/// Refuses contacts on what does not move: they would carry nobody.
+fn refuse_scenery(body: &Body) -> Result<(), Fault> {
+    if !body.fixed {
+        return Ok(());
+    }
+    let text = format!(
+        "only WeldJoints are between body {} and ground, so that its spheres would be scenery and carry nobody: put them on a \
+         body that moves, or give this one another joint in OpenSim",
+        body.name
+    );
+    Err(Fault::refused(text).of(body.path.clone()))
 }
 
 fn check(contact: &NewContact) -> Result<(), Fault> {

@@ -3,7 +3,9 @@
 use std::collections::HashSet;
 
 use contact_scaling::{RatioValues, Ratios, SmoothingValues, falisse2022};
-use osim_model::{ElementId, Fault, FaultKind, Finding, Force, ForceKind, Model, Property, Selected, Tree};
+use osim_model::{
+    ElementId, Fault, FaultKind, Finding, Force, ForceKind, Model, Property, Selected, Tree, moving_spheres,
+};
 
 use super::names::{Names, refuse_misread};
 use super::pairs::{Pair, pairs};
@@ -59,7 +61,7 @@ pub struct Converted {
     pub warnings: Vec<Finding>,
     /// Old and new names of forces that were divided.
     pub renamed: Vec<(String, Vec<String>)>,
-    /// Paths of forces that hold no sphere, and stay as they are.
+    /// Paths of forces that hold no sphere that moves, and stay as they are.
     pub without_sphere: Vec<String>,
 }
 
@@ -85,12 +87,12 @@ pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<C
     let (mut edits, mut objects) = (Vec::new(), Vec::new());
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
         refuse_included(model, force)?;
-        if force.spheres().is_empty() && has_half_space(force) {
+        if moving_spheres(model, &[force.id]).is_empty() && has_half_space(force) {
             made.without_sphere.push(force.path.clone());
             continue;
         }
         let pairs = pairs_of(model, force)?;
-        if force.kind == wanted.to && pairs.len() == 1 && force.spheres().len() == 1 {
+        if force.kind == wanted.to && pairs.len() == 1 && moving_spheres(model, &[force.id]).len() == 1 {
             continue;
         }
         if let Some(pair) = pairs.iter().find(|pair| pair.is_composite) {
@@ -147,9 +149,8 @@ fn pairs_of(model: &Model, force: &Force) -> Result<Vec<Pair>, Fault> {
     }
     let pairs = pairs(model, force)?;
     let own: HashSet<_> = pairs.iter().map(|pair| pair.sphere).collect();
-    let alone =
-        force.spheres().into_iter().find(|sphere| !own.contains(sphere)).and_then(|id| model.sphere(id));
-    if let Some(sphere) = alone {
+    let mut moving = moving_spheres(model, &[force.id]).into_iter();
+    if let Some(sphere) = moving.find(|sphere| !own.contains(sphere)).and_then(|id| model.sphere(id)) {
         let text = format!(
             "{} is on the same body as the half-space of {}, so that they never meet",
             sphere.path, force.path

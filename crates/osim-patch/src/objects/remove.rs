@@ -3,8 +3,8 @@
 use std::collections::{BTreeSet, HashSet};
 
 use osim_model::{
-    Document, ElementId, Fault, FaultKind, FileId, Force, ForceId, HalfSpace, Model, Note, Selected,
-    SphereId, Tree,
+    Document, ElementId, Fault, FaultKind, FileId, Force, ForceId, ForceKind, HalfSpace, Model, Note,
+    Selected, SphereId, Tree, moving_spheres,
 };
 
 use super::add::MADE_FLOOR;
@@ -16,7 +16,7 @@ use super::whole::refuse_parts;
 use crate::edit::{Edit, edited};
 use crate::insert::with_white_space_before;
 
-/// `model` without the forces `selected` and the spheres that only they use; the floor goes where [`add_contacts`] made it and
+/// `model` without the forces `selected` and the moving spheres that only they use; the floor goes where [`add_contacts`] made it and
 /// nothing uses it, and so do the sets that it made. After [`add_contacts`], also with other numbers since, the first file is
 /// there again, byte for byte.
 ///
@@ -36,7 +36,7 @@ pub fn remove(model: &Model, selected: &Selected) -> Result<Rebuilt, Fault> {
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
         refuse_other_file(model, force.file, &force.path)?;
         elements.push(force.element());
-        let moving = force.spheres().into_iter().filter_map(|id| model.sphere(id));
+        let moving = moving_spheres(model, &[force.id]).into_iter().filter_map(|id| model.sphere(id));
         let body = moving.clone().find_map(|sphere| sphere.body.clone());
         objects.push(removed(force.kind.as_str(), &force.name, &force.path, body));
         spheres.extend(moving.filter(|sphere| !sphere.is_inside_force()).map(|sphere| sphere.id));

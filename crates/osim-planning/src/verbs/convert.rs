@@ -120,7 +120,7 @@ impl Planner for Converting {
             plan.warnings.extend(too_far);
         }
         plan.remarks.extend(dropped);
-        let stays = |path: &String| format!("{path} holds no sphere and stays as it is").into();
+        let stays = |path: &String| format!("{path} holds no sphere that moves, and stays as it is").into();
         plan.remarks.extend(without_sphere.iter().map(stays));
         Ok(plan)
     }

@@ -26,5 +26,6 @@ mod odd_side;
 mod placement;
 mod remedies;
 mod rules;
+mod scenery;
 mod sizes;
 mod taken_back;

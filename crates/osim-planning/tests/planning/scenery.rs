@@ -1,0 +1,250 @@
+//! Scenery: spheres on ground, and on bodies that only WeldJoints hold on ground, count nowhere and stay as they are.
+//!
+//! Models get scenery at random; everything that is known of them and every change must be as without it. `SCENERY_RUNS` says how many
+//! models (60), `SCENERY_SEED` where to begin (1). A failure says its seed.
+
+use std::path::Path;
+
+use osim_model::files::{Beside, Files, InMemory};
+use osim_model::{FileId, FindingCode, Model};
+use osim_planning::{check_with_trials, open_with, prepare};
+use osim_requests::Request;
+use serde_json::{Value, json};
+
+const MODELS: [&str; 4] = [
+    "check/within_limits.osim",
+    "format/v40000.osim",
+    "format/unequal_radii.osim",
+    "format/both_classes.osim",
+];
+
+/// Numbers that a seed makes: SplitMix64.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, end: u64) -> u64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut mixed = self.0;
+        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        (mixed ^ (mixed >> 31)) % end
+    }
+
+    fn of<'t>(&mut self, choices: &[&'t str]) -> &'t str {
+        let at = self.below(choices.len() as u64);
+        choices[usize::try_from(at).unwrap()]
+    }
+}
+
+/// What is put into the sets of a model.
+#[derive(Default)]
+struct Scenery {
+    bodies: String,
+    joints: String,
+    forces: String,
+    geometry: String,
+}
+
+impl Scenery {
+    fn of(random: &mut Random) -> Self {
+        let mut made = Self::default();
+        let mut carriers = vec!["/ground".to_owned()];
+        for index in 0..random.below(4) {
+            let name = format!("rock_{index}{}", random.of(&["", "_r", "_l"]));
+            let under = random.below(carriers.len() as u64);
+            let under = carriers[usize::try_from(under).unwrap()].clone();
+            // Massless, so that the weight of the model stays.
+            made.bodies.push_str(&format!("<Body name=\"{name}\"><mass>0</mass></Body>\n"));
+            let body = format!("/bodyset/{name}");
+            // A joint may be written from either end.
+            let (parent, child) = if random.below(2) == 0 { (&under, &body) } else { (&body, &under) };
+            made.joints.push_str(&format!(
+                "<WeldJoint name=\"weld_{index}\"><socket_parent_frame>{parent}</socket_parent_frame>\
+                 <socket_child_frame>{child}</socket_child_frame></WeldJoint>\n"
+            ));
+            carriers.push(body);
+        }
+        for index in 0..=random.below(3) {
+            let carrier = random.below(carriers.len() as u64);
+            made.add_sphere(random, index, &carriers[usize::try_from(carrier).unwrap()]);
+        }
+        made
+    }
+
+    fn add_sphere(&mut self, random: &mut Random, index: u64, carrier: &str) {
+        let name = format!("boulder_{index}{}", random.of(&["", "_r", "_l"]));
+        let radius = random.of(&["0.3", "0.0325", "nan", "0"]);
+        self.geometry.push_str(&format!(
+            "<ContactSphere name=\"{name}\"><socket_frame>{carrier}</socket_frame><location>0.5 -9 0</location>\
+             <radius>{radius}</radius></ContactSphere>\n"
+        ));
+        let forces = random.below(3);
+        for number in 0..=forces {
+            self.forces.push_str(&force(random, &format!("force_{index}_{number}"), &name));
+        }
+    }
+
+    /// `model` with it at the ends of its sets.
+    fn within(&self, model: &str) -> String {
+        let mut text = model.to_owned();
+        for (set, members) in [
+            ("BodySet", &self.bodies),
+            ("JointSet", &self.joints),
+            ("ForceSet", &self.forces),
+            ("ContactGeometrySet", &self.geometry),
+        ] {
+            let end = text.find(&format!("</{set}>")).unwrap();
+            let at = text[..end].rfind("</objects>").unwrap();
+            text.insert_str(at, members);
+        }
+        text
+    }
+}
+
+/// A force of either class that presses the sphere on the floor.
+fn force(random: &mut Random, name: &str, sphere: &str) -> String {
+    if random.below(2) == 0 {
+        return format!(
+            "<SmoothSphereHalfSpaceForce name=\"{name}\"><socket_sphere>/contactgeometryset/{sphere}</socket_sphere>\
+             <socket_half_space>/contactgeometryset/floor</socket_half_space><stiffness>1e6</stiffness>\
+             </SmoothSphereHalfSpaceForce>\n"
+        );
+    }
+    format!(
+        "<HuntCrossleyForce name=\"{name}\"><HuntCrossleyForce::ContactParametersSet name=\"contact_parameters\"><objects>\
+         <HuntCrossleyForce::ContactParameters><geometry>floor {sphere}</geometry><stiffness>1e6</stiffness>\
+         </HuntCrossleyForce::ContactParameters></objects></HuntCrossleyForce::ContactParametersSet></HuntCrossleyForce>\n"
+    )
+}
+
+/// What is known of a model: what does not list its objects.
+fn known(text: &str) -> Vec<Value> {
+    let model = Model::parse(text).unwrap();
+    let options = osim_inspect::InspectOptions::default();
+    let inspected = options.inspect("model.osim", &model, None);
+    let found = check_with_trials(&options, &model, &inspected, &[]);
+    // Of the numbers of scenery, those that OpenSim cannot use are said, too.
+    let of_numbers = [FindingCode::Terrain, FindingCode::NotFinite, FindingCode::OutOfDomain];
+    let codes: Vec<&str> = found
+        .findings
+        .iter()
+        .map(|found| found.code())
+        .filter(|code| !of_numbers.contains(code))
+        .map(FindingCode::as_str)
+        .collect();
+    let all = serde_json::to_value(&inspected).unwrap();
+    let of = |field: &str| all[field].clone();
+    let fields = [
+        "limbs",
+        "spheres_per_limb",
+        "limbs_unknown",
+        "figures",
+        "standing",
+        "known_contacts",
+        "contacts_mass_kg",
+    ];
+    fields.into_iter().map(of).chain([json!(codes)]).collect()
+}
+
+/// Every change that `call` makes of a model, without lines, and the bytes that come of it; why there is none.
+fn changed(call: &Value, text: &str, presets: &InMemory) -> Result<(Value, String), String> {
+    let mut files = presets.clone();
+    files.add("model.osim", text.as_bytes().to_vec());
+    let mut call = call.clone();
+    call["models"] = json!(["model.osim"]);
+    let request = Request::from_json(call.to_string().as_bytes()).unwrap();
+    let change = prepare(request, &files).unwrap();
+    let opened = open_with(Path::new("model.osim"), Beside::default(), &files).unwrap();
+    let plan = change.planner.plan(&opened.model).map_err(|fault| fault.to_string())?;
+    let changes: Vec<_> = plan
+        .changes
+        .iter()
+        .map(|change| json!([change.path, change.property.name(), change.from, change.to]))
+        .collect();
+    let objects: Vec<_> = plan.objects().iter().map(|object| (object.deed.as_str(), &object.path)).collect();
+    let bytes = plan.patched(&opened.model, FileId::MAIN).unwrap();
+    Ok((json!([changes, objects]), String::from_utf8(bytes).unwrap()))
+}
+
+fn calls() -> Vec<Value> {
+    vec![
+        json!({"verb": "rescale", "target_mass": 100, "contacts_mass": 61}),
+        json!({"verb": "set", "set": {"radius": "x1.5", "stiffness": "x2"}}),
+        json!({"verb": "design", "indentation": 0.2, "spheres": 2}),
+        json!({"verb": "transfer", "from": "falisse2022", "spheres": 4}),
+        json!({"verb": "convert", "to": "smooth"}),
+        json!({"verb": "convert", "to": "hunt-crossley"}),
+        json!({"verb": "remove"}),
+    ]
+}
+
+fn text_of(path: &str, files: &InMemory) -> String {
+    String::from_utf8(files.read(Path::new(path)).unwrap()).unwrap()
+}
+
+fn number(variable: &str, otherwise: u64) -> u64 {
+    std::env::var(variable).map_or(otherwise, |text| text.parse().unwrap())
+}
+
+#[test]
+fn scenery_counts_nowhere_and_stays_as_it_is() {
+    let files = crate::rules::fixtures();
+    let (first, runs) = (number("SCENERY_SEED", 1), number("SCENERY_RUNS", 60));
+    let mut compared = 0;
+    for seed in first..first + runs {
+        let mut random = Random(seed);
+        let bare = text_of(random.of(&MODELS), &files);
+        let scenery = Scenery::of(&mut random);
+        let whole = scenery.within(&bare);
+        let said = Model::parse(whole.as_str()).unwrap();
+        let terrain = said.warnings.iter().filter(|finding| finding.code() == FindingCode::Terrain).count();
+        assert_eq!(terrain, 1, "seed {seed}: scenery is said once");
+        for (plain, with) in known(&bare).into_iter().zip(known(&whole)) {
+            assert_eq!(plain, with, "seed {seed}\n{whole}");
+        }
+        for call in calls() {
+            match (changed(&call, &bare, &files), changed(&call, &whole, &files)) {
+                (Ok((plain, _)), Ok((with, bytes))) => {
+                    assert_eq!(plain, with, "seed {seed}, {call}");
+                    for object in [&scenery.bodies, &scenery.joints, &scenery.forces, &scenery.geometry] {
+                        let kept = object.lines().all(|line| bytes.contains(line));
+                        assert!(kept, "seed {seed}, {call}: scenery was changed\n{bytes}");
+                    }
+                    compared += 1;
+                }
+                (plain, with) => assert_eq!(plain.err(), with.err(), "seed {seed}, {call}"),
+            }
+        }
+    }
+    assert!(compared > 4 * runs, "{compared}");
+}
+
+#[test]
+fn contacts_are_not_put_on_what_does_not_move() {
+    let mut files = crate::rules::fixtures();
+    // A foot that is welded to ground.
+    let text = text_of("feet/human_40000.osim", &files);
+    let welded = ["FreeJoint", "PinJoint", "CustomJoint"]
+        .iter()
+        .fold(text, |text, joint| text.replace(joint, "WeldJoint"));
+    files.add("model.osim", welded.into_bytes());
+    files.add("table.csv", b"name,body,x,y,z,radius\nheel_r,calcn_r,0,0,0,0.03\n".to_vec());
+    for numbers in [
+        json!({"indentation": 0.3, "spheres": 6}),
+        json!({"young": 1e6, "poisson": 0.5, "restitution": 0.5}),
+        json!({"from": "falisse2022", "spheres": 6}),
+    ] {
+        let mut call =
+            json!({"verb": "add", "models": ["model.osim"], "contacts": "table.csv", "class": "smooth"});
+        call.as_object_mut().unwrap().extend(numbers.as_object().unwrap().clone());
+        if numbers["from"].is_string() {
+            call.as_object_mut().unwrap().remove("class");
+        }
+        let request = Request::from_json(call.to_string().as_bytes()).unwrap();
+        let change = prepare(request, &files).unwrap_or_else(|error| panic!("{call}: {error:?}"));
+        let opened = open_with(Path::new("model.osim"), Beside::default(), &files).unwrap();
+        let failure = change.planner.plan_beside(&opened, &files).unwrap_err();
+        let said = format!("{failure:?}");
+        assert!(said.contains("only WeldJoints are between body calcn_r and ground"), "{call}: {said}");
+    }
+}
