@@ -109,6 +109,7 @@ const PLAIN: &[Case] = triggers! {
     "disabled-force": "format/applies_force_false.osim",
     "unknown-class": "format/components_unknown_class.osim",
     "duplicate-names": "format/same_force_name_twice.osim",
+    "refused-name": "bad/name_with_blank.osim",
     "mass-unknown": "bad/mass_missing.osim",
     "out-of-domain": "bad/dissipation_negative.osim",
 };

@@ -42,7 +42,7 @@ pub fn refuse_name_in_paths(name: &str) -> Result<(), Fault> {
     }
     if [".", ".."].contains(&name) {
         return Err(Fault::refused(format!(
-            "the name '{name}' is a step in OpenSim's paths, so no force would find its contact: {CHOOSE}"
+            "the name '{name}' is a step in OpenSim's paths, so that nothing would find what has it: {CHOOSE}"
         )));
     }
     match name.chars().find(|&letter| REFUSED.contains(letter)) {

@@ -68,8 +68,8 @@ impl Skeleton {
         for (id, component) in components.tree.iter() {
             let tag = components.tag(id);
             if tag == "Body" {
-                let name = components.name(id);
-                if name != "ground" {
+                if !components.is_ground(id) {
+                    let name = components.name(id);
                     let document = components.document(component.file);
                     let mass = document.value(component.element, Class::Body, Property::Mass, "mass");
                     let path = components.tree.path(id);

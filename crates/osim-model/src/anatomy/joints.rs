@@ -247,7 +247,7 @@ pub(super) fn on_base(
     for _ in 0..=MAX_FRAME_CHAIN {
         let Some(frame) = at else { return Some((None, placement)) };
         match components.tag(frame) {
-            "Body" => return Some(((components.name(frame) != "ground").then_some(frame), placement)),
+            "Body" => return Some(((!components.is_ground(frame)).then_some(frame), placement)),
             "Ground" => return Some((None, placement)),
             _ => {}
         }

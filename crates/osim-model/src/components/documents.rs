@@ -56,6 +56,8 @@ pub(crate) struct Found {
     pub by_name: bool,
 }
 
+/// The first version in which ground is no body of the BodySet: one that is called so is a body like others.
+const FIRST_WITHOUT_GROUND: u32 = 30505;
 /// Offset frames on offset frames, at most; deeper is a cycle.
 pub(crate) const MAX_FRAME_CHAIN: usize = 64;
 
@@ -190,13 +192,24 @@ impl Components {
     /// The frame that a socket of `owner` means.
     pub(crate) fn frame(&self, owner: ComponentId, connectee: &Connectee) -> Option<Found> {
         let text = connectee.text.as_str();
-        if text == "ground" || text.ends_with("/ground") {
+        let exact = self.tree.at_path(owner, text).filter(|&id| self.is_frame(id));
+        if exact.is_none() && (text == "ground" || text.ends_with("/ground")) {
             // Ground is at the top of every model, whether the file spells it out or not.
             let exact = connectee.legacy || self.tree.absolute(owner, text).as_deref() == Some("/ground");
             return Some(Found { component: None, by_name: !exact });
         }
+        // Documents that name bodies mean those of the BodySet.
+        let body = || self.tree.at_path(owner, &format!("/bodyset/{text}")).filter(|&id| self.is_frame(id));
+        if let Some(component) = connectee.legacy.then(body).flatten() {
+            return Some(Found { component: Some(component), by_name: false });
+        }
         let (component, by_name) = self.resolve(owner, text, |id| self.is_frame(id))?;
         Some(Found { component: Some(component), by_name: by_name && !connectee.legacy })
+    }
+
+    /// Whether it is the body that older documents have for ground.
+    pub(crate) fn is_ground(&self, body: ComponentId) -> bool {
+        self.doc(body).version() < FIRST_WITHOUT_GROUND && self.name(body) == "ground"
     }
 
     /// The body (or ground) that carries a frame, through any number of offset frames.
@@ -209,7 +222,7 @@ impl Components {
             let Some(id) = at else { return Ok(Base::Ground) };
             match self.tag(id) {
                 "Ground" => return Ok(Base::Ground),
-                "Body" if self.name(id) == "ground" => return Ok(Base::Ground),
+                "Body" if self.is_ground(id) => return Ok(Base::Ground),
                 "Body" => return Ok(Base::Body(id)),
                 _ => {}
             }

@@ -6,4 +6,4 @@ mod tree;
 
 pub use documents::Companion;
 pub(crate) use documents::{Base, Components, MAX_FRAME_CHAIN};
-pub(crate) use tree::ComponentId;
+pub(crate) use tree::{Component, ComponentId};

@@ -3,7 +3,8 @@
 //! One pass over the elements in file order gives every element its role. Components are the items of `<objects>`,
 //! `<components>`, `<frames>` and of a Body's `<Joint>`, sets, and ground; everything else is a property. `<defaults>` of the data root is left out: its objects are not part of the model.
 
-use std::collections::{HashMap, HashSet};
+use std::borrow::Cow;
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 use super::classes;
 use crate::document::Document;
@@ -31,6 +32,10 @@ pub(crate) struct Component {
     pub parent: Option<ComponentId>,
     /// Last segment of the path: OpenSim's name of it, numbered where siblings share a name.
     pub segment: String,
+    /// The name that it would have alone, where it was numbered.
+    pub shared: Option<String>,
+    /// Whether it is in `<components>`, which OpenSim reads before all other properties.
+    is_member: bool,
 }
 
 /// All components of the files read together, with look-up by path and by name.
@@ -40,8 +45,8 @@ pub(crate) struct ComponentTree {
     roots: Vec<ComponentId>,
     by_parent: HashMap<(Option<ComponentId>, String), ComponentId>,
     by_segment: HashMap<String, Vec<ComponentId>>,
-    /// The numbers tried for a name among siblings: they are taken.
-    tried: HashMap<(Option<ComponentId>, String), usize>,
+    /// Objects of which two children share a name, so that these are to be numbered.
+    crowded: HashSet<ComponentId>,
     /// Members of `<components>` of a class that OpenSim does not know: file and element.
     pub(crate) skipped: Vec<(FileId, ElementId)>,
 }
@@ -85,10 +90,11 @@ impl ComponentTree {
                         Role::Nothing
                     }
                     Role::Items(owner) | Role::Components(owner) => {
-                        let name = tree.attribute(id, "name").unwrap_or_default();
                         // OpenSim calls a component without a name after its class.
+                        let name = name_in_paths(document, id);
                         let segment = if name.is_empty() { tag.to_lowercase() } else { name.into_owned() };
-                        Role::Object(self.push(Component { file, element: id, parent: Some(owner), segment }))
+                        let is_member = matches!(above, Role::Components(_));
+                        Role::Object(self.push(file, id, Some(owner), segment, is_member))
                     }
                     Role::Object(owner) => self.role_of_property(file, document, id, tag, owner, &mut seen),
                 }
@@ -97,6 +103,7 @@ impl ComponentTree {
                 *slot = role;
             }
         }
+        self.number_siblings();
     }
 
     /// The same components, those of the main file at the places of `kept`.
@@ -122,7 +129,7 @@ impl ComponentTree {
             tree.attribute(element, "name").unwrap_or_default().into_owned()
         };
         // A set that stands alone belongs to a model elsewhere; its paths are those it has there.
-        self.push(Component { file, element, parent: mount, segment })
+        self.push(file, element, mount, segment, false)
     }
 
     fn role_of_property(
@@ -157,43 +164,78 @@ impl ComponentTree {
         }
         // Sets (and ground) are called after their class, whatever name their element has.
         let segment = tag.to_lowercase();
-        Role::Object(self.push(Component { file, element: id, parent: Some(owner), segment }))
+        Role::Object(self.push(file, id, Some(owner), segment, false))
     }
 
-    fn push(&mut self, mut object: Component) -> ComponentId {
+    fn push(
+        &mut self,
+        file: FileId,
+        element: ElementId,
+        parent: Option<ComponentId>,
+        segment: String,
+        is_member: bool,
+    ) -> ComponentId {
         #[expect(
             clippy::cast_possible_truncation,
             reason = "no more objects than elements, and those are u32"
         )]
         let id = ComponentId(self.list.len() as u32);
-        self.by_segment.entry(object.segment.clone()).or_default().push(id);
-        if object.parent.is_none() {
-            self.roots.push(id);
-        } else {
-            self.number(&mut object);
+        self.by_segment.entry(segment.clone()).or_default().push(id);
+        match parent {
+            None => self.roots.push(id),
+            Some(owner) if self.by_parent.contains_key(&(parent, segment.clone())) => {
+                self.crowded.insert(owner);
+            }
+            Some(_) => {}
         }
-        self.by_parent.entry((object.parent, object.segment.clone())).or_insert(id);
-        self.list.push(object);
+        self.by_parent.entry((parent, segment.clone())).or_insert(id);
+        self.list.push(Component { file, element, parent, segment, shared: None, is_member });
         id
     }
 
-    /// OpenSim calls the second of two siblings `f` `f_0`, the third `f_1`.
-    fn number(&mut self, object: &mut Component) {
-        // Hundreds of equal names are a mistake, not a model: no need to number them all.
-        const MOST: usize = 64;
-        let mut key = (object.parent, object.segment.clone());
-        if !self.by_parent.contains_key(&key) {
+    /// OpenSim calls the second of two siblings `f` `f_0`, the third `f_1`, in the order in which it reads them.
+    fn number_siblings(&mut self) {
+        let crowded = std::mem::take(&mut self.crowded);
+        if crowded.is_empty() {
             return;
         }
-        let tried = self.tried.entry(key.clone()).or_default();
-        loop {
-            key.1 = format!("{}_{tried}", object.segment);
-            if *tried >= MOST || !self.by_parent.contains_key(&key) {
-                break;
-            }
-            *tried += 1;
+        let mut siblings: BTreeMap<ComponentId, Vec<ComponentId>> = BTreeMap::new();
+        for (id, object) in self.iter() {
+            let owner = object.parent.filter(|owner| crowded.contains(owner));
+            owner.into_iter().for_each(|owner| siblings.entry(owner).or_default().push(id));
         }
-        object.segment = key.1;
+        for (owner, mut children) in siblings {
+            children.sort_by_key(|&id| self.get(id).is_some_and(|object| !object.is_member));
+            self.number(owner, &children);
+        }
+    }
+
+    /// Numbers the `children` of `owner`, which OpenSim reads in this order.
+    fn number(&mut self, owner: ComponentId, children: &[ComponentId]) {
+        // Hundreds of equal names are a mistake, not a model: no need to number them all.
+        const MOST: usize = 64;
+        let mut tried: HashMap<String, usize> = HashMap::new();
+        for id in children {
+            let Some(object) = self.list.get_mut(id.0 as usize) else { continue };
+            self.by_parent.remove(&(Some(owner), object.segment.clone()));
+            object.segment = object.shared.take().unwrap_or_else(|| std::mem::take(&mut object.segment));
+        }
+        for &id in children {
+            let Some(object) = self.list.get_mut(id.0 as usize) else { continue };
+            let mut key = (Some(owner), object.segment.clone());
+            if self.by_parent.contains_key(&key) {
+                let tried = tried.entry(object.segment.clone()).or_default();
+                loop {
+                    key.1 = format!("{}_{tried}", object.segment);
+                    if *tried >= MOST || !self.by_parent.contains_key(&key) {
+                        break;
+                    }
+                    *tried += 1;
+                }
+                object.shared = Some(std::mem::replace(&mut object.segment, key.1.clone()));
+            }
+            self.by_parent.entry(key).or_insert(id);
+        }
     }
 
     pub(crate) fn get(&self, id: ComponentId) -> Option<&Component> {
@@ -289,12 +331,17 @@ impl ComponentTree {
         Some(format!("/{}", segments.join("/")))
     }
 
+    /// As OpenSim goes: a step and the `..` behind it are none, whether the step leads anywhere or not.
     fn walk(&self, from: ComponentId, path: &str) -> Option<ComponentId> {
-        let mut at = from;
+        let (mut at, mut down) = (from, Vec::new());
         for segment in path.split('/').filter(|segment| !segment.is_empty() && *segment != ".") {
-            at = if segment == ".." { self.get(at)?.parent? } else { self.child(at, segment)? };
+            match segment {
+                ".." if down.pop().is_none() => at = self.get(at)?.parent?,
+                ".." => {}
+                segment => down.push(segment),
+            }
         }
-        Some(at)
+        down.into_iter().try_fold(at, |at, segment| self.child(at, segment))
     }
 
     /// All objects with this last segment that pass `accept`.
@@ -305,4 +352,15 @@ impl ComponentTree {
     ) -> impl Iterator<Item = ComponentId> + 's {
         self.by_segment.get(name).into_iter().flatten().copied().filter(move |&id| accept(id))
     }
+}
+
+/// The name of an element as paths have it: of documents before version 3.5, OpenSim takes the blanks out of names.
+fn name_in_paths(document: &Document, id: ElementId) -> Cow<'_, str> {
+    const FIRST_WITH_BLANKS: u32 = 30500;
+    let name = document.tree().attribute(id, "name").unwrap_or_default();
+    let is_blank = |letter: char| letter.is_ascii_whitespace() || letter == '\u{b}';
+    if document.version() >= FIRST_WITH_BLANKS || !name.contains(is_blank) {
+        return name;
+    }
+    Cow::Owned(name.chars().filter(|&letter| !is_blank(letter)).collect())
 }

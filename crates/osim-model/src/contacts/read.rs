@@ -158,20 +158,24 @@ impl<'r> ContactReader<'r> {
         self.warnings.push(connectee_by_name::of_connectee(text, &whose, &path, line));
     }
 
+    /// The surface that `text` of `force` means; `socket` is the class that it has to be of, `None` in a `<geometry>` list.
     fn surface(
         &mut self,
         force: ComponentId,
         text: &str,
         element: ElementId,
-        list: bool,
+        socket: Option<&str>,
     ) -> Result<Surface, Fault> {
-        let is_geometry = |id: ComponentId| self.components.tag(id).starts_with("Contact");
-        let (id, by_name) = match list {
+        let accept = |id: ComponentId| {
+            let tag = self.components.tag(id);
+            socket.map_or_else(|| GEOMETRY.contains(&tag), |class| class == tag)
+        };
+        let (id, by_name) = match socket {
             // In a `<geometry>` list: a path from the model, then a member of its geometry set.
-            true => self.in_model(text, is_geometry).map(|id| (id, false)),
-            false => None,
+            None => self.in_model(text, accept).map(|id| (id, false)),
+            Some(_) => None,
         }
-        .or_else(|| self.components.resolve(force, text, is_geometry))
+        .or_else(|| self.components.resolve(force, text, accept))
         .ok_or_else(|| self.components.unresolved(force, text, "contact geometry of that name"))?;
         if by_name {
             self.say_by_name(force, text, element, Some(id));
@@ -225,11 +229,11 @@ impl<'r> ContactReader<'r> {
             set.half_space_bases.push(base);
             set.half_space_inside = Some(id);
         } else {
-            for socket in ["sphere", "half_space"] {
+            for (socket, class) in [("sphere", "ContactSphere"), ("half_space", "ContactHalfSpace")] {
                 let Some(connectee) = self.components.connectee(id, socket, &[]) else {
                     return Err(self.components.unresolved(id, "", "contact geometry of its socket"));
                 };
-                let surface = self.surface(id, &connectee.text, connectee.element, false)?;
+                let surface = self.surface(id, &connectee.text, connectee.element, Some(class))?;
                 set.add(surface);
             }
         }
@@ -269,7 +273,7 @@ impl<'r> ContactReader<'r> {
                     if let Some(geometry) = document.property_element(item, "geometry") {
                         let names = document.whole_text(geometry).map_err(|fault| self.said_of(id, fault))?;
                         for name in opensim_text::list(&names) {
-                            let surface = self.surface(id, name, geometry, true)?;
+                            let surface = self.surface(id, name, geometry, None)?;
                             set.add(surface);
                         }
                     }
@@ -362,6 +366,15 @@ impl ParameterSet {
     }
 }
 
+/// OpenSim's classes of contact geometry.
+const GEOMETRY: [&str; 6] = [
+    "ContactSphere",
+    "ContactHalfSpace",
+    "ContactMesh",
+    "ContactEllipsoid",
+    "ContactCylinder",
+    "ContactTorus",
+];
 const LAST_VERSION_WITH_IS_DISABLED: u32 = 30508;
 const CONTACT_PARAMETERS_SET: &str = "HuntCrossleyForce::ContactParametersSet";
 

@@ -68,6 +68,7 @@ codes! {
     DisabledForce = "disabled-force",
     UnknownClass = "unknown-class",
     DuplicateNames = "duplicate-names",
+    RefusedName = "refused-name",
     IncludedFile = "included-file",
     FrictionNotSimilar = "friction-not-similar",
     FactorsDisagree = "factors-disagree",

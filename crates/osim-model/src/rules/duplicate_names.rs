@@ -1,7 +1,7 @@
 //! Two components have the same name.
 
 use crate::class::Class;
-use crate::components::ComponentId;
+use crate::components::{Component, ComponentId};
 use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
 use crate::model::Model;
 
@@ -17,13 +17,17 @@ pub(crate) static RULE: Rule = Rule {
     example: Example::Models { good: "format/v40000.osim", bad: "format/same_sphere_name_twice.osim" },
 };
 
-pub(super) fn of_component(model: &Model, id: ComponentId, segment: &str) -> Option<Finding> {
+pub(super) fn of_component(model: &Model, id: ComponentId, object: &Component) -> Option<Finding> {
     let components = model.components();
-    let (tag, name) = (components.tag(id), components.name(id));
-    let ours = tag.starts_with("Contact") || tag == "HuntCrossleyForce" || tag.starts_with("SmoothSphere");
-    (ours && tag != Class::ContactParameters.tag() && segment != name && !name.is_empty()).then(|| {
+    let tag = components.tag(id);
+    let ours =
+        ["Contact", "HuntCrossleyForce", "SmoothSphere", "Body"].iter().any(|class| tag.starts_with(class));
+    let shared = object.shared.as_ref().filter(|_| ours && tag != Class::ContactParameters.tag())?;
+    // What has no name is called after its class.
+    let is_named = tag.ends_with("Set") || !components.name(id).is_empty();
+    is_named.then(|| {
         let path = components.tree.path(id);
-        let text = format!("'{name}' appears twice: OpenSim calls this one {path}");
+        let text = format!("'{shared}' appears twice: OpenSim calls this one {path}");
         Finding::at(&RULE, components.line(id), text).about(&path)
     })
 }

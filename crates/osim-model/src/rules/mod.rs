@@ -31,6 +31,7 @@ pub(crate) mod odd_place;
 pub(crate) mod odd_radius;
 pub(crate) mod one_side_only;
 pub(crate) mod out_of_domain;
+pub(crate) mod refused_name;
 mod remarks;
 pub(crate) mod several_parameter_sets;
 pub(crate) mod several_spheres_one_force;
@@ -75,6 +76,7 @@ pub const RULES: &[&Rule] = &[
     &odd_radius::RULE,
     &one_side_only::RULE,
     &out_of_domain::RULE,
+    &refused_name::RULE,
     &several_parameter_sets::RULE,
     &several_spheres_one_force::RULE,
     &sphere_in_two_forces::RULE,
@@ -130,8 +132,11 @@ fn both_sides(model: &Model) -> Vec<Finding> {
 fn components(model: &Model) -> Vec<Finding> {
     let all = model.components().tree.iter();
     all.flat_map(|(id, object)| {
-        let found =
-            [not_hertz::of_component(model, id), duplicate_names::of_component(model, id, &object.segment)];
+        let found = [
+            not_hertz::of_component(model, id),
+            duplicate_names::of_component(model, id, object),
+            refused_name::of_component(model, id, object),
+        ];
         found.into_iter().flatten()
     })
     .collect()

@@ -9,6 +9,7 @@
 )]
 
 mod loops;
+mod names;
 mod places;
 mod reading;
 mod sides;

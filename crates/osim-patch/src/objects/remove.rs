@@ -3,7 +3,7 @@
 use std::collections::{BTreeSet, HashSet};
 
 use osim_model::{
-    Document, ElementId, Fault, FaultKind, FileId, Force, ForceId, ForceKind, HalfSpace, Model, Note,
+    Document, ElementId, Fault, FaultKind, FileId, Force, ForceId, HalfSpace, Model, Note,
     Selected, SphereId, Tree, moving_spheres,
 };
 

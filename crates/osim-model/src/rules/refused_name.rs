@@ -1,0 +1,26 @@
+//! An object has a name with which OpenSim refuses the model.
+
+use crate::components::{Component, ComponentId};
+use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use crate::model::Model;
+use crate::object_name::refuse_name_in_paths;
+
+pub(crate) static RULE: Rule = Rule {
+    code: FindingCode::RefusedName,
+    severity: Severity::Error,
+    seen: Seen::Model,
+    verdict: None,
+    what: "An object has a name with which OpenSim refuses the model.",
+    why: "OpenSim finds objects by paths, in which a name must be one step: it has no blank and none of / * + and the backslash in it, and is no point or two.",
+    advice: "Give the object another name, and write it wherever the old one is",
+    repair: Repair::NotPossible("names are left alone: only numbers are changed"),
+    example: Example::Models { good: "format/v40000.osim", bad: "bad/name_with_blank.osim" },
+};
+
+pub(super) fn of_component(model: &Model, id: ComponentId, object: &Component) -> Option<Finding> {
+    object.parent?;
+    let why = refuse_name_in_paths(object.shared.as_ref().unwrap_or(&object.segment)).err()?;
+    let components = model.components();
+    let path = components.tree.path(id);
+    Some(Finding::at(&RULE, components.line(id), why.to_string()).about(&path))
+}

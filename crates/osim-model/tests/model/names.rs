@@ -1,0 +1,92 @@
+//! What paths mean where objects have odd names. The expected paths are those of the real OpenSim 4.6; tests/oracle/names.py makes many more.
+
+use osim_model::{FindingCode, Model};
+
+/// A foot called `foot` with a sphere of 0.0325 m and a floor, and the text of what is behind its sets.
+fn model(version: u32, foot: &str, sphere: &str, geometry: &str, behind: &str) -> String {
+    let (ground, frame) = match version {
+        30000 => ("<body_name>ground</body_name>".to_owned(), format!("<body_name>{foot}</body_name>")),
+        _ => {
+            let frame = format!("<socket_frame>/bodyset/{foot}</socket_frame>");
+            ("<socket_frame>/ground</socket_frame>".to_owned(), frame)
+        }
+    };
+    format!(
+        "<OpenSimDocument Version=\"{version}\"><Model name=\"m\"><BodySet><objects><Body name=\"{foot}\"><mass>1</mass></Body>\
+         </objects></BodySet><ForceSet><objects><HuntCrossleyForce name=\"press\"><HuntCrossleyForce::ContactParametersSet \
+         name=\"contact_parameters\"><objects><HuntCrossleyForce::ContactParameters><geometry>{geometry}</geometry><stiffness>1e6\
+         </stiffness></HuntCrossleyForce::ContactParameters></objects></HuntCrossleyForce::ContactParametersSet>\
+         </HuntCrossleyForce></objects></ForceSet><ContactGeometrySet><objects><ContactHalfSpace name=\"floor\">{ground}\
+         </ContactHalfSpace><ContactSphere name=\"{sphere}\">{frame}<radius>0.0325</radius></ContactSphere></objects>\
+         </ContactGeometrySet>{behind}</Model></OpenSimDocument>"
+    )
+}
+
+/// Path, body and radius of the sphere that the force presses, and what was found.
+#[track_caller]
+fn pressed(text: &str) -> (String, Option<String>, f64, Vec<FindingCode>) {
+    let model = Model::parse(text).unwrap();
+    let [sphere] = model.forces()[0].spheres()[..] else { panic!("not one sphere: {text}") };
+    let sphere = model.sphere(sphere).unwrap();
+    let codes = [FindingCode::ConnecteeByName, FindingCode::DuplicateNames, FindingCode::RefusedName];
+    let found = model.warnings.iter().map(osim_model::Finding::code).filter(|code| codes.contains(code));
+    (sphere.path.clone(), sphere.body.clone(), sphere.radius_m().unwrap(), found.collect())
+}
+
+#[test]
+fn a_name_is_a_name_also_where_a_set_has_it() {
+    for name in ["contactgeometryset", "forceset", "bodyset", "ground", "heel.r", "...", "m", "press"] {
+        for list in [
+            format!("floor {name}"),
+            format!("{name} floor"),
+            format!("floor /contactgeometryset/{name}"),
+            format!("floor ./contactgeometryset/../contactgeometryset/./{name}"),
+            format!("floor nothing/../contactgeometryset//{name}"),
+        ] {
+            let read = pressed(&model(40000, "foot", name, &list, ""));
+            assert_eq!(
+                read,
+                (format!("/contactgeometryset/{name}"), Some("foot".to_owned()), 0.0325, vec![]),
+                "{list}"
+            );
+        }
+    }
+    for (version, foot) in [(40000, "bodyset"), (40000, "forceset"), (40000, "ground"), (30000, "bodyset")] {
+        let read = pressed(&model(version, foot, "heel", "floor heel", ""));
+        assert_eq!(read.1.as_deref(), Some(foot), "{version}");
+        assert!(read.3.is_empty(), "{version} {foot}: {:?}", read.3);
+    }
+}
+
+#[test]
+fn what_is_in_components_comes_before_the_sets() {
+    let other = "<components><ContactSphere name=\"contactgeometryset\"><socket_frame>/bodyset/foot</socket_frame><radius>0.5</radius>\
+                 </ContactSphere></components>";
+    // In a list, OpenSim looks in the model first.
+    let (path, _, radius, found) = pressed(&model(40000, "foot", "heel", "floor contactgeometryset", other));
+    assert_eq!((path.as_str(), radius), ("/contactgeometryset", 0.5));
+    // Its set has another path now, so that OpenSim finds no floor either.
+    assert!(
+        found.contains(&FindingCode::DuplicateNames) && found.contains(&FindingCode::ConnecteeByName),
+        "{found:?}"
+    );
+    let text = model(40000, "foot", "heel", "floor heel", other);
+    let paths: Vec<String> =
+        Model::parse(text).unwrap().spheres().iter().map(|sphere| sphere.path.clone()).collect();
+    assert_eq!(paths, ["/contactgeometryset_0/heel", "/contactgeometryset"]);
+}
+
+#[test]
+fn old_documents_have_no_blanks_in_names() {
+    let (path, _, _, found) = pressed(&model(30000, "foot", " heel", "floor heel", ""));
+    assert_eq!((path.as_str(), found), ("/contactgeometryset/heel", vec![]));
+}
+
+#[test]
+fn a_name_that_opensim_refuses_is_said() {
+    for name in [" heel", "heel/r", "heel*", "heel+", "heel\\r", ".", ".."] {
+        let text = model(40000, "foot", "heel", "floor heel", "")
+            .replace("name=\"press\"", &format!("name=\"{name}\""));
+        assert_eq!(pressed(&text).3, [FindingCode::RefusedName], "{name}");
+    }
+}
