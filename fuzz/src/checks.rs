@@ -67,7 +67,7 @@ pub fn edits(bytes: &[u8]) {
             if !note {
                 plan.without_note();
             }
-            let edits = plan.edits(model, FileId::MAIN);
+            let edits = plan.edits(model, FileId::MAIN).expect("every number can be written");
             assert_eq!(edits.is_empty(), plan.is_empty());
             let patched = plan.patched(model, FileId::MAIN).expect("the edits of a plan do not overlap");
             outside_equal(bytes, &edits, &patched);
@@ -228,7 +228,7 @@ fn second_run(again: &Model, request: &Request, scope: Scope) {
     match rescale(again, &request.selected, &back) {
         Ok(plan) => {
             let patched = plan.patched(again, FileId::MAIN).expect("the edits of a plan do not overlap");
-            outside_equal(again.document().bytes(), &plan.edits(again, FileId::MAIN), &patched);
+            outside_equal(again.document().bytes(), &plan.edits(again, FileId::MAIN).expect("every number can be written"), &patched);
             let third = Model::parse(patched).expect("the second output is a model");
             values_as_planned(again, &plan, &third);
             if !plan.is_empty() {

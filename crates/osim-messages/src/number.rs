@@ -32,8 +32,7 @@ pub fn readable(value: f64) -> String {
     if exact.len() <= SHORT || !value.is_finite() {
         return exact;
     }
-    let rounded: f64 = format!("{value:.7e}").parse().unwrap_or(value);
-    shortest(rounded)
+    shortest(rounded(value, 7))
 }
 
 /// Four significant digits, to compare by eye.
@@ -50,8 +49,13 @@ pub fn three_significant(value: f64) -> String {
 
 fn significant(value: f64, digits: usize) -> String {
     let decimals = digits.saturating_sub(1);
-    let rounded: f64 = format!("{value:.decimals$e}").parse().unwrap_or(value);
-    readable(rounded)
+    readable(rounded(value, decimals))
+}
+
+/// `value` with so many decimals in its exponential form; itself where that is more than a double holds.
+fn rounded(value: f64, decimals: usize) -> f64 {
+    let rounded = format!("{value:.decimals$e}").parse().ok();
+    rounded.filter(|rounded: &f64| rounded.is_finite()).unwrap_or(value)
 }
 
 #[cfg(test)]

@@ -98,7 +98,10 @@ impl Model {
         let meshes = &self.body_facts.bone_sizes(self.components()).meshes;
         let size = |body: &str| {
             let factors = *meshes.get(body)?.values().next()?;
-            factors.iter().all(|factor| *factor > 0.0).then(|| BodySize { body: body.to_owned(), factors })
+            factors
+                .iter()
+                .all(|factor| factor.is_finite() && *factor > 0.0)
+                .then(|| BodySize { body: body.to_owned(), factors })
         };
         carrying.into_iter().filter_map(size).collect()
     }

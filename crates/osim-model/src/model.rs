@@ -151,10 +151,10 @@ impl Model {
         Some(document.line(document.tree().span(document.property_element(object, "gravity")?).start))
     }
 
-    /// Magnitude of gravity, m/s²; 0 or `None` makes figures by body weight meaningless.
+    /// Magnitude of gravity, m/s², where it is a number; 0 or `None` makes figures by body weight meaningless.
     #[must_use]
     pub fn gravity(&self) -> Option<f64> {
-        self.gravity_m_s2.map(|[x, y, z]| (x * x + y * y + z * z).sqrt())
+        self.gravity_m_s2.map(|[x, y, z]| (x * x + y * y + z * z).sqrt()).filter(|size| size.is_finite())
     }
 
     /// Gravity that the contacts were made for, m/s²: the note's, else the model's.

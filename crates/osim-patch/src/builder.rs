@@ -116,12 +116,9 @@ impl<'m> PlanBuilder<'m> {
         if from.into_iter().zip(to).all(close) {
             return Ok(());
         }
-        if to.iter().any(|value| !value.is_finite()) {
-            return Err(Fault::refused(format!("the new location of {} is not finite", sphere.path)));
-        }
         self.refuse_included(sphere.file, &sphere.path)?;
         let slot = sphere.location_slot();
-        self.moves.push(Move {
+        let planned = Move {
             sphere: sphere.name.clone(),
             path: sphere.path.clone(),
             from,
@@ -130,7 +127,9 @@ impl<'m> PlanBuilder<'m> {
             line: self.line(&slot),
             inserted: slot.span.is_none(),
             slot,
-        });
+        };
+        planned.text()?;
+        self.moves.push(planned);
         Ok(())
     }
 
@@ -145,14 +144,7 @@ impl<'m> PlanBuilder<'m> {
     }
 
     fn push(&mut self, change: Change) -> Result<(), Fault> {
-        if !change.property.allows(change.to) {
-            let kind = FaultKind::Domain {
-                property: format!("the new {}", change.property),
-                value: change.to,
-                expected: change.property.domain(),
-            };
-            return Err(Fault::at(kind, change.slot.offset).of(change.path).in_file(change.slot.file));
-        }
+        change.check()?;
         // A value that is computed again may differ in its last bits and mean the same; a given one is taken exactly.
         let computed = change.factor.is_none() && change.equation != "given";
         let same = computed && (change.to - change.from).abs() <= SAME_VALUE * change.from.abs();

@@ -1,6 +1,9 @@
 //! One number or one place that is to change.
 
-use osim_model::{FileId, Property, Slot};
+use osim_messages::readable;
+use osim_model::{Fault, FileId, Property, Slot};
+
+use crate::written;
 
 /// One number that is to change, in the unit of its [`Property`].
 ///
@@ -94,6 +97,35 @@ pub struct Move {
 }
 
 impl Change {
+    /// Whether the new number may be written.
+    ///
+    /// # Errors
+    /// It is not finite, or outside the domain in which the contact laws hold: with its place and what it comes from.
+    pub(crate) fn check(&self) -> Result<(), Fault> {
+        written::check(self.to, self.property, || self.origin()).map_err(|fault| self.at(fault))
+    }
+
+    /// The new number as it is written.
+    ///
+    /// # Errors
+    /// As [`check`](Self::check).
+    pub(crate) fn text(&self) -> Result<String, Fault> {
+        written::value(self.to, self.property, || self.origin()).map_err(|fault| self.at(fault))
+    }
+
+    /// `fault`, pointing at the number.
+    pub(crate) fn at(&self, fault: Fault) -> Fault {
+        Fault::at(fault.kind, self.slot.offset).of(self.path.clone()).in_file(self.slot.file)
+    }
+
+    fn origin(&self) -> String {
+        match self.factor {
+            Some(factor) => {
+                format!("{} times {}, {}", readable(self.from), readable(factor), by(self.equation))
+            }
+            None => format!("{} and takes the place of {}", by(self.equation), readable(self.from)),
+        }
+    }
     /// The file that the number is in.
     #[must_use]
     pub fn file(&self) -> FileId {
@@ -101,7 +133,29 @@ impl Change {
     }
 }
 
+/// Why a number changes: its [`Change::equation`] in words.
+fn by(equation: &str) -> String {
+    match equation {
+        "given" => "the value or factor given".to_owned(),
+        "follow" => "the sizes of the bodies".to_owned(),
+        word if word.starts_with(|first: char| first.is_ascii_lowercase()) => format!("the rule '{word}'"),
+        number => format!("equation ({number})"),
+    }
+}
+
 impl Move {
+    /// The new place as it is written.
+    ///
+    /// # Errors
+    /// It is not finite: with its place and what it comes from.
+    pub(crate) fn text(&self) -> Result<String, Fault> {
+        let from = || self.from.map(readable).join(" ");
+        let origin = || format!("{} and takes the place of {}", by(self.equation), from());
+        written::triple(self.to, self.slot.tag, origin).map_err(|fault| {
+            Fault::at(fault.kind, self.slot.offset).of(self.path.clone()).in_file(self.slot.file)
+        })
+    }
+
     /// The file that the sphere is in.
     #[must_use]
     pub fn file(&self) -> FileId {

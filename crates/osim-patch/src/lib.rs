@@ -59,6 +59,7 @@ mod set;
 mod story;
 mod surfaces;
 mod transfer;
+mod written;
 
 pub use change::{Change, Move};
 pub use design::{Design, DesignModulus, design};

@@ -4,7 +4,7 @@
 
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
-use osim_messages::{Dialect, Phrase, shortest};
+use osim_messages::{Dialect, Phrase};
 use osim_model::{
     Class, ElementId, Fault, FileId, Finding, Mass, MassRequest, Model, Note, Property, Scope, Sphere,
     SphereId, Step, ValueKey, same_mass,
@@ -118,7 +118,7 @@ pub(crate) struct Contents {
 
 /// A mass as people write it: a sum of bodies may be 20.000000000000018 kg, and only 15 digits mean something.
 fn without_last_bits(kg: f64) -> f64 {
-    format!("{kg:.14e}").parse().unwrap_or(kg)
+    format!("{kg:.14e}").parse().ok().filter(|rounded: &f64| rounded.is_finite()).unwrap_or(kg)
 }
 
 impl Plan {
@@ -337,7 +337,7 @@ impl Plan {
     #[must_use]
     pub fn credits(&self, model: &Model) -> Option<String> {
         let document = self.ground(model).document();
-        note_edits::credits_after(document, &self.edits(model, FileId::MAIN))
+        note_edits::credits_after(document, &self.edits(model, FileId::MAIN).ok()?)
     }
 
     /// The files that result: the model's own, and the geometry set of a standalone force set where that changes, too.
@@ -350,21 +350,25 @@ impl Plan {
             let document = &companion.document;
             with_slots.contains(file) || document.tree().name(document.data_root()) == "ContactGeometrySet"
         });
-        let changed = others.map(|(file, _)| file).filter(|&file| !self.edits(model, file).is_empty());
+        let stays = move |file: &FileId| self.edits(model, *file).is_ok_and(|edits| edits.is_empty());
+        let changed = others.map(|(file, _)| file).filter(move |file| !stays(file));
         std::iter::once(FileId::MAIN).chain(changed)
     }
 
     /// The edits of `file`, the note's among them. `model` is the one that the plan was made for. Where whole objects change, they
     /// are edits of the file with these objects.
-    #[must_use]
-    pub fn edits(&self, model: &Model, file: FileId) -> Vec<Edit> {
+    ///
+    /// # Errors
+    /// A number that is not finite, or outside its domain, with its place.
+    pub fn edits(&self, model: &Model, file: FileId) -> Result<Vec<Edit>, Fault> {
         let document = self.ground(model).file(file);
         let tree = document.tree();
         let mut edits = Vec::new();
         let mut absent: BTreeMap<ElementId, Absent> = BTreeMap::new();
-        let numbers = self.changes.iter().map(|change| (&change.slot, shortest(change.to)));
-        let places = self.moves.iter().map(|place| (&place.slot, place.to.map(shortest).join(" ")));
+        let numbers = self.changes.iter().map(|change| (&change.slot, change.text()));
+        let places = self.moves.iter().map(|place| (&place.slot, place.text()));
         for (slot, text) in numbers.chain(places).filter(|(slot, _)| slot.file == file) {
+            let text = text?;
             match &slot.span {
                 Some(span) => edits.push(Edit { span: span.clone(), text }),
                 None => {
@@ -392,7 +396,7 @@ impl Plan {
             // Without a new note the old one would lie: it goes.
             edits.extend(note_edits::remove(document));
         }
-        edits
+        Ok(edits)
     }
 
     /// The model as it will be, with all of its files.
@@ -403,13 +407,13 @@ impl Plan {
         let others = self.files(model).filter(|&file| file != FileId::MAIN);
         let others =
             others.map(|file| Ok((file, self.patched(model, file)?))).collect::<Result<Vec<_>, Fault>>()?;
-        edited_with(self.ground(model), self.edits(model, FileId::MAIN), &others)
+        edited_with(self.ground(model), self.edits(model, FileId::MAIN)?, &others)
     }
 
     /// The patched bytes of `file`; identical to the original where nothing changes.
     ///
     /// # Errors
-    /// Overlapping edits, which would be a defect of this crate; nothing is returned then.
+    /// A number that is not finite, with its place; overlapping edits, which would be a defect of this crate. Nothing is returned then.
     pub fn patched(&self, model: &Model, file: FileId) -> Result<Vec<u8>, Fault> {
         self.patch(model, file).map(|patch| patch.to_vec())
     }
@@ -419,6 +423,6 @@ impl Plan {
     /// # Errors
     /// As [`patched`](Self::patched).
     pub fn patch<'m>(&'m self, model: &'m Model, file: FileId) -> Result<Patch<'m>, Fault> {
-        Patch::new(self.ground(model).file(file).bytes(), self.edits(model, file))
+        Patch::new(self.ground(model).file(file).bytes(), self.edits(model, file)?)
     }
 }

@@ -12,8 +12,8 @@ use osim_model::{
 };
 
 use super::data::{
-    ContactsMass, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce, InspectedLimb,
-    InspectedSphere, Inspection, Origins, Parameters,
+    ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,
+    InspectedLimb, InspectedSphere, Inspection, Origins, Parameters,
 };
 use super::note_story::NoteStory;
 use super::standing::StandingBody;
@@ -229,7 +229,7 @@ fn forces(model: &Model, found: &Found<'_>) -> Vec<InspectedForce> {
                 composite_modulus_n_m2: contact.map(|contact| contact.composite_modulus_n_m2).or_else(alone),
                 parameters: Parameters::new(parameters),
                 origin: Origins::new(self::parameters(force, set.id, |value| value.origin)),
-                dimensionless: contact.and_then(|contact| contact.dimensionless.as_ref()).map(Into::into),
+                dimensionless: contact.and_then(|contact| Dimensionless::of(contact.dimensionless.as_ref()?)),
                 line: set.line,
             });
         }

@@ -197,7 +197,7 @@ pub struct InspectedForce {
     /// Where each comes from.
     pub origin: Origins,
     /// The contact without dimensions, at the mass and gravity it is made for on n spheres; of several radii it is that of the
-    /// mean R².
+    /// mean R². Null where mass, limbs or gravity are not known, or one of its numbers is more than a double holds.
     pub dimensionless: Option<Dimensionless>,
     /// Line of the element, from 1.
     pub line: usize,
@@ -280,16 +280,23 @@ pub struct Dimensionless {
     pub hunt_crossley_smoothing: Option<f64>,
 }
 
-impl From<&DimensionlessContact> for Dimensionless {
-    fn from(contact: &DimensionlessContact) -> Self {
-        Self {
-            modulus: contact.modulus(),
-            relative_indentation: contact.relative_indentation(),
-            dissipation: contact.dissipation(),
-            constant_indentation: contact.constant_indentation(),
-            hertz_smoothing: contact.hertz_smoothing(),
-            hunt_crossley_smoothing: contact.hunt_crossley_smoothing(),
-        }
+impl Dimensionless {
+    /// Those of `contact`; `None` if one of them is more than a double holds.
+    pub(super) fn of(contact: &DimensionlessContact) -> Option<Self> {
+        let smoothing =
+            [contact.constant_indentation(), contact.hertz_smoothing(), contact.hunt_crossley_smoothing()];
+        let [constant_indentation, hertz_smoothing, hunt_crossley_smoothing] = smoothing;
+        let (modulus, relative_indentation) = (contact.modulus(), contact.relative_indentation());
+        let dissipation = contact.dissipation();
+        let own = [modulus, relative_indentation, dissipation].into_iter();
+        own.chain(smoothing.into_iter().flatten()).all(f64::is_finite).then_some(Self {
+            modulus,
+            relative_indentation,
+            dissipation,
+            constant_indentation,
+            hertz_smoothing,
+            hunt_crossley_smoothing,
+        })
     }
 }
 

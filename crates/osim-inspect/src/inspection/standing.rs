@@ -38,7 +38,8 @@ pub struct StandingBody {
     pub touching_m: Option<f64>,
     /// Its spheres that press on floors, in file order.
     pub bottoms: Vec<Bottom>,
-    /// On all its feet, each sphere at its own height; null if its weight or a contact is not known, or nothing carries it.
+    /// On all its feet, each sphere at its own height; null if its weight or a contact is not known, nothing carries it, or
+    /// a number is more than a double holds.
     pub as_posed: Option<OnFeet>,
     /// On the spheres of one limb alone, the lower one or, of equally low ones, the first; of several stance limbs with its share of the
     /// weight. Null also where limbs are not known.
@@ -105,6 +106,12 @@ impl StandingSphere {
 }
 
 impl OnFeet {
+    /// Whether doubles hold all of its numbers.
+    fn is_finite(&self) -> bool {
+        let spheres = self.spheres.iter().flat_map(|one| [one.relative_indentation, one.force_n]);
+        spheres.chain([self.down_m, self.load_n]).all(f64::is_finite)
+    }
+
     /// The spheres that touch the floor.
     pub fn touching(&self) -> impl Iterator<Item = &StandingSphere> {
         self.spheres.iter().filter(|one| one.touches())
@@ -135,7 +142,7 @@ impl StandingBody {
         let spheres: Vec<SphereId> = standing.spheres.iter().map(|over| over.sphere).collect();
         let rest = |chosen: &[SphereId], share, limb: Option<&Limb>| {
             let rest = standing.rest(chosen, share)?.ok()?;
-            Some(on_feet(model, standing, &rest, limb))
+            Some(on_feet(model, standing, &rest, limb)).filter(OnFeet::is_finite)
         };
         let lift = standing.lift.as_ref();
         Self {

@@ -1,7 +1,7 @@
 //! The kinds of fault.
 
 use contact_scaling::{DomainError, limits};
-use osim_messages::{Input, Phrase, Verb, phrase};
+use osim_messages::{Input, Phrase, Verb, phrase, readable};
 use osim_xml::SyntaxFault;
 use osim_xml::opensim_text::NumberFault;
 
@@ -67,6 +67,17 @@ pub enum FaultKind {
         value: f64,
         /// The domain, in words.
         expected: &'static str,
+    },
+    /// A number that would be written, and is not finite or outside the domain in which the equations hold.
+    NewValue {
+        /// OpenSim's property name.
+        property: String,
+        /// What it would be.
+        value: f64,
+        /// The domain, in words.
+        expected: &'static str,
+        /// What it comes from: the value before, the factor, the equation.
+        origin: String,
     },
     /// A `constant_contact_force` that would become 0.
     ZeroConstantContactForce,
@@ -175,7 +186,7 @@ impl FaultKind {
             Self::NotOpenSim { .. } | Self::NoVersion { .. } | Self::WrongDataRoot { .. } => "not-opensim",
             Self::Number { .. } => "not-a-number",
             Self::BrokenText { .. } => "broken-text",
-            Self::Domain { .. } | Self::ZeroConstantContactForce => "out-of-domain",
+            Self::Domain { .. } | Self::NewValue { .. } | Self::ZeroConstantContactForce => "out-of-domain",
             Self::NoContacts { .. } => "no-contacts",
             Self::Unresolved { .. } => "unresolved",
             Self::Needed(needed) => needed.code(),
@@ -282,6 +293,10 @@ impl FaultKind {
             ),
             Self::Domain { property, value, expected } => {
                 format!("{property} is {value}, expected {expected}")
+            }
+            Self::NewValue { property, value, expected, origin } => {
+                let value = readable(*value);
+                format!("the new {property} is {value}, expected {expected}: it comes from {origin}")
             }
             Self::NoContacts { detail } => format!("there are no contacts to work on: {detail}"),
             Self::Unresolved { owner, connectee, wanted } => {

@@ -2,14 +2,14 @@
 
 use std::collections::HashMap;
 
-use osim_model::{Body, Document, Fault, FaultKind, HalfSpace, Model, Note};
+use osim_model::{Body, Document, Fault, FaultKind, HalfSpace, Model, Note, Property};
 
 use super::floor::floor;
 use super::layout::{Layout, NewContact};
 use super::names::{Names, refuse_misread};
 use super::rebuilt::{Deed, EarlierNote, ObjectChange, Rebuilt};
 use super::sets::{FORCE_SET, GEOMETRY_SET};
-use super::spelling::{self, Carrier, InList, Surfaces};
+use super::spelling::{self, Carrier, InList, Surfaces, Values};
 use super::whole::refuse_parts;
 use crate::edit::edited;
 use crate::node::Node;
@@ -60,12 +60,11 @@ pub fn add_contacts(model: &Model, layout: &mut Layout) -> Result<Rebuilt, Fault
         model.bodies().iter().rev().map(|body| (body.name.as_str(), body)).collect();
     let (mut geometry, mut forces, mut objects) = (Vec::new(), Vec::new(), Vec::new());
     if let Some(name) = &made_floor {
-        geometry.push(spelling::floor(version, name, model.up()));
+        geometry.push(spelling::floor(version, name, model.up())?);
         objects.push(added("ContactHalfSpace", name, &plane, None));
     }
     let mut force_objects = Vec::new();
     for contact in &mut layout.contacts {
-        check(contact)?;
         let Some(body) = bodies.get(contact.body.as_str()) else {
             return Err(Fault::new(FaultKind::UnknownBody { body: contact.body.clone() }));
         };
@@ -75,9 +74,9 @@ pub fn add_contacts(model: &Model, layout: &mut Layout) -> Result<Rebuilt, Fault
         contact.force = names.take(&contact.force)?;
         let sphere = format!("/contactgeometryset/{}", contact.sphere);
         let carrier = Carrier { name: &body.name, path: &body.path };
-        geometry.push(spelling::sphere(version, &carrier, contact));
+        geometry.push(spelling::sphere(version, &carrier, contact)?);
         objects.push(added("ContactSphere", &contact.sphere, &sphere, Some(&contact.body)));
-        forces.push(force(model.document(), &list, contact, &Surfaces { sphere: &sphere, plane: &plane }));
+        forces.push(force(model.document(), &list, contact, &Surfaces { sphere: &sphere, plane: &plane })?);
         let path = format!("/forceset/{}", contact.force);
         force_objects.push(added(contact.kind.as_str(), &contact.force, &path, Some(&contact.body)));
     }
@@ -112,21 +111,12 @@ fn refuse_scenery(body: &Body) -> Result<(), Fault> {
     Err(Fault::refused(text).of(body.path.clone()))
 }
 
-fn check(contact: &NewContact) -> Result<(), Fault> {
-    let (radius, place) = (contact.radius_m, contact.location_m);
-    if !(radius.is_finite() && radius > 0.0) {
-        let text =
-            format!("the radius of {} is {radius} m, expected a finite number above 0", contact.sphere);
-        return Err(Fault::refused(text));
-    }
-    if place.iter().any(|value| !value.is_finite()) {
-        let text = format!("the place of {} is not finite: {}", contact.sphere, spelling::triple(place));
-        return Err(Fault::refused(text));
-    }
-    Ok(())
-}
-
-fn force(document: &Document, list: &InList, contact: &NewContact, paths: &Surfaces<'_>) -> Node {
+fn force(
+    document: &Document,
+    list: &InList,
+    contact: &NewContact,
+    paths: &Surfaces<'_>,
+) -> Result<Node, Fault> {
     // In the list of a HuntCrossleyForce, members of the geometry set are called by their names.
     let surfaces = match contact.kind {
         osim_model::ForceKind::HuntCrossley => {
@@ -134,7 +124,9 @@ fn force(document: &Document, list: &InList, contact: &NewContact, paths: &Surfa
         }
         _ => Surfaces { sphere: paths.sphere, plane: paths.plane },
     };
-    spelling::force(document, contact.kind, &contact.force, &surfaces, &contact.values, true)
+    let origin = |_: Property| format!("the numbers that {} is to have", contact.force);
+    let values = Values { numbers: &contact.values, origin: &origin };
+    spelling::force(document, contact.kind, &contact.force, &surfaces, &values, true)
 }
 
 fn plane_path(own: Option<&HalfSpace>, made: Option<&str>) -> String {

@@ -3,14 +3,16 @@
 use std::collections::HashSet;
 
 use contact_scaling::{RatioValues, Ratios, SmoothingValues, falisse2022};
+use osim_messages::readable;
 use osim_model::{
-    ElementId, Fault, FaultKind, Finding, Force, ForceKind, Model, Property, Selected, Tree, moving_spheres,
+    ElementId, Fault, FaultKind, Finding, Force, ForceKind, Model, Property, Selected, Sphere, Tree,
+    moving_spheres,
 };
 
 use super::names::{Names, refuse_misread};
 use super::pairs::{Pair, pairs};
 use super::rebuilt::{Deed, ObjectChange, Rebuilt};
-use super::spelling::{self, InList, Surfaces};
+use super::spelling::{self, InList, Surfaces, Values};
 use super::whole::refuse_parts;
 use crate::edit::{Edit, edited};
 use crate::insert::{unit, white_space_before};
@@ -140,8 +142,7 @@ fn pairs_of(model: &Model, force: &Force) -> Result<Vec<Pair>, Fault> {
         );
         return Err(leave_out(text, "give it a half-space in OpenSim"));
     }
-    if force.spheres().into_iter().filter_map(|id| model.sphere(id)).any(osim_model::Sphere::is_inside_force)
-    {
+    if force.spheres().into_iter().filter_map(|id| model.sphere(id)).any(Sphere::is_inside_force) {
         return Err(refused(format!(
             "{} keeps its sphere inside itself, as Moco 0.1 to 0.3 did: open the model in OpenSim 4.2 or later and save it first",
             force.path
@@ -203,7 +204,10 @@ fn divided(
             }
             _ => Surfaces { sphere: &sphere.path, plane: &pair.plane.path },
         };
-        let node = spelling::force(model.document(), wanted.to, &name, &surfaces, &values, force.applies);
+        let origin = |property: Property| origin(property, sphere, pair);
+        let written = Values { numbers: &values, origin: &origin };
+        let node = spelling::force(model.document(), wanted.to, &name, &surfaces, &written, force.applies)
+            .map_err(|fault| Fault::at(fault.kind, span.start).of(force.path.clone()))?;
         let written = node.text(&space, unit);
         // The first begins where the old one did.
         text.push_str(if index == 0 {
@@ -216,6 +220,19 @@ fn divided(
         objects.push(ObjectChange { parameters: of_class(wanted.to, values), ..made });
     }
     Ok((Edit { span, text }, objects))
+}
+
+/// What the `property` of a new force comes from.
+fn origin(property: Property, sphere: &Sphere, pair: &Pair) -> String {
+    let (radius, path) = (readable(sphere.radius.number), &sphere.path);
+    let by_radius = |equation: &str| format!("the radius {radius} m of {path} by equation ({equation})");
+    match property {
+        Property::ConstantContactForce => by_radius("C.2"),
+        Property::HertzSmoothing => by_radius("C.5"),
+        Property::HuntCrossleySmoothing => by_radius("C.10"),
+        _ if pair.is_composite => format!("the numbers of {path} and {} by equation (A.3)", pair.plane.path),
+        _ => format!("the force that presses {path}"),
+    }
 }
 
 /// Those of `values` that forces of `kind` have.

@@ -2,11 +2,11 @@
 
 use std::collections::HashSet;
 
-use osim_messages::shortest;
-use osim_model::{Class, Document, ForceKind, Model, Orientation, Property};
+use osim_model::{Class, Document, Fault, ForceKind, Model, Orientation, Property};
 
 use super::layout::NewContact;
 use crate::node::Node;
+use crate::written;
 
 /// The first version in which geometry has a `socket_frame`; before, OpenSim refuses it, and afterwards `body_name`.
 const FIRST_WITH_SOCKET_FRAME: u32 = 30505;
@@ -32,23 +32,54 @@ impl Carrier<'_> {
     }
 }
 
-pub(super) fn triple(values: [f64; 3]) -> String {
+/// Three numbers of the object called `name`.
+fn triple(tag: &str, values: [f64; 3], name: &str) -> Result<Node, Fault> {
     // The mirror image of 0 is 0, without a minus.
-    values.map(|value| shortest(value + 0.0)).join(" ")
+    let values = values.map(|value| value + 0.0);
+    let text = written::triple(values, tag, || format!("the place that {name} is to have"));
+    Ok(Node::leaf(tag, text.map_err(|fault| fault.of(name))?))
 }
 
 /// A `ContactSphere`.
-pub(super) fn sphere(version: u32, carrier: &Carrier<'_>, contact: &NewContact) -> Node {
-    let place = Node::leaf("location", triple(contact.location_m));
-    let radius = Node::leaf("radius", shortest(contact.radius_m));
-    Node::object(Class::ContactSphere.tag(), &contact.sphere, vec![carrier.node(version), place, radius])
+///
+/// # Errors
+/// A place that is not finite, or a radius that is not above 0.
+pub(super) fn sphere(version: u32, carrier: &Carrier<'_>, contact: &NewContact) -> Result<Node, Fault> {
+    let name = contact.sphere.as_str();
+    let place = triple("location", contact.location_m, name)?;
+    let radius =
+        written::value(contact.radius_m, Property::Radius, || format!("the radius that {name} is to have"));
+    let radius = Node::leaf("radius", radius.map_err(|fault| fault.of(name))?);
+    Ok(Node::object(Class::ContactSphere.tag(), name, vec![carrier.node(version), place, radius]))
+}
+
+/// A `ContactHalfSpace` with this place and these angles.
+///
+/// # Errors
+/// A number that is not finite.
+pub(super) fn half_space(
+    version: u32,
+    carrier: &Carrier<'_>,
+    name: &str,
+    [location_m, angles_rad]: [[f64; 3]; 2],
+) -> Result<Node, Fault> {
+    let place = triple("location", location_m, name)?;
+    let turned = triple("orientation", angles_rad, name)?;
+    Ok(Node::object("ContactHalfSpace", name, vec![carrier.node(version), place, turned]))
 }
 
 /// A `ContactHalfSpace` on ground through its origin, that faces `up`.
-pub(super) fn floor(version: u32, name: &str, up: [f64; 3]) -> Node {
-    let place = Node::leaf("location", triple([0.0; 3]));
-    let turned = Node::leaf("orientation", triple(Orientation::facing(up)));
-    Node::object("ContactHalfSpace", name, vec![GROUND.node(version), place, turned])
+///
+/// # Errors
+/// A direction that is not finite.
+pub(super) fn floor(version: u32, name: &str, up: [f64; 3]) -> Result<Node, Fault> {
+    half_space(version, &GROUND, name, [[0.0; 3], Orientation::facing(up)])
+}
+
+/// Parameters of a new force, and what each comes from.
+pub(super) struct Values<'v> {
+    pub(super) numbers: &'v [(Property, f64)],
+    pub(super) origin: &'v dyn Fn(Property) -> String,
 }
 
 /// The two surfaces of a force.
@@ -61,39 +92,45 @@ pub(super) struct Surfaces<'s> {
 
 /// A force of `kind` between one sphere and one half-space, with these values. What `document` has in its `<defaults>` does not
 /// change it: what is not in `values` is then written as OpenSim has it without them.
+///
+/// # Errors
+/// A value that is not finite, or outside the domain in which the contact laws hold.
 pub(super) fn force(
     document: &Document,
     kind: ForceKind,
     name: &str,
     surfaces: &Surfaces<'_>,
-    values: &[(Property, f64)],
+    values: &Values<'_>,
     applies: bool,
-) -> Node {
+) -> Result<Node, Fault> {
     let escaped = crate::node::escaped;
     let values_of = |class: Class| {
         let value = |property: Property| {
-            let given = values.iter().find(|(known, _)| *known == property).map(|(_, value)| *value);
+            let given = values.numbers.iter().find(|(known, _)| *known == property).map(|(_, value)| *value);
             given.or_else(|| has_default(document, class, property.name()).then(|| class.default(property)))
         };
-        let leaf = |&property: &Property| Some(Node::leaf(property.name(), shortest(value(property)?)));
-        class.parameters().iter().filter_map(leaf).collect::<Vec<_>>()
+        let leaf = |&property: &Property| {
+            let text = written::value(value(property)?, property, || (values.origin)(property));
+            Some(text.map(|text| Node::leaf(property.name(), text)).map_err(|fault| fault.of(name)))
+        };
+        class.parameters().iter().filter_map(leaf).collect::<Result<Vec<_>, _>>()
     };
     let on_or_off = |class: Class| {
         let is_changed = ["appliesForce", "isDisabled"].iter().any(|tag| has_default(document, class, tag));
         (!applies || is_changed).then(|| Node::leaf("appliesForce", applies.to_string()))
     };
-    match kind {
+    Ok(match kind {
         ForceKind::HuntCrossley => {
             let geometry = format!("{} {}", escaped(surfaces.sphere), escaped(surfaces.plane));
             let mut parameters = vec![Node::leaf("geometry", geometry)];
-            parameters.extend(values_of(Class::ContactParameters));
+            parameters.extend(values_of(Class::ContactParameters)?);
             let list =
                 Node::parent("objects", vec![Node::parent(Class::ContactParameters.tag(), parameters)]);
             let set =
                 Node::object("HuntCrossleyForce::ContactParametersSet", "contact_parameters", vec![list]);
             let mut children: Vec<Node> = on_or_off(Class::HuntCrossleyForce).into_iter().collect();
             children.push(set);
-            children.extend(values_of(Class::HuntCrossleyForce));
+            children.extend(values_of(Class::HuntCrossleyForce)?);
             Node::object(kind.as_str(), name, children)
         }
         _ => {
@@ -102,10 +139,10 @@ pub(super) fn force(
                 Node::leaf("socket_half_space", escaped(surfaces.plane)),
             ];
             children.extend(on_or_off(Class::SmoothSphereHalfSpaceForce));
-            children.extend(values_of(Class::SmoothSphereHalfSpaceForce));
+            children.extend(values_of(Class::SmoothSphereHalfSpaceForce)?);
             Node::object(kind.as_str(), name, children)
         }
-    }
+    })
 }
 
 /// Whether `<defaults>` give objects of `class` a property, which they then have unless they say otherwise.

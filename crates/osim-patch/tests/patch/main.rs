@@ -11,6 +11,7 @@
 mod choices;
 mod consequences;
 mod convert;
+mod edges;
 mod edits;
 mod given;
 mod notes;

@@ -141,7 +141,7 @@ fn every_file_of_a_standalone_pair_gets_its_edits_and_the_model_beside_it_none()
     // Radii that stay: the geometry set still gets the common note, so that the pair stays one.
     wanted.radius = RadiusRule::Keep;
     let kept = plan_of(&wanted);
-    assert_eq!(kept.edits(&model, geometry).len(), 1);
+    assert_eq!(kept.edits(&model, geometry).unwrap().len(), 1);
     assert!(text(&kept, geometry).contains(&kept.note().unwrap().digest));
     assert_eq!(text(&kept, bones_file), bones);
 }

@@ -158,7 +158,8 @@ fn law(bytes: &[u8], factor: f64, radius: RadiusRule) -> bool {
     let Ok(model) = Model::read(document) else { return false };
     let _ = model.limbs(&model.force_ids());
     let Some(plan) = planned(&model, factor, radius) else { return false };
-    let (edits, patched) = (plan.edits(&model, FileId::MAIN), plan.patched(&model, FileId::MAIN).unwrap());
+    let (edits, patched) =
+        (plan.edits(&model, FileId::MAIN).unwrap(), plan.patched(&model, FileId::MAIN).unwrap());
     only_spans_change(bytes, &patched, &edits);
     if plan.is_empty() {
         assert_eq!(patched, bytes);
