@@ -11,7 +11,7 @@ use crate::floors::Floors;
 use crate::inspection::Inspection;
 use crate::known::{KnownSide, odd_side};
 use crate::rules::{
-    default_stiffness, left_right_differ, no_gravity, of_floors, sphere_count_unknown,
+    default_stiffness, left_right_differ, moco_dialect, no_gravity, of_floors, sphere_count_unknown,
     zero_constant_contact_force,
 };
 
@@ -28,7 +28,7 @@ pub(super) fn findings(
         if finding.code() == FindingCode::LeftRightDiffer {
             return of_sides(model, &sides, known.as_ref(), finding, remedies);
         }
-        Found::new(finding.clone(), remedy(finding, remedies))
+        Found::new(finding.clone(), remedy(model, finding, remedies))
     };
     let mut found: Vec<Found> = inspected.warnings.iter().map(with_remedy).collect();
     found.extend(model.remarks_on(&meeting_half_space(model)).into_iter().map(Found::from));
@@ -69,10 +69,11 @@ fn name_the_odd_side(finding: &mut Finding, sides: &BothSides<'_>, known: Option
     }
 }
 
-fn remedy(finding: &Finding, remedies: &Remedies<'_>) -> Option<Request> {
+fn remedy(model: &Model, finding: &Finding, remedies: &Remedies<'_>) -> Option<Request> {
     match finding.code() {
         FindingCode::DefaultStiffness => default_stiffness::remedy(remedies),
         FindingCode::ZeroConstantContactForce => zero_constant_contact_force::remedy(remedies),
+        FindingCode::MocoDialect => moco_dialect::remedy(remedies, model, finding),
         _ => None,
     }
 }

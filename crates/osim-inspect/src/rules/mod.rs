@@ -22,6 +22,7 @@ pub(crate) mod left_right_differ;
 mod limits;
 mod many_limbs;
 pub(crate) mod mass_unknown;
+pub(crate) mod moco_dialect;
 pub(crate) mod no_gravity;
 pub(crate) mod not_on_floor;
 pub(crate) mod sphere_count_unknown;

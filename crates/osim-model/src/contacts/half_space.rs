@@ -18,6 +18,10 @@ pub struct HalfSpace {
     pub name: String,
     /// Component path.
     pub path: String,
+    /// Component path of its frame.
+    pub frame_path: String,
+    /// Its place in that frame, m; `None` where a number cannot be read.
+    pub location_m: Option<[f64; 3]>,
     /// Whether its frame is ground, or fixed to ground by offset frames.
     pub on_ground: bool,
     /// Name of the body that carries its frame; `None` is ground or a body in a file that was not given.
@@ -54,12 +58,13 @@ pub struct FrameProperty {
 }
 
 impl HalfSpace {
-    /// The half-space that `id` is or keeps inside itself, by the names of its socket and of its place.
+    /// The half-space that `id` is or keeps inside itself, by the names of its socket and of its place; `turned` is how it is turned
+    /// that says nothing of it, rad.
     pub(super) fn read(
         components: &Components,
         id: ComponentId,
         (socket, legacy): (&str, &[&str]),
-        (location, orientation): (&'static str, &'static str),
+        (location, orientation, turned): (&'static str, &'static str, [f64; 3]),
     ) -> Option<Self> {
         let (document, element) = (components.doc(id), components.element(id));
         let connectee = components.connectee(id, socket, legacy)?;
@@ -69,14 +74,14 @@ impl HalfSpace {
             Some(_) => document.triple(element, location),
             None => Some([0.0; 3]),
         };
-        let own = Orientation::read(components, id, orientation);
+        let own = Orientation::read(components, id, orientation, turned);
         let frame_rotation = components.rotation_to_base(frame);
         // The solid is where x is above 0 in the half-space's own frame.
         let normal = own.angles_rad.zip(frame_rotation).map(|(angles, turned)| {
             turned.after(&Rotation::body_fixed_xyz(angles)).to_body([-1.0, 0.0, 0.0])
         });
         let offsets = components.offset_frames(frame).into_iter();
-        let above = offsets.map(|frame| Orientation::read(components, frame, "orientation"));
+        let above = offsets.map(|frame| Orientation::read(components, frame, "orientation", [0.0; 3]));
         let tag = document.tree().name(connectee.element).to_owned();
         let frame_property = FrameProperty {
             line: document.line(document.tree().span(connectee.element).start),
@@ -86,6 +91,8 @@ impl HalfSpace {
         Some(HalfSpace {
             name: components.name(id),
             path: components.tree.path(id),
+            frame_path: frame.map_or_else(|| "/ground".to_owned(), |frame| components.tree.path(frame)),
+            location_m: place,
             on_ground: base == Base::Ground,
             body: match base {
                 Base::Body(body) => Some(components.name(body)),

@@ -39,14 +39,19 @@ impl Orientation {
         [0.0, about_y + 0.0, libm::atan2(-y, level) + 0.0]
     }
 
-    pub(super) fn read(components: &Components, id: ComponentId, tag: &'static str) -> Self {
+    pub(super) fn read(
+        components: &Components,
+        id: ComponentId,
+        tag: &'static str,
+        otherwise: [f64; 3],
+    ) -> Self {
         let (document, element) = (components.doc(id), components.element(id));
         let property = document.property_element(element, tag);
         let at = property
             .map_or_else(|| components.line(id), |own| document.line(document.tree().span(own).start));
         let angles_rad = match property {
             Some(_) => document.triple(element, tag),
-            None => Some([0.0; 3]),
+            None => Some(otherwise),
         };
         Self { path: components.tree.path(id), tag, line: at, file: components.file_of(id), angles_rad }
     }

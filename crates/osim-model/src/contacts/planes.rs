@@ -4,8 +4,13 @@ use std::collections::BTreeMap;
 
 use super::force::{Force, ParameterSet};
 use super::half_space::HalfSpace;
+use super::read::FIRST_CONSTANT;
 use crate::components::{ComponentId, Components};
 use crate::model::Model;
+
+/// How a half-space inside a force is turned that says nothing of it: a floor, rad. The first version of the class, which had another
+/// name for `constant_contact_force`, did not turn it.
+const FLOOR: [f64; 3] = [0.0, 0.0, -std::f64::consts::FRAC_PI_2];
 
 impl Model {
     /// All half-spaces whose frame can be found, in file order.
@@ -29,14 +34,20 @@ impl Model {
     pub fn planes_of(&self, force: &Force) -> Vec<HalfSpace> {
         let mut planes: Vec<HalfSpace> = Vec::new();
         for set in &force.sets {
-            let inside = set.half_space_inside.and_then(|id| inside(self.components(), id));
-            for plane in self.half_spaces_of(set).into_iter().chain(inside) {
+            for plane in self.planes_of_set(set) {
                 if !planes.contains(&plane) {
                     planes.push(plane);
                 }
             }
         }
         planes
+    }
+
+    /// The half-spaces among the surfaces of a parameter set, in its order, and the one that its force keeps inside itself.
+    #[must_use]
+    pub fn planes_of_set(&self, set: &ParameterSet) -> Vec<HalfSpace> {
+        let inside = set.half_space_inside.and_then(|id| inside(self.components(), id));
+        self.half_spaces_of(set).into_iter().chain(inside).collect()
     }
 
     /// The half-spaces that forces of Moco 0.1 to 0.3 keep inside themselves, in file order.
@@ -53,11 +64,14 @@ impl Model {
 }
 
 fn read(components: &Components, id: ComponentId) -> Option<HalfSpace> {
-    HalfSpace::read(components, id, ("frame", &["body_name"]), ("location", "orientation"))
+    HalfSpace::read(components, id, ("frame", &["body_name"]), ("location", "orientation", [0.0; 3]))
 }
 
 /// The half-space that a force of Moco 0.1 to 0.3 keeps inside itself.
 fn inside(components: &Components, force: ComponentId) -> Option<HalfSpace> {
-    let place = ("contact_half_space_location", "contact_half_space_orientation");
+    let tree = components.doc(force).tree();
+    let is_first = tree.child(components.element(force), FIRST_CONSTANT).is_some();
+    let turned = if is_first { [0.0; 3] } else { FLOOR };
+    let place = ("contact_half_space_location", "contact_half_space_orientation", turned);
     HalfSpace::read(components, force, ("half_space_frame", &[]), place)
 }

@@ -228,6 +228,7 @@ impl<'r> ContactReader<'r> {
             let base = self.attachment(id, "half_space_frame", &[]).map_or(Base::Unknown, |plane| plane.base);
             set.half_space_bases.push(base);
             set.half_space_inside = Some(id);
+            self.take_first_constant(&mut set, document, element);
         } else {
             for (socket, class) in [("sphere", "ContactSphere"), ("half_space", "ContactHalfSpace")] {
                 let Some(connectee) = self.components.connectee(id, socket, &[]) else {
@@ -241,6 +242,16 @@ impl<'r> ContactReader<'r> {
         let transition_velocity =
             document.value(element, class, Property::TransitionVelocity, Property::TransitionVelocity.name());
         self.push_force(id, ForceKind::SmoothSphereHalfSpace, vec![set], transition_velocity)
+    }
+
+    /// The first version of the class had another name for `constant_contact_force`.
+    fn take_first_constant(&self, set: &mut ParameterSet, document: &Document, element: ElementId) {
+        let has = |tag: &str| document.tree().child(element, tag).is_some();
+        let constant = Property::ConstantContactForce;
+        if has(FIRST_CONSTANT) && !has(constant.name()) {
+            let values = set.values.iter_mut().filter(|value| value.property == constant);
+            values.for_each(|value| *value = document.value(element, set.class, constant, FIRST_CONSTANT));
+        }
     }
 
     /// Moco 0.1 to 0.3: the sphere's frame, radius and location are in the force.
@@ -375,6 +386,8 @@ const GEOMETRY: [&str; 6] = [
     "ContactCylinder",
     "ContactTorus",
 ];
+/// What the first version of Moco's class called `constant_contact_force`.
+pub(super) const FIRST_CONSTANT: &str = "derivative_smoothing";
 const LAST_VERSION_WITH_IS_DISABLED: u32 = 30508;
 const CONTACT_PARAMETERS_SET: &str = "HuntCrossleyForce::ContactParametersSet";
 

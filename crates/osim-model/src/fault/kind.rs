@@ -167,6 +167,11 @@ pub enum FaultKind {
     Refused(String),
     /// A quantity given by the caller is outside its domain.
     Quantity(DomainError),
+    /// A force that keeps its sphere inside itself, as Moco 0.1 to 0.3 wrote it, and that is to get the contacts of others.
+    OldDialect {
+        /// Its component path.
+        force: String,
+    },
     /// Edits that overlap: a defect of this program, never of the file.
     OverlappingEdits {
         /// First byte of the second edit, or of the one that reaches past the end.
@@ -201,6 +206,7 @@ impl FaultKind {
             | Self::NothingSelected { .. }
             | Self::StrictlyRefused { .. }
             | Self::LeaveOut { .. }
+            | Self::OldDialect { .. }
             | Self::Refused(_) => "refused",
             Self::Quantity(_) => "out-of-range",
             Self::OverlappingEdits { .. } => "internal",
@@ -264,6 +270,14 @@ impl FaultKind {
             Self::StrictlyRefused { text } => {
                 phrase![text.clone(), " (refused because of ", Input::Strict, ")"]
             }
+            Self::OldDialect { force } => phrase![
+                format!(
+                    "{force} keeps its sphere inside itself, as Moco 0.1 to 0.3 wrote it, and OpenSim 4.2 and later cannot read that: \
+                     first do "
+                ),
+                Verb::Convert.call().saying(Input::To, "smooth"),
+                ", then this with what it wrote",
+            ],
             Self::LeaveOut { text, force, otherwise } => {
                 let other = if otherwise.is_empty() { String::new() } else { format!(", or {otherwise}") };
                 phrase![format!("{text}: leave this force out with "), Input::Exclude.being(force), other]

@@ -1,5 +1,6 @@
 //! The file has a derivative_smoothing element, which OpenSim ignores.
 
+use crate::contacts::Force;
 use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 use crate::model::Model;
 
@@ -21,7 +22,9 @@ pub(crate) static RULE: Rule = Rule {
 
 pub(super) fn find(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
-    for force in model.forces() {
+    // Where the force keeps its sphere inside itself, its class is that of early Moco, and the element is alive.
+    let inside = |force: &&Force| force.sets.iter().any(|set| set.half_space_inside.is_some());
+    for force in model.forces().iter().filter(|force| !inside(force)) {
         let document = model.file(force.file);
         if let Some(dead) = document.tree().child(force.element, "derivative_smoothing") {
             let line = document.line(document.tree().span(dead).start);

@@ -9,9 +9,11 @@ use osim_model::{
     moving_spheres,
 };
 
+use super::inside::Inside;
 use super::names::{Names, refuse_misread};
 use super::pairs::{Pair, pairs};
 use super::rebuilt::{Deed, ObjectChange, Rebuilt};
+use super::sets::GEOMETRY_SET;
 use super::spelling::{self, InList, Surfaces, Values};
 use super::whole::refuse_parts;
 use crate::edit::{Edit, edited};
@@ -86,7 +88,7 @@ pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<C
         renamed: Vec::new(),
         without_sphere: Vec::new(),
     };
-    let (mut edits, mut objects) = (Vec::new(), Vec::new());
+    let (mut edits, mut objects, mut inside) = (Vec::new(), Vec::new(), Inside::default());
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
         refuse_included(model, force)?;
         if moving_spheres(model, &[force.id]).is_empty() && has_half_space(force) {
@@ -94,13 +96,14 @@ pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<C
             continue;
         }
         let pairs = pairs_of(model, force)?;
-        if force.kind == wanted.to && pairs.len() == 1 && moving_spheres(model, &[force.id]).len() == 1 {
+        let is_one = pairs.len() == 1 && moving_spheres(model, &[force.id]).len() == 1;
+        if force.kind == wanted.to && is_one && !keeps_inside(model, force) {
             continue;
         }
         if let Some(pair) = pairs.iter().find(|pair| pair.is_composite) {
             made.warnings.push(composite(model, force, pair, wanted)?);
         }
-        let (edit, new) = divided(model, force, &pairs, wanted, &mut names, &list)?;
+        let (edit, new) = divided(model, force, &pairs, wanted, (&mut names, &list, &mut inside))?;
         edits.push(edit);
         let own: Vec<String> = new.iter().map(|object| object.name.clone()).collect();
         if own != [force.name.clone()] {
@@ -110,6 +113,11 @@ pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<C
         objects.extend(new);
     }
     edits.extend(renamed_members(tree, document.data_root(), &made.renamed));
+    if !inside.geometry.is_empty() {
+        let root = document.data_root();
+        edits.extend(GEOMETRY_SET.add(tree, root, &inside.geometry, &mut String::new()));
+        objects.splice(0..0, inside.objects);
+    }
     made.rebuilt = Rebuilt::new(edited(model, edits)?, objects, String::new());
     Ok(made)
 }
@@ -130,7 +138,6 @@ fn has_half_space(force: &Force) -> bool {
 
 /// The pairs of `force`.
 fn pairs_of(model: &Model, force: &Force) -> Result<Vec<Pair>, Fault> {
-    let refused = |text: String| Fault::refused(text).of(force.path.clone());
     let leave_out = |text: String, otherwise: &'static str| {
         let kind = FaultKind::LeaveOut { text, force: force.name.clone(), otherwise };
         Fault::new(kind).of(force.path.clone())
@@ -141,12 +148,6 @@ fn pairs_of(model: &Model, force: &Force) -> Result<Vec<Pair>, Fault> {
             force.path
         );
         return Err(leave_out(text, "give it a half-space in OpenSim"));
-    }
-    if force.spheres().into_iter().filter_map(|id| model.sphere(id)).any(Sphere::is_inside_force) {
-        return Err(refused(format!(
-            "{} keeps its sphere inside itself, as Moco 0.1 to 0.3 did: open the model in OpenSim 4.2 or later and save it first",
-            force.path
-        )));
     }
     let pairs = pairs(model, force)?;
     let own: HashSet<_> = pairs.iter().map(|pair| pair.sphere).collect();
@@ -159,6 +160,11 @@ fn pairs_of(model: &Model, force: &Force) -> Result<Vec<Pair>, Fault> {
         return Err(leave_out(text, "take the sphere out of it in OpenSim first"));
     }
     Ok(pairs)
+}
+
+/// Whether `force` has its sphere inside itself, as in Moco 0.1 to 0.3.
+pub(crate) fn keeps_inside(model: &Model, force: &Force) -> bool {
+    force.spheres().into_iter().filter_map(|id| model.sphere(id)).any(Sphere::is_inside_force)
 }
 
 fn composite(model: &Model, force: &Force, pair: &Pair, wanted: &Convert) -> Result<Finding, Fault> {
@@ -177,8 +183,7 @@ fn divided(
     force: &Force,
     pairs: &[Pair],
     wanted: &Convert,
-    names: &mut Names,
-    list: &InList,
+    (names, list, inside): (&mut Names, &InList, &mut Inside),
 ) -> Result<(Edit, Vec<ObjectChange>), Fault> {
     let tree = model.document().tree();
     let span = tree.span(force.element());
@@ -191,7 +196,11 @@ fn divided(
             1 => force.name.clone(),
             _ => names.take(&format!("{}_{}", force.name, sphere.name))?,
         };
-        for used in [&name, &sphere.path, &pair.plane.path] {
+        let (sphere_path, plane_path) = match sphere.is_inside_force() {
+            true => inside.take(model, force, (sphere, &pair.plane), names)?,
+            false => (sphere.path.clone(), pair.plane.path.clone()),
+        };
+        for used in [&name, &sphere_path, &plane_path] {
             refuse_misread(model, used).map_err(|fault| fault.of(force.path.clone()))?;
         }
         let mut values = pair.values.clone();
@@ -200,9 +209,9 @@ fn divided(
         }
         let surfaces = match wanted.to {
             ForceKind::HuntCrossley => {
-                Surfaces { sphere: list.call(&sphere.path), plane: list.call(&pair.plane.path) }
+                Surfaces { sphere: list.call(&sphere_path), plane: list.call(&plane_path) }
             }
-            _ => Surfaces { sphere: &sphere.path, plane: &pair.plane.path },
+            _ => Surfaces { sphere: &sphere_path, plane: &plane_path },
         };
         let origin = |property: Property| origin(property, sphere, pair);
         let written = Values { numbers: &values, origin: &origin };

@@ -5,6 +5,7 @@ mod class;
 mod convert;
 mod covered;
 mod floor;
+mod inside;
 mod layout;
 mod leftovers;
 mod mirror;
@@ -20,6 +21,7 @@ mod spelling;
 mod whole;
 
 pub use add::add_contacts;
+pub(crate) use convert::keeps_inside;
 pub use convert::{Convert, Converted, convert};
 pub use layout::{Layout, NewContact};
 pub use leftovers::{Leftover, leftovers};

@@ -22,7 +22,7 @@ pub(crate) fn pairs(model: &Model, force: &Force) -> Result<Vec<Pair>, Fault> {
     let planes: Vec<(&ParameterSet, HalfSpace)> = force
         .sets
         .iter()
-        .flat_map(|set| model.half_spaces_of(set).into_iter().map(move |plane| (set, plane)))
+        .flat_map(|set| model.planes_of_set(set).into_iter().map(move |plane| (set, plane)))
         .collect();
     let mut pairs = Vec::new();
     for set in &force.sets {

@@ -3,8 +3,8 @@
 use std::collections::{BTreeSet, HashSet};
 
 use osim_model::{
-    Document, ElementId, Fault, FaultKind, FileId, Force, ForceId, HalfSpace, Model, Note,
-    Selected, SphereId, Tree, moving_spheres,
+    Document, ElementId, Fault, FaultKind, FileId, Force, ForceId, HalfSpace, Model, Note, Selected,
+    SphereId, Tree, moving_spheres,
 };
 
 use super::add::MADE_FLOOR;

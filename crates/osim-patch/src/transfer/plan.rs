@@ -4,8 +4,8 @@ use contact_scaling::{RatioValues, Ratios};
 use osim_compare::Follow;
 use osim_messages::{phrase, readable};
 use osim_model::{
-    DissipationBy, Fault, Force, ForceKind, GravityFor, Model, Property, RadiusRule, Scope, Selected,
-    SphereId,
+    DissipationBy, Fault, FaultKind, Force, ForceKind, GravityFor, Model, Property, RadiusRule, Scope,
+    Selected, SphereId,
 };
 
 use super::choice::{Choice, ReferenceRadii};
@@ -15,6 +15,7 @@ use super::several_sets;
 use super::similarity::{check_spread, similarity};
 use crate::builder::{New, PlanBuilder};
 use crate::gravity::GravityChange;
+use crate::objects::keeps_inside;
 use crate::plan::{Contents, FOLLOW, Masses, NoteFacts, Plan, TRANSFER};
 use crate::radii::{Radii, SphereRule};
 use crate::remarks::{GRAVITY_STAYS, PLACES_STAY, bottoms_remark, warn_forces};
@@ -32,9 +33,11 @@ use crate::surfaces::write_composite;
 ///   [`Needed::ReferenceContactOfForce`](osim_model::Needed::ReferenceContactOfForce),
 ///   [`Needed::ReferenceRadius`](osim_model::Needed::ReferenceRadius)), or the reference has no such sphere
 ///   ([`FaultKind::UnknownReferenceSphere`](osim_model::FaultKind::UnknownReferenceSphere)).
+/// - A force that keeps its sphere inside itself, as in Moco 0.1 to 0.3 ([`FaultKind::OldDialect`]).
 /// - Spheres of one force follow bodies with different factors, and that is to be refused
 ///   ([`FaultKind::StrictlyRefused`](osim_model::FaultKind::StrictlyRefused)).
 pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result<Plan, Fault> {
+    refuse_old_dialect(model, selected)?;
     let mut plan = PlanBuilder::new(model);
     let chosen = Choice::make(model, selected, wanted)?;
     let reference = &wanted.reference;
@@ -104,6 +107,18 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
         plan.warnings.push(reference_without_smoothing::of_reference(&reference.name));
     }
     Ok(finish(plan, wanted, selected.complete && whole, &radii, change))
+}
+
+/// Refuses to write what OpenSim cannot read.
+fn refuse_old_dialect(model: &Model, selected: &Selected) -> Result<(), Fault> {
+    let mut forces = selected.forces.iter().filter_map(|&id| model.force(id));
+    match forces.find(|force| keeps_inside(model, force)) {
+        Some(force) => {
+            let kind = FaultKind::OldDialect { force: force.path.clone() };
+            Err(Fault::new(kind).of(force.path.clone()).in_file(force.file))
+        }
+        None => Ok(()),
+    }
 }
 
 struct Target<'t> {

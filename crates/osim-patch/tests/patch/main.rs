@@ -11,6 +11,7 @@
 mod choices;
 mod consequences;
 mod convert;
+mod dialect;
 mod edges;
 mod edits;
 mod given;

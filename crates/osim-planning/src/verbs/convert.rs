@@ -2,7 +2,7 @@
 
 use osim_messages::{Input, Phrase, phrase};
 use osim_model::{Fault, ForceKind, Model, Selection};
-use osim_patch::{Convert, Converted, Deed, Plan, convert, kept_note};
+use osim_patch::{Convert, Converted, Deed, ObjectChange, Plan, convert, kept_note};
 use osim_requests::options::{InspectionOptions, MassOptions, SetFiles, StanceOptions};
 use osim_requests::{ConvertRequest, Positive, RequestFault};
 use serde_json::json;
@@ -12,6 +12,10 @@ use super::remove::counted;
 use super::useless::refuse_geometry_output;
 use crate::planner::{Change, Planner};
 use crate::remarks::{dropped_pairs, shortened, smoothed, still_named, too_new, too_smooth};
+
+/// What is said where forces had their spheres inside themselves.
+const TAKEN_OUT: &str = "spheres and planes that forces kept inside themselves, as in Moco 0.1 to 0.3, are in the ContactGeometrySet: OpenSim 4.2 and \
+     later read the model now, and Moco 0.1 to 0.3 does not any more";
 
 struct Converting {
     wanted: Convert,
@@ -91,7 +95,10 @@ impl Planner for Converting {
         let dropped = dropped_pairs(model, &selected)?;
         let Converted { rebuilt, warnings, renamed, without_sphere, .. } =
             convert(model, &selected, &self.wanted)?;
-        let of = |deed: Deed| rebuilt.objects.iter().filter(move |object| object.deed == deed);
+        // Spheres and planes that forces kept inside themselves are new, too.
+        let is_force = |object: &&ObjectChange| !object.class.starts_with("Contact");
+        let of =
+            |deed: Deed| rebuilt.objects.iter().filter(move |object| object.deed == deed).filter(is_force);
         let (old, new) = (of(Deed::Removed).count(), of(Deed::Added).count());
         let class = self.wanted.to.as_str();
         let changes_class = of(Deed::Removed).any(|object| object.class != class);
@@ -104,6 +111,7 @@ impl Planner for Converting {
             1 => format!("1 force becomes {}, one for each sphere", counted(new, class)),
             _ => format!("{old} forces become {}, one for each sphere", counted(new, class)),
         };
+        let taken_out = rebuilt.objects.iter().any(|object| !is_force(&object));
         let named = still_named(&rebuilt);
         let is_smoothed = changes_class && self.wanted.to == ForceKind::SmoothSphereHalfSpace;
         let too_far = if is_smoothed { too_smooth(rebuilt.model()) } else { Vec::new() };
@@ -112,6 +120,7 @@ impl Planner for Converting {
         let mut plan = Plan::of_objects(rebuilt, taken.into()).with_note(note);
         plan.warnings.extend(warnings);
         plan.remarks.extend(renamed_forces(&renamed));
+        plan.remarks.extend(taken_out.then(|| TAKEN_OUT.into()));
         plan.remarks.extend(named);
         plan.remarks.extend(unknown_class);
         if changes_class {
