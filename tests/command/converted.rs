@@ -31,13 +31,13 @@ fn a_force_without_a_sphere_stays_and_is_named() {
     bench
         .run("convert odd.osim --to smooth -o out.osim")
         .done()
-        .says(&["note: /forceset/floor_only holds no sphere and stays as it is"]);
+        .says(&["note: /forceset/floor_only holds no sphere that moves, and stays as it is"]);
     assert!(bench.text("out.osim").contains("<HuntCrossleyForce name=\"floor_only\">"));
     // Where nothing else is chosen, nothing changes.
     let none = bench
         .run("convert odd.osim --to smooth --select floor_only -o none.osim")
         .done()
-        .says(&["/forceset/floor_only holds no sphere and stays as it is", "no force changes"]);
+        .says(&["/forceset/floor_only holds no sphere that moves, and stays as it is", "no force changes"]);
     assert!(!none.out().contains("already"), "{}", none.out());
 }
 

@@ -123,7 +123,7 @@ impl Change {
             Some(factor) => {
                 format!("{} times {}, {}", readable(self.from), readable(factor), by(self.equation))
             }
-            None => format!("{} and takes the place of {}", by(self.equation), readable(self.from)),
+            None => format!("{}, in the place of {}", by(self.equation), readable(self.from)),
         }
     }
     /// The file that the number is in.
@@ -136,7 +136,7 @@ impl Change {
 /// Why a number changes: its [`Change::equation`] in words.
 fn by(equation: &str) -> String {
     match equation {
-        "given" => "the value or factor given".to_owned(),
+        "given" => "what the request says".to_owned(),
         "follow" => "the sizes of the bodies".to_owned(),
         word if word.starts_with(|first: char| first.is_ascii_lowercase()) => format!("the rule '{word}'"),
         number => format!("equation ({number})"),
@@ -150,7 +150,7 @@ impl Move {
     /// It is not finite: with its place and what it comes from.
     pub(crate) fn text(&self) -> Result<String, Fault> {
         let from = || self.from.map(readable).join(" ");
-        let origin = || format!("{} and takes the place of {}", by(self.equation), from());
+        let origin = || format!("{}, in the place of {}", by(self.equation), from());
         written::triple(self.to, self.slot.tag, origin).map_err(|fault| {
             Fault::at(fault.kind, self.slot.offset).of(self.path.clone()).in_file(self.slot.file)
         })

@@ -56,7 +56,7 @@ pub(crate) struct Found {
     pub by_name: bool,
 }
 
-/// The first version in which ground is no body of the BodySet: one that is called so is a body like others.
+/// The first version that keeps ground out of the BodySet: a body there that is called so is one like others.
 const FIRST_WITHOUT_GROUND: u32 = 30505;
 /// Offset frames on offset frames, at most; deeper is a cycle.
 pub(crate) const MAX_FRAME_CHAIN: usize = 64;

@@ -331,7 +331,7 @@ impl ComponentTree {
         Some(format!("/{}", segments.join("/")))
     }
 
-    /// As OpenSim goes: a step and the `..` behind it are none, whether the step leads anywhere or not.
+    /// As OpenSim goes: a step and the `..` after it are nothing, whether the step leads anywhere or not.
     fn walk(&self, from: ComponentId, path: &str) -> Option<ComponentId> {
         let (mut at, mut down) = (from, Vec::new());
         for segment in path.split('/').filter(|segment| !segment.is_empty() && *segment != ".") {

@@ -11,7 +11,7 @@ pub(crate) static RULE: Rule = Rule {
     seen: Seen::Model,
     verdict: None,
     what: "An object has a name with which OpenSim refuses the model.",
-    why: "OpenSim finds objects by paths, in which a name must be one step: it has no blank and none of / * + and the backslash in it, and is no point or two.",
+    why: "OpenSim finds objects by paths, in which a name must be one step: it has no blank and none of / * + and the backslash in it, and is neither . nor ..",
     advice: "Give the object another name, and write it wherever the old one is",
     repair: Repair::NotPossible("names are left alone: only numbers are changed"),
     example: Example::Models { good: "format/v40000.osim", bad: "bad/name_with_blank.osim" },

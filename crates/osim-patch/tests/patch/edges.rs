@@ -24,7 +24,7 @@ fn the_message_names_property_line_and_where_the_number_comes_from() {
     assert_eq!(fault.code(), "out-of-domain");
     assert_eq!(
         fault.kind.phrase().to_string(),
-        "the new stiffness is inf, expected a finite number above 0: it comes from 1000000 times 1e305, the value or factor given"
+        "the new stiffness is inf, expected a finite number above 0: it comes from 1000000 times 1e305, what the request says"
     );
     // Less than the least number there is.
     let fault = assigned(ONE_FOOT, Property::Radius, Assignment::Factor(5e-324)).unwrap_err();
