@@ -194,7 +194,7 @@ impl Ran {
     }
 
     #[track_caller]
-    fn ends_with(self, status: i32) -> Self {
+    pub(crate) fn ends_with(self, status: i32) -> Self {
         assert_eq!(self.status, Some(status), "{}\n{}{}", self.call, self.out(), self.err());
         self
     }
@@ -215,12 +215,6 @@ impl Ran {
     #[track_caller]
     pub(crate) fn usage(self) -> Self {
         self.ends_with(2)
-    }
-
-    /// Exit status 3: another run has a file.
-    #[track_caller]
-    pub(crate) fn busy(self) -> Self {
-        self.ends_with(3)
     }
 
     /// Exactly these files are new or have other bytes.

@@ -4,7 +4,7 @@ use std::fs::File;
 
 use crate::library::{ended, start};
 use crate::support::Bench;
-use crate::sweeps::{CALL, ONE, TABLE, another_model, emu, is_calm, of_mass};
+use crate::sweeps::{BUSY, CALL, ONE, TABLE, another_model, emu, is_calm, of_mass};
 
 /// Runs all `parts` at the same time.
 #[track_caller]
@@ -167,15 +167,19 @@ fn the_whole_waits_for_its_parts_and_they_for_it() {
     };
     let part = taken("out/emu_sweep.shard-1-of-2.csv.partial");
     for how in ["", "--resume", "--force"] {
-        let refused = bench.run(&format!("{CALL} {how}")).busy().wrote_nothing();
+        let refused = bench.run(&format!("{CALL} {how}")).ends_with(BUSY).wrote_nothing();
         refused.says(&["shard-1-of-2.csv is being written by another run", "wait"]);
     }
-    bench.run(&format!("{CALL} --shard 1/2 --resume")).busy().wrote_nothing().says(&["by another run"]);
+    bench
+        .run(&format!("{CALL} --shard 1/2 --resume"))
+        .ends_with(BUSY)
+        .wrote_nothing()
+        .says(&["by another run"]);
     bench.run(&format!("{CALL} --shard 2/2 --resume")).done();
     drop(part);
     let other = taken("out/emu_sweep.csv.partial");
     for part in ["--shard 1/2", "--point 1", "--shard 2/2 --resume"] {
-        let refused = bench.run(&format!("{CALL} {part}")).busy().wrote_nothing();
+        let refused = bench.run(&format!("{CALL} {part}")).ends_with(BUSY).wrote_nothing();
         refused.says(&["emu_sweep.csv is being written by another run", "wait"]);
     }
     drop(other);

@@ -65,7 +65,7 @@ mod tests {
             let form = Form::of(&tree, ElementId::ROOT);
             let mut seen = tag.to_owned();
             match form {
-                Form::Open => seen.insert_str(tree.open_span(ElementId::ROOT).end, "x"),
+                Form::Open => seen.insert(tree.open_span(ElementId::ROOT).end, 'x'),
                 _ => seen.replace_range(end_of_empty_tag(&tree, ElementId::ROOT), ">x</a>"),
             }
             assert_eq!(seen, opened);

@@ -3,9 +3,12 @@
 /// What a form makes of a model; `None` where it has nothing that could be written so.
 pub type Form = fn(&str) -> Option<String>;
 
+/// The same with what it is about.
+pub type Written = Box<dyn Fn(&str) -> Option<String>>;
+
 /// Each form with its name.
-pub fn forms() -> Vec<(String, Box<dyn Fn(&str) -> Option<String> + Sync + Send>)> {
-    let mut all: Vec<(String, Box<dyn Fn(&str) -> Option<String> + Sync + Send>)> = Vec::new();
+pub fn forms() -> Vec<(String, Written)> {
+    let mut all: Vec<(String, Written)> = Vec::new();
     let plain: [(&str, Form); 9] = [
         ("as it is", |text| Some(text.to_owned())),
         ("CR LF", |text| Some(text.replace("\r\n", "\n").replace('\n', "\r\n"))),
