@@ -13,7 +13,7 @@ pub(crate) static RULE: Rule = Rule {
     why: "OpenSim 4.2 and later cannot read such forces; the model works in OpenSim Moco 0.1 to 0.3 only.",
     advice: "Take spheres and planes out of the forces; OpenSim 4.2 and later would drop them without a word when they save the model",
     repair: Repair::Command(
-        "spheres and planes become members of the ContactGeometrySet, with all numbers as they are",
+        "makes spheres and planes members of the ContactGeometrySet, with all numbers as they are",
     ),
     example: Example::Models { good: "format/v40000.osim", bad: "format/moco_sphere_in_force.osim" },
 };
