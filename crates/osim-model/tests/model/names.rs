@@ -80,6 +80,9 @@ fn what_is_in_components_comes_before_the_sets() {
 fn old_documents_have_no_blanks_in_names() {
     let (path, _, _, found) = pressed(&model(30000, "foot", " heel", "floor heel", ""));
     assert_eq!((path.as_str(), found), ("/contactgeometryset/heel", vec![]));
+    // Their joints call bodies by their names, blanks and all, and OpenSim refuses that.
+    let found = Model::parse(model(30000, " foot", "heel", "floor heel", "")).unwrap().warnings;
+    assert!(found.iter().any(|finding| finding.code() == FindingCode::RefusedName), "{found:?}");
 }
 
 #[test]
