@@ -69,8 +69,8 @@ fn a_wrong_field_is_named_with_what_to_write() {
         (json!({"level_axis": "y"}), "level_axis", "says nothing without `level`"),
         (json!({"in_place": true, "output": "b.osim"}), "in_place", "exclude each other"),
         (json!({"dissipation_by": "height"}), "dissipation_by", "expected one of radius, mass"),
-        (json!({"jobs": 0}), "jobs", "expected a whole number, 1 or more"),
-        (json!({"jobs": -1}), "jobs", "expected a whole number, 1 or more"),
+        (json!({"jobs": 0}), "jobs", "expected a whole number from 1 to 4096"),
+        (json!({"jobs": -1}), "jobs", "expected a whole number from 1 to 4096"),
         (json!({"target_mass": [5, 6]}), "target_mass", "'[5,6]': a list, expected one number or one text"),
         (
             json!({"target_mass": {}}),
