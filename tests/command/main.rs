@@ -50,4 +50,5 @@ mod summaries;
 mod support;
 mod sweep;
 mod transfers;
+mod workbooks;
 mod zero_constant;

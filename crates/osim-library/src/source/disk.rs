@@ -9,6 +9,7 @@ use std::time::{Duration, SystemTime};
 
 use osim_model::files::{FileError, Files};
 
+use super::workbook::as_table;
 use crate::door::{self, Kinds};
 use crate::fault::{Context, LibraryFault};
 
@@ -147,7 +148,7 @@ fn read(path: &Path, kinds: Kinds) -> Result<(Vec<u8>, Option<Stamp>), FileError
             .map_err(|why| FileError::new(format!("standard input: {why}")));
     }
     let (bytes, metadata) = door::read(path, kinds)?;
-    Ok((bytes, Some(Stamp::of(metadata))))
+    Ok((as_table(bytes)?, Some(Stamp::of(metadata))))
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ mod blanks;
 mod disk;
 mod loaded;
 mod sources;
+mod workbook;
 
 pub use blanks::SplitName;
 pub use disk::{Disk, OrdinaryFiles, Stamp};

@@ -5,5 +5,5 @@ mod spreadsheet;
 mod unequal;
 
 pub use cell::{cell, from_cell, marked, unmarked};
-pub(crate) use spreadsheet::{BROKEN_FORMULA, is_broken_formula};
-pub use spreadsheet::{Row, Sheet};
+pub(crate) use spreadsheet::is_broken_formula;
+pub use spreadsheet::{BROKEN_FORMULA, Row, Sheet};

@@ -168,8 +168,8 @@ fn has_comma(cell: &str) -> bool {
     cell.split_once(',').is_some_and(|(head, tail)| digits(head) && digits(tail))
 }
 
-/// What is wrong with a cell for which [`is_broken_formula`] holds, to be read after it.
-pub(crate) const BROKEN_FORMULA: &str =
+/// What is wrong with a cell in which a spreadsheet says that its formula has no value, to be read after it.
+pub const BROKEN_FORMULA: &str =
     "is a broken formula of the spreadsheet: repair it there, and save the table again";
 
 /// Whether a spreadsheet wrote into the cell that its formula has no value, such as `#REF!` and `#N/A`.
