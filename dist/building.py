@@ -20,10 +20,11 @@ def host():
 def environment(target):
     """The variables under which Cargo builds for `target`.
 
-    Where this machine keeps its sources is nobody's business, and would differ from machine to machine.
+    Where this machine keeps its sources is nobody's business, and would differ from machine to machine. Libraries keep what the last
+    step of a program needs to optimize across them; Python's module, which is made of the same ones, does without.
     """
     cargo = os.environ.get("CARGO_HOME") or Path.home() / ".cargo"
-    flags = [f"--remap-path-prefix={ROOT}=.", f"--remap-path-prefix={cargo}=cargo"]
+    flags = ["-Cembed-bitcode=yes", f"--remap-path-prefix={ROOT}=.", f"--remap-path-prefix={cargo}=cargo"]
     # With a target the flags are for what is built, not for what runs while it is built.
     return os.environ | {"CARGO_ENCODED_RUSTFLAGS": "\x1f".join(flags), "CARGO_BUILD_TARGET": target}
 
@@ -33,10 +34,12 @@ def program(target, target_directory, *, static, names=False):
 
     It is built with the Python package's own libraries, so that they are compiled once. A `static` program needs no library of the
     system, and only its last step is another one: the libraries of Linux and Windows are chosen there. In that step the names of functions
-    are left out, too, a fifth of the program, unless it is asked for them: they show where time goes (tests/growth).
+    are left out, too, a fifth of the program, unless it is asked for them: they show where time goes (tests/growth). Optimized across
+    crates, it is a sixth smaller.
     """
     command = ["cargo", "rustc", "--release", "--locked", "--package", COMMAND, "--bin", COMMAND]
-    flags = ["-C", "target-feature=+crt-static"] if static and ("linux" in target or "windows" in target) else []
+    flags = ["-C", "lto=fat"]
+    flags += ["-C", "target-feature=+crt-static"] if static and ("linux" in target or "windows" in target) else []
     # Of the places that the start of a static program fills in, a list that is a megabyte shorter, which glibc 2.36 and later read.
     flags += ["-C", "link-arg=-Wl,-z,pack-relative-relocs"] if static and "linux" in target else []
     flags += [] if names else ["-C", "strip=symbols"]
