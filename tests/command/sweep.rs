@@ -129,6 +129,17 @@ fn a_ladder_says_by_which_law_a_sphere_rests() {
     }
 }
 
+/// (11) of the emu is 0.3533 at its own stiffness, and 100^(2/3) times that at a hundredth: a whole radius and more.
+#[test]
+fn what_is_wrong_with_a_point_is_in_the_manifest_and_counted() {
+    let bench = Bench::with(&[EMU]);
+    let ran = bench.run("sweep emu.osim --grid stiffness=x0.001,x0.01,x1 -d out").done();
+    ran.says(&["2 of 3 models have errors or warnings that the model itself has not"]);
+    let worse: Vec<String> =
+        rows(&bench, "out/emu_sweep.csv").iter().map(|row| row["worse"].clone()).collect();
+    assert_eq!(worse, ["sunk-in", "sunk-in", ""]);
+}
+
 /// Of different spheres each kind is called by its first; a class that smooths nothing rests where the Hertz law says.
 #[test]
 fn kinds_of_spheres_are_told_apart() {

@@ -108,15 +108,13 @@ fn worse_than(
     plan: &Plan,
     changed: &Model,
 ) -> Vec<Found> {
-    let found = check(after, opened, changed);
-    // Contacts are often scaled before the body is.
-    let is_due = |one: &&Found| one.code() == FindingCode::MassSourcesDisagree;
+    let found = unmended(after, opened, changed);
     let is_bad = |one: &&Found| one.severity >= Severity::Warn && !is_due(one) && !is_known(plan, one);
     let bad: Vec<&Found> = found.findings.iter().filter(is_bad).collect();
     if bad.is_empty() {
         return Vec::new();
     }
-    let old = check(before, opened, &opened.model);
+    let old = unmended(before, opened, &opened.model);
     let kin = Kin::of(&old.findings);
     // Contacts that are no longer those of a published model are not worse for it.
     let is_worse = |one: &&Found| {
@@ -126,7 +124,13 @@ fn worse_than(
     bad.into_iter().filter(is_worse).cloned().collect()
 }
 
-fn check(options: &InspectOptions, opened: &OpenModel, model: &Model) -> CheckResult {
+/// Whether it only says that the bodies are not scaled yet: contacts are often scaled before them.
+pub(crate) fn is_due(one: &Found) -> bool {
+    one.code() == FindingCode::MassSourcesDisagree
+}
+
+/// What is found in `model`, without remedies.
+pub(crate) fn unmended(options: &InspectOptions, opened: &OpenModel, model: &Model) -> CheckResult {
     let inspected = options.inspect(opened.name(), model, None);
     check_model(options, model, &inspected, &[], NO_REMEDIES)
 }

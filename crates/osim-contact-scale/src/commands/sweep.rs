@@ -58,6 +58,12 @@ pub(super) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
         return report(&record, &text, request, session).map(|()| Exit::Done);
     }
     let end = make(&sweep, request, session)?;
+    if end.worse > 0 && !request.quiet {
+        let (worse, made) = (end.worse, end.made + end.earlier);
+        session.terminal.note(&format!(
+            "note: {worse} of {made} models have errors or warnings that the model itself has not: column worse of the manifest\n"
+        ))?;
+    }
     if end.not_begun > 0 {
         let (made, count) = (end.made + end.earlier, sweep.count());
         let resume = session.words.input(Input::Resume, None);

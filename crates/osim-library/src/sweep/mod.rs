@@ -54,6 +54,8 @@ pub struct SweepEnd {
     pub made: usize,
     /// Variants that an earlier sweep had made already.
     pub earlier: usize,
+    /// Variants with errors or warnings that the model itself has not.
+    pub worse: usize,
     /// Variants that could not be made.
     pub failed: usize,
     /// Variants that were not begun.
@@ -62,8 +64,12 @@ pub struct SweepEnd {
 
 /// The outcome for a variant.
 enum Made {
-    /// Its row in the table, and whether an earlier sweep made it.
-    Row(Vec<u8>, bool),
+    /// Its row in the table, whether an earlier sweep made it, and whether it is worse than the model.
+    Row {
+        row: Vec<u8>,
+        earlier: bool,
+        worse: bool,
+    },
     Failed(Failure),
     NotBegun,
 }
@@ -145,7 +151,7 @@ impl<'s> SweepRun<'s> {
         front_end: &F,
         mut report: impl FnMut(Option<Failure>),
     ) -> Result<SweepEnd, LibraryFault> {
-        let mut end = SweepEnd { manifest: None, made: 0, earlier: 0, failed: 0, not_begun: 0 };
+        let mut end = SweepEnd { manifest: None, made: 0, earlier: 0, worse: 0, failed: 0, not_begun: 0 };
         if self.count() == 0 {
             // There are more shares than points.
             return Ok(end);
@@ -165,7 +171,8 @@ impl<'s> SweepRun<'s> {
         };
         let each = |_: &usize, made: Made| -> Result<(), LibraryFault> {
             match made {
-                Made::Row(row, earlier) => {
+                Made::Row { row, earlier, worse } => {
+                    end.worse += usize::from(worse);
                     *if earlier { &mut end.earlier } else { &mut end.made } += 1;
                     table.add(&row)?;
                     report(None);
@@ -242,11 +249,11 @@ impl<'s> SweepRun<'s> {
             Ok(variant) => variant,
             Err(failure) => return Made::Failed(failure),
         };
-        let operation = variant.operation.clone();
+        let (operation, worse) = (variant.operation.clone(), variant.is_worse());
         let digest = sha256(&variant.bytes);
         let written = self.write(&path, &variant.bytes, files, &name, &digest);
         match written.and_then(|earlier| Ok((line(&variant.row(digest))?, earlier))) {
-            Ok((row, earlier)) => Made::Row(row, earlier),
+            Ok((row, earlier)) => Made::Row { row, earlier, worse },
             Err(fault) => {
                 let mut failure = fault.of_model(path.as_path(), "output");
                 failure.message.push(format!(" ({operation})"));

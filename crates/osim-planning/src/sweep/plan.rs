@@ -21,6 +21,7 @@ use super::variant::Variant;
 pub struct SweepPlan<'s> {
     request: &'s SweepRequest,
     model: ModelFiles,
+    original: Variant,
     ladder: Option<Ladder>,
     count: usize,
 }
@@ -47,13 +48,21 @@ pub struct VariantMade {
     file: String,
     asked: Vec<String>,
     variant: Variant,
+    /// Codes of errors and warnings that the model itself has not.
+    worse: Vec<&'static str>,
 }
 
 impl VariantMade {
     /// Its row in the table; `sha256` is that of its bytes.
     #[must_use]
     pub fn row(self, sha256: String) -> Vec<String> {
-        manifest::row(self.number, self.file, self.asked, &self.variant, sha256)
+        manifest::row(self.number, self.file, self.asked, &self.variant, (&self.worse, sha256))
+    }
+
+    /// Whether something is wrong with it that is not with the model itself.
+    #[must_use]
+    pub fn is_worse(&self) -> bool {
+        !self.worse.is_empty()
     }
 }
 
@@ -66,10 +75,10 @@ impl<'s> SweepPlan<'s> {
         request.check()?;
         let count = request.count()?;
         // What is wrong with the model itself is reported once, not for every variant.
-        Variant::unchanged(request, &model)?;
+        let original = Variant::unchanged(request, &model)?;
         let ladder = request.ladder.map(|steps| Ladder::of(request, &model, steps.get())).transpose()?;
         part::check(request, count)?;
-        Ok(Self { request, model, ladder, count })
+        Ok(Self { request, model, original, ladder, count })
     }
 
     /// How many variants, of all points or steps.
@@ -210,6 +219,7 @@ impl<'s> SweepPlan<'s> {
             number: index + 1,
             file: self.file_name(index),
             asked: job.asked,
+            worse: variant.worse_than(&self.original),
             variant,
         })
     }

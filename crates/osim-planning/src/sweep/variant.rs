@@ -1,18 +1,25 @@
 //! One variant of the model: its bytes, and what is in them.
 
-use osim_inspect::{Figure, Figures, LoadSharing, Stance};
+use std::collections::BTreeSet;
+
+use osim_inspect::{Figure, Figures, InspectOptions, LoadSharing, Stance};
 use osim_messages::shortest;
-use osim_model::files::{Failure, ModelFiles};
-use osim_model::{Fault, FileId, Mass, MassSource, Model, Property, Selected};
+use osim_model::files::{Failure, ModelFiles, OpenModel};
+use osim_model::{
+    Fault, FileId, FindingCode, Mass, MassRequest, MassSource, Model, Property, Selected, Severity,
+};
 use osim_requests::SweepRequest;
 
 use super::stages::Stages;
+use crate::afterwards::{is_due, unmended};
 
 /// A variant, read again from its own bytes.
 pub(super) struct Variant {
     pub bytes: Vec<u8>,
     values: Vec<(Property, f64)>,
     figures: Option<Figures>,
+    /// Codes of its errors and warnings.
+    wrong: BTreeSet<FindingCode>,
 }
 
 impl Variant {
@@ -63,10 +70,16 @@ impl Variant {
         let given = |kg| Mass { kg, source: MassSource::Grid };
         let mass = target_mass_kg.map(given).or_else(|| request.masses.request().of_model(model).ok());
         let stance = Stance::from(&request.counts.stance_options(request.wanted.impact_speed, None));
+        let wrong = wrong(request, &open, mass.as_ref(), stance);
         let sharing = LoadSharing::of(model, &selected.forces);
         let figures = Figures::of(model, &selected, &sharing, mass.as_ref(), &stance, &[]).ok();
         let bytes = model.file(FileId::MAIN).bytes().to_vec();
-        Ok(Self { bytes, values: values(model, &selected), figures })
+        Ok(Self { bytes, values: values(model, &selected), figures, wrong })
+    }
+
+    /// Codes of the errors and warnings that `original` has not.
+    pub(super) fn worse_than(&self, original: &Self) -> Vec<&'static str> {
+        self.wrong.difference(&original.wrong).map(|code| code.as_str()).collect()
     }
 
     /// Every value of `property`.
@@ -116,6 +129,20 @@ impl Variant {
         let all: Option<Vec<f64>> = figures.spheres().map(|sphere| sphere.value(figure)).collect();
         alike(all?.into_iter())
     }
+}
+
+/// Codes of the errors and warnings of a model that carries `mass`.
+fn wrong(
+    request: &SweepRequest,
+    open: &OpenModel,
+    mass: Option<&Mass>,
+    stance: Stance,
+) -> BTreeSet<FindingCode> {
+    let masses = MassRequest { model_kg: mass.map(|mass| mass.kg), ..request.masses.request() };
+    let options =
+        InspectOptions { masses, selection: request.choice.selection(), stance, ..InspectOptions::default() };
+    let found = unmended(&options, open, &open.model).findings.into_iter();
+    found.filter(|one| one.severity >= Severity::Warn && !is_due(one)).map(|one| one.code()).collect()
 }
 
 /// The common value; figures of like spheres may differ in their last digits.
