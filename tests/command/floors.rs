@@ -146,6 +146,22 @@ fn a_design_on_a_slope_is_for_the_part_of_the_weight_that_presses() {
     assert!((x - 0.1).abs() < 1e-12, "{x}");
 }
 
+#[test]
+fn a_body_falls_on_a_slope_by_the_part_of_gravity_along_its_normal() {
+    let bench = Bench::new();
+    bench.write(
+        "slope.osim",
+        edited(&human(), &[(LEVEL, "<orientation>0 0 -1.3962634015954636</orientation>")]),
+    );
+    bench.write("level.osim", human());
+    let gravity = |model: &str| {
+        let out = bench.run(&format!("drop-test {model} --format json")).done().out();
+        serde_json::from_str::<Value>(&out).unwrap()["gravity_m_s2"].as_f64().unwrap()
+    };
+    let share = gravity("slope.osim") / gravity("level.osim");
+    assert!((share - 10.0_f64.to_radians().cos()).abs() < 1e-12, "{share}");
+}
+
 const NET: &str = "<ContactHalfSpace name=\"net\"><socket_frame>/ground</socket_frame><location>8 0 0</location>\
                    <orientation>0 0 0</orientation></ContactHalfSpace>";
 const HAND: &str = "<ContactSphere name=\"palm_r\"><socket_frame>/bodyset/hand_r</socket_frame><location>0 0 0</location>\

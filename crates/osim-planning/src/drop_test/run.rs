@@ -5,7 +5,7 @@ use std::path::Path;
 use contact_scaling::drop_test::{DropError, DropTest, DropValues, compare};
 use contact_scaling::{Contact, ContactValues, Law, Preset, Spheres};
 use osim_inspect::series::standing_spheres;
-use osim_inspect::{LoadSharing, MassMismatch, Stance, unexplained_slip};
+use osim_inspect::{LoadSharing, MassMismatch, Stance, unexplained_slip, weight_share};
 use osim_messages::{Input, Phrase, phrase};
 use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::{CountOf, Fault, GravityFor, MassRequest, Model, Needed};
@@ -128,7 +128,9 @@ fn of_model(request: &DropTestRequest, open: &OpenModel, own: &Own) -> Result<Fa
         };
         return Err(Fault::new(Needed::Gravity { purpose }));
     };
-    let weight = Weight { mass_kg: mass.kg, gravity_m_s2: gravity, sphere_count: count };
+    // It falls along the normal of its floor.
+    let along_normal = gravity * weight_share(model, sharing.forces());
+    let weight = Weight { mass_kg: mass.kg, gravity_m_s2: along_normal, sphere_count: count };
     let falling =
         falling(request, open.name(), spheres, &weight).map_err(|error| Fault::refused(error.to_string()))?;
     let mismatch = MassMismatch::find(model, &masses);
