@@ -1,13 +1,20 @@
 //! Excel's own .xlsx as the CSV that every table is read from: the first sheet, whose first row names the columns.
 
+use std::collections::BTreeMap;
 use std::io::Cursor;
 
-use calamine::{CellErrorType, Data, Range, Reader, Xlsx};
+use calamine::{CellErrorType, Data, Reader, Xlsx};
 use osim_messages::shortest;
 use osim_model::files::FileError;
 
 /// How .xlsx begins, as every packed file does.
 const PACKED: &[u8] = b"PK\x03\x04";
+
+/// As many as Excel has.
+const MOST_ROWS: u32 = 1_048_576;
+const MOST_COLUMNS: u32 = 16_384;
+/// More than this in a rectangle around all cells is no table.
+const MOST_CELLS: usize = 10_000_000;
 
 /// What a file holds: the first sheet of a workbook as CSV, anything else as it is.
 ///
@@ -19,26 +26,58 @@ pub(super) fn as_table(bytes: Vec<u8>) -> Result<Vec<u8>, FileError> {
     }
     // What is no workbook is refused by those who read it, in their words.
     let Ok(mut book) = Xlsx::new(Cursor::new(bytes.as_slice())) else { return Ok(bytes) };
-    let Some(Ok(sheet)) = book.worksheet_range_at(0) else {
-        return Err(FileError::new(
-            "the first sheet of this workbook cannot be read: save it as CSV in UTF-8",
-        ));
-    };
-    csv_of(&sheet)
+    csv_of(&rows_of(&mut book)?)
 }
 
-fn csv_of(sheet: &Range<Data>) -> Result<Vec<u8>, FileError> {
-    let failed = |error: &dyn std::fmt::Display| FileError::new(error.to_string());
-    let (first_row, first_column) = sheet.start().unwrap_or_default();
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for (row, cells) in (first_row..).zip(sheet.rows()) {
-        let text = |(column, cell)| text_of(cell).map_err(|why| refused(row, column, &why));
-        let mut texts = (first_column..).zip(cells).map(text).collect::<Result<Vec<String>, FileError>>()?;
-        if row == first_row {
-            // Otherwise they would be taken for what separates the cells.
-            texts.iter_mut().for_each(|heading| *heading = heading.replace([';', '\t'], " "));
+/// The texts of each row that has some, by their columns. Cells are read one by one: what a broken file says of its size is not believed.
+type Rows = BTreeMap<u32, BTreeMap<u32, String>>;
+
+fn rows_of(book: &mut Xlsx<Cursor<&[u8]>>) -> Result<Rows, FileError> {
+    let broken =
+        || FileError::new("the first sheet of this workbook cannot be read: save it as CSV in UTF-8");
+    let name = book.sheet_names().into_iter().next().ok_or_else(broken)?;
+    let mut cells = book.worksheet_cells_reader(&name).map_err(|_| broken())?;
+    let mut rows = Rows::new();
+    while let Some(cell) = cells.next_cell().map_err(|_| broken())? {
+        let (row, column) = cell.get_position();
+        if row >= MOST_ROWS || column >= MOST_COLUMNS {
+            return Err(broken());
         }
-        writer.write_record(texts).map_err(|error| failed(&error))?;
+        let text =
+            text_of(&Data::from(cell.get_value().clone())).map_err(|why| refused(row, column, &why))?;
+        if !text.is_empty() {
+            rows.entry(row).or_default().insert(column, text);
+        }
+    }
+    Ok(rows)
+}
+
+/// Empty rows stay, so that lines have the numbers of rows.
+fn csv_of(rows: &Rows) -> Result<Vec<u8>, FileError> {
+    let failed = |error: &dyn std::fmt::Display| FileError::new(error.to_string());
+    let columns = || rows.values().flat_map(BTreeMap::keys).copied();
+    let (Some(first), Some(last)) = (columns().min(), columns().max()) else { return Ok(Vec::new()) };
+    if rows.len().saturating_mul((last - first) as usize) > MOST_CELLS {
+        return Err(FileError::new(
+            "the first sheet of this workbook has more than ten million cells: keep only the table in it",
+        ));
+    }
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let mut line = 0;
+    for (at, (&row, texts)) in rows.iter().enumerate() {
+        if row > line {
+            let mut out = writer.into_inner().map_err(|error| failed(&error))?;
+            out.extend(std::iter::repeat_n(b'\n', (row - line) as usize));
+            writer = csv::Writer::from_writer(out);
+        }
+        line = row + 1;
+        let cells = (first..=last).map(|column| texts.get(&column).map_or("", String::as_str));
+        let written = match at {
+            // Otherwise they would be taken for what separates the cells.
+            0 => writer.write_record(cells.map(|heading| heading.replace([';', '\t'], " "))),
+            _ => writer.write_record(cells),
+        };
+        written.map_err(|error| failed(&error))?;
     }
     writer.into_inner().map_err(|error| failed(&error))
 }
@@ -98,6 +137,18 @@ mod tests {
     fn columns_have_the_letters_of_spreadsheets() {
         let named = [0, 25, 26, 51, 52, 701, 702].map(letters);
         assert_eq!(named, ["A", "Z", "AA", "AZ", "BA", "ZZ", "AAA"]);
+    }
+
+    #[test]
+    fn rows_keep_their_numbers_and_cells_their_columns() {
+        let cells = |row: u32, texts: &[(u32, &str)]| {
+            (row, texts.iter().map(|&(column, text)| (column, text.to_owned())).collect())
+        };
+        let rows = Rows::from([cells(1, &[(2, "a;b"), (3, "c")]), cells(4, &[(3, "d;e")])]);
+        assert_eq!(String::from_utf8(csv_of(&rows).unwrap()).unwrap(), "\na b,c\n\n\n,d;e\n");
+        assert_eq!(csv_of(&Rows::new()).unwrap(), b"");
+        let far = Rows::from_iter((0..=MOST_ROWS / 2).map(|row| cells(row, &[(row % 100, "a")])));
+        assert!(csv_of(&far).unwrap_err().to_string().contains("ten million cells"));
     }
 
     #[test]
