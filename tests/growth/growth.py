@@ -42,6 +42,10 @@ VERBS = {
     "inspect json": (["inspect", MODEL, "--format", "json"], ["bodies"]),
     "inspect --from": (["inspect", MODEL, "--from", "GENERIC"], ["bodies", "chain+"]),
     "check": (["check", MODEL], ALL),
+    "check --from": (["check", MODEL, "--from", "GENERIC"], ["forces", "bodies"]),
+    "add": (["add", MODEL, "--from", "GENERIC", "--replace", "-o", OUT], ["forces", "bodies"]),
+    "plot feet": (["plot", "feet", MODEL, "-o", "OUT.svg"], ["forces", "bodies", "chain", "chain+"]),
+    "fit": (["fit", "DATA", "--radius", "0.03"], ["rows"]),
     "rescale": (["rescale", MODEL, "--target-mass", "500", "-o", OUT], SOME),
     "follow bodies": (["transfer", MODEL, "--from", "GENERIC", "--follow-bodies", "-o", OUT], ["forces", "bodies"]),
     "report": (["rescale", MODEL, "--target-mass", "500", "-o", OUT, "--report", "OUT.html"], ["findings"]),
@@ -121,6 +125,12 @@ def counted(program, folder, verb, kind, size):
         rows = [f"library/{name},{500 + number}" for number, name in enumerate(names)]
         (place / "table.csv").write_text("\n".join(["model,target-mass", *rows, ""]))
         written |= {"TABLE": place / "table.csv", "SMALL": place / "library" / names[0]}
+    elif kind == "rows":
+        # (3) of a sphere of 1 MN/m2, with the noise of an instrument.
+        steps = [(i / size, 1e-3 * math.sin(math.pi * i / size)) for i in range(1, size)]
+        rows = [f"{t},{x},{4 / 3 * 1e6 * math.sqrt(0.03) * x**1.5 + 0.01 * (-1) ** i}" for i, (t, x) in enumerate(steps)]
+        (place / "data.csv").write_text("\n".join(["time,indentation,force", *rows, ""]))
+        written["DATA"] = place / "data.csv"
     else:
         text = models.KINDS[kind](size)
         (place / "model.osim").write_text(text)
