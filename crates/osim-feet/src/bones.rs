@@ -1,5 +1,6 @@
 //! The bones of a model's bodies.
 
+use std::collections::HashMap;
 use std::path::PathBuf;
 
 use osim_model::files::Files;
@@ -10,34 +11,64 @@ use crate::fault::FeetFault;
 use crate::folders::MeshFolders;
 use crate::mesh::{is_length, mesh_points};
 
-/// All meshes that are attached to `bodies`, in the order of the bodies and in that of the file: their points in the bodies'
-/// frames, with the model's scale factors and frames.
+/// The meshes that are attached to the bodies of a model, by body: read once for all of them.
+pub struct AttachedBones<'m> {
+    model: &'m Model,
+    attached: HashMap<&'m str, Vec<AttachedMesh>>,
+}
+
+impl<'m> AttachedBones<'m> {
+    /// Those of `model`.
+    #[must_use]
+    pub fn of(model: &'m Model) -> Self {
+        let bodies = model.bodies().iter().map(|body| (body.name.as_str(), Vec::new()));
+        let mut attached: HashMap<&str, Vec<AttachedMesh>> = bodies.collect();
+        for mesh in model.attached_meshes() {
+            if let Some(of_body) = attached.get_mut(mesh.body.as_str()) {
+                of_body.push(mesh);
+            }
+        }
+        Self { model, attached }
+    }
+
+    /// The bones of `body` in the order of the file: their points in its frame, with the model's scale factors and frames.
+    ///
+    /// # Errors
+    /// A body that is not there or shows no mesh, a mesh that is missing or broken: each with the body, the mesh, and where it was
+    /// looked for.
+    pub fn bones(
+        &self,
+        body: &str,
+        folders: &MeshFolders,
+        files: &dyn Files,
+    ) -> Result<Vec<Bone>, FeetFault> {
+        let Some(meshes) = self.attached.get(body) else {
+            let bodies = self.model.bodies().iter().map(|known| known.name.clone()).collect();
+            return Err(FeetFault::NoBody { body: body.to_owned(), bodies });
+        };
+        if meshes.is_empty() {
+            return Err(FeetFault::NoMesh { body: body.to_owned() });
+        }
+        meshes.iter().map(|mesh| bone(mesh, folders, files)).collect()
+    }
+}
+
+/// The same of several bodies, in their order.
 ///
 /// # Errors
-/// A body that is not there or shows no mesh, a mesh that is missing or broken: each with the body, the mesh, and where it was
-/// looked for.
+/// Those of [`AttachedBones::bones`].
 pub fn bones(
     model: &Model,
     bodies: &[&str],
     folders: &MeshFolders,
     files: &dyn Files,
 ) -> Result<Vec<Bone>, FeetFault> {
-    let attached = model.attached_meshes();
-    let mut bones = Vec::new();
-    for &body in bodies {
-        if !model.bodies().iter().any(|known| known.name == body) {
-            let bodies = model.bodies().iter().map(|known| known.name.clone()).collect();
-            return Err(FeetFault::NoBody { body: body.to_owned(), bodies });
-        }
-        let before = bones.len();
-        for mesh in attached.iter().filter(|mesh| mesh.body == body) {
-            bones.push(bone(mesh, folders, files)?);
-        }
-        if bones.len() == before {
-            return Err(FeetFault::NoMesh { body: body.to_owned() });
-        }
+    let attached = AttachedBones::of(model);
+    let mut all = Vec::new();
+    for body in bodies {
+        all.extend(attached.bones(body, folders, files)?);
     }
-    Ok(bones)
+    Ok(all)
 }
 
 /// The bone that one mesh shows.

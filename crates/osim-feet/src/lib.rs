@@ -31,7 +31,7 @@ mod vector;
 mod welds;
 
 pub use bone::Bone;
-pub use bones::bones;
+pub use bones::{AttachedBones, bones};
 pub use contact_plane::{ContactPlane, PlaneSurface, STEEPEST_RAD};
 pub use default_pose::DefaultPose;
 pub use fault::FeetFault;

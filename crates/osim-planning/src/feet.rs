@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use osim_feet::{DefaultPose, FeetFault, Foot, FootBodies, MeshFolders, bones};
+use osim_feet::{AttachedBones, DefaultPose, FeetFault, Foot, FootBodies, MeshFolders};
 use osim_inspect::misplaced_spheres;
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::{Anatomy, Fault, Finding, ForceId, Model, Selection, SphereId};
@@ -69,10 +69,11 @@ impl ModelFeet {
         if let Some(folder) = geometry_dir {
             folders = folders.and(folder);
         }
+        let attached = AttachedBones::of(model);
         for (foot, bodies) in self.feet.iter_mut().zip(&self.bodies) {
             let mut found = Vec::new();
             for body in foot.bodies_with_bones(&self.anatomy, bodies) {
-                match bones(model, &[&body], &folders, files) {
+                match attached.bones(&body, &folders, files) {
                     Ok(bones) => found.extend(bones),
                     Err(FeetFault::NoMesh { .. }) => {}
                     Err(fault) => self.missing.push(fault),
