@@ -51,7 +51,6 @@ REFUSED = {
     ("components_hunt_crossley.osim", "remove"),
     ("components_in_body.osim", "convert to Hunt-Crossley"),
     ("components_in_body.osim", "remove"),
-    ("components_in_ground.osim", "remove"),
     ("components_of_forceset.osim", "convert to Hunt-Crossley"),
     ("components_of_forceset.osim", "remove"),
     ("geometry_by_component_name.osim", "remove"),
