@@ -60,3 +60,55 @@ fn stance_limbs_that_were_said_once_are_used_by_the_next_verb_which_says_so() {
     bench.run("design noted.osim --indentation 0.1 --stance-limbs 1 --output one.osim").done();
     assert_ne!(value("one.osim"), value("said.osim"));
 }
+
+#[test]
+fn a_note_that_cannot_be_read_leaves_one_in_doubt() {
+    let bench = Bench::with(&[("check/stale_note.osim", "stale.osim")]);
+    for (call, made) in [
+        ("convert stale.osim --to hunt-crossley -o c.osim", "c.osim"),
+        ("set stale.osim dissipation=1 -o s.osim", "s.osim"),
+    ] {
+        bench.run(call).done();
+        bench.run(&format!("rescale {made} --target-mass 70")).failed().says(&["--contacts-mass"]);
+    }
+}
+
+#[test]
+fn values_that_others_changed_are_a_step_and_no_other_step_is_lost() {
+    let bench = Bench::human();
+    bench.run("transfer human.osim --from falisse2022 --mass 80 -o made.osim").done();
+    bench.write("edited.osim", bench.text("made.osim").replacen("<dissipation>", "<dissipation>1", 1));
+    bench.run("convert edited.osim --to hunt-crossley -o converted.osim").done();
+    bench.run("remove edited.osim --select *s1_* -o part.osim").done();
+    for (made, operation, changed) in [
+        ("converted.osim", "convert", "values of contacts other than radii"),
+        ("part.osim", "remove", "values of contacts other than radii"),
+    ] {
+        let ran = bench.run(&format!("inspect {made} --format json")).done();
+        let [seen]: [Inspection; 1] = lines(&ran).try_into().unwrap();
+        let note = seen.note.unwrap();
+        let steps: Vec<&str> = note.steps.iter().map(|step| step.operation.as_str()).collect();
+        assert_eq!(steps, ["transfer", "others", operation]);
+        assert_eq!(note.steps[0].reference.as_deref(), Some("falisse2022"));
+        assert_eq!(note.changed_since, [changed], "{made}");
+    }
+}
+
+#[test]
+fn a_point_of_a_sweep_is_one_step() {
+    let bench = Bench::human();
+    bench.run("sweep human.osim --grid target_mass=70 --grid stiffness=x2 -d out").done();
+    bench.run("sweep human.osim --ladder 2 --indentation 0.1 -d ladder").done();
+    for folder in ["out", "ladder"] {
+        let file = bench
+            .files()
+            .into_keys()
+            .find(|name| name.starts_with(folder) && name.ends_with(".osim"))
+            .unwrap();
+        let ran = bench.run(&format!("inspect {file} --format json")).done();
+        let [seen]: [Inspection; 1] = lines(&ran).try_into().unwrap();
+        let note = seen.note.unwrap();
+        assert_eq!(note.steps.len(), 1, "{:?}", note.steps);
+        assert_eq!(note.steps[0].reference, None);
+    }
+}

@@ -3,6 +3,7 @@
 use osim_messages::{Input, phrase};
 use osim_model::{Fault, Mass, MassSource, Model, Note, Scope, Step, positive_mass};
 
+use crate::note_edits;
 use crate::objects::{EarlierNote, Rebuilt};
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
 use crate::rules::nothing_to_change;
@@ -59,18 +60,42 @@ pub fn note(
 /// none. If contacts were changed since the note was written, the new note says so, too.
 #[must_use]
 pub fn kept_note(model: &Model, rebuilt: &Rebuilt, operation: &str) -> Option<Note> {
-    let (old, new) = (model.note.as_ref()?, rebuilt.model());
+    let new = rebuilt.model();
+    let Some(old) = &model.note else {
+        return model.doubt_about_note().map(|_| doubtful(model, new, operation));
+    };
     let mut note = old.clone();
     if old.digest == model.contact_digest(|_| None) {
         note.digest = new.contact_digest(|_| None);
-        note.radii = Some(new.radii_digest(|_| None));
-        note.version = env!("CARGO_PKG_VERSION").to_owned();
-        note.steps = story::after(story::earlier(model), Step::new(operation));
     }
+    if old.radii.as_ref().is_none_or(|radii| *radii == model.radii_digest(|_| None)) {
+        note.radii = Some(new.radii_digest(|_| None));
+    }
+    note.version = env!("CARGO_PKG_VERSION").to_owned();
+    note.steps = story::after(story::earlier(model), Step::new(operation));
     if old.places.as_ref().is_some_and(|places| *places == model.places_digest(|_| None)) {
         note.places = Some(new.places_digest(|_| None));
     }
     Some(note)
+}
+
+/// A note in the place of one of `model` that cannot be read: nobody knows what the contacts of `new` were made for.
+fn doubtful(model: &Model, new: &Model, operation: &str) -> Note {
+    Note {
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        contacts_mass_kg: None,
+        gravity_m_s2: None,
+        scope: Scope::Partial,
+        steps: vec![Step::new(story::OTHERS), Step::new(operation)],
+        stance_limbs: None,
+        weighed_kg: None,
+        sizes: Vec::new(),
+        digest: new.contact_digest(|_| None),
+        radii: Some(new.radii_digest(|_| None)),
+        places: None,
+        made: note_edits::made(model, None),
+        added: Vec::new(),
+    }
 }
 
 /// The note of what [`remove`](crate::remove()) left of the contacts of `model`: of a part, and of what else was made for them. `None`
@@ -78,7 +103,8 @@ pub fn kept_note(model: &Model, rebuilt: &Rebuilt, operation: &str) -> Option<No
 #[must_use]
 pub fn note_of_rest(model: &Model, rebuilt: &Rebuilt) -> Option<Note> {
     let is_out = rebuilt.earlier_note == EarlierNote::TakenOut;
-    let note = kept_note(model, rebuilt, "remove").filter(|_| !is_out)?;
+    let is_about_nothing = model.note.is_none() && !has_rest(model, rebuilt.model());
+    let note = kept_note(model, rebuilt, "remove").filter(|_| !is_out && !is_about_nothing)?;
     // Where nobody said a mass, that of the bodies is as good for a part.
     let scope = if note.contacts_mass_kg.is_none() { note.scope } else { Scope::Partial };
     Some(Note { scope, made: rebuilt.made.clone(), ..note })

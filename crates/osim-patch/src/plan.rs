@@ -144,6 +144,16 @@ impl Plan {
         }
     }
 
+    /// Makes the last two steps of the note one, where they are parts of the same operation.
+    pub fn join_steps(&mut self) {
+        if let Some(note) = &mut self.note
+            && let [.., before, last] = note.steps.as_slice()
+            && before.operation == last.operation
+        {
+            note.steps.pop();
+        }
+    }
+
     /// Records in the note that its contacts are new: what was done before is about others.
     pub fn begin_story(&mut self) {
         if let Some(note) = &mut self.note {

@@ -5,7 +5,7 @@ use osim_model::{Model, NoteDoubt, Source, Step};
 /// More steps than this help nobody: of a longer story the first and the latest are kept.
 const MOST_STEPS: usize = 8;
 /// Who changed values without leaving a note.
-const OTHERS: &str = "others";
+pub(crate) const OTHERS: &str = "others";
 
 /// What only the caller knows of a change, for its step in the note.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -29,7 +29,10 @@ pub(crate) fn continued(model: &Model, step: Step, is_new: bool) -> Vec<Step> {
 pub(crate) fn earlier(model: &Model) -> Vec<Step> {
     let Some(note) = &model.note else { return Vec::new() };
     match model.doubt_about_note() {
-        Some(NoteDoubt::ValuesChanged) => after(note.steps.clone(), Step::new(OTHERS)),
+        // What does not change the values leaves them in doubt, and that they were changed is said once.
+        Some(NoteDoubt::ValuesChanged) if note.steps.iter().all(|step| step.operation != OTHERS) => {
+            after(note.steps.clone(), Step::new(OTHERS))
+        }
         _ => note.steps.clone(),
     }
 }

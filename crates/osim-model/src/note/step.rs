@@ -1,6 +1,6 @@
 //! One step of what a note says: what was done, from what, and when.
 //!
-//! `by transfer radius=x2 with level from 62 kg of falisse2022.osim 0123456789abcdef on 2026-11-25`
+//! `by transfer radius=x2 with level=true from 62 kg of reference falisse2022.osim 0123456789abcdef on 2026-11-25`
 
 use osim_messages::shortest;
 
@@ -11,7 +11,7 @@ const WITH: &str = " with ";
 /// Before the mass that the contacts were made for until then.
 const FROM: &str = " from ";
 /// Before the name and the digest of the reference.
-const OF: &str = " of ";
+const OF: &str = " of reference ";
 /// Before the date.
 const ON: &str = " on ";
 
@@ -124,7 +124,7 @@ mod tests {
 
     #[test]
     fn a_step_reads_back_as_written() {
-        let spelled = "transfer radius=x2 with level=true only=radius from 62.5 kg of falisse.osim 0123456789abcdef on 2026-11-25";
+        let spelled = "transfer radius=x2 with level=true only=radius from 62.5 kg of reference falisse.osim 0123456789abcdef on 2026-11-25";
         assert_eq!(full().text(), spelled);
         let preset = Some(Source { name: "falisse2022".into(), digest: None });
         for step in [
@@ -140,8 +140,7 @@ mod tests {
 
     #[test]
     fn other_words_belong_to_the_operation() {
-        for operation in ["sweep point 3 of the grid", "transfer from a file on Monday", "set a=1 + set b=2"]
-        {
+        for operation in ["ladder step 1 of 2", "transfer from a file on Monday", "set a=1 + set b=2"] {
             assert_eq!(Step::parse(operation).date, None);
             assert_eq!(Step::parse(operation).from_mass_kg, None);
             assert_eq!(Step::parse(operation).text(), operation);

@@ -36,10 +36,13 @@ impl Variant {
         target_mass_kg: Option<f64>,
     ) -> Result<Self, Failure> {
         let mut current = model.clone();
-        for planner in stages {
+        for (number, planner) in stages.iter().enumerate() {
             let open = current.open()?;
             let mut plan = planner.plan(&open.model).map_err(|fault| open.failure(fault))?;
             plan.name_operation(operation);
+            if number > 0 {
+                plan.join_steps();
+            }
             if request.no_note {
                 plan.without_note();
             } else {

@@ -11,7 +11,7 @@ use crate::options::{AnswerOptions, MassOptions, OutputOptions, RunOptions, SetF
 use crate::values::typed::trimmed;
 
 /// Fields that the operation, the mass or the reference of a note gives: see `Step` of `osim-model`.
-const SAID_ELSEWHERE: [&str; 7] = ["verb", "models", "from", "target_mass", "radius", "set", "stance_limbs"];
+const SAID_ELSEWHERE: [&str; 6] = ["verb", "models", "from", "target_mass", "set", "stance_limbs"];
 
 impl Request {
     /// The options that decide which numbers result, as `name=value`: without files, masses and answers. Of files that are read, no
@@ -26,12 +26,15 @@ impl Request {
             map(&SetFiles::default()),
         ];
         let of_set = |name: &str| self.verb() == Verb::Set && name == "level";
-        let counts = |name: &str| {
-            !of_set(name)
+        // A factor is in the operation.
+        let is_factor = |value: &Value| value.as_str().is_some_and(|text| text.starts_with('x'));
+        let counts = |name: &str, value: &Value| {
+            !(name == "radius" && is_factor(value))
+                && !of_set(name)
                 && !SAID_ELSEWHERE.contains(&name)
                 && !others.iter().any(|fields| fields.contains_key(name))
         };
-        let noted = self.to_map().into_iter().filter(|(name, _)| counts(name));
+        let noted = self.to_map().into_iter().filter(|(name, value)| counts(name, value));
         noted.map(|(name, value)| format!("{name}={}", in_a_word(&value))).collect::<Vec<_>>().join(" ")
     }
 
@@ -70,9 +73,9 @@ mod tests {
     fn what_decides_numbers_is_told_and_where_files_are_is_not() {
         notes(r#"{"verb": "rescale", "models": "/home/me/a.osim", "target_mass": 80, "radius": "x2"}"#, "");
         notes(
-            r#"{"verb": "rescale", "models": "a.osim", "target_mass": 80, "level": true, "only": ["radius", "stiffness"],
+            r#"{"verb": "rescale", "models": "a.osim", "target_mass": 80, "radius": "keep", "level": true, "only": ["radius", "stiffness"],
                 "output": "b.osim", "yes": ["implausible-mass"]}"#,
-            "level=true only=radius,stiffness",
+            "radius=keep level=true only=radius,stiffness",
         );
         notes(
             r#"{"verb": "transfer", "models": "a.osim", "from": "b.osim", "body_scale_file": "/home/me/my scales.xml",

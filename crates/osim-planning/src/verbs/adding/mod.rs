@@ -111,7 +111,9 @@ impl Adding {
             }
         };
         plan.name_operation("add");
-        plan.begin_story();
+        if base.forces().is_empty() {
+            plan.begin_story();
+        }
         plan.warnings.retain(|warning| warning.code() != FindingCode::NothingToChange);
         plan.remarks.splice(0..0, remarks);
         if !self.friction && self.reference().is_some() {
