@@ -13,7 +13,7 @@ const PACKED: &[u8] = b"PK\x03\x04";
 /// As many as Excel has.
 const MOST_ROWS: u32 = 1_048_576;
 const MOST_COLUMNS: u32 = 16_384;
-/// More than this in a rectangle around all cells is no table.
+/// A rectangle around all cells with more than this is not a table.
 const MOST_CELLS: usize = 10_000_000;
 
 /// What a file holds: the first sheet of a workbook as CSV, anything else as it is.

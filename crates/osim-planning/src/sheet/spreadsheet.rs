@@ -51,7 +51,7 @@ impl Sheet {
     pub fn read(bytes: &[u8]) -> Result<Self, String> {
         if bytes.starts_with(PACKED) {
             return Err(
-                "the file is a spreadsheet as programs save it, not CSV: save it as CSV in UTF-8".to_owned()
+                "the file is a workbook or another packed file that cannot be read here: save it as CSV in UTF-8".to_owned()
             );
         }
         if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") || bytes.contains(&0) {
