@@ -25,16 +25,13 @@ impl Request {
             map(&RunOptions::default()),
             map(&SetFiles::default()),
         ];
-        let of_set = |name: &str| self.verb() == Verb::Set && name == "level";
-        // A factor is in the operation.
-        let is_factor = |value: &Value| value.as_str().is_some_and(|text| text.starts_with('x'));
-        let counts = |name: &str, value: &Value| {
-            !(name == "radius" && is_factor(value))
-                && !of_set(name)
-                && !SAID_ELSEWHERE.contains(&name)
-                && !others.iter().any(|fields| fields.contains_key(name))
+        let is_elsewhere = |name: &str, value: &Value| match name {
+            // A factor is in the operation.
+            "radius" => value.as_str().is_some_and(|text| text.starts_with('x')),
+            "level" => self.verb() == Verb::Set,
+            name => SAID_ELSEWHERE.contains(&name) || others.iter().any(|fields| fields.contains_key(name)),
         };
-        let noted = self.to_map().into_iter().filter(|(name, value)| counts(name, value));
+        let noted = self.to_map().into_iter().filter(|(name, value)| !is_elsewhere(name, value));
         noted.map(|(name, value)| format!("{name}={}", in_a_word(&value))).collect::<Vec<_>>().join(" ")
     }
 
