@@ -112,3 +112,20 @@ fn a_point_of_a_sweep_is_one_step() {
         assert_eq!(note.steps[0].reference, None);
     }
 }
+
+#[test]
+fn a_preset_stands_on_as_many_limbs_as_are_said() {
+    let bench = Bench::human();
+    let out = |call: &str| bench.run(call).done().out();
+    // Six spheres on one foot.
+    assert_eq!(
+        out("drop-test falisse2022 --stance-limbs 2 --format json"),
+        out("drop-test falisse2022 --spheres 12 --format json")
+    );
+    let force = |options: &str| {
+        bench.run(&format!("plot force falisse2022 {options} -o plot.svg --data plot.csv --force")).done();
+        bench.text("plot.csv")
+    };
+    assert_eq!(force("--stance-limbs 2"), force("--spheres 12"));
+    assert_ne!(force("--stance-limbs 2"), force("--stance-limbs 1"));
+}

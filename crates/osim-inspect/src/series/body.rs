@@ -111,14 +111,15 @@ impl Body {
         Self::of_model(name, model, &selected.forces, &options.masses, &options.stance, failed)
     }
 
-    /// A preset; masses, spheres and gravity that are given count instead of its own.
+    /// A preset; masses, spheres and gravity that are given count instead of its own. It stands on as many limbs as are given, else on one.
     ///
     /// # Errors
     /// A quantity outside its domain.
     pub fn of_preset(preset: &Preset, masses: &MassRequest, stance: &Stance) -> Result<Self, DomainError> {
         let scale = &preset.scale;
         let law = Law::of(&preset.contact, scale.radius_m())?;
-        let sphere_count = stance.spheres.unwrap_or(scale.sphere_count());
+        let on_limbs = scale.sphere_count() * stance.limbs.unwrap_or(1.0);
+        let sphere_count = stance.spheres.unwrap_or(on_limbs);
         let weight = Weight {
             mass_kg: masses.model_kg.unwrap_or(scale.mass_kg()),
             gravity_m_s2: stance.gravity_m_s2.unwrap_or(scale.gravity_m_s2()),

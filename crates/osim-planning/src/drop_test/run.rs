@@ -139,7 +139,8 @@ fn of_model(request: &DropTestRequest, open: &OpenModel, own: &Own) -> Result<Fa
 
 fn of_preset(request: &DropTestRequest, preset: &Preset, own: &Own) -> Result<Falling, RequestFault> {
     let scale = &preset.scale;
-    let count = own.spheres.unwrap_or(scale.sphere_count());
+    let on_limbs = scale.sphere_count() * own.stance_limbs.unwrap_or(1.0);
+    let count = own.spheres.unwrap_or(on_limbs);
     let weight = Weight {
         mass_kg: own.mass_kg.unwrap_or(scale.mass_kg()),
         gravity_m_s2: own.gravity_m_s2.unwrap_or(scale.gravity_m_s2()),
