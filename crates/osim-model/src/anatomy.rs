@@ -14,10 +14,15 @@ pub(crate) mod joints;
 mod mesh_elements;
 mod model_joints;
 mod pose;
+mod simm_spline;
+mod speeds;
+mod straight_lines;
 
 pub use attached::AttachedMesh;
 use bone_sizes::BoneSizes;
+pub use functions::CoordinateFunction;
 pub use joints::{AnatomyJoint, JointCoordinate, ModelJoint};
+pub use speeds::Speeds;
 
 /// The part of a model that scaling changes (or should have changed), by body name.
 #[derive(Debug, Clone, PartialEq)]

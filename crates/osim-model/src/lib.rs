@@ -74,7 +74,10 @@ mod skeleton;
 mod slip;
 mod value;
 
-pub use anatomy::{Anatomy, AnatomyJoint, AnatomySphere, AttachedMesh, JointCoordinate, ModelJoint};
+pub use anatomy::{
+    Anatomy, AnatomyJoint, AnatomySphere, AttachedMesh, CoordinateFunction, JointCoordinate, ModelJoint,
+    Speeds,
+};
 pub use assignment::Assignment;
 pub use body_sizes::ScaledSinceNote;
 pub use class::Class;
@@ -82,8 +85,8 @@ pub use components::Companion;
 pub use contact_digest::{ValueKey, short_digest};
 pub use contacts::{
     Force, ForceId, ForceKind, FrameProperty, HalfSpace, LoadedSphere, Orientation, ParameterSet, SetId,
-    Slot, Sphere, SphereId, Surfaces, contact_of_set, loaded_spheres, moving_spheres, root_mean_square,
-    sphere_sets,
+    Slot, Sphere, SphereId, Surfaces, contact_of_pair, contact_of_set, loaded_spheres, moving_spheres,
+    root_mean_square, sphere_sets,
 };
 pub use dissipation_by::DissipationBy;
 pub use document::{Document, may_include};
@@ -106,7 +109,7 @@ pub use pattern::{Pattern, PatternError};
 pub use property::Property;
 pub use property_set::PropertySet;
 pub use radius_rule::RadiusRule;
-pub use reference_frame::{Axis, LevelAxis, Placement, Rotation};
+pub use reference_frame::{Axis, LevelAxis, MovingPlacement, Placement, Rotation, cross};
 pub use rules::RULES;
 pub use selected::Selected;
 pub use selection::Selection;

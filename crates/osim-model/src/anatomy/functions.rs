@@ -1,40 +1,56 @@
 //! The functions by which joints move.
 
+use super::simm_spline::SimmSpline;
+use super::straight_lines::straight;
 use crate::document::Document;
 use osim_xml::{ElementId, opensim_text};
 
-/// A function of one coordinate, read from a file.
+/// A function of one coordinate (or of time), read from a file.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Function {
+pub struct CoordinateFunction(Kind);
+
+#[derive(Debug, Clone, PartialEq)]
+enum Kind {
     /// The coefficients of a polynomial, that of the highest power first; a constant is one.
     Polynomial(Vec<f64>),
     /// Another one, times a number.
-    Scaled(f64, Box<Function>),
+    Scaled(f64, Box<Kind>),
     /// Straight lines between points.
     Straight(Vec<f64>, Vec<f64>),
     /// SIMM's cubic spline.
-    Spline(Vec<f64>, Vec<f64>),
+    Spline(SimmSpline),
 }
 
-impl Document {
-    /// The value at `x` of the function of one coordinate at `function`; `None` for a function that is not known.
+impl CoordinateFunction {
+    /// 0 everywhere.
+    pub(super) const ZERO: Self = Self(Kind::Polynomial(Vec::new()));
+
+    /// The function at `element`; `None` for one that is not known.
     #[must_use]
-    pub fn function_value(&self, function: ElementId, x: f64) -> Option<f64> {
-        Some(Function::read(self, function)?.value(x))
+    pub fn read(document: &Document, element: ElementId) -> Option<Self> {
+        Kind::read(document, element).map(Self)
+    }
+
+    /// Its value at `x`.
+    #[must_use]
+    pub fn value(&self, x: f64) -> f64 {
+        self.0.value(x)
+    }
+
+    /// Its derivative at `x`.
+    #[must_use]
+    pub fn slope(&self, x: f64) -> f64 {
+        self.0.slope(x)
     }
 }
 
-impl Function {
-    /// 0 everywhere.
-    pub(super) const ZERO: Self = Self::Polynomial(Vec::new());
-
-    /// The function at `element`; `None` for one that is not known.
-    pub(super) fn read(document: &Document, element: ElementId) -> Option<Self> {
+impl Kind {
+    fn read(document: &Document, element: ElementId) -> Option<Self> {
         let tree = document.tree();
         match tree.name(element) {
             "Constant" => match tree.child(element, "value") {
                 Some(_) => Some(Self::Polynomial(vec![*numbers(document, element, "value")?.first()?])),
-                None => Some(Self::ZERO),
+                None => Some(Self::Polynomial(Vec::new())),
             },
             "LinearFunction" | "PolynomialFunction" => {
                 Some(Self::Polynomial(numbers(document, element, "coefficients")?))
@@ -54,7 +70,7 @@ impl Function {
             // OpenSim reads both as the first.
             "SimmSpline" | "NaturalCubicSpline" | "natCubicSpline" => {
                 let (xs, ys) = knots(document, element)?;
-                Some(Self::Spline(xs, ys))
+                Some(Self::Spline(SimmSpline::new(xs, ys)))
             }
             "GCVSpline" | "PiecewiseConstantFunction" => {
                 let (_, ys) = knots(document, element)?;
@@ -66,14 +82,27 @@ impl Function {
         }
     }
 
-    pub(super) fn value(&self, x: f64) -> f64 {
+    fn value(&self, x: f64) -> f64 {
         match self {
             Self::Polynomial(coefficients) => {
                 coefficients.iter().fold(0.0, |sum, coefficient| sum * x + coefficient)
             }
             Self::Scaled(scale, inner) => scale * inner.value(x),
-            Self::Straight(xs, ys) => straight(xs, ys, x),
-            Self::Spline(xs, ys) => spline(xs, ys, x),
+            Self::Straight(xs, ys) => straight(xs, ys, x).0,
+            Self::Spline(spline) => spline.at(x).0,
+        }
+    }
+
+    fn slope(&self, x: f64) -> f64 {
+        match self {
+            // Horner's scheme, differentiated.
+            Self::Polynomial(coefficients) => {
+                let step = |(sum, slope), coefficient: &f64| (sum * x + coefficient, slope * x + sum);
+                coefficients.iter().fold((0.0, 0.0), step).1
+            }
+            Self::Scaled(scale, inner) => scale * inner.slope(x),
+            Self::Straight(xs, ys) => straight(xs, ys, x).1,
+            Self::Spline(spline) => spline.at(x).1,
         }
     }
 }
@@ -90,123 +119,17 @@ fn knots(document: &Document, function: ElementId) -> Option<(Vec<f64>, Vec<f64>
     (xs.len() == ys.len() && xs.is_sorted_by(|a, b| a < b)).then_some((xs, ys))
 }
 
-/// The piece of a curve in which `x` is; the first or the last one outside.
-fn piece(xs: &[f64], x: f64) -> usize {
-    let after = xs.partition_point(|&knot| knot <= x);
-    after.saturating_sub(1).min(xs.len().saturating_sub(2))
-}
-
-/// Straight lines between points, the outer ones without an end.
-fn straight(xs: &[f64], ys: &[f64], x: f64) -> f64 {
-    let k = piece(xs, x);
-    let (Some([x0, x1]), Some([y0, y1])) = (xs.get(k..k + 2), ys.get(k..k + 2)) else {
-        return ys.first().copied().unwrap_or_default();
-    };
-    y0 + (x - x0) * (y1 - y0) / (x1 - x0)
-}
-
-/// SIMM's cubic spline, as OpenSim evaluates it: beyond its ends it is straight.
-#[allow(clippy::indexing_slicing, reason = "all indices are below the number of knots")]
-fn spline(xs: &[f64], ys: &[f64], x: f64) -> f64 {
-    let n = xs.len();
-    if n < 3 {
-        return straight(xs, ys, x);
-    }
-    let width: Vec<f64> = xs.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    let rise: Vec<f64> = ys.windows(2).zip(&width).map(|(pair, width)| (pair[1] - pair[0]) / width).collect();
-    let third = third_parts(xs, &width, &rise);
-    // y = y0 + b dx + c dx^2 + d dx^3 in each piece.
-    let b = |k: usize| rise[k] - width[k] * (third[k + 1] + 2.0 * third[k]);
-    if x < xs[0] {
-        return ys[0] + (x - xs[0]) * b(0);
-    }
-    if x > xs[n - 1] {
-        let slope = rise[n - 2] + width[n - 2] * (third[n - 2] + 2.0 * third[n - 1]);
-        return ys[n - 1] + (x - xs[n - 1]) * slope;
-    }
-    let k = piece(xs, x);
-    let dx = x - xs[k];
-    if x == xs[k + 1] {
-        return ys[k + 1];
-    }
-    let d = (third[k + 1] - third[k]) / width[k];
-    ys[k] + dx * (b(k) + dx * (3.0 * third[k] + dx * d))
-}
-
-/// A sixth of the second derivative at each knot of the spline of Forsythe, Malcolm and Moler, Computer Methods for Mathematical
-/// Computations (1977), chapter 4: at both ends, the third derivative is that of the cubic through the four nearest knots.
-#[allow(
-    clippy::indexing_slicing,
-    reason = "all indices are below the number of knots, which are three or more"
-)]
-fn third_parts(xs: &[f64], width: &[f64], rise: &[f64]) -> Vec<f64> {
-    let n = xs.len();
-    let mut diagonal: Vec<f64> = vec![0.0; n];
-    let mut right: Vec<f64> = vec![0.0; n];
-    for k in 1..n - 1 {
-        diagonal[k] = 2.0 * (width[k - 1] + width[k]);
-        right[k] = rise[k] - rise[k - 1];
-    }
-    diagonal[0] = -width[0];
-    diagonal[n - 1] = -width[n - 2];
-    if n > 3 {
-        let divided = |k: usize| right[k] / (xs[k + 1] - xs[k - 1]);
-        let (first, last) = (divided(2) - divided(1), divided(n - 2) - divided(n - 3));
-        right[0] = first * width[0] * width[0] / (xs[3] - xs[0]);
-        right[n - 1] = -last * width[n - 2] * width[n - 2] / (xs[n - 1] - xs[n - 4]);
-    }
-    for k in 1..n {
-        let part = width[k - 1] / diagonal[k - 1];
-        diagonal[k] -= part * width[k - 1];
-        right[k] -= part * right[k - 1];
-    }
-    right[n - 1] /= diagonal[n - 1];
-    for k in (0..n - 1).rev() {
-        right[k] = (right[k] - width[k] * right[k + 1]) / diagonal[k];
-    }
-    right
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const XS: [f64; 5] = [-1.0, 0.0, 0.5, 2.0, 3.5];
-    const YS: [f64; 5] = [0.2, 1.0, -0.3, 0.4, 2.0];
-
-    /// What OpenSim 4.6 gives (`SimmSpline.calcValue`).
     #[test]
-    fn splines_are_those_of_opensim() {
-        let at = [-2.0, -1.0, -0.5, 0.0, 0.3, 0.5, 1.0, 2.0, 3.0, 3.5, 4.0];
-        let expected = [
-            -5.046931762395681,
-            0.2,
-            1.553399607265587,
-            1.0,
-            0.19329955817378497,
-            -0.3,
-            -0.7815742104401899,
-            0.4,
-            1.9023073146784486,
-            2.0,
-            1.7370152184585175,
-        ];
-        for (x, expected) in at.into_iter().zip(expected) {
-            assert!((spline(&XS, &YS, x) - expected).abs() < 1e-14, "at {x}");
-        }
-        // Three knots and two.
-        let three = [(-2.0, -2.866666666666667), (-0.5, 1.166666666666667), (0.3, 0.356), (2.0, -5.9)];
-        for (x, expected) in three {
-            assert!((spline(&XS[..3], &YS[..3], x) - expected).abs() < 1e-14, "at {x}");
-        }
-        assert!((spline(&XS[..2], &YS[..2], 0.3) - 1.24).abs() < 1e-14);
-        assert_eq!(spline(&XS[..1], &YS[..1], 7.0), 0.2);
-    }
-
-    #[test]
-    fn straight_lines_go_on_outside() {
-        for (x, expected) in [(-2.0, -0.6), (-0.5, 0.6), (0.3, 0.22), (2.0, 0.4), (4.0, 2.0 + 1.6 / 3.0)] {
-            assert!((straight(&XS, &YS, x) - expected).abs() < 1e-15, "at {x}");
-        }
+    fn polynomials_have_slopes() {
+        // 2 x^3 - x + 5 at 3: 54 - 3 + 5, and 6 x^2 - 1.
+        let cubic = Kind::Polynomial(vec![2.0, 0.0, -1.0, 5.0]);
+        assert_eq!((cubic.value(3.0), cubic.slope(3.0)), (56.0, 53.0));
+        let scaled = Kind::Scaled(-0.5, Box::new(cubic));
+        assert_eq!((scaled.value(3.0), scaled.slope(3.0)), (-28.0, -26.5));
+        assert_eq!((CoordinateFunction::ZERO.value(3.0), CoordinateFunction::ZERO.slope(3.0)), (0.0, 0.0));
     }
 }

@@ -7,10 +7,11 @@ use osim_xml::ElementId;
 
 use super::functions::numbers;
 use super::pose::Motion;
+use super::speeds::Speeds;
 use crate::components::{ComponentId, Components, MAX_FRAME_CHAIN};
 use crate::document::Document;
 use crate::fault::FileId;
-use crate::reference_frame::Placement;
+use crate::reference_frame::{MovingPlacement, Placement};
 
 /// A joint between two bodies.
 #[derive(Debug, Clone, PartialEq)]
@@ -85,13 +86,29 @@ impl ModelJoint {
     }
 
     pub(super) fn placed(&self, components: &Components, values: &[f64]) -> Option<Placement> {
-        let motion = self.motion.get_or_init(|| {
-            let names: Vec<&str> = self.coordinates.iter().map(|one| one.name.as_str()).collect();
-            Motion::read(components.document(self.file), self.element, &names)
-        });
-        let motion = motion.as_ref()?.placement(values);
+        let motion = self.motion(components)?.placement(values);
         let motion = if self.reversed { motion.inverse() } else { motion };
         Some(self.in_parent.then(&motion).then(&self.in_child.inverse()))
+    }
+
+    pub(super) fn moved(
+        &self,
+        components: &Components,
+        values: &[f64],
+        speeds: Speeds<'_>,
+    ) -> Option<MovingPlacement> {
+        let motion = self.motion(components)?.moving(values, speeds);
+        let motion = if self.reversed { motion.inverse() } else { motion };
+        let still = MovingPlacement::still;
+        Some(still(self.in_parent).then(&motion).then(&still(self.in_child.inverse())))
+    }
+
+    pub(super) fn motion(&self, components: &Components) -> Option<&Motion> {
+        let read = || {
+            let names: Vec<&str> = self.coordinates.iter().map(|one| one.name.as_str()).collect();
+            Motion::read(components.document(self.file), self.element, &names)
+        };
+        self.motion.get_or_init(read).as_ref()
     }
 
     /// The same with its frames as OpenSim converts those of a joint in a body: with six digits.

@@ -1,8 +1,9 @@
 //! What a model says of its joints.
 
 use super::joints::ModelJoint;
+use super::speeds::Speeds;
 use crate::model::Model;
-use crate::reference_frame::Placement;
+use crate::reference_frame::{MovingPlacement, Placement};
 
 impl Model {
     /// All joints whose frames lead to bodies or to ground, in file order, without those that OpenSim ignores. Frames of joints in
@@ -19,5 +20,18 @@ impl ModelJoint {
     #[must_use]
     pub fn placement(&self, model: &Model, values: &[f64]) -> Option<Placement> {
         self.placed(model.components(), values)
+    }
+
+    /// The same while its coordinates change with these `speeds`.
+    #[must_use]
+    pub fn moving(&self, model: &Model, values: &[f64], speeds: Speeds<'_>) -> Option<MovingPlacement> {
+        self.moved(model.components(), values, speeds)
+    }
+
+    /// Whether the coordinate number `index` of a CustomJoint turns about an axis by its own value (else it shifts along one); `None`
+    /// where it is neither an angle nor a length.
+    #[must_use]
+    pub fn pure_axis(&self, model: &Model, index: usize) -> Option<bool> {
+        self.motion(model.components())?.pure_axis(index)
     }
 }

@@ -2,9 +2,10 @@
 
 use osim_xml::{ElementId, opensim_text};
 
-use super::functions::Function;
+use super::functions::CoordinateFunction;
+use super::speeds::Speeds;
 use crate::document::Document;
-use crate::reference_frame::{Placement, Rotation, times};
+use crate::reference_frame::{MovingPlacement, Placement, Rotation, cross, times};
 
 /// Three axes of rotation and three of translation, in the order in which OpenSim applies them.
 const ROTATIONS: [&str; 3] = ["rotation1", "rotation2", "rotation3"];
@@ -17,8 +18,10 @@ pub(super) enum Motion {
     Pin,
     Slider,
     Universal,
-    /// Three angles, as in a gimbal.
-    Turned,
+    /// Three angles.
+    Gimbal,
+    /// Three angles, whose speeds are an angular velocity in OpenSim.
+    Ball,
     Planar,
     Free,
     /// Three angles, and the radii of the ellipsoid that the child glides on, m.
@@ -35,7 +38,9 @@ pub(super) struct Axis {
     direction: [f64; 3],
     /// Which of the joint's coordinates it is a function of; `None` if of none.
     coordinate: Option<usize>,
-    function: Function,
+    function: CoordinateFunction,
+    /// Whether the function is a `LinearFunction` of slope 1 or -1: the coordinate is an angle or a length.
+    is_pure: bool,
 }
 
 impl Motion {
@@ -46,7 +51,8 @@ impl Motion {
             "PinJoint" => Self::Pin,
             "SliderJoint" => Self::Slider,
             "UniversalJoint" => Self::Universal,
-            "GimbalJoint" | "BallJoint" => Self::Turned,
+            "GimbalJoint" => Self::Gimbal,
+            "BallJoint" => Self::Ball,
             "PlanarJoint" => Self::Planar,
             "FreeJoint" => Self::Free,
             "EllipsoidJoint" => Self::Ellipsoid(document.triple(element, "radii_x_y_z")?),
@@ -66,7 +72,7 @@ impl Motion {
             Self::Pin => only(Rotation::about([0.0, 0.0, 1.0], first)),
             Self::Slider => Placement { translation_m: [first, 0.0, 0.0], ..Placement::IDENTITY },
             Self::Universal => only(Rotation::body_fixed_xyz([first, second, 0.0])),
-            Self::Turned => only(turned()),
+            Self::Gimbal | Self::Ball => only(turned()),
             Self::Planar => Placement {
                 rotation: Rotation::about([0.0, 0.0, 1.0], first),
                 translation_m: [second, third, 0.0],
@@ -83,7 +89,85 @@ impl Motion {
     }
 }
 
+impl Motion {
+    /// Whether its coordinate number `index` turns (else shifts) about (or along) an axis by its own value; `None` where it is
+    /// neither an angle nor a length. The last axis counts, as in OpenSim.
+    pub(super) fn pure_axis(&self, index: usize) -> Option<bool> {
+        let Self::Spatial(axes) = self else { return None };
+        axes.iter().rfind(|axis| axis.coordinate == Some(index) && axis.is_pure).map(|axis| axis.turns)
+    }
+
+    /// The child's frame of the joint in its parent's where its coordinates have `values` and change with `speeds`.
+    pub(super) fn moving(&self, values: &[f64], speeds: Speeds<'_>) -> MovingPlacement {
+        let value = |index: usize| values.get(index).copied().unwrap_or(0.0);
+        let speed = |index: usize| speeds.get(index);
+        let [first, second, third] = [speed(0), speed(1), speed(2)];
+        let at = self.placement(values);
+        let still = MovingPlacement::still(at);
+        match self {
+            Self::Weld => still,
+            Self::Pin => MovingPlacement { angular_velocity: [0.0, 0.0, first], ..still },
+            Self::Slider => MovingPlacement { velocity_m_s: [first, 0.0, 0.0], ..still },
+            Self::Universal => {
+                let angular_velocity =
+                    Rotation::body_fixed_velocity([value(0), value(1), 0.0], [first, second, 0.0]);
+                MovingPlacement { angular_velocity, ..still }
+            }
+            Self::Gimbal => {
+                let angles = [value(0), value(1), value(2)];
+                let angular_velocity = Rotation::body_fixed_velocity(angles, [first, second, third]);
+                MovingPlacement { angular_velocity, ..still }
+            }
+            Self::Ball => MovingPlacement { angular_velocity: speeds.turning(values), ..still },
+            Self::Planar => MovingPlacement {
+                angular_velocity: [0.0, 0.0, first],
+                velocity_m_s: [second, third, 0.0],
+                ..still
+            },
+            Self::Free => MovingPlacement {
+                angular_velocity: speeds.turning(values),
+                velocity_m_s: [speed(3), speed(4), speed(5)],
+                ..still
+            },
+            Self::Ellipsoid(radii_m) => {
+                let angular_velocity = speeds.turning(values);
+                let along = cross(angular_velocity, at.rotation.to_body([0.0, 0.0, 1.0]));
+                MovingPlacement { angular_velocity, velocity_m_s: times(*radii_m, along), ..still }
+            }
+            Self::Spatial(axes) => {
+                let start = MovingPlacement::still(Placement::IDENTITY);
+                axes.iter().fold(start, |moving, axis| axis.after_moving(moving, value, speed))
+            }
+        }
+    }
+}
+
 impl Axis {
+    /// `moving`, turned or shifted further, while its coordinate changes.
+    fn after_moving(
+        &self,
+        mut moving: MovingPlacement,
+        value_of: impl Fn(usize) -> f64,
+        speed_of: impl Fn(usize) -> f64,
+    ) -> MovingPlacement {
+        let rate =
+            self.coordinate.map_or(0.0, |index| self.function.slope(value_of(index)) * speed_of(index));
+        let [x, y, z] = self.direction;
+        let length = libm::sqrt(x * x + y * y + z * z);
+        if length > 0.0 {
+            let along = self.direction.map(|part| part / length * rate);
+            if self.turns {
+                // The axis is one of the frame that those before have turned.
+                let along = moving.at.rotation.to_body(along);
+                moving.angular_velocity = std::array::from_fn(|i| moving.angular_velocity[i] + along[i]);
+            } else {
+                moving.velocity_m_s = std::array::from_fn(|i| moving.velocity_m_s[i] + along[i]);
+            }
+        }
+        moving.at = self.after(moving.at, value_of);
+        moving
+    }
+
     /// `placement`, turned or shifted further: rotations come one after the other, each in the frame that those before have turned.
     fn after(&self, mut placement: Placement, value_of: impl Fn(usize) -> f64) -> Placement {
         let value = self.function.value(self.coordinate.map_or(0.0, value_of));
@@ -108,10 +192,10 @@ fn axes(document: &Document, joint: ElementId, coordinates: &[&str]) -> Option<V
     let read = |(index, axis): (usize, ElementId)| {
         let name = tree.attribute(axis, "name").unwrap_or_default();
         let named = ROTATIONS.iter().chain(&TRANSLATIONS).position(|known| *known == &*name);
-        let (coordinate, function) = function_of(document, axis, coordinates)?;
+        let (coordinate, function, is_pure) = function_of(document, axis, coordinates)?;
         let turns = named.unwrap_or(index) < ROTATIONS.len();
         let direction = document.triple(axis, "axis").unwrap_or([0.0; 3]);
-        Some(Axis { turns, direction, coordinate, function })
+        Some(Axis { turns, direction, coordinate, function, is_pure })
     };
     tree.children(transform).enumerate().map(read).collect()
 }
@@ -121,7 +205,7 @@ fn function_of(
     document: &Document,
     axis: ElementId,
     coordinates: &[&str],
-) -> Option<(Option<usize>, Function)> {
+) -> Option<(Option<usize>, CoordinateFunction, bool)> {
     let tree = document.tree();
     let names = tree.child(axis, "coordinates").map(|list| tree.text_of(list)).unwrap_or_default();
     let mut names = opensim_text::list(&names);
@@ -135,12 +219,15 @@ fn function_of(
     }
     let wrapped = tree.child(axis, "function").and_then(|wrapper| tree.children(wrapper).next());
     let is_function = |id: &ElementId| !["coordinates", "axis", "function"].contains(&tree.name(*id));
-    let function = match wrapped.or_else(|| tree.children(axis).find(is_function)) {
-        Some(function) => Function::read(document, function)?,
-        None if coordinate.is_none() => Function::ZERO,
+    let element = wrapped.or_else(|| tree.children(axis).find(is_function));
+    let function = match element {
+        Some(function) => CoordinateFunction::read(document, function)?,
+        None if coordinate.is_none() => CoordinateFunction::ZERO,
         None => return None,
     };
-    Some((coordinate, function))
+    let is_linear = element.is_some_and(|function| tree.name(function) == "LinearFunction");
+    let is_pure = is_linear && function.slope(0.0).abs() == 1.0;
+    Some((coordinate, function, is_pure))
 }
 
 #[cfg(test)]

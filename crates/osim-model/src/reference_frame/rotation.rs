@@ -21,6 +21,16 @@ impl Rotation {
         ])
     }
 
+    /// The angular velocity (rad/s) of a frame whose body-fixed `angles` about x, y and z (rad) change at `rates` (rad/s), seen from
+    /// the body.
+    #[must_use]
+    pub fn body_fixed_velocity([x, y, _]: [f64; 3], rates: [f64; 3]) -> [f64; 3] {
+        let (sx, cx) = (libm::sin(x), libm::cos(x));
+        let (sy, cy) = (libm::sin(y), libm::cos(y));
+        let [about_x, about_y, about_z] = rates;
+        [about_x + sy * about_z, cx * about_y - sx * cy * about_z, sx * about_y + cx * cy * about_z]
+    }
+
     /// The angles about x, then y, then z (rad) that make this rotation, as OpenSim's `orientation` has them.
     #[must_use]
     pub fn to_body_fixed_xyz(&self) -> [f64; 3] {
@@ -75,6 +85,12 @@ impl Rotation {
         let scaled = times(factors, self.to_body(vector));
         std::array::from_fn(|i| (0..3).map(|k| self.0[k][i] * scaled[k]).sum())
     }
+}
+
+/// a × b.
+#[must_use]
+pub fn cross([ax, ay, az]: [f64; 3], [bx, by, bz]: [f64; 3]) -> [f64; 3] {
+    [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
 }
 
 /// Axis by axis.
