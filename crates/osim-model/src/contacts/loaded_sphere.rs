@@ -68,7 +68,24 @@ pub fn loaded_spheres(model: &Model, forces: &[ForceId]) -> Result<Vec<LoadedSph
 /// # Errors
 /// A value that is not a plain number or outside its domain, with its place.
 pub fn contact_of_set(force: &Force, surfaces: &Surfaces, set: SetId) -> Result<Contact, Fault> {
-    let SurfaceValues { plane_strain_modulus, dissipation } = surfaces.with_plane(set)?;
+    contact_of_values(force, surfaces.with_plane(set)?, set)
+}
+
+/// The same with a plane that has its own parameters in the set `plane`.
+///
+/// # Errors
+/// A value that is not a plain number or outside its domain, with its place.
+pub fn contact_of_pair(
+    force: &Force,
+    surfaces: &Surfaces,
+    set: SetId,
+    plane: SetId,
+) -> Result<Contact, Fault> {
+    contact_of_values(force, surfaces.together(set, plane)?, set)
+}
+
+fn contact_of_values(force: &Force, values: SurfaceValues, set: SetId) -> Result<Contact, Fault> {
+    let SurfaceValues { plane_strain_modulus, dissipation } = values;
     let get = |property| force.checked(set, property);
     let smoothing = match (
         get(Property::ConstantContactForce)?,

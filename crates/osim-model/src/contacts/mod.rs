@@ -15,7 +15,7 @@ mod surfaces;
 pub use force::{Force, ForceKind, ParameterSet};
 pub use half_space::{FrameProperty, HalfSpace};
 pub use ids::{ForceId, SetId, SphereId};
-pub use loaded_sphere::{LoadedSphere, contact_of_set, loaded_spheres};
+pub use loaded_sphere::{LoadedSphere, contact_of_pair, contact_of_set, loaded_spheres};
 pub use moving::{moving_spheres, root_mean_square};
 pub use orientation::Orientation;
 pub(crate) use read::ContactReader;
