@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use osim_model::{Document, ElementId, FileId, Model, ModelJoint, opensim_text};
+use osim_model::{CoordinateFunction, Document, ElementId, FileId, Model, ModelJoint, opensim_text};
 
 use crate::pose_fault::PoseFault;
 
@@ -13,13 +13,59 @@ const PASSES: usize = 8;
 /// From this version on, a constraint says whether it is enforced, not whether it is disabled.
 const ENFORCED: u32 = 30509;
 
-/// One coordinate that is a function of another.
-struct Coupler<'m> {
-    document: &'m Document,
-    function: ElementId,
+/// A coordinate that an enforced CoordinateCouplerConstraint makes a function of another one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Coupler {
+    /// The coordinate that it depends on.
+    pub independent: String,
+    /// The coordinate that depends.
+    pub dependent: String,
     factor: f64,
-    independent: String,
-    dependent: String,
+    /// `None` for one that is not known.
+    function: Option<CoordinateFunction>,
+}
+
+impl Coupler {
+    /// The dependent coordinate where the independent one has this value, and by how much it changes with it; `None` where the
+    /// function is not known.
+    #[must_use]
+    pub fn at(&self, independent: f64) -> Option<(f64, f64)> {
+        let function = self.function.as_ref()?;
+        Some((self.factor * function.value(independent), self.factor * function.slope(independent)))
+    }
+}
+
+/// What the enforced constraints of a model say of its coordinates.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Couplers {
+    /// Coordinates that are functions of others, in file order.
+    pub all: Vec<Coupler>,
+    /// Constraints that are not understood.
+    pub unknown: Vec<PoseFault>,
+}
+
+impl Couplers {
+    /// Those of `model`.
+    #[must_use]
+    pub fn of(model: &Model) -> Self {
+        let mut couplers = Self { all: Vec::new(), unknown: Vec::new() };
+        for (document, constraint) in constraints(model) {
+            match coupler(document, constraint) {
+                Some(coupler) => couplers.all.push(coupler),
+                None => couplers.unknown.push(unknown(document, constraint)),
+            }
+        }
+        couplers
+    }
+}
+
+fn unknown(document: &Document, constraint: ElementId) -> PoseFault {
+    let tree = document.tree();
+    PoseFault::Constraint {
+        constraint: tree.attribute(constraint, "name").unwrap_or_default().into_owned(),
+        class: tree.name(constraint).to_owned(),
+    }
 }
 
 /// Values of all coordinates whose value is known, and the first constraint that is not understood.
@@ -37,23 +83,9 @@ pub(crate) fn coordinate_values(
             }
         }
     }
-    let mut couplers = Vec::new();
-    let mut doubt = None;
-    for (document, constraint) in constraints(model) {
-        match coupler(document, constraint) {
-            Some(coupler) => couplers.push(coupler),
-            None => {
-                let tree = document.tree();
-                doubt = doubt.or_else(|| {
-                    Some(PoseFault::Constraint {
-                        constraint: tree.attribute(constraint, "name").unwrap_or_default().into_owned(),
-                        class: tree.name(constraint).to_owned(),
-                    })
-                });
-            }
-        }
-    }
-    let unknown = couple(&mut values, &couplers);
+    let couplers = Couplers::of(model);
+    let doubt = couplers.unknown.first().cloned();
+    let unknown = couple(&mut values, &couplers.all);
     for dependent in unknown {
         // Its joint says that it has no value.
         values.remove(&dependent);
@@ -69,8 +101,13 @@ pub(crate) fn dependent_coordinates(model: &Model) -> HashSet<String> {
 
 /// The value at time 0 of a coordinate that is prescribed: `Some(None)` where its function is not known.
 fn prescribed(document: &Document, coordinate: ElementId) -> Option<Option<f64>> {
-    let function = prescribing(document, coordinate)?;
-    Some(document.function_value(function, 0.0))
+    Some(prescribed_function(document, coordinate)?.map(|function| function.value(0.0)))
+}
+
+/// The function of time that sets a coordinate, if one does: `Some(None)` for a function that is not known.
+#[must_use]
+pub fn prescribed_function(document: &Document, coordinate: ElementId) -> Option<Option<CoordinateFunction>> {
+    Some(CoordinateFunction::read(document, prescribing(document, coordinate)?))
 }
 
 /// The function that prescribes a coordinate, if one does.
@@ -111,7 +148,7 @@ fn is_enforced(document: &Document, constraint: ElementId) -> bool {
     !disabled.is_some_and(|text| opensim_text::is_disabled(&text))
 }
 
-fn coupler(document: &Document, constraint: ElementId) -> Option<Coupler<'_>> {
+fn coupler(document: &Document, constraint: ElementId) -> Option<Coupler> {
     let tree = document.tree();
     if tree.name(constraint) != "CoordinateCouplerConstraint" {
         return None;
@@ -126,8 +163,7 @@ fn coupler(document: &Document, constraint: ElementId) -> Option<Coupler<'_>> {
     }
     let factor = opensim_text::numbers(&text("scale_factor")).and_then(|values| values.first().copied());
     Some(Coupler {
-        document,
-        function,
+        function: CoordinateFunction::read(document, function),
         factor: factor.unwrap_or(1.0),
         independent: independent.to_owned(),
         dependent: opensim_text::trimmed(&dependent).to_owned(),
@@ -135,19 +171,18 @@ fn coupler(document: &Document, constraint: ElementId) -> Option<Coupler<'_>> {
 }
 
 /// Sets dependent coordinates to the values that follow. Returns the names of those whose values are not known.
-fn couple(values: &mut HashMap<String, f64>, couplers: &[Coupler<'_>]) -> Vec<String> {
+fn couple(values: &mut HashMap<String, f64>, couplers: &[Coupler]) -> Vec<String> {
     let mut unknown = Vec::new();
     for pass in 0..PASSES {
         let mut changed = false;
         for coupler in couplers {
             let Some(&independent) = values.get(&coupler.independent) else { continue };
-            let Some(value) = coupler.document.function_value(coupler.function, independent) else {
+            let Some((value, _)) = coupler.at(independent) else {
                 if pass == 0 {
                     unknown.push(coupler.dependent.clone());
                 }
                 continue;
             };
-            let value = coupler.factor * value;
             if let Some(dependent) = values.get_mut(&coupler.dependent)
                 && (*dependent - value).abs() > ASSEMBLED
             {

@@ -1,10 +1,11 @@
 //! Where bodies are in ground while all coordinates have their default values.
 
-use std::collections::{HashMap, VecDeque};
+use std::collections::HashMap;
 
 use osim_model::{Model, ModelJoint, Placement};
 
 use crate::couplers::coordinate_values;
+use crate::joint_walk::{Crossing, joint_walk};
 use crate::pose_fault::PoseFault;
 
 /// Two ways from ground to a body that end as close as this are one, m and rad.
@@ -60,37 +61,21 @@ impl DefaultPose {
 
     /// Goes from ground to all bodies; a joint that closes a loop elsewhere than where the other way ends.
     fn place_all(&mut self, joints: &[ModelJoint], places: &Places<'_>) -> Option<PoseFault> {
-        let mut at: HashMap<Option<&str>, Vec<usize>> = HashMap::new();
-        for (index, joint) in joints.iter().enumerate() {
-            at.entry(joint.parent.as_deref()).or_default().push(index);
-            at.entry(joint.child.as_deref()).or_default().push(index);
-        }
-        let mut used = vec![false; joints.len()];
         let mut open = None;
-        let mut waiting: VecDeque<Option<&str>> = VecDeque::from([None]);
-        while let Some(here) = waiting.pop_front() {
-            for &index in at.get(&here).into_iter().flatten() {
-                let (Some(joint), Some(used)) = (joints.get(index), used.get_mut(index)) else { continue };
-                if std::mem::replace(used, true) {
-                    continue;
+        for Crossing { joint, from, to, forward, closes } in joint_walk(joints) {
+            let placement = self.across(joint, from, forward, places);
+            let known = match to {
+                None => Some(Ok(Placement::IDENTITY)),
+                Some(body) => self.placements.get(body).cloned(),
+            };
+            match (known, to) {
+                (Some(known), _) if closes && !same(&known, &placement) => {
+                    open = open.or(Some(PoseFault::Loop { joint: joint.name.clone() }));
                 }
-                let forward = joint.parent.as_deref() == here;
-                let there = if forward { joint.child.as_deref() } else { joint.parent.as_deref() };
-                let placement = self.across(joint, here, forward, places);
-                let known = match there {
-                    None => Some(Ok(Placement::IDENTITY)),
-                    Some(body) => self.placements.get(body).cloned(),
-                };
-                match (known, there) {
-                    (Some(known), _) if !same(&known, &placement) => {
-                        open = open.or(Some(PoseFault::Loop { joint: joint.name.clone() }));
-                    }
-                    (None, Some(body)) => {
-                        self.placements.insert(body.to_owned(), placement);
-                        waiting.push_back(there);
-                    }
-                    _ => {}
+                (None, Some(body)) => {
+                    self.placements.insert(body.to_owned(), placement);
                 }
+                _ => {}
             }
         }
         open

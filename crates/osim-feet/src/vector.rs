@@ -1,5 +1,7 @@
 //! Vectors in space.
 
+use osim_model::cross;
+
 /// a · b.
 #[must_use]
 pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
@@ -9,8 +11,7 @@ pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 /// The angle between two vectors, rad, from 0 to π: atan2(|a × b|, a · b), which is exact near 0 and π, too.
 #[must_use]
 pub fn angle(a: [f64; 3], b: [f64; 3]) -> f64 {
-    let [x, y, z] = a;
-    let across = [y * b[2] - z * b[1], z * b[0] - x * b[2], x * b[1] - y * b[0]];
+    let across = cross(a, b);
     libm::atan2(dot(across, across).sqrt(), dot(a, b))
 }
 

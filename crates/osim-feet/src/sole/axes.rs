@@ -1,6 +1,6 @@
 //! Points of a foot along the ground: forward, and outward from the middle of the animal.
 
-use osim_model::Side;
+use osim_model::{Side, cross};
 
 /// Coordinates are multiples of this, m: those of a mirror image become the same numbers, whatever was rounded before.
 const GRID: f64 = 1.0 / (1_u64 << 34) as f64;
@@ -93,8 +93,4 @@ fn axis_of_ground(direction: [f64; 3]) -> [f64; 3] {
 
 pub(super) fn dot([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> f64 {
     a * x + b * y + c * z
-}
-
-fn cross([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> [f64; 3] {
-    [b * z - c * y, c * x - a * z, a * y - b * x]
 }

@@ -1,8 +1,10 @@
 //! Joints as a tree from ground: what a body hangs on, and what hangs on a joint.
 
-use std::collections::{HashMap, HashSet, VecDeque};
+use std::collections::{HashMap, HashSet};
 
 use osim_model::ModelJoint;
+
+use crate::joint_walk::{Crossing, joint_walk};
 
 /// The joint over which a body hangs on ground or on another body.
 #[derive(Debug, Clone, Copy)]
@@ -24,24 +26,11 @@ pub(super) struct JointTree<'j> {
 
 impl<'j> JointTree<'j> {
     pub(super) fn of(joints: &'j [ModelJoint]) -> Self {
-        let mut at: HashMap<Option<&str>, Vec<&'j ModelJoint>> = HashMap::new();
-        for joint in joints {
-            at.entry(joint.parent.as_deref()).or_default().push(joint);
-            at.entry(joint.child.as_deref()).or_default().push(joint);
-        }
         let mut tree = Self { above: HashMap::new(), below: HashMap::new() };
-        let mut waiting: VecDeque<Option<&'j str>> = VecDeque::from([None]);
-        while let Some(here) = waiting.pop_front() {
-            for &joint in at.get(&here).into_iter().flatten() {
-                let forward = joint.parent.as_deref() == here;
-                let there = if forward { &joint.child } else { &joint.parent };
-                let Some(body) = there.as_deref().filter(|body| !tree.above.contains_key(body)) else {
-                    continue;
-                };
-                tree.above.insert(body, Hanging { joint, body, parent: here, forward });
-                tree.below.entry(here.unwrap_or_default()).or_default().push(body);
-                waiting.push_back(Some(body));
-            }
+        for Crossing { joint, from, to, forward, closes } in joint_walk(joints) {
+            let Some(body) = to.filter(|_| !closes) else { continue };
+            tree.above.insert(body, Hanging { joint, body, parent: from, forward });
+            tree.below.entry(from.unwrap_or_default()).or_default().push(body);
         }
         tree
     }
