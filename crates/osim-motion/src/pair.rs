@@ -1,0 +1,154 @@
+//! A sphere and what one force lets it touch: a plane, or another sphere.
+
+use contact_scaling::{Friction, FrictionValues, Law};
+use osim_model::{
+    Fault, Force, ForceId, ForceKind, HalfSpace, Model, Property, SetId, Sphere, SphereId, Surfaces,
+    contact_of_pair,
+};
+
+/// What a sphere touches.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Touched {
+    /// A plane, by its place among all planes of the forces.
+    Plane(usize),
+    /// Another sphere of the same force.
+    Sphere(SphereId),
+}
+
+/// A sphere and what one force lets it touch.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct ContactPair {
+    /// The force.
+    pub force: ForceId,
+    /// The sphere.
+    pub sphere: SphereId,
+    /// The sphere's parameter set.
+    pub set: SetId,
+    /// What it touches.
+    pub touched: Touched,
+    /// Whether that is the ground: a plane, or a sphere that cannot move.
+    pub is_ground: bool,
+    /// Whether the force is switched on.
+    pub applies: bool,
+    /// The sphere's radius, m.
+    pub radius_m: f64,
+    /// The law of its normal force.
+    pub law: Law,
+    /// Its friction.
+    pub friction: Friction,
+    /// `constant_contact_force`, which the smooth class adds to the squared slip speed; `None` for the other class.
+    pub smoothing: Option<f64>,
+    /// Where the force acts, as a part of the indentation below the other surface: 1/2 for equal surfaces.
+    pub depth_share: f64,
+    /// The body of the sphere.
+    pub body: String,
+    /// The centre in that body, m.
+    pub(crate) centre_m: [f64; 3],
+}
+
+/// All pairs of moving spheres and what `forces` let them touch, and the planes, each once. Two spheres that both move are two pairs.
+///
+/// # Errors
+/// A value that is not a plain number or outside its domain, or a place that cannot be read.
+pub(crate) fn pairs_of(
+    model: &Model,
+    forces: &[ForceId],
+) -> Result<(Vec<ContactPair>, Vec<HalfSpace>), Fault> {
+    let (mut pairs, mut planes): (Vec<ContactPair>, Vec<HalfSpace>) = (Vec::new(), Vec::new());
+    for force in forces.iter().filter_map(|&id| model.force(id)) {
+        let surfaces = Surfaces::of(force)?;
+        for (set, spheres) in osim_model::sphere_sets(model, force) {
+            for other in &force.sets {
+                let parts = Parts { model, force, surfaces: &surfaces, set, other_set: other.id };
+                for plane in model.planes_of_set(other) {
+                    let number = planes.iter().position(|known| *known == plane).unwrap_or_else(|| {
+                        planes.push(plane.clone());
+                        planes.len() - 1
+                    });
+                    // Surfaces of one body never touch.
+                    let moving = spheres.iter().filter_map(|&id| model.sphere(id));
+                    for sphere in moving.filter(|sphere| sphere.body.is_some() && sphere.body != plane.body) {
+                        pairs.push(parts.pair(sphere, Touched::Plane(number))?);
+                    }
+                }
+                for touched in other.spheres.iter().filter_map(|&id| model.sphere(id)) {
+                    let moving = spheres.iter().filter_map(|&id| model.sphere(id));
+                    for sphere in moving.filter(|sphere| sphere.body.is_some() && sphere.body != touched.body)
+                    {
+                        pairs.push(parts.pair(sphere, Touched::Sphere(touched.id))?);
+                    }
+                }
+            }
+        }
+    }
+    Ok((pairs, planes))
+}
+
+struct Parts<'m> {
+    model: &'m Model,
+    force: &'m Force,
+    surfaces: &'m Surfaces,
+    set: SetId,
+    other_set: SetId,
+}
+
+impl Parts<'_> {
+    fn pair(&self, sphere: &Sphere, touched: Touched) -> Result<ContactPair, Fault> {
+        let Self { model, force, set, .. } = *self;
+        let of_force = |error: contact_scaling::DomainError| Fault::new(error).of(force.path.clone());
+        let contact = contact_of_pair(force, self.surfaces, set, self.other_set)?;
+        let radius_m = sphere.radius_m()?;
+        let other = match touched {
+            Touched::Sphere(id) => model.sphere(id),
+            Touched::Plane(_) => None,
+        };
+        // Of two spheres, the curvatures add up.
+        let curved_m = match other {
+            Some(other) => 1.0 / (1.0 / radius_m + 1.0 / other.radius_m()?),
+            None => radius_m,
+        };
+        let unread = || Fault::refused(format!("the place of sphere {} cannot be read", sphere.path));
+        Ok(ContactPair {
+            force: force.id,
+            sphere: sphere.id,
+            set,
+            touched,
+            is_ground: other.is_none_or(|other| other.fixed),
+            applies: force.applies,
+            radius_m,
+            law: Law::of(&contact, curved_m).map_err(of_force)?,
+            friction: Friction::new(self.friction()?).map_err(of_force)?,
+            smoothing: contact.smoothing().map(|smoothing| smoothing.constant_contact_force),
+            depth_share: self.depth_share()?,
+            body: sphere.body.clone().unwrap_or_default(),
+            centre_m: model.centre_m(sphere.id).ok_or_else(unread)?,
+        })
+    }
+
+    /// What friction of both surfaces makes together.
+    fn friction(&self) -> Result<FrictionValues, Fault> {
+        let of = |set, property| Ok::<f64, Fault>(self.force.checked(set, property)?.unwrap_or(0.0));
+        let mixed = |property| {
+            let (own, other) = (of(self.set, property)?, of(self.other_set, property)?);
+            Ok::<f64, Fault>(Friction::mixed(own, other))
+        };
+        Ok(FrictionValues {
+            static_friction: mixed(Property::StaticFriction)?,
+            dynamic_friction: mixed(Property::DynamicFriction)?,
+            viscous_friction: mixed(Property::ViscousFriction)?,
+            transition_velocity: of(self.set, Property::TransitionVelocity)?,
+        })
+    }
+
+    /// Simbody lets a force act nearer to the stiffer surface: k^(2/3) of the sphere over the sum of both.
+    fn depth_share(&self) -> Result<f64, Fault> {
+        if self.force.kind != ForceKind::HuntCrossley || self.set == self.other_set {
+            return Ok(0.5);
+        }
+        let stiffness = |set| Ok::<f64, Fault>(self.force.checked(set, Property::Stiffness)?.unwrap_or(0.0));
+        let two_thirds = |value: f64| libm::cbrt(value * value);
+        let (own, plane) = (two_thirds(stiffness(self.set)?), two_thirds(stiffness(self.other_set)?));
+        Ok(own / (own + plane))
+    }
+}

@@ -1,0 +1,313 @@
+//! A table as values and speeds of all coordinates of a model.
+
+use gcv_spline::GcvSpline;
+use osim_feet::{Coupler, Couplers};
+use osim_model::{Model, ModelJoint};
+
+use crate::coordinates::{Columns, CoordinateKind, ModelCoordinate, columns_of, coordinates_of};
+use crate::fault::MotionFault;
+use crate::filter::low_pass;
+use crate::table::{AngleUnit, Table};
+
+/// A quintic spline needs so many rows.
+const LEAST_ROWS: usize = 6;
+/// How often couplers that depend on each other are followed, at most.
+const PASSES: usize = 8;
+/// An angle beyond this is not one in radians, rad.
+const FULL_TURN: f64 = std::f64::consts::TAU;
+
+/// How a table is taken.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct RecordingOptions {
+    /// The unit of its angles; `None` where the file says it.
+    pub angles: Option<AngleUnit>,
+    /// What OpenSim takes for the unit of a file like this one that does not say it: degrees in a `.mot`, radians in a `.sto`.
+    pub undeclared: Option<AngleUnit>,
+    /// Values pass a zero-lag Butterworth low-pass filter of 4th order with this cutoff, Hz. Then speeds follow from them.
+    pub low_pass_hz: Option<f64>,
+}
+
+/// Values and speeds of all coordinates of a model in each frame.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Recording {
+    /// The time of each frame, s.
+    pub time_s: Vec<f64>,
+    /// All coordinates, joint by joint.
+    pub coordinates: Vec<ModelCoordinate>,
+    /// What was taken from where.
+    pub facts: RecordingFacts,
+    /// Frame by frame, rad or m.
+    values: Vec<f64>,
+    /// Frame by frame, rad/s or m/s.
+    speeds: Vec<f64>,
+    /// For each joint: whether its speeds are OpenSim's.
+    pub(crate) of_opensim: Vec<bool>,
+}
+
+/// What a recording was made from.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct RecordingFacts {
+    /// The unit of angles.
+    pub angles: AngleUnit,
+    /// Whether the file says so itself.
+    pub declared: bool,
+    /// Columns that belong to no coordinate, as in the file.
+    pub unused: Vec<String>,
+    /// Coordinates without a column, which keep their default (or follow the function that prescribes them).
+    pub kept: Vec<String>,
+    /// Coordinates that a coupler computes from others.
+    pub coupled: Vec<String>,
+    /// Whether speeds came from columns, for all coordinates that have one.
+    pub speeds_given: bool,
+    /// Constraints that are not enforced here.
+    pub unenforced: Vec<String>,
+}
+
+impl Recording {
+    /// What `table` says of the coordinates of `model`.
+    ///
+    /// # Errors
+    /// No column that belongs to a coordinate; angles whose unit is in doubt; a number that is missing; too few rows for speeds, or
+    /// rows that a filter cannot take.
+    pub fn of(model: &Model, table: &Table, options: &RecordingOptions) -> Result<Self, MotionFault> {
+        let joints = model.joints();
+        let coordinates = coordinates_of(model, joints);
+        let (columns, unused) = columns_of(&coordinates, table);
+        if columns.iter().all(|column| column.value.is_none()) {
+            return Err(nothing_fits(&coordinates, table));
+        }
+        let angles = angle_unit(&coordinates, &columns, table, options)?;
+        let mut recording = Self {
+            time_s: table.time_s.clone(),
+            facts: RecordingFacts {
+                angles,
+                declared: table.declared.is_some(),
+                unused,
+                kept: Vec::new(),
+                coupled: Vec::new(),
+                speeds_given: options.low_pass_hz.is_none()
+                    && columns.iter().all(|column| column.value.is_none() || column.speed.is_some()),
+                unenforced: Vec::new(),
+            },
+            values: vec![0.0; table.rows() * coordinates.len()],
+            speeds: vec![0.0; table.rows() * coordinates.len()],
+            of_opensim: Vec::new(),
+            coordinates,
+        };
+        recording.take(table, &columns, joints, options)?;
+        recording.couple(&Couplers::of(model))?;
+        Ok(recording)
+    }
+
+    /// How many frames it has.
+    #[must_use]
+    pub fn frames(&self) -> usize {
+        self.time_s.len()
+    }
+
+    /// The values of all coordinates in a frame, rad or m.
+    #[must_use]
+    pub fn values(&self, frame: usize) -> &[f64] {
+        row(&self.values, frame, self.coordinates.len())
+    }
+
+    /// Their speeds, rad/s or m/s: of the joints in `of_opensim` OpenSim's, of others their derivatives.
+    #[must_use]
+    pub fn speeds(&self, frame: usize) -> &[f64] {
+        row(&self.speeds, frame, self.coordinates.len())
+    }
+
+    fn take(
+        &mut self,
+        table: &Table,
+        columns: &[Columns<'_>],
+        joints: &[ModelJoint],
+        options: &RecordingOptions,
+    ) -> Result<(), MotionFault> {
+        let mut start = 0;
+        for joint in joints {
+            let end = start + joint.coordinates.len();
+            let own = columns.get(start..end).unwrap_or_default();
+            let given = options.low_pass_hz.is_none() && own.iter().all(|columns| columns.speed.is_some());
+            self.of_opensim.push(given && !own.is_empty());
+            for (index, columns) in (start..end).zip(own) {
+                self.take_one(table, index, columns, given, options)?;
+            }
+            start = end;
+        }
+        Ok(())
+    }
+
+    fn take_one(
+        &mut self,
+        table: &Table,
+        index: usize,
+        columns: &Columns<'_>,
+        given: bool,
+        options: &RecordingOptions,
+    ) -> Result<(), MotionFault> {
+        let Some(coordinate) = self.coordinates.get(index) else { return Ok(()) };
+        let (name, label) = (coordinate.name.clone(), format!("{}/{}", coordinate.joint, coordinate.name));
+        let unit = match coordinate.kind {
+            CoordinateKind::Rotational => self.facts.angles.radians(),
+            _ => 1.0,
+        };
+        let in_si = |values: &[f64]| -> Vec<f64> { values.iter().map(|value| value * unit).collect() };
+        let Some(column) = columns.value else {
+            let kept = match &coordinate.prescribed {
+                Some(Some(function)) => {
+                    let at = |time: &f64| (function.value(*time), function.slope(*time));
+                    self.time_s.iter().map(at).unzip()
+                }
+                Some(None) => (vec![f64::NAN; table.rows()], vec![f64::NAN; table.rows()]),
+                None => (vec![coordinate.default.unwrap_or(f64::NAN); table.rows()], vec![0.0; table.rows()]),
+            };
+            let (values, speeds): (Vec<f64>, Vec<f64>) = kept;
+            self.facts.kept.push(name);
+            self.set(index, &values, &speeds);
+            return Ok(());
+        };
+        table.finite(column)?;
+        let mut values = in_si(&column.values);
+        if let Some(cutoff_hz) = options.low_pass_hz {
+            values = low_pass(table, &values, cutoff_hz)?;
+        }
+        let speeds = match columns.speed.filter(|_| given) {
+            Some(column) => {
+                table.finite(column)?;
+                in_si(&column.values)
+            }
+            None => splined_speeds(&table.time_s, &values, &label)?,
+        };
+        self.set(index, &values, &speeds);
+        Ok(())
+    }
+
+    fn set(&mut self, index: usize, values: &[f64], speeds: &[f64]) {
+        let count = self.coordinates.len();
+        let places = self.values.iter_mut().skip(index).step_by(count);
+        places.zip(values).for_each(|(place, value)| *place = *value);
+        let places = self.speeds.iter_mut().skip(index).step_by(count);
+        places.zip(speeds).for_each(|(place, speed)| *place = *speed);
+    }
+
+    /// Sets coordinates that depend on others, whatever the file says of them.
+    fn couple(&mut self, couplers: &Couplers) -> Result<(), MotionFault> {
+        self.facts.unenforced = couplers.unknown.iter().map(ToString::to_string).collect();
+        let place = |name: &str| self.coordinates.iter().position(|coordinate| coordinate.name == name);
+        let mut known: Vec<(&Coupler, usize, usize)> = Vec::new();
+        for coupler in &couplers.all {
+            let Some((from, to)) = place(&coupler.independent).zip(place(&coupler.dependent)) else {
+                continue;
+            };
+            if coupler.at(0.0).is_none() {
+                return Err(MotionFault::new(format!(
+                    "it is not known how coordinate {} follows from {}: the function of their coupler is not understood",
+                    coupler.dependent, coupler.independent
+                )));
+            }
+            known.push((coupler, from, to));
+        }
+        self.facts.coupled = known.iter().map(|(coupler, ..)| coupler.dependent.clone()).collect();
+        self.facts.kept.retain(|name| !self.facts.coupled.contains(name));
+        if known.is_empty() {
+            return Ok(());
+        }
+        let count = self.coordinates.len();
+        for (values, speeds) in self.values.chunks_exact_mut(count).zip(self.speeds.chunks_exact_mut(count)) {
+            for _ in 0..PASSES {
+                let mut changed = false;
+                for (coupler, from, to) in &known {
+                    let at = values.get(*from).copied().zip(speeds.get(*from).copied());
+                    let Some((value, speed)) = at else { continue };
+                    let Some((follows, slope)) = coupler.at(value) else { continue };
+                    let (Some(value), Some(rate)) = (values.get_mut(*to), speeds.get_mut(*to)) else {
+                        continue;
+                    };
+                    changed |= *value != follows || *rate != slope * speed;
+                    (*value, *rate) = (follows, slope * speed);
+                }
+                if !changed {
+                    break;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+fn row(all: &[f64], frame: usize, count: usize) -> &[f64] {
+    all.get(frame * count..(frame + 1) * count).unwrap_or_default()
+}
+
+fn nothing_fits(coordinates: &[ModelCoordinate], table: &Table) -> MotionFault {
+    let listed = |names: Vec<&str>| {
+        let shown = names.iter().take(5).map(|name| format!("'{name}'")).collect::<Vec<_>>().join(", ");
+        if names.len() > 5 { format!("{shown}, ...") } else { shown }
+    };
+    let (columns, names) = (
+        listed(table.columns.iter().map(|column| column.name.as_str()).collect()),
+        listed(coordinates.iter().map(|coordinate| coordinate.name.as_str()).collect()),
+    );
+    MotionFault::new(format!(
+        "none of its columns ({columns}) is a coordinate of the model ({names}): is it a motion of this model?"
+    ))
+}
+
+/// The unit of the angles: what the caller says, else what the file says, else what OpenSim takes it for, if the numbers do not
+/// contradict.
+fn angle_unit(
+    coordinates: &[ModelCoordinate],
+    columns: &[Columns<'_>],
+    table: &Table,
+    options: &RecordingOptions,
+) -> Result<AngleUnit, MotionFault> {
+    if let Some(unit) = options.angles.or(table.declared) {
+        return Ok(unit);
+    }
+    let assumed = match (table.has_version, options.undeclared) {
+        (false, Some(unit)) => unit,
+        _ => AngleUnit::Radians,
+    };
+    let angles = coordinates.iter().zip(columns);
+    let angles = angles.filter(|(coordinate, _)| coordinate.kind == CoordinateKind::Rotational);
+    let mut largest: Option<(f64, &str)> = None;
+    for column in angles.filter_map(|(_, columns)| columns.value) {
+        let most = column.values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        if largest.is_none_or(|(value, _)| most > value) {
+            largest = Some((most, &column.name));
+        }
+    }
+    match (largest, assumed) {
+        (Some((value, name)), AngleUnit::Radians) if value > FULL_TURN => {
+            Err(MotionFault::of_angles(format!(
+                "its header does not say whether angles are in degrees or radians. OpenSim takes them for radians, but column '{name}' \
+             goes to {value}, more than a full turn"
+            )))
+        }
+        (Some((value, name)), AngleUnit::Degrees) if value <= FULL_TURN => {
+            Err(MotionFault::of_angles(format!(
+                "its header does not say whether angles are in degrees or radians. OpenSim takes them for degrees, but the largest angle, \
+             {value} in column '{name}', would be a small movement"
+            )))
+        }
+        _ => Ok(assumed),
+    }
+}
+
+/// Derivatives of the natural quintic spline through all rows, as OpenSim's tools take them.
+fn splined_speeds(time_s: &[f64], values: &[f64], label: &str) -> Result<Vec<f64>, MotionFault> {
+    if time_s.len() < LEAST_ROWS {
+        return Err(MotionFault::new(format!(
+            "it has {} rows: speeds follow from a spline through at least {LEAST_ROWS}, or from columns such as /jointset/{label}/speed",
+            time_s.len()
+        )));
+    }
+    // Woltring's spline takes vectors.
+    let (times, points) = (time_s.to_vec(), values.to_vec());
+    let spline = GcvSpline::from_data(&times, &points)
+        .map_err(|_| MotionFault::new(format!("no spline goes through the values of {label}")))?;
+    Ok(spline.first_derivative(&times))
+}

@@ -1,0 +1,272 @@
+//! Where the spheres of a model are along a recording, and the forces there.
+
+use std::collections::HashSet;
+
+use osim_feet::{PoseFault, dot};
+use osim_model::{Fault, ForceId, HalfSpace, Model, MovingPlacement, Placement, SphereId};
+
+use crate::fault::MotionFault;
+use crate::pair::{ContactPair, Touched, pairs_of};
+use crate::recording::Recording;
+use crate::skeleton::Skeleton;
+
+/// Why there are no forces.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum StatesError {
+    /// Something in the model.
+    #[error(transparent)]
+    Model(Box<Fault>),
+    /// It is not known where a body is.
+    #[error(transparent)]
+    Pose(#[from] PoseFault),
+    /// Something in the recording.
+    #[error(transparent)]
+    Motion(#[from] MotionFault),
+}
+
+impl From<Fault> for StatesError {
+    fn from(fault: Fault) -> Self {
+        Self::Model(Box::new(fault))
+    }
+}
+
+/// One sphere on a plane (or another sphere) in one frame; everything is seen from ground.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactState {
+    /// The centre of the sphere, m.
+    pub centre_m: [f64; 3],
+    /// How it moves, m/s.
+    pub velocity_m_s: [f64; 3],
+    /// The plane's normal, out of it.
+    pub normal: [f64; 3],
+    /// x: how deep the sphere is in the plane (or in the other sphere), m; below 0 it is above.
+    pub indentation_m: f64,
+    /// How fast it goes in, m/s.
+    pub rate_m_s: f64,
+    /// How the sphere slips on the plane (on the belt) where the force acts, m/s.
+    pub slip_m_s: [f64; 3],
+    /// Where the force acts, m.
+    pub point_m: [f64; 3],
+    /// The force on the sphere, N: along the normal and against the slip.
+    pub force_n: [f64; 3],
+    /// Its part along the normal, N.
+    pub normal_force_n: f64,
+}
+
+impl ContactState {
+    /// How fast it slips, m/s.
+    #[must_use]
+    pub fn slip_speed_m_s(&self) -> f64 {
+        libm::sqrt(dot(self.slip_m_s, self.slip_m_s))
+    }
+}
+
+/// Contacts along a recording.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct ContactStates {
+    /// The time of each frame, s.
+    pub time_s: Vec<f64>,
+    /// Which sphere on what.
+    pub pairs: Vec<ContactPair>,
+    /// The planes.
+    pub planes: Vec<HalfSpace>,
+    /// Joints that close a loop, which nothing keeps closed here.
+    pub loops: Vec<String>,
+    states: Vec<ContactState>,
+}
+
+impl ContactStates {
+    /// All pairs of `forces` in all frames of `recording`. The floor moves with `belt_m_s` (in ground) under the spheres.
+    ///
+    /// # Errors
+    /// A value of the model that cannot be read, a body whose place is not known, or a coordinate without a value on the way to it.
+    pub fn of(
+        model: &Model,
+        recording: &Recording,
+        forces: &[ForceId],
+        belt_m_s: [f64; 3],
+    ) -> Result<Self, StatesError> {
+        let (pairs, planes) = pairs_of(model, forces)?;
+        let bodies: HashSet<&str> = pairs.iter().map(|pair| pair.body.as_str()).collect();
+        let carriers = planes.iter().filter_map(|plane| plane.body.as_deref());
+        let scenery = pairs.iter().filter_map(|pair| match pair.touched {
+            Touched::Sphere(id) => model.sphere(id)?.body.as_deref(),
+            Touched::Plane(_) => None,
+        });
+        let bodies: HashSet<&str> = bodies.into_iter().chain(carriers).chain(scenery).collect();
+        let skeleton = Skeleton::of(model, &bodies)?;
+        valued(&skeleton, recording)?;
+        let planar: Vec<Surface> =
+            planes.iter().map(|plane| Surface::of_plane(plane, &skeleton)).collect::<Result<_, _>>()?;
+        let surfaces: Vec<Surface> = pairs
+            .iter()
+            .map(|pair| match pair.touched {
+                Touched::Plane(number) => {
+                    planar.get(number).copied().ok_or_else(|| Fault::refused("a plane is lost"))
+                }
+                Touched::Sphere(id) => Surface::of_sphere(model, id, &skeleton),
+            })
+            .collect::<Result<_, _>>()?;
+        let on: Vec<Option<usize>> = pairs.iter().map(|pair| skeleton.body(&pair.body)).collect();
+        let mut states = Vec::with_capacity(recording.frames() * pairs.len());
+        let mut places = Vec::new();
+        for frame in 0..recording.frames() {
+            skeleton.place(
+                recording.values(frame),
+                recording.speeds(frame),
+                &recording.of_opensim,
+                &mut places,
+            );
+            for ((pair, body), surface) in pairs.iter().zip(&on).zip(&surfaces) {
+                let Some(moving) = body.and_then(|body| places.get(body)) else { continue };
+                let belt_m_s = if pair.is_ground { belt_m_s } else { [0.0; 3] };
+                states.push(state(
+                    pair,
+                    moving,
+                    &surface.at(&places, moving.at.point(pair.centre_m)),
+                    belt_m_s,
+                ));
+            }
+        }
+        let loops = skeleton.loops.clone();
+        Ok(Self { time_s: recording.time_s.clone(), pairs, planes, loops, states })
+    }
+
+    /// How many frames there are.
+    #[must_use]
+    pub fn frames(&self) -> usize {
+        self.time_s.len()
+    }
+
+    /// The states of all pairs in a frame.
+    #[must_use]
+    pub fn frame(&self, frame: usize) -> &[ContactState] {
+        let count = self.pairs.len();
+        self.states.get(frame * count..(frame + 1) * count).unwrap_or_default()
+    }
+
+    /// The states of one pair in all frames.
+    pub fn pair(&self, pair: usize) -> impl Iterator<Item = &ContactState> {
+        self.states.iter().skip(pair).step_by(self.pairs.len().max(1))
+    }
+}
+
+/// Checks that every coordinate on the way has a value.
+fn valued(skeleton: &Skeleton<'_>, recording: &Recording) -> Result<(), StatesError> {
+    let first = recording.values(0);
+    for (joint, range) in skeleton.coordinates() {
+        for (coordinate, value) in joint.coordinates.iter().zip(first.get(range).unwrap_or_default()) {
+            if !value.is_finite() {
+                let (coordinate, joint) = (coordinate.name.clone(), joint.name.clone());
+                return Err(PoseFault::Coordinate { coordinate, joint }.into());
+            }
+        }
+    }
+    Ok(())
+}
+
+/// A plane or a sphere, on ground or on a body.
+#[derive(Clone, Copy)]
+struct Surface {
+    body: Option<usize>,
+    /// A point of the plane, or the centre of the sphere, m.
+    point_m: [f64; 3],
+    shape: Shape,
+}
+
+#[derive(Clone, Copy)]
+enum Shape {
+    /// With this normal.
+    Plane([f64; 3]),
+    /// With this radius, m.
+    Sphere(f64),
+}
+
+/// A surface in one frame, as a sphere meets it.
+struct Met {
+    carrier: MovingPlacement,
+    normal: [f64; 3],
+    /// How far the centre of the sphere is above it along the normal, m.
+    height_m: f64,
+}
+
+impl Surface {
+    fn of_plane(plane: &HalfSpace, skeleton: &Skeleton<'_>) -> Result<Self, StatesError> {
+        let unread = || Fault::refused(format!("the place of half-space {} cannot be read", plane.path));
+        let (normal, point_m) = plane.normal.zip(plane.point_m).ok_or_else(unread)?;
+        if plane.body.is_none() && !plane.on_ground {
+            return Err(unread().into());
+        }
+        let body = plane.body.as_deref().and_then(|body| skeleton.body(body));
+        Ok(Self { body, point_m, shape: Shape::Plane(normal) })
+    }
+
+    fn of_sphere(model: &Model, id: SphereId, skeleton: &Skeleton<'_>) -> Result<Self, Fault> {
+        let unread = || Fault::refused("the place of a sphere that another one touches cannot be read");
+        let (sphere, point_m) = model.sphere(id).zip(model.centre_m(id)).ok_or_else(unread)?;
+        let body = sphere.body.as_deref().and_then(|body| skeleton.body(body));
+        Ok(Self { body, point_m, shape: Shape::Sphere(sphere.radius_m()?) })
+    }
+
+    fn at(&self, places: &[MovingPlacement], centre_m: [f64; 3]) -> Met {
+        let ground = MovingPlacement::still(Placement::IDENTITY);
+        let carrier = self.body.and_then(|body| places.get(body)).copied().unwrap_or(ground);
+        let point_m = carrier.at.point(self.point_m);
+        let away: [f64; 3] = std::array::from_fn(|i| centre_m[i] - point_m[i]);
+        match self.shape {
+            Shape::Plane(normal) => {
+                let normal = carrier.at.rotation.to_body(normal);
+                Met { normal, height_m: dot(away, normal), carrier }
+            }
+            Shape::Sphere(radius_m) => {
+                let distance_m = libm::sqrt(dot(away, away));
+                // Two centres at one place have no direction; any will do.
+                let normal =
+                    if distance_m > 0.0 { away.map(|part| part / distance_m) } else { [0.0, 1.0, 0.0] };
+                Met { normal, height_m: distance_m - radius_m, carrier }
+            }
+        }
+    }
+}
+
+fn state(pair: &ContactPair, moving: &MovingPlacement, met: &Met, belt_m_s: [f64; 3]) -> ContactState {
+    let normal = met.normal;
+    let centre_m = moving.at.point(pair.centre_m);
+    let indentation_m = pair.radius_m - met.height_m;
+    // Between the bottom of the sphere, which is as deep as the indentation, and the plane.
+    let along = pair.radius_m - indentation_m * (1.0 - pair.depth_share);
+    let point_m = std::array::from_fn(|i| centre_m[i] - along * normal[i]);
+    let (own, other) = (moving.velocity_at(point_m), met.carrier.velocity_at(point_m));
+    let relative: [f64; 3] = std::array::from_fn(|i| own[i] - other[i]);
+    let rate_m_s = -dot(relative, normal);
+    let against_belt: [f64; 3] = std::array::from_fn(|i| relative[i] - belt_m_s[i]);
+    let out = dot(against_belt, normal);
+    let slip_m_s = std::array::from_fn(|i| against_belt[i] - out * normal[i]);
+    let normal_force_n = pair.law.force(indentation_m, rate_m_s);
+    let braking = pair.braking(normal_force_n, slip_m_s);
+    ContactState {
+        centre_m,
+        velocity_m_s: moving.velocity_of(pair.centre_m),
+        normal,
+        indentation_m,
+        rate_m_s,
+        slip_m_s,
+        point_m,
+        force_n: std::array::from_fn(|i| normal_force_n * normal[i] - braking[i]),
+        normal_force_n,
+    }
+}
+
+impl ContactPair {
+    /// Friction force against the slip, N, as a vector along it.
+    fn braking(&self, normal_force_n: f64, slip_m_s: [f64; 3]) -> [f64; 3] {
+        // The smooth class never divides by 0: it adds its constant to the square.
+        let speed = libm::sqrt(dot(slip_m_s, slip_m_s) + self.smoothing.unwrap_or(0.0));
+        if speed == 0.0 || normal_force_n == 0.0 {
+            return [0.0; 3];
+        }
+        let force = normal_force_n * self.friction.coefficient(speed);
+        slip_m_s.map(|part| force * part / speed)
+    }
+}

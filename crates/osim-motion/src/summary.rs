@@ -1,0 +1,368 @@
+//! What the contacts of each foot do along a recording.
+
+use contact_scaling::{limits, restitution};
+use osim_feet::dot;
+
+use crate::assigned::Measured;
+use crate::comparison::{ComparedOn, Comparison};
+use crate::feet::Foot;
+use crate::stance::{ON_BW, Stance, strides};
+use crate::states::{ContactState, ContactStates};
+use crate::wrench::{CentreOfPressure, Wrench};
+
+/// What one sphere does on its plane.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct SphereSummary {
+    /// Its pair among all.
+    pub pair: usize,
+    /// Its largest force along the normal, N.
+    pub peak_n: f64,
+    /// Its largest x/R; below 0 it never touches.
+    pub largest_relative_indentation: f64,
+    /// When that is, s.
+    pub largest_at_s: f64,
+    /// For how long x/R is beyond what the Hertz law holds for, s.
+    pub beyond_hertz_s: f64,
+    /// For how long its centre is below the plane (x/R above 1), s.
+    pub beyond_radius_s: f64,
+    /// The median of its slip speed while it is in the plane, m/s.
+    pub slip_m_s: Option<f64>,
+    /// Each time that it comes down.
+    pub touch_downs: Vec<TouchDown>,
+}
+
+/// A sphere that meets its plane.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct TouchDown {
+    /// When its bottom passes the plane, s.
+    pub time_s: f64,
+    /// How fast it does, m/s.
+    pub impact_speed_m_s: f64,
+    /// The coefficient of restitution at this speed, by (12) without gravity.
+    pub restitution: Option<f64>,
+}
+
+/// What one foot does.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct FootSummary {
+    /// The foot.
+    pub foot: Foot,
+    /// The model's forces on it, frame by frame.
+    pub wrenches: Vec<Wrench>,
+    /// The largest force along the normal, N.
+    pub peak_n: f64,
+    /// When that is, s.
+    pub peak_at_s: f64,
+    /// Where it stands: by the plates that measured it, else by the model.
+    pub stances: Vec<StanceSummary>,
+    /// Whether the stances are those of the plates.
+    pub stands_by_plates: bool,
+    /// The median depth of its deepest sphere in stance, m; below 0 it is above the plane. `None` where it never stands.
+    pub stance_depth_m: Option<f64>,
+    /// How the depth of its deepest sphere scatters in stance: from the 5th to the 95th percentile, m.
+    pub stance_scatter_m: Option<f64>,
+    /// The depth of its deepest sphere in the whole recording, m.
+    pub deepest_m: f64,
+    /// How it slips in stance: the median velocity of its deepest sphere along the plane, m/s.
+    pub stance_slip_m_s: Option<[f64; 3]>,
+    /// Its spheres.
+    pub spheres: Vec<SphereSummary>,
+    /// Beside the plates.
+    pub comparison: Option<Comparison>,
+}
+
+/// One stance, with what it does to the body.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct StanceSummary {
+    /// When.
+    pub stance: Stance,
+    /// The model's largest force along the normal in it, N.
+    pub peak_n: f64,
+    /// The model's impulse along the normal, N s.
+    pub impulse_n_s: f64,
+    /// The model's steepest rise of the force between two frames, N/s.
+    pub loading_rate_n_s: f64,
+}
+
+/// What all contacts of a model do along a recording.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Summary {
+    /// Body weight, N: what forces are divided by.
+    pub weight_n: f64,
+    /// Each foot.
+    pub feet: Vec<FootSummary>,
+    /// All feet together, frame by frame.
+    pub total: Vec<Wrench>,
+    /// The largest force of all feet along the normal, N.
+    pub peak_n: f64,
+    /// All plates beside all feet.
+    pub comparison: Option<Comparison>,
+    /// The mean force along the normal over whole strides, N, of the model.
+    pub stride_mean_n: Option<f64>,
+    /// The same of the plates, which is what the subject weighs.
+    pub measured_stride_mean_n: Option<f64>,
+}
+
+impl Summary {
+    /// What `states` show, with what plates measured where there are some.
+    #[must_use]
+    pub fn of(states: &ContactStates, feet: &[Foot], measured: Option<&Measured>, weight_n: f64) -> Self {
+        let feet: Vec<FootSummary> = feet
+            .iter()
+            .enumerate()
+            .map(|(index, foot)| {
+                let plates = measured.and_then(|measured| {
+                    Some((measured.feet.get(index)?.as_slice(), *measured.has_points.get(index)?))
+                });
+                FootSummary::of(states, foot, plates, weight_n)
+            })
+            .collect();
+        let mut total = vec![Wrench::default(); states.frames()];
+        for foot in &feet {
+            total.iter_mut().zip(&foot.wrenches).for_each(|(sum, wrench)| *sum = sum.and(wrench));
+        }
+        let on = feet.first().and_then(|foot| compared_on(states, &foot.foot, weight_n, false));
+        let normal = on.map_or([0.0; 3], |on| on.normal);
+        let along = |wrench: &Wrench| dot(wrench.force_n, normal);
+        let comparison = on.zip(measured).and_then(|(on, measured)| {
+            let has_points = measured.has_points.iter().all(|&has_points| has_points);
+            Comparison::of(&total, &measured.total, &ComparedOn { has_points, ..on }, |_| true)
+        });
+        let spans: Vec<(f64, f64)> = feet.iter().flat_map(FootSummary::strides).collect();
+        let own: Vec<Option<f64>> = total.iter().map(|wrench| Some(along(wrench))).collect();
+        let plates =
+            measured.map(|measured| measured.total.iter().map(|one| one.as_ref().map(along)).collect());
+        Self {
+            weight_n,
+            peak_n: total.iter().map(along).fold(f64::NEG_INFINITY, f64::max),
+            stride_mean_n: mean_over(&states.time_s, &own, &spans),
+            measured_stride_mean_n: plates
+                .and_then(|plates: Vec<Option<f64>>| mean_over(&states.time_s, &plates, &spans)),
+            feet,
+            total,
+            comparison,
+        }
+    }
+}
+
+impl FootSummary {
+    fn of(
+        states: &ContactStates,
+        foot: &Foot,
+        plates: Option<(&[Option<Wrench>], bool)>,
+        weight_n: f64,
+    ) -> Self {
+        let wrenches: Vec<Wrench> = (0..states.frames())
+            .map(|frame| Wrench::of(foot.pairs.iter().filter_map(|&pair| states.frame(frame).get(pair))))
+            .collect();
+        let on = compared_on(states, foot, weight_n, plates.is_some_and(|(_, has_points)| has_points));
+        let normal = on.map_or([0.0; 3], |on| on.normal);
+        let forces: Vec<f64> = wrenches.iter().map(|wrench| dot(wrench.force_n, normal)).collect();
+        let (peak_at, peak_n) = largest(&forces);
+        let measured = plates.filter(|(measured, _)| measured.iter().any(Option::is_some));
+        let standing = measured.map(|(measured, _)| {
+            let force = |one: &Option<Wrench>| one.as_ref().map_or(f64::NAN, |one| dot(one.force_n, normal));
+            measured.iter().map(force).collect::<Vec<f64>>()
+        });
+        let stances = Stance::all(&states.time_s, standing.as_deref().unwrap_or(&forces), weight_n);
+        let deepest: Vec<Option<&ContactState>> = (0..states.frames())
+            .map(|frame| {
+                let own = foot.pairs.iter().filter_map(|&pair| states.frame(frame).get(pair));
+                own.max_by(|a, b| a.indentation_m.total_cmp(&b.indentation_m))
+            })
+            .collect();
+        let in_stance = |frame: &usize| stances.iter().any(|stance| stance.has(*frame));
+        let standing_states: Vec<&ContactState> =
+            (0..states.frames()).filter(in_stance).filter_map(|frame| *deepest.get(frame)?).collect();
+        let depths: Vec<f64> = standing_states.iter().map(|state| state.indentation_m).collect();
+        let percentile = |part: f64| percentile(&depths, part);
+        Self {
+            peak_n,
+            peak_at_s: states.time_s.get(peak_at).copied().unwrap_or_default(),
+            stances: stances.iter().map(|stance| StanceSummary::of(states, stance, &forces)).collect(),
+            stands_by_plates: measured.is_some(),
+            stance_depth_m: percentile(0.5),
+            stance_scatter_m: percentile(0.95).zip(percentile(0.05)).map(|(high, low)| high - low),
+            deepest_m: deepest
+                .iter()
+                .flatten()
+                .map(|state| state.indentation_m)
+                .fold(f64::NEG_INFINITY, f64::max),
+            stance_slip_m_s: median_vector(&standing_states),
+            spheres: foot.pairs.iter().map(|&pair| SphereSummary::of(states, pair)).collect(),
+            comparison: on
+                .zip(plates)
+                .and_then(|(on, (measured, _))| Comparison::of(&wrenches, measured, &on, |_| true)),
+            wrenches,
+            foot: foot.clone(),
+        }
+    }
+
+    /// The model's centre of pressure in a frame, where the force is above a part of body weight.
+    #[must_use]
+    pub fn centre_of_pressure(
+        &self,
+        states: &ContactStates,
+        frame: usize,
+        weight_n: f64,
+    ) -> Option<CentreOfPressure> {
+        let on = compared_on(states, &self.foot, weight_n, false)?;
+        self.wrenches.get(frame)?.centre_of_pressure(on.normal, on.point_m, on.least_n)
+    }
+
+    /// The times of its whole strides.
+    #[must_use]
+    pub fn strides(&self) -> Vec<(f64, f64)> {
+        let stances: Vec<Stance> = self.stances.iter().map(|one| one.stance).collect();
+        strides(&stances)
+    }
+}
+
+/// The plane of a foot: that of its first pair at the start.
+fn compared_on(states: &ContactStates, foot: &Foot, weight_n: f64, has_points: bool) -> Option<ComparedOn> {
+    let &pair = foot.pairs.first()?;
+    let (state, radius_m) = (states.frame(0).get(pair)?, states.pairs.get(pair)?.radius_m);
+    // From the centre down to the plane.
+    let down = radius_m - state.indentation_m;
+    let point_m = std::array::from_fn(|i| state.centre_m[i] - down * state.normal[i]);
+    Some(ComparedOn { normal: state.normal, point_m, least_n: ON_BW * weight_n, has_points })
+}
+
+impl StanceSummary {
+    fn of(states: &ContactStates, stance: &Stance, forces: &[f64]) -> Self {
+        let times = states.time_s.get(stance.first..=stance.last).unwrap_or_default();
+        let forces = forces.get(stance.first..=stance.last).unwrap_or_default();
+        let steps = || times.windows(2).zip(forces.windows(2));
+        let (mut impulse_n_s, mut loading_rate_n_s) = (0.0, 0.0_f64);
+        for (times, forces) in steps() {
+            let ([t0, t1], [f0, f1]) = (times, forces) else { continue };
+            impulse_n_s += (t1 - t0) * (f0 + f1) / 2.0;
+            loading_rate_n_s = loading_rate_n_s.max((f1 - f0) / (t1 - t0));
+        }
+        let peak_n = forces.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        Self { stance: *stance, peak_n, impulse_n_s, loading_rate_n_s }
+    }
+}
+
+impl SphereSummary {
+    fn of(states: &ContactStates, pair: usize) -> Self {
+        let (radius_m, dissipation) =
+            states.pairs.get(pair).map_or((1.0, 0.0), |pair| (pair.radius_m, pair.law.dissipation()));
+        let all: Vec<&ContactState> = states.pair(pair).collect();
+        let relative: Vec<f64> = all.iter().map(|state| state.indentation_m / radius_m).collect();
+        let (deepest, largest_relative_indentation) = largest(&relative);
+        let beyond =
+            |limit: f64| duration_s(&states.time_s, |frame| relative.get(frame).is_some_and(|&x| x > limit));
+        let slips: Vec<f64> = all
+            .iter()
+            .filter(|state| state.indentation_m > 0.0)
+            .map(|state| state.slip_speed_m_s())
+            .collect();
+        Self {
+            pair,
+            peak_n: all.iter().map(|state| state.normal_force_n).fold(f64::NEG_INFINITY, f64::max),
+            largest_relative_indentation,
+            largest_at_s: states.time_s.get(deepest).copied().unwrap_or_default(),
+            beyond_hertz_s: beyond(limits::INDENTATION.value),
+            beyond_radius_s: beyond(1.0),
+            slip_m_s: percentile(&slips, 0.5),
+            touch_downs: touch_downs(&states.time_s, &all, dissipation),
+        }
+    }
+}
+
+fn touch_downs(time_s: &[f64], states: &[&ContactState], dissipation: f64) -> Vec<TouchDown> {
+    let mut found = Vec::new();
+    for (times, pair) in time_s.windows(2).zip(states.windows(2)) {
+        let ([t0, t1], [before, after]) = (times, pair) else { continue };
+        if before.indentation_m > 0.0 || after.indentation_m <= 0.0 {
+            continue;
+        }
+        let part = -before.indentation_m / (after.indentation_m - before.indentation_m);
+        let impact_speed_m_s = before.rate_m_s + part * (after.rate_m_s - before.rate_m_s);
+        let restitution = restitution::exact(dissipation, impact_speed_m_s).ok();
+        found.push(TouchDown { time_s: t0 + part * (t1 - t0), impact_speed_m_s, restitution });
+    }
+    found
+}
+
+/// For how long frames hold, each for half of the time to its neighbours.
+fn duration_s(time_s: &[f64], holds: impl Fn(usize) -> bool) -> f64 {
+    let steps =
+        time_s.windows(2).enumerate().filter_map(|(frame, pair)| Some((frame, pair.get(1)? - pair.first()?)));
+    let half = |frame: usize, step: f64| if holds(frame) { step / 2.0 } else { 0.0 };
+    steps.map(|(frame, step)| half(frame, step) + half(frame + 1, step)).sum()
+}
+
+fn largest(values: &[f64]) -> (usize, f64) {
+    let mut best = (0, f64::NEG_INFINITY);
+    for (index, &value) in values.iter().enumerate() {
+        if value > best.1 {
+            best = (index, value);
+        }
+    }
+    best
+}
+
+/// The value that a part of all is below, with straight lines between; `None` of none.
+pub(crate) fn percentile(values: &[f64], part: f64) -> Option<f64> {
+    let mut sorted: Vec<f64> = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let place = part * sorted.len().checked_sub(1)? as f64;
+    let below = place as usize;
+    let low = *sorted.get(below)?;
+    let high = sorted.get(below + 1).copied().unwrap_or(low);
+    Some(low + (place - below as f64) * (high - low))
+}
+
+fn median_vector(states: &[&ContactState]) -> Option<[f64; 3]> {
+    let median = |axis: usize| {
+        let parts: Vec<f64> = states.iter().filter_map(|state| state.slip_m_s.get(axis).copied()).collect();
+        percentile(&parts, 0.5)
+    };
+    Some([median(0)?, median(1)?, median(2)?])
+}
+
+/// The mean over the frames that are in one of `spans`, where all of these are known.
+fn mean_over(time_s: &[f64], values: &[Option<f64>], spans: &[(f64, f64)]) -> Option<f64> {
+    let (mut sum, mut count) = (0.0, 0.0);
+    for &(from, to) in spans {
+        let inside = time_s.iter().zip(values).filter(|(time, _)| **time >= from && **time < to);
+        let own: Option<Vec<f64>> = inside.map(|(_, value)| *value).collect();
+        for value in own.into_iter().flatten() {
+            sum += value;
+            count += 1.0;
+        }
+    }
+    (count > 0.0).then(|| sum / count)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn percentiles_are_between_values() {
+        assert_eq!(percentile(&[3.0, 1.0, 2.0], 0.5), Some(2.0));
+        assert_eq!(percentile(&[1.0, 2.0], 0.25), Some(1.25));
+        assert_eq!(percentile(&[], 0.5), None);
+    }
+
+    #[test]
+    fn a_frame_lasts_to_the_middle_of_its_neighbours() {
+        assert_eq!(duration_s(&[0.0, 1.0, 3.0, 4.0], |frame| frame == 1), 1.5);
+        assert_eq!(duration_s(&[0.0, 1.0, 3.0, 4.0], |_| true), 4.0);
+    }
+
+    #[test]
+    fn means_need_whole_spans() {
+        let times = [0.0, 1.0, 2.0, 3.0];
+        assert_eq!(mean_over(&times, &[Some(1.0), Some(3.0), Some(9.0), None], &[(0.0, 2.0)]), Some(2.0));
+        assert_eq!(mean_over(&times, &[Some(1.0), None, Some(9.0), None], &[(0.0, 2.0)]), None);
+    }
+}
