@@ -19,6 +19,8 @@ mod design;
 mod drop_test;
 #[path = "physics/fit.rs"]
 mod fit;
+#[path = "physics/motion.rs"]
+mod motion;
 #[path = "physics/presets.rs"]
 mod presets;
 #[path = "physics/set.rs"]

@@ -12,7 +12,7 @@ use osim_planning::DesignSheet;
 use osim_report::explain::TopicRecord;
 use osim_report::json::{FailureRecord, PlanRecord};
 use osim_report::reproduce::ReproductionRecord;
-use osim_report::results::{DropRecord, FitRecord, PresetRecord, SweepRecord};
+use osim_report::results::{DropRecord, FitRecord, MotionRecord, PresetRecord, SweepRecord};
 use osim_requests::schema_of;
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema};
@@ -34,6 +34,7 @@ fn schemas() -> BTreeMap<String, String> {
         ("results/explanation", printed::<TopicRecord>("The result of explain")),
         ("results/fit", printed::<FitRecord>("The result of fit")),
         ("results/inspection", printed::<Inspection>("The result of inspect")),
+        ("results/motion", printed::<MotionRecord>("The result of motion")),
         ("results/preset", printed::<PresetRecord>("The result of presets")),
         ("results/reproduction", printed::<ReproductionRecord>("The result of reproduce")),
         ("results/summary-line", printed::<JsonRecord>("A line of a summary (NDJSON)")),

@@ -15,7 +15,7 @@ const INSPECTION: &str = "results/inspection";
 const SUMMARY: &str = "results/summary-line";
 
 /// What each verb prints.
-const RESULTS: [(&str, &[&str]); 14] = [
+const RESULTS: [(&str, &[&str]); 15] = [
     ("rescale", &[CHANGE]),
     ("transfer", &[CHANGE]),
     ("design", &[CHANGE, "results/design"]),
@@ -25,6 +25,7 @@ const RESULTS: [(&str, &[&str]); 14] = [
     ("inspect", &[INSPECTION]),
     ("check", &["results/check"]),
     ("drop-test", &["results/drop-test"]),
+    ("motion", &["results/motion"]),
     ("plot", &[]),
     ("fit", &["results/fit"]),
     ("reproduce", &["results/reproduction"]),

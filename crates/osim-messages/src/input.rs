@@ -31,8 +31,10 @@ macro_rules! inputs {
 inputs! {
     Again = "again", "apply it once more";
     AllowOutside = "allow_outside", "write outside the folder";
+    Angles = "angles", "unit of the motion's angles";
     Ascii = "ascii", "plain letters";
     Axes = "axes", "units of the axes";
+    Belt = "belt", "speed of the treadmill's belt";
     BodyScale = "body_scale", "scale factors of a body";
     BodyScaleFile = "body_scale_file", "the Scale Tool's ScaleSet";
     BodyWeights = "body_weights", "load in body weights";
@@ -92,9 +94,12 @@ inputs! {
     Level = "level", "level bottoms";
     LevelAxis = "level_axis", "axis that points up";
     Load = "load", "total load";
+    Loads = "loads", "OpenSim's ExternalLoads";
+    LowPass = "low_pass", "cutoff of the low-pass filter";
     Mass = "mass", "mass of the model";
     Mirror = "mirror", "axis of the mirror";
     Model = "model", "file of the model";
+    Motion = "motion", "motion of the model";
     MovedSpheres = "moved_spheres", "spheres that were moved already";
     NoBackup = "no_backup", "keep no backup";
     NoNote = "no_note", "leave no note";
@@ -103,6 +108,7 @@ inputs! {
     Output = "output", "output file";
     OutputDir = "output_dir", "output folder";
     Pad = "pad", "sole below the bones";
+    Plates = "plates", "measured ground reactions";
     Point = "point", "one point of the grid";
     Poisson = "poisson", "Poisson's ratio";
     Presets = "presets", "file with presets";
@@ -235,6 +241,8 @@ verbs! {
     Check = "check";
     /// A body that falls on its contacts.
     DropTest = "drop-test";
+    /// Contacts along a recorded motion.
+    Motion = "motion";
     /// Figures.
     Plot = "plot";
     /// Parameters from a measured indentation and force.

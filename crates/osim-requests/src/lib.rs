@@ -41,16 +41,17 @@ pub use relation::Relation;
 #[cfg(feature = "schemas")]
 pub use request::schema_of;
 pub use request::{
-    AddRequest, AxesChoice, BatchRequest, BranchChoice, CheckRequest, ConvertRequest, Deny, DesignRequest,
-    DropTestRequest, ExplainRequest, FigureOptions, FitRequest, HeatOptions, HeatQuantity, InspectRequest,
-    NoteRequest, PlotKind, PlotRequest, PresetsRequest, QuantityChoice, RemoveRequest, ReproduceRequest,
-    Request, RescaleRequest, SeriesFormat, SetRequest, SweepRequest, TransferRequest, fig1, silent_fields,
+    AddRequest, AngleChoice, AxesChoice, BatchRequest, BranchChoice, CheckRequest, ConvertRequest, Deny,
+    DesignRequest, DropTestRequest, ExplainRequest, FigureOptions, FitRequest, HeatOptions, HeatQuantity,
+    InspectRequest, MotionFormat, MotionRequest, NoteRequest, PlotKind, PlotRequest, PresetsRequest,
+    QuantityChoice, RemoveRequest, ReproduceRequest, Request, RescaleRequest, SeriesFormat, SetRequest,
+    SweepRequest, TransferRequest, fig1, silent_fields,
 };
 pub use values::{
     Acceleration, Assignments, Axis, AxisName, BodyMap, BodyScale, ConstantIndentation, ContactOnset, Count,
     Dpi, DropHeight, FigureWidth, FontSize, Grid, GridValue, Height, Jobs, Kilograms, Metres, NewRadius,
     NotNegative, PoissonRatio, Positive, Radius, RelativeIndentation, RestitutionCoefficient, Samples, Shard,
-    Span, SpheresOfFoot, Steps, Threshold, assignment,
+    Span, Speed, SpheresOfFoot, Steps, Threshold, assignment,
 };
 
 /// The example of the README compiles.

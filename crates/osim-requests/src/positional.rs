@@ -9,6 +9,7 @@ pub(crate) const fn positional(verb: Verb) -> &'static [&'static str] {
         Verb::Batch => &["manifest"],
         Verb::Sweep => &["model"],
         Verb::DropTest => &["subject"],
+        Verb::Motion => &["subject", "motion"],
         Verb::Fit => &["file"],
         Verb::Presets => &["name"],
         Verb::Explain => &["topics"],

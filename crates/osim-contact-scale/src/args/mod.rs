@@ -14,8 +14,8 @@ use osim_report::ExitStatus;
 use osim_requests::command_line::{check, with_relations};
 use osim_requests::{
     AddRequest, BatchRequest, CheckRequest, ConvertRequest, DesignRequest, DropTestRequest, ExplainRequest,
-    FitRequest, InspectRequest, NoteRequest, PlotRequest, PresetsRequest, RemoveRequest, ReproduceRequest,
-    RequestFault, RescaleRequest, SweepRequest, TransferRequest,
+    FitRequest, InspectRequest, MotionRequest, NoteRequest, PlotRequest, PresetsRequest, RemoveRequest,
+    ReproduceRequest, RequestFault, RescaleRequest, SweepRequest, TransferRequest,
 };
 pub(crate) use own::{CompletionsArgs, ManArgs, RequestArgs, SetArgs};
 pub(crate) use usage::usage_line;
@@ -94,6 +94,10 @@ pub(crate) enum VerbArgs {
     Check(Later<CheckRequest>),
     /// Let a model fall on its contacts and see what they do
     DropTest(Later<DropTestRequest>),
+    /// Follow the contacts along a recorded motion, beside what force plates measured
+    ///
+    /// Forces, indentations, slip and impacts of each sphere; the ground reaction of each foot, and how far it is from the plates.
+    Motion(Later<MotionRequest>),
     /// Draw what contacts do, as SVG, PDF or PNG
     Plot(Later<PlotRequest>),
     /// Find contact parameters from a measured indentation and force

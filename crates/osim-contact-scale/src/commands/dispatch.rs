@@ -4,8 +4,8 @@ use anyhow::Result;
 use osim_requests::Request;
 
 use super::{
-    batch, change, check, completions, design, drop_test, explain, fit, inspect, manual, plot, presets,
-    reproduce, request, rescale, sweep,
+    batch, change, check, completions, design, drop_test, explain, fit, inspect, manual, motion, plot,
+    presets, reproduce, request, rescale, sweep,
 };
 use crate::args::{Cli, VerbArgs};
 use crate::exit::Exit;
@@ -36,6 +36,7 @@ pub(crate) fn call(cli: Cli, session: &mut Session) -> Result<Exit> {
         Some(VerbArgs::Inspect(request)) => Request::Inspect(request.0),
         Some(VerbArgs::Check(request)) => Request::Check(request.0),
         Some(VerbArgs::DropTest(request)) => Request::DropTest(request.0),
+        Some(VerbArgs::Motion(request)) => Request::Motion(request.0),
         Some(VerbArgs::Plot(request)) => Request::Plot(request.0),
         Some(VerbArgs::Fit(request)) => Request::Fit(request.0),
         Some(VerbArgs::Reproduce(request)) => (*request.0).into(),
@@ -61,6 +62,7 @@ fn ask(request: Request, session: &mut Session) -> Result<Exit> {
         Request::Inspect(request) => inspect::run(&request, false, session),
         Request::Check(request) => check::run(&request, session),
         Request::DropTest(request) => drop_test::run(&request, session),
+        Request::Motion(request) => motion::run(&request, session),
         Request::Plot(request) => plot::run(&request, session),
         Request::Fit(request) => fit::run(&request, session),
         Request::Reproduce(request) => reproduce::run(&request, session),

@@ -12,6 +12,7 @@ mod explain;
 mod fit;
 mod inspect;
 mod manual;
+mod motion;
 mod page;
 mod plot;
 mod presets;

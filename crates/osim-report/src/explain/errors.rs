@@ -283,6 +283,11 @@ const REQUEST: &[ErrorCode] = &[
         "a shorter `duration`, or check the numbers with inspect",
     ),
     code(
+        "motion",
+        "the motion, the plates or the ExternalLoads: the message says what is missing, with the line in the file",
+        "as the message says; see docs/motion.md",
+    ),
+    code(
         "plot",
         "the figure cannot be drawn: the message says what of the model it lacks, or that there are too many curves",
         "as the message says; see docs/plots.md",

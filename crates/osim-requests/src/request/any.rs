@@ -13,6 +13,7 @@ use super::fit::FitRequest;
 use super::inspect::{CheckRequest, InspectRequest};
 use super::knowledge::{ExplainRequest, PresetsRequest};
 use super::library::{BatchRequest, SweepRequest};
+use super::motion::MotionRequest;
 use super::note::NoteRequest;
 use super::plot::PlotRequest;
 use super::remove::RemoveRequest;
@@ -165,6 +166,7 @@ requests! {
     Inspect(InspectRequest) = InspectRequest::RELATIONS;
     Check(CheckRequest) = CheckRequest::RELATIONS;
     DropTest(DropTestRequest) = DropTestRequest::RELATIONS;
+    Motion(MotionRequest) = MotionRequest::RELATIONS;
     Plot(PlotRequest) = PlotRequest::RELATIONS;
     Fit(FitRequest) = FitRequest::RELATIONS;
     Reproduce(ReproduceRequest) = ReproduceRequest::RELATIONS;

@@ -34,7 +34,7 @@ pub use new_radius::NewRadius;
 pub use onset::ContactOnset;
 pub use quantity::{
     Acceleration, ConstantIndentation, Count, FigureWidth, FontSize, Kilograms, Metres, NotNegative,
-    PoissonRatio, Positive, RelativeIndentation, RestitutionCoefficient, Threshold,
+    PoissonRatio, Positive, RelativeIndentation, RestitutionCoefficient, Speed, Threshold,
 };
 pub use radius::Radius;
 pub use shard::Shard;

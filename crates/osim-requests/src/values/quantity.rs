@@ -102,6 +102,12 @@ quantities! {
     /// A length in m, 0 or more.
     Metres = |text| not_negative(text, "metres", LENGTHS), {"type": "number", "minimum": 0};
 
+    /// A speed in m/s along an axis, of either sign.
+    Speed = |text| match plain(trimmed(text)) {
+        Some(value) if value.is_finite() => Ok(value),
+        _ => Err("expected a speed in m/s".to_owned()),
+    }, {"type": "number"};
+
     /// x̂, an indentation over the radius: above 0, at most 1.
     RelativeIndentation = |text| {
         let expected = "a relative indentation (x/R) above 0, at most 1";

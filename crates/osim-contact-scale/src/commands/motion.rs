@@ -1,0 +1,104 @@
+//! `motion`: contacts along a recorded motion.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Result, bail};
+use osim_library::run::PathConflicts;
+use osim_library::{Disk, Mode, Prepared};
+use osim_messages::Input;
+use osim_planning::{MotionResult, run_motion};
+use osim_report::json::line;
+use osim_report::results::{MotionRecord, external_loads_xml, ground_reactions_sto, motion_csv, motion_text};
+use osim_requests::{MotionFormat, MotionRequest};
+
+use crate::exit::Exit;
+use crate::session::Session;
+
+/// Follows the contacts.
+///
+/// # Errors
+/// Wrong usage, or a file that is there already.
+pub(super) fn run(request: &MotionRequest, session: &mut Session) -> Result<Exit> {
+    if let Some(folder) = request.subject.iter().find(|path| path.is_dir()) {
+        bail!("'{}' is a folder, and a motion is that of one model: name a model in it", folder.display());
+    }
+    let output = Output::of(request, session)?;
+    let result = match run_motion(request, &Disk) {
+        Ok(result) => result,
+        Err(error) => return session.refuse(error, request.format == MotionFormat::Json),
+    };
+    let remarks = result.remarks(request);
+    let text = match request.format {
+        MotionFormat::Json => line(&MotionRecord::new(&result, &remarks, session.words)),
+        MotionFormat::Csv => motion_csv(&result)?,
+        _ => motion_text(&result, &remarks, session.words),
+    };
+    let written = match &output {
+        Some(output) => output.write(&result, request, session)?,
+        None => String::new(),
+    };
+    session.terminal.print(&text)?;
+    session.terminal.note(&written)?;
+    Ok(Exit::Done)
+}
+
+/// The files of ground reactions.
+struct Output<'o> {
+    table: &'o Path,
+    loads: PathBuf,
+}
+
+impl<'o> Output<'o> {
+    /// What the request says, checked before anything is computed.
+    ///
+    /// # Errors
+    /// Another ending than that of a table, or a file that is read.
+    fn of(request: &'o MotionRequest, session: &Session) -> Result<Option<Self>> {
+        let Some(table) = request.output.as_deref() else { return Ok(None) };
+        let is_table = |path: &Path| {
+            path.extension()
+                .is_some_and(|ending| ["sto", "mot"].iter().any(|known| ending.eq_ignore_ascii_case(known)))
+        };
+        if !is_table(table) {
+            bail!(
+                "{} '{}': expected a name that ends in .sto",
+                session.words.input(Input::Output, None),
+                table.display()
+            );
+        }
+        let loads = table.with_extension("xml");
+        let mut conflicts = PathConflicts::default();
+        let set_files = request.set_files.paths();
+        let read = [&request.subject, &request.motion, &request.plates, &request.loads];
+        for path in read.into_iter().flatten().chain(set_files) {
+            conflicts.read(path);
+        }
+        conflicts.write(table, "the ground reactions").map_err(|fault| session.refused(&fault))?;
+        conflicts.write(&loads, "their ExternalLoads").map_err(|fault| session.refused(&fault))?;
+        Ok(Some(Self { table, loads }))
+    }
+
+    /// Writes both files.
+    ///
+    /// # Errors
+    /// As [`Prepared::new`].
+    fn write(&self, result: &MotionResult, request: &MotionRequest, session: &Session) -> Result<String> {
+        let mode = if request.force { Mode::Replace } else { Mode::New };
+        let name = self.table.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+        let files = [
+            (self.table, ground_reactions_sto(result, &name)),
+            (self.loads.as_path(), external_loads_xml(result, &name)),
+        ];
+        // Both are complete before the first gets its name.
+        let mut prepared = Vec::new();
+        for (path, text) in &files {
+            prepared.push(
+                Prepared::new(path, text.as_bytes(), None, mode).map_err(|fault| session.refused(&fault))?,
+            );
+        }
+        for one in prepared {
+            one.commit().map_err(|fault| session.refused(&fault))?;
+        }
+        Ok(files.iter().map(|(path, _)| format!("written to {}\n", path.display())).collect())
+    }
+}

@@ -1,0 +1,12 @@
+//! Contacts along a recorded motion, beside what force plates measured.
+
+mod opened;
+mod plates;
+mod remarks;
+mod result;
+mod run;
+
+pub use plates::PlatesRead;
+pub use remarks::MotionRemark;
+pub use result::MotionResult;
+pub use run::run_motion;

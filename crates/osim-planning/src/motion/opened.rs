@@ -1,0 +1,67 @@
+//! Tables over time, through whatever holds the files.
+
+use std::path::Path;
+
+use osim_messages::{Input, Phrase, phrase};
+use osim_model::Model;
+use osim_model::files::{Failure, Files};
+use osim_motion::{AngleUnit, MotionFault, Recording, RecordingOptions, Table};
+use osim_requests::{AngleChoice, MotionRequest, Positive};
+
+use crate::opening::read;
+
+/// Reads a table.
+///
+/// # Errors
+/// It cannot be read, with the line.
+pub(super) fn table(path: &Path, files: &dyn Files) -> Result<Table, Failure> {
+    Table::read(&read(path, files)?).map_err(|fault| failure(path, &fault))
+}
+
+/// What `fault` says of the file at `path`.
+pub(super) fn failure(path: &Path, fault: &MotionFault) -> Failure {
+    let place = fault.line.map(|line| format!("line {line}: ")).unwrap_or_default();
+    let mut message = Phrase::from(format!("{place}{}", fault.message));
+    if fault.needs_angles {
+        message.push(&phrase![
+            ": say ",
+            Input::Angles.being("degrees"),
+            " or ",
+            Input::Angles.being("radians")
+        ]);
+    }
+    let mut failure = Failure::outside(path, "motion", message);
+    (failure.line, failure.needs_answer) = (fault.line, fault.needs_angles);
+    failure
+}
+
+/// The recording of `model` that the request names.
+///
+/// # Errors
+/// It cannot be read, or is not one of this model.
+pub(super) fn recording(
+    request: &MotionRequest,
+    model: &Model,
+    path: &Path,
+    files: &dyn Files,
+) -> Result<Recording, Failure> {
+    let options = RecordingOptions {
+        angles: request.angles.map(|choice| match choice {
+            AngleChoice::Degrees => AngleUnit::Degrees,
+            _ => AngleUnit::Radians,
+        }),
+        undeclared: undeclared(path),
+        low_pass_hz: request.low_pass.map(Positive::get),
+    };
+    Recording::of(model, &table(path, files)?, &options).map_err(|fault| failure(path, &fault))
+}
+
+/// What OpenSim takes the angles of a file of this name for where its header has neither unit nor version.
+fn undeclared(path: &Path) -> Option<AngleUnit> {
+    let ending = path.extension()?.to_string_lossy().to_ascii_lowercase();
+    match ending.as_str() {
+        "mot" => Some(AngleUnit::Degrees),
+        "sto" => Some(AngleUnit::Radians),
+        _ => None,
+    }
+}

@@ -1,0 +1,221 @@
+//! What a motion shows, in words.
+
+use osim_feet::dot;
+use osim_messages::{Input, Phrase, four_significant, phrase, readable};
+use osim_motion::{AngleUnit, FootSummary, PlateUse};
+use osim_requests::MotionRequest;
+
+use super::result::MotionResult;
+
+/// Forces this many times too large or small are not a matter of tuning.
+const FAR_OFF: f64 = 1.5;
+/// A mean over whole strides that differs from the weight by more than this (relative) is another weight.
+const OTHER_WEIGHT: f64 = 0.05;
+/// Feet that move faster than this over the floor in stance stand on a belt, m/s.
+const BELT_M_S: f64 = 0.3;
+/// Names that are listed, at most.
+const LISTED: usize = 6;
+
+/// Something that a reader should know of a motion.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct MotionRemark {
+    /// Stable short name.
+    pub code: &'static str,
+    /// In words.
+    pub message: Phrase,
+}
+
+impl MotionResult {
+    /// One sentence for each foot, then what is odd.
+    #[must_use]
+    pub fn remarks(&self, request: &MotionRequest) -> Vec<MotionRemark> {
+        let mut remarks = Remarks::default();
+        self.weights(&mut remarks);
+        for foot in &self.summary.feet {
+            remarks.say("foot", self.foot(foot));
+        }
+        self.treadmill(request, &mut remarks);
+        self.taken(&mut remarks);
+        self.plates_taken(&mut remarks);
+        remarks.0
+    }
+
+    /// Another weight is said before anything else.
+    fn weights(&self, remarks: &mut Remarks) {
+        let weight_n = self.summary.weight_n;
+        let Some(mean_n) = self.summary.measured_stride_mean_n else { return };
+        let part = mean_n / weight_n;
+        if (part - 1.0).abs() > OTHER_WEIGHT {
+            let kg = mean_n / self.gravity_m_s2;
+            remarks.say("subject-weight", format!(
+                "over whole strides the plates measured {} of the model's weight: the model weighs {} kg, and the subject {} kg, \
+                 unless a plate is missing",
+                two(part), readable(self.mass_kg), four_significant(kg)
+            ));
+        }
+    }
+
+    fn foot(&self, foot: &FootSummary) -> Phrase {
+        let name = &foot.foot.name;
+        let bw = |force_n: f64| two(force_n / self.summary.weight_n);
+        if foot.peak_n <= 0.0 || foot.deepest_m < 0.0 {
+            let above = -1e3 * foot.deepest_m;
+            let plate = foot.comparison.as_ref().filter(|plate| plate.measured_peak_n > 0.0);
+            let where_measured = plate.map(|plate| {
+                format!(", where the plates measured up to {} body weights", bw(plate.measured_peak_n))
+            });
+            return format!(
+                "{name}: it never touches: its lowest sphere stays {} mm above the floor{}",
+                two(above),
+                where_measured.unwrap_or_default()
+            )
+            .into();
+        }
+        let mut text = format!("{name}: up to {} body weights", bw(foot.peak_n));
+        if let Some(plate) = &foot.comparison {
+            text.push_str(&format!(" where the plates measured up to {}", bw(plate.measured_peak_n)));
+        }
+        if let Some(depth_m) = foot.stance_depth_m {
+            let (mm, side) = (1e3 * depth_m.abs(), if depth_m < 0.0 { "above" } else { "inside" });
+            text.push_str(&format!("; in stance its deepest sphere is {} mm {side} the floor", two(mm)));
+            if let Some(radius_m) = self.deepest_radius_m(foot) {
+                text.push_str(&format!(" (R {} mm)", two(1e3 * radius_m)));
+            }
+        }
+        if let Some(plate) = &foot.comparison {
+            let times = foot.peak_n / plate.measured_peak_n;
+            if times > FAR_OFF {
+                text.push_str(": the floor is too high for this recording, or the contacts too stiff");
+            } else if times < 1.0 / FAR_OFF {
+                text.push_str(": the floor is too low for this recording, or the contacts too soft");
+            }
+        }
+        text.into()
+    }
+
+    /// The radius of the sphere of a foot that goes deepest.
+    fn deepest_radius_m(&self, foot: &FootSummary) -> Option<f64> {
+        let by_depth = |pair: &usize| self.states.pairs.get(*pair).map(|pair| pair.radius_m);
+        let deepest = foot
+            .spheres
+            .iter()
+            .max_by(|a, b| a.largest_relative_indentation.total_cmp(&b.largest_relative_indentation))?;
+        by_depth(&deepest.pair)
+    }
+
+    fn treadmill(&self, request: &MotionRequest, remarks: &mut Remarks) {
+        if request.belt.is_some() {
+            return;
+        }
+        let slips: Vec<[f64; 3]> = self.summary.feet.iter().filter_map(|foot| foot.stance_slip_m_s).collect();
+        let Some(count) = Some(slips.len()).filter(|&count| count > 0) else { return };
+        let mean: [f64; 3] =
+            std::array::from_fn(|i| slips.iter().filter_map(|slip| slip.get(i)).sum::<f64>() / count as f64);
+        let speed = dot(mean, mean).sqrt();
+        if speed > BELT_M_S {
+            remarks.say(
+                "treadmill",
+                phrase![
+                    format!(
+                        "in stance the feet move over the floor at {} m/s. On a treadmill, say ",
+                        two(speed)
+                    ),
+                    Input::Belt.being(two(-mean.first().copied().unwrap_or_default())),
+                    ", and slip is taken against the belt"
+                ],
+            );
+        }
+    }
+
+    /// What was taken from the motion, and what was not.
+    fn taken(&self, remarks: &mut Remarks) {
+        let facts = &self.recording.facts;
+        if !facts.kept.is_empty() {
+            remarks.say(
+                "kept-coordinates",
+                format!(
+                    "the motion has no column for {}: kept at the default of the model",
+                    listed(&facts.kept)
+                ),
+            );
+        }
+        if !facts.unused.is_empty() {
+            remarks.say(
+                "unused-columns",
+                format!("columns that belong to no coordinate of the model: {}", listed(&facts.unused)),
+            );
+        }
+        if !facts.declared {
+            let unit = match facts.angles {
+                AngleUnit::Degrees => "degrees",
+                AngleUnit::Radians => "radians",
+            };
+            remarks.say(
+                "undeclared-angles",
+                format!(
+                    "the header does not say the unit of angles; they are taken for {unit}, as OpenSim does"
+                ),
+            );
+        }
+        for constraint in &facts.unenforced {
+            remarks.say("constraint", format!("not enforced here: {constraint}"));
+        }
+        for joint in &self.states.loops {
+            remarks.say(
+                "loop",
+                format!("joint {joint} closes a loop of joints, which nothing keeps closed here"),
+            );
+        }
+    }
+
+    fn plates_taken(&self, remarks: &mut Remarks) {
+        let Some((read, measured)) = self.plates.as_ref().zip(self.measured.as_ref()) else { return };
+        if let Some(other) = &read.other_data_file {
+            remarks.say(
+                "other-data-file",
+                format!(
+                    "the ExternalLoads name '{other}' as their data; what was given is read: {}",
+                    read.file.display()
+                ),
+            );
+        }
+        let lost = |one: &&PlateUse| one.by.is_none();
+        for plate in measured.uses.iter().filter(lost) {
+            remarks.say("plate-of-no-foot", format!(
+                "nothing says which foot the force '{}' is under, so it counts in the total alone: ExternalLoads say it",
+                plate.plate
+            ));
+        }
+        if read.plates.iter().any(|plate| !plate.has_points) {
+            remarks.say(
+                "no-centre-of-pressure",
+                "the plates' points are all 0 or missing: their centre of pressure is not known".to_owned(),
+            );
+        }
+    }
+}
+
+#[derive(Default)]
+struct Remarks(Vec<MotionRemark>);
+
+impl Remarks {
+    fn say(&mut self, code: &'static str, message: impl Into<Phrase>) {
+        self.0.push(MotionRemark { code, message: message.into() });
+    }
+}
+
+/// Two significant digits, or all before the point.
+fn two(value: f64) -> String {
+    let digits = if value.abs() >= 10.0 || value == 0.0 { 0 } else { 1 - value.abs().log10().floor() as i32 };
+    format!("{value:.*}", usize::try_from(digits.clamp(0, 9)).unwrap_or(0))
+}
+
+fn listed(names: &[String]) -> String {
+    let shown: Vec<&str> = names.iter().take(LISTED).map(String::as_str).collect();
+    let more = names.len().saturating_sub(LISTED);
+    match more {
+        0 => shown.join(", "),
+        _ => format!("{} and {more} more", shown.join(", ")),
+    }
+}

@@ -1,0 +1,75 @@
+//! A motion, seen by the contacts of a model.
+
+use osim_model::Fault;
+use osim_model::files::{Failure, FileName, Files, OpenModel};
+use osim_motion::{ContactStates, Foot, Measured, StatesError, Summary};
+use osim_requests::{MotionRequest, RequestError, RequestFault, Speed};
+
+use super::opened::{failure, recording};
+use super::plates::PlatesRead;
+use super::result::MotionResult;
+use crate::opening::open_with;
+
+/// Follows the contacts along the motion.
+///
+/// # Errors
+/// A file that cannot be read, a motion of another model, or a model whose place is not known.
+pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionResult, RequestError> {
+    let Some(subject) = &request.subject else {
+        return Err(RequestFault::Missing { field: "subject" }.into());
+    };
+    let Some(motion) = &request.motion else { return Err(RequestFault::Missing { field: "motion" }.into()) };
+    let opened = open_with(subject, request.set_files.beside(), files)?;
+    let recording = recording(request, &opened.model, motion, files)?;
+    let plates = PlatesRead::of(request, files)?;
+    let (mass_kg, gravity_m_s2) = weight(request, &opened).map_err(|fault| opened.failure(fault))?;
+    let selected = request.choice.selection().apply(&opened.model).map_err(|fault| opened.failure(fault))?;
+    // A belt runs backwards under somebody who walks towards x.
+    let belt_m_s = request.belt.map(Speed::get).map(|speed| [-speed, 0.0, 0.0]);
+    let belt = belt_m_s.unwrap_or_default();
+    let states =
+        ContactStates::of(&opened.model, &recording, &selected.forces, belt).map_err(
+            |error| match error {
+                StatesError::Motion(fault) => failure(motion, &fault),
+                StatesError::Model(fault) => opened.failure(*fault),
+                StatesError::Pose(fault) => opened.failure(Fault::refused(fault.to_string())),
+            },
+        )?;
+    let feet = Foot::all(&opened.model, &states, &selected.forces);
+    if feet.is_empty() {
+        let fault =
+            Fault::refused("no applied force presses a sphere on the ground: there is nothing to follow");
+        return Err(opened.failure(fault).into());
+    }
+    let weight_n = mass_kg * gravity_m_s2;
+    let measured = plates.as_ref().map(|read| Measured::of(&read.plates, &feet, &states, weight_n));
+    if let (Some(read), Some(measured)) = (&plates, &measured)
+        && measured.total.iter().all(Option::is_none)
+    {
+        let why = "it has no time in common with the motion";
+        return Err(Failure::outside(read.name(), "motion", why).into());
+    }
+    let summary = Summary::of(&states, &feet, measured.as_ref(), weight_n);
+    let motion = FileName::from(motion.as_path());
+    Ok(MotionResult {
+        opened,
+        motion,
+        recording,
+        states,
+        plates,
+        measured,
+        summary,
+        mass_kg,
+        gravity_m_s2,
+        belt_m_s,
+    })
+}
+
+/// What the model weighs, kg and m/s².
+fn weight(request: &MotionRequest, opened: &OpenModel) -> Result<(f64, f64), Fault> {
+    let mass = request.masses.request().of_model(&opened.model)?;
+    let gravity = opened.model.gravity().filter(|&gravity| gravity > 0.0);
+    let needed =
+        || Fault::refused("the model has no gravity, so that there is no body weight to compare forces with");
+    Ok((mass.kg, gravity.ok_or_else(needed)?))
+}

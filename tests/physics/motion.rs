@@ -1,0 +1,132 @@
+//! `motion`: contacts along a recording. `tests/oracle/test_motion.py` compares with OpenSim; here are the numbers that can be had by hand.
+
+use crate::support::Bench;
+use crate::{assert_close, object};
+
+const FILES: [(&str, &str); 4] = [
+    ("motion/walker.osim", "walker.osim"),
+    ("motion/walk.mot", "walk.mot"),
+    ("motion/plates.sto", "plates.sto"),
+    ("motion/plates.xml", "plates.xml"),
+];
+const MEASURED: &str = "motion walker.osim walk.mot --plates plates.sto --loads plates.xml";
+
+#[track_caller]
+fn refused(bench: &Bench, arguments: &str, words: &str) {
+    let ran = bench.run(arguments).says(&[words]).wrote_nothing();
+    assert_ne!(ran.status, Some(0));
+}
+
+/// The cells of the first row of a sphere.
+fn row_of(csv: &str, sphere: &str) -> Vec<(String, String)> {
+    let mut lines = csv.lines();
+    let names = lines.next().unwrap().split(',').map(str::to_owned);
+    let row = lines.find(|line| line.split(',').nth(1) == Some(sphere)).unwrap();
+    names.zip(row.split(',').map(str::to_owned)).collect()
+}
+
+/// At time 0 the right foot is level, 0.0323 m above the floor, and turns at 0.08 · 2π/1.2 rad/s. So both of its spheres (R 35 mm, 20 mm
+/// below the ankle) are 22.7 mm deep, the heel (0.05 m behind) goes in and the ball (0.12 m ahead) comes out.
+#[test]
+fn the_first_frame_is_known() {
+    let bench = Bench::with(&FILES);
+    let csv = bench.run("motion walker.osim walk.mot --format csv").done().wrote_nothing().out();
+    let number = |row: &[(String, String)], name: &str| -> f64 {
+        row.iter().find(|(known, _)| known == name).unwrap().1.parse().unwrap()
+    };
+    // 4/3 · 8e6/2^1.5 · √0.035 · 0.0227^1.5 (1 + 3/2 · 0.5 ẋ), ẋ = 0.4188790205 · 0.05 and −0.4188790205 · 0.12.
+    for (sphere, x, force) in [("heel_r", -0.05, 2_450.898_891_838), ("ball_r", 0.12, 2_322.027_852_189)] {
+        let row = row_of(&csv, sphere);
+        assert!(
+            (number(&row, "centre_x_m") - x).abs() < 1e-12
+                && (number(&row, "centre_y_m") - 0.0123).abs() < 1e-9
+        );
+        assert!((number(&row, "indentation_m") - 0.0227).abs() < 1e-9, "{row:?}");
+        // The speed is that of a spline through values of nine digits.
+        assert_close(number(&row, "force_y_n"), force, 2e-4, sphere);
+        // No friction: what is left is the cosine of the floor's quarter turn.
+        assert!(number(&row, "force_x_n").abs() < 1e-9);
+    }
+    assert_eq!(csv.lines().count(), 1 + 241 * 4);
+}
+
+#[test]
+fn plates_are_compared_and_words_come_first() {
+    let bench = Bench::with(&FILES);
+    let ran = bench.run(MEASURED).done().wrote_nothing();
+    insta::assert_snapshot!("motion", ran.out());
+    let seen = object(&bench.run(&format!("{MEASURED} --format json")).done().wrote_nothing());
+    let feet = seen["feet"].as_array().unwrap();
+    assert_eq!(
+        feet.iter().map(|foot| foot["name"].as_str().unwrap()).collect::<Vec<_>>(),
+        ["right foot", "left foot"]
+    );
+    for foot in feet {
+        // What make_motion.py says that the plates measured: 1048.39 N.
+        let peak = foot["comparison"]["measured_peak_n"].as_f64().unwrap();
+        assert_close(peak, PLATES_PEAK_N, 1e-3, "peak of the plates");
+        assert!(foot["comparison"]["vertical_rms_bw"].as_f64().unwrap() > 2.0);
+        assert!(foot["stands_by_plates"].as_bool().unwrap());
+    }
+    // The plates carry the weight, over whole strides, within what the walker was made with.
+    let mean = seen["measured_stride_mean_n"].as_f64().unwrap() / seen["weight_n"].as_f64().unwrap();
+    assert!((mean - 1.0).abs() < 0.05, "{mean}");
+}
+
+/// The largest force under a foot, N, as NumPy has it in `fixtures/motion/plates.sto`.
+const PLATES_PEAK_N: f64 = 1_048.392_9;
+
+/// What is written reads back as ground reactions, and agrees with the model that it came from.
+#[test]
+fn written_reactions_are_those_of_the_model() {
+    let bench = Bench::with(&FILES);
+    let ran = bench.run("motion walker.osim walk.mot -o made.sto").done();
+    assert_eq!(ran.changed, ["made.sto", "made.xml"]);
+    let again =
+        bench.run("motion walker.osim walk.mot --plates made.sto --loads made.xml --format json").done();
+    let seen = object(&again);
+    for foot in seen["feet"].as_array().unwrap() {
+        let comparison = &foot["comparison"];
+        assert!(comparison["normal_rms_n"].as_f64().unwrap() < 1e-9, "{comparison}");
+        assert!(comparison["cop_rms_m"].as_f64().unwrap() < 1e-9, "{comparison}");
+    }
+    // Files that are there stay, unless they may go.
+    refused(&bench, "motion walker.osim walk.mot -o made.sto", "made.sto");
+    bench.run("motion walker.osim walk.mot -o made.sto --force").done();
+    refused(&bench, "motion walker.osim walk.mot -o walk.mot --force", "walk.mot");
+    refused(&bench, "motion walker.osim walk.mot -o made.csv", "expected a name that ends in .sto");
+}
+
+#[test]
+fn what_is_missing_is_said() {
+    let bench = Bench::with(&FILES);
+    let head = "version=1\nendheader\ntime\tankle_r\n";
+    let rows = |values: [f64; 6]| -> String {
+        values.iter().enumerate().map(|(row, value)| format!("0.{row}\t{value}\n")).collect()
+    };
+    bench.write("degrees.sto", format!("{head}{}", rows([0.0, 10.0, 20.0, 30.0, 20.0, 10.0])));
+    refused(&bench, "motion walker.osim degrees.sto", "--angles");
+    bench.run("motion walker.osim degrees.sto --angles degrees").done();
+    bench.write("short.sto", format!("{head}0\t0.1\n0.1\t0.2\n"));
+    refused(&bench, "motion walker.osim short.sto", "it has 2 rows");
+    bench.write("other.sto", "version=1\nendheader\ntime\thip\n0\t0\n");
+    refused(&bench, "motion walker.osim other.sto", "none of its columns ('hip') is a coordinate");
+    bench.write("words.sto", format!("{head}0\tten\n"));
+    refused(
+        &bench,
+        "motion walker.osim words.sto",
+        "words.sto: line 4: column 'ankle_r': 'ten' is not a number",
+    );
+    bench.write("back.sto", format!("{head}0\t0\n0.2\t0\n0.1\t0\n"));
+    refused(&bench, "motion walker.osim back.sto", "back.sto: line 6: its time is 0.1 s, after 0.2 s");
+    bench.write("gap.sto", format!("{head}0\t0\n0.1\tnan\n"));
+    refused(&bench, "motion walker.osim gap.sto", "gap.sto: line 5: column 'ankle_r' is NaN");
+    bench.write(
+        "late.sto",
+        "version=1\nendheader\ntime ground_force_vx ground_force_vy ground_force_vz\n9 0 1 0\n",
+    );
+    refused(&bench, "motion walker.osim walk.mot --plates late.sto", "no time in common");
+    refused(&bench, "motion walker.osim walk.mot --loads plates.xml", "--plates");
+    refused(&bench, "motion walker.osim walk.mot --low-pass 60", "below half of that, 50 Hz");
+    refused(&bench, "motion walker.osim nothing.mot", "there is no such file");
+}
