@@ -52,6 +52,7 @@ class Shape:
 
 
 SOURCE = ("source", "Source", "", "Path of a model (.osim) or ForceSet (.xml), its bytes, a Result, or an `opensim.Model`.", "models")
+SOURCE_OF_SUBJECT = (*SOURCE[:4], "subject")
 CHANGE = Shape("change", (SOURCE,), "Result", "The plan. Nothing is written before `Result.write`.", "plan")
 
 
@@ -66,6 +67,9 @@ def shape_of(verb: Verb) -> Shape:
         "drop-test": Shape(
             "drop-test", (("subject", "Source | None", "None", "A model as for `rescale`, or the name of a preset.", "subject"),),
             "DropTest", "What happens, and the motion as `series`.", "drop_test"),
+        "motion": Shape(
+            "motion", (SOURCE_OF_SUBJECT, ("recording", "Any", "", "Coordinates over time: a path (.mot, .sto), or a table with a column `time` and one for each coordinate, in rad and m.", "motion")),
+            "Motion", "Each foot and sphere beside the plates, and all frames as `rows`.", "motion"),
         "fit": Shape(
             "fit", (("measured", "Any", "", "Measured indentation and force: a path (.csv), or a table with columns.", "file"),),
             "Fit", "The parameters with their uncertainty.", "fit"),
@@ -117,7 +121,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, Literal
 
 from . import _run
-from ._answers import DesignSheet, DropTest, Explanation, Fit, Preset, Reproduction
+from ._answers import DesignSheet, DropTest, Explanation, Fit, Motion, Preset, Reproduction
 from ._figure import Figure
 from ._progress import Progress
 from ._request import Source

@@ -15,6 +15,7 @@ RESULTS = {
     "inspect": "inspection",
     "check": "check",
     "drop-test": "drop-test",
+    "motion": "motion",
     "plot": None,
     "fit": "fit",
     "reproduce": "reproduction",
@@ -68,6 +69,9 @@ found.stiffness.value""",
 seen = osimcontact.inspect({'human.osim', 'emu.osim'});
 [seen.mass_kg]
 seen(1).forces(1).parameters.stiffness""",
+    "motion": """
+seen = osimcontact.motion('walker.osim', 'walk.mot');
+plot([seen.feet.peak_n] / seen.weight_n, 'o')""",
     "note": """
 done = osimcontact.note('human.osim', 'contacts_mass', 62, 'output', 'noted.osim');""",
     "plot": """

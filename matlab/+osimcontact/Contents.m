@@ -11,6 +11,7 @@
 %   explain    - Explains equations, quantities, and the codes of warnings and errors.
 %   fit        - Finds contact parameters from a measured indentation and force.
 %   inspect    - Shows what contacts models have.
+%   motion     - Shows what contacts do along a recorded motion, beside what force plates measured.
 %   note       - Writes into models which mass their contacts were made for; no number changes.
 %   plot       - Draws what contacts do.
 %   presets    - Lists presets, or shows one.

@@ -41,8 +41,8 @@ function results = check(varargin)
 %       seen = osimcontact.check({'human.osim', 'emu.osim'});
 %       for finding = seen(1).findings', disp(finding.message), end
 %
-%   See also osimcontact.sweep, osimcontact.inspect, osimcontact.drop_test, osimcontact.plot,
-%   osimcontact.fit, osimcontact.reproduce, osimcontact.presets, osimcontact.explain,
+%   See also osimcontact.sweep, osimcontact.inspect, osimcontact.drop_test, osimcontact.motion,
+%   osimcontact.plot, osimcontact.fit, osimcontact.reproduce, osimcontact.presets, osimcontact.explain,
 %   osimcontact.program.
 
 % Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.

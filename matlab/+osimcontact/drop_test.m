@@ -53,8 +53,8 @@ function results = drop_test(varargin)
 %       fall = osimcontact.drop_test('falisse2022', 'height', 'x0.5');
 %       plot(fall.series.time_s, fall.series.force_bw)
 %
-%   See also osimcontact.sweep, osimcontact.inspect, osimcontact.check, osimcontact.plot,
-%   osimcontact.fit, osimcontact.reproduce, osimcontact.presets, osimcontact.explain,
+%   See also osimcontact.sweep, osimcontact.inspect, osimcontact.check, osimcontact.motion,
+%   osimcontact.plot, osimcontact.fit, osimcontact.reproduce, osimcontact.presets, osimcontact.explain,
 %   osimcontact.program.
 
 % Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.

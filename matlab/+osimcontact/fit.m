@@ -32,8 +32,8 @@ function results = fit(varargin)
 %       found.stiffness.value
 %
 %   See also osimcontact.sweep, osimcontact.inspect, osimcontact.check, osimcontact.drop_test,
-%   osimcontact.plot, osimcontact.reproduce, osimcontact.presets, osimcontact.explain,
-%   osimcontact.program.
+%   osimcontact.motion, osimcontact.plot, osimcontact.reproduce, osimcontact.presets,
+%   osimcontact.explain, osimcontact.program.
 
 % Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.
     results = osimcontact.internal.run_verb('fit', varargin);

@@ -67,8 +67,8 @@ function results = sweep(varargin)
 %       made = osimcontact.sweep('human.osim', 'grid', grid, 'output_dir', 'variants');
 %       made.models
 %
-%   See also osimcontact.inspect, osimcontact.check, osimcontact.drop_test, osimcontact.plot,
-%   osimcontact.fit, osimcontact.reproduce, osimcontact.presets, osimcontact.explain,
+%   See also osimcontact.inspect, osimcontact.check, osimcontact.drop_test, osimcontact.motion,
+%   osimcontact.plot, osimcontact.fit, osimcontact.reproduce, osimcontact.presets, osimcontact.explain,
 %   osimcontact.program.
 
 % Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.

@@ -16,7 +16,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from . import _native
-from ._answers import Answer, DesignSheet, DropTest, Explanation, Fit, Preset, Reproduction
+from ._answers import Answer, DesignSheet, DropTest, Explanation, Fit, Motion, Preset, Reproduction
 from ._errors import ContactScaleError, ModelError, NeedsAnswer, OutputError, RequestError
 from ._figure import Figure
 from ._many import many
@@ -33,6 +33,7 @@ from ._verbs import (
     explain,
     fit,
     inspect,
+    motion,
     note,
     plot,
     presets,
@@ -64,6 +65,7 @@ __all__ = [
     "Fit",
     "Inspection",
     "ModelError",
+    "Motion",
     "NeedsAnswer",
     "OutputError",
     "Preset",
@@ -82,6 +84,7 @@ __all__ = [
     "fit",
     "inspect",
     "many",
+    "motion",
     "note",
     "plot",
     "presets",

@@ -1,4 +1,4 @@
-"""What verbs give that compute and change nothing: `drop_test`, `fit`, `design` alone, `presets`, `explain`, `reproduce`."""
+"""What verbs give that compute and change nothing: `drop_test`, `motion`, `fit`, `design` alone, `presets`, `explain`, `reproduce`."""
 
 from __future__ import annotations
 
@@ -70,6 +70,33 @@ class DropTest(Answer):
         columns: dict[str, list[float]] = self.record["series"]
         names = list(columns)
         return table([dict(zip(names, row)) for row in zip(*columns.values())], names)
+
+
+class Motion(Answer):
+    """The contacts of a model along a recorded motion.
+
+    Attributes
+    ----------
+    record : dict
+        Each foot and sphere, beside the plates.
+    text : str
+        The same, as the command prints it.
+    """
+
+    __slots__ = ("_columns",)
+
+    def __init__(self, record: dict[str, Any], text: str, columns: dict[str, list[Any]]) -> None:
+        super().__init__(record, text)
+        self._columns = columns
+
+    @property
+    def rows(self) -> Any:
+        """A row for each frame, sphere and force: places, velocities and forces, the unit in the name of each column."""
+        names = list(self._columns)
+        return table([dict(zip(names, row)) for row in zip(*self._columns.values())], names)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.record, self.text, self._columns)
 
 
 class Fit(Answer):

@@ -24,8 +24,8 @@ MODELS = ("from", "geometry", "model", "compare")
 
 #: Fields that are names of files or folders, in which `~` is the home folder.
 PATHS = {
-    "body_scale_file", "compare", "contacts", "data", "file", "from", "geometry", "geometry_dir", "geometry_output", "manifest", "model",
-    "models", "output", "output_dir", "presets", "report", "subject", "summary", "table",
+    "body_scale_file", "compare", "contacts", "data", "file", "from", "geometry", "geometry_dir", "geometry_output", "loads", "manifest",
+    "model", "models", "motion", "output", "output_dir", "plates", "presets", "report", "subject", "summary", "table",
 }  # fmt: skip
 
 

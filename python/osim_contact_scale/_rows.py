@@ -112,6 +112,32 @@ def csv_of(rows: Sequence[Mapping[str, Any]], text_of: Callable[[str, Any], str]
         raise RequestError("usage", "a table takes texts in Unicode only: this one has other bytes in a name") from None
 
 
+def storage_of(data: Any, what: str) -> bytes:
+    """A table over time as OpenSim's `.sto` has it: a column `time`, and numbers in rad, m and N.
+
+    Where the index of a DataFrame is called `time`, it is the column.
+
+    Raises
+    ------
+    RequestError
+        No column `time`, or a cell that is not a number.
+    """
+    if hasattr(data, "reset_index") and getattr(getattr(data, "index", None), "name", None) == "time":
+        data = data.reset_index()
+    rows = rows_of(data)
+    names = list(rows[0]) if rows else []
+    if "time" not in names:
+        raise RequestError("usage", f"{what}: a table over time has a column 'time', and one of these: {', '.join(names)}")
+    names = ["time", *(name for name in names if name != "time")]
+    lines = ["version=1", "inDegrees=no", "endheader", "\t".join(names)]
+    for number, row in enumerate(rows):
+        try:
+            lines.append("\t".join(repr(float(row[name])) for name in names))
+        except (TypeError, ValueError, KeyError):
+            raise RequestError("usage", f"{what}: row {number} has a cell that is not a number") from None
+    return "\n".join(lines).encode("utf-8")
+
+
 def _plain_text(name: str, value: Any) -> str:
     return text_of_value(value)
 

@@ -9,17 +9,17 @@ from collections.abc import Mapping
 from typing import Any
 
 from . import _changes, _native, _survey, _sweep
-from ._answers import DesignSheet, DropTest, Explanation, Fit, Preset, Reproduction
+from ._answers import DesignSheet, DropTest, Explanation, Fit, Motion, Preset, Reproduction
 from ._figure import Figure
 from ._progress import Progress
 from ._request import Memory, Source, fields_of, model_of, models_of, with_own_files
 from ._result import plan
-from ._rows import csv_of, rows_of
+from ._rows import csv_of, rows_of, storage_of
 
 log = logging.getLogger("osim_contact_scale")
 
 __all__ = [
-    "assignments", "batch", "design", "drop_test", "explain", "fit", "plan", "plot", "presets", "reproduce", "survey", "sweep",
+    "assignments", "batch", "design", "drop_test", "explain", "fit", "motion", "plan", "plot", "presets", "reproduce", "survey", "sweep",
 ]  # fmt: skip
 
 survey = _survey.survey
@@ -51,6 +51,22 @@ def drop_test(subject: Source | None, keywords: Mapping[str, Any]) -> DropTest:
     for remark in remarks:
         log.warning("%s", remark.strip())
     return DropTest(record, text)
+
+
+def motion(source: Source, recording: Any, keywords: Mapping[str, Any]) -> Motion:
+    memory = Memory()
+    keywords = dict(keywords)
+    tables = {"motion": recording, "plates": keywords.pop("plates", None)}
+    fields = fields_of("motion", with_own_files(source, keywords, memory), memory)
+    fields["subject"] = model_of(source, memory)
+    for field, given in tables.items():
+        if isinstance(given, (str, os.PathLike)):
+            fields[field] = path_of(given)
+        elif given is not None:
+            fields[field] = f"{field} table.sto"
+            memory[f"{field} table.sto"] = storage_of(given, field)
+    record, text, columns = _native.motion(fields, memory)
+    return Motion(record, text, columns)
 
 
 def fit(measured: Any, keywords: Mapping[str, Any]) -> Fit:

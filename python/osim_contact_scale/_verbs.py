@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, Literal
 
 from . import _run
-from ._answers import DesignSheet, DropTest, Explanation, Fit, Preset, Reproduction
+from ._answers import DesignSheet, DropTest, Explanation, Fit, Motion, Preset, Reproduction
 from ._figure import Figure
 from ._progress import Progress
 from ._request import Source
@@ -26,6 +26,7 @@ __all__ = [
     "explain",
     "fit",
     "inspect",
+    "motion",
     "note",
     "plot",
     "presets",
@@ -786,6 +787,82 @@ def inspect(
     """
     keywords = {"from": from_, "body_scale_file": body_scale_file, "report": report, "force": force or None, "spheres": spheres, "stance_limbs": stance_limbs, "impact_speed": impact_speed, "gravity": gravity, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model, "yes": yes}
     return _run.survey("inspect", sources, keywords, jobs, progress)  # type: ignore[no-any-return]
+
+
+def motion(
+    source: Source,
+    recording: Any,
+    /,
+    *,
+    plates: StrPath | None = None,
+    loads: StrPath | None = None,
+    angles: Literal["degrees", "radians"] | None = None,
+    low_pass: float | None = None,
+    belt: float | None = None,
+    output: StrPath | None = None,
+    force: bool = False,
+    contacts_mass: float | None = None,
+    mass: float | None = None,
+    exclude_body: str | Sequence[str] | None = None,
+    select: str | Sequence[str] | None = None,
+    exclude: str | Sequence[str] | None = None,
+    skip_disabled: bool = False,
+    geometry: Source | None = None,
+    model: Source | None = None,
+) -> Motion:
+    """Shows what contacts do along a recorded motion, beside what force plates measured.
+
+    Parameters
+    ----------
+    source : path, bytes or opensim.Model
+        Path of a model (.osim) or ForceSet (.xml), its bytes, a Result, or an `opensim.Model`.
+    recording : table or path
+        Coordinates over time: a path (.mot, .sto), or a table with a column `time` and one for each coordinate,
+        in rad and m.
+    plates : path, optional
+        Ground reactions that force plates measured (.mot or .sto)
+    loads : path, optional
+        OpenSim's ExternalLoads (.xml): which columns of the plates act on which body.
+    angles : {"degrees", "radians"}, optional
+        The unit of the motion's angles, where its header does not say it.
+    low_pass : float, optional
+        Smooth the coordinates first: zero-lag Butterworth filter of 4th order, cutoff in Hz (6 is usual for
+        walking)
+    belt : float, optional
+        Speed of a treadmill's belt against x, m/s: slip is taken against it.
+    output : path, optional
+        Write the model's ground reactions to this file (.sto), with its ExternalLoads beside it (.xml)
+    force : bool, optional
+        Replace existing files.
+    contacts_mass : float, optional
+        Mass the contacts are made for now, kg [default: the note, else `mass`]
+    mass : float, optional
+        What this model weighs, kg [default: the sum of its bodies]
+    exclude_body : str or list of str, optional
+        Leave these bodies out of the sum (props, platforms); one or several in a list.
+    select : str or list of str, optional
+        Only forces with such a name; one or several in a list.
+    exclude : str or list of str, optional
+        No forces with such a name; one or several in a list.
+    skip_disabled : bool, optional
+        Leave out forces that are switched off.
+    geometry : path, bytes or opensim.Model, optional
+        The ContactGeometrySet (or model) that holds the spheres of a standalone ForceSet.
+    model : path, bytes or opensim.Model, optional
+        The model a standalone ForceSet belongs to, for its masses and joints.
+
+    Returns
+    -------
+    Motion
+        Each foot and sphere beside the plates, and all frames as `rows`.
+
+    Raises
+    ------
+    ContactScaleError
+        It cannot be done: the subclass says why.
+    """
+    keywords = {"plates": plates, "loads": loads, "angles": angles, "low_pass": low_pass, "belt": belt, "output": output, "force": force or None, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model}
+    return _run.motion(source, recording, keywords)
 
 
 def note(

@@ -87,7 +87,9 @@ function copy_models(root, bench)
         'format/v40000.osim', 'one force.osim'; ...
         'format/v40000.osim', 'one force too.osim'; ...
         'bad/number_decimal_comma.osim', 'decimal comma.osim'; ...
-        'measured/heel_pad.csv', 'measured.csv'};
+        'measured/heel_pad.csv', 'measured.csv'
+        'motion/walker.osim', 'walker.osim'
+        'motion/walk.mot', 'walk.mot'};
     for i = 1:size(copies, 1)
         copyfile(fullfile(root, 'fixtures', copies{i, 1}), fullfile(bench, copies{i, 2}));
     end

@@ -4,12 +4,13 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use osim_model::Property;
-use osim_planning::{design_sheet, find_presets, run_drop_test, run_fit};
+use osim_planning::{design_sheet, find_presets, run_drop_test, run_fit, run_motion};
 use osim_report::explain::{Letters, answer};
 use osim_report::messages::mass_mismatch;
 use osim_report::reproduce::{ReproductionRecord, fig1_text, reproduction_text};
 use osim_report::results::{
-    DropRecord, FitRecord, PresetRecord, design_sheet_text, drop_text, fit_text, preset_text,
+    DropRecord, FitRecord, MotionCells, MotionRecord, PresetRecord, design_sheet_text, drop_text, fit_text,
+    motion_columns, motion_text, preset_text,
 };
 use osim_requests::Request;
 use osim_requests::spell::Python as PythonWords;
@@ -60,6 +61,32 @@ pub(crate) fn drop_test<'py>(
     let mismatches = drop.mismatches.iter();
     let remarks = mismatches.map(|(name, mismatch)| mass_mismatch(name, mismatch, &PythonWords)).collect();
     Ok((dictionary(py, &DropRecord::from(&drop))?, drop_text(&drop), remarks))
+}
+
+/// `motion`: what the contacts do, its text, and a column of cells for each column of its rows.
+#[pyfunction]
+pub(crate) fn motion<'py>(
+    py: Python<'py>,
+    fields: &Bound<'py, PyDict>,
+    memory: BTreeMap<PathBuf, PyBackedBytes>,
+) -> PyResult<(Bound<'py, PyAny>, String, Bound<'py, PyDict>)> {
+    let fields = fields_of(fields)?;
+    let (result, remarks) = guarded(py, || {
+        let request = request!(Motion, fields);
+        let result = run_motion(&request, &RequestFiles::given(&memory, true))?;
+        let remarks = result.remarks(&request);
+        Ok((result, remarks))
+    })?;
+    let columns = PyDict::new(py);
+    for column in motion_columns(&result) {
+        match column.cells {
+            MotionCells::Numbers(numbers) => columns.set_item(column.name, numbers)?,
+            MotionCells::Texts(texts) => columns.set_item(column.name, texts)?,
+            MotionCells::Flags(flags) => columns.set_item(column.name, flags)?,
+        }
+    }
+    let record = MotionRecord::new(&result, &remarks, &PythonWords);
+    Ok((dictionary(py, &record)?, motion_text(&result, &remarks, &PythonWords), columns))
 }
 
 /// `fit`: the parameters found, and their text.

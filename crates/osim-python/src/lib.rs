@@ -33,7 +33,7 @@ mod _native {
     use pyo3::prelude::*;
 
     #[pymodule_export]
-    use crate::calls::{calculate, drop_test, explain, fit, presets, reproduce, units};
+    use crate::calls::{calculate, drop_test, explain, fit, motion, presets, reproduce, units};
     #[pymodule_export]
     use crate::equations::{equation, equation_of_list, equations, mixing_rules, steps};
     #[pymodule_export]

@@ -92,6 +92,15 @@ function verb = declared(name)
             verb.options = {'models', 'from', 'body_scale_file', 'report', 'force', 'spheres', 'stance_limbs', 'impact_speed', ...
                 'gravity', 'contacts_mass', 'mass', 'exclude_body', 'select', 'exclude', 'skip_disabled', ...
                 'geometry', 'model', 'yes', 'as_table'};
+        case 'motion'
+            verb.verb = 'motion';
+            verb.positional = {'subject', 'motion'};
+            verb.required = 2;
+            verb.result = 'motion';
+            verb.without_models = '';
+            verb.options = {'subject', 'motion', 'plates', 'loads', 'angles', 'low_pass', 'belt', 'output', 'force', ...
+                'contacts_mass', 'mass', 'exclude_body', 'select', 'exclude', 'skip_disabled', 'geometry', 'model', ...
+                'as_table'};
         case 'note'
             verb.verb = 'note';
             verb.positional = {'models'};

@@ -1,0 +1,50 @@
+function results = motion(varargin)
+%MOTION Shows what contacts do along a recorded motion, beside what force plates measured.
+%   RESULTS = osimcontact.motion(SUBJECT, MOTION, NAME, VALUE, ...)
+%
+%   SUBJECT: The model (.osim), or a ForceSet (.xml) with geometry and model. Takes a text.
+%
+%   MOTION: Its motion: coordinates over time (.mot or .sto), from inverse kinematics or a simulation.
+%       Takes a text.
+%
+%   Options, each a NAME and a VALUE (target_mass and TargetMass are the same):
+%     plates: Ground reactions that force plates measured (.mot or .sto). Takes a text.
+%     loads: OpenSim's ExternalLoads (.xml): which columns of the plates act on which body. Takes a
+%         text.
+%     angles: The unit of the motion's angles, where its header does not say it. Takes 'degrees' or
+%         'radians'.
+%     low_pass: Smooth the coordinates first: zero-lag Butterworth filter of 4th order, cutoff in Hz (6
+%         is usual for walking). Takes a number.
+%     belt: Speed of a treadmill's belt against x, m/s: slip is taken against it. Takes a number.
+%     output: Write the model's ground reactions to this file (.sto), with its ExternalLoads beside it
+%         (.xml). Takes a text.
+%     force: Replace existing files. Takes true or false.
+%     contacts_mass: Mass the contacts are made for now, kg [default: the note, else mass]. Takes a
+%         number.
+%     mass: What this model weighs, kg [default: the sum of its bodies]. Takes a number.
+%     exclude_body: Leave these bodies out of the sum (props, platforms). Takes a text or a cell array
+%         of texts.
+%     select: Only forces with such a name. Takes a text or a cell array of texts.
+%     exclude: No forces with such a name. Takes a text or a cell array of texts.
+%     skip_disabled: Leave out forces that are switched off. Takes true or false.
+%     geometry: The ContactGeometrySet (or model) that holds the spheres of a standalone ForceSet. Takes
+%         a text.
+%     model: The model a standalone ForceSet belongs to, for its masses and joints. Takes a text.
+%     AsTable: true gives a table of MATLAB with a row for each result; the name of a list in the
+%         results, such as 'warnings', one with a row for each of its entries. Not in GNU Octave.
+%
+%   RESULTS: an array of structs with the fields model, motion, frames, from_s, to_s, mass_kg,
+%   gravity_m_s2, weight_n, stride_mean_n, measured_stride_mean_n, peak_n, comparison, feet, remarks.
+%   docs/json.md says what each holds; what is missing is NaN, '' or empty.
+%
+%   Example:
+%       seen = osimcontact.motion('walker.osim', 'walk.mot');
+%       plot([seen.feet.peak_n] / seen.weight_n, 'o')
+%
+%   See also osimcontact.sweep, osimcontact.inspect, osimcontact.check, osimcontact.drop_test,
+%   osimcontact.plot, osimcontact.fit, osimcontact.reproduce, osimcontact.presets, osimcontact.explain,
+%   osimcontact.program.
+
+% Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.
+    results = osimcontact.internal.run_verb('motion', varargin);
+end
