@@ -1,0 +1,162 @@
+"""Spheres and contact forces along motions: the command's rows against the real OpenSim in the same states."""
+
+import csv
+import io
+import itertools
+import os
+import random
+import subprocess
+
+import command
+import numpy as np
+import opensim_motion
+import pytest
+from models import corpus, fixtures, label
+
+LENGTH = 1e-9  # m, m/s
+SHARE = 1e-9  # of the largest force (or torque) of the motion
+FRAMES = 24
+ROTATIONAL, TRANSLATIONAL = 1, 2  # OpenSim's motion types
+
+MODES = ("given", "splined", "rest")
+
+
+# What `motion` has nothing to say of: no contact acts, or nothing weighs anything.
+REFUSED = ("no applied force presses a sphere on the ground", "a moving sphere meets a half-space", "has no gravity")
+
+
+def rows(model, motion, *more):
+    arguments = ["motion", str(model), str(motion), "--format", "csv", "--select", "*", *more]
+    done = subprocess.run([str(command.BINARY), *arguments], capture_output=True, timeout=60)
+    said = done.stderr.decode("utf-8", "replace")
+    if done.returncode and any(reason in said for reason in REFUSED):
+        pytest.skip(f"motion refuses the model: {said.strip()[-120:]}")
+    assert done.returncode == 0, said
+    return list(csv.DictReader(io.StringIO(done.stdout.decode("utf-8"))))
+
+
+def smooth(coordinates, seed):
+    """Times, and values and speeds of all coordinates: sines around the defaults."""
+    chance = random.Random(seed)
+    times = [frame / 50 for frame in range(FRAMES)]
+    values, speeds = {}, {}
+    for name, default, kind in coordinates:
+        size = 0.4 if kind == ROTATIONAL else 0.03
+        rate, phase = chance.uniform(2, 12), chance.uniform(0, 6)
+        values[name] = [default + size * np.sin(rate * time + phase) for time in times]
+        speeds[name] = [chance.uniform(-2, 2) * np.cos(rate * time) for time in times]
+    return times, values, speeds
+
+
+def storage(path, times, values, speeds):
+    """A `.sto` of values, with speeds where they are given."""
+    names = list(values)
+    columns = {f"/jointset/{name}/value": values[name] for name in names}
+    if speeds is not None:
+        columns |= {f"/jointset/{name}/speed": speeds[name] for name in names}
+    lines = ["motion", "version=1", "inDegrees=no", "endheader", "\t".join(["time", *columns])]
+    for frame, time in enumerate(times):
+        lines.append("\t".join(repr(float(value)) for value in (time, *(column[frame] for column in columns.values()))))
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def vector(row, name):
+    unit = {"centre": "_m", "velocity": "_m_s", "force": "_n", "point": "_m"}[name]
+    return np.array([float(row[f"{name}_{axis}{unit}"]) for axis in "xyz"])
+
+
+def compared(ours, theirs, times):
+    """How many forces agree, after all places and velocities did."""
+    by_time = {}
+    for row in ours:
+        by_time.setdefault(row["time_s"], []).append(row)
+    assert len(by_time) == len(times)
+    records = [one for frame in theirs for force in frame["forces"].values() for one in force.values()]
+    largest = max((abs(value) for record in records for value in record[:3]), default=1.0)
+    count = 0
+    for own, frame in zip(by_time.values(), theirs, strict=True):
+        on_bodies = {}
+        for row in own:
+            place, speed = frame["spheres"][row["sphere"]]
+            assert np.allclose(vector(row, "centre"), place, rtol=0, atol=LENGTH), (row, place)
+            assert np.allclose(vector(row, "velocity"), speed, rtol=0, atol=LENGTH), (row, speed)
+            if row["applies"] == "true":
+                on_bodies.setdefault(row["force"], []).append((row, wrench(row, frame["origins"])))
+        for force, pairs in on_bodies.items():
+            count += agrees(pairs, frame["forces"][force], SHARE * largest)
+    return count
+
+
+def wrench(row, origins):
+    """Force, and torque about the origin of the body."""
+    force = vector(row, "force")
+    return np.concatenate([force, np.cross(vector(row, "point") - origins[row["body"]], force)])
+
+
+def agrees(pairs, record, tolerance):
+    """1 if a force agrees on all bodies. Simbody leaves out pairs of one force that come after one that pulls, in an order of its own."""
+    pulls = any(float(row["indentation_m"]) > 0 and not any(vector(row, "force")) for row, _ in pairs)
+    if np.isnan(np.array(list(record.values()))).any():
+        return 0  # OpenSim divides by 0: check says it of such contacts
+    touching = [number for number, (row, _) in enumerate(pairs) if any(vector(row, "force"))]
+    chosen = [touching]
+    if pulls:
+        chosen = [part for size in range(len(touching), -1, -1) for part in itertools.combinations(touching, size)]
+    moving = {row["body"] for row, _ in pairs}
+    # Scenery that touches scenery pushes nothing that moves.
+    record = {body: values for body, values in record.items() if body in moving or body == "Sphere"}
+    assert any(all_agree([pairs[number] for number in part], record, tolerance) for part in chosen), (pairs, record)
+    return 1
+
+
+def all_agree(pairs, record, tolerance):
+    sums = {}
+    for row, one in pairs:
+        sums[row["body"]] = sums.get(row["body"], 0) + one
+    # The only sphere of a SmoothSphereHalfSpaceForce has no body in its record.
+    theirs = {(next(iter(sums), body) if body == "Sphere" else body): values for body, values in record.items()}
+    return all(
+        np.allclose(sums.get(body, np.zeros(6)), values, rtol=0, atol=tolerance) for body, values in theirs.items()
+    )
+
+
+def followed():
+    """Models with spheres on planes that OpenSim reads."""
+    known = []
+    for path in fixtures("reads") + corpus():
+        outcome = command.inspect(path)
+        report = outcome.report or {}
+        named = all(one["name"] for kind in ("spheres", "forces") for one in report.get(kind, ()))
+        if path.parent.name != "bad" and outcome.status == 0 and report.get("forces") and report.get("mass_kg") and named:
+            known.append(path)
+    return known
+
+
+@pytest.mark.parametrize("path", followed(), ids=label)
+def test_spheres_and_forces_are_those_of_opensim(path, tmp_path):
+    coordinates = opensim_motion.coordinates(path)
+    times, values, given = smooth(coordinates, os.environ.get("ORACLE_SEED", "1"))
+    for mode in MODES:
+        still = {name: [0.0] * len(times) for name in values}
+        speeds = {"given": given, "splined": None, "rest": still}[mode]
+        motion = tmp_path / f"{mode}.sto"
+        storage(motion, times, values, speeds)
+        theirs = opensim_motion.follow(path, times, values, "splined" if mode == "splined" else speeds)
+        agreed = compared(rows(path, motion), theirs, times)
+        assert agreed > 0 or path.stem == "zero_dissipation", mode  # a constant_contact_force of 0, too: NaN at no slip
+
+
+# Written reactions are tried on models of both classes, with one and with several bodies in a foot.
+LOADED = ("human_62kg_hunt_crossley", "horse_smooth_sphere", "v40000_falisse_2022_human", "v40000_moco_2d_gait")
+
+
+@pytest.mark.parametrize("path", [path for path in followed() if path.stem in LOADED], ids=label)
+def test_written_reactions_need_the_same_joint_moments(path, tmp_path):
+    coordinates = opensim_motion.coordinates(path)
+    times, values, speeds = smooth(coordinates, "2")
+    motion, made = tmp_path / "motion.sto", tmp_path / "made.sto"
+    storage(motion, times, values, speeds)
+    rows(path, motion, "-o", str(made))
+    own = np.array(opensim_motion.needed(path, times, values, speeds))
+    loaded = np.array(opensim_motion.needed(path, times, values, speeds, made.with_suffix(".xml")))
+    assert np.abs(own - loaded).max() < 1e-6 * np.abs(own).max()
