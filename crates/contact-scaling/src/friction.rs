@@ -42,7 +42,7 @@ impl Friction {
 
     /// Friction force over normal force at the slip speed v (m/s): min(v/vt, 1) (μd + 2 (μs − μd)/(1 + (v/vt)²)) + μv v.
     ///
-    /// Source: Simbody's `HuntCrossleyForce`; the smoothed class uses the same.
+    /// Not in the paper: Simbody's `HuntCrossleyForce` has it so, and the smoothed class the same.
     ///
     /// ```
     /// # use contact_scaling::{Friction, FrictionValues};
@@ -65,7 +65,7 @@ impl Friction {
 
     /// The coefficient of two surfaces that have their own: 2 a b/(a + b), and 0 where both are 0.
     ///
-    /// Source: Simbody's `HuntCrossleyForce`.
+    /// Not in the paper: Simbody's `HuntCrossleyForce` mixes so.
     ///
     /// ```
     /// # use contact_scaling::Friction;

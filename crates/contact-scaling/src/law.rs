@@ -84,6 +84,17 @@ impl Law {
         }
     }
 
+    /// The same law with another α (s/m).
+    ///
+    /// # Errors
+    /// [`DomainError`] unless α is finite and 0 or above.
+    pub fn with_dissipation(&self, dissipation: f64) -> Result<Self, DomainError> {
+        Ok(match self {
+            Self::HuntCrossley(law) => Self::HuntCrossley(HuntCrossley::new(*law.hertz(), dissipation)?),
+            Self::Smooth(law) => Self::Smooth(SmoothSphere::new(*law.hertz(), dissipation, law.smoothing())?),
+        })
+    }
+
     /// α, in s/m.
     #[must_use]
     pub fn dissipation(&self) -> f64 {

@@ -15,6 +15,7 @@ mod coordinates;
 mod fault;
 mod feet;
 mod filter;
+pub mod fit;
 mod pair;
 mod plates;
 mod recording;

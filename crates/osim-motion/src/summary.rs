@@ -102,6 +102,8 @@ pub struct Summary {
     pub peak_n: f64,
     /// All plates beside all feet.
     pub comparison: Option<Comparison>,
+    /// The smallest radius of their spheres, m.
+    pub smallest_radius_m: Option<f64>,
     /// The mean force along the normal over whole strides, N, of the model.
     pub stride_mean_n: Option<f64>,
     /// The same of the plates, which is what the subject weighs.
@@ -140,6 +142,7 @@ impl Summary {
         Self {
             weight_n,
             peak_n: total.iter().map(along).fold(f64::NEG_INFINITY, f64::max),
+            smallest_radius_m: states.pairs.iter().map(|pair| pair.radius_m).reduce(f64::min),
             stride_mean_n: mean_over(&states.time_s, &own, &spans),
             measured_stride_mean_n: plates
                 .and_then(|plates: Vec<Option<f64>>| mean_over(&states.time_s, &plates, &spans)),

@@ -1,0 +1,51 @@
+//! A part fitted, and tried on the rest.
+
+use super::data::FitTrial;
+use super::problem::{Unknowns, errors};
+use super::result::HeldOut;
+use super::search::{FitBounds, search};
+
+/// One foot fitted and the others tested; of one foot, each half fitted and the other tested.
+pub(super) fn held_out(trials: &[FitTrial], bounds: &FitBounds, own: &Unknowns) -> Vec<HeldOut> {
+    let mut found = Vec::new();
+    let mut add = |fitted: &str, tested: &str, parts: (Vec<FitTrial>, Vec<FitTrial>)| {
+        let Ok(best) = search(&parts.0, bounds, own) else { return };
+        found.push(HeldOut {
+            fitted: fitted.to_owned(),
+            tested: tested.to_owned(),
+            vertical_rms_bw: errors(&parts.1, &best.unknowns).vertical_rms_bw,
+        });
+    };
+    let count = trials.iter().map(|trial| trial.feet.len()).min().unwrap_or(0);
+    if count > 1 {
+        for foot in 0..count {
+            let name =
+                |trial: &FitTrial| trial.feet.get(foot).map(|foot| foot.name.clone()).unwrap_or_default();
+            let fitted = trials.first().map(name).unwrap_or_default();
+            let only = |keep: &dyn Fn(usize) -> bool| -> Vec<FitTrial> {
+                let of = |trial: &FitTrial| {
+                    let feet = trial.feet.iter().enumerate().filter(|(index, _)| keep(*index));
+                    FitTrial { feet: feet.map(|(_, foot)| foot.clone()).collect(), weight_n: trial.weight_n }
+                };
+                trials.iter().map(of).collect()
+            };
+            let parts = (only(&|index| index == foot), only(&|index| index != foot));
+            let tested = parts.1.first().and_then(|trial| trial.feet.first()).map(|foot| foot.name.clone());
+            add(&fitted, &tested.unwrap_or_default(), parts);
+        }
+        return found;
+    }
+    let half = |second: bool| -> Vec<FitTrial> {
+        let of = |trial: &FitTrial| {
+            let feet = trial.feet.iter().map(|foot| {
+                let middle = foot.frames() / 2;
+                if second { foot.part(middle, foot.frames()) } else { foot.part(0, middle) }
+            });
+            FitTrial { feet: feet.collect(), weight_n: trial.weight_n }
+        };
+        trials.iter().map(of).collect()
+    };
+    add("first half", "second half", (half(false), half(true)));
+    add("second half", "first half", (half(true), half(false)));
+    found
+}

@@ -1,0 +1,83 @@
+//! Values with which the rest can be fitted nearly as well.
+
+use rmpfit::MPFitter;
+
+use super::data::FitTrial;
+use super::problem::{FitWanted, Problem, Unknowns, errors};
+use super::search::{FitBounds, MOST_DISSIPATION, limits};
+
+/// Steps that double until an edge is passed, and halves of the last one to find it.
+const DOUBLES: usize = 4;
+const HALVES: usize = 6;
+/// A fit is nearly as good where its error is at most so many times larger,
+const NEARLY: f64 = 1.05;
+/// or larger by this, body weights.
+const NEARLY_BW: f64 = 0.005;
+
+/// Stiffnesses with which height and dissipation can be fitted nearly as well.
+pub(super) fn stiffness_range(
+    trials: &[FitTrial],
+    bounds: &FitBounds,
+    best: &Unknowns,
+    rms_bw: f64,
+) -> (f64, f64) {
+    let wanted = FitWanted { stiffness: false, ..bounds.wanted };
+    let tried = |log: f64| {
+        let start = Unknowns { stiffness_log: log, ..best.clone() };
+        refitted(trials, bounds, wanted, &start)
+    };
+    let low = edge(best.stiffness_log, -1.0, rms_bw, &tried);
+    let high = edge(best.stiffness_log, 1.0, rms_bw, &tried);
+    (low.exp(), high.exp())
+}
+
+/// Dissipations with which the rest can be fitted nearly as well.
+pub(super) fn dissipation_range(
+    trials: &[FitTrial],
+    bounds: &FitBounds,
+    best: &Unknowns,
+    rms_bw: f64,
+) -> (f64, f64) {
+    let wanted = FitWanted { dissipation: false, ..bounds.wanted };
+    let tried = |dissipation: f64| {
+        let start = Unknowns { dissipation: dissipation.clamp(0.0, MOST_DISSIPATION), ..best.clone() };
+        refitted(trials, bounds, wanted, &start)
+    };
+    let low = edge(best.dissipation, -0.5, rms_bw, &tried).max(0.0);
+    (low, edge(best.dissipation, 0.5, rms_bw, &tried).min(MOST_DISSIPATION))
+}
+
+/// How far a value can go until the rest no longer fits: steps that double, then halves.
+fn edge(value: f64, step: f64, rms_bw: f64, tried: &impl Fn(f64) -> Option<f64>) -> f64 {
+    let is_near = |at: f64| tried(at).is_some_and(|rms| rms <= (rms_bw * NEARLY).max(rms_bw + NEARLY_BW));
+    let (mut inside, mut step) = (value, step);
+    for _ in 0..DOUBLES {
+        if !is_near(inside + step) {
+            break;
+        }
+        inside += step;
+        step *= 2.0;
+    }
+    for _ in 0..HALVES {
+        step /= 2.0;
+        if is_near(inside + step) {
+            inside += step;
+        }
+    }
+    inside
+}
+
+/// The error with what is `wanted` fitted from `start`, the rest kept.
+fn refitted(trials: &[FitTrial], bounds: &FitBounds, wanted: FitWanted, start: &Unknowns) -> Option<f64> {
+    if !(wanted.stiffness || wanted.dissipation || wanted.height) {
+        return Some(errors(trials, start).vertical_rms_bw);
+    }
+    let limits = limits(trials, bounds).ok()?;
+    let mut problem = Problem::new(trials, wanted, start, &limits);
+    let mut vector: Vec<f64> = problem.to_vector(start);
+    for (value, (low, high)) in vector.iter_mut().zip(problem.limits()) {
+        *value = value.clamp(low, high);
+    }
+    problem.mpfit(&mut vector).ok()?;
+    Some(errors(trials, &problem.of_vector(&vector)).vertical_rms_bw)
+}

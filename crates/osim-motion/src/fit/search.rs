@@ -1,0 +1,202 @@
+//! The search: some heights with the best stiffness of each, then Levenberg–Marquardt on all unknowns.
+
+use rmpfit::{MPFitter, MPStatus, MPSuccess};
+
+use super::data::FitTrial;
+use super::problem::{FitWanted, Limits, Problem, Unknowns, forces_bw, with_dissipation};
+use crate::stance::ON_BW;
+
+/// Heights that are tried before the search.
+const HEIGHTS: usize = 48;
+/// Dissipations that are tried with each, s/m.
+const DISSIPATIONS: [f64; 3] = [0.2, 1.0, 3.0];
+/// Stiffnesses beyond these factors of the model's own are not looked for.
+const STIFFNESS_FACTOR: f64 = 1e4;
+/// Dissipations above this are not looked for, s/m.
+pub(super) const MOST_DISSIPATION: f64 = 10.0;
+/// Without a bound on x/R, the floor goes up by this over where the first sphere touches, m.
+const UNBOUNDED_M: f64 = 0.25;
+
+/// What is fitted, and between which bounds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FitBounds {
+    /// What is fitted.
+    pub wanted: FitWanted,
+    /// x/R goes up to this in frames with a force; `None` for no bound.
+    pub most_relative_indentation: Option<f64>,
+}
+
+/// Why there is no fit.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum FitError {
+    /// Nothing to fit to.
+    #[error("the plates measured no force under a foot while it was recorded: there is nothing to fit to")]
+    NoForce,
+    /// Nothing is wanted.
+    #[error("nothing is fitted: name at least one of stiffness, dissipation and height")]
+    Nothing,
+    /// No height gives a force.
+    #[error("no height of the floor within the bounds gives the feet a force like the plates'")]
+    NoContact,
+    /// The search did not end.
+    #[error("the search did not converge")]
+    NotConverged,
+}
+
+/// The model as it is.
+pub(super) fn own(trials: &[FitTrial]) -> Unknowns {
+    let first = trials.iter().flat_map(|trial| &trial.feet).flat_map(|foot| &foot.laws).next();
+    Unknowns {
+        stiffness_log: 0.0,
+        dissipation: first.map_or(0.0, |(law, _)| law.dissipation()),
+        floor_up_m: vec![0.0; trials.len()],
+    }
+}
+
+/// The best unknowns, and how sure they are.
+pub(super) struct Best {
+    pub(super) unknowns: Unknowns,
+    pub(super) standard_error: Vec<f64>,
+    pub(super) at_bound: Vec<bool>,
+    covariance: Vec<f64>,
+}
+
+impl Best {
+    pub(super) fn correlation(&self, one: usize, other: usize) -> f64 {
+        let count = self.standard_error.len();
+        let at = |i: usize, j: usize| self.covariance.get(i * count + j).copied().unwrap_or(f64::NAN);
+        at(one, other) / (at(one, one) * at(other, other)).sqrt()
+    }
+}
+
+/// The best unknowns for all trials together.
+pub(super) fn search(trials: &[FitTrial], bounds: &FitBounds, own: &Unknowns) -> Result<Best, FitError> {
+    let limits = limits(trials, bounds)?;
+    let start = scan(trials, bounds, own, &limits)?;
+    let mut problem = Problem::new(trials, bounds.wanted, &start, &limits);
+    let mut vector = problem.to_vector(&start);
+    let status = problem.mpfit(&mut vector).map_err(|_| FitError::NotConverged)?;
+    if matches!(status.success, MPSuccess::NotDone) {
+        return Err(FitError::NotConverged);
+    }
+    let unknowns = problem.of_vector(&vector);
+    Ok(sure(&problem, unknowns, &vector, &status))
+}
+
+/// Standard errors. Neighbouring frames have their errors in common: as many frames count as would without that.
+fn sure(problem: &Problem<'_>, unknowns: Unknowns, vector: &[f64], status: &MPStatus) -> Best {
+    let mut deviates = vec![0.0; problem.points()];
+    problem.deviates(&unknowns, &mut deviates);
+    let square: f64 = deviates.iter().map(|one| one * one).sum();
+    let shifted: f64 = deviates.windows(2).filter_map(|pair| Some(pair.first()? * pair.get(1)?)).sum();
+    let alike = if square > 0.0 { (shifted / square).clamp(0.0, 0.999) } else { 0.0 };
+    let count = problem.points() as f64 * (1.0 - alike) / (1.0 + alike);
+    let free = (count - vector.len() as f64).max(1.0);
+    // Of independent frames the variance would be square/points, and covariances go with one over their number.
+    let scale = square / problem.points() as f64 * (problem.points() as f64 / free);
+    let size = vector.len();
+    let variance = |place: usize| status.covar.get(place * size + place).copied().unwrap_or(f64::NAN);
+    let limits = problem.limits();
+    let at_bound = vector.iter().zip(&limits).map(|(value, (low, high))| {
+        let near = 1e-6 * (high - low);
+        value - low <= near || high - value <= near
+    });
+    Best {
+        standard_error: (0..size).map(|place| (scale * variance(place)).sqrt()).collect(),
+        at_bound: at_bound.collect(),
+        covariance: status.covar.clone(),
+        unknowns,
+    }
+}
+
+/// Bounds: heights at which something touches and nothing is deeper than allowed.
+pub(super) fn limits(trials: &[FitTrial], bounds: &FitBounds) -> Result<Limits, FitError> {
+    let largest = STIFFNESS_FACTOR.ln();
+    let mut floor_up_m = Vec::new();
+    for trial in trials {
+        let (mut least_m, mut most_m) = (f64::INFINITY, f64::INFINITY);
+        let mut has_force = false;
+        for foot in &trial.feet {
+            for frame in 0..foot.frames() {
+                if foot.measured_n.get(frame).is_none_or(|&force_n| force_n <= ON_BW * trial.weight_n) {
+                    continue;
+                }
+                has_force = true;
+                for (&(x, _), &(_, radius_m)) in foot.frame(frame).iter().zip(&foot.laws) {
+                    // Up by -x, this sphere just touches.
+                    least_m = least_m.min(-x);
+                    if let Some(most) = bounds.most_relative_indentation {
+                        most_m = most_m.min(most * radius_m - x);
+                    }
+                }
+            }
+        }
+        if !has_force {
+            return Err(FitError::NoForce);
+        }
+        let most_m = if most_m.is_finite() { most_m } else { least_m + UNBOUNDED_M };
+        floor_up_m.push((least_m.min(most_m - 1e-6), most_m));
+    }
+    Ok(Limits { stiffness_log: (-largest, largest), dissipation: (0.0, MOST_DISSIPATION), floor_up_m })
+}
+
+/// The best of some heights and dissipations, each with its own stiffness where that is fitted.
+fn scan(
+    trials: &[FitTrial],
+    bounds: &FitBounds,
+    own: &Unknowns,
+    limits: &Limits,
+) -> Result<Unknowns, FitError> {
+    let dissipations: Vec<f64> =
+        if bounds.wanted.dissipation { DISSIPATIONS.to_vec() } else { vec![own.dissipation] };
+    let mut best: Option<(f64, Unknowns)> = None;
+    for dissipation in dissipations {
+        for step in 0..if bounds.wanted.height { HEIGHTS } else { 1 } {
+            let part = (step as f64 + 0.5) / HEIGHTS as f64;
+            let floor_up_m = match bounds.wanted.height {
+                true => limits.floor_up_m.iter().map(|(low, high)| low + part * (high - low)).collect(),
+                false => own.floor_up_m.clone(),
+            };
+            let mut tried = Unknowns { stiffness_log: own.stiffness_log, dissipation, floor_up_m };
+            let Some(square) = with_best_stiffness(trials, &mut tried, bounds.wanted.stiffness, limits)
+            else {
+                continue;
+            };
+            if best.as_ref().is_none_or(|(least, _)| square < *least) {
+                best = Some((square, tried));
+            }
+        }
+    }
+    best.map(|(_, unknowns)| unknowns).ok_or(FitError::NoContact)
+}
+
+/// Gives `tried` its best stiffness, if that is wanted; the sum of squares, or `None` where nothing touches.
+fn with_best_stiffness(
+    trials: &[FitTrial],
+    tried: &mut Unknowns,
+    wanted: bool,
+    limits: &Limits,
+) -> Option<f64> {
+    let (mut own, mut both, mut plates) = (0.0, 0.0, 0.0);
+    for (trial, &floor_up_m) in trials.iter().zip(&tried.floor_up_m) {
+        for foot in &trial.feet {
+            let laws = with_dissipation(foot, tried.dissipation);
+            forces_bw(foot, &laws, 1.0, floor_up_m, trial.weight_n, |frame, force_bw| {
+                let measured = foot.measured_n.get(frame).copied().unwrap_or_default() / trial.weight_n;
+                own += force_bw * force_bw;
+                both += force_bw * measured;
+                plates += measured * measured;
+            });
+        }
+    }
+    if !(own > 0.0 && both > 0.0) {
+        return None;
+    }
+    if wanted {
+        let (low, high) = limits.stiffness_log;
+        tried.stiffness_log = (both / own).ln().clamp(low, high);
+    }
+    let factor = tried.stiffness_log.exp();
+    Some(factor * factor * own - 2.0 * factor * both + plates)
+}
