@@ -14,6 +14,8 @@ pub enum Class {
     SmoothSphereHalfSpaceForce,
     /// `ContactSphere`
     ContactSphere,
+    /// `ContactHalfSpace`
+    ContactHalfSpace,
     /// `Body`
     Body,
 }
@@ -27,6 +29,7 @@ impl Class {
             Self::ContactParameters => "HuntCrossleyForce::ContactParameters",
             Self::SmoothSphereHalfSpaceForce => "SmoothSphereHalfSpaceForce",
             Self::ContactSphere => "ContactSphere",
+            Self::ContactHalfSpace => "ContactHalfSpace",
             Self::Body => "Body",
         }
     }
@@ -99,6 +102,18 @@ impl Class {
                 "Appearance",
                 "radius",
             ],
+            Self::ContactHalfSpace => &[
+                "socket_frame",
+                "socket_frame_connectee_name",
+                "connector_frame_connectee_name",
+                "connectors",
+                "body_name",
+                "location",
+                "orientation",
+                "display_preference",
+                "color",
+                "Appearance",
+            ],
             Self::Body => &[],
         }
     }
@@ -127,6 +142,7 @@ impl Class {
                 Property::HuntCrossleySmoothing,
             ],
             Self::ContactSphere => &[Property::Radius],
+            Self::ContactHalfSpace => &[],
             Self::Body => &[Property::Mass],
         }
     }

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use osim_messages::Phrase;
 use osim_model::{
-    Fault, FaultKind, FileId, Finding, ForceId, Model, Property, SetId, Slot, SphereId, ValueKey,
+    Fault, FaultKind, FileId, Finding, ForceId, HalfSpace, Model, Property, SetId, Slot, SphereId, ValueKey,
 };
 
 use crate::change::{Change, Move};
@@ -121,6 +121,34 @@ impl<'m> PlanBuilder<'m> {
         let planned = Move {
             sphere: sphere.name.clone(),
             path: sphere.path.clone(),
+            from,
+            to,
+            equation,
+            line: self.line(&slot),
+            inserted: slot.span.is_none(),
+            slot,
+        };
+        planned.text()?;
+        self.moves.push(planned);
+        Ok(())
+    }
+
+    /// Plans the move of a half-space to a place in its frame, m.
+    pub(crate) fn plane_location(
+        &mut self,
+        plane: &HalfSpace,
+        to: [f64; 3],
+        equation: &'static str,
+    ) -> Result<(), Fault> {
+        let from = plane.location_m.unwrap_or_default();
+        if from == to {
+            return Ok(());
+        }
+        self.refuse_included(plane.file, &plane.path)?;
+        let slot = plane.location_slot();
+        let planned = Move {
+            sphere: plane.name.clone(),
+            path: plane.path.clone(),
             from,
             to,
             equation,

@@ -58,7 +58,7 @@ pub struct Change {
     pub(crate) slot: Slot,
 }
 
-/// One sphere centre that is to move.
+/// One sphere centre (or half-space) that is to move.
 ///
 /// ```
 /// # use osim_model::{LevelAxis, MassRequest, Model, Selection};
@@ -79,7 +79,7 @@ pub struct Change {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Move {
-    /// Name of the sphere.
+    /// Name of the sphere or half-space.
     pub sphere: String,
     /// Its component path.
     pub path: String,
@@ -87,7 +87,7 @@ pub struct Move {
     pub from: [f64; 3],
     /// Location to be written, m.
     pub to: [f64; 3],
-    /// Why: `follow` (its body was scaled) or `level` (its bottom stays, or comes to the height of its foot's lowest one).
+    /// Why: `follow` (its body was scaled), `fit` (a floor that was fitted to a recording) or `level` (its bottom stays, or comes to the height of its foot's lowest one).
     pub equation: &'static str,
     /// Line of the location, from 1, or of the sphere that gets one.
     pub line: usize,

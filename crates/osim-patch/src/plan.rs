@@ -58,10 +58,27 @@ pub struct Plan {
     pub warnings: Vec<Finding>,
     /// What the change leaves as it is, one remark for all.
     pub remarks: Vec<Phrase>,
+    /// How far the forces are from those that plates measured, of a fit to recordings.
+    pub errors: Option<RecordingErrors>,
     note: Option<Note>,
     note_anyway: bool,
     /// The model with other objects, where whole objects change: numbers change in that one.
     pub(crate) rebuilt: Option<Rebuilt>,
+}
+
+/// How far the forces of a fit are from those that plates measured: the worst foot of the worst trial.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RecordingErrors {
+    /// Root mean square along the normal of the floor, body weights.
+    pub vertical_rms_bw: f64,
+    /// The same on what was not fitted; `None` where there was nothing to hold out.
+    pub held_out_vertical_rms_bw: Option<f64>,
+    /// Root mean square across the normal, body weights.
+    pub horizontal_rms_bw: f64,
+    /// Root mean square of the distance between the centres of pressure, m; `None` where there is none.
+    pub cop_rms_m: Option<f64>,
+    /// The largest x/R.
+    pub largest_relative_indentation: f64,
 }
 
 /// The mass that contacts were made for, before and after a change.
@@ -231,7 +248,18 @@ impl Plan {
             made: note_edits::made(model, facts.followed),
             added: model.note.as_ref().map(|note| note.added.clone()).unwrap_or_default(),
         });
-        Self { changes, moves, masses, taken, warnings, remarks, note, note_anyway: false, rebuilt: None }
+        Self {
+            changes,
+            moves,
+            masses,
+            taken,
+            warnings,
+            remarks,
+            errors: None,
+            note,
+            note_anyway: false,
+            rebuilt: None,
+        }
     }
 
     /// The same for the model from which `rebuilt` was made: this plan was made for the model with its objects.
@@ -262,6 +290,7 @@ impl Plan {
             taken,
             warnings: Vec::new(),
             remarks: Vec::new(),
+            errors: None,
             note: None,
             note_anyway: false,
             rebuilt: Some(rebuilt),

@@ -2,7 +2,8 @@
 
 use osim_messages::phrase;
 use osim_model::{
-    Assignment, Fault, Mass, Model, Needed, Property, RadiusFrom, Selected, SphereId, moving_spheres,
+    Assignment, Fault, HalfSpace, Mass, Model, Needed, Property, RadiusFrom, Selected, SphereId,
+    moving_spheres,
 };
 
 use crate::builder::{New, PlanBuilder};
@@ -12,6 +13,8 @@ use crate::radii::Users;
 use crate::remarks::LEVEL_FEET;
 use crate::rules::nothing_to_change;
 
+/// Why a value changes, or a floor moves, that was fitted to a recording.
+const FIT: &str = "fit";
 /// Between the operations of a step that an earlier version wrote.
 const AND: &str = " + ";
 /// What follows an operation that made feet level as well.
@@ -19,10 +22,10 @@ const AND_LEVEL: &str = " level";
 
 impl New {
     /// What `assignment` makes of a value.
-    fn assigned(assignment: Assignment, from: f64) -> Self {
+    fn assigned(assignment: Assignment, from: f64, equation: &'static str) -> Self {
         match assignment {
-            Assignment::Value(to) => Self { to, factor: None, equation: "given" },
-            Assignment::Factor(factor) => Self::times(from, factor, "given"),
+            Assignment::Value(to) => Self { to, factor: None, equation },
+            Assignment::Factor(factor) => Self::times(from, factor, equation),
         }
     }
 }
@@ -54,7 +57,13 @@ pub struct Set {
     pub assignments: Vec<(Property, Assignment)>,
     /// Where the centres of spheres are to be for level feet, in their own frames, m; `None` where they stay.
     pub level: Option<Vec<(SphereId, [f64; 3])>>,
-    /// The mass that the contacts were made for, where known; it stays.
+    /// Half-spaces with their new places in their frames, m.
+    pub planes: Vec<(HalfSpace, [f64; 3])>,
+    /// Whether the values were fitted to recordings, with what the note says of these; `None` where the caller gave them.
+    pub fitted: Option<String>,
+    /// The mass that the contacts are made for afterwards, kg; `None` where it stays.
+    pub made_for_kg: Option<f64>,
+    /// The mass that the contacts were made for, where known; it stays unless `made_for_kg` is another.
     pub contacts_mass: Option<Mass>,
     /// Whether to apply factors once more to a file whose note says they were applied already.
     pub again: bool,
@@ -70,6 +79,9 @@ impl Set {
     /// The operation as the note records it: `set stiffness=x2 dissipation=1`, with `level` at its end where feet are made level.
     #[must_use]
     pub fn operation(&self) -> String {
+        if let Some(fitted) = &self.fitted {
+            return format!("fit {fitted}");
+        }
         let level = self.level.as_ref().map_or("", |_| AND_LEVEL);
         format!("{}{level}", self.assigned())
     }
@@ -105,22 +117,23 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
     }
     let users = Users::outside(model, &selected.forces);
     let mut plan = PlanBuilder::new(model);
+    let equation = if wanted.fitted.is_some() { FIT } else { "given" };
     for &(property, value) in &wanted.assignments {
         let mut found = false;
         if property == Property::Radius {
             for sphere in moving_spheres(model, &selected.forces) {
                 let from = plan.model.radius_m(sphere)?;
-                if New::assigned(value, from).to != from {
+                if New::assigned(value, from, equation).to != from {
                     users.refuse(model, &selected.forces, sphere, RadiusFrom::Assignment)?;
                 }
-                plan.radius(sphere, New::assigned(value, from))?;
+                plan.radius(sphere, New::assigned(value, from, equation))?;
                 found = true;
             }
         } else {
             for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
                 for set in &force.sets {
                     if let Some(from) = force.checked(set.id, property)? {
-                        plan.parameter(force.id, set.id, property, New::assigned(value, from))?;
+                        plan.parameter(force.id, set.id, property, New::assigned(value, from, equation))?;
                         found = true;
                     }
                 }
@@ -134,6 +147,10 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
         users.refuse(model, &selected.forces, sphere, RadiusFrom::Level)?;
         plan.location(sphere, location_m, LEVEL)?;
     }
+    let is_level = !plan.moves.is_empty();
+    for (plane, location_m) in &wanted.planes {
+        plan.plane_location(plane, *location_m, FIT)?;
+    }
     let PlanBuilder { changes, moves, mut warnings, .. } = plan;
     if changes.is_empty() && moves.is_empty() {
         warnings.push(nothing_to_change::by_set());
@@ -144,15 +161,18 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
         taken.push("; ");
     }
     taken.push(format!("{operation}; nothing else follows"));
-    let remarks = if moves.is_empty() { vec![] } else { vec![LEVEL_FEET.into()] };
-    let masses = wanted.contacts_mass.clone().map(Masses::same);
+    let remarks = if is_level { vec![LEVEL_FEET.into()] } else { vec![] };
+    let mut masses = wanted.contacts_mass.clone().map(Masses::same);
+    if let Some((masses, kg)) = masses.as_mut().zip(wanted.made_for_kg) {
+        masses.target_mass_kg = kg;
+    }
     let kept = KeptMass::of(model, wanted.contacts_mass.as_ref());
     Ok(Plan::new(
         model,
         Contents { changes, moves, masses, taken, warnings, remarks },
         &NoteFacts {
             followed: None,
-            target_mass_kg: kept.kg,
+            target_mass_kg: wanted.made_for_kg.or(kept.kg),
             gravity_m_s2: model.contacts_gravity(),
             scope: kept.scope,
             operation: &operation,

@@ -3,6 +3,8 @@
 use osim_xml::ElementId;
 
 use super::orientation::Orientation;
+use super::slot::Slot;
+use crate::class::Class;
 use crate::components::{Base, ComponentId, Components};
 use crate::fault::FileId;
 use crate::reference_frame::Rotation;
@@ -42,6 +44,8 @@ pub struct HalfSpace {
     pub line: usize,
     /// Its element in that file.
     pub element: ElementId,
+    /// Where its place is in that file.
+    pub(crate) location_slot: Slot,
     component: ComponentId,
 }
 
@@ -106,12 +110,31 @@ impl HalfSpace {
             file: components.file_of(id),
             line: components.line(id),
             element,
+            location_slot: location_slot(components, id, location),
             component: id,
         })
     }
 }
 
 impl HalfSpace {
+    /// Where its place is in the file.
+    #[must_use]
+    pub fn location_slot(&self) -> Slot {
+        self.location_slot.clone()
+    }
+
+    /// Its own place in its frame (m) where it moves by `up_m` along its normal; `None` where its place cannot be read.
+    #[must_use]
+    pub fn location_moved_up(&self, up_m: f64) -> Option<[f64; 3]> {
+        let (place, normal) = (self.location_m?, self.normal?);
+        let in_frame = self.frame_rotation?.inverse().to_body(normal);
+        Some(std::array::from_fn(|i| {
+            // What rounding left of a turned normal moves nothing.
+            let part = if in_frame[i].abs() < NOISE { 0.0 } else { in_frame[i] };
+            place[i] + up_m * part
+        }))
+    }
+
     /// Its own orientation, rad, with which its normal would have this `direction` of ground or of the body that carries it.
     #[must_use]
     pub fn orientation_facing(&self, direction: [f64; 3]) -> Option<[f64; 3]> {
@@ -119,6 +142,22 @@ impl HalfSpace {
         // What rounding left would turn it about y by any angle.
         Some(Orientation::facing(in_frame.map(|value| if value.abs() < NOISE { 0.0 } else { value })))
     }
+}
+
+/// Where the place of a half-space is, or the object that would get it: itself, or the force that keeps it inside.
+fn location_slot(components: &Components, id: ComponentId, tag: &'static str) -> Slot {
+    let (document, object) = (components.doc(id), components.element(id));
+    let tree = document.tree();
+    let span = tree.child(object, tag).map(|element| {
+        let raw = tree.raw_text(element);
+        if raw.span.is_empty() { tree.span(element) } else { raw.span }
+    });
+    let class = match components.tag(id) {
+        "ContactHalfSpace" => Class::ContactHalfSpace,
+        _ => Class::SmoothSphereHalfSpaceForce,
+    };
+    let offset = span.as_ref().map_or(tree.span(object).start, |span| span.start);
+    Slot { file: components.file_of(id), object, class, tag, span, offset }
 }
 
 impl PartialEq for HalfSpace {
