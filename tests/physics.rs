@@ -19,6 +19,8 @@ mod design;
 mod drop_test;
 #[path = "physics/fit.rs"]
 mod fit;
+#[path = "physics/fit_motion.rs"]
+mod fit_motion;
 #[path = "physics/motion.rs"]
 mod motion;
 #[path = "physics/presets.rs"]

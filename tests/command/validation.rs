@@ -27,7 +27,7 @@ const RESULTS: [(&str, &[&str]); 15] = [
     ("drop-test", &["results/drop-test"]),
     ("motion", &["results/motion"]),
     ("plot", &[]),
-    ("fit", &["results/fit"]),
+    ("fit", &[CHANGE, "results/fit"]),
     ("reproduce", &["results/reproduction"]),
     ("presets", &["results/preset"]),
     ("explain", &["results/explanation"]),

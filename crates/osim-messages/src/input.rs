@@ -63,6 +63,7 @@ inputs! {
     Exclude = "exclude", "forces to leave out";
     ExcludeBody = "exclude_body", "bodies to leave out of the sum";
     Feet = "feet", "bodies that touch the ground";
+    Fit = "fit", "what is fitted";
     FollowBodies = "follow_bodies", "spheres follow their bodies";
     FontSize = "font_size", "size of the letters";
     Force = "force", "replace existing files";
@@ -152,6 +153,7 @@ inputs! {
     Topics = "topics", "what to explain";
     TransitionVelocity = "transition_velocity", "transition velocity";
     ViscousFriction = "viscous_friction", "viscous friction";
+    Unbounded = "unbounded", "spheres deeper than their radius";
     ValueColumn = "value_column", "column of the colours";
     ValueRange = "value_range", "range of the colours";
     Width = "width", "width of the figure";
@@ -188,6 +190,7 @@ impl Input {
                 | Self::Resume
                 | Self::SkipDisabled
                 | Self::Strict
+                | Self::Unbounded
         )
     }
 }

@@ -99,7 +99,7 @@ pub trait Planner: Send + Sync {
         Aims {
             carries_target: self.name() == "rescale",
             gravity_m_s2: self.target_gravity_m_s2(),
-            as_given: matches!(self.name(), "set" | "design"),
+            as_given: matches!(self.name(), "set" | "design" | "fit"),
         }
     }
 

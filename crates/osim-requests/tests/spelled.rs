@@ -10,8 +10,9 @@ use osim_requests::command_line::{check, with_relations};
 use osim_requests::spell::{CommandLine, Python, Speller};
 use osim_requests::{
     AddRequest, BatchRequest, CheckRequest, ConvertRequest, DesignRequest, DropTestRequest, ExplainRequest,
-    FitRequest, InspectRequest, NoteRequest, PlotRequest, PresetsRequest, RemoveRequest, ReproduceRequest,
-    Request, RescaleRequest, SetRequest, SweepRequest, TransferRequest, assignment, schema_of,
+    FitRequest, InspectRequest, MotionRequest, NoteRequest, PlotRequest, PresetsRequest, RemoveRequest,
+    ReproduceRequest, Request, RescaleRequest, SetRequest, SweepRequest, TransferRequest, assignment,
+    schema_of,
 };
 use serde_json::{Map, Value, json};
 
@@ -42,6 +43,7 @@ fn read_back(line: &str) -> Request {
         Verb::Batch => parsed::<BatchRequest>(verb, words).into(),
         Verb::Sweep => parsed::<SweepRequest>(verb, words).into(),
         Verb::DropTest => parsed::<DropTestRequest>(verb, words).into(),
+        Verb::Motion => parsed::<MotionRequest>(verb, words).into(),
         Verb::Plot => parsed::<PlotRequest>(verb, words).into(),
         Verb::Fit => parsed::<FitRequest>(verb, words).into(),
         Verb::Reproduce => parsed::<ReproduceRequest>(verb, words).into(),
@@ -108,13 +110,16 @@ const EXAMPLES: &str = r##"{
     "label": ["one", "-2"], "width": 190, "font_size": 8, "x_range": "-0.1..0.2", "y_range": "0..1", "dpi": 300,
     "file": "measured.csv", "onset": -0.001, "branch": "loading", "indentation_column": "x [mm]", "force_column": "F",
     "speed_column": "v", "time_column": "t", "indentation_unit": "mm", "force_unit": "kN", "speed_unit": "mm/s", "time_unit": "ms",
-    "dissipation": 1.5, "name": "falisse2022", "topics": ["C.2", "x/R"], "ascii": true
+    "dissipation": 1.5, "name": "falisse2022", "topics": ["C.2", "x/R"], "ascii": true,
+    "motion": "walk 1.mot", "plates": "grf.mot", "loads": "grf.xml", "angles": "degrees", "low_pass": 6, "belt": -1.25,
+    "fit": ["height"], "unbounded": true
 }"##;
 
 /// Another value where the example is none for this verb.
 fn example_of(verb: Verb, field: &str) -> Option<Value> {
     match (verb, field) {
         (Verb::Plot, "stiffness" | "dissipation") => Some("x0.5..x2/3".into()),
+        (Verb::Fit, "motion" | "plates") => Some(json!(["a.mot", "my b.mot"])),
         _ => None,
     }
 }
@@ -137,6 +142,7 @@ fn with_field(verb: Verb, schema: &Value, field: &str) -> Value {
     let mut wanted: Vec<&str> = required.filter(|name| !["verb", "models"].contains(name)).collect();
     // A sweep has one of two.
     wanted.extend((verb == Verb::Sweep && !["ladder", "soft"].contains(&field)).then_some("grid"));
+    wanted.extend((verb == Verb::Fit).then_some("radius"));
     // And so has a set.
     wanted.extend((verb == Verb::Set && field != "level").then_some("set"));
     wanted.push(field);
@@ -146,6 +152,10 @@ fn with_field(verb: Verb, schema: &Value, field: &str) -> Value {
             said[name] = example_of(verb, name).unwrap_or_else(example);
             wanted.extend(needed(schema, name));
         }
+    }
+    // A fit is of a curve, or of a motion.
+    if verb == Verb::Fit && said.get("motion").is_some() {
+        said.as_object_mut().unwrap().remove("radius");
     }
     said
 }
@@ -179,6 +189,7 @@ fn arguments_of(verb: Verb) -> Command {
         Verb::Inspect => InspectRequest::augment_args(command),
         Verb::Check => CheckRequest::augment_args(command),
         Verb::DropTest => DropTestRequest::augment_args(command),
+        Verb::Motion => MotionRequest::augment_args(command),
         Verb::Plot => PlotRequest::augment_args(command),
         Verb::Fit => FitRequest::augment_args(command),
         Verb::Reproduce => ReproduceRequest::augment_args(command),

@@ -22,7 +22,9 @@ fn refused(verb: Verb) -> &'static [Input] {
 /// Options that few calls need.
 fn rare(verb: Verb) -> &'static [Input] {
     match verb {
-        Verb::Rescale => &[Input::Exclude, Input::Diff, Input::Only, Input::Keep, Input::BodyScaleFile],
+        Verb::Rescale => {
+            &[Input::Exclude, Input::Diff, Input::Only, Input::Keep, Input::BodyScaleFile, Input::Format]
+        }
         Verb::Set => &[Input::Exclude, Input::Diff, Input::Only, Input::Keep],
         Verb::Transfer => &[
             Input::Exclude,
@@ -87,7 +89,20 @@ fn rare(verb: Verb) -> &'static [Input] {
             Input::YColumn,
             Input::ValueRange,
         ],
-        Verb::Fit => &[Input::SpeedUnit, Input::TimeUnit],
+        Verb::Motion => &[Input::Exclude, Input::ContactsMass],
+        Verb::Fit => &[
+            Input::SpeedColumn,
+            Input::TimeColumn,
+            Input::SpeedUnit,
+            Input::TimeUnit,
+            Input::Branch,
+            Input::Exclude,
+            Input::ContactsMass,
+            Input::Diff,
+            Input::Format,
+            Input::OutputDir,
+            Input::InPlace,
+        ],
         _ => &[],
     }
 }

@@ -50,12 +50,14 @@ fn ask(request: Request, session: &mut Session) -> Result<Exit> {
     match request {
         Request::Rescale(request) => rescale::run(*request, false, session),
         Request::Design(request) if request.models.is_empty() => design::calculate(&request, session),
+        Request::Fit(request) if !request.is_of_motion() => fit::run(&request, session),
         changing @ (Request::Transfer(_)
         | Request::Add(_)
         | Request::Convert(_)
         | Request::Remove(_)
         | Request::Design(_)
         | Request::Set(_)
+        | Request::Fit(_)
         | Request::Note(_)) => change::run(changing, session),
         Request::Batch(request) => batch::run(&request, session),
         Request::Sweep(request) => sweep::run(&request, session),
@@ -64,7 +66,6 @@ fn ask(request: Request, session: &mut Session) -> Result<Exit> {
         Request::DropTest(request) => drop_test::run(&request, session),
         Request::Motion(request) => motion::run(&request, session),
         Request::Plot(request) => plot::run(&request, session),
-        Request::Fit(request) => fit::run(&request, session),
         Request::Reproduce(request) => reproduce::run(&request, session),
         Request::Presets(request) => presets::run(&request, session),
         Request::Explain(request) => explain::run(&request, session),

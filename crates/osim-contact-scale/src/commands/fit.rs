@@ -1,11 +1,10 @@
-//! `fit`: contact parameters from a measured indentation and force.
+//! `fit`: contact parameters from a measured indentation and force; a fit to recordings is a change of a model.
 
 use anyhow::Result;
 use osim_library::Disk;
 use osim_planning::run_fit;
 use osim_report::json::{FailureRecord, line};
 use osim_report::results::{FitRecord, fit_text};
-use osim_requests::options::Format;
 use osim_requests::{FitRequest, RequestError};
 
 use crate::exit::Exit;
@@ -16,7 +15,7 @@ use crate::session::Session;
 /// # Errors
 /// Wrong usage.
 pub(super) fn run(request: &FitRequest, session: &mut Session) -> Result<Exit> {
-    let json = request.format == Format::Json;
+    let json = request.run.is_json();
     match run_fit(request, &Disk) {
         Ok(fit) => {
             let text = if json { line(&FitRecord::from(&fit)) } else { fit_text(&fit, session.words) };

@@ -1,6 +1,6 @@
 //! Contacts along a recorded motion, beside what force plates measured.
 
-mod opened;
+pub(crate) mod opened;
 mod plates;
 mod remarks;
 mod result;

@@ -3,10 +3,9 @@
 use std::path::Path;
 
 use osim_messages::{Input, Phrase, phrase};
-use osim_model::Model;
 use osim_model::files::{Failure, Files};
-use osim_motion::{AngleUnit, MotionFault, Recording, RecordingOptions, Table};
-use osim_requests::{AngleChoice, MotionRequest, Positive};
+use osim_motion::{AngleUnit, MotionFault, RecordingOptions, Table};
+use osim_requests::{AngleChoice, Positive};
 
 use crate::opening::read;
 
@@ -14,12 +13,12 @@ use crate::opening::read;
 ///
 /// # Errors
 /// It cannot be read, with the line.
-pub(super) fn table(path: &Path, files: &dyn Files) -> Result<Table, Failure> {
+pub(crate) fn table(path: &Path, files: &dyn Files) -> Result<Table, Failure> {
     Table::read(&read(path, files)?).map_err(|fault| failure(path, &fault))
 }
 
 /// What `fault` says of the file at `path`.
-pub(super) fn failure(path: &Path, fault: &MotionFault) -> Failure {
+pub(crate) fn failure(path: &Path, fault: &MotionFault) -> Failure {
     let place = fault.line.map(|line| format!("line {line}: ")).unwrap_or_default();
     let mut message = Phrase::from(format!("{place}{}", fault.message));
     if fault.needs_angles {
@@ -35,25 +34,20 @@ pub(super) fn failure(path: &Path, fault: &MotionFault) -> Failure {
     failure
 }
 
-/// The recording of `model` that the request names.
-///
-/// # Errors
-/// It cannot be read, or is not one of this model.
-pub(super) fn recording(
-    request: &MotionRequest,
-    model: &Model,
+/// How the motion at `path` is taken.
+pub(crate) fn recording_options(
     path: &Path,
-    files: &dyn Files,
-) -> Result<Recording, Failure> {
-    let options = RecordingOptions {
-        angles: request.angles.map(|choice| match choice {
+    angles: Option<AngleChoice>,
+    low_pass: Option<Positive>,
+) -> RecordingOptions {
+    RecordingOptions {
+        angles: angles.map(|choice| match choice {
             AngleChoice::Degrees => AngleUnit::Degrees,
             _ => AngleUnit::Radians,
         }),
         undeclared: undeclared(path),
-        low_pass_hz: request.low_pass.map(Positive::get),
-    };
-    Recording::of(model, &table(path, files)?, &options).map_err(|fault| failure(path, &fault))
+        low_pass_hz: low_pass.map(Positive::get),
+    }
 }
 
 /// What OpenSim takes the angles of a file of this name for where its header has neither unit nor version.

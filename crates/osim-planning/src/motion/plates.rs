@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 
 use osim_model::files::{Failure, Files};
 use osim_motion::{ExternalLoads, Plate};
-use osim_requests::MotionRequest;
 
 use super::opened::{failure, table};
 use crate::opening::read;
@@ -24,22 +23,21 @@ pub struct PlatesRead {
 }
 
 impl PlatesRead {
-    /// Those that the request names.
+    /// Those of the table `file`, as the ExternalLoads at `loads` name them.
     ///
     /// # Errors
     /// A file that cannot be read, or columns that are not there.
-    pub(super) fn of(request: &MotionRequest, files: &dyn Files) -> Result<Option<Self>, Failure> {
-        let Some(file) = &request.plates else { return Ok(None) };
+    pub(crate) fn read(file: &Path, loads: Option<&Path>, files: &dyn Files) -> Result<Self, Failure> {
         let table = table(file, files)?;
-        let Some(path) = &request.loads else {
+        let Some(path) = loads else {
             let plates = Plate::all(&table).map_err(|fault| failure(file, &fault))?;
-            return Ok(Some(Self { file: file.clone(), loads: None, other_data_file: None, plates }));
+            return Ok(Self { file: file.to_owned(), loads: None, other_data_file: None, plates });
         };
         let loads = ExternalLoads::read(&read(path, files)?).map_err(|fault| failure(path, &fault))?;
         let plates = Plate::of_loads(&table, &loads).map_err(|fault| failure(file, &fault))?;
         let own = file.file_name().map(|name| name.to_string_lossy().into_owned());
         let other = loads.data_file_name().map(str::to_owned).filter(|named| Some(named) != own.as_ref());
-        Ok(Some(Self { file: file.clone(), loads: Some(path.clone()), other_data_file: other, plates }))
+        Ok(Self { file: file.to_owned(), loads: Some(path.to_owned()), other_data_file: other, plates })
     }
 
     /// The file's name, for sentences.

@@ -2,10 +2,10 @@
 
 use osim_model::Fault;
 use osim_model::files::{Failure, FileName, Files, OpenModel};
-use osim_motion::{ContactStates, Foot, Measured, StatesError, Summary};
+use osim_motion::{ContactStates, Foot, Measured, Recording, StatesError, Summary};
 use osim_requests::{MotionRequest, RequestError, RequestFault, Speed};
 
-use super::opened::{failure, recording};
+use super::opened::{failure, recording_options, table};
 use super::plates::PlatesRead;
 use super::result::MotionResult;
 use crate::opening::open_with;
@@ -20,8 +20,11 @@ pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionRe
     };
     let Some(motion) = &request.motion else { return Err(RequestFault::Missing { field: "motion" }.into()) };
     let opened = open_with(subject, request.set_files.beside(), files)?;
-    let recording = recording(request, &opened.model, motion, files)?;
-    let plates = PlatesRead::of(request, files)?;
+    let options = recording_options(motion, request.angles, request.low_pass);
+    let recording = Recording::of(&opened.model, &table(motion, files)?, &options)
+        .map_err(|fault| failure(motion, &fault))?;
+    let loads = request.loads.as_deref();
+    let plates = request.plates.as_ref().map(|file| PlatesRead::read(file, loads, files)).transpose()?;
     let (mass_kg, gravity_m_s2) = weight(request, &opened).map_err(|fault| opened.failure(fault))?;
     let selected = request.choice.selection().apply(&opened.model).map_err(|fault| opened.failure(fault))?;
     // A belt runs backwards under somebody who walks towards x.

@@ -4,7 +4,7 @@ use osim_messages::Verb;
 use osim_model::files::Files;
 use osim_requests::{Request, RequestError, RequestFault};
 
-use super::{adding, convert, design, note, remove, rescale, set, transfer};
+use super::{adding, convert, design, fitting, note, remove, rescale, set, transfer};
 use crate::planner::{Change, NoteDetails};
 
 /// Verbs that change models.
@@ -49,6 +49,7 @@ fn change(request: Request, files: &dyn Files) -> Result<Change, RequestError> {
         Request::Convert(request) => Ok(convert::prepare(*request)?),
         Request::Remove(request) => Ok(remove::prepare(*request)?),
         Request::Transfer(request) => transfer::prepare(*request, files),
+        Request::Fit(request) if request.is_of_motion() => fitting::prepare(*request, files),
         other => {
             let message = format!("'{}', expected {}", other.verb().name(), changing_verbs());
             Err(RequestFault::general(message).into())

@@ -5,6 +5,8 @@ pub(crate) mod any;
 mod asking;
 mod convert;
 pub(crate) mod design;
+mod fitted_words;
+pub(crate) mod fitting;
 mod following;
 mod levelling;
 mod note;

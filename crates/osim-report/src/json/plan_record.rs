@@ -7,7 +7,7 @@ use osim_inspect::{ContactsMass, FindingRecord, SCHEMA_VERSION};
 use osim_messages::Phrase;
 use osim_model::Model;
 use osim_model::files::FileName;
-use osim_patch::{Change, Deed, Move, NewSphere, ObjectChange, Plan};
+use osim_patch::{Change, Deed, Move, NewSphere, ObjectChange, Plan, RecordingErrors};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -43,6 +43,9 @@ pub struct PlanRecord {
     pub objects: Vec<ObjectRecord>,
     /// Numbers that change, then sphere centres that move.
     pub changes: Vec<ChangeRecord>,
+    /// Of a fit to recordings: how far its forces are from the plates'.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub errors: Option<RecordingErrorsRecord>,
     /// Things the user should know.
     pub warnings: Vec<FindingRecord>,
     /// Things that always hold and are said once.
@@ -74,6 +77,42 @@ pub struct ObjectRecord {
     pub radius_m: Option<f64>,
     /// OpenSim's parameters of a force that `convert` writes, by name and in OpenSim's units; null for all others.
     pub parameters: Option<BTreeMap<&'static str, f64>>,
+}
+
+/// How far the forces of a fit are from those that plates measured: the worst foot of the first trial.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct RecordingErrorsRecord {
+    /// Root mean square along the normal of the floor, body weights.
+    pub vertical_rms_bw: f64,
+    /// The same on what was not fitted.
+    pub held_out_vertical_rms_bw: Option<f64>,
+    /// Root mean square across the normal, body weights.
+    pub horizontal_rms_bw: f64,
+    /// Root mean square of the distance between the centres of pressure, m.
+    pub cop_rms_m: Option<f64>,
+    /// The largest x/R.
+    pub largest_relative_indentation: f64,
+}
+
+impl From<RecordingErrors> for RecordingErrorsRecord {
+    fn from(errors: RecordingErrors) -> Self {
+        let RecordingErrors {
+            vertical_rms_bw,
+            held_out_vertical_rms_bw,
+            horizontal_rms_bw,
+            cop_rms_m,
+            largest_relative_indentation,
+        } = errors;
+        Self {
+            vertical_rms_bw,
+            held_out_vertical_rms_bw,
+            horizontal_rms_bw,
+            cop_rms_m,
+            largest_relative_indentation,
+        }
+    }
 }
 
 /// One number that changes, or one centre that moves.
@@ -146,6 +185,7 @@ impl PlanRecord {
             target_mass_kg: plan.masses.as_ref().map(|masses| masses.target_mass_kg),
             objects: ObjectRecord::all(plan),
             changes: numbers.chain(plan.moves.iter().map(ChangeRecord::from)).collect(),
+            errors: plan.errors.map(RecordingErrorsRecord::from),
             warnings: plan.warnings.iter().map(FindingRecord::from).collect(),
             notes: plan.remarks.iter().map(Phrase::to_string).collect(),
             credits,

@@ -116,6 +116,7 @@ impl Request {
             Self::Design(request) => &mut request.answers,
             Self::Set(request) => &mut request.answers,
             Self::Note(request) => &mut request.answers,
+            Self::Fit(request) => &mut request.answers,
             _ => return None,
         })
     }
@@ -131,6 +132,7 @@ impl Request {
             Self::Design(request) => &mut request.output,
             Self::Set(request) => &mut request.output,
             Self::Note(request) => &mut request.output,
+            Self::Fit(request) => &mut request.output,
             _ => return None,
         })
     }
@@ -147,6 +149,7 @@ impl Request {
             Self::Design(request) => &request.run,
             Self::Set(request) => &request.run,
             Self::Note(request) => &request.run,
+            Self::Fit(request) => &request.run,
             _ => return None,
         })
     }

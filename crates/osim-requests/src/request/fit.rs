@@ -1,4 +1,4 @@
-//! Contact parameters from a measurement.
+//! Contact parameters from a measurement: of one contact, or of a gait.
 
 use std::path::PathBuf;
 
@@ -7,8 +7,11 @@ use contact_scaling::fit::Branch;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::motion::AngleChoice;
 use crate::choice::choices;
-use crate::options::{ColumnOptions, Format};
+use crate::options::{
+    AnswerOptions, ColumnOptions, ForceOptions, MassOptions, OutputOptions, RunOptions, SetFiles,
+};
 use crate::relation::Relation;
 use crate::values::{ContactOnset, Count, Positive, path};
 
@@ -24,6 +27,18 @@ choices! {
     }
 }
 
+choices! {
+    /// What is fitted to a recording.
+    FittedChoice {
+        /// E₁*: all stiffnesses by one factor.
+        Stiffness = "stiffness", "All stiffnesses, by one factor";
+        /// α of all forces.
+        Dissipation = "dissipation", "The dissipation of all forces";
+        /// How high the floor is.
+        Height = "height", "How high the floor is";
+    }
+}
+
 impl BranchChoice {
     /// The branch.
     #[must_use]
@@ -36,17 +51,47 @@ impl BranchChoice {
     }
 }
 
-/// Finds contact parameters from a measured indentation and force.
+/// Finds contact parameters from a measured indentation and force, or those of a model from recordings of its gait.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
 pub struct FitRequest {
-    /// Measured indentation and force (.csv; - is standard input)
-    #[cfg_attr(feature = "clap", arg(value_name = "FILE"))]
+    /// Measured indentation and force (.csv; - is standard input); with `motion`, the model (.osim)
+    #[cfg_attr(feature = "clap", arg(value_name = "FILE|MODEL"))]
     #[serde(with = "path::optional")]
     #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub file: Option<PathBuf>,
+    /// Fit the model to this motion (.mot, .sto), so that its forces are the measured ones; may be repeated, for several trials
+    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", help_heading = "To a recording"))]
+    #[serde(with = "path::list")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Vec<path::PathSchema>"))]
+    pub motion: Vec<PathBuf>,
+    /// Ground reactions that force plates measured (.mot, .sto); one for each motion
+    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", help_heading = "To a recording"))]
+    #[serde(with = "path::list")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Vec<path::PathSchema>"))]
+    pub plates: Vec<PathBuf>,
+    /// OpenSim's ExternalLoads (.xml); one for each motion, or one for all
+    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", help_heading = "To a recording"))]
+    #[serde(with = "path::list")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Vec<path::PathSchema>"))]
+    pub loads: Vec<PathBuf>,
+    /// What to fit; may be repeated [default: all three]
+    #[cfg_attr(
+        feature = "clap",
+        arg(long = "fit", value_name = "WHAT", value_enum, help_heading = "To a recording")
+    )]
+    pub fit: Vec<FittedChoice>,
+    /// Let spheres go deeper than their radius
+    #[cfg_attr(feature = "clap", arg(long, help_heading = "To a recording"))]
+    pub unbounded: bool,
+    /// The unit of the motions' angles, where their headers do not say it
+    #[cfg_attr(feature = "clap", arg(long, value_enum, help_heading = "To a recording"))]
+    pub angles: Option<AngleChoice>,
+    /// Smooth the coordinates first: zero-lag Butterworth filter of 4th order, cutoff in Hz (6 is usual for walking)
+    #[cfg_attr(feature = "clap", arg(long, value_name = "HZ", help_heading = "To a recording"))]
+    pub low_pass: Option<Positive>,
     /// Sphere radius, m
     #[cfg_attr(feature = "clap", arg(long, value_name = "M"))]
     pub radius: Option<Positive>,
@@ -62,30 +107,89 @@ pub struct FitRequest {
     /// Which part of the measurement
     #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]
     pub branch: BranchChoice,
-    /// How to print
-    #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]
-    pub format: Format,
     /// Columns and units.
     #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub columns: ColumnOptions,
+    /// Which mass is meant.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub masses: MassOptions,
+    /// Which forces.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub choice: ForceOptions,
+    /// Where results go.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub output: OutputOptions,
+    /// How to go about the work.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub run: RunOptions,
+    /// Answers to questions.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub answers: AnswerOptions,
+    /// Files of a standalone set.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub set_files: SetFiles,
 }
 
 impl Default for FitRequest {
     fn default() -> Self {
         Self {
             file: None,
+            motion: Vec::new(),
+            plates: Vec::new(),
+            loads: Vec::new(),
+            fit: Vec::new(),
+            unbounded: false,
+            angles: None,
+            low_pass: None,
             radius: None,
             spheres: Count::ONE,
             onset: ContactOnset::default(),
             branch: BranchChoice::Both,
-            format: Format::Table,
             columns: ColumnOptions::default(),
+            masses: MassOptions::default(),
+            choice: ForceOptions::default(),
+            output: OutputOptions::default(),
+            run: RunOptions::default(),
+            answers: AnswerOptions::default(),
+            set_files: SetFiles::default(),
         }
     }
 }
 
 impl FitRequest {
-    pub(crate) const RELATIONS: &'static [&'static [Relation]] =
-        &[&[Relation::Required("file"), Relation::Required("radius")], ColumnOptions::RELATIONS];
+    pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[
+        &[
+            Relation::Required("file"),
+            Relation::RequiredUnless("radius", "motion"),
+            Relation::Needs("motion", "plates"),
+            Relation::Needs("plates", "motion"),
+            Relation::Needs("loads", "motion"),
+            Relation::Needs("fit", "motion"),
+            Relation::Needs("unbounded", "motion"),
+            Relation::Needs("angles", "motion"),
+            Relation::Needs("low_pass", "motion"),
+            Relation::Needs("output", "motion"),
+            Relation::Needs("output_dir", "motion"),
+            Relation::Needs("in_place", "motion"),
+            Relation::Needs("report", "motion"),
+            Relation::Needs("summary", "motion"),
+            Relation::Excludes("radius", "motion"),
+        ],
+        ColumnOptions::RELATIONS,
+        OutputOptions::RELATIONS,
+        RunOptions::RELATIONS,
+    ];
+
+    /// Whether a model is fitted to recordings, and not a contact to one curve.
+    #[must_use]
+    pub fn is_of_motion(&self) -> bool {
+        !self.motion.is_empty()
+    }
 }

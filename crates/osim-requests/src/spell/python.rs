@@ -20,7 +20,7 @@ const OF_PLAN: [&str; 2] = ["dry_run", "report"];
 const OF_ROW: [&str; 2] = ["output", "geometry_output"];
 
 /// Fields with names of files or folders, in which Python's `~` is the home folder.
-const PATHS: [&str; 19] = [
+const PATHS: [&str; 22] = [
     "body_scale_file",
     "compare",
     "contacts",
@@ -30,11 +30,14 @@ const PATHS: [&str; 19] = [
     "geometry",
     "geometry_dir",
     "geometry_output",
+    "loads",
     "manifest",
     "model",
     "models",
+    "motion",
     "output",
     "output_dir",
+    "plates",
     "presets",
     "report",
     "subject",
