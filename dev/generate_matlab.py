@@ -14,7 +14,7 @@ import textwrap
 from pathlib import Path
 
 import request_schemas
-from matlab_texts import EXAMPLES, LEFT_OUT, NO_STANDARD_STREAMS, RESULTS, WITHOUT_MODELS
+from matlab_texts import EXAMPLES, LEFT_OUT, NO_STANDARD_STREAMS, RESULTS, WITHOUT
 
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGE = ROOT / "matlab/+osimcontact"
@@ -152,7 +152,7 @@ def declared_file(verbs):
                   f"            verb.positional = {cell(positional)};",
                   f"            verb.required = {len(required)};",
                   f"            verb.result = {quoted(result or '')};",
-                  f"            verb.without_models = {quoted(WITHOUT_MODELS.get(verb.name, ''))};",
+                  f"            verb.without = {cell(WITHOUT.get(verb.name, ()))};",
                   "            verb.options = " + " ...\n                ".join(options) + ";"]
     lines += ["        otherwise", "            error('osimcontact:usage', 'there is no verb ''%s''', name);", "    end",
               "    verb.name = name;",
@@ -209,7 +209,7 @@ def shape_lines(target, shape):
 def shapes_file():
     lines = ["function shape = shapes(result)",
              "%SHAPES The fields of a result, each with its kind: see completed.m.", "", MADE, "    switch result"]
-    results = {result for result in RESULTS.values() if result} | set(WITHOUT_MODELS.values())
+    results = {result for result in RESULTS.values() if result} | {result for _, result in WITHOUT.values()}
     paths = [RESULT_SCHEMAS / f"{name}.schema.json" for name in sorted(results)]
     for path in [*paths, ROOT / "schemas/failure.schema.json"]:
         schema = json.loads(path.read_text(encoding="utf-8"))

@@ -23,12 +23,14 @@ MANY = "these are for many models at once: rescale_many and many have them"
 # Groups of fields that are no keywords, with the reason. How results are shown is none of any function.
 GROUPS_LEFT_OUT = {
     "change": {"output": WRITTEN, "many": MANY},
+    "fit": {"output": WRITTEN, "many": MANY},
     "plot": {"output": "Figure.save"},
     "reproduce": {"output": "Reproduction has the table, plot the figures"},
 }
 # Single fields that are no keywords, with the reason.
 LEFT_OUT = {
     "change": {"dry_run": "a plan writes nothing", "report": "Result.report"},
+    "fit": {"dry_run": "a plan writes nothing", "report": "Result.report"},
     "batch": {"output": "a column of the table", "geometry_output": "a column of the table"},
 }
 
@@ -71,8 +73,8 @@ def shape_of(verb: Verb) -> Shape:
             "motion", (SOURCE_OF_SUBJECT, ("recording", "Any", "", "Coordinates over time: a path (.mot, .sto), or a table with a column `time` and one for each coordinate, in rad and m.", "motion")),
             "Motion", "Each foot and sphere beside the plates, and all frames as `rows`.", "motion"),
         "fit": Shape(
-            "fit", (("measured", "Any", "", "Measured indentation and force: a path (.csv), or a table with columns.", "file"),),
-            "Fit", "The parameters with their uncertainty.", "fit"),
+            "fit", (("measured", "Any", "", "Measured indentation and force: a path (.csv), or a table with columns. With `motion`, the model as for `rescale`.", "file"),),
+            "Any", "A `Fit`: the parameters with their uncertainty. With `motion`, a `Result`: the plan for the model.", "fit"),
         "plot": Shape(
             "plot", (("kind", "KIND", "", "What to draw.", "kind"), ("*models", "Source", "", "Models or presets, overlaid in one figure.", "models")),
             "Figure", "The figure, which a notebook shows.", "plot"),

@@ -17,14 +17,14 @@ RESULTS = {
     "drop-test": "drop-test",
     "motion": "motion",
     "plot": None,
-    "fit": "fit",
+    "fit": "change",
     "reproduce": "reproduction",
     "presets": "preset",
     "explain": "explanation",
 }
 
-# Verbs that may be called without a model, and what they give then.
-WITHOUT_MODELS = {"design": "design"}
+# Verbs that give something else without an option, and what they give then.
+WITHOUT = {"design": ("models", "design"), "fit": ("motion", "fit")}
 
 # The group of options that has no use in MATLAB: results are data, and nothing is printed.
 LEFT_OUT = "shown"

@@ -27,15 +27,16 @@ function results = batch(varargin)
 %         results, such as 'warnings', one with a row for each of its entries. Not in GNU Octave.
 %
 %   RESULTS: an array of structs with the fields model, output, geometry_output, contacts_mass_kg,
-%   target_mass_kg, objects, changes, warnings, notes, credits. docs/json.md says what each holds; what
-%   is missing is NaN, '' or empty.
+%   target_mass_kg, objects, changes, errors, warnings, notes, credits. docs/json.md says what each
+%   holds; what is missing is NaN, '' or empty.
 %
 %   Example:
 %       done = osimcontact.batch('masses.csv', 'output_dir', 'scaled');
 %       {done.output}
 %
 %   See also osimcontact.rescale, osimcontact.transfer, osimcontact.add, osimcontact.remove,
-%   osimcontact.convert, osimcontact.design, osimcontact.set, osimcontact.note, osimcontact.program.
+%   osimcontact.convert, osimcontact.design, osimcontact.set, osimcontact.note, osimcontact.fit,
+%   osimcontact.program.
 
 % Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.
     results = osimcontact.internal.run_verb('batch', varargin);

@@ -42,7 +42,7 @@ function results = check(varargin)
 %       for finding = seen(1).findings', disp(finding.message), end
 %
 %   See also osimcontact.sweep, osimcontact.inspect, osimcontact.drop_test, osimcontact.motion,
-%   osimcontact.plot, osimcontact.fit, osimcontact.reproduce, osimcontact.presets, osimcontact.explain,
+%   osimcontact.plot, osimcontact.reproduce, osimcontact.presets, osimcontact.explain,
 %   osimcontact.program.
 
 % Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.

@@ -38,14 +38,15 @@ function results = convert(varargin)
 %         results, such as 'warnings', one with a row for each of its entries. Not in GNU Octave.
 %
 %   RESULTS: an array of structs with the fields model, output, geometry_output, contacts_mass_kg,
-%   target_mass_kg, objects, changes, warnings, notes, credits. docs/json.md says what each holds; what
-%   is missing is NaN, '' or empty.
+%   target_mass_kg, objects, changes, errors, warnings, notes, credits. docs/json.md says what each
+%   holds; what is missing is NaN, '' or empty.
 %
 %   Example:
 %       done = osimcontact.convert('human.osim', 'to', 'hunt-crossley', 'output', 'converted.osim');
 %
 %   See also osimcontact.rescale, osimcontact.transfer, osimcontact.add, osimcontact.remove,
-%   osimcontact.design, osimcontact.set, osimcontact.note, osimcontact.batch, osimcontact.program.
+%   osimcontact.design, osimcontact.set, osimcontact.note, osimcontact.batch, osimcontact.fit,
+%   osimcontact.program.
 
 % Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.
     results = osimcontact.internal.run_verb('convert', varargin);

@@ -54,7 +54,7 @@ function results = drop_test(varargin)
 %       plot(fall.series.time_s, fall.series.force_bw)
 %
 %   See also osimcontact.sweep, osimcontact.inspect, osimcontact.check, osimcontact.motion,
-%   osimcontact.plot, osimcontact.fit, osimcontact.reproduce, osimcontact.presets, osimcontact.explain,
+%   osimcontact.plot, osimcontact.reproduce, osimcontact.presets, osimcontact.explain,
 %   osimcontact.program.
 
 % Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.

@@ -19,7 +19,7 @@ function results = explain(varargin)
 %       known(1).formulas.formula
 %
 %   See also osimcontact.sweep, osimcontact.inspect, osimcontact.check, osimcontact.drop_test,
-%   osimcontact.motion, osimcontact.plot, osimcontact.fit, osimcontact.reproduce, osimcontact.presets,
+%   osimcontact.motion, osimcontact.plot, osimcontact.reproduce, osimcontact.presets,
 %   osimcontact.program.
 
 % Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.

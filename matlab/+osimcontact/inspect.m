@@ -44,7 +44,7 @@ function results = inspect(varargin)
 %       seen(1).forces(1).parameters.stiffness
 %
 %   See also osimcontact.sweep, osimcontact.check, osimcontact.drop_test, osimcontact.motion,
-%   osimcontact.plot, osimcontact.fit, osimcontact.reproduce, osimcontact.presets, osimcontact.explain,
+%   osimcontact.plot, osimcontact.reproduce, osimcontact.presets, osimcontact.explain,
 %   osimcontact.program.
 
 % Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.

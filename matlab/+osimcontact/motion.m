@@ -42,7 +42,7 @@ function results = motion(varargin)
 %       plot([seen.feet.peak_n] / seen.weight_n, 'o')
 %
 %   See also osimcontact.sweep, osimcontact.inspect, osimcontact.check, osimcontact.drop_test,
-%   osimcontact.plot, osimcontact.fit, osimcontact.reproduce, osimcontact.presets, osimcontact.explain,
+%   osimcontact.plot, osimcontact.reproduce, osimcontact.presets, osimcontact.explain,
 %   osimcontact.program.
 
 % Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.

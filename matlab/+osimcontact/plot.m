@@ -70,8 +70,8 @@ function results = plot(varargin)
 %       done = osimcontact.plot('force', {'human.osim', 'emu.osim'}, 'output', 'force.pdf');
 %
 %   See also osimcontact.sweep, osimcontact.inspect, osimcontact.check, osimcontact.drop_test,
-%   osimcontact.motion, osimcontact.fit, osimcontact.reproduce, osimcontact.presets,
-%   osimcontact.explain, osimcontact.program.
+%   osimcontact.motion, osimcontact.reproduce, osimcontact.presets, osimcontact.explain,
+%   osimcontact.program.
 
 % Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.
     results = osimcontact.internal.run_verb('plot', varargin);

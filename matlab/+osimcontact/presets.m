@@ -18,7 +18,7 @@ function results = presets(varargin)
 %       preset.stiffness
 %
 %   See also osimcontact.sweep, osimcontact.inspect, osimcontact.check, osimcontact.drop_test,
-%   osimcontact.motion, osimcontact.plot, osimcontact.fit, osimcontact.reproduce, osimcontact.explain,
+%   osimcontact.motion, osimcontact.plot, osimcontact.reproduce, osimcontact.explain,
 %   osimcontact.program.
 
 % Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.

@@ -16,8 +16,7 @@ function results = reproduce(varargin)
 %       fprintf('%d of %d numbers agree\n', paper.within_last_digit, paper.numbers)
 %
 %   See also osimcontact.sweep, osimcontact.inspect, osimcontact.check, osimcontact.drop_test,
-%   osimcontact.motion, osimcontact.plot, osimcontact.fit, osimcontact.presets, osimcontact.explain,
-%   osimcontact.program.
+%   osimcontact.motion, osimcontact.plot, osimcontact.presets, osimcontact.explain, osimcontact.program.
 
 % Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.
     results = osimcontact.internal.run_verb('reproduce', varargin);

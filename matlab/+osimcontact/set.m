@@ -41,15 +41,16 @@ function results = set(varargin)
 %         results, such as 'warnings', one with a row for each of its entries. Not in GNU Octave.
 %
 %   RESULTS: an array of structs with the fields model, output, geometry_output, contacts_mass_kg,
-%   target_mass_kg, objects, changes, warnings, notes, credits. docs/json.md says what each holds; what
-%   is missing is NaN, '' or empty.
+%   target_mass_kg, objects, changes, errors, warnings, notes, credits. docs/json.md says what each
+%   holds; what is missing is NaN, '' or empty.
 %
 %   Example:
 %       factors = struct('stiffness', 'x2', 'dissipation', 1.5);
 %       done = osimcontact.set('human.osim', 'set', factors, 'output', 'stiffer.osim');
 %
 %   See also osimcontact.rescale, osimcontact.transfer, osimcontact.add, osimcontact.remove,
-%   osimcontact.convert, osimcontact.design, osimcontact.note, osimcontact.batch, osimcontact.program.
+%   osimcontact.convert, osimcontact.design, osimcontact.note, osimcontact.batch, osimcontact.fit,
+%   osimcontact.program.
 
 % Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.
     results = osimcontact.internal.run_verb('set', varargin);

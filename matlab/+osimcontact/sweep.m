@@ -68,7 +68,7 @@ function results = sweep(varargin)
 %       made.models
 %
 %   See also osimcontact.inspect, osimcontact.check, osimcontact.drop_test, osimcontact.motion,
-%   osimcontact.plot, osimcontact.fit, osimcontact.reproduce, osimcontact.presets, osimcontact.explain,
+%   osimcontact.plot, osimcontact.reproduce, osimcontact.presets, osimcontact.explain,
 %   osimcontact.program.
 
 % Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.

@@ -26,8 +26,12 @@ log = logging.getLogger("osim_contact_scale")
 COLUMNS = ("code", "severity", "message", "place", "spheres", "line", "why", "advice", "command")
 
 
-def plan(verb: str, source: Source, keywords: Mapping[str, Any]) -> Result:
-    """Plans a change of one model. Nothing is written.
+#: The field of the model, where it is not `models`.
+_MODEL = {"fit": "file"}
+
+
+def plan(verb: str, source: Source, keywords: Mapping[str, Any], tables: Mapping[str, bytes] | None = None) -> Result:
+    """Plans a change of one model. Nothing is written. `tables` are files in memory that keywords name.
 
     Raises
     ------
@@ -35,9 +39,10 @@ def plan(verb: str, source: Source, keywords: Mapping[str, Any]) -> Result:
         It cannot be done: the subclass says why.
     """
     memory = Memory()
+    memory.update(tables or {})
     model = model_of(source, memory)
     fields = fields_of(verb, with_own_files(source, keywords, memory), memory)
-    fields["models"] = model
+    fields[_MODEL.get(verb, "models")] = model
     is_whole = not isinstance(model, str) or model in memory or os.path.isabs(model)
     planned = Result(fields, _native.plan(fields, memory, True), None if is_whole else os.getcwd())
     for note in planned.notes:
@@ -267,7 +272,7 @@ class Result:
         return self._planned.page(self.verb, self._call())
 
     def _call(self) -> str:
-        own = {name: value for name, value in self._fields.items() if name not in ("verb", "models")}
+        own = {name: value for name, value in self._fields.items() if name not in ("verb", "models", "file")}
         # Of `set` each property is a keyword.
         own |= own.pop("set", {})
         words = ", ".join(

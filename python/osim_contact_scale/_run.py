@@ -12,7 +12,7 @@ from . import _changes, _native, _survey, _sweep
 from ._answers import DesignSheet, DropTest, Explanation, Fit, Motion, Preset, Reproduction
 from ._figure import Figure
 from ._progress import Progress
-from ._request import Memory, Source, fields_of, model_of, models_of, with_own_files
+from ._request import Memory, Source, fields_of, model_of, models_of, path_of, with_own_files
 from ._result import plan
 from ._rows import csv_of, rows_of, storage_of
 
@@ -69,7 +69,12 @@ def motion(source: Source, recording: Any, keywords: Mapping[str, Any]) -> Motio
     return Motion(record, text, columns)
 
 
-def fit(measured: Any, keywords: Mapping[str, Any]) -> Fit:
+def fit(measured: Any, keywords: Mapping[str, Any]) -> Any:
+    """A contact from a curve, or a plan for a model that is fitted to recordings."""
+    if keywords.get("motion") is not None:
+        tables: dict[str, bytes] = {}
+        named = {name: _recordings(name, keywords[name], tables) for name in ("motion", "plates") if keywords.get(name) is not None}
+        return plan("fit", measured, {**keywords, **named}, tables)
     memory = Memory()
     fields = fields_of("fit", keywords)
     if isinstance(measured, (str, os.PathLike)):
@@ -79,6 +84,20 @@ def fit(measured: Any, keywords: Mapping[str, Any]) -> Fit:
         fields["file"] = _TABLE
     record, text = _native.fit(fields, memory)
     return Fit(record, text)
+
+
+def _recordings(field: str, given: Any, tables: dict[str, bytes]) -> list[Any]:
+    """Files as they are named; what is a table goes into `tables`."""
+    several = given if isinstance(given, (list, tuple)) and not all(isinstance(row, Mapping) for row in given) else [given]
+    named = []
+    for number, one in enumerate(several, 1):
+        if isinstance(one, (str, os.PathLike)):
+            named.append(path_of(one))
+        else:
+            name = f"{field} table {number}.sto"
+            tables[name] = storage_of(one, field)
+            named.append(name)
+    return named
 
 
 def plot(kind: str, models: tuple[Source, ...], keywords: Mapping[str, Any]) -> Figure:

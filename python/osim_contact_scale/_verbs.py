@@ -648,6 +648,13 @@ def fit(
     measured: Any,
     /,
     *,
+    motion: StrPath | Sequence[StrPath] | None = None,
+    plates: StrPath | Sequence[StrPath] | None = None,
+    loads: StrPath | Sequence[StrPath] | None = None,
+    fit: Literal["stiffness", "dissipation", "height"] | None = None,
+    unbounded: bool = False,
+    angles: Literal["degrees", "radians"] | None = None,
+    low_pass: float | None = None,
     radius: float | None = None,
     spheres: int | None = None,
     onset: Literal["fit"] | None = None,
@@ -660,13 +667,40 @@ def fit(
     force_unit: Literal["N", "kN", "mN"] | None = None,
     speed_unit: Literal["m/s", "mm/s"] | None = None,
     time_unit: Literal["s", "ms"] | None = None,
-) -> Fit:
-    """Finds contact parameters from a measured indentation and force.
+    contacts_mass: float | None = None,
+    mass: float | None = None,
+    exclude_body: str | Sequence[str] | None = None,
+    select: str | Sequence[str] | None = None,
+    exclude: str | Sequence[str] | None = None,
+    skip_disabled: bool = False,
+    no_note: bool = False,
+    yes: str | Sequence[str] | None = None,
+    geometry: Source | None = None,
+    model: Source | None = None,
+) -> Any:
+    """Finds contact parameters from a measured indentation and force, or those of a model from recordings of its gait.
 
     Parameters
     ----------
     measured : table or path
-        Measured indentation and force: a path (.csv), or a table with columns.
+        Measured indentation and force: a path (.csv), or a table with columns. With `motion`, the model as for
+        `rescale`.
+    motion : path or list of path, optional
+        Fit the model to this motion (.mot, .sto), so that its forces are the measured ones; one or several in a
+        list, for several trials.
+    plates : path or list of path, optional
+        Ground reactions that force plates measured (.mot, .sto); one for each motion.
+    loads : path or list of path, optional
+        OpenSim's ExternalLoads (.xml); one for each motion, or one for all.
+    fit : {"stiffness", "dissipation", "height"}, optional
+        What to fit; one or several in a list [default: all three]
+    unbounded : bool, optional
+        Let spheres go deeper than their radius.
+    angles : {"degrees", "radians"}, optional
+        The unit of the motions' angles, where their headers do not say it.
+    low_pass : float, optional
+        Smooth the coordinates first: zero-lag Butterworth filter of 4th order, cutoff in Hz (6 is usual for
+        walking)
     radius : float, optional
         Sphere radius, m.
     spheres : int, optional
@@ -691,18 +725,38 @@ def fit(
         Unit of the speed.
     time_unit : {"s", "ms"}, optional
         Unit of the time.
+    contacts_mass : float, optional
+        Mass the contacts are made for now, kg [default: the note, else `mass`]
+    mass : float, optional
+        What this model weighs, kg [default: the sum of its bodies]
+    exclude_body : str or list of str, optional
+        Leave these bodies out of the sum (props, platforms); one or several in a list.
+    select : str or list of str, optional
+        Only forces with such a name; one or several in a list.
+    exclude : str or list of str, optional
+        No forces with such a name; one or several in a list.
+    skip_disabled : bool, optional
+        Leave out forces that are switched off.
+    no_note : bool, optional
+        Leave no note (in the credits) in the model.
+    yes : str or list of str, optional
+        Go on where a number looks like a slip: the code of the error that asks; one or several in a list.
+    geometry : path, bytes or opensim.Model, optional
+        The ContactGeometrySet (or model) that holds the spheres of a standalone ForceSet.
+    model : path, bytes or opensim.Model, optional
+        The model a standalone ForceSet belongs to, for its masses and joints.
 
     Returns
     -------
-    Fit
-        The parameters with their uncertainty.
+    Any
+        A `Fit`: the parameters with their uncertainty. With `motion`, a `Result`: the plan for the model.
 
     Raises
     ------
     ContactScaleError
         It cannot be done: the subclass says why.
     """
-    keywords = {"radius": radius, "spheres": spheres, "onset": onset, "branch": branch, "indentation_column": indentation_column, "force_column": force_column, "speed_column": speed_column, "time_column": time_column, "indentation_unit": indentation_unit, "force_unit": force_unit, "speed_unit": speed_unit, "time_unit": time_unit}
+    keywords = {"motion": motion, "plates": plates, "loads": loads, "fit": fit, "unbounded": unbounded or None, "angles": angles, "low_pass": low_pass, "radius": radius, "spheres": spheres, "onset": onset, "branch": branch, "indentation_column": indentation_column, "force_column": force_column, "speed_column": speed_column, "time_column": time_column, "indentation_unit": indentation_unit, "force_unit": force_unit, "speed_unit": speed_unit, "time_unit": time_unit, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}
     return _run.fit(measured, keywords)
 
 

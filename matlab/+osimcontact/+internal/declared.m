@@ -8,7 +8,7 @@ function verb = declared(name)
             verb.positional = {'models'};
             verb.required = 1;
             verb.result = 'change';
-            verb.without_models = '';
+            verb.without = {};
             verb.options = {'models', 'from', 'contacts', 'default_pose', 'feet', 'count', 'pad', 'geometry_dir', 'mirror', ...
                 'class', 'friction', 'radius', 'body_scale', 'body_map', 'level', 'replace', 'select', 'exclude', ...
                 'skip_disabled', 'indentation', 'young', 'poisson', 'restitution', 'impact_speed', ...
@@ -23,7 +23,7 @@ function verb = declared(name)
             verb.positional = {'manifest'};
             verb.required = 1;
             verb.result = 'change';
-            verb.without_models = '';
+            verb.without = {};
             verb.options = {'manifest', 'output', 'geometry_output', 'output_dir', 'in_place', 'no_backup', 'force', 'no_note', ...
                 'allow_outside', 'dry_run', 'report', 'jobs', 'summary', 'resume', 'shard', 'yes', 'as_table'};
         case 'check'
@@ -31,7 +31,7 @@ function verb = declared(name)
             verb.positional = {'models'};
             verb.required = 1;
             verb.result = 'check';
-            verb.without_models = '';
+            verb.without = {};
             verb.options = {'models', 'from', 'body_scale_file', 'report', 'force', 'spheres', 'stance_limbs', 'impact_speed', ...
                 'gravity', 'contacts_mass', 'mass', 'exclude_body', 'select', 'exclude', 'skip_disabled', ...
                 'geometry', 'model', 'yes', 'as_table'};
@@ -40,7 +40,7 @@ function verb = declared(name)
             verb.positional = {'models'};
             verb.required = 1;
             verb.result = 'change';
-            verb.without_models = '';
+            verb.without = {};
             verb.options = {'models', 'to', 'constant_contact_force', 'hertz_smoothing', 'hunt_crossley_smoothing', 'strict', ...
                 'select', 'exclude', 'skip_disabled', 'output', 'geometry_output', 'output_dir', 'in_place', ...
                 'no_backup', 'force', 'no_note', 'dry_run', 'report', 'jobs', 'summary', 'resume', 'shard', 'yes', ...
@@ -50,7 +50,7 @@ function verb = declared(name)
             verb.positional = {'models'};
             verb.required = 0;
             verb.result = 'change';
-            verb.without_models = 'design';
+            verb.without = {'models', 'design'};
             verb.options = {'models', 'radius', 'indentation', 'contact_stiffness', 'young', 'poisson', 'stiffness', ...
                 'restitution', 'impact_speed', 'constant_indentation', 'state_width', 'speed_width', 'threshold', ...
                 'load', 'body_weights', 'gravity', 'contacts_mass', 'mass', 'exclude_body', 'spheres', ...
@@ -62,7 +62,7 @@ function verb = declared(name)
             verb.positional = {'subject'};
             verb.required = 0;
             verb.result = 'drop-test';
-            verb.without_models = '';
+            verb.without = {};
             verb.options = {'subject', 'height', 'duration', 'samples', 'compare', 'compare_spheres', 'presets', 'radius', ...
                 'stiffness', 'dissipation', 'constant_contact_force', 'hertz_smoothing', 'hunt_crossley_smoothing', ...
                 'gravity', 'spheres', 'stance_limbs', 'contacts_mass', 'mass', 'exclude_body', 'select', 'exclude', ...
@@ -72,23 +72,26 @@ function verb = declared(name)
             verb.positional = {'topics'};
             verb.required = 0;
             verb.result = 'explanation';
-            verb.without_models = '';
+            verb.without = {};
             verb.options = {'topics', 'as_table'};
         case 'fit'
             verb.verb = 'fit';
             verb.positional = {'file'};
             verb.required = 1;
-            verb.result = 'fit';
-            verb.without_models = '';
-            verb.options = {'file', 'radius', 'spheres', 'onset', 'branch', 'indentation_column', 'force_column', ...
-                'speed_column', 'time_column', 'indentation_unit', 'force_unit', 'speed_unit', 'time_unit', ...
-                'as_table'};
+            verb.result = 'change';
+            verb.without = {'motion', 'fit'};
+            verb.options = {'file', 'motion', 'plates', 'loads', 'fit', 'unbounded', 'angles', 'low_pass', 'radius', 'spheres', ...
+                'onset', 'branch', 'indentation_column', 'force_column', 'speed_column', 'time_column', ...
+                'indentation_unit', 'force_unit', 'speed_unit', 'time_unit', 'contacts_mass', 'mass', ...
+                'exclude_body', 'select', 'exclude', 'skip_disabled', 'output', 'geometry_output', 'output_dir', ...
+                'in_place', 'no_backup', 'force', 'no_note', 'dry_run', 'report', 'jobs', 'summary', 'resume', ...
+                'shard', 'yes', 'geometry', 'model', 'as_table'};
         case 'inspect'
             verb.verb = 'inspect';
             verb.positional = {'models'};
             verb.required = 1;
             verb.result = 'inspection';
-            verb.without_models = '';
+            verb.without = {};
             verb.options = {'models', 'from', 'body_scale_file', 'report', 'force', 'spheres', 'stance_limbs', 'impact_speed', ...
                 'gravity', 'contacts_mass', 'mass', 'exclude_body', 'select', 'exclude', 'skip_disabled', ...
                 'geometry', 'model', 'yes', 'as_table'};
@@ -97,7 +100,7 @@ function verb = declared(name)
             verb.positional = {'subject', 'motion'};
             verb.required = 2;
             verb.result = 'motion';
-            verb.without_models = '';
+            verb.without = {};
             verb.options = {'subject', 'motion', 'plates', 'loads', 'angles', 'low_pass', 'belt', 'output', 'force', ...
                 'contacts_mass', 'mass', 'exclude_body', 'select', 'exclude', 'skip_disabled', 'geometry', 'model', ...
                 'as_table'};
@@ -106,7 +109,7 @@ function verb = declared(name)
             verb.positional = {'models'};
             verb.required = 1;
             verb.result = 'change';
-            verb.without_models = '';
+            verb.without = {};
             verb.options = {'models', 'contacts_mass', 'contacts_gravity', 'stance_limbs', 'output', 'geometry_output', ...
                 'output_dir', 'in_place', 'no_backup', 'force', 'no_note', 'dry_run', 'report', 'jobs', 'summary', ...
                 'resume', 'shard', 'yes', 'geometry', 'model', 'as_table'};
@@ -115,7 +118,7 @@ function verb = declared(name)
             verb.positional = {'kind', 'models'};
             verb.required = 1;
             verb.result = '';
-            verb.without_models = '';
+            verb.without = {};
             verb.options = {'kind', 'models', 'output', 'data', 'force', 'target_mass', 'axes', 'geometry_dir', 'presets', ...
                 'gravity', 'height', 'duration', 'quantity', 'stiffness', 'dissipation', 'table', 'value_column', ...
                 'x_column', 'y_column', 'value_range', 'title', 'label', 'width', 'font_size', 'x_range', 'y_range', ...
@@ -126,14 +129,14 @@ function verb = declared(name)
             verb.positional = {'name'};
             verb.required = 0;
             verb.result = 'preset';
-            verb.without_models = '';
+            verb.without = {};
             verb.options = {'name', 'presets', 'as_table'};
         case 'remove'
             verb.verb = 'remove';
             verb.positional = {'models'};
             verb.required = 1;
             verb.result = 'change';
-            verb.without_models = '';
+            verb.without = {};
             verb.options = {'models', 'select', 'exclude', 'skip_disabled', 'output', 'geometry_output', 'output_dir', ...
                 'in_place', 'no_backup', 'force', 'no_note', 'dry_run', 'report', 'jobs', 'summary', 'resume', ...
                 'shard', 'yes', 'as_table'};
@@ -142,14 +145,14 @@ function verb = declared(name)
             verb.positional = {};
             verb.required = 0;
             verb.result = 'reproduction';
-            verb.without_models = '';
+            verb.without = {};
             verb.options = {'output_dir', 'force', 'as_table'};
         case 'rescale'
             verb.verb = 'rescale';
             verb.positional = {'models'};
             verb.required = 1;
             verb.result = 'change';
-            verb.without_models = '';
+            verb.without = {};
             verb.options = {'models', 'target_mass', 'contacts_mass', 'mass', 'exclude_body', 'radius', 'level', 'level_axis', ...
                 'only', 'keep', 'dissipation_by', 'friction', 'contacts_gravity', 'target_gravity', ...
                 'body_scale_file', 'follow_bodies', 'select', 'exclude', 'skip_disabled', 'output', ...
@@ -160,7 +163,7 @@ function verb = declared(name)
             verb.positional = {'models'};
             verb.required = 1;
             verb.result = 'change';
-            verb.without_models = '';
+            verb.without = {};
             verb.options = {'models', 'set', 'level', 'contacts_mass', 'mass', 'exclude_body', 'select', 'exclude', ...
                 'skip_disabled', 'output', 'geometry_output', 'output_dir', 'in_place', 'no_backup', 'force', ...
                 'no_note', 'dry_run', 'report', 'jobs', 'summary', 'resume', 'shard', 'yes', 'geometry', 'model', ...
@@ -170,7 +173,7 @@ function verb = declared(name)
             verb.positional = {'model'};
             verb.required = 1;
             verb.result = 'sweep';
-            verb.without_models = '';
+            verb.without = {};
             verb.options = {'model', 'grid', 'ladder', 'soft', 'point', 'shard', 'output_dir', 'force', 'resume', 'no_note', ...
                 'dry_run', 'jobs', 'radius', 'indentation', 'contact_stiffness', 'young', 'poisson', 'stiffness', ...
                 'restitution', 'impact_speed', 'constant_indentation', 'state_width', 'speed_width', 'threshold', ...
@@ -181,7 +184,7 @@ function verb = declared(name)
             verb.positional = {'models'};
             verb.required = 1;
             verb.result = 'change';
-            verb.without_models = '';
+            verb.without = {};
             verb.options = {'models', 'from', 'presets', 'spheres', 'stance_limbs', 'reference_mass', 'reference_spheres', ...
                 'reference_gravity', 'reference_select', 'reference_sphere', 'follow_bodies', 'body_scale_file', ...
                 'body_scale', 'radius_axis', 'moved_spheres', 'strict', 'rule', 'height_ratio', 'contacts_mass', ...

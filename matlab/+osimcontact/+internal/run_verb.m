@@ -19,8 +19,8 @@ function results = run_verb(verb, arguments)
         shape = struct('output', 'text', 'text', 'text');
     else
         result = declared.result;
-        if ~isempty(declared.without_models) && ~isfield(request.fields, 'models')
-            result = declared.without_models;
+        if ~isempty(declared.without) && ~isfield(request.fields, declared.without{1})
+            result = declared.without{2};
         end
         [results, shape] = results_of(records, osimcontact.internal.shapes(result));
         say_warnings(verb, results);
