@@ -9,6 +9,11 @@ function results = check(varargin)
 %     from: The generic model this one was scaled from: see whether its spheres followed their bodies.
 %         Takes a text.
 %     body_scale_file: With from: the ScaleSet that the Scale Tool applied. Takes a text.
+%     motion: Say whether the contacts fit this motion (.mot, .sto), too. Takes a text.
+%     plates: With motion: the ground reactions that force plates measured (.mot, .sto). Takes a text.
+%     loads: With motion: OpenSim's ExternalLoads (.xml). Takes a text.
+%     angles: With motion: the unit of its angles, where its header does not say it. Takes 'degrees' or
+%         'radians'.
 %     report: Write a page for browsers too (.html): tables, plots, findings. Takes a text.
 %     force: Replace an existing report. Takes true or false.
 %     spheres: Spheres that share the body weight, all stance limbs together [default: as found per

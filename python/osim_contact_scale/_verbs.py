@@ -281,6 +281,10 @@ def check(
     *,
     from_: Source | None = None,
     body_scale_file: StrPath | None = None,
+    motion: StrPath | None = None,
+    plates: StrPath | None = None,
+    loads: StrPath | None = None,
+    angles: Literal["degrees", "radians"] | None = None,
     report: StrPath | None = None,
     force: bool = False,
     spheres: int | None = None,
@@ -309,6 +313,14 @@ def check(
         The generic model this one was scaled from: see whether its spheres followed their bodies.
     body_scale_file : path, optional
         With `from_`: the ScaleSet that the Scale Tool applied.
+    motion : path, optional
+        Say whether the contacts fit this motion (.mot, .sto), too.
+    plates : path, optional
+        With `motion`: the ground reactions that force plates measured (.mot, .sto)
+    loads : path, optional
+        With `motion`: OpenSim's ExternalLoads (.xml)
+    angles : {"degrees", "radians"}, optional
+        With `motion`: the unit of its angles, where its header does not say it.
     report : path, optional
         Write a page for browsers too (.html): tables, plots, findings.
     force : bool, optional
@@ -354,7 +366,7 @@ def check(
     ContactScaleError
         It cannot be done: the subclass says why.
     """
-    keywords = {"from": from_, "body_scale_file": body_scale_file, "report": report, "force": force or None, "spheres": spheres, "stance_limbs": stance_limbs, "impact_speed": impact_speed, "gravity": gravity, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model, "yes": yes}
+    keywords = {"from": from_, "body_scale_file": body_scale_file, "motion": motion, "plates": plates, "loads": loads, "angles": angles, "report": report, "force": force or None, "spheres": spheres, "stance_limbs": stance_limbs, "impact_speed": impact_speed, "gravity": gravity, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model, "yes": yes}
     return _run.survey("check", sources, keywords, jobs, progress)  # type: ignore[no-any-return]
 
 

@@ -130,3 +130,27 @@ fn what_is_missing_is_said() {
     refused(&bench, "motion walker.osim walk.mot --low-pass 60", "below half of that, 50 Hz");
     refused(&bench, "motion walker.osim nothing.mot", "there is no such file");
 }
+
+/// The seventh verdict: before a fit it warns, after it is good, and a recording that cannot be read is not known.
+#[test]
+fn check_says_whether_contacts_fit_a_recording() {
+    let bench = Bench::with(&FILES);
+    let recording = "--motion walk.mot --plates plates.sto";
+    let verdict = |model: &str, more: &str| {
+        let seen = object(&bench.run(&format!("check {model} {more} --format json")).done().wrote_nothing());
+        let verdicts = seen["verdicts"].as_array().unwrap().clone();
+        let found = verdicts.iter().find(|one| one["on"] == "motion").cloned();
+        (verdicts.len(), found.map(|one| (one["sign"].as_str().unwrap().to_owned(), one["text"].to_string())))
+    };
+    assert_eq!(verdict("walker.osim", ""), (6, None));
+    let (count, found) = verdict("walker.osim", recording);
+    let (sign, text) = found.unwrap();
+    assert_eq!((count, sign.as_str()), (7, "warn"));
+    assert!(text.contains("up to 7.61 body weights where the plates measured up to 1.53"), "{text}");
+    // What it advises works.
+    assert!(text.contains("fit MODEL --motion MOTION --plates PLATES"), "{text}");
+    bench.run(&format!("fit walker.osim {recording} -o fitted.osim")).done();
+    assert_eq!(verdict("fitted.osim", recording).1.unwrap().0, "good");
+    bench.write("words.sto", "nothing");
+    assert_eq!(verdict("walker.osim", "--motion words.sto --plates plates.sto").1.unwrap().0, "unknown");
+}

@@ -10,6 +10,7 @@ use osim_model::{Anatomy, Fault, Finding, Model, Severity};
 use osim_requests::options::{AnswerOptions, InspectionOptions, SetFiles};
 use osim_requests::{CheckRequest, InspectRequest};
 
+use crate::motion::CheckedMotion;
 use crate::opening::{open, scale_file};
 use crate::remedies::Trials;
 use crate::rules::odd_mesh;
@@ -26,6 +27,8 @@ pub struct Inspector {
     /// The names of both files, where they are for the places of spheres and not for factors.
     places: Option<OriginalFiles>,
     reads: Vec<PathBuf>,
+    /// The recording that the contacts are compared with, if one is given.
+    motion: Option<CheckedMotion>,
     /// Answers to questions about masses that the caller gave; `None` if the masses were asked about already.
     answers: Option<AnswerOptions>,
 }
@@ -67,7 +70,7 @@ impl Inspector {
     /// As `check` is asked; reads what is needed for all models.
     #[must_use]
     pub fn of_check(request: &CheckRequest, files: &dyn Files) -> Self {
-        let plain = Self::asking(&request.options);
+        let plain = Self { motion: CheckedMotion::of(request), ..Self::asking(&request.options) };
         let Some(from) = request.from.clone() else { return plain };
         let file = request.body_scale_file.clone();
         let generic = Some(generic_model(&from, file.as_deref(), files));
@@ -84,6 +87,7 @@ impl Inspector {
             generic: None,
             places: None,
             reads: options.set_files.paths().cloned().collect(),
+            motion: None,
             answers: None,
         }
     }
@@ -156,7 +160,9 @@ impl Inspector {
         let beside: Vec<Finding> = compiled.cloned().into_iter().chain(mesh).collect();
         let found = check_with_trials(&self.options, model, inspected, &beside);
         let inspect = |name: &FileName, model: &Model| self.inspect_again(name, model);
-        Trials { options: &self.options, files, inspect: &inspect }.tried(model, found)
+        let mut found = Trials { options: &self.options, files, inspect: &inspect }.tried(model, found);
+        found.verdicts.extend(self.motion.as_ref().map(|motion| motion.verdict(&name.to_path(), files)));
+        found
     }
 
     /// A model that a remedy made, inspected like the first.

@@ -39,6 +39,7 @@ fn of_one(on: VerdictOn, known: &Known<'_>, findings: &[Found]) -> Verdict {
         VerdictOn::Sides => sides::right(known),
         VerdictOn::Sizes => sizes::right(known),
         VerdictOn::Solver => solver::right(known),
+        VerdictOn::Recording => Err("no recording is given".into()),
     };
     Verdict::without_findings(on, right)
 }

@@ -9,12 +9,12 @@ use serde::{Serialize, Serializer};
 
 use crate::findings::Found;
 
-/// The answer to one of the six questions.
+/// The answer to one of the six questions, or to that of a recording.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]
 pub struct Verdict {
-    /// What it is on: `floor`, `standing`, `mass`, `sides`, `sizes` or `solver`.
+    /// What it is on: `floor`, `standing`, `mass`, `sides`, `sizes` or `solver`; with a recording `motion`, too.
     #[serde(serialize_with = "name")]
     #[cfg_attr(feature = "schemas", schemars(with = "String"))]
     pub on: VerdictOn,
@@ -76,6 +76,12 @@ impl From<Severity> for Sign {
 }
 
 impl Verdict {
+    /// The answer to the question whether contacts fit a recording.
+    #[must_use]
+    pub fn on_recording(sign: Sign, text: Phrase) -> Self {
+        Self { on: VerdictOn::Recording, sign, text, place: None, codes: Vec::new() }
+    }
+
     /// The worst finding decides; the codes of `others` are named.
     pub(super) fn of_findings(on: VerdictOn, worst: &Found, others: &[&Found]) -> Self {
         let mut codes = vec![worst.code()];

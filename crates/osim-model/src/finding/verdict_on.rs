@@ -1,8 +1,8 @@
-//! The six questions that are answered of every model.
+//! The six questions that are answered of every model, and one more of a model with a recording.
 
 /// What a verdict is on. Each rule about a model belongs to one of them, or to none.
 ///
-/// Exhaustive: there are six.
+/// Exhaustive: there are six, and one more where a recording is given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum VerdictOn {
     /// Whether the floor is one: its direction and place, what it hangs on, and gravity.
@@ -17,10 +17,12 @@ pub enum VerdictOn {
     Sizes,
     /// Whether a solver can live with the contacts: smoothing, speeds, restitution.
     Solver,
+    /// Whether the contacts fit a recording: their forces beside those of force plates.
+    Recording,
 }
 
 impl VerdictOn {
-    /// All of them, in the order in which they are shown.
+    /// Those of every model, in the order in which they are shown.
     pub const ALL: [Self; 6] =
         [Self::Floor, Self::Standing, Self::Mass, Self::Sides, Self::Sizes, Self::Solver];
 
@@ -34,6 +36,7 @@ impl VerdictOn {
             Self::Sides => "sides",
             Self::Sizes => "sizes",
             Self::Solver => "solver",
+            Self::Recording => "motion",
         }
     }
 
@@ -47,6 +50,7 @@ impl VerdictOn {
             Self::Sides => "Do left and right agree?",
             Self::Sizes => "Are sizes and places believable?",
             Self::Solver => "Can a solver live with it?",
+            Self::Recording => "Does it fit the recording?",
         }
     }
 }

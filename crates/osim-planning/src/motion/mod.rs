@@ -5,8 +5,10 @@ mod plates;
 mod remarks;
 mod result;
 mod run;
+mod verdict;
 
 pub use plates::PlatesRead;
 pub use remarks::MotionRemark;
 pub use result::MotionResult;
 pub use run::run_motion;
+pub(crate) use verdict::CheckedMotion;

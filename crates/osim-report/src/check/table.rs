@@ -9,7 +9,7 @@ use osim_model::FindingCode;
 use super::verdicts;
 use crate::layout::{Colour, severity, wrapped, wrapped_with_path};
 
-/// The six verdicts, then every finding, worst first, with what to do. What was found is taken as it is spelled; `prompt` is before each remedy.
+/// The verdicts, then every finding, worst first, with what to do. What was found is taken as it is spelled; `prompt` is before each remedy.
 ///
 /// What was published so with known contacts is named once, and not explained.
 #[must_use]

@@ -1,4 +1,4 @@
-//! The six verdicts on a model, a line each.
+//! The verdicts on a model, a line each.
 
 use osim_inspect::Verdict;
 

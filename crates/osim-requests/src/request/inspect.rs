@@ -7,6 +7,7 @@ use osim_model::Severity;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::motion::AngleChoice;
 use crate::choice::choices;
 use crate::options::{InspectionOptions, ReportOptions, SheetFormat};
 use crate::relation::Relation;
@@ -98,6 +99,24 @@ pub struct CheckRequest {
     #[serde(with = "path::optional")]
     #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub body_scale_file: Option<PathBuf>,
+    /// Say whether the contacts fit this motion (.mot, .sto), too
+    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
+    #[serde(with = "path::optional")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    pub motion: Option<PathBuf>,
+    /// With `motion`: the ground reactions that force plates measured (.mot, .sto)
+    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
+    #[serde(with = "path::optional")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    pub plates: Option<PathBuf>,
+    /// With `motion`: OpenSim's ExternalLoads (.xml)
+    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", hide_short_help = true))]
+    #[serde(with = "path::optional")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    pub loads: Option<PathBuf>,
+    /// With `motion`: the unit of its angles, where its header does not say it
+    #[cfg_attr(feature = "clap", arg(long, value_enum, hide_short_help = true))]
+    pub angles: Option<AngleChoice>,
     /// Exit with 1 where a finding is as bad as this, or worse
     #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]
     pub deny: Deny,
@@ -116,7 +135,14 @@ pub struct CheckRequest {
 
 impl CheckRequest {
     pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[
-        &[Relation::Required("models"), Relation::Needs("body_scale_file", "from")],
+        &[
+            Relation::Required("models"),
+            Relation::Needs("body_scale_file", "from"),
+            Relation::Needs("motion", "plates"),
+            Relation::Needs("plates", "motion"),
+            Relation::Needs("loads", "motion"),
+            Relation::Needs("angles", "motion"),
+        ],
         ReportOptions::RELATIONS,
     ];
 }
