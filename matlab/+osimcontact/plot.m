@@ -2,8 +2,8 @@ function results = plot(varargin)
 %PLOT Draws what contacts do.
 %   RESULTS = osimcontact.plot(KIND, MODELS, NAME, VALUE, ...)
 %
-%   KIND: What to draw. Takes 'force' or 'state' or 'loop' or 'drop' or 'sweep' or 'feet' or 'fig1' or
-%       'fig4' or 'fig-c5'.
+%   KIND: What to draw. Takes 'force' or 'state' or 'loop' or 'drop' or 'sweep' or 'feet' or 'motion' or
+%       'fig1' or 'fig4' or 'fig-c5'.
 %
 %   MODELS: Models (.osim) or presets, overlaid in one figure; none for fig4 and fig-c5. Takes a text or
 %       a cell array of texts. May be left out.
@@ -17,6 +17,11 @@ function results = plot(varargin)
 %         several]. Takes 'dimensionless' or 'real'.
 %     geometry_dir: Of feet: a folder with the bones' meshes, beside the model's own and its Geometry.
 %         Takes a text.
+%     motion: Of motion: coordinates over time (.mot, .sto). Takes a text.
+%     plates: Of motion: the ground reactions that force plates measured (.mot, .sto). Takes a text.
+%     loads: Of motion: OpenSim's ExternalLoads (.xml). Takes a text.
+%     angles: Of motion: the unit of its angles, where its header does not say it. Takes 'degrees' or
+%         'radians'.
 %     presets: A file with presets of your own (TOML). Takes a text.
 %     gravity: Gravity, m/s2 [default: the model's]. Takes a number.
 %     height: Height of the sphere bottoms at the start: metres, or a factor of the radius like x0.25

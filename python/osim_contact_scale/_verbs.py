@@ -979,11 +979,15 @@ def note(
 
 
 def plot(
-    kind: Literal["force", "state", "loop", "drop", "sweep", "feet", "fig1", "fig4", "fig-c5"],
+    kind: Literal["force", "state", "loop", "drop", "sweep", "feet", "motion", "fig1", "fig4", "fig-c5"],
     *models: Source,
     target_mass: float | None = None,
     axes: Literal["dimensionless", "real"] | None = None,
     geometry_dir: StrPath | None = None,
+    motion: StrPath | None = None,
+    plates: StrPath | None = None,
+    loads: StrPath | None = None,
+    angles: Literal["degrees", "radians"] | None = None,
     presets: StrPath | None = None,
     gravity: float | None = None,
     height: float | str | None = None,
@@ -1019,7 +1023,7 @@ def plot(
 
     Parameters
     ----------
-    kind : {"force", "state", "loop", "drop", "sweep", "feet", "fig1", "fig4", "fig-c5"}
+    kind : {"force", "state", "loop", "drop", "sweep", "feet", "motion", "fig1", "fig4", "fig-c5"}
         What to draw.
     models : path, bytes or opensim.Model
         Models or presets, overlaid in one figure.
@@ -1029,6 +1033,14 @@ def plot(
         Units of indentation and force [default: x/R and N; x/R and shares of the weight for several]
     geometry_dir : path, optional
         Of feet: a folder with the bones' meshes, beside the model's own and its Geometry.
+    motion : path, optional
+        Of motion: coordinates over time (.mot, .sto)
+    plates : path, optional
+        Of motion: the ground reactions that force plates measured (.mot, .sto)
+    loads : path, optional
+        Of motion: OpenSim's ExternalLoads (.xml)
+    angles : {"degrees", "radians"}, optional
+        Of motion: the unit of its angles, where its header does not say it.
     presets : path, optional
         A file with presets of your own (TOML)
     gravity : float, optional
@@ -1100,7 +1112,7 @@ def plot(
     ContactScaleError
         It cannot be done: the subclass says why.
     """
-    keywords = {"target_mass": target_mass, "axes": axes, "geometry_dir": geometry_dir, "presets": presets, "gravity": gravity, "height": height, "duration": duration, "quantity": quantity, "stiffness": stiffness, "dissipation": dissipation, "table": table, "value_column": value_column, "x_column": x_column, "y_column": y_column, "value_range": value_range, "title": title, "label": label, "width": width, "font_size": font_size, "x_range": x_range, "y_range": y_range, "dpi": dpi, "spheres": spheres, "stance_limbs": stance_limbs, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model, "yes": yes}
+    keywords = {"target_mass": target_mass, "axes": axes, "geometry_dir": geometry_dir, "motion": motion, "plates": plates, "loads": loads, "angles": angles, "presets": presets, "gravity": gravity, "height": height, "duration": duration, "quantity": quantity, "stiffness": stiffness, "dissipation": dissipation, "table": table, "value_column": value_column, "x_column": x_column, "y_column": y_column, "value_range": value_range, "title": title, "label": label, "width": width, "font_size": font_size, "x_range": x_range, "y_range": y_range, "dpi": dpi, "spheres": spheres, "stance_limbs": stance_limbs, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model, "yes": yes}
     return _run.plot(kind, models, keywords)
 
 

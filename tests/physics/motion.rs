@@ -154,3 +154,21 @@ fn check_says_whether_contacts_fit_a_recording() {
     bench.write("words.sto", "nothing");
     assert_eq!(verdict("walker.osim", "--motion words.sto --plates plates.sto").1.unwrap().0, "unknown");
 }
+
+#[test]
+fn a_figure_has_the_plates_beside_the_model() {
+    let bench = Bench::with(&FILES);
+    bench
+        .run("plot motion walker.osim --motion walk.mot --plates plates.sto -o walk.svg --data walk.csv")
+        .done()
+        .wrote(&["walk.csv", "walk.svg"]);
+    let drawn = bench.text("walk.svg");
+    for words in ["right foot", "left foot", ">plates<", "walker along walk", "indentation / radius"] {
+        assert!(drawn.contains(words), "{words}");
+    }
+    // Without plates there is no such curve.
+    bench.run("plot motion walker.osim --motion walk.mot -o alone.svg").done();
+    assert!(!bench.text("alone.svg").contains(">plates<"));
+    bench.run("plot motion walker.osim -o none.svg").usage().says(&["--motion FILE"]);
+    bench.run("plot force walker.osim --motion walk.mot -o none.svg").usage().says(&["--motion FILE"]);
+}

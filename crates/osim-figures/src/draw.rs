@@ -4,7 +4,7 @@ use contact_plots::{Drawing, Paper, PlotError, drop_figure, force_figure, loop_f
 use osim_inspect::series::{Body, HeatRequest};
 use osim_messages::{Input, Phrase, harmless, phrase};
 use osim_model::files::Failure;
-use osim_planning::{HeatTable, ModelFeet};
+use osim_planning::{HeatTable, ModelFeet, MotionResult};
 use osim_requests::{AxesChoice, FigureOptions, PlotKind, PlotRequest, Positive, Span, fig1};
 
 use super::axes::{Axes, units};
@@ -13,6 +13,7 @@ use super::feet::feet;
 use super::force::force;
 use super::heat::heat;
 use super::loops::loops;
+use super::motion::motion;
 use super::names::failure;
 use super::paper::{fig_c5, fig4};
 use super::state::state;
@@ -89,6 +90,15 @@ fn finished(mut drawing: Drawing, looks: &FigureOptions) -> Result<Drawing, Plot
 /// The request names curves or limits axes, which it does not have.
 pub fn draw_feet(request: &PlotRequest, states: &[ModelFeet]) -> Result<Drawing, Failure> {
     let drawing = Drawing::Scene(feet(states, request.looks.title.as_deref()));
+    finished(drawing, &request.looks).map_err(|error| not_drawn(error, &[]))
+}
+
+/// A figure of a motion as `request` asks for it.
+///
+/// # Errors
+/// The request names curves or limits that it does not have, or a foot has more spheres than a figure has looks for.
+pub fn draw_motion(request: &PlotRequest, result: &MotionResult) -> Result<Drawing, Failure> {
+    let drawing = Drawing::Panels(motion(result, request.looks.title.as_deref()));
     finished(drawing, &request.looks).map_err(|error| not_drawn(error, &[]))
 }
 

@@ -15,6 +15,7 @@ mod heat;
 mod indentations;
 mod limits;
 mod loops;
+mod motion;
 mod names;
 pub mod paper;
 mod state;
@@ -23,7 +24,7 @@ mod weights;
 
 pub use axes::{Axes, units};
 pub use data::data_csv;
-pub use draw::{draw, draw_feet, not_drawn, paper, svg};
+pub use draw::{draw, draw_feet, draw_motion, not_drawn, paper, svg};
 pub use drops::drops;
 pub use feet::{feet, feet_notes, feet_svg, missing_meshes};
 pub use force::force;

@@ -9,10 +9,11 @@ use osim_inspect::unexplained_slip;
 use osim_messages::{Input, phrase, readable};
 use osim_model::files::Files;
 use osim_model::{Fault, MassRequest};
-use osim_requests::{PlotRequest, RequestError, RequestFault};
+use osim_requests::{MotionRequest, PlotRequest, RequestError, RequestFault};
 
 use crate::feet::ModelFeet;
 use crate::heat_table::HeatTable;
+use crate::motion::{MotionResult, run_motion};
 use crate::subject::Subject;
 
 /// The table that a column is drawn from, if the request names one.
@@ -73,6 +74,28 @@ fn feet_of(
         Ratios::isometric(target_mass.get() / contacts_mass.kg).map_err(|error| failed(Fault::new(error)))?;
     let scaled = feet.with_radii(format!("scaled to {} kg", readable(target_mass.get())), ratios.radius());
     Ok((feet, Some(scaled)))
+}
+
+/// What a figure of motion shows.
+///
+/// # Errors
+/// More than one model, or none; a recording that cannot be read.
+pub fn plot_motion(request: &PlotRequest, files: &dyn Files) -> Result<MotionResult, RequestError> {
+    let [model] = request.models.as_slice() else {
+        return Err(RequestFault::general("a figure of motion shows one model: name it alone").into());
+    };
+    let motion = MotionRequest {
+        subject: Some(model.clone()),
+        motion: request.motion.clone(),
+        plates: request.plates.clone(),
+        loads: request.loads.clone(),
+        angles: request.angles,
+        masses: request.masses.clone(),
+        choice: request.choice.clone(),
+        set_files: request.set_files.clone(),
+        ..MotionRequest::default()
+    };
+    run_motion(&motion, files)
 }
 
 /// All bodies of the figure: those that were named, each followed by its scaled self if a target mass is given.

@@ -7,7 +7,7 @@ use contact_plots::{Drawing, PlotError};
 use osim_figures as figures;
 use osim_inspect::series::Body;
 use osim_messages::Input;
-use osim_planning::{plot_bodies, plot_feet, plot_table};
+use osim_planning::{plot_bodies, plot_feet, plot_motion, plot_table};
 use osim_requests::spell::Python as PythonWords;
 use osim_requests::{PlotRequest, Request, RequestFault};
 use pyo3::prelude::*;
@@ -67,6 +67,10 @@ fn drawn(request: &PlotRequest, files: &RequestFiles) -> Result<(Drawing, Vec<Bo
         let states = plot_feet(request, files)?;
         let drawing = figures::draw_feet(request, &states)?;
         return Ok((drawing, Vec::new(), figures::feet_notes(&states, &PythonWords)));
+    }
+    if request.is_of_motion() {
+        let drawing = figures::draw_motion(request, &plot_motion(request, files)?)?;
+        return Ok((drawing, Vec::new(), String::new()));
     }
     let table = plot_table(request, files)?;
     let bodies = plot_bodies(request, files)?;

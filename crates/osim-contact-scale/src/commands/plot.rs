@@ -9,7 +9,7 @@ use osim_inspect::series::Body;
 use osim_library::run::PathConflicts;
 use osim_library::{Disk, Mode, Prepared};
 use osim_messages::Input;
-use osim_planning::{plot_bodies, plot_feet, plot_table};
+use osim_planning::{plot_bodies, plot_feet, plot_motion, plot_table};
 use osim_report::messages::mass_mismatch;
 use osim_requests::PlotRequest;
 
@@ -38,6 +38,9 @@ pub(super) fn run(request: &PlotRequest, session: &mut Session) -> Result<Exit> 
     request.check_models().map_err(|fault| session.usage(&fault))?;
     if request.is_of_feet() {
         return feet(request, &output, session);
+    }
+    if request.is_of_motion() {
+        return motion(request, &output, session);
     }
     let table = match plot_table(request, &Disk) {
         Ok(table) => table,
@@ -78,6 +81,21 @@ fn feet(request: &PlotRequest, output: &Output<'_>, session: &mut Session) -> Re
     }
 }
 
+/// Draws and writes a figure of a motion.
+///
+/// # Errors
+/// As [`run`].
+fn motion(request: &PlotRequest, output: &Output<'_>, session: &mut Session) -> Result<Exit> {
+    let result = match plot_motion(request, &Disk) {
+        Ok(result) => result,
+        Err(error) => return session.refuse(error, false),
+    };
+    match figures::draw_motion(request, &result) {
+        Ok(drawing) => output.write(&drawing, &[], "", request, session),
+        Err(failure) => session.fail(&failure, false),
+    }
+}
+
 /// A file of a format, or standard output; and a table of the numbers.
 struct Output<'o> {
     /// `None` is standard output.
@@ -95,7 +113,8 @@ impl<'o> Output<'o> {
         let Some(path) = request.output.as_deref() else { bail!("no output given") };
         let data = request.data.as_deref();
         let mut conflicts = PathConflicts::default();
-        let read = request.models.iter().chain(&request.presets).chain(&request.heat.table);
+        let recording = [&request.motion, &request.plates, &request.loads].into_iter().flatten();
+        let read = request.models.iter().chain(&request.presets).chain(&request.heat.table).chain(recording);
         for read in read {
             conflicts.read(read.as_path());
         }

@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::fig1::fig1;
 use super::figure::{FigureOptions, HeatOptions};
+use super::motion::AngleChoice;
 use crate::choice::choices;
 use crate::fault::RequestFault;
 use crate::options::{AnswerOptions, CountOptions, FallOptions, ForceOptions, MassOptions, SetFiles};
@@ -30,6 +31,8 @@ choices! {
         Sweep = "sweep", "A quantity over stiffness and dissipation, as a heat map";
         /// Feet from the side and from above.
         Feet = "feet", "Feet from the side and from above: bones, joints, spheres to scale";
+        /// Contacts along a recorded motion.
+        Motion = "motion", "Along a recorded motion: force beside the plates', x/R of each sphere";
         /// The paper's Fig. 1, which cannot be drawn.
         Fig1 = "fig1", "The paper's Fig. 1: not drawn; the output says what it needs";
         /// The paper's Fig. 4.
@@ -87,6 +90,24 @@ pub struct PlotRequest {
     #[serde(with = "path::optional")]
     #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub geometry_dir: Option<PathBuf>,
+    /// Of motion: coordinates over time (.mot, .sto)
+    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", hide_short_help = true))]
+    #[serde(with = "path::optional")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    pub motion: Option<PathBuf>,
+    /// Of motion: the ground reactions that force plates measured (.mot, .sto)
+    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", hide_short_help = true))]
+    #[serde(with = "path::optional")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    pub plates: Option<PathBuf>,
+    /// Of motion: OpenSim's ExternalLoads (.xml)
+    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", hide_short_help = true))]
+    #[serde(with = "path::optional")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    pub loads: Option<PathBuf>,
+    /// Of motion: the unit of its angles, where its header does not say it
+    #[cfg_attr(feature = "clap", arg(long, value_enum, hide_short_help = true))]
+    pub angles: Option<AngleChoice>,
     /// A file with presets of your own (TOML)
     #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", hide_short_help = true))]
     #[serde(with = "path::optional")]
@@ -133,6 +154,9 @@ impl PlotRequest {
     pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[&[
         Relation::Required("kind"),
         Relation::Required("output"),
+        Relation::Needs("plates", "motion"),
+        Relation::Needs("loads", "plates"),
+        Relation::Needs("angles", "motion"),
         Relation::Needs("table", "value_column"),
         Relation::Needs("value_column", "table"),
         Relation::Needs("x_column", "table"),
@@ -161,6 +185,12 @@ impl PlotRequest {
                 Input::TargetMass,
             ]));
         }
+        if (self.kind == Some(PlotKind::Motion)) != self.motion.is_some() {
+            return Err(RequestFault::general(phrase![
+                "a figure of motion, and no other, has a recording: say ",
+                Input::Motion.like("FILE"),
+            ]));
+        }
         if self.heat.table.is_some() {
             return self.check_table();
         }
@@ -186,6 +216,12 @@ impl PlotRequest {
             ));
         }
         Ok(())
+    }
+
+    /// Whether it is a figure of a recorded motion.
+    #[must_use]
+    pub fn is_of_motion(&self) -> bool {
+        self.kind == Some(PlotKind::Motion)
     }
 
     /// Whether it is a figure of feet, which shows where spheres are and not what they do.

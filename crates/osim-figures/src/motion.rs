@@ -1,0 +1,88 @@
+//! Contacts along a recorded motion: force beside the plates', and how deep each sphere is.
+
+use contact_plots::{Axis, Curve, Direction, Figure, Limit, Look, Panel, Width};
+use contact_scaling::limits;
+use osim_feet::dot;
+use osim_model::files::FileName;
+use osim_motion::{FootSummary, Wrench};
+use osim_planning::MotionResult;
+
+/// Two panels for each foot.
+pub(super) fn motion(result: &MotionResult, title: Option<&str>) -> Figure {
+    let feet = &result.summary.feet;
+    let own = || format!("{} along {}", stem(result.opened.name()), stem(&result.motion));
+    Figure {
+        title: title.map_or_else(own, str::to_owned),
+        description: format!(
+            "Force along the normal of the floor over body weight of {}, of the model and, where they are there, of the plates; and \
+             indentation over radius of each sphere, against time.",
+            feet.iter().map(|foot| foot.foot.name.as_str()).collect::<Vec<_>>().join(" and ")
+        ),
+        width: Width::Page,
+        columns: 2,
+        panels: feet
+            .iter()
+            .enumerate()
+            .flat_map(|(index, foot)| [forces(result, index, foot), depths(result, foot)])
+            .collect(),
+    }
+}
+
+fn forces(result: &MotionResult, index: usize, foot: &FootSummary) -> Panel {
+    let weight_n = result.summary.weight_n;
+    let normal = foot.foot.pairs.first().and_then(|&pair| result.states.frame(0).get(pair));
+    let normal = normal.map_or([0.0, 1.0, 0.0], |state| state.normal);
+    let along = |wrench: &Wrench| dot(wrench.force_n, normal) / weight_n;
+    let times = || result.states.time_s.iter().copied();
+    let mut panel = Panel::new(
+        foot.foot.name.clone(),
+        Axis::new("time (s)"),
+        Axis::new("normal force / body weight (–)"),
+    );
+    panel.limits.push(Limit { label: "body weight".to_owned(), at: 1.0, direction: Direction::Horizontal });
+    panel.curves.push(Curve {
+        label: "model".to_owned(),
+        points: times().zip(foot.wrenches.iter().map(along)).collect(),
+        look: Look::series(0),
+    });
+    let measured = result.measured.as_ref().and_then(|measured| measured.feet.get(index));
+    if let Some(measured) = measured {
+        let known = times().zip(measured).filter_map(|(time, one)| Some((time, along(one.as_ref()?))));
+        let points: Vec<(f64, f64)> = known.collect();
+        if points.len() > 1 {
+            panel.curves.push(Curve { label: "plates".to_owned(), points, look: Look::series(1) });
+        }
+    }
+    panel
+}
+
+/// The file's name without its folders and its ending.
+fn stem(name: &FileName) -> String {
+    let path = name.to_path();
+    path.file_stem().map_or_else(|| name.to_string(), |stem| stem.to_string_lossy().into_owned())
+}
+
+/// A sphere further above the floor than so many radii says nothing of its contact.
+const ABOVE: f64 = -0.5;
+
+fn depths(result: &MotionResult, foot: &FootSummary) -> Panel {
+    let mut panel = Panel::new("", Axis::new("time (s)"), Axis::new("indentation / radius (–)"));
+    panel.limits.push(Limit {
+        label: "Hertz".to_owned(),
+        at: limits::INDENTATION.value,
+        direction: Direction::Horizontal,
+    });
+    for (index, &pair) in foot.foot.pairs.iter().enumerate() {
+        let Some(known) = result.states.pairs.get(pair) else { continue };
+        let sphere = result.opened.model.sphere(known.sphere).map(|sphere| sphere.name.clone());
+        let depth = result.states.pair(pair).map(|state| state.indentation_m / known.radius_m);
+        panel.curves.push(Curve {
+            label: sphere.unwrap_or_default(),
+            points: result.states.time_s.iter().copied().zip(depth).collect(),
+            look: Look::series(index),
+        });
+    }
+    let deepest = foot.spheres.iter().map(|sphere| sphere.largest_relative_indentation).fold(0.2, f64::max);
+    panel.y.limits = Some((ABOVE, 1.05 * deepest));
+    panel
+}
