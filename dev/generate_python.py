@@ -74,7 +74,7 @@ def shape_of(verb: Verb) -> Shape:
             "Motion", "Each foot and sphere beside the plates, and all frames as `rows`.", "motion"),
         "fit": Shape(
             "fit", (("measured", "Any", "", "Measured indentation and force: a path (.csv), or a table with columns. With `motion`, the model as for `rescale`.", "file"),),
-            "Any", "A `Fit`: the parameters with their uncertainty. With `motion`, a `Result`: the plan for the model.", "fit"),
+            "Fit | Result", "A `Fit`: the parameters with their uncertainty. With `motion`, a `Result`: the plan for the model.", "fit"),
         "plot": Shape(
             "plot", (("kind", "KIND", "", "What to draw.", "kind"), ("*models", "Source", "", "Models or presets, overlaid in one figure.", "models")),
             "Figure", "The figure, which a notebook shows.", "plot"),

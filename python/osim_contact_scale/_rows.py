@@ -127,7 +127,9 @@ def storage_of(data: Any, what: str) -> bytes:
     rows = rows_of(data)
     names = list(rows[0]) if rows else []
     if "time" not in names:
-        raise RequestError("usage", f"{what}: a table over time has a column 'time', and one of these: {', '.join(names)}")
+        raise RequestError(
+            "usage", f"{what}: a table over time has a column 'time', and one of these: {', '.join(names)}"
+        )
     names = ["time", *(name for name in names if name != "time")]
     lines = ["version=1", "inDegrees=no", "endheader", "\t".join(names)]
     for number, row in enumerate(rows):

@@ -13,7 +13,7 @@ from ._answers import DesignSheet, DropTest, Explanation, Fit, Motion, Preset, R
 from ._figure import Figure
 from ._progress import Progress
 from ._request import Memory, Source, fields_of, model_of, models_of, path_of, with_own_files
-from ._result import plan
+from ._result import Result, plan
 from ._rows import csv_of, rows_of, storage_of
 
 log = logging.getLogger("osim_contact_scale")
@@ -69,11 +69,15 @@ def motion(source: Source, recording: Any, keywords: Mapping[str, Any]) -> Motio
     return Motion(record, text, columns)
 
 
-def fit(measured: Any, keywords: Mapping[str, Any]) -> Any:
+def fit(measured: Any, keywords: Mapping[str, Any]) -> Fit | Result:
     """A contact from a curve, or a plan for a model that is fitted to recordings."""
     if keywords.get("motion") is not None:
         tables: dict[str, bytes] = {}
-        named = {name: _recordings(name, keywords[name], tables) for name in ("motion", "plates") if keywords.get(name) is not None}
+        named = {
+            name: _recordings(name, keywords[name], tables)
+            for name in ("motion", "plates")
+            if keywords.get(name) is not None
+        }
         return plan("fit", measured, {**keywords, **named}, tables)
     memory = Memory()
     fields = fields_of("fit", keywords)
@@ -88,7 +92,9 @@ def fit(measured: Any, keywords: Mapping[str, Any]) -> Any:
 
 def _recordings(field: str, given: Any, tables: dict[str, bytes]) -> list[Any]:
     """Files as they are named; what is a table goes into `tables`."""
-    several = given if isinstance(given, (list, tuple)) and not all(isinstance(row, Mapping) for row in given) else [given]
+    several = (
+        given if isinstance(given, (list, tuple)) and not all(isinstance(row, Mapping) for row in given) else [given]
+    )
     named = []
     for number, one in enumerate(several, 1):
         if isinstance(one, (str, os.PathLike)):

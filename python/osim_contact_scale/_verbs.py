@@ -689,7 +689,7 @@ def fit(
     yes: str | Sequence[str] | None = None,
     geometry: Source | None = None,
     model: Source | None = None,
-) -> Any:
+) -> Fit | Result:
     """Finds contact parameters from a measured indentation and force, or those of a model from recordings of its gait.
 
     Parameters
@@ -760,7 +760,7 @@ def fit(
 
     Returns
     -------
-    Any
+    Fit | Result
         A `Fit`: the parameters with their uncertainty. With `motion`, a `Result`: the plan for the model.
 
     Raises

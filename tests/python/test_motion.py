@@ -32,7 +32,9 @@ def test_tables_say_the_same():
     angles = ("pelvis_tilt", "ankle_r", "ankle_l")
     in_radians = table(WALK, lambda name: math.pi / 180 if name in angles else 1.0)
     of_file = ocs.motion(WALKER, WALK, plates=PLATES, loads=LOADS)
-    of_tables = ocs.motion(WALKER, pandas.DataFrame(in_radians), plates=pandas.DataFrame(table(PLATES)).set_index("time"), loads=LOADS)
+    of_tables = ocs.motion(
+        WALKER, pandas.DataFrame(in_radians), plates=pandas.DataFrame(table(PLATES)).set_index("time"), loads=LOADS
+    )
     assert of_tables.feet == of_file.feet
     in_degrees = ocs.motion(WALKER, table(WALK), angles="degrees")
     pandas.testing.assert_frame_equal(in_degrees.rows, of_file.rows)
