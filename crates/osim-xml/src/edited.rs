@@ -225,8 +225,9 @@ impl<'t> Splice<'t> {
         let (mut from, mut shift) = (0, 0_isize);
         let kept = |range: Range<usize>, shift: isize| {
             let kept = old.get(range).unwrap_or_default().iter();
-            let moved = move |start: u32| small((start as usize).saturating_add_signed(shift));
-            kept.map(move |piece| StoredPiece { start: moved(piece.start), ..*piece })
+            // Where all of them are in a file is known: none leaves it.
+            let shift = small_shift(shift);
+            kept.map(move |piece| StoredPiece { start: piece.start.wrapping_add_signed(shift), ..*piece })
         };
         for inserted in &self.inserted {
             pieces.extend(kept(from..inserted.replaced.start, shift));
@@ -247,7 +248,7 @@ impl<'t> Splice<'t> {
         let mut elements = Vec::with_capacity(old.len() + more);
         let mut from = 0;
         for (index, inserted) in self.inserted.iter().enumerate() {
-            self.extend_kept(&mut elements, from..inserted.next - inserted.gone);
+            self.extend_kept(&mut elements, from..inserted.next - inserted.gone, index);
             from = inserted.next;
             let first = small(elements.len());
             let tag = old.get(inserted.parent).map_or(0, |parent| parent.open);
@@ -261,25 +262,27 @@ impl<'t> Splice<'t> {
                 name_len: element.name_len,
             }));
         }
-        self.extend_kept(&mut elements, from..old.len());
+        self.extend_kept(&mut elements, from..old.len(), self.inserted.len());
         elements
     }
 
-    /// Old elements, counted again.
-    fn extend_kept(&self, elements: &mut Vec<StoredElement>, range: Range<usize>) {
+    /// Old elements, counted again: those between what was inserted before the one at `index`, and this.
+    fn extend_kept(&self, elements: &mut Vec<StoredElement>, range: Range<usize>, index: usize) {
         let old = self.old.stored_elements();
-        let first = self.inserted.first().map_or(usize::MAX, |inserted| inserted.replaced.start);
+        let here = self.count_before(index);
+        let until = self.inserted.get(index).map_or(usize::MAX, |next| next.replaced.end);
+        let from = range.start;
         elements.extend(old.get(range).unwrap_or_default().iter().map(|element| {
-            // Most of a model is before its contacts.
-            if (element.close as usize) < first {
-                return *element;
-            }
-            let (open, close) = (self.before(element.open), self.before(element.close));
-            let parent = old.get(element.parent as usize).map_or(0, |parent| parent.open);
+            // Most elements hold nothing that is new.
+            let close = if (element.close as usize) < until { here } else { self.before(element.close) };
+            let parent = match old.get(element.parent as usize) {
+                Some(parent) if (element.parent as usize) < from => self.before(parent.open),
+                _ => here,
+            };
             StoredElement {
-                open: element.open + open.pieces,
+                open: element.open + here.pieces,
                 close: element.close + close.pieces,
-                parent: element.parent + self.before(parent).elements,
+                parent: element.parent + parent.elements,
                 // What is inserted before its end tag is in it.
                 subtree_end: element.subtree_end + close.elements,
                 name_len: element.name_len,
@@ -314,6 +317,12 @@ impl Count {
             elements: self.elements + small(one.elements.len().saturating_sub(one.gone)),
         }
     }
+}
+
+/// A shift, of which the last 32 bits say where in a file something comes to be.
+#[expect(clippy::cast_possible_truncation, reason = "files over 4 GiB were refused")]
+fn small_shift(shift: isize) -> i32 {
+    shift as i32
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "files over 4 GiB were refused")]

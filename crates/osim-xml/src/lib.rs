@@ -14,6 +14,7 @@ mod decode;
 mod edited;
 mod file_text;
 mod kept;
+mod names;
 
 pub mod opensim_text;
 mod plain;

@@ -102,9 +102,15 @@ pub fn numbers(text: &str) -> Option<Vec<f64>> {
 /// ```
 #[must_use]
 pub fn triple(text: &str) -> Option<[f64; 3]> {
-    let all = numbers(text)?;
-    let (first, _) = all.split_first_chunk::<3>()?;
-    (all.len() % 3 == 0).then_some(*first)
+    let (mut first, mut count) = ([0.0; 3], 0_usize);
+    for word in list(text) {
+        let (value, _) = number_at_start(word)?;
+        if let Some(place) = first.get_mut(count) {
+            *place = value;
+        }
+        count += 1;
+    }
+    (count > 0 && count % 3 == 0).then_some(first)
 }
 
 /// Whether a text is three numbers, and OpenSim reads those that people see. Commas after the first two do no harm.

@@ -5,6 +5,7 @@
 //! and says what is wrong. Where this scan finishes, both find the same pieces and elements: a test over all fixtures
 //! and real models and a fuzz target hold them to it.
 
+use super::names::{is_plain, is_space};
 use super::tree::{PieceKind, StoredElement, StoredPiece};
 
 /// More attributes than this on one tag are compared by the full scan.
@@ -69,7 +70,7 @@ impl Scan<'_> {
 
     fn text(&mut self) -> Option<()> {
         let rest = self.bytes.get(self.at..)?;
-        let length = rest.iter().position(|&byte| byte == b'<' || byte == b'&').unwrap_or(rest.len());
+        let length = memchr::memchr2(b'<', b'&', rest).unwrap_or(rest.len());
         let text = rest.get(..length)?;
         let inside = !self.open.is_empty();
         if rest.get(length) == Some(&b'&') || !(inside || text.iter().all(|&byte| is_space(byte))) {
@@ -83,7 +84,9 @@ impl Scan<'_> {
     #[expect(clippy::cast_possible_truncation, reason = "files over 4 GiB were refused")]
     fn tag(&mut self) -> Option<()> {
         let name_len = self.name(self.at + 1)?;
-        let end = self.attributes(self.at + 1 + name_len)?;
+        let after = self.at + 1 + name_len;
+        // Most tags have no attributes.
+        let end = if matches!(self.byte(after), b'>' | b'/') { after } else { self.attributes(after)? };
         let empty = self.byte(end) == b'/';
         let end = if empty { end + 1 } else { end };
         let is_second_root = self.open.is_empty() && !self.elements.is_empty();
@@ -148,8 +151,7 @@ impl Scan<'_> {
     /// Length of the name at `from`.
     fn name(&self, from: usize) -> Option<usize> {
         let rest = self.bytes.get(from..)?;
-        let plain = |&byte: &u8| NAME.get(byte as usize).is_some_and(|&plain| plain);
-        let length = rest.iter().position(|byte| !plain(byte))?;
+        let length = rest.iter().position(|&byte| !is_plain(byte))?;
         rest.first().filter(|&&first| first.is_ascii_alphabetic() || first == b'_').map(|_| length)
     }
 
@@ -185,21 +187,6 @@ impl Scan<'_> {
         (self.byte(at + 2 + length) == quote).then_some(at + 3 + length)
     }
 }
-
-fn is_space(byte: u8) -> bool {
-    matches!(byte, b' ' | b'\n' | b'\t' | b'\r')
-}
-
-/// Bytes of plain names.
-static NAME: [bool; 256] = {
-    let mut table = [false; 256];
-    let mut byte = 0_u8;
-    while byte < 128 {
-        table[byte as usize] = byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'.' | b':' | b'-');
-        byte += 1;
-    }
-    table
-};
 
 #[cfg(test)]
 mod tests {

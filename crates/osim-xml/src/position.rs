@@ -1,5 +1,7 @@
 //! Byte offset → line and column, as an editor shows them.
 
+use std::ops::Range;
+
 /// A place in a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Position {
@@ -16,7 +18,8 @@ pub struct Position {
 /// Counting is far cheaper than remembering every line end, and few places are ever asked for.
 #[derive(Debug, Clone)]
 pub struct LineIndex {
-    before_block: Vec<usize>,
+    /// Where each block begins, and how many lines end before it; the first begins at 0.
+    blocks: Vec<(usize, usize)>,
 }
 
 /// Bytes of a block: a look-up counts half of one in the mean.
@@ -27,22 +30,51 @@ impl LineIndex {
     #[must_use]
     pub fn new(bytes: &[u8]) -> Self {
         let mut lines = 0;
-        let counted = bytes.chunks(BLOCK).map(|block| {
+        let counted = bytes.chunks(BLOCK).enumerate().map(|(number, block)| {
             let before = lines;
             lines += line_ends(block);
-            before
+            (number * BLOCK, before)
         });
-        Self { before_block: counted.collect() }
+        Self { blocks: counted.collect() }
+    }
+
+    /// That of `new`, which `edits` made of `old`: they say, by place, which bytes of `old` gave way to how many new ones. What stayed is
+    /// not counted again.
+    #[must_use]
+    pub fn edited(&self, old: &[u8], new: &[u8], edits: &[(Range<usize>, usize)]) -> Self {
+        let mut blocks = Vec::with_capacity(self.blocks.len());
+        let mut kept = self.blocks.iter().copied().peekable();
+        // How many bytes and lines there are more before what follows.
+        let (mut bytes, mut lines) = (0_isize, 0_isize);
+        let moved = |(start, before): (usize, usize), bytes: isize, lines: isize| {
+            (start.saturating_add_signed(bytes), before.saturating_add_signed(lines))
+        };
+        for (span, length) in edits {
+            blocks.extend(
+                std::iter::from_fn(|| kept.next_if(|(start, _)| *start <= span.start))
+                    .map(|block| moved(block, bytes, lines)),
+            );
+            // A block that began in what gave way is one with the block before.
+            while kept.next_if(|(start, _)| *start < span.end).is_some() {}
+            let start = span.start.saturating_add_signed(bytes);
+            let came = new.get(start..start.saturating_add(*length)).unwrap_or_default();
+            bytes = bytes.saturating_add_unsigned(*length).saturating_sub_unsigned(span.len());
+            lines = lines
+                .saturating_add_unsigned(line_ends(came))
+                .saturating_sub_unsigned(line_ends(old.get(span.clone()).unwrap_or_default()));
+        }
+        blocks.extend(kept.map(|block| moved(block, bytes, lines)));
+        Self { blocks }
     }
 
     /// The line (from 1) on which byte `offset` of `bytes` stands, the same bytes this index was built from.
     #[must_use]
     pub fn line(&self, bytes: &[u8], offset: usize) -> usize {
         let offset = offset.min(bytes.len());
-        // A file that ends with a block has no block of its own for the place behind its last byte.
-        let block = (offset / BLOCK).min(self.before_block.len().saturating_sub(1));
-        let before = self.before_block.get(block).copied().unwrap_or(0);
-        before + line_ends(bytes.get(block * BLOCK..offset).unwrap_or_default()) + 1
+        let after = self.blocks.partition_point(|(start, _)| *start <= offset);
+        let block = after.checked_sub(1).and_then(|last| self.blocks.get(last));
+        let (start, before) = block.copied().unwrap_or_default();
+        before + line_ends(bytes.get(start..offset).unwrap_or_default()) + 1
     }
 
     /// Line and column of byte `offset` of `bytes`, the same bytes this index was built from.
@@ -89,6 +121,29 @@ mod tests {
         let text = "1234567\n".repeat(3 * BLOCK / 8);
         for offset in [0, 7, 8, BLOCK - 1, BLOCK, BLOCK + 8, 2 * BLOCK + 1, 3 * BLOCK - 1, 3 * BLOCK] {
             assert_eq!(at(&text, offset).0, offset / 8 + 1, "{offset}");
+        }
+    }
+
+    #[test]
+    fn lines_of_an_edited_file_are_those_of_its_bytes() {
+        let old = "1234567\n".repeat(3 * BLOCK / 8);
+        for (from, to, text) in [
+            (0, 0, "\n\n"),
+            (5, 5, "x"),
+            (BLOCK, BLOCK, "\n"),
+            (BLOCK - 3, 2 * BLOCK + 9, "a\nb"),
+            (7, 8, ""),
+        ] {
+            let mut new = old.clone();
+            new.replace_range(old.len() - 9..old.len() - 1, "\n\n");
+            new.replace_range(from..to, text);
+            let edits = [(from..to, text.len()), (old.len() - 9..old.len() - 1, 2)];
+            let index = LineIndex::new(old.as_bytes()).edited(old.as_bytes(), new.as_bytes(), &edits);
+            let whole = LineIndex::new(new.as_bytes());
+            for offset in 0..=new.len() {
+                let line = |index: &LineIndex| index.line(new.as_bytes(), offset);
+                assert_eq!(line(&index), line(&whole), "{from}..{to} {offset}");
+            }
         }
     }
 

@@ -26,6 +26,9 @@ impl Tree {
     /// Reads the text of `id`.
     #[must_use]
     pub fn raw_text(&self, id: ElementId) -> RawText {
+        if let Some((text, span)) = self.plain_text(id) {
+            return RawText { text: text.to_owned(), span, whole: true };
+        }
         let start = self.open_span(id).end;
         let mut raw = RawText { text: String::new(), span: start..start, whole: true };
         let (mut begun, mut interrupted, mut texts, mut sections) = (false, false, false, 0);
@@ -77,10 +80,43 @@ impl Tree {
         raw
     }
 
+    /// The text of `id` and its bytes, where nothing but character data is between its tags.
+    fn plain_text(&self, id: ElementId) -> Option<(&str, Range<usize>)> {
+        let mut content = self.content(id);
+        let piece = content.next();
+        if content.next().is_some() {
+            return None;
+        }
+        let Some(piece) = piece else {
+            let start = self.open_span(id).end;
+            return Some(("", start..start));
+        };
+        if piece.kind != PieceKind::Text {
+            return None;
+        }
+        let inner = trimmed(piece.text);
+        if inner.is_empty() {
+            return Some(("", piece.span.start..piece.span.start));
+        }
+        let before = piece.text.find(|letter| !is_white(letter)).unwrap_or_default();
+        let start = piece.span.start + before;
+        Some((inner, start..start + inner.len()))
+    }
+
     /// The text of `id`; for names and paths.
     #[must_use]
     pub fn text_of(&self, id: ElementId) -> String {
         self.raw_text(id).text
+    }
+
+    /// The text of `id` without a copy where that is possible; `None` if it is not in one piece.
+    #[must_use]
+    pub fn whole_text(&self, id: ElementId) -> Option<Cow<'_, str>> {
+        if let Some((text, _)) = self.plain_text(id) {
+            return Some(Cow::Borrowed(text));
+        }
+        let raw = self.raw_text(id);
+        raw.whole.then_some(Cow::Owned(raw.text))
     }
 }
 

@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use super::decode::decode;
 use super::file_text::FileText;
+use super::names::{is_plain, is_space};
 
 /// What a piece of the file is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -250,6 +251,9 @@ impl Tree {
         if body.len() == name.len() {
             return None;
         }
+        if let Some(found) = body.get(name.len()..).and_then(|attributes| plain_attribute(attributes, key)) {
+            return found.map(Cow::Borrowed);
+        }
         let mut attributes = quick_xml::events::attributes::Attributes::new(body, name.len());
         attributes.with_checks(false);
         let found = attributes.flatten().find(|attribute| attribute.key.as_ref() == key)?;
@@ -269,10 +273,43 @@ impl Tree {
         Children { tree: self, next: id.0.saturating_add(1), end: element.subtree_end }
     }
 
+    /// Visits `top` and the elements below it, in file order; `visit` says whether to go below an element.
+    pub fn walk(&self, top: ElementId, mut visit: impl FnMut(ElementId) -> bool) {
+        let (mut next, end) = (top.0, self.element(top).subtree_end);
+        while next < end {
+            let id = ElementId(next);
+            next = if visit(id) { next.saturating_add(1) } else { self.element(id).subtree_end };
+        }
+    }
+
     /// The first child element with this tag name: OpenSim reads the first of duplicates.
     #[must_use]
     pub fn child(&self, id: ElementId, name: &str) -> Option<ElementId> {
         self.children(id).find(|&child| self.name(child) == name)
+    }
+}
+
+/// The value of `key` among attributes such as ` a="1" b='2'`, if it is among them; outer `None` where something else is between them, or
+/// a reference in the value.
+fn plain_attribute<'t>(attributes: &'t str, key: &str) -> Option<Option<&'t str>> {
+    let mut rest = attributes;
+    loop {
+        let blanks = rest.bytes().take_while(|&byte| is_space(byte)).count();
+        rest = rest.get(blanks..)?;
+        if rest.is_empty() {
+            return Some(None);
+        }
+        let (name, value) = rest.split_at_checked(rest.bytes().position(|byte| !is_plain(byte))?)?;
+        let quote = value.as_bytes().get(1).copied().filter(|&byte| matches!(byte, b'"' | b'\''))?;
+        let value = value.strip_prefix('=')?.get(1..)?;
+        let (value, behind) = value.split_at_checked(memchr::memchr(quote, value.as_bytes())?)?;
+        if blanks == 0 || name.is_empty() {
+            return None;
+        }
+        if name == key {
+            return (!value.contains('&')).then_some(Some(value));
+        }
+        rest = behind.get(1..)?;
     }
 }
 
