@@ -2,6 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 use std::ops::Deref;
+use std::sync::Arc;
 
 use osim_model::{ElementId, FileId, ForceId, HalfSpace, Model, Placement, Sphere, SphereId};
 
@@ -32,7 +33,7 @@ pub const STEEPEST_RAD: f64 = std::f64::consts::FRAC_PI_4;
 #[non_exhaustive]
 pub struct ContactPlane {
     /// The half-space: its name, path, line and body.
-    pub plane: HalfSpace,
+    pub plane: Arc<HalfSpace>,
     /// The spheres that press on it, each once, in file order.
     pub spheres: Vec<SphereId>,
     /// Where it is in ground; `None` where a number cannot be read, or where it is not known where its body is.
@@ -73,7 +74,7 @@ impl ContactPlane {
         pairing.planes.into_iter().map(|(plane, spheres)| Self::new(model, plane, spheres, pose)).collect()
     }
 
-    fn new(model: &Model, plane: HalfSpace, spheres: Vec<SphereId>, pose: &DefaultPose) -> Self {
+    fn new(model: &Model, plane: Arc<HalfSpace>, spheres: Vec<SphereId>, pose: &DefaultPose) -> Self {
         let surface = PlaneSurface::of(model, &plane, pose);
         Self { plane, spheres, surface }
     }
@@ -105,13 +106,13 @@ impl PlaneSurface {
 /// Planes with their spheres, as they are found.
 #[derive(Default)]
 struct Pairing {
-    planes: Vec<(HalfSpace, Vec<SphereId>)>,
+    planes: Vec<(Arc<HalfSpace>, Vec<SphereId>)>,
     index: HashMap<(FileId, ElementId), usize>,
     known: HashSet<(usize, SphereId)>,
 }
 
 impl Pairing {
-    fn add(&mut self, plane: HalfSpace, spheres: Vec<SphereId>) {
+    fn add(&mut self, plane: Arc<HalfSpace>, spheres: Vec<SphereId>) {
         if spheres.is_empty() {
             return;
         }

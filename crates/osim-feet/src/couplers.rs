@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use osim_model::{CoordinateFunction, Document, ElementId, FileId, Model, ModelJoint, opensim_text};
+use osim_model::{CoordinateFunction, Document, ElementId, FileId, Model, opensim_text};
 
 use crate::pose_fault::PoseFault;
 
@@ -68,13 +68,25 @@ fn unknown(document: &Document, constraint: ElementId) -> PoseFault {
     }
 }
 
-/// Values of all coordinates whose value is known, and the first constraint that is not understood.
-pub(crate) fn coordinate_values(
-    model: &Model,
-    joints: &[ModelJoint],
-) -> (HashMap<String, f64>, Option<PoseFault>) {
+/// What the coordinates of a model are at its default pose.
+#[derive(Debug)]
+pub(crate) struct CoordinateValues {
+    /// Of all whose value is known.
+    pub(crate) values: HashMap<String, f64>,
+    /// The first constraint that is not understood.
+    pub(crate) doubt: Option<PoseFault>,
+}
+
+impl CoordinateValues {
+    /// Those of `model`.
+    pub(crate) fn of(model: &Model) -> &Self {
+        model.of_bodies(coordinate_values)
+    }
+}
+
+fn coordinate_values(model: &Model) -> CoordinateValues {
     let mut values = HashMap::new();
-    for joint in joints {
+    for joint in model.joints() {
         let document = model.file(joint.file);
         for coordinate in &joint.coordinates {
             let value = prescribed(document, coordinate.element).unwrap_or(coordinate.default);
@@ -90,7 +102,7 @@ pub(crate) fn coordinate_values(
         // Its joint says that it has no value.
         values.remove(&dependent);
     }
-    (values, doubt)
+    CoordinateValues { values, doubt }
 }
 
 /// The names of the coordinates that an enforced coupler makes depend on another.

@@ -1,10 +1,11 @@
 //! Where bodies are in ground while all coordinates have their default values.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use osim_model::{Model, ModelJoint, Placement};
 
-use crate::couplers::coordinate_values;
+use crate::couplers::CoordinateValues;
 use crate::joint_walk::{Crossing, joint_walk};
 use crate::pose_fault::PoseFault;
 
@@ -28,7 +29,11 @@ const SAME: f64 = 1e-9;
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-pub struct DefaultPose {
+pub struct DefaultPose(Arc<Placements>);
+
+/// Where each body is.
+#[derive(Debug, Clone, PartialEq)]
+struct Placements {
     placements: HashMap<String, Result<Placement, PoseFault>>,
     /// What makes all of them doubtful.
     doubt: Option<PoseFault>,
@@ -38,13 +43,7 @@ impl DefaultPose {
     /// That of `model`.
     #[must_use]
     pub fn of(model: &Model) -> Self {
-        let joints = model.joints();
-        let (values, doubt) = coordinate_values(model, joints);
-        let places = Places { model, values: &values };
-        let mut pose = Self { placements: HashMap::new(), doubt };
-        let open = pose.place_all(joints, &places);
-        pose.doubt = pose.doubt.or(open);
-        pose
+        Self(Arc::clone(model.of_bodies(|model| Arc::new(Placements::of(model)))))
     }
 
     /// The frame of `body` in ground.
@@ -52,11 +51,23 @@ impl DefaultPose {
     /// # Errors
     /// What is not understood, or that the body hangs on nothing.
     pub fn placement(&self, body: &str) -> Result<&Placement, PoseFault> {
-        if let Some(doubt) = &self.doubt {
+        if let Some(doubt) = &self.0.doubt {
             return Err(doubt.clone());
         }
         let not_joined = || PoseFault::NotJoined { body: body.to_owned() };
-        self.placements.get(body).ok_or_else(not_joined)?.as_ref().map_err(Clone::clone)
+        self.0.placements.get(body).ok_or_else(not_joined)?.as_ref().map_err(Clone::clone)
+    }
+}
+
+impl Placements {
+    fn of(model: &Model) -> Self {
+        let joints = model.joints();
+        let known = CoordinateValues::of(model);
+        let places = Places { model, values: &known.values };
+        let mut pose = Self { placements: HashMap::new(), doubt: known.doubt.clone() };
+        let open = pose.place_all(joints, &places);
+        pose.doubt = pose.doubt.or(open);
+        pose
     }
 
     /// Goes from ground to all bodies; a joint that closes a loop elsewhere than where the other way ends.

@@ -1,10 +1,11 @@
 //! How bodies can move against each other: what joints and their coordinates leave free.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use osim_model::{Model, ModelJoint, Placement};
 
-use crate::couplers::coordinate_values;
+use crate::couplers::CoordinateValues;
 use crate::held::{Held, HeldCoordinates};
 
 /// How far a coordinate is moved to see what it moves, rad or m.
@@ -35,7 +36,11 @@ struct Above {
 /// How the bodies of a model can move. Coordinates that are locked or prescribed, or that a coupler makes depend on another, are
 /// not free; of a joint that is not understood, everything is.
 #[derive(Debug, Clone)]
-pub struct Movements {
+pub struct Movements(Arc<Ways>);
+
+/// The ways from bodies to ground.
+#[derive(Debug, Clone)]
+struct Ways {
     above: HashMap<String, Above>,
     ends: HashMap<String, End>,
 }
@@ -67,44 +72,26 @@ impl Movements {
     /// Those of `model`.
     #[must_use]
     pub fn of(model: &Model) -> Self {
-        let joints = model.joints();
-        let coordinates = Coordinates {
-            model,
-            values: coordinate_values(model, joints).0,
-            held: HeldCoordinates::of(model),
-        };
-        let mut above = HashMap::new();
-        for joint in joints {
-            let (body, parent) = match (&joint.child, &joint.parent) {
-                (Some(child), parent) => (child, parent.clone()),
-                // A joint written the other way round, from the body to ground.
-                (None, Some(body)) => (body, None),
-                (None, None) => continue,
-            };
-            above
-                .entry(body.clone())
-                .or_insert_with(|| Above { parent, freedom: coordinates.freedom_of(joint) });
-        }
-        Self { ends: ends(&above), above }
+        Self(Arc::clone(model.of_bodies(|model| Arc::new(Ways::of(model)))))
     }
 
     /// Whether `body` can move in ground.
     #[must_use]
     pub fn moves(&self, body: &str) -> bool {
         // A body that hangs on nothing moves as it likes.
-        self.ends.get(body).is_none_or(|end| end.moves)
+        self.0.ends.get(body).is_none_or(|end| end.moves)
     }
 
     /// The body above `body` that hangs on no other one; `body` itself if nothing is above it.
     #[must_use]
     pub fn top<'b>(&'b self, body: &'b str) -> &'b str {
-        self.ends.get(body).map_or(body, |end| end.top.as_str())
+        self.0.ends.get(body).map_or(body, |end| end.top.as_str())
     }
 
     /// What is free between two bodies; `None` where they hang together only through ground.
     #[must_use]
     pub fn between(&self, one: &str, other: &str) -> Option<Freedom> {
-        let (one, other) = (self.way(one), self.way(other));
+        let (one, other) = (self.0.way(one), self.0.way(other));
         let (mut here, mut there) = (one.len(), other.len());
         // From the top down, as long as both ways are one.
         while here > 0
@@ -116,6 +103,26 @@ impl Movements {
         }
         let own = one.iter().take(here).chain(other.iter().take(there));
         (here < one.len()).then(|| own.fold(Freedom::default(), |all, (_, freedom)| all.and(*freedom)))
+    }
+}
+
+impl Ways {
+    fn of(model: &Model) -> Self {
+        let coordinates =
+            Coordinates { model, known: CoordinateValues::of(model), held: HeldCoordinates::of(model) };
+        let mut above = HashMap::new();
+        for joint in model.joints() {
+            let (body, parent) = match (&joint.child, &joint.parent) {
+                (Some(child), parent) => (child, parent.clone()),
+                // A joint written the other way round, from the body to ground.
+                (None, Some(body)) => (body, None),
+                (None, None) => continue,
+            };
+            above
+                .entry(body.clone())
+                .or_insert_with(|| Above { parent, freedom: coordinates.freedom_of(joint) });
+        }
+        Self { ends: ends(&above), above }
     }
 
     /// `body` and those above it, each with what the joint above it leaves free.
@@ -159,7 +166,7 @@ fn ends(above: &HashMap<String, Above>) -> HashMap<String, End> {
 /// The coordinates of a model at the default pose.
 struct Coordinates<'m> {
     model: &'m Model,
-    values: HashMap<String, f64>,
+    known: &'m CoordinateValues,
     held: HeldCoordinates<'m>,
 }
 
@@ -168,7 +175,7 @@ impl Coordinates<'_> {
         if joint.coordinates.is_empty() {
             return unwritten(&joint.class);
         }
-        let own = joint.coordinates.iter().map(|coordinate| self.values.get(&coordinate.name).copied());
+        let own = joint.coordinates.iter().map(|coordinate| self.known.values.get(&coordinate.name).copied());
         let placed = own
             .collect::<Option<Vec<f64>>>()
             .and_then(|values| Some((joint.placement(self.model, &values)?, values)));

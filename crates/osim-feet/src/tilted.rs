@@ -3,7 +3,7 @@
 use osim_messages::{readable, shown};
 use osim_model::{Model, ModelJoint, Placement};
 
-use crate::couplers::coordinate_values;
+use crate::couplers::CoordinateValues;
 use crate::default_pose::DefaultPose;
 use crate::sole::Sole;
 
@@ -29,12 +29,12 @@ impl Sole {
     #[must_use]
     pub fn tilted_by(&self, model: &Model) -> Vec<Tilting> {
         let joints = model.joints();
-        let (values, _) = coordinate_values(model, joints);
+        let known = CoordinateValues::of(model);
         let pose = DefaultPose::of(model);
         let mut found: Vec<Tilting> = Vec::new();
         for joint in self.joints_above(joints) {
             let own: Option<Vec<f64>> =
-                joint.coordinates.iter().map(|coordinate| values.get(&coordinate.name).copied()).collect();
+                joint.coordinates.iter().map(|one| known.values.get(&one.name).copied()).collect();
             let Some(own) = own else { continue };
             let parent = match &joint.parent {
                 Some(body) => pose.placement(body).copied().unwrap_or(Placement::IDENTITY),

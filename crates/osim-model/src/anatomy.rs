@@ -19,7 +19,6 @@ mod speeds;
 mod straight_lines;
 
 pub use attached::AttachedMesh;
-use bone_sizes::BoneSizes;
 pub use functions::CoordinateFunction;
 pub use joints::{AnatomyJoint, JointCoordinate, ModelJoint};
 pub use speeds::Speeds;
@@ -110,22 +109,35 @@ impl Anatomy {
         self
     }
 
+    /// The bodies of `model`, their meshes and the joints between them, without spheres and frames.
+    #[must_use]
+    pub fn bones_of(model: &Model) -> Self {
+        let mut anatomy = Self::without_index(model);
+        anatomy.index = AnatomyIndex::new(&anatomy);
+        anatomy
+    }
+
+    fn without_index(model: &Model) -> Self {
+        let components = model.components();
+        Self {
+            bodies: model.bodies().iter().map(|body| body.name.clone()).collect(),
+            meshes: model.body_facts.mesh_factors(components).clone(),
+            offsets: BTreeMap::new(),
+            spheres: Vec::new(),
+            joints: model.body_facts.joints.between_bodies(components).to_vec(),
+            is_fragment: false,
+            index: AnatomyIndex::default(),
+        }
+    }
+
     /// Reads the anatomy of `model`.
     ///
     /// # Errors
     /// A frame that leads nowhere, or a radius that cannot be scaled.
     pub fn of(model: &Model) -> Result<Self, Fault> {
-        let components = model.components();
-        let bodies = model.bodies().iter().map(|body| body.name.clone()).collect();
-        let BoneSizes { meshes, offsets } = model.body_facts.bone_sizes(components).clone();
         let mut anatomy = Self {
-            bodies,
-            meshes,
-            offsets,
-            spheres: Vec::new(),
-            joints: model.body_facts.joints.between_bodies(components).to_vec(),
-            is_fragment: false,
-            index: AnatomyIndex::default(),
+            offsets: model.body_facts.frame_offsets(model.components()).clone(),
+            ..Self::without_index(model)
         };
         for sphere in model.spheres() {
             let radius_m = sphere.radius_m()?;

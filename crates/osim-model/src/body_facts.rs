@@ -2,23 +2,32 @@
 
 use std::sync::OnceLock;
 
-use crate::anatomy::bone_sizes::{BoneSizes, bone_sizes};
+use crate::anatomy::bone_sizes::{ByBody, frame_offsets, mesh_factors};
 use crate::anatomy::joints::Joints;
 use crate::components::Components;
 use crate::joint_distances::JointDistances;
+use crate::made::Made;
 
 /// What several who check or plan a change ask for.
 #[derive(Debug, Default)]
 pub(crate) struct BodyFacts {
     pub(crate) joints: Joints,
-    bone_sizes: OnceLock<BoneSizes>,
+    mesh_factors: OnceLock<ByBody>,
+    frame_offsets: OnceLock<ByBody>,
     distances: OnceLock<JointDistances>,
+    /// What others made of them.
+    pub(crate) made: Made,
 }
 
 impl BodyFacts {
-    /// Factors of meshes and translations of frames.
-    pub(crate) fn bone_sizes(&self, components: &Components) -> &BoneSizes {
-        self.bone_sizes.get_or_init(|| bone_sizes(components))
+    /// Factors of meshes.
+    pub(crate) fn mesh_factors(&self, components: &Components) -> &ByBody {
+        self.mesh_factors.get_or_init(|| mesh_factors(components))
+    }
+
+    /// Translations of frames.
+    pub(crate) fn frame_offsets(&self, components: &Components) -> &ByBody {
+        self.frame_offsets.get_or_init(|| frame_offsets(components))
     }
 
     /// How far apart the joints of each body are.

@@ -21,13 +21,19 @@ pub(crate) struct BodyShape {
 
 impl Model {
     /// The shapes of all bodies, by name.
-    pub(crate) fn body_shapes(&self) -> HashMap<String, BodyShape> {
-        let components = self.components();
-        let mut shapes: HashMap<String, BodyShape> = HashMap::new();
+    pub(crate) fn body_shapes(&self) -> &HashMap<String, BodyShape> {
+        self.of_bodies(BodyShape::all)
+    }
+}
+
+impl BodyShape {
+    fn all(model: &Model) -> HashMap<String, Self> {
+        let components = model.components();
+        let mut shapes: HashMap<String, Self> = HashMap::new();
         for (id, _) in components.tree.iter().filter(|(id, _)| components.tag(*id) == "Body") {
             shapes.entry(components.name(id)).or_insert_with(|| of_body(components, id));
         }
-        for (body, place_m) in self.body_facts.joints.ends(components) {
+        for (body, place_m) in model.body_facts.joints.ends(components) {
             if let Some(shape) = shapes.get_mut(body) {
                 shape.joints_m.push(place_m);
             }

@@ -95,7 +95,7 @@ impl Model {
             .filter_map(|sphere| self.sphere(sphere)?.body.as_deref())
             .filter(|name| BodySize::can_name(name))
             .collect();
-        let meshes = &self.body_facts.bone_sizes(self.components()).meshes;
+        let meshes = self.body_facts.mesh_factors(self.components());
         let size = |body: &str| {
             let factors = *meshes.get(body)?.values().next()?;
             factors

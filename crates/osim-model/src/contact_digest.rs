@@ -117,5 +117,6 @@ pub fn short_digest(bytes: &[u8]) -> String {
 }
 
 fn first_digits(hash: Sha256) -> String {
-    hash.finalize().iter().take(8).map(|byte| format!("{byte:02x}")).collect()
+    let digits = hash.finalize().into_iter().take(8).flat_map(|byte| [byte >> 4, byte & 0xf]);
+    digits.filter_map(|digit| char::from_digit(digit.into(), 16)).collect()
 }

@@ -47,6 +47,7 @@ pub struct Document {
     defaults: Option<ElementId>,
     /// The first object of each class in `defaults`.
     by_class: HashMap<String, DefaultObject>,
+    may_include: OnceLock<bool>,
     /// Built when a line is first asked for.
     lines: OnceLock<LineIndex>,
 }
@@ -65,7 +66,19 @@ impl Document {
     /// # Errors
     /// As [`Document::parse`].
     pub fn edited(&self, bytes: impl Into<Vec<u8>>, edits: &[(Range<usize>, usize)]) -> Result<Self, Fault> {
-        Self::of_tree(self.tree.edited(bytes, edits)?)
+        let mut edited = Self::of_tree(self.tree.edited(bytes, edits)?)?;
+        if let Some(lines) = self.lines.get() {
+            edited.lines = OnceLock::from(lines.edited(self.bytes(), edited.bytes(), edits));
+        }
+        if !self.may_include() && !edits_may_include(edited.bytes(), edits) {
+            return Ok(edited.including_nothing());
+        }
+        Ok(edited)
+    }
+
+    /// The same, where it is known that there is no `file="…"` in it.
+    pub(crate) fn including_nothing(self) -> Self {
+        Self { may_include: OnceLock::from(false), ..self }
     }
 
     fn of_tree(tree: Tree) -> Result<Self, Fault> {
@@ -73,7 +86,15 @@ impl Document {
             version_and_data_root(&tree).map_err(|fault| fault.located(tree.bytes()))?;
         let defaults = tree.child(data_root, "defaults");
         let by_class = defaults.map(|defaults| defaults_by_class(&tree, defaults)).unwrap_or_default();
-        Ok(Self { tree, version, data_root, defaults, by_class, lines: OnceLock::new() })
+        Ok(Self {
+            tree,
+            version,
+            data_root,
+            defaults,
+            by_class,
+            may_include: OnceLock::new(),
+            lines: OnceLock::new(),
+        })
     }
 
     /// The file, untouched.
@@ -179,10 +200,14 @@ impl Document {
         }
     }
 
+    fn may_include(&self) -> bool {
+        *self.may_include.get_or_init(|| may_include(self.bytes()))
+    }
+
     /// Elements whose contents are in another file, and that file as written: `<ForceSet file="x.xml"/>`.
     #[must_use]
     pub fn included_files(&self) -> Vec<(ElementId, String)> {
-        if !may_include(self.bytes()) {
+        if !self.may_include() {
             return Vec::new();
         }
         let elements = self.tree.elements();
@@ -225,13 +250,11 @@ impl Document {
     ///
     /// # Errors
     /// Something in the middle of it, which OpenSim refuses.
-    pub(crate) fn whole_text(&self, element: ElementId) -> Result<String, Fault> {
-        let raw = self.tree.raw_text(element);
-        if raw.whole {
-            return Ok(raw.text);
-        }
-        let property = self.tree.name(element).to_owned();
-        Err(Fault::over(FaultKind::BrokenText { property }, self.tree.span(element)))
+    pub(crate) fn whole_text(&self, element: ElementId) -> Result<Cow<'_, str>, Fault> {
+        self.tree.whole_text(element).ok_or_else(|| {
+            let property = self.tree.name(element).to_owned();
+            Fault::over(FaultKind::BrokenText { property }, self.tree.span(element))
+        })
     }
 
     /// The flag `tag` of `object` as OpenSim reads it, else what `<defaults>` say; `None` where neither is a flag.
@@ -329,6 +352,20 @@ pub fn may_include(bytes: &[u8]) -> bool {
         let before = at.checked_sub(1).and_then(|at| bytes.get(at));
         let after = bytes.get(at + 4..).unwrap_or_default().trim_ascii_start().first();
         before.is_some_and(u8::is_ascii_whitespace) && after == Some(&b'=')
+    })
+}
+
+/// The same of what `edits` brought into `bytes`, and of what it stands beside now.
+fn edits_may_include(bytes: &[u8], edits: &[(Range<usize>, usize)]) -> bool {
+    let mut shift = 0_isize;
+    edits.iter().any(|(span, length)| {
+        let start = span.start.saturating_add_signed(shift);
+        shift = shift.saturating_add_unsigned(*length).saturating_sub_unsigned(span.len());
+        let before = bytes.get(..start).unwrap_or_default().trim_ascii_end().len().saturating_sub(5);
+        let end = start.saturating_add(*length).saturating_add(4).min(bytes.len());
+        let behind = bytes.get(end..).unwrap_or_default();
+        let end = (end + (behind.len() - behind.trim_ascii_start().len()) + 1).min(bytes.len());
+        bytes.get(before..end).is_none_or(may_include)
     })
 }
 

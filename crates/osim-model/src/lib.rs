@@ -55,6 +55,7 @@ mod ground_planes;
 mod joint_distances;
 mod limbs;
 mod loops;
+mod made;
 mod mass;
 mod model;
 mod note;

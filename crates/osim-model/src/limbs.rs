@@ -105,7 +105,7 @@ impl Model {
         let mut spheres: Vec<SphereId> = Vec::new();
         let applied = forces.iter().filter_map(|&id| self.force(id)).filter(|force| force.applies);
         for force in applied.filter(|force| self.meets_half_space(force)) {
-            for sphere in force.spheres() {
+            for &sphere in force.sets.iter().flat_map(|set| &set.spheres) {
                 if self.sphere(sphere).is_some_and(|sphere| !sphere.fixed) && seen.insert(sphere) {
                     spheres.push(sphere);
                 }
@@ -136,7 +136,8 @@ impl Model {
     /// Whether a moving sphere of `force` can touch a half-space on another body.
     #[must_use]
     pub fn meets_half_space(&self, force: &Force) -> bool {
-        force.spheres().into_iter().filter_map(|id| self.sphere(id)).any(|sphere| {
+        let spheres = force.sets.iter().flat_map(|set| &set.spheres);
+        spheres.filter_map(|&id| self.sphere(id)).any(|sphere| {
             !sphere.fixed
                 && force.half_space_bases().any(|plane| plane != sphere.base || plane == Base::Unknown)
         })

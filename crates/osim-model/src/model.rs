@@ -1,5 +1,6 @@
 //! The typed view of a model: bodies, limbs, contact spheres and contact forces with their effective values.
 
+use std::any::Any;
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
@@ -29,7 +30,7 @@ pub struct Model {
     pub(crate) components: Components,
     pub(crate) skeleton: Skeleton,
     pub(crate) body_facts: Arc<BodyFacts>,
-    pub(crate) half_spaces: OnceLock<BTreeMap<ComponentId, HalfSpace>>,
+    pub(crate) half_spaces: OnceLock<BTreeMap<ComponentId, Arc<HalfSpace>>>,
     pub(crate) spheres: Vec<Sphere>,
     pub(crate) forces: Vec<Force>,
     /// A comment that begins like the note and cannot be read, or a pair whose notes differ.
@@ -97,6 +98,12 @@ impl Model {
     #[must_use]
     pub fn joint_distances(&self) -> &JointDistances {
         self.body_facts.joint_distances(&self.components)
+    }
+
+    /// What `make` makes of this model: made once for it and for all that a change of contacts alone makes of it, so that it must
+    /// follow from bodies, joints and constraints alone. There is one of each type.
+    pub fn of_bodies<T: Any + Send + Sync>(&self, make: impl FnOnce(&Self) -> T) -> &T {
+        self.body_facts.made.get_or_make(|| make(self))
     }
 
     /// Handles of all contact forces, in file order.

@@ -41,11 +41,16 @@ impl Model {
     /// A document that is not a model and no force set with its geometry, or a connection that leads nowhere.
     pub fn read_with(document: Document, companions: Vec<Companion>) -> Result<Self, Fault> {
         check_data_root(&document, companions.is_empty()).map_err(|fault| fault.located(document.bytes()))?;
-        Self::of_components(Components::new(document, companions), Arc::default())
+        let components = Components::new(document, companions);
+        let skeleton = Skeleton::read(&components);
+        Self::of_components(components, skeleton, Arc::default())
     }
 
-    fn of_components(components: Components, body_facts: Arc<BodyFacts>) -> Result<Self, Fault> {
-        let skeleton = Skeleton::read(&components);
+    fn of_components(
+        components: Components,
+        skeleton: Skeleton,
+        body_facts: Arc<BodyFacts>,
+    ) -> Result<Self, Fault> {
         let mut reader = ContactReader::new(&components, &skeleton);
         if let Err(fault) = reader.read() {
             let document = components.document(fault.file);
@@ -117,7 +122,8 @@ impl Model {
         match self.kept_elements(&document, edits).filter(|_| others.is_empty()) {
             Some(kept) => {
                 let components = self.components.moved(document, companions, &kept);
-                Self::of_components(components, Arc::clone(&self.body_facts))
+                let skeleton = self.skeleton.moved(&components);
+                Self::of_components(components, skeleton, Arc::clone(&self.body_facts))
             }
             None => Self::read_with(document, companions),
         }

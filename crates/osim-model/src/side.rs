@@ -33,13 +33,12 @@ impl Side {
     pub fn of_name(name: &str) -> Option<Self> {
         let lower = name.to_lowercase();
         let word = |long: &str, short: &str| {
-            lower.contains(long) || lower.split(|c: char| !c.is_alphanumeric()).any(|token| token == short)
+            has(&lower, long) || lower.split(|c: char| !c.is_alphanumeric()).any(|token| token == short)
         };
         let camel = |letter: char| {
-            let chars: Vec<char> = name.chars().collect();
-            let leading = matches!(chars.get(..3), Some([a, b, c]) if *a == letter && b.is_uppercase() && c.is_lowercase());
-            let trailing = matches!(chars.as_slice(), [.., a, b] if *b == letter && a.is_lowercase());
-            leading || trailing
+            let (first, last) = (first_three(name), last_two(name));
+            let leading = first.is_some_and(|[a, b, c]| a == letter && b.is_uppercase() && c.is_lowercase());
+            leading || last.is_some_and(|[a, b]| b == letter && a.is_lowercase())
         };
         match (word("right", "r") || camel('R'), word("left", "l") || camel('L')) {
             (true, false) => Some(Self::Right),
@@ -47,6 +46,22 @@ impl Side {
             _ => None,
         }
     }
+}
+
+fn first_three(name: &str) -> Option<[char; 3]> {
+    let mut letters = name.chars();
+    Some([letters.next()?, letters.next()?, letters.next()?])
+}
+
+fn last_two(name: &str) -> Option<[char; 2]> {
+    let mut letters = name.chars().rev();
+    let last = letters.next()?;
+    Some([letters.next()?, last])
+}
+
+/// Whether `word` is in `text`: quicker than `contains`, which prepares itself for long texts.
+fn has(text: &str, word: &str) -> bool {
+    text.as_bytes().windows(word.len()).any(|part| part == word.as_bytes())
 }
 
 /// The name with everything that says left or right made equal.
@@ -59,19 +74,25 @@ impl Side {
 /// ```
 #[must_use]
 pub fn without_side(name: &str) -> String {
-    let lower = name.to_lowercase().replace("right", "#").replace("left", "#");
-    let tokens: Vec<&str> = lower
-        .split(|c: char| !c.is_alphanumeric() && c != '#')
-        .map(|token| if token == "r" || token == "l" { "#" } else { token })
-        .collect();
-    let joined = tokens.join("_");
+    let mut lower = name.to_lowercase();
+    for side in ["right", "left"] {
+        if has(&lower, side) {
+            lower = lower.replace(side, "#");
+        }
+    }
+    let mut joined = String::with_capacity(lower.len());
+    for (place, token) in lower.split(|c: char| !c.is_alphanumeric() && c != '#').enumerate() {
+        if place > 0 {
+            joined.push('_');
+        }
+        joined.push_str(if token == "r" || token == "l" { "#" } else { token });
+    }
     // LFoot and RFoot, footL and footR.
-    let chars: Vec<char> = name.chars().collect();
-    match chars.as_slice() {
-        ['R' | 'L', second, third, ..] if second.is_uppercase() && third.is_lowercase() => {
+    match (first_three(name), last_two(name)) {
+        (Some(['R' | 'L', second, third]), _) if second.is_uppercase() && third.is_lowercase() => {
             format!("#{}", joined.get(1..).unwrap_or_default())
         }
-        [.., before, 'R' | 'L'] if before.is_lowercase() => {
+        (_, Some([before, 'R' | 'L'])) if before.is_lowercase() => {
             format!("{}#", joined.get(..joined.len().saturating_sub(1)).unwrap_or_default())
         }
         _ => joined,

@@ -1,6 +1,7 @@
 //! Bodies and the joints between them, in the spelling of every document version.
 
 use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
 
 use crate::class::Class;
 use crate::components::{Base, ComponentId, Components};
@@ -45,13 +46,19 @@ impl Body {
 }
 
 /// The joint tree: which body hangs on which.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct Skeleton {
     pub bodies: Vec<Body>,
+    joined: Arc<Joined>,
+}
+
+/// What joints say: which component hangs on which.
+#[derive(Debug, Default)]
+struct Joined {
     parents: HashMap<ComponentId, Base>,
-    pub loops: Loops,
+    loops: Loops,
     /// Joints that OpenSim does not read: all but the first of a body in documents that have joints in bodies.
-    pub ignored_joints: Vec<ComponentId>,
+    ignored_joints: Vec<ComponentId>,
     /// For each body that is joined to another one, the body on top of its joint tree.
     tops: HashMap<ComponentId, ComponentId>,
     /// Bodies welded to ground, directly or through others.
@@ -62,36 +69,74 @@ impl Skeleton {
     /// Reads all bodies and joints. A joint whose frames lead nowhere is left out: only limbs need it, and a body
     /// without a joint to a parent stands on ground.
     pub(crate) fn read(components: &Components) -> Self {
-        let mut skeleton = Self::default();
-        let (mut ids, mut links) = (Vec::new(), Vec::new());
+        Self::of(components, Arc::new(Joined::read(components)))
+    }
+
+    /// That of `components` whose joints are the same, and have the same places among them.
+    pub(crate) fn moved(&self, components: &Components) -> Self {
+        Self::of(components, Arc::clone(&self.joined))
+    }
+
+    fn of(components: &Components, joined: Arc<Joined>) -> Self {
+        let bodies = components.tree.iter().filter(|(id, _)| components.tag(*id) == "Body");
+        let bodies = bodies.filter(|(id, _)| !components.is_ground(*id)).map(|(id, component)| {
+            let document = components.document(component.file);
+            let mass = document.value(component.element, Class::Body, Property::Mass, "mass");
+            let (name, path) = (components.name(id), components.tree.path(id));
+            Body { name, path, mass, file: component.file, fixed: joined.welded.contains(&id) }
+        });
+        Self { bodies: bodies.collect(), joined }
+    }
+
+    /// The loops that joints form.
+    pub(crate) fn loops(&self) -> &Loops {
+        &self.joined.loops
+    }
+
+    /// Joints that OpenSim does not read.
+    pub(crate) fn ignored_joints(&self) -> &[ComponentId] {
+        &self.joined.ignored_joints
+    }
+
+    pub(crate) fn parent(&self, body: ComponentId) -> Option<ComponentId> {
+        self.joined.parent(body)
+    }
+
+    /// The body above `body` that is joined to ground: `body` itself if it hangs on no other one.
+    pub(crate) fn top(&self, body: ComponentId) -> ComponentId {
+        self.joined.tops.get(&body).copied().unwrap_or(body)
+    }
+
+    /// Whether it is ground or a body welded to ground: what is there is scenery.
+    pub(crate) fn is_fixed(&self, base: Base) -> bool {
+        match base {
+            Base::Ground => true,
+            Base::Unknown => false,
+            Base::Body(body) => self.joined.welded.contains(&body),
+        }
+    }
+}
+
+impl Joined {
+    fn read(components: &Components) -> Self {
+        let mut joined = Self::default();
+        let mut links = Vec::new();
         let mut last_joined = None;
         for (id, component) in components.tree.iter() {
             let tag = components.tag(id);
-            if tag == "Body" {
-                if !components.is_ground(id) {
-                    let name = components.name(id);
-                    let document = components.document(component.file);
-                    let mass = document.value(component.element, Class::Body, Property::Mass, "mass");
-                    let path = components.tree.path(id);
-                    skeleton.bodies.push(Body { name, path, mass, file: component.file, fixed: false });
-                    ids.push(id);
-                }
-            } else if tag.ends_with("Joint") {
+            if tag.ends_with("Joint") {
                 let inside = component.parent.filter(|&owner| components.tag(owner) == "Body");
                 if inside.is_some() && std::mem::replace(&mut last_joined, inside) == inside {
-                    skeleton.ignored_joints.push(id);
+                    joined.ignored_joints.push(id);
                 } else {
-                    links.extend(skeleton.add_joint(components, id, tag == "WeldJoint"));
+                    links.extend(joined.add_joint(components, id, tag == "WeldJoint"));
                 }
             }
         }
-        skeleton.loops = Loops::of(&links);
-        skeleton.index();
-        skeleton.welded = welded_to_ground(&links);
-        for (body, id) in skeleton.bodies.iter_mut().zip(ids) {
-            body.fixed = skeleton.welded.contains(&id);
-        }
-        skeleton
+        joined.loops = Loops::of(&links);
+        joined.index();
+        joined.welded = welded_to_ground(&links);
+        joined
     }
 
     /// Finds the top of each body, each link looked at once. Joints that form a loop have no top:
@@ -153,24 +198,10 @@ impl Skeleton {
         Some(JointLink { joint, ends, weld, counts_twice: weld || components.tag(joint) == "FreeJoint" })
     }
 
-    pub(crate) fn parent(&self, body: ComponentId) -> Option<ComponentId> {
+    fn parent(&self, body: ComponentId) -> Option<ComponentId> {
         match self.parents.get(&body)? {
             Base::Body(parent) => Some(*parent),
             Base::Ground | Base::Unknown => None,
-        }
-    }
-
-    /// The body above `body` that is joined to ground: `body` itself if it hangs on no other one.
-    pub(crate) fn top(&self, body: ComponentId) -> ComponentId {
-        self.tops.get(&body).copied().unwrap_or(body)
-    }
-
-    /// Whether it is ground or a body welded to ground: what is there is scenery.
-    pub(crate) fn is_fixed(&self, base: Base) -> bool {
-        match base {
-            Base::Ground => true,
-            Base::Unknown => false,
-            Base::Body(body) => self.welded.contains(&body),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The bones of a foot: which meshes they show, how large they are, where the next joint is.
 
 use std::collections::{BTreeMap, HashMap};
+use std::sync::OnceLock;
 
 use osim_model::{Anatomy, AnatomyJoint, Model};
 
@@ -20,7 +21,10 @@ const FOOT_WORDS: [&str; 9] = ["foot", "calc", "toe", "talus", "tars", "pes", "p
 /// What the bones of a model say, body by body.
 pub(super) struct Bones {
     anatomy: Anatomy,
-    bodies: HashMap<String, Bone>,
+    /// Those with meshes, each looked at when somebody first asks.
+    bodies: HashMap<String, OnceLock<Bone>>,
+    /// For each body the next joint that is farthest from its origin, and the square of its distance, m².
+    farthest: HashMap<String, (f64, usize)>,
 }
 
 /// What is known of one body.
@@ -29,41 +33,48 @@ struct Bone {
     is_foot: bool,
     /// From the heel to the tip of the standard foot.
     standard_foot: Option<[f64; 2]>,
-    /// The next joint that is farthest from the origin of the body, and the square of its distance, m².
-    farthest: Option<(f64, usize)>,
 }
 
 impl Bones {
-    /// `None` where the anatomy cannot be read.
-    pub(super) fn of(model: &Model) -> Option<Self> {
-        let anatomy = Anatomy::of(model).ok()?;
-        let mut farthest: HashMap<&str, (f64, usize)> = HashMap::new();
+    /// `None` where the spheres on them cannot be read.
+    pub(super) fn of(model: &Model) -> Option<&Self> {
+        let mut spheres = model.spheres().iter();
+        let are_read = spheres.all(|sphere| sphere.radius_m().is_ok() && model.rotation_of(sphere).is_ok());
+        are_read.then(|| model.of_bodies(Self::read))
+    }
+
+    fn read(model: &Model) -> Self {
+        let anatomy = Anatomy::bones_of(model);
+        let mut farthest: HashMap<String, (f64, usize)> = HashMap::new();
         for (at, joint) in anatomy.joints.iter().enumerate() {
             let squared = joint.in_parent_m.iter().map(|along| along * along).sum::<f64>();
-            let most = farthest.entry(&joint.parent).or_insert((squared, at));
+            let most = farthest.entry(joint.parent.clone()).or_insert((squared, at));
             if squared.total_cmp(&most.0).is_ge() {
                 *most = (squared, at);
             }
         }
-        let bone = |body: &String| Bone {
-            size: size(&anatomy, body),
-            is_foot: is_foot(&anatomy, body),
-            standard_foot: standard_foot(&anatomy, body),
-            farthest: farthest.get(body.as_str()).copied(),
-        };
-        let bodies = anatomy.meshes.keys().map(|body| (body.clone(), bone(body))).collect();
-        Some(Self { anatomy, bodies })
+        let bodies = anatomy.meshes.keys().map(|body| (body.clone(), OnceLock::new())).collect();
+        Self { anatomy, bodies, farthest }
+    }
+
+    fn bone(&self, body: &str) -> Option<&Bone> {
+        let bone = self.bodies.get(body)?;
+        Some(bone.get_or_init(|| Bone {
+            size: size(&self.anatomy, body),
+            is_foot: is_foot(&self.anatomy, body),
+            standard_foot: standard_foot(&self.anatomy, body),
+        }))
     }
 
     /// The factors of the meshes of `body`; `None` without meshes, or where these differ.
     pub(super) fn size(&self, body: &str) -> Option<[f64; 3]> {
-        self.bodies.get(body)?.size
+        self.bone(body)?.size
     }
 
     /// The next joint of `body` that is farthest from its origin, and the square of that distance, m².
     pub(super) fn farthest_joint(&self, body: &str) -> Option<(f64, &AnatomyJoint)> {
-        let (squared, at) = self.bodies.get(body)?.farthest?;
-        Some((squared, self.anatomy.joints.get(at)?))
+        let (squared, at) = self.bodies.get(body).and_then(|_| self.farthest.get(body))?;
+        Some((*squared, self.anatomy.joints.get(*at)?))
     }
 
     /// The joint by which `body` hangs on another one.
@@ -73,12 +84,12 @@ impl Bones {
 
     /// Whether `body` belongs to a foot, by its name or its meshes.
     pub(super) fn is_foot(&self, body: &str) -> bool {
-        self.bodies.get(body).is_some_and(|bone| bone.is_foot)
+        self.bone(body).is_some_and(|bone| bone.is_foot)
     }
 
     /// From the heel to the tip of the standard foot, if `body` is its hind part, along its x, m.
     pub(super) fn standard_foot(&self, body: &str) -> Option<[f64; 2]> {
-        self.bodies.get(body)?.standard_foot
+        self.bone(body)?.standard_foot
     }
 }
 

@@ -31,19 +31,19 @@ impl Evidence {
     pub fn of(model: &Model, noted: Option<ScaledSinceNote>) -> Self {
         let bones = Bones::of(model);
         // A note says that spheres are where somebody put them.
-        if let Some(title) = bones.as_ref().and_then(|bones| layouts::mirrored(model, bones)) {
+        if let Some(title) = bones.and_then(|bones| layouts::mirrored(model, bones)) {
             return Self::Mirrored(title);
         }
         if let Some(noted) = noted {
             return if noted.is_scaled() { Self::Note(noted) } else { Self::Right };
         }
         let Some(bones) = bones else { return Self::Unscaled };
-        match layouts::answer(model, &bones) {
+        match layouts::answer(model, bones) {
             Some(LayoutAnswer::AsPublished) => return Self::Right,
             Some(other) => return Self::OtherSize(other),
             None => {}
         }
-        let odd: Vec<Reach> = reaches(model, &bones).into_iter().filter(Reach::is_odd).collect();
+        let odd: Vec<Reach> = reaches(model, bones).into_iter().filter(Reach::is_odd).collect();
         if !odd.is_empty() {
             return Self::Reach(odd);
         }

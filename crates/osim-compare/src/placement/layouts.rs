@@ -3,10 +3,10 @@
 //! A layout is recognised by its places. If its licence does not allow copying, the table has a digest of the places, in
 //! whole micrometres, from which they cannot be read.
 
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use std::sync::OnceLock;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use osim_model::Model;
 use serde::Deserialize;
@@ -40,15 +40,24 @@ pub(super) struct Layout {
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub(super) struct Place(String, f64, f64, f64);
 
-/// Places of a model, with their digest once a layout asks for it.
-struct Places {
-    list: Vec<Place>,
-    digest: OnceCell<String>,
+/// A place in a model.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Centre<'m> {
+    body: &'m str,
+    at_m: [f64; 3],
 }
 
-impl From<Vec<Place>> for Places {
-    fn from(list: Vec<Place>) -> Self {
-        Self { list, digest: OnceCell::new() }
+/// Places of a model, with their digest once a layout asks for it.
+struct Places<'m> {
+    list: Vec<Centre<'m>>,
+    digest: OnceCell<String>,
+    /// The same seen from bones of other sizes, those of which somebody asked for the digest.
+    grown: RefCell<Vec<(Vec<Centre<'m>>, String)>>,
+}
+
+impl<'m> From<Vec<Centre<'m>>> for Places<'m> {
+    fn from(list: Vec<Centre<'m>>) -> Self {
+        Self { list, digest: OnceCell::new(), grown: RefCell::default() }
     }
 }
 
@@ -72,13 +81,39 @@ pub enum LayoutAnswer {
 
 /// What the layout of `model` says; `None` where it is not known, or nothing shows how large the bones are.
 pub(super) fn answer(model: &Model, bones: &Bones) -> Option<LayoutAnswer> {
-    let places = Places::from(places(model)?);
+    let list = places(model)?;
+    Answers::of(model, &list).layout.get_or_init(|| answer_of(list, bones)).clone()
+}
+
+/// What is known of one list of places on the bones of a model: a change leaves most places as they are.
+#[derive(Debug, Default)]
+struct Answers {
+    places: Vec<(String, [f64; 3])>,
+    layout: OnceLock<Option<LayoutAnswer>>,
+    mirrored: OnceLock<Option<&'static str>>,
+}
+
+impl Answers {
+    fn of(model: &Model, list: &[Centre<'_>]) -> Arc<Self> {
+        let last = model.of_bodies(|_| Mutex::new(Arc::<Self>::default()));
+        let mut last = last.lock().unwrap_or_else(PoisonError::into_inner);
+        let own = list.iter().map(|place| (place.body, place.at_m));
+        if !own.clone().eq(last.places.iter().map(|(body, at_m)| (body.as_str(), *at_m))) {
+            let places = own.map(|(body, at_m)| (body.to_owned(), at_m)).collect();
+            *last = Arc::new(Self { places, ..Self::default() });
+        }
+        Arc::clone(&last)
+    }
+}
+
+fn answer_of(list: Vec<Centre<'_>>, bones: &Bones) -> Option<LayoutAnswer> {
+    let places = Places::from(list);
     let Some(layout) = layouts().iter().find(|layout| layout.is_of(&places)) else {
-        let followed = layouts().iter().any(|layout| layout.grew_to(&places.list, bones));
+        let followed = layouts().iter().any(|layout| layout.grew_to(&places, bones));
         return followed.then_some(LayoutAnswer::AsPublished);
     };
     let sizes: Vec<(&str, [f64; 3])> =
-        places.list.iter().filter_map(|place| Some((place.0.as_str(), bones.size(&place.0)?))).collect();
+        places.list.iter().filter_map(|place| Some((place.body, bones.size(place.body)?))).collect();
     if sizes.is_empty() {
         return None;
     }
@@ -100,75 +135,98 @@ pub(super) fn answer(model: &Model, bones: &Bones) -> Option<LayoutAnswer> {
 /// `None` where they are as published, too.
 pub(super) fn mirrored(model: &Model, bones: &Bones) -> Option<&'static str> {
     let list = places(model)?;
-    let mirrored = list.iter().map(Place::mirrored).collect();
+    *Answers::of(model, &list).mirrored.get_or_init(|| mirrored_of(list, bones))
+}
+
+fn mirrored_of(list: Vec<Centre<'_>>, bones: &Bones) -> Option<&'static str> {
+    let mirrored = list.iter().map(Centre::mirrored).collect();
     let title = known(mirrored, bones)?.title.as_str();
     known(list, bones).is_none().then_some(title)
 }
 
 /// The layout of these places, in one of the sizes that were published or as it grows with the bones.
-fn known(list: Vec<Place>, bones: &Bones) -> Option<&'static Layout> {
+fn known(list: Vec<Centre<'_>>, bones: &Bones) -> Option<&'static Layout> {
     let places = Places::from(list);
-    layouts().iter().find(|layout| layout.is_of(&places) || layout.grew_to(&places.list, bones))
+    layouts().iter().find(|layout| layout.is_of(&places) || layout.grew_to(&places, bones))
 }
 
 /// Where the spheres that stand are; `None` if the place of one is not known, or there are none.
-fn places(model: &Model) -> Option<Vec<Place>> {
+fn places(model: &Model) -> Option<Vec<Centre<'_>>> {
     let spheres = model.loaded_spheres(&model.force_ids());
     let place = |&id| {
-        let body = model.sphere(id)?.body.clone()?;
-        let [x, y, z] = model.centre_m(id)?;
-        Some(Place(body, x, y, z))
+        let body = model.sphere(id)?.body.as_deref()?;
+        Some(Centre { body, at_m: model.centre_m(id)? })
     };
-    spheres.iter().map(place).collect::<Option<Vec<Place>>>().filter(|places| !places.is_empty())
+    spheres.iter().map(place).collect::<Option<Vec<Centre<'_>>>>().filter(|places| !places.is_empty())
 }
 
 impl Layout {
-    fn is_of(&self, places: &Places) -> bool {
+    fn is_of(&self, places: &Places<'_>) -> bool {
+        self.has(&places.list, |own| own == places.digest.get_or_init(|| digest(&places.list)))
+    }
+
+    /// Whether `list` are its places, or have the digest of them.
+    fn has(&self, list: &[Centre<'_>], is_digest: impl FnOnce(&str) -> bool) -> bool {
         match (&self.places, &self.digest) {
             (Some(own), _) => {
-                let list = &places.list;
                 own.len() == list.len() && own.iter().all(|own| list.iter().any(|place| own.is(place)))
             }
-            (None, Some(own)) => own == places.digest.get_or_init(|| digest(&places.list)),
+            (None, Some(own)) => is_digest(own),
             (None, None) => false,
         }
     }
-}
 
-impl Layout {
     /// Whether `places` are those of the layout times the factors by which each bone is larger than published.
-    fn grew_to(&self, places: &[Place], bones: &Bones) -> bool {
+    fn grew_to(&self, places: &Places<'_>, bones: &Bones) -> bool {
         self.sizes.iter().any(|published| {
-            let back = |place: &Place| {
-                let (here, published) = (bones.size(&place.0)?, published.get(without_side(&place.0))?);
-                let [x, y, z]: [f64; 3] = std::array::from_fn(|axis| published[axis] / here[axis]);
-                Some(Place(place.0.clone(), place.1 * x, place.2 * y, place.3 * z))
-            };
-            let back: Option<Vec<Place>> = places.iter().map(back).collect();
-            back.is_some_and(|back| self.is_of(&Places::from(back)))
+            let back = places.list.iter().map(|&Centre { body, at_m }| {
+                let (here, published) = (bones.size(body)?, published.get(without_side(body))?);
+                let at_m = std::array::from_fn(|axis| at_m[axis] * (published[axis] / here[axis]));
+                Some(Centre { body, at_m })
+            });
+            let back: Option<Vec<Centre<'_>>> = back.collect();
+            back.is_some_and(|back| self.has(&back, |own| places.have_digest(&back, own)))
         })
     }
 }
 
-impl Place {
+impl<'m> Places<'m> {
+    /// Whether `grown`, which are these seen from bones of other sizes, have this digest.
+    fn have_digest(&self, grown: &[Centre<'m>], own: &str) -> bool {
+        let mut known = self.grown.borrow_mut();
+        if let Some((_, digest)) = known.iter().find(|(list, _)| list == grown) {
+            return digest == own;
+        }
+        let digest = digest(grown);
+        let is_own = digest == own;
+        known.push((grown.to_vec(), digest));
+        is_own
+    }
+}
+
+impl Centre<'_> {
     /// The same place on the other foot, in its frame.
     fn mirrored(&self) -> Self {
-        Self(self.0.clone(), self.1, self.2, -self.3)
+        let [x, y, z] = self.at_m;
+        Self { at_m: [x, y, -z], ..*self }
     }
+}
 
-    fn is(&self, other: &Self) -> bool {
+impl Place {
+    fn is(&self, other: &Centre<'_>) -> bool {
         let near = |a: f64, b: f64| (a - b).abs() <= SAME_PLACE_M;
-        self.0 == other.0 && near(self.1, other.1) && near(self.2, other.2) && near(self.3, other.3)
+        let [x, y, z] = other.at_m;
+        self.0 == other.body && near(self.1, x) && near(self.2, y) && near(self.3, z)
     }
 }
 
 /// Of places in whole micrometres, in the order of bodies.
-fn digest(places: &[Place]) -> String {
+fn digest(places: &[Centre<'_>]) -> String {
     #[expect(clippy::cast_possible_truncation, reason = "no foot is kilometres long")]
     let micrometres = |metres: f64| (metres * 1e6).round() as i64;
     let mut lines: Vec<String> = places
         .iter()
-        .map(|Place(body, x, y, z)| {
+        .map(|Centre { body, at_m: [x, y, z] }| {
             format!("{body} {} {} {}\n", micrometres(*x), micrometres(*y), micrometres(*z))
         })
         .collect();
@@ -213,10 +271,10 @@ mod tests {
 
     #[test]
     fn a_digest_sees_a_micrometre_and_not_the_order() {
-        let heel = Place("calcn_r".into(), 0.01, -0.02, 0.0);
-        let toe = Place("toes_r".into(), 0.03, 0.0, 0.001);
-        let one = digest(&[heel.clone(), toe.clone()]);
-        assert_eq!(one, digest(&[toe.clone(), heel.clone()]));
-        assert_ne!(one, digest(&[Place("calcn_r".into(), 0.010001, -0.02, 0.0), toe]));
+        let heel = Centre { body: "calcn_r", at_m: [0.01, -0.02, 0.0] };
+        let toe = Centre { body: "toes_r", at_m: [0.03, 0.0, 0.001] };
+        let one = digest(&[heel, toe]);
+        assert_eq!(one, digest(&[toe, heel]));
+        assert_ne!(one, digest(&[Centre { at_m: [0.010001, -0.02, 0.0], ..heel }, toe]));
     }
 }

@@ -126,7 +126,7 @@ mod tests {
         let opened =
             ModelFiles::read(names[0].as_ref(), read(names[0]), beside, &files).unwrap().open().unwrap();
         let bones = Bones::of(&opened.model).unwrap();
-        let found = reaches(&opened.model, &bones);
+        let found = reaches(&opened.model, bones);
         let of = |measure| found.iter().filter(move |one| one.measure == measure).map(|one| one.value);
         Some((
             of(Measure::J).fold(f64::NAN, f64::max),

@@ -1,11 +1,9 @@
 //! The coordinate that lifts spheres from their floor.
 
-use std::collections::HashMap;
-
-use osim_model::{JointCoordinate, Model, ModelJoint, Placement};
+use osim_model::{JointCoordinate, Model, Placement};
 
 use super::tree::Hanging;
-use crate::couplers::coordinate_values;
+use crate::couplers::CoordinateValues;
 use crate::default_pose::DefaultPose;
 use crate::held::{Held, HeldCoordinates};
 use crate::vector::dot;
@@ -70,14 +68,13 @@ enum Moves {
 pub(super) struct Lifting<'m> {
     model: &'m Model,
     pose: &'m DefaultPose,
-    values: HashMap<String, f64>,
+    known: &'m CoordinateValues,
     held: HeldCoordinates<'m>,
 }
 
 impl<'m> Lifting<'m> {
-    pub(super) fn of(model: &'m Model, joints: &[ModelJoint], pose: &'m DefaultPose) -> Self {
-        let (values, _) = coordinate_values(model, joints);
-        Self { model, pose, values, held: HeldCoordinates::of(model) }
+    pub(super) fn of(model: &'m Model, pose: &'m DefaultPose) -> Self {
+        Self { model, pose, known: CoordinateValues::of(model), held: HeldCoordinates::of(model) }
     }
 
     /// The coordinate of the joints on `way` that lifts most along `normal`, with its joint's place on the way.
@@ -92,7 +89,7 @@ impl<'m> Lifting<'m> {
                     (Moves::Lifts(rise), Held::Not) => {
                         let more =
                             best.as_ref().is_none_or(|(_, known)| rise.abs() > known.rise.abs() + SAME);
-                        let default_m = self.values.get(&coordinate.name).copied().filter(|_| more);
+                        let default_m = self.known.values.get(&coordinate.name).copied().filter(|_| more);
                         let joint = hanging.joint.name.clone();
                         let lift = |default_m| (place, Lift { coordinate: name(), joint, default_m, rise });
                         best = default_m.map(lift).or(best);
@@ -130,7 +127,7 @@ impl<'m> Lifting<'m> {
     /// Where in ground what hangs on the joint goes when its coordinate at `index` grows by `metres`.
     fn moved(&self, hanging: &Hanging<'_>, index: usize, metres: f64) -> Option<Placement> {
         let joint = hanging.joint;
-        let value = |coordinate: &JointCoordinate| self.values.get(&coordinate.name).copied();
+        let value = |coordinate: &JointCoordinate| self.known.values.get(&coordinate.name).copied();
         let values: Vec<f64> = joint.coordinates.iter().map(value).collect::<Option<_>>()?;
         let mut grown = values.clone();
         *grown.get_mut(index)? += metres;

@@ -57,7 +57,7 @@ impl Standing {
         let pose = DefaultPose::of(model);
         let floors = Floors::of(model, forces, &pose);
         let tree = JointTree::of(joints);
-        let lifting = Lifting::of(model, joints, &pose);
+        let lifting = Lifting::of(model, &pose);
         let bodies = model.bodies().iter().enumerate();
         let masses = bodies.map(|(place, body)| (body.name.as_str(), (place, body.mass_kg().ok()))).collect();
         let mut found = Vec::new();
@@ -218,7 +218,7 @@ impl<'j> Tree<'_, 'j> {
 
 fn paths_of_planes(model: &Model, force: ForceId) -> HashSet<String> {
     let planes = model.force(force).map(|force| model.planes_of(force)).unwrap_or_default();
-    planes.into_iter().map(|plane| plane.path).collect()
+    planes.into_iter().map(|plane| plane.path.clone()).collect()
 }
 
 /// Gives each of `standing` the contacts of its spheres, in their order; none if a number of theirs cannot be read.

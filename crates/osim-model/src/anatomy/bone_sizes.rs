@@ -8,35 +8,39 @@ use super::mesh_elements::{GEOMETRY_SETS, file_of, scale};
 use crate::components::{ComponentId, Components};
 use crate::reference_frame::times;
 
-/// The factors of meshes and the translations of frames, by body: as in [`Anatomy`](super::Anatomy).
-#[derive(Debug, Clone, Default)]
-pub(crate) struct BoneSizes {
-    pub(crate) meshes: BTreeMap<String, BTreeMap<String, [f64; 3]>>,
-    pub(crate) offsets: BTreeMap<String, BTreeMap<String, [f64; 3]>>,
+/// By body: three numbers for each of its meshes or frames, as in [`Anatomy`](super::Anatomy).
+pub(crate) type ByBody = BTreeMap<String, BTreeMap<String, [f64; 3]>>;
+
+/// The factors of the meshes of all bodies.
+pub(crate) fn mesh_factors(components: &Components) -> ByBody {
+    let mut found = ByBody::new();
+    for (id, _) in components.tree.iter().filter(|(id, _)| components.tag(*id) == "Body") {
+        found.entry(components.name(id)).or_default().extend(meshes(components, id));
+    }
+    found
 }
 
-/// Reads all bodies, frames and joints.
-pub(crate) fn bone_sizes(components: &Components) -> BoneSizes {
-    let mut sizes = BoneSizes::default();
+/// The translations of all frames and joints.
+pub(crate) fn frame_offsets(components: &Components) -> ByBody {
+    let mut found = Offsets::default();
     for (id, _) in components.tree.iter() {
         let tag = components.tag(id);
-        if tag == "Body" {
-            sizes.read_meshes(components, id);
-        } else if tag == "PhysicalOffsetFrame" {
-            sizes.read_frame(components, id);
+        if tag == "PhysicalOffsetFrame" {
+            found.read_frame(components, id);
         } else if tag.ends_with("Joint") {
-            sizes.read_joint(components, id);
-            sizes.read_old_joint(components, id);
+            found.read_joint(components, id);
+            found.read_old_joint(components, id);
         }
     }
-    sizes
+    found.offsets
 }
 
-impl BoneSizes {
-    fn read_meshes(&mut self, components: &Components, body: ComponentId) {
-        self.meshes.entry(components.name(body)).or_default().extend(meshes(components, body));
-    }
+#[derive(Default)]
+struct Offsets {
+    offsets: ByBody,
+}
 
+impl Offsets {
     /// An offset frame that is fixed to a body directly: OpenSim scales its translation by that body's factors.
     fn read_frame(&mut self, components: &Components, frame: ComponentId) {
         let Some((body, translation)) = offset_on_body(components, frame) else { return };

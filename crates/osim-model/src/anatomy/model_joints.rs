@@ -10,7 +10,7 @@ impl Model {
     /// bodies are as OpenSim converts them, with six digits.
     #[must_use]
     pub fn joints(&self) -> &[ModelJoint] {
-        self.body_facts.joints.converted(self.components(), &self.skeleton().ignored_joints)
+        self.body_facts.joints.converted(self.components(), self.skeleton().ignored_joints())
     }
 }
 

@@ -3,8 +3,6 @@
 //! Usually there is one. A model whose sets are in other files (`file="…"`), or a `ForceSet` with the
 //! `ContactGeometrySet` and the model it belongs to, are several.
 
-use std::collections::HashSet;
-
 use super::tree::{ComponentId, ComponentTree};
 use crate::document::Document;
 use crate::fault::{Fault, FaultKind, FileId};
@@ -58,6 +56,8 @@ pub(crate) struct Found {
 
 /// The first version that keeps ground out of the BodySet: a body there that is called so is one like others.
 const FIRST_WITHOUT_GROUND: u32 = 30505;
+/// What follows a socket's name in older spellings.
+const CONNECTEE_NAME: &str = "_connectee_name";
 /// Offset frames on offset frames, at most; deeper is a cycle.
 pub(crate) const MAX_FRAME_CHAIN: usize = 64;
 
@@ -128,13 +128,15 @@ impl Components {
         };
         for (id, _) in self.tree.iter() {
             let document = self.doc(id);
-            // OpenSim reads the first of a name.
-            let mut read = HashSet::new();
-            for child in document.tree().children(self.element(id)) {
-                let tag = document.tree().name(child);
-                if is_checked(tag) && read.insert(tag) {
-                    let said = |fault: Fault| fault.of(self.tree.path(id)).in_file(self.file_of(id));
-                    document.whole_text(child).map_err(said)?;
+            let (tree, element) = (document.tree(), self.element(id));
+            for child in tree.children(element) {
+                let tag = tree.name(child);
+                if is_checked(tag)
+                    && let Err(fault) = document.whole_text(child)
+                    // OpenSim reads the first of a name.
+                    && tree.child(element, tag) == Some(child)
+                {
+                    return Err(fault.of(self.tree.path(id)).in_file(self.file_of(id)));
                 }
             }
         }
@@ -149,14 +151,18 @@ impl Components {
         legacy: &[&str],
     ) -> Option<Connectee> {
         let tree = document.tree();
-        let direct = [
-            format!("socket_{socket}"),
-            format!("socket_{socket}_connectee_name"),
-            format!("connector_{socket}_connectee_name"),
-        ];
-        let spelled =
-            direct.iter().map(|tag| (tag.as_str(), false)).chain(legacy.iter().map(|tag| (*tag, true)));
-        let first = spelled.filter_map(|(tag, legacy)| Some((tree.child(element, tag)?, legacy))).next();
+        // The first spelling that is there counts.
+        let direct =
+            ["socket_", "socket_", "connector_"].into_iter().zip(["", CONNECTEE_NAME, CONNECTEE_NAME]);
+        let spelled = direct.filter_map(|(before, after)| {
+            let is_spelled = |tag: &str| {
+                let middle = tag.strip_prefix(before).and_then(|rest| rest.strip_suffix(after));
+                middle == Some(socket)
+            };
+            tree.children(element).find(|&child| is_spelled(tree.name(child)))
+        });
+        let legacy = legacy.iter().filter_map(|tag| tree.child(element, tag));
+        let first = spelled.map(|found| (found, false)).chain(legacy.map(|found| (found, true))).next();
         let (found, legacy) = first.or_else(|| {
             let connectors = tree.child(element, "connectors")?;
             let connector = tree

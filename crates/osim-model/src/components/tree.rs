@@ -4,7 +4,8 @@
 //! `<components>`, `<frames>` and of a Body's `<Joint>`, sets, and ground; everything else is a property. `<defaults>` of the data root is left out: its objects are not part of the model.
 
 use std::borrow::Cow;
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
+use std::sync::{Arc, OnceLock};
 
 use super::classes;
 use crate::document::Document;
@@ -31,20 +32,38 @@ pub(crate) struct Component {
     pub element: ElementId,
     pub parent: Option<ComponentId>,
     /// Last segment of the path: OpenSim's name of it, numbered where siblings share a name.
-    pub segment: String,
+    pub segment: Arc<str>,
     /// The name that it would have alone, where it was numbered.
-    pub shared: Option<String>,
+    pub shared: Option<Arc<str>>,
     /// Whether it is in `<components>`, which OpenSim reads before all other properties.
     is_member: bool,
+    children: Children,
+    /// The next child of its parent.
+    next: Option<ComponentId>,
 }
+
+/// The children of a component, in the order of the files.
+#[derive(Debug, Clone, Copy, Default)]
+struct Children {
+    count: u32,
+    first: Option<ComponentId>,
+    last: Option<ComponentId>,
+    /// Whether they are in `by_parent`.
+    are_listed: bool,
+}
+
+/// Up to so many children are looked through for one of them; more of them are looked up.
+const FEW_CHILDREN: u32 = 12;
 
 /// All components of the files read together, with look-up by path and by name.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ComponentTree {
     list: Vec<Component>,
     roots: Vec<ComponentId>,
-    by_parent: HashMap<(Option<ComponentId>, String), ComponentId>,
-    by_segment: HashMap<String, Vec<ComponentId>>,
+    /// The children, by their segments, of objects that have many or whose children are numbered.
+    by_parent: Arc<HashMap<ComponentId, HashMap<Arc<str>, ComponentId>>>,
+    /// All of them by the names that they would have alone, once somebody asks for one by name.
+    by_name: Arc<OnceLock<HashMap<Arc<str>, Vec<ComponentId>>>>,
     /// Objects of which two children share a name, so that these are to be numbered.
     crowded: HashSet<ComponentId>,
     /// Members of `<components>` of a class that OpenSim does not know: file and element.
@@ -65,17 +84,15 @@ enum Role {
 impl ComponentTree {
     /// Adds all objects of `document`. A file other than the model hangs below `mount`, the object that includes it.
     pub(crate) fn add(&mut self, file: FileId, document: &Document, mount: Option<ComponentId>) {
+        self.by_name = Arc::default();
         let tree = document.tree();
         let mut roles = vec![Role::Nothing; tree.element_count()];
-        let mut seen: HashSet<(ComponentId, String)> = HashSet::new();
-        for id in tree.elements() {
-            let Some(parent) = tree.parent(id) else { continue };
+        let mut seen: HashSet<(ComponentId, &str)> = HashSet::new();
+        // Most elements are properties of properties: they cost no look.
+        tree.walk(document.data_root(), |id| {
+            let Some(parent) = tree.parent(id) else { return false };
             let is_root = id == document.data_root();
             let above = roles.get(parent.index()).copied().unwrap_or(Role::Nothing);
-            // Most elements are properties of properties: they cost no further look.
-            if matches!(above, Role::Nothing) && !is_root {
-                continue;
-            }
             let tag = tree.name(id);
             // What is in another file hangs here once that file is added.
             let role = if document.file_of(id).is_some() {
@@ -92,7 +109,7 @@ impl ComponentTree {
                     Role::Items(owner) | Role::Components(owner) => {
                         // OpenSim calls a component without a name after its class.
                         let name = name_in_paths(document, id);
-                        let segment = if name.is_empty() { tag.to_lowercase() } else { name.into_owned() };
+                        let segment = if name.is_empty() { tag.to_lowercase().into() } else { name.into() };
                         let is_member = matches!(above, Role::Components(_));
                         Role::Object(self.push(file, id, Some(owner), segment, is_member))
                     }
@@ -102,7 +119,8 @@ impl ComponentTree {
             if let Some(slot) = roles.get_mut(id.index()) {
                 *slot = role;
             }
-        }
+            !matches!(role, Role::Nothing)
+        });
         self.number_siblings();
     }
 
@@ -122,24 +140,24 @@ impl ComponentTree {
         let element = document.data_root();
         let tag = tree.name(element);
         let segment = if tag == "Model" {
-            String::new()
+            Arc::default()
         } else if tag.ends_with("Set") {
-            tag.to_lowercase()
+            tag.to_lowercase().into()
         } else {
-            tree.attribute(element, "name").unwrap_or_default().into_owned()
+            tree.attribute(element, "name").unwrap_or_default().into()
         };
         // A set that stands alone belongs to a model elsewhere; its paths are those it has there.
         self.push(file, element, mount, segment, false)
     }
 
-    fn role_of_property(
+    fn role_of_property<'d>(
         &mut self,
         file: FileId,
-        document: &Document,
+        document: &'d Document,
         id: ElementId,
-        tag: &str,
+        tag: &'d str,
         owner: ComponentId,
-        seen: &mut HashSet<(ComponentId, String)>,
+        seen: &mut HashSet<(ComponentId, &'d str)>,
     ) -> Role {
         let tree = document.tree();
         let owner_tag = self.get(owner).map(|object| tree.name(object.element)).unwrap_or_default();
@@ -156,15 +174,14 @@ impl ComponentTree {
         };
         let is_ground = tag == "Ground" && owner_tag == "Model";
         // OpenSim reads the first of duplicated properties.
-        if !(holds_items || is_set || is_ground) || !seen.insert((owner, tag.to_owned())) {
+        if !(holds_items || is_set || is_ground) || !seen.insert((owner, tag)) {
             return Role::Nothing;
         }
         if holds_items {
             return if tag == "components" { Role::Components(owner) } else { Role::Items(owner) };
         }
         // Sets (and ground) are called after their class, whatever name their element has.
-        let segment = tag.to_lowercase();
-        Role::Object(self.push(file, id, Some(owner), segment, false))
+        Role::Object(self.push(file, id, Some(owner), tag.to_lowercase().into(), false))
     }
 
     fn push(
@@ -172,7 +189,7 @@ impl ComponentTree {
         file: FileId,
         element: ElementId,
         parent: Option<ComponentId>,
-        segment: String,
+        segment: Arc<str>,
         is_member: bool,
     ) -> ComponentId {
         #[expect(
@@ -180,17 +197,49 @@ impl ComponentTree {
             reason = "no more objects than elements, and those are u32"
         )]
         let id = ComponentId(self.list.len() as u32);
-        self.by_segment.entry(segment.clone()).or_default().push(id);
         match parent {
             None => self.roots.push(id),
-            Some(owner) if self.by_parent.contains_key(&(parent, segment.clone())) => {
+            Some(owner) if self.child(owner, &segment).is_some() => {
                 self.crowded.insert(owner);
             }
             Some(_) => {}
         }
-        self.by_parent.entry((parent, segment.clone())).or_insert(id);
-        self.list.push(Component { file, element, parent, segment, shared: None, is_member });
+        let (children, next) = (Children::default(), None);
+        self.list.push(Component { file, element, parent, segment, shared: None, is_member, children, next });
+        if let Some(owner) = parent {
+            self.hang(owner, id);
+        }
         id
+    }
+
+    /// Makes `id` the last child of `owner`.
+    fn hang(&mut self, owner: ComponentId, id: ComponentId) {
+        let Some(Component { children, .. }) = self.list.get_mut(owner.0 as usize) else { return };
+        let last = children.last.replace(id);
+        children.first = children.first.or(Some(id));
+        children.count += 1;
+        let (were_listed, are_many) = (children.are_listed, children.count >= FEW_CHILDREN);
+        children.are_listed = were_listed || are_many;
+        if let Some(last) = last.and_then(|last| self.list.get_mut(last.0 as usize)) {
+            last.next = Some(id);
+        }
+        if were_listed {
+            let segment = self.get(id).map(|child| Arc::clone(&child.segment)).unwrap_or_default();
+            Arc::make_mut(&mut self.by_parent).entry(owner).or_default().entry(segment).or_insert(id);
+        } else if are_many {
+            let mut by_segment = HashMap::new();
+            for (id, child) in self.children(owner) {
+                by_segment.entry(Arc::clone(&child.segment)).or_insert(id);
+            }
+            Arc::make_mut(&mut self.by_parent).insert(owner, by_segment);
+        }
+    }
+
+    /// The children of `owner`, in the order of the files.
+    fn children(&self, owner: ComponentId) -> impl Iterator<Item = (ComponentId, &Component)> {
+        let first = self.get(owner).and_then(|object| object.children.first);
+        let ids = std::iter::successors(first, |&id| self.get(id)?.next);
+        ids.filter_map(|id| Some((id, self.get(id)?)))
     }
 
     /// OpenSim calls the second of two siblings `f` `f_0`, the third `f_1`, in the order in which it reads them.
@@ -199,13 +248,11 @@ impl ComponentTree {
         if crowded.is_empty() {
             return;
         }
-        let mut siblings: BTreeMap<ComponentId, Vec<ComponentId>> = BTreeMap::new();
-        for (id, object) in self.iter() {
-            let owner = object.parent.filter(|owner| crowded.contains(owner));
-            owner.into_iter().for_each(|owner| siblings.entry(owner).or_default().push(id));
-        }
-        for (owner, mut children) in siblings {
-            children.sort_by_key(|&id| self.get(id).is_some_and(|object| !object.is_member));
+        for owner in crowded.into_iter().collect::<BTreeSet<ComponentId>>() {
+            let mut children: Vec<(bool, ComponentId)> =
+                self.children(owner).map(|(id, object)| (!object.is_member, id)).collect();
+            children.sort_by_key(|(is_later, _)| *is_later);
+            let children: Vec<ComponentId> = children.into_iter().map(|(_, id)| id).collect();
             self.number(owner, &children);
         }
     }
@@ -214,27 +261,29 @@ impl ComponentTree {
     fn number(&mut self, owner: ComponentId, children: &[ComponentId]) {
         // Hundreds of equal names are a mistake, not a model: no need to number them all.
         const MOST: usize = 64;
-        let mut tried: HashMap<String, usize> = HashMap::new();
-        for id in children {
-            let Some(object) = self.list.get_mut(id.0 as usize) else { continue };
-            self.by_parent.remove(&(Some(owner), object.segment.clone()));
-            object.segment = object.shared.take().unwrap_or_else(|| std::mem::take(&mut object.segment));
-        }
+        let mut tried: HashMap<Arc<str>, usize> = HashMap::new();
+        let mut by_segment: HashMap<Arc<str>, ComponentId> = HashMap::new();
         for &id in children {
             let Some(object) = self.list.get_mut(id.0 as usize) else { continue };
-            let mut key = (Some(owner), object.segment.clone());
-            if self.by_parent.contains_key(&key) {
-                let tried = tried.entry(object.segment.clone()).or_default();
+            // What an earlier file numbered is numbered again, with what this one has.
+            let name = object.shared.take().unwrap_or_else(|| Arc::clone(&object.segment));
+            object.segment = Arc::clone(&name);
+            if by_segment.contains_key(&name) {
+                let tried = tried.entry(Arc::clone(&name)).or_default();
                 loop {
-                    key.1 = format!("{}_{tried}", object.segment);
-                    if *tried >= MOST || !self.by_parent.contains_key(&key) {
+                    object.segment = format!("{name}_{tried}").into();
+                    if *tried >= MOST || !by_segment.contains_key(&object.segment) {
                         break;
                     }
                     *tried += 1;
                 }
-                object.shared = Some(std::mem::replace(&mut object.segment, key.1.clone()));
+                object.shared = Some(name);
             }
-            self.by_parent.entry(key).or_insert(id);
+            by_segment.entry(Arc::clone(&object.segment)).or_insert(id);
+        }
+        Arc::make_mut(&mut self.by_parent).insert(owner, by_segment);
+        if let Some(object) = self.list.get_mut(owner.0 as usize) {
+            object.children.are_listed = true;
         }
     }
 
@@ -263,7 +312,7 @@ impl ComponentTree {
         let mut next = Some(id);
         while let Some(object) = next.and_then(|id| self.get(id)) {
             if object.parent.is_some() || !object.segment.is_empty() {
-                segments.push(object.segment.as_str());
+                segments.push(&*object.segment);
             }
             next = object.parent;
         }
@@ -290,7 +339,10 @@ impl ComponentTree {
     }
 
     fn child(&self, parent: ComponentId, segment: &str) -> Option<ComponentId> {
-        self.by_parent.get(&(Some(parent), segment.to_owned())).copied()
+        if self.get(parent)?.children.are_listed {
+            return self.by_parent.get(&parent)?.get(segment).copied();
+        }
+        self.children(parent).find(|(_, object)| *object.segment == *segment).map(|(id, _)| id)
     }
 
     /// Follows `path`, absolute or relative to `owner`, exactly as OpenSim does.
@@ -307,7 +359,7 @@ impl ComponentTree {
             return self.walk(root, path);
         }
         // A set that stands alone: its own name is the first segment.
-        let rest = path.strip_prefix(segment.as_str())?;
+        let rest = path.strip_prefix(&**segment)?;
         match rest.strip_prefix('/') {
             Some(rest) => self.walk(root, rest),
             None => rest.is_empty().then_some(root),
@@ -350,7 +402,15 @@ impl ComponentTree {
         name: &str,
         accept: impl Fn(ComponentId) -> bool + 's,
     ) -> impl Iterator<Item = ComponentId> + 's {
-        self.by_segment.get(name).into_iter().flatten().copied().filter(move |&id| accept(id))
+        let by_name = self.by_name.get_or_init(|| {
+            let mut by_name: HashMap<Arc<str>, Vec<ComponentId>> = HashMap::new();
+            for (id, object) in self.iter() {
+                let name = object.shared.as_ref().unwrap_or(&object.segment);
+                by_name.entry(Arc::clone(name)).or_default().push(id);
+            }
+            by_name
+        });
+        by_name.get(name).into_iter().flatten().copied().filter(move |&id| accept(id))
     }
 }
 

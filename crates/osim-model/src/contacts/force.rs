@@ -94,6 +94,9 @@ impl ParameterSet {
     }
 }
 
+/// Up to so many spheres of a force are compared with each other.
+const FEW_SPHERES: usize = 16;
+
 impl Force {
     /// Its element in its [`file`](Self::file).
     #[must_use]
@@ -104,9 +107,18 @@ impl Force {
     /// All spheres of the force, each once, in order.
     #[must_use]
     pub fn spheres(&self) -> Vec<SphereId> {
-        let mut seen = HashSet::new();
-        let all = self.sets.iter().flat_map(|set| &set.spheres);
-        all.copied().filter(|&sphere| seen.insert(sphere)).collect()
+        let all = || self.sets.iter().flat_map(|set| &set.spheres).copied();
+        if all().take(FEW_SPHERES + 1).count() > FEW_SPHERES {
+            let mut seen = HashSet::new();
+            return all().filter(|&sphere| seen.insert(sphere)).collect();
+        }
+        let mut found = Vec::new();
+        for sphere in all() {
+            if !found.contains(&sphere) {
+                found.push(sphere);
+            }
+        }
+        found
     }
 
     /// A parameter set; `None` if there is none: then the handle is another force's.

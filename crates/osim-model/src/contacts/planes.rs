@@ -1,6 +1,7 @@
 //! The half-spaces of a model, and those on which a force presses its spheres.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use super::force::{Force, ParameterSet};
 use super::half_space::HalfSpace;
@@ -16,25 +17,25 @@ impl Model {
     /// All half-spaces whose frame can be found, in file order.
     #[must_use]
     pub fn half_spaces(&self) -> Vec<HalfSpace> {
-        self.planes().values().cloned().collect()
+        self.planes().values().map(|plane| HalfSpace::clone(plane)).collect()
     }
 
     /// The same by component, read when somebody first asks: many forces press on one floor.
-    fn planes(&self) -> &BTreeMap<ComponentId, HalfSpace> {
+    fn planes(&self) -> &BTreeMap<ComponentId, Arc<HalfSpace>> {
         self.half_spaces.get_or_init(|| {
             let components = self.components();
             let planes = components.tree.iter().filter(|(id, _)| components.tag(*id) == "ContactHalfSpace");
-            planes.filter_map(|(id, _)| Some((id, read(components, id)?))).collect()
+            planes.filter_map(|(id, _)| Some((id, Arc::new(read(components, id)?)))).collect()
         })
     }
 
     /// The half-spaces on which `force` presses its spheres, each once: those among its surfaces, and the one that a force of Moco
     /// 0.1 to 0.3 keeps inside itself.
     #[must_use]
-    pub fn planes_of(&self, force: &Force) -> Vec<HalfSpace> {
-        let mut planes: Vec<HalfSpace> = Vec::new();
+    pub fn planes_of(&self, force: &Force) -> Vec<Arc<HalfSpace>> {
+        let mut planes: Vec<Arc<HalfSpace>> = Vec::new();
         for set in &force.sets {
-            for plane in self.planes_of_set(set) {
+            for plane in self.shared_planes_of_set(set) {
                 if !planes.contains(&plane) {
                     planes.push(plane);
                 }
@@ -46,8 +47,13 @@ impl Model {
     /// The half-spaces among the surfaces of a parameter set, in its order, and the one that its force keeps inside itself.
     #[must_use]
     pub fn planes_of_set(&self, set: &ParameterSet) -> Vec<HalfSpace> {
+        self.shared_planes_of_set(set).map(|plane| HalfSpace::clone(&plane)).collect()
+    }
+
+    fn shared_planes_of_set(&self, set: &ParameterSet) -> impl Iterator<Item = Arc<HalfSpace>> {
+        let own = set.half_space_components.iter().filter_map(|id| self.planes().get(id).cloned());
         let inside = set.half_space_inside.and_then(|id| inside(self.components(), id));
-        self.half_spaces_of(set).into_iter().chain(inside).collect()
+        own.chain(inside.map(Arc::new))
     }
 
     /// The half-spaces that forces of Moco 0.1 to 0.3 keep inside themselves, in file order.
@@ -59,7 +65,8 @@ impl Model {
     /// The half-spaces among the surfaces of a parameter set, in its order; not one that its force keeps inside itself.
     #[must_use]
     pub fn half_spaces_of(&self, set: &ParameterSet) -> Vec<HalfSpace> {
-        set.half_space_components.iter().filter_map(|id| self.planes().get(id).cloned()).collect()
+        let planes = set.half_space_components.iter().filter_map(|id| self.planes().get(id));
+        planes.map(|plane| HalfSpace::clone(plane)).collect()
     }
 }
 

@@ -54,6 +54,8 @@ pub struct ModelFiles {
 #[derive(Debug, Clone)]
 enum Main {
     Bytes(Vec<u8>),
+    /// The same, which include no file.
+    Alone(Vec<u8>),
     Parsed(Box<Document>),
 }
 
@@ -78,7 +80,7 @@ impl ModelFiles {
             companions.push(companion(path.to_owned(), None, files, "a file that belongs to the model: ")?);
         }
         if !may_include(&bytes) {
-            return Ok(Self { name, main: Main::Bytes(bytes), companions });
+            return Ok(Self { name, main: Main::Alone(bytes), companions });
         }
         let document = Document::parse(bytes).map_err(|fault| Failure::of_fault(&name, fault))?;
         let folder = path.parent().unwrap_or(Path::new(""));
@@ -115,7 +117,7 @@ impl ModelFiles {
     #[must_use]
     pub fn bytes(&self) -> &[u8] {
         match &self.main {
-            Main::Bytes(bytes) => bytes,
+            Main::Bytes(bytes) | Main::Alone(bytes) => bytes,
             Main::Parsed(document) => document.bytes(),
         }
     }
@@ -155,6 +157,9 @@ impl ModelFiles {
             Main::Bytes(bytes) => {
                 Document::parse(bytes).map_err(|fault| Failure::of_fault(&self.name, fault))?
             }
+            Main::Alone(bytes) => Document::parse(bytes)
+                .map_err(|fault| Failure::of_fault(&self.name, fault))?
+                .including_nothing(),
             Main::Parsed(document) => *document,
         };
         let mut companions = Vec::new();

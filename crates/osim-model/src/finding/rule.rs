@@ -112,6 +112,9 @@ impl Repair {
 
 /// A text in which the numbers of limits have names.
 fn template(text: &str) -> Phrase {
+    if !text.contains('{') {
+        return Phrase::template(text.trim_ascii());
+    }
     let named = [
         ("{indentation}", limits::INDENTATION.value),
         ("{restitution}", limits::RESTITUTION.value),

@@ -21,12 +21,12 @@ const NAMED: usize = 6;
 pub(super) fn find(model: &Model) -> Vec<Finding> {
     let (components, skeleton) = (model.components(), model.skeleton());
     let finding = |joint, text| Finding::at(&RULE, components.line(joint), text);
-    let ignored = skeleton.ignored_joints.iter().map(|&joint| {
+    let ignored = skeleton.ignored_joints().iter().map(|&joint| {
         let text =
             format!("{} is not the first joint of its body: OpenSim ignores it", components.tree.path(joint));
         finding(joint, text)
     });
-    let loops = &skeleton.loops;
+    let loops = skeleton.loops();
     let cut = loops.joints.first().map(|&first| {
         let joints: Vec<_> = loops.joints.iter().map(|&joint| components.name(joint)).collect();
         let named = joints.get(..NAMED).map_or(joints.join(", "), |named| {

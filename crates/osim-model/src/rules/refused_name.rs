@@ -23,7 +23,7 @@ pub(super) fn of_component(model: &Model, id: ComponentId, object: &Component) -
     let in_paths = object.shared.as_ref().unwrap_or(&object.segment);
     // Joints of old documents call bodies by their names as they are written.
     let written = (components.tag(id) == "Body").then(|| components.name(id)).filter(|name| !name.is_empty());
-    let why = refuse_name_in_paths(written.as_ref().unwrap_or(in_paths)).err()?;
+    let why = refuse_name_in_paths(written.as_deref().unwrap_or(in_paths)).err()?;
     let path = components.tree.path(id);
     Some(Finding::at(&RULE, components.line(id), why.to_string()).about(&path))
 }

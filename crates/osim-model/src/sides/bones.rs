@@ -33,7 +33,7 @@ impl<'m> Bones<'m> {
 
     /// The same by meshes; `None` where no mesh shows the same bone, or these do not agree.
     fn of_meshes(&self, left: &str, right: &str) -> Option<[f64; 3]> {
-        let meshes = &self.model.body_facts.bone_sizes(self.model.components()).meshes;
+        let meshes = self.model.body_facts.mesh_factors(self.model.components());
         let (left, right) = (meshes.get(left)?, meshes.get(right)?);
         let mut ratios = same_bones(left, right).into_iter().filter_map(|(l, r)| ratio(l, r));
         let first = ratios.next()?;

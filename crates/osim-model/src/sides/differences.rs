@@ -1,5 +1,6 @@
 //! What differs between the contacts of two spheres that are counterparts.
 
+use std::cell::OnceCell;
 use std::collections::HashMap;
 
 use contact_scaling::{RatioValues, Ratios};
@@ -32,15 +33,22 @@ pub(crate) struct Difference {
 }
 
 /// How often each number is in the model: the majority shows which side is the slip.
+#[derive(Debug)]
+pub(crate) struct Usual<'m> {
+    model: &'m Model,
+    /// Counted when two numbers differ.
+    numbers: OnceCell<Numbers>,
+}
+
 #[derive(Debug, Default)]
-pub(crate) struct Usual {
+struct Numbers {
     counts: HashMap<(Property, u64), usize>,
     totals: HashMap<Property, usize>,
 }
 
-impl Usual {
+impl Numbers {
     /// Those of all forces that meet a floor, and of their spheres.
-    pub(crate) fn of(model: &Model) -> Self {
+    fn of(model: &Model) -> Self {
         let mut usual = Self::default();
         for force in model.forces().iter().filter(|force| model.meets_half_space(force)) {
             for set in &force.sets {
@@ -58,11 +66,18 @@ impl Usual {
         *self.counts.entry((value.property, value.number.to_bits())).or_default() += 1;
         *self.totals.entry(value.property).or_default() += 1;
     }
+}
+
+impl<'m> Usual<'m> {
+    pub(crate) fn of(model: &'m Model) -> Self {
+        Self { model, numbers: OnceCell::new() }
+    }
 
     /// How many others have the number of `value`, if that is most of those that are not compared.
     fn majority(&self, value: &Value) -> Option<usize> {
-        let count = self.counts.get(&(value.property, value.number.to_bits()))?.saturating_sub(1);
-        let others = self.totals.get(&value.property)?.saturating_sub(2);
+        let numbers = self.numbers.get_or_init(|| Numbers::of(self.model));
+        let count = numbers.counts.get(&(value.property, value.number.to_bits()))?.saturating_sub(1);
+        let others = numbers.totals.get(&value.property)?.saturating_sub(2);
         (2 * count > others).then_some(count)
     }
 
@@ -97,7 +112,7 @@ pub(crate) struct SetPair<'m> {
 
 impl SetPair<'_> {
     /// Numbers of the left set that are neither those of the right one nor follow the radii.
-    pub(crate) fn differing_values(&self, model: &Model, usual: &Usual) -> Vec<Difference> {
+    pub(crate) fn differing_values(&self, model: &Model, usual: &Usual<'_>) -> Vec<Difference> {
         let ratios = self.ratios(model);
         let right = |property: Property| of_set(self.right.0, self.right.1).find(|r| r.property == property);
         let both = of_set(self.left.0, self.left.1).filter_map(|l| Some((l, right(l.property)?)));
@@ -145,7 +160,7 @@ fn factor(property: Property, ratios: &Ratios) -> Option<f64> {
 }
 
 /// How the radii of a pair differ, unless they are equal or differ as their bones do.
-pub(crate) fn of_radii(pair: &SpherePair<'_>, bones: &Bones<'_>, usual: &Usual) -> Option<Difference> {
+pub(crate) fn of_radii(pair: &SpherePair<'_>, bones: &Bones<'_>, usual: &Usual<'_>) -> Option<Difference> {
     let (left, right) = (pair.left.sphere, pair.right.sphere);
     let ratio = left.radius.number / right.radius.number;
     if !ratio.is_finite() || close(ratio, 1.0) {

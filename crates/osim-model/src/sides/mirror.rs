@@ -80,23 +80,23 @@ fn times(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 
 /// The bodies of a model that have counterparts.
 #[derive(Debug)]
-pub(crate) struct BodyPairs<'m> {
+pub(crate) struct BodyPairs {
     /// By the name without its side; in order, so that sums have the same last bit in each run.
-    named: BTreeMap<String, [Option<&'m str>; 2]>,
+    named: BTreeMap<String, [Option<String>; 2]>,
     /// By body: its centre of mass and its joints, with names without a side.
     marks: BTreeMap<String, BTreeMap<String, [f64; 3]>>,
     /// The mirror that fits most bodies.
     usual: [f64; 3],
 }
 
-impl<'m> BodyPairs<'m> {
-    pub(crate) fn of(model: &'m Model) -> Self {
-        let mut named: BTreeMap<String, [Option<&str>; 2]> = BTreeMap::new();
+impl BodyPairs {
+    pub(crate) fn of(model: &Model) -> Self {
+        let mut named: BTreeMap<String, [Option<String>; 2]> = BTreeMap::new();
         for body in model.bodies().iter().filter(|body| !body.fixed) {
             let Some(side) = Side::of_name(&body.name) else { continue };
             let [right, left] = named.entry(without_side(&body.name)).or_default();
             let own = if side == Side::Right { right } else { left };
-            own.get_or_insert(&body.name);
+            own.get_or_insert_with(|| body.name.clone());
         }
         let pairs = Self { named, marks: marks(model), usual: MIRRORS[0] };
         Self { usual: pairs.usual(), ..pairs }
@@ -104,7 +104,8 @@ impl<'m> BodyPairs<'m> {
 
     /// The mirror in which the marks of all bodies together are closest.
     fn usual(&self) -> [f64; 3] {
-        let bodies = || self.named.values().filter_map(|&[right, left]| Some((right?, left?)));
+        let bodies =
+            || self.named.values().filter_map(|[right, left]| Some((right.as_ref()?, left.as_ref()?)));
         let apart_m = |signs: [f64; 3]| -> f64 {
             bodies()
                 .flat_map(|(right, left)| self.both_marks(right, left))
@@ -122,7 +123,7 @@ impl<'m> BodyPairs<'m> {
         &'b self,
         right: &str,
         left: &str,
-    ) -> impl Iterator<Item = ([f64; 3], [f64; 3])> + use<'b, 'm> {
+    ) -> impl Iterator<Item = ([f64; 3], [f64; 3])> + use<'b> {
         let both = self.marks.get(right).zip(self.marks.get(left));
         both.into_iter().flat_map(|(right, left)| {
             right.iter().filter_map(|(name, &right_m)| Some((right_m, *left.get(name)?)))
@@ -135,9 +136,9 @@ impl<'m> BodyPairs<'m> {
     }
 
     /// The pair to which `body` belongs; `None` if it has no counterpart.
-    pub(crate) fn pair(&self, body: &str, bones: &Bones<'_>) -> Option<BodyPair<'m>> {
-        let [right, left] = *self.named.get(&without_side(body))?;
-        let (right, left) = (right?, left?);
+    pub(crate) fn pair(&self, body: &str, bones: &Bones<'_>) -> Option<BodyPair<'_>> {
+        let [right, left] = self.named.get(&without_side(body))?;
+        let (right, left) = (right.as_deref()?, left.as_deref()?);
         let bone_m =
             [right, left].into_iter().filter_map(|body| bones.longest_of_limb_m(body)).reduce(f64::max);
         let sizes = bones.ratios(left, right);

@@ -37,8 +37,8 @@ pub struct BothSides<'m> {
     by_path: HashMap<&'m str, &'m Force>,
     users: Users<'m>,
     bones: Bones<'m>,
-    bodies: BodyPairs<'m>,
-    usual: Usual,
+    bodies: &'m BodyPairs,
+    usual: Usual<'m>,
     pub(crate) pairs: Vec<SpherePair<'m>>,
     /// Spheres without a counterpart, where both sides have spheres.
     pub(crate) alone: Vec<Alone<'m>>,
@@ -62,10 +62,10 @@ impl<'m> BothSides<'m> {
         let bones = Bones::of(model);
         let spheres = users.on_sides(model);
         let has = |side| spheres.iter().any(|placed| placed.side == side);
-        let bodies = BodyPairs::of(model);
+        let bodies = model.of_bodies(BodyPairs::of);
         let (mut found, mut one_side) = (Pairs::default(), Vec::new());
         match (has(Side::Right), has(Side::Left)) {
-            (true, true) => found = Pairs::of(spheres, &bodies, &bones),
+            (true, true) => found = Pairs::of(spheres, bodies, &bones),
             (true, false) if bodies.has(Side::Left) => one_side = spheres,
             (false, true) if bodies.has(Side::Right) => one_side = spheres,
             _ => {}

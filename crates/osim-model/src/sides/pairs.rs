@@ -39,7 +39,7 @@ pub(crate) struct Pairs<'m> {
 }
 
 impl<'m> Pairs<'m> {
-    pub(crate) fn of(spheres: Vec<Placed<'m>>, bodies: &BodyPairs<'m>, bones: &Bones<'_>) -> Self {
+    pub(crate) fn of(spheres: Vec<Placed<'m>>, bodies: &'m BodyPairs, bones: &Bones<'_>) -> Self {
         let mut found = Self::default();
         let mut left_over = Vec::new();
         let mut by_body: BTreeMap<String, [Vec<Placed<'m>>; 2]> = BTreeMap::new();
