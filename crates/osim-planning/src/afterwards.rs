@@ -131,7 +131,7 @@ pub(crate) fn is_due(one: &Found) -> bool {
 
 /// What is found in `model`, without remedies.
 pub(crate) fn unmended(options: &InspectOptions, opened: &OpenModel, model: &Model) -> CheckResult {
-    let inspected = options.inspect(opened.name(), model, None);
+    let inspected = options.inspect_without_story(opened.name(), model, None);
     check_model(options, model, &inspected, &[], NO_REMEDIES)
 }
 

@@ -27,6 +27,17 @@ use crate::serialized::SCHEMA_VERSION;
 impl InspectOptions {
     /// Inspects a model. It never refuses: what is not known is left open. `name` is that of the file.
     pub fn inspect(&self, name: impl Into<FileName>, model: &Model, factors: Option<&Factors>) -> Inspection {
+        let note = NoteStory::of(model);
+        Inspection { note, ..self.inspect_without_story(name, model, factors) }
+    }
+
+    /// The same without what the note says, which only people read: [`check_model`](crate::check_model) asks the model.
+    pub fn inspect_without_story(
+        &self,
+        name: impl Into<FileName>,
+        model: &Model,
+        factors: Option<&Factors>,
+    ) -> Inspection {
         let mut warnings = model.warnings.clone();
         let mass = self.masses.of_model(model);
         let contacts_mass = self.masses.of_contacts(model).map(|(mass, disagreements)| {
@@ -148,7 +159,7 @@ impl Inspection {
             mass_source: found.mass.map(|mass| mass.source.describe()).unwrap_or_default(),
             gravity_m_s2: model.gravity(),
             contacts_mass_kg: found.contacts_mass.map(ContactsMass::new),
-            note: NoteStory::of(model),
+            note: None,
             limbs: found.limbs.known().map(|limbs| {
                 let limb = |limb: &Limb| InspectedLimb {
                     name: limb.name.clone(),
