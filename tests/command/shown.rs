@@ -3,7 +3,7 @@
 use crate::support::{Bench, HUMAN};
 
 const MOUSE: (&str, &str) = ("table1/mouse_hunt_crossley.osim", "mouse.osim");
-const VERBS: [&str; 22] = [
+const VERBS: [&str; 23] = [
     "",
     "rescale",
     "transfer",
@@ -18,6 +18,7 @@ const VERBS: [&str; 22] = [
     "inspect",
     "check",
     "drop-test",
+    "motion",
     "plot",
     "fit",
     "reproduce",

@@ -51,7 +51,7 @@ pub struct Recording {
 pub struct RecordingFacts {
     /// The unit of angles.
     pub angles: AngleUnit,
-    /// Whether the file says so itself.
+    /// Whether the file says so itself, or the caller.
     pub declared: bool,
     /// Columns that belong to no coordinate, as in the file.
     pub unused: Vec<String>,
@@ -83,7 +83,7 @@ impl Recording {
             time_s: table.time_s.clone(),
             facts: RecordingFacts {
                 angles,
-                declared: table.declared.is_some(),
+                declared: options.angles.or(table.declared).is_some(),
                 unused,
                 kept: Vec::new(),
                 coupled: Vec::new(),

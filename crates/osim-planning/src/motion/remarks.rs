@@ -59,7 +59,14 @@ impl MotionResult {
     fn foot(&self, foot: &FootSummary) -> Phrase {
         let name = &foot.foot.name;
         let bw = |force_n: f64| two(force_n / self.summary.weight_n);
-        if foot.peak_n <= 0.0 || foot.deepest_m < 0.0 {
+        if foot.deepest_m >= 0.0 && foot.peak_n <= 0.0 {
+            return format!(
+                "{name}: it never pushes, although it is up to {} mm inside the floor: it moves up faster than its dissipation allows",
+                two(1e3 * foot.deepest_m)
+            )
+            .into();
+        }
+        if foot.deepest_m < 0.0 {
             let above = -1e3 * foot.deepest_m;
             let plate = foot.comparison.as_ref().filter(|plate| plate.measured_peak_n > 0.0);
             let where_measured = plate.map(|plate| {

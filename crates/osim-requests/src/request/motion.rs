@@ -74,7 +74,7 @@ pub struct MotionRequest {
     #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub output: Option<PathBuf>,
     /// Replace existing files
-    #[cfg_attr(feature = "clap", arg(short, long))]
+    #[cfg_attr(feature = "clap", arg(long))]
     pub force: bool,
     /// How to print
     #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]
