@@ -1,8 +1,8 @@
 //! What a motion shows, in words.
 
 use osim_feet::dot;
-use osim_messages::{Input, Phrase, four_significant, phrase, readable};
-use osim_motion::{AngleUnit, FootSummary, PlateUse};
+use osim_messages::{Input, Phrase, Verb, four_significant, phrase, readable};
+use osim_motion::{AngleUnit, FootSummary, LeftOut, PlateUse};
 use osim_requests::MotionRequest;
 
 use super::result::MotionResult;
@@ -164,6 +164,15 @@ impl MotionResult {
                     "the header does not say the unit of angles; they are taken for {unit}, as OpenSim does"
                 ),
             );
+        }
+        if let Some(left_out) = LeftOut::of(&self.states) {
+            let text = format!(
+                "in {} frames a sphere of a HuntCrossleyForce leaves the floor so fast that it would pull. OpenSim may then leave out \
+                 other spheres of the same force, which push with up to {} N; here they count. One force for each sphere avoids it: ",
+                left_out.frames,
+                two(left_out.most_n)
+            );
+            remarks.say("left-out-by-opensim", phrase![text, Verb::Convert.of_model()]);
         }
         for constraint in &facts.unenforced {
             remarks.say("constraint", format!("not enforced here: {constraint}"));
