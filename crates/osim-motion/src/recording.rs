@@ -130,7 +130,9 @@ impl Recording {
         for joint in joints {
             let end = start + joint.coordinates.len();
             let own = columns.get(start..end).unwrap_or_default();
-            let given = options.low_pass_hz.is_none() && own.iter().all(|columns| columns.speed.is_some());
+            // Coordinates without a column keep still.
+            let has_speed = |columns: &Columns<'_>| columns.value.is_none() || columns.speed.is_some();
+            let given = options.low_pass_hz.is_none() && own.iter().all(has_speed);
             self.of_opensim.push(given && !own.is_empty());
             for (index, columns) in (start..end).zip(own) {
                 self.take_one(table, index, columns, given, options)?;
