@@ -71,7 +71,7 @@ seen = osimcontact.inspect({'human.osim', 'emu.osim'});
 seen(1).forces(1).parameters.stiffness""",
     "motion": """
 seen = osimcontact.motion('walker.osim', 'walk.mot');
-plot([seen.feet.peak_n] / seen.weight_n, 'o')""",
+fprintf('%.1f body weights\\n', [seen.feet.peak_n] / seen.weight_n)""",
     "note": """
 done = osimcontact.note('human.osim', 'contacts_mass', 62, 'output', 'noted.osim');""",
     "plot": """

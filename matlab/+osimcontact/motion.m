@@ -39,7 +39,7 @@ function results = motion(varargin)
 %
 %   Example:
 %       seen = osimcontact.motion('walker.osim', 'walk.mot');
-%       plot([seen.feet.peak_n] / seen.weight_n, 'o')
+%       fprintf('%.1f body weights\n', [seen.feet.peak_n] / seen.weight_n)
 %
 %   See also osimcontact.sweep, osimcontact.inspect, osimcontact.check, osimcontact.drop_test,
 %   osimcontact.plot, osimcontact.reproduce, osimcontact.presets, osimcontact.explain,
