@@ -98,6 +98,26 @@ fn only_what_is_named_is_fitted() {
     assert!(plan["changes"].as_array().unwrap().iter().all(|change| change["property"] != "location"));
 }
 
+/// Spheres with dissipations of their own keep them while the floor alone is fitted.
+#[test]
+fn what_is_not_fitted_stays_with_each_sphere() {
+    let bench = Bench::with(&FILES);
+    let own = bench.text("walker.osim").replacen("<dissipation>0.5", "<dissipation>4", 1);
+    bench.write("own.osim", &own);
+    bench.run("motion own.osim walk.mot -o own.sto").done().wrote(&["own.sto", "own.xml"]);
+    let lower = own.replacen(
+        "<location>0 0 0</location><orientation>",
+        "<location>0 -0.005 0</location><orientation>",
+        1,
+    );
+    assert_ne!(own, lower);
+    bench.write("lower.osim", lower);
+    let call = "fit lower.osim --motion walk.mot --plates own.sto --loads own.xml --unbounded --fit height";
+    let plan = object(&bench.run(&format!("{call} --dry-run --format json")).done());
+    assert!((floor_up(&plan) - 0.005).abs() < 2e-6, "{plan}");
+    assert!(plan["errors"]["vertical_rms_bw"].as_f64().unwrap() < 1e-3, "{plan}");
+}
+
 /// Two recordings of one body: contacts are shared, and the walk's second half is a trial of its own.
 #[test]
 fn several_trials_share_their_contacts() {

@@ -12,8 +12,8 @@ use crate::stance::ON_BW;
 pub(super) struct Unknowns {
     /// The logarithm of the factor of all stiffnesses.
     pub(super) stiffness_log: f64,
-    /// α, s/m.
-    pub(super) dissipation: f64,
+    /// α of all spheres, s/m; `None` where each keeps its own.
+    pub(super) dissipation: Option<f64>,
     /// How far the floor moves up in each trial, m.
     pub(super) floor_up_m: Vec<f64>,
 }
@@ -46,9 +46,10 @@ pub(super) fn forces_bw(
     }
 }
 
-/// The laws of a foot with another dissipation.
-pub(super) fn with_dissipation(foot: &FootForces, dissipation: f64) -> Vec<Law> {
-    foot.laws.iter().map(|(law, _)| law.with_dissipation(dissipation).unwrap_or(*law)).collect()
+/// The laws of a foot, with another dissipation where there is one.
+pub(super) fn with_dissipation(foot: &FootForces, dissipation: Option<f64>) -> Vec<Law> {
+    let other = |law: &Law| law.with_dissipation(dissipation?).ok();
+    foot.laws.iter().map(|(law, _)| other(law).unwrap_or(*law)).collect()
 }
 
 /// How far the forces with these unknowns are from the plates.
@@ -127,7 +128,7 @@ impl<'t> Problem<'t> {
     pub(super) fn to_vector(&self, unknowns: &Unknowns) -> Vec<f64> {
         let mut vector = Vec::new();
         vector.extend(self.wanted.stiffness.then_some(unknowns.stiffness_log));
-        vector.extend(self.wanted.dissipation.then_some(unknowns.dissipation));
+        vector.extend(unknowns.dissipation.filter(|_| self.wanted.dissipation));
         if self.wanted.height {
             vector.extend(&unknowns.floor_up_m);
         }
@@ -140,7 +141,7 @@ impl<'t> Problem<'t> {
             |is_fitted: bool, kept: f64| if is_fitted { values.next().unwrap_or(kept) } else { kept };
         Unknowns {
             stiffness_log: next(self.wanted.stiffness, self.start.stiffness_log),
-            dissipation: next(self.wanted.dissipation, self.start.dissipation),
+            dissipation: self.start.dissipation.map(|kept| next(self.wanted.dissipation, kept)),
             floor_up_m: self.start.floor_up_m.iter().map(|&kept| next(self.wanted.height, kept)).collect(),
         }
     }

@@ -31,20 +31,21 @@ pub(super) fn stiffness_range(
     (low.exp(), high.exp())
 }
 
-/// Dissipations with which the rest can be fitted nearly as well.
+/// Dissipations with which the rest can be fitted nearly as well as with `value`.
 pub(super) fn dissipation_range(
     trials: &[FitTrial],
     bounds: &FitBounds,
     best: &Unknowns,
+    value: f64,
     rms_bw: f64,
 ) -> (f64, f64) {
     let wanted = FitWanted { dissipation: false, ..bounds.wanted };
     let tried = |dissipation: f64| {
-        let start = Unknowns { dissipation: dissipation.clamp(0.0, MOST_DISSIPATION), ..best.clone() };
+        let start = Unknowns { dissipation: Some(dissipation.clamp(0.0, MOST_DISSIPATION)), ..best.clone() };
         refitted(trials, bounds, wanted, &start)
     };
-    let low = edge(best.dissipation, -0.5, rms_bw, &tried).max(0.0);
-    (low, edge(best.dissipation, 0.5, rms_bw, &tried).min(MOST_DISSIPATION))
+    let low = edge(value, -0.5, rms_bw, &tried).max(0.0);
+    (low, edge(value, 0.5, rms_bw, &tried).min(MOST_DISSIPATION))
 }
 
 /// How far a value can go until the rest no longer fits: steps that double, then halves.

@@ -46,12 +46,7 @@ pub enum FitError {
 
 /// The model as it is.
 pub(super) fn own(trials: &[FitTrial]) -> Unknowns {
-    let first = trials.iter().flat_map(|trial| &trial.feet).flat_map(|foot| &foot.laws).next();
-    Unknowns {
-        stiffness_log: 0.0,
-        dissipation: first.map_or(0.0, |(law, _)| law.dissipation()),
-        floor_up_m: vec![0.0; trials.len()],
-    }
+    Unknowns { stiffness_log: 0.0, dissipation: None, floor_up_m: vec![0.0; trials.len()] }
 }
 
 /// The best unknowns, and how sure they are.
@@ -93,8 +88,8 @@ fn sure(problem: &Problem<'_>, unknowns: Unknowns, vector: &[f64], status: &MPSt
     let alike = if square > 0.0 { (shifted / square).clamp(0.0, 0.999) } else { 0.0 };
     let count = problem.points() as f64 * (1.0 - alike) / (1.0 + alike);
     let free = (count - vector.len() as f64).max(1.0);
-    // Of independent frames the variance would be square/points, and covariances go with one over their number.
-    let scale = square / problem.points() as f64 * (problem.points() as f64 / free);
+    // What mpfit gives is of deviates with a variance of 1.
+    let scale = square / free;
     let size = vector.len();
     let variance = |place: usize| status.covar.get(place * size + place).copied().unwrap_or(f64::NAN);
     let limits = problem.limits();
@@ -148,8 +143,8 @@ fn scan(
     own: &Unknowns,
     limits: &Limits,
 ) -> Result<Unknowns, FitError> {
-    let dissipations: Vec<f64> =
-        if bounds.wanted.dissipation { DISSIPATIONS.to_vec() } else { vec![own.dissipation] };
+    let dissipations =
+        if bounds.wanted.dissipation { DISSIPATIONS.map(Some).to_vec() } else { vec![own.dissipation] };
     let mut best: Option<(f64, Unknowns)> = None;
     for dissipation in dissipations {
         for step in 0..if bounds.wanted.height { HEIGHTS } else { 1 } {

@@ -38,9 +38,8 @@ pub fn fit_motion(trials: &[FitTrial], bounds: &FitBounds) -> Result<MotionFit, 
         one
     });
     let same = |value: f64| value;
-    let dissipation = dissipation.then(|| {
-        let value = best.unknowns.dissipation;
-        let range = dissipation_range(trials, bounds, &best.unknowns, after.vertical_rms_bw);
+    let dissipation = best.unknowns.dissipation.filter(|_| dissipation).map(|value| {
+        let range = dissipation_range(trials, bounds, &best.unknowns, value, after.vertical_rms_bw);
         fitted(next(), value, same, range)
     });
     let floor_up_m = match height {
