@@ -289,7 +289,7 @@ fn angle_unit(
              goes to {value}, more than a full turn"
             )))
         }
-        (Some((value, name)), AngleUnit::Degrees) if value <= FULL_TURN => {
+        (Some((value, name)), AngleUnit::Degrees) if value > 0.0 && value <= FULL_TURN => {
             Err(MotionFault::of_angles(format!(
                 "its header does not say whether angles are in degrees or radians. OpenSim takes them for degrees, but the largest angle, \
              {value} in column '{name}', would be a small movement"

@@ -13,14 +13,15 @@ pub struct Stance {
     pub first: usize,
     /// The last frame.
     pub last: usize,
-    /// When it touches down, s; `None` where the recording begins in it.
+    /// When it touches down, s; `None` where the recording begins in it, or the force before is not known.
     pub on_s: Option<f64>,
-    /// When it lifts off, s; `None` where the recording ends in it.
+    /// When it lifts off, s; `None` where the recording ends in it, or the force after is not known.
     pub off_s: Option<f64>,
 }
 
 impl Stance {
-    /// The stances of a foot by its force along the normal, N, with times between frames. NaN is taken for no force.
+    /// The stances of a foot by its force along the normal, N, with times between frames. Where the force is NaN, nobody knows it: there
+    /// is no stance.
     #[must_use]
     pub fn all(time_s: &[f64], force_n: &[f64], weight_n: f64) -> Vec<Self> {
         let (on, off) = (ON_BW * weight_n, OFF_BW * weight_n);
@@ -57,13 +58,13 @@ impl Stance {
     }
 }
 
-/// When a value passes `level` between a frame and the one before.
+/// When a value passes `level` between a frame and the one before; `None` where one of both is not known.
 fn between(time_s: &[f64], values: &[f64], frame: usize, level: f64) -> Option<f64> {
     let before = frame.checked_sub(1)?;
     let (t0, t1) = (*time_s.get(before)?, *time_s.get(frame)?);
     let (v0, v1) = (*values.get(before)?, *values.get(frame)?);
     let part = (level - v0) / (v1 - v0);
-    Some(if part.is_finite() { t0 + part.clamp(0.0, 1.0) * (t1 - t0) } else { t1 })
+    part.is_finite().then(|| t0 + part.clamp(0.0, 1.0) * (t1 - t0))
 }
 
 /// The times of whole strides: from one touch-down of a foot to its next.
@@ -95,8 +96,10 @@ mod tests {
     }
 
     #[test]
-    fn a_recording_may_begin_on_the_ground() {
+    fn a_recording_may_begin_on_the_ground_and_plates_may_end_there() {
         let stances = Stance::all(&[0.0, 1.0], &[50.0, f64::NAN], 100.0);
-        assert_eq!((stances[0].on_s, stances[0].last), (None, 0));
+        assert_eq!((stances[0].on_s, stances[0].last, stances[0].off_s), (None, 0, None));
+        let stances = Stance::all(&[0.0, 1.0, 2.0], &[f64::NAN, 50.0, 0.0], 100.0);
+        assert_eq!((stances[0].first, stances[0].on_s), (1, None));
     }
 }

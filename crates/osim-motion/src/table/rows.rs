@@ -140,6 +140,8 @@ mod tests {
             (Some(4), "its time is 0 s, after 0 s: times must rise".to_owned())
         );
         assert_eq!(refused(&format!("{head}0 1\nnan 2\n")).0, Some(4));
+        assert_eq!(refused(&format!("{head}0 1\ninf 2\n")).0, Some(4));
+        assert_eq!(refused(&format!("{head}nan 2\n")).0, Some(3));
         assert_eq!(refused(head).0, None);
         assert_eq!(refused("").0, None);
         let table = Table::read(format!("{head}0 nan\n").as_bytes()).unwrap();

@@ -2,11 +2,13 @@
 
 use crate::fault::MotionFault;
 
-/// Checks that times rise.
+/// Checks that times are finite and rise.
 pub(super) fn rising(time_s: &[f64], lines: &[usize]) -> Result<(), MotionFault> {
+    if let Some((time, line)) = time_s.iter().zip(lines).find(|(time, _)| !time.is_finite()) {
+        return Err(MotionFault::at(*line, format!("its time is {time}, expected a finite number")));
+    }
     for (pair, lines) in time_s.windows(2).zip(lines.windows(2)) {
         let ([before, now], [_, line]) = (pair, lines) else { continue };
-        // A time that is not a number does not rise, either.
         if now > before {
             continue;
         }
@@ -15,8 +17,5 @@ pub(super) fn rising(time_s: &[f64], lines: &[usize]) -> Result<(), MotionFault>
             format!("its time is {now} s, after {before} s: times must rise"),
         ));
     }
-    match time_s {
-        [only] if !only.is_finite() => Err(MotionFault::new("its time is not a number")),
-        _ => Ok(()),
-    }
+    Ok(())
 }
