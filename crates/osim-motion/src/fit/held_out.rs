@@ -25,13 +25,18 @@ pub(super) fn held_out(trials: &[FitTrial], bounds: &FitBounds, own: &Unknowns) 
             let only = |keep: &dyn Fn(usize) -> bool| -> Vec<FitTrial> {
                 let of = |trial: &FitTrial| {
                     let feet = trial.feet.iter().enumerate().filter(|(index, _)| keep(*index));
-                    FitTrial { feet: feet.map(|(_, foot)| foot.clone()).collect(), weight_n: trial.weight_n }
+                    FitTrial {
+                        feet: feet.map(|(_, foot)| foot.clone()).collect(),
+                        weight_n: trial.weight_n,
+                        beside: 0,
+                    }
                 };
                 trials.iter().map(of).collect()
             };
             let parts = (only(&|index| index == foot), only(&|index| index != foot));
-            let tested = parts.1.first().and_then(|trial| trial.feet.first()).map(|foot| foot.name.clone());
-            add(&fitted, &tested.unwrap_or_default(), parts);
+            let others = parts.1.first().into_iter().flat_map(|trial| &trial.feet);
+            let tested: Vec<&str> = others.map(|foot| foot.name.as_str()).collect();
+            add(&fitted, &tested.join(" and the "), parts.clone());
         }
         return found;
     }
@@ -41,7 +46,7 @@ pub(super) fn held_out(trials: &[FitTrial], bounds: &FitBounds, own: &Unknowns) 
                 let middle = foot.frames() / 2;
                 if second { foot.part(middle, foot.frames()) } else { foot.part(0, middle) }
             });
-            FitTrial { feet: feet.collect(), weight_n: trial.weight_n }
+            FitTrial { feet: feet.collect(), weight_n: trial.weight_n, beside: 0 }
         };
         trials.iter().map(of).collect()
     };

@@ -163,6 +163,19 @@ impl<'t> Problem<'t> {
         }
     }
 
+    /// The height of one trial stays.
+    pub(super) fn keep_height(&mut self, trial: usize) {
+        let before = self.settings.len().saturating_sub(self.trials.len());
+        if let Some(setting) = self.settings.get_mut(before + trial).filter(|_| self.wanted.height) {
+            setting.fixed = true;
+        }
+    }
+
+    /// Whether anything is left to be fitted.
+    pub(super) fn is_free(&self) -> bool {
+        self.settings.iter().any(|one| !one.fixed)
+    }
+
     pub(super) fn points(&self) -> usize {
         self.points
     }

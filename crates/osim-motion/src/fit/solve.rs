@@ -3,7 +3,7 @@
 use super::data::{FitTrial, FootForces};
 use super::held_out::held_out;
 use super::problem::{FitWanted, errors};
-use super::ranges::{dissipation_range, stiffness_range};
+use super::ranges::{dissipation_range, height_range, stiffness_range};
 use super::result::{FittedParameter, MotionFit};
 use super::search::{FitBounds, FitError, own, search};
 
@@ -46,9 +46,12 @@ pub fn fit_motion(trials: &[FitTrial], bounds: &FitBounds) -> Result<MotionFit, 
         true => (0..trials.len())
             .map(|trial| {
                 let value = best.unknowns.floor_up_m.get(trial).copied().unwrap_or_default();
-                let mut one = fitted(next(), value, same, (value, value));
-                one.nearly_as_good = (value - 2.0 * one.standard_error, value + 2.0 * one.standard_error);
-                one
+                fitted(
+                    next(),
+                    value,
+                    same,
+                    height_range(trials, bounds, &best.unknowns, trial, after.vertical_rms_bw),
+                )
             })
             .collect(),
         false => Vec::new(),
@@ -62,7 +65,7 @@ pub fn fit_motion(trials: &[FitTrial], bounds: &FitBounds) -> Result<MotionFit, 
         before,
         after,
         held_out: held_out(trials, bounds, &own),
-        beside: trials.iter().flat_map(|trial| &trial.feet).map(|foot| foot.beside).sum(),
+        beside: trials.iter().map(|trial| trial.beside).sum(),
         frames: trials.iter().flat_map(|trial| &trial.feet).map(FootForces::frames).sum(),
     })
 }

@@ -32,7 +32,7 @@ pub(super) fn remarks(
     for one in &fit.held_out {
         said.push(
             format!(
-                "held out: fitted to the {}, the {} has an error of {:.3} body weights (rms)",
+                "held out: fitted to the {}, the error at the {} is {:.3} body weights (rms)",
                 one.fitted, one.tested, one.vertical_rms_bw
             )
             .into(),
@@ -87,11 +87,18 @@ fn feet(before: &Summary, after: &Summary) -> Vec<Phrase> {
 fn height(trial: usize, trials: usize, up: &FittedParameter) -> Phrase {
     let way = if up.value < 0.0 { "down" } else { "up" };
     let of = if trials > 1 { format!(" of trial {}", trial + 1) } else { String::new() };
-    let sure = match up.at_bound {
-        true => "the bound of the search".to_owned(),
-        false => format!("sure to {:.1} mm", (2e3 * up.standard_error).max(0.1)),
+    let (low_m, high_m) = match up.nearly_as_good {
+        (low_m, high_m) if up.value < 0.0 => (-high_m, -low_m),
+        range => range,
     };
-    format!("the floor{of} goes {way} by {:.1} mm, {sure}", 1e3 * up.value.abs()).into()
+    let bound = if up.at_bound { ", the bound of the search" } else { "" };
+    format!(
+        "the floor{of} goes {way} by {:.1} mm{bound}; {:.1} to {:.1} mm do nearly the same",
+        1e3 * up.value.abs(),
+        1e3 * low_m,
+        1e3 * high_m
+    )
+    .into()
 }
 
 fn stiffness(factor: &FittedParameter) -> Phrase {
