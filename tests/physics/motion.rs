@@ -131,6 +131,49 @@ fn what_is_missing_is_said() {
     refused(&bench, "motion walker.osim nothing.mot", "there is no such file");
 }
 
+/// Of plates without points and sides nobody knows the foot: feet are not compared with nothing.
+#[test]
+fn a_plate_of_no_foot_counts_in_the_total_alone() {
+    let bench = Bench::with(&FILES);
+    bench.run("motion walker.osim walk.mot -o own.sto").done();
+    let text = bench.text("own.sto").replace("_r_", "_1_").replace("_l_", "_2_").replace("_p", "_unknown_");
+    bench.write("forces.sto", text);
+    let call = "motion walker.osim walk.mot --plates forces.sto --format json";
+    let seen = object(&bench.run(call).done());
+    assert!(seen["feet"][0]["comparison"].is_null() && seen["feet"][1]["comparison"].is_null(), "{seen}");
+    assert!(seen["comparison"]["vertical_rms_bw"].as_f64().unwrap() < 1e-6, "{seen}");
+    refused(
+        &bench,
+        "fit walker.osim --motion walk.mot --plates forces.sto --dry-run",
+        "an ExternalLoads file says it",
+    );
+}
+
+/// A step beside the plates, 7.6 body weights in the model and none in the plates, is no error of the contacts.
+#[test]
+fn a_step_beside_the_plates_is_not_compared() {
+    let bench = Bench::with(&FILES);
+    bench.run("motion walker.osim walk.mot -o own.sto").done().wrote(&["own.sto", "own.xml"]);
+    let text = bench.text("own.sto");
+    let (head, rows) = text.split_once("endheader\n").unwrap();
+    let missed = |row: &str| {
+        let cells: Vec<&str> = row.split('\t').collect();
+        let is_missed = cells[0].parse().is_ok_and(|time: f64| 0.6 < time && time < 1.7);
+        let of = |(at, cell): (usize, &&str)| {
+            if is_missed && (1..10).contains(&at) { "0" } else { *cell }.to_owned()
+        };
+        cells.iter().enumerate().map(of).collect::<Vec<_>>().join("\t")
+    };
+    let rows: Vec<String> = rows.lines().map(missed).collect();
+    bench.write("missed.sto", format!("{head}endheader\n{}\n", rows.join("\n")));
+    let call = "motion walker.osim walk.mot --plates missed.sto --loads own.xml";
+    bench.run(call).done().says(&["right foot: in", "seems to stand beside the plates"]);
+    let seen = object(&bench.run(&format!("{call} --format json")).done());
+    assert_eq!(seen["feet"][0]["stances"].as_array().unwrap().len(), 2, "{seen}");
+    let rms_bw = seen["comparison"]["vertical_rms_bw"].as_f64().unwrap();
+    assert!(rms_bw < 0.05, "{rms_bw}");
+}
+
 /// The seventh verdict: before a fit it warns, after it is good, and a recording that cannot be read is not known.
 #[test]
 fn check_says_whether_contacts_fit_a_recording() {

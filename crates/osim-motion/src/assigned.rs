@@ -3,6 +3,7 @@
 use osim_feet::dot;
 use osim_model::Side;
 
+use crate::beside::beside;
 use crate::feet::Foot;
 use crate::plates::Plate;
 use crate::stance::ON_BW;
@@ -16,7 +17,7 @@ pub enum AssignedBy {
     Loads,
     /// The side in the name of its columns.
     Name,
-    /// The foot that is nearest to its centre of pressure, frame by frame.
+    /// The foot that is nearest to its centre of pressure, frame by frame, of those that it may be under.
     Nearest,
     /// There is one foot.
     OnlyFoot,
@@ -40,9 +41,11 @@ pub struct PlateUse {
 pub struct Measured {
     /// For each plate, what was made of it.
     pub uses: Vec<PlateUse>,
-    /// For each foot and frame; `None` where a plate that it may be on has no data.
+    /// For each foot and frame; `None` where a plate that it may be on has no data or no known foot, or where it stands beside the plates.
     pub feet: Vec<Vec<Option<Wrench>>>,
-    /// For each frame, all plates together.
+    /// For each foot, in how many frames it seems to stand beside the plates.
+    pub beside: Vec<usize>,
+    /// For each frame, all plates together; `None` where one has no data, or a foot stands beside them.
     pub total: Vec<Option<Wrench>>,
     /// Whether all plates of a foot have points: else its centre of pressure is not known.
     pub has_points: Vec<bool>,
@@ -57,13 +60,28 @@ impl Measured {
         let mut measured = Self {
             feet: vec![vec![Some(Wrench::default()); frames]; feet.len()],
             total: vec![Some(Wrench::default()); frames],
+            beside: vec![0; feet.len()],
             has_points: vec![true; feet.len()],
             uses,
         };
         for (plate, usage) in plates.iter().zip(measured.uses.clone()) {
             measured.take(plate, &usage, feet, states, weight_n);
         }
+        measured.forget_beside(feet, states, weight_n);
         measured
+    }
+
+    /// What is under a foot that stands beside the plates is not known.
+    fn forget_beside(&mut self, feet: &[Foot], states: &ContactStates, weight_n: f64) {
+        for ((foot, series), count) in feet.iter().zip(&mut self.feet).zip(&mut self.beside) {
+            let beside = beside(states, foot, series, weight_n);
+            for ((own, total), _) in
+                series.iter_mut().zip(&mut self.total).zip(beside).filter(|(_, is_beside)| *is_beside)
+            {
+                (*own, *total) = (None, None);
+                *count += 1;
+            }
+        }
     }
 
     fn take(
@@ -74,25 +92,27 @@ impl Measured {
         states: &ContactStates,
         weight_n: f64,
     ) {
+        let may_be_on = candidates(plate, feet);
         for (frame, &time_s) in states.time_s.iter().enumerate() {
             let wrench = plate.at(time_s);
             add(&mut self.total, frame, wrench);
-            match (usage.foot, usage.by) {
-                (Some(foot), _) => self.add_to(foot, frame, wrench),
-                (None, Some(AssignedBy::Nearest)) => match wrench {
-                    None => (0..feet.len()).for_each(|foot| self.add_to(foot, frame, None)),
-                    Some(wrench) => {
-                        if let Some(foot) = nearest(&wrench, feet, states, frame, ON_BW * weight_n) {
-                            self.add_to(foot, frame, Some(wrench));
-                        }
+            match (usage.by, wrench) {
+                (Some(AssignedBy::Nearest), Some(wrench)) => {
+                    let least_n = ON_BW * weight_n;
+                    if let Some(foot) = nearest(&wrench, feet, &may_be_on, states, frame, least_n) {
+                        self.add_to(foot, frame, Some(wrench));
                     }
-                },
-                _ => {}
+                }
+                // What is under a foot is not known where a plate has no data, or nobody knows its foot.
+                (Some(AssignedBy::Nearest), None) | (None, _) => {
+                    may_be_on.iter().for_each(|&foot| self.add_to(foot, frame, None));
+                }
+                (Some(_), _) => may_be_on.iter().for_each(|&foot| self.add_to(foot, frame, wrench)),
             }
         }
-        if !plate.has_points {
-            for (foot, has_points) in self.has_points.iter_mut().enumerate() {
-                *has_points &= usage.foot.is_some_and(|own| own != foot);
+        for foot in may_be_on {
+            if let Some(has_points) = self.has_points.get_mut(foot) {
+                *has_points &= plate.has_points;
             }
         }
     }
@@ -110,50 +130,95 @@ fn add(series: &mut [Option<Wrench>], frame: usize, wrench: Option<Wrench>) {
     }
 }
 
-fn used(plate: &Plate, feet: &[Foot]) -> PlateUse {
-    let of = |foot: Option<usize>, by| PlateUse {
-        plate: plate.name.clone(),
-        foot,
-        by: foot.is_some().then_some(by),
+/// The feet that a plate may be under: the one whose body its load is applied to, those of the side that its load or its columns name, or all.
+fn candidates(plate: &Plate, feet: &[Foot]) -> Vec<usize> {
+    let those = |is_one: &dyn Fn(&Foot) -> bool| -> Vec<usize> {
+        feet.iter().enumerate().filter(|(_, foot)| is_one(foot)).map(|(index, _)| index).collect()
     };
-    let of_side = |side: Side| feet.iter().position(|foot| foot.side == Some(side));
+    let of_side = |side: Side| those(&|foot| foot.side == Some(side));
     if let Some(body) = &plate.body {
-        let own = feet.iter().position(|foot| foot.bodies.contains(body));
+        let own = those(&|foot| foot.bodies.contains(body));
         // A load on another body of the limb, such as the tibia, has the limb's side.
-        return of(own.or_else(|| of_side(Side::of_name(body)?)), AssignedBy::Loads);
+        return if own.is_empty() { Side::of_name(body).map(of_side).unwrap_or_default() } else { own };
     }
-    if let Some(side) = Side::of_name(&plate.name) {
-        return of(of_side(side), AssignedBy::Name);
-    }
-    match feet.len() {
-        1 => of(Some(0), AssignedBy::OnlyFoot),
-        _ if plate.has_points => {
-            PlateUse { plate: plate.name.clone(), foot: None, by: Some(AssignedBy::Nearest) }
-        }
-        _ => PlateUse { plate: plate.name.clone(), foot: None, by: None },
-    }
+    Side::of_name(&plate.name).map_or_else(|| those(&|_| true), of_side)
 }
 
-/// The foot whose lowest sphere is nearest to where the force acts, along its plane; `None` where there is hardly a force.
+fn used(plate: &Plate, feet: &[Foot]) -> PlateUse {
+    let (foot, by) = match candidates(plate, feet).as_slice() {
+        &[only] if plate.body.is_some() => (Some(only), Some(AssignedBy::Loads)),
+        &[only] if Side::of_name(&plate.name).is_some() => (Some(only), Some(AssignedBy::Name)),
+        &[only] => (Some(only), Some(AssignedBy::OnlyFoot)),
+        [_, _, ..] if plate.has_points => (None, Some(AssignedBy::Nearest)),
+        _ => (None, None),
+    };
+    PlateUse { plate: plate.name.clone(), foot, by }
+}
+
+/// Of some feet, the one with the sphere that is nearest to where the force acts; `None` where there is hardly a force. A foot that swings past one that
+/// stands is higher, whatever the view from above says.
 fn nearest(
     wrench: &Wrench,
     feet: &[Foot],
+    of: &[usize],
     states: &ContactStates,
     frame: usize,
     least_n: f64,
 ) -> Option<usize> {
     let all = states.frame(frame);
     let mut best: Option<(f64, usize)> = None;
-    for (index, foot) in feet.iter().enumerate() {
-        let own = foot.pairs.iter().filter_map(|&pair| all.get(pair));
-        let lowest = own.max_by(|a, b| a.indentation_m.total_cmp(&b.indentation_m))?;
-        let centre = wrench.centre_of_pressure(lowest.normal, lowest.point_m, least_n)?;
-        let away: [f64; 3] = std::array::from_fn(|i| centre.point_m[i] - lowest.centre_m[i]);
-        let up = dot(away, lowest.normal);
-        let distance = dot(away, away) - up * up;
-        if best.is_none_or(|(least, _)| distance < least) {
-            best = Some((distance, index));
+    for (index, foot) in of.iter().filter_map(|&index| Some((index, feet.get(index)?))) {
+        for &pair in &foot.pairs {
+            let (state, radius_m) = (all.get(pair)?, states.pairs.get(pair)?.radius_m);
+            let centre = wrench.centre_of_pressure(state.normal, state.on_surface_m(radius_m), least_n)?;
+            let away: [f64; 3] = std::array::from_fn(|i| centre.point_m[i] - state.centre_m[i]);
+            let distance = dot(away, away);
+            if best.is_none_or(|(least, _)| distance < least) {
+                best = Some((distance, index));
+            }
         }
     }
     best.map(|(_, index)| index)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::table::Table;
+
+    fn foot(name: &str, side: Side, body: &str) -> Foot {
+        Foot { name: name.to_owned(), side: Some(side), pairs: Vec::new(), bodies: vec![body.to_owned()] }
+    }
+
+    /// What is made of the plate of `stem`, with or without points, which a load on `body` takes.
+    fn taken(stem: &str, body: Option<&str>, feet: &[Foot]) -> (Option<usize>, Option<AssignedBy>) {
+        let names: Vec<String> = ["v", "p"]
+            .iter()
+            .flat_map(|kind| ["x", "y", "z"].map(|axis| format!("{stem}{kind}{axis}")))
+            .collect();
+        let text = format!("endheader\ntime {}\n0 0 9 0 1 0 1\n", names.join(" "));
+        let mut plates = Plate::all(&Table::read(text.as_bytes()).unwrap()).unwrap();
+        plates[0].body = body.map(str::to_owned);
+        let used = used(&plates[0], feet);
+        (used.foot, used.by)
+    }
+
+    #[test]
+    fn a_side_says_which_foot_where_it_has_one() {
+        let two = [foot("right foot", Side::Right, "calcn_r"), foot("left foot", Side::Left, "calcn_l")];
+        assert_eq!(taken("ground_force_l_", None, &two), (Some(1), Some(AssignedBy::Name)));
+        assert_eq!(taken("ground_force_1_", None, &two), (None, Some(AssignedBy::Nearest)));
+        assert_eq!(taken("ground_force_1_", Some("tibia_l"), &two), (Some(1), Some(AssignedBy::Loads)));
+        assert_eq!(taken("ground_force_l_", None, &two[..1]), (None, None));
+        assert_eq!(taken("ground_force_1_", None, &two[..1]), (Some(0), Some(AssignedBy::OnlyFoot)));
+    }
+
+    #[test]
+    fn a_side_with_two_feet_says_nothing() {
+        let horse = [foot("hind", Side::Right, "pes_r"), foot("fore", Side::Right, "manus_r")];
+        assert_eq!(taken("ground_force_r_", None, &horse), (None, Some(AssignedBy::Nearest)));
+        assert_eq!(taken("ground_force_1_", Some("manus_r"), &horse), (Some(1), Some(AssignedBy::Loads)));
+        assert_eq!(taken("ground_force_1_", Some("radius_r"), &horse), (None, Some(AssignedBy::Nearest)));
+        assert_eq!(taken("ground_force_1_", Some("torso"), &horse), (None, None));
+    }
 }

@@ -10,6 +10,7 @@
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 mod assigned;
+mod beside;
 mod comparison;
 mod coordinates;
 mod fault;

@@ -230,9 +230,7 @@ impl FootSummary {
 fn compared_on(states: &ContactStates, foot: &Foot, weight_n: f64, has_points: bool) -> Option<ComparedOn> {
     let &pair = foot.pairs.first()?;
     let (state, radius_m) = (states.frame(0).get(pair)?, states.pairs.get(pair)?.radius_m);
-    // From the centre down to the plane.
-    let down = radius_m - state.indentation_m;
-    let point_m = std::array::from_fn(|i| state.centre_m[i] - down * state.normal[i]);
+    let point_m = state.on_surface_m(radius_m);
     Some(ComparedOn { normal: state.normal, point_m, least_n: ON_BW * weight_n, has_points })
 }
 

@@ -4,7 +4,7 @@ pub(crate) mod opened;
 mod plates;
 mod remarks;
 mod result;
-mod run;
+pub(crate) mod run;
 mod verdict;
 
 pub use plates::PlatesRead;

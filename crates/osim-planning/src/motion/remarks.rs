@@ -2,7 +2,7 @@
 
 use osim_feet::dot;
 use osim_messages::{Input, Phrase, Verb, four_significant, phrase, readable};
-use osim_motion::{AngleUnit, FootSummary, LeftOut, PlateUse};
+use osim_motion::{AngleUnit, FootSummary, LeftOut, ON_BW, PlateUse};
 use osim_requests::MotionRequest;
 
 use super::result::MotionResult;
@@ -79,7 +79,9 @@ impl MotionResult {
             )
             .into();
         }
-        let mut text = format!("{name}: up to {} body weights", bw(foot.peak_n));
+        // Beside the plates, the frames count that the plates measured.
+        let peak_n = foot.comparison.as_ref().map_or(foot.peak_n, |plate| plate.peak_n);
+        let mut text = format!("{name}: up to {} body weights", bw(peak_n));
         if let Some(plate) = &foot.comparison {
             text.push_str(&format!(" where the plates measured up to {}", bw(plate.measured_peak_n)));
         }
@@ -91,8 +93,10 @@ impl MotionResult {
             }
         }
         if let Some(plate) = &foot.comparison {
-            let times = foot.peak_n / plate.measured_peak_n;
-            if times > FAR_OFF {
+            let times = plate.peak_n / plate.measured_peak_n;
+            if plate.measured_peak_n <= ON_BW * self.summary.weight_n {
+                text.push_str(": hardly anything of it is on a plate");
+            } else if times > FAR_OFF {
                 text.push_str(": the floor is too high for this recording, or the contacts too stiff");
             } else if times < 1.0 / FAR_OFF {
                 text.push_str(": the floor is too low for this recording, or the contacts too soft");
@@ -193,6 +197,16 @@ impl MotionResult {
                 format!(
                     "the ExternalLoads name '{other}' as their data; what was given is read: {}",
                     read.file.display()
+                ),
+            );
+        }
+        let names = self.summary.feet.iter().map(|foot| &foot.foot.name);
+        for (name, frames) in names.zip(&measured.beside).filter(|(_, frames)| **frames > 0) {
+            remarks.say(
+                "beside-plates",
+                format!(
+                    "{name}: in {frames} frames it seems to stand beside the plates, as low and as still as on them without a force; \
+                     these frames are not compared"
                 ),
             );
         }

@@ -1,7 +1,7 @@
 //! A motion, seen by the contacts of a model.
 
-use osim_model::Fault;
-use osim_model::files::{Failure, FileName, Files, OpenModel};
+use osim_model::files::{Failure, FileName, Files};
+use osim_model::{Fault, MassRequest, Model};
 use osim_motion::{ContactStates, Foot, Measured, Recording, StatesError, Summary};
 use osim_requests::{MotionRequest, RequestError, RequestFault, Speed};
 
@@ -25,7 +25,8 @@ pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionRe
         .map_err(|fault| failure(motion, &fault))?;
     let loads = request.loads.as_deref();
     let plates = request.plates.as_ref().map(|file| PlatesRead::read(file, loads, files)).transpose()?;
-    let (mass_kg, gravity_m_s2) = weight(request, &opened).map_err(|fault| opened.failure(fault))?;
+    let (mass_kg, gravity_m_s2) =
+        weight(&request.masses.request(), &opened.model).map_err(|fault| opened.failure(fault))?;
     let selected = request.choice.selection().apply(&opened.model).map_err(|fault| opened.failure(fault))?;
     // A belt runs backwards under somebody who walks towards x.
     let belt_m_s = request.belt.map(Speed::get).map(|speed| [-speed, 0.0, 0.0]);
@@ -68,10 +69,13 @@ pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionRe
     })
 }
 
-/// What the model weighs, kg and m/s².
-fn weight(request: &MotionRequest, opened: &OpenModel) -> Result<(f64, f64), Fault> {
-    let mass = request.masses.request().of_model(&opened.model)?;
-    let gravity = opened.model.gravity().filter(|&gravity| gravity > 0.0);
+/// What `model` weighs, kg and m/s².
+///
+/// # Errors
+/// No mass, or no gravity.
+pub(crate) fn weight(masses: &MassRequest, model: &Model) -> Result<(f64, f64), Fault> {
+    let mass = masses.of_model(model)?;
+    let gravity = model.gravity().filter(|&gravity| gravity > 0.0);
     let needed =
         || Fault::refused("the model has no gravity, so that there is no body weight to compare forces with");
     Ok((mass.kg, gravity.ok_or_else(needed)?))

@@ -75,7 +75,7 @@ fn verdict(result: &MotionResult) -> Verdict {
         format!(
             "{}: up to {:.2} body weights where the plates measured up to {:.2}; {rms}. ",
             foot.foot.name,
-            foot.peak_n / weight_n,
+            worst.peak_n / weight_n,
             worst.measured_peak_n / weight_n
         ),
         call,

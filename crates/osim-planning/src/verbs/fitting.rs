@@ -19,6 +19,7 @@ use super::asking::Asking;
 use super::fitted_words::remarks;
 use crate::motion::PlatesRead;
 use crate::motion::opened::{recording_options, table};
+use crate::motion::run::weight;
 use crate::opening::read;
 use crate::planner::{Change, Planner, file_name};
 
@@ -105,6 +106,8 @@ struct Seen {
     summary: Summary,
     trial: FitTrial,
     planes: Vec<HalfSpace>,
+    /// Forces of plates of which nobody knows the foot, by their columns.
+    of_no_foot: Vec<String>,
 }
 
 impl Fitting {
@@ -130,16 +133,8 @@ impl Fitting {
         let summary = Summary::of(&states, &feet, Some(&measured), weight_n);
         let fitted = FitTrial::of(&states, &feet, &measured, weight_n);
         let planes = states.planes.clone();
-        Ok(Seen { summary, trial: fitted, planes })
-    }
-
-    fn weight_n(&self, model: &Model) -> Result<f64, Fault> {
-        let mass = self.masses.of_model(model)?;
-        let gravity = model.gravity().filter(|&gravity| gravity > 0.0);
-        let none = || {
-            Fault::refused("the model has no gravity, so that there is no body weight to compare forces with")
-        };
-        Ok(mass.kg * gravity.ok_or_else(none)?)
+        let of_no_foot = measured.uses.into_iter().filter(|one| one.by.is_none()).map(|one| one.plate);
+        Ok(Seen { summary, trial: fitted, planes, of_no_foot: of_no_foot.collect() })
     }
 
     /// The values and places that a fit comes to.
@@ -149,6 +144,7 @@ impl Fitting {
         selected: &Selected,
         fit: &MotionFit,
         planes: &[HalfSpace],
+        mass_kg: f64,
     ) -> Result<Set, Fault> {
         let mut assignments = Vec::new();
         let mut said: Vec<String> = Vec::new();
@@ -182,7 +178,7 @@ impl Fitting {
         }
         wanted.fitted = Some(said.join(" "));
         // What was fitted to a body carries that body.
-        wanted.made_for_kg = self.masses.of_model(model).ok().map(|mass| mass.kg);
+        wanted.made_for_kg = Some(mass_kg);
         wanted.again = true;
         let noted = || Some(Mass { kg: model.note.as_ref()?.contacts_mass_kg?, source: MassSource::Note });
         wanted.contacts_mass = self.masses.of_contacts(model).ok().map(|(mass, _)| mass).or_else(noted);
@@ -209,17 +205,18 @@ impl Planner for Fitting {
 
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         let selected = self.selection.apply(model)?;
-        let weight_n = self.weight_n(model)?;
+        let (mass_kg, gravity_m_s2) = weight(&self.masses, model)?;
+        let weight_n = mass_kg * gravity_m_s2;
         let seen: Vec<Seen> = self
             .trials
             .iter()
             .map(|trial| self.see(trial, model, &selected, weight_n))
             .collect::<Result<_, _>>()?;
         let trials: Vec<FitTrial> = seen.iter().map(|one| one.trial.clone()).collect();
-        let fit =
-            fit_motion(&trials, &self.bounds).map_err(|error: FitError| Fault::refused(error.to_string()))?;
+        let of_no_foot = seen.iter().flat_map(|one| &one.of_no_foot).next();
+        let fit = fit_motion(&trials, &self.bounds).map_err(|error| no_fit(&error, of_no_foot))?;
         let planes = seen.first().map(|one| one.planes.clone()).unwrap_or_default();
-        let wanted = self.wanted(model, &selected, &fit, &planes)?;
+        let wanted = self.wanted(model, &selected, &fit, &planes, mass_kg)?;
         let mut plan = set(model, &selected, &wanted)?;
         let changed = plan.changed(model)?;
         // The floor of the model is that of the first trial.
@@ -232,6 +229,16 @@ impl Planner for Fitting {
         let after = after.as_ref().map(|after| &after.summary);
         plan.remarks.extend(remarks(&fit, before, after, &self.bounds));
         Ok(plan)
+    }
+}
+
+/// Why there is no fit, and what would help.
+fn no_fit(error: &FitError, of_no_foot: Option<&String>) -> Fault {
+    match (error, of_no_foot) {
+        (FitError::NoForce, Some(plate)) => Fault::refused(format!(
+            "nothing says which foot the force '{plate}' is under, so there is nothing to fit to: an ExternalLoads file says it"
+        )),
+        _ => Fault::refused(error.to_string()),
     }
 }
 
