@@ -47,10 +47,14 @@ fn forces(result: &MotionResult, index: usize, foot: &FootSummary) -> Panel {
     });
     let measured = result.measured.as_ref().and_then(|measured| measured.feet.get(index));
     if let Some(measured) = measured {
-        let known = times().zip(measured).filter_map(|(time, one)| Some((time, along(one.as_ref()?))));
-        let points: Vec<(f64, f64)> = known.collect();
-        if points.len() > 1 {
-            panel.curves.push(Curve { label: "plates".to_owned(), points, look: Look::series(1) });
+        let all: Vec<Option<(f64, f64)>> =
+            times().zip(measured).map(|(time, one)| Some((time, along(one.as_ref()?)))).collect();
+        // No line leads over a time of which the plates know nothing.
+        for run in all.chunk_by(|before, after| before.is_some() == after.is_some()) {
+            let points: Vec<(f64, f64)> = run.iter().copied().flatten().collect();
+            if points.len() > 1 {
+                panel.curves.push(Curve { label: "plates".to_owned(), points, look: Look::series(1) });
+            }
         }
     }
     panel

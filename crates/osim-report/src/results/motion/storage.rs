@@ -3,11 +3,8 @@
 use osim_feet::dot;
 use osim_messages::shortest;
 use osim_model::cross;
-use osim_motion::{ContactState, Wrench};
+use osim_motion::{ContactState, ON_BW, Wrench};
 use osim_planning::MotionResult;
-
-/// A centre of pressure is taken above this part of body weight; below, forces act where they did last.
-const LEAST_BW: f64 = 0.05;
 
 /// The contacts of one body.
 struct Load {
@@ -88,7 +85,8 @@ fn point_of(result: &MotionResult, first: Option<&ContactState>, wrench: &Wrench
     let state = first?;
     let down: f64 = dot(std::array::from_fn(|i| state.centre_m[i] - state.point_m[i]), state.normal);
     let on_plane = std::array::from_fn(|i| state.centre_m[i] - down * state.normal[i]);
-    let least_n = LEAST_BW * result.summary.weight_n;
+    // Below, forces act where they did last.
+    let least_n = ON_BW * result.summary.weight_n;
     wrench.centre_of_pressure(state.normal, on_plane, least_n).map(|centre| centre.point_m)
 }
 
