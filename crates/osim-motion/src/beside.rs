@@ -3,9 +3,9 @@
 use osim_feet::dot;
 
 use crate::feet::Foot;
+use crate::percentile::percentile;
 use crate::stance::{OFF_BW, ON_BW};
 use crate::states::{ContactState, ContactStates};
-use crate::summary::percentile;
 use crate::wrench::Wrench;
 
 /// A foot that moves up or down faster than this does not stand, m/s.

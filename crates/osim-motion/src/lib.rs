@@ -19,6 +19,7 @@ mod filter;
 pub mod fit;
 mod left_out;
 mod pair;
+mod percentile;
 mod plates;
 mod recording;
 mod skeleton;

@@ -6,6 +6,7 @@ use osim_feet::dot;
 use crate::assigned::Measured;
 use crate::comparison::{ComparedOn, Comparison};
 use crate::feet::Foot;
+use crate::percentile::percentile;
 use crate::stance::{ON_BW, Stance, strides};
 use crate::states::{ContactState, ContactStates};
 use crate::wrench::{CentreOfPressure, Wrench};
@@ -310,17 +311,6 @@ fn largest(values: &[f64]) -> (usize, f64) {
     best
 }
 
-/// The value that a part of all is below, with straight lines between; `None` of none.
-pub(crate) fn percentile(values: &[f64], part: f64) -> Option<f64> {
-    let mut sorted: Vec<f64> = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let place = part * sorted.len().checked_sub(1)? as f64;
-    let below = place as usize;
-    let low = *sorted.get(below)?;
-    let high = sorted.get(below + 1).copied().unwrap_or(low);
-    Some(low + (place - below as f64) * (high - low))
-}
-
 fn median_vector(states: &[&ContactState]) -> Option<[f64; 3]> {
     let median = |axis: usize| {
         let parts: Vec<f64> = states.iter().filter_map(|state| state.slip_m_s.get(axis).copied()).collect();
@@ -346,13 +336,6 @@ fn mean_over(time_s: &[f64], values: &[Option<f64>], spans: &[(f64, f64)]) -> Op
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn percentiles_are_between_values() {
-        assert_eq!(percentile(&[3.0, 1.0, 2.0], 0.5), Some(2.0));
-        assert_eq!(percentile(&[1.0, 2.0], 0.25), Some(1.25));
-        assert_eq!(percentile(&[], 0.5), None);
-    }
 
     #[test]
     fn a_frame_lasts_to_the_middle_of_its_neighbours() {
