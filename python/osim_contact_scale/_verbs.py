@@ -663,8 +663,13 @@ def fit(
     motion: StrPath | Sequence[StrPath] | None = None,
     plates: StrPath | Sequence[StrPath] | None = None,
     loads: StrPath | Sequence[StrPath] | None = None,
-    fit: Literal["stiffness", "dissipation", "height"] | None = None,
+    fit: Literal["stiffness", "dissipation", "height", "heights", "places"] | None = None,
     unbounded: bool = False,
+    height_in: Literal["floor", "spheres"] | None = None,
+    cop_scale: float | None = None,
+    slack: bool = False,
+    foot_error: float | None = None,
+    belt: float | None = None,
     angles: Literal["degrees", "radians"] | None = None,
     low_pass: float | None = None,
     radius: float | None = None,
@@ -704,10 +709,22 @@ def fit(
         Ground reactions that force plates measured (.mot, .sto); one for each motion.
     loads : path or list of path, optional
         OpenSim's ExternalLoads (.xml); one for each motion, or one for all.
-    fit : {"stiffness", "dissipation", "height"}, optional
-        What to fit; one or several in a list [default: all three]
+    fit : {"stiffness", "dissipation", "height", "heights", "places"}, optional
+        What to fit; one or several in a list [default: stiffness, dissipation and height]
     unbounded : bool, optional
         Let spheres go deeper than their radius.
+    height_in : {"floor", "spheres"}, optional
+        What a fitted height moves.
+    cop_scale : float, optional
+        Fit the centre of pressure as well: one that is this far off under a full body weight counts as an error
+        of one body weight, m [default with heights or places: 0.1]
+    slack : bool, optional
+        Let each foot of the recording be a little higher, lower or turned in each stance: this hides what the
+        contacts cannot explain.
+    foot_error : float, optional
+        With slack, by how much feet are usually too high or too low, m, with 5 rad/m in pitch [default: 0.004]
+    belt : float, optional
+        Speed of a treadmill's belt against x, m/s: slip is taken against it.
     angles : {"degrees", "radians"}, optional
         The unit of the motions' angles, where their headers do not say it.
     low_pass : float, optional
@@ -768,7 +785,7 @@ def fit(
     ContactScaleError
         It cannot be done: the subclass says why.
     """
-    keywords = {"motion": motion, "plates": plates, "loads": loads, "fit": fit, "unbounded": unbounded or None, "angles": angles, "low_pass": low_pass, "radius": radius, "spheres": spheres, "onset": onset, "branch": branch, "indentation_column": indentation_column, "force_column": force_column, "speed_column": speed_column, "time_column": time_column, "indentation_unit": indentation_unit, "force_unit": force_unit, "speed_unit": speed_unit, "time_unit": time_unit, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}
+    keywords = {"motion": motion, "plates": plates, "loads": loads, "fit": fit, "unbounded": unbounded or None, "height_in": height_in, "cop_scale": cop_scale, "slack": slack or None, "foot_error": foot_error, "belt": belt, "angles": angles, "low_pass": low_pass, "radius": radius, "spheres": spheres, "onset": onset, "branch": branch, "indentation_column": indentation_column, "force_column": force_column, "speed_column": speed_column, "time_column": time_column, "indentation_unit": indentation_unit, "force_unit": force_unit, "speed_unit": speed_unit, "time_unit": time_unit, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}
     return _run.fit(measured, keywords)
 
 

@@ -1,4 +1,6 @@
-//! Contacts along a recorded motion: force beside the plates', and how deep each sphere is.
+//! Contacts along a recorded motion: force beside the plates', how deep each sphere is, and where forces act on the sole.
+
+mod sole;
 
 use contact_plots::{Axis, Curve, Direction, Figure, Limit, Look, Panel, Width};
 use contact_scaling::limits;
@@ -7,7 +9,7 @@ use osim_model::files::FileName;
 use osim_motion::{FootSummary, Wrench};
 use osim_planning::MotionResult;
 
-/// Two panels for each foot.
+/// Four panels for each foot.
 pub(super) fn motion(result: &MotionResult, title: Option<&str>) -> Figure {
     let feet = &result.summary.feet;
     let own = || format!("{} along {}", stem(result.opened.name()), stem(&result.motion));
@@ -15,7 +17,7 @@ pub(super) fn motion(result: &MotionResult, title: Option<&str>) -> Figure {
         title: title.map_or_else(own, str::to_owned),
         description: format!(
             "Force along the normal of the floor over body weight of {}, of the model and, where they are there, of the plates; and \
-             indentation over radius of each sphere, against time.",
+             indentation over radius of each sphere, against time; where the force acts on the sole; and forces as arrows along the foot.",
             feet.iter().map(|foot| foot.foot.name.as_str()).collect::<Vec<_>>().join(" and ")
         ),
         width: Width::Page,
@@ -23,7 +25,13 @@ pub(super) fn motion(result: &MotionResult, title: Option<&str>) -> Figure {
         panels: feet
             .iter()
             .enumerate()
-            .flat_map(|(index, foot)| [forces(result, index, foot), depths(result, foot)])
+            .flat_map(|(index, foot)| {
+                let of_sole = result.on_soles.get(index).and_then(Option::as_ref);
+                let of_sole = of_sole.map(|on_sole| sole::panels(result, index, foot, on_sole));
+                [forces(result, index, foot), depths(result, foot)]
+                    .into_iter()
+                    .chain(of_sole.into_iter().flatten())
+            })
             .collect(),
     }
 }

@@ -131,6 +131,7 @@ inputs! {
     Select = "select", "forces to choose";
     Shard = "shard", "share of the models";
     SkipDisabled = "skip_disabled", "leave out disabled forces";
+    Slack = "slack", "slack in the kinematics";
     Soft = "soft", "dimensionless stiffness of the first step";
     SpeedColumn = "speed_column", "column of the speed";
     SpeedUnit = "speed_unit", "unit of the speed";
@@ -189,6 +190,7 @@ impl Input {
                 | Self::Replace
                 | Self::Resume
                 | Self::SkipDisabled
+                | Self::Slack
                 | Self::Strict
                 | Self::Unbounded
         )

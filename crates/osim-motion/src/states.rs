@@ -93,7 +93,29 @@ impl ContactStates {
         forces: &[ForceId],
         belt_m_s: [f64; 3],
     ) -> Result<Self, StatesError> {
-        let (pairs, planes) = pairs_of(model, forces)?;
+        Self::of_pairs(model, recording, pairs_of(model, forces)?, belt_m_s)
+    }
+
+    /// The same contacts with the centre of each sphere moved in its body, m, by its pair.
+    pub(crate) fn displaced(
+        &self,
+        model: &Model,
+        recording: &Recording,
+        by_m: &[[f64; 3]],
+    ) -> Result<Self, StatesError> {
+        let mut pairs = self.pairs.clone();
+        for (pair, by_m) in pairs.iter_mut().zip(by_m) {
+            pair.centre_m = std::array::from_fn(|i| pair.centre_m[i] + by_m[i]);
+        }
+        Self::of_pairs(model, recording, (pairs, self.planes.clone()), [0.0; 3])
+    }
+
+    fn of_pairs(
+        model: &Model,
+        recording: &Recording,
+        (pairs, planes): (Vec<ContactPair>, Vec<HalfSpace>),
+        belt_m_s: [f64; 3],
+    ) -> Result<Self, StatesError> {
         let bodies: HashSet<&str> = pairs.iter().map(|pair| pair.body.as_str()).collect();
         let carriers = planes.iter().filter_map(|plane| plane.body.as_deref());
         let scenery = pairs.iter().filter_map(|pair| match pair.touched {

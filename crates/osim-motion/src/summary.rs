@@ -109,6 +109,8 @@ pub struct Summary {
     pub stride_mean_n: Option<f64>,
     /// The same of the plates, which is what the subject weighs.
     pub measured_stride_mean_n: Option<f64>,
+    /// The part of whole strides in which more than one foot stands; `None` of one foot, or without a whole stride.
+    pub double_support: Option<f64>,
 }
 
 impl Summary {
@@ -147,11 +149,25 @@ impl Summary {
             stride_mean_n: mean_over(&states.time_s, &own, &spans),
             measured_stride_mean_n: plates
                 .and_then(|plates: Vec<Option<f64>>| mean_over(&states.time_s, &plates, &spans)),
+            double_support: double_support(&states.time_s, &feet, &spans),
             feet,
             total,
             comparison,
         }
     }
+}
+
+/// The part of `spans` in which more than one foot stands.
+fn double_support(time_s: &[f64], feet: &[FootSummary], spans: &[(f64, f64)]) -> Option<f64> {
+    let in_stride = |frame: usize| {
+        time_s.get(frame).is_some_and(|&time| spans.iter().any(|&(from, to)| time >= from && time < to))
+    };
+    let stand = |frame: usize| {
+        feet.iter().filter(|foot| foot.stances.iter().any(|one| one.stance.has(frame))).count()
+    };
+    let whole_s = duration_s(time_s, in_stride);
+    (feet.len() > 1 && whole_s > 0.0)
+        .then(|| duration_s(time_s, |frame| in_stride(frame) && stand(frame) > 1) / whole_s)
 }
 
 impl FootSummary {

@@ -66,7 +66,7 @@ pub struct Plan {
     pub(crate) rebuilt: Option<Rebuilt>,
 }
 
-/// How far the forces of a fit are from those that plates measured: the worst foot of the worst trial.
+/// How far the forces of a fit are from those that plates measured: the worst foot of the first trial.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RecordingErrors {
     /// Root mean square along the normal of the floor, body weights.
@@ -79,6 +79,23 @@ pub struct RecordingErrors {
     pub cop_rms_m: Option<f64>,
     /// The largest x/R.
     pub largest_relative_indentation: f64,
+    /// What slack does; `None` without slack.
+    pub slack: Option<SlackErrors>,
+}
+
+/// What slack in the kinematics does to a fit; the model that is written has none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SlackErrors {
+    /// Root mean square along the normal of the floor with slack, body weights.
+    pub vertical_rms_bw: f64,
+    /// Root mean square of what feet are higher or lower than recorded, m.
+    pub height_rms_m: f64,
+    /// The most of it, m.
+    pub largest_height_m: f64,
+    /// Root mean square of what feet are turned in pitch, rad.
+    pub pitch_rms_rad: f64,
+    /// The most of it, rad.
+    pub largest_pitch_rad: f64,
 }
 
 /// The mass that contacts were made for, before and after a change.

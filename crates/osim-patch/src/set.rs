@@ -57,6 +57,8 @@ pub struct Set {
     pub assignments: Vec<(Property, Assignment)>,
     /// Where the centres of spheres are to be for level feet, in their own frames, m; `None` where they stay.
     pub level: Option<Vec<(SphereId, [f64; 3])>>,
+    /// Where the centres of spheres are to be that were fitted, in their own frames, m.
+    pub centres: Vec<(SphereId, [f64; 3])>,
     /// Half-spaces with their new places in their frames, m.
     pub planes: Vec<(HalfSpace, [f64; 3])>,
     /// Whether the values were fitted to recordings, with what the note says of these; `None` where the caller gave them.
@@ -148,6 +150,10 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
         plan.location(sphere, location_m, LEVEL)?;
     }
     let is_level = !plan.moves.is_empty();
+    for &(sphere, location_m) in &wanted.centres {
+        users.refuse(model, &selected.forces, sphere, RadiusFrom::Fit)?;
+        plan.location(sphere, location_m, FIT)?;
+    }
     for (plane, location_m) in &wanted.planes {
         plan.plane_location(plane, *location_m, FIT)?;
     }

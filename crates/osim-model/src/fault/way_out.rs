@@ -84,6 +84,8 @@ pub enum RadiusFrom {
     Assignment,
     /// The foot, whose bottoms are made level: the centre changes then, and not the radius.
     Level,
+    /// A fit that moves spheres: the centre changes, and not the radius.
+    Fit,
 }
 
 impl RadiusFrom {
@@ -95,6 +97,7 @@ impl RadiusFrom {
             Self::ContactStiffness => phrase!["leave out ", Input::ContactStiffness],
             Self::Assignment => "set no radius".into(),
             Self::Level => phrase!["leave out ", Input::Level],
+            Self::Fit => phrase!["fit what moves no sphere, such as ", Input::Fit.being("height")],
         }
     }
 }

@@ -2,10 +2,14 @@
 
 use contact_scaling::Law;
 use osim_feet::dot;
+use osim_model::Model;
 
+use super::answers::{Answers, Displaced};
 use crate::assigned::Measured;
 use crate::feet::Foot;
-use crate::states::{ContactState, ContactStates};
+use crate::recording::Recording;
+use crate::sole::SoleAxes;
+use crate::states::{ContactState, ContactStates, StatesError};
 use crate::wrench::Wrench;
 
 /// One trial: the contacts of each foot where the plates say what its force is.
@@ -30,15 +34,48 @@ pub struct FootForces {
     pub measured_n: Vec<f64>,
     /// Indentation (m) and its rate (m/s) of each sphere, frame by frame.
     pub contacts: Vec<(f64, f64)>,
+    /// How the contacts answer to spheres that move in their bodies; `None` where nobody asked.
+    pub(super) answers: Option<Answers>,
 }
 
 impl FitTrial {
     /// What `states` and `measured` say, over the frames in which all plates of a foot are there.
     #[must_use]
     pub fn of(states: &ContactStates, feet: &[Foot], measured: &Measured, weight_n: f64) -> Self {
-        let feet = feet.iter().zip(&measured.feet);
+        Self::with(states, feet, measured, weight_n, None)
+    }
+
+    /// The same, with how the contacts answer where spheres move in their bodies, or the feet of the recording are shifted.
+    ///
+    /// # Errors
+    /// It is not known where a body is.
+    pub fn with_answers(
+        model: &Model,
+        recording: &Recording,
+        states: &ContactStates,
+        (feet, measured): (&[Foot], &Measured),
+        weight_n: f64,
+    ) -> Result<Self, StatesError> {
+        let axes = SoleAxes::of(model, states)?;
+        let displaced = Displaced::of(model, recording, states, &axes)?;
+        Ok(Self::with(states, feet, measured, weight_n, Some(&displaced)))
+    }
+
+    fn with(
+        states: &ContactStates,
+        feet: &[Foot],
+        measured: &Measured,
+        weight_n: f64,
+        displaced: Option<&Displaced<'_>>,
+    ) -> Self {
+        let one = |(number, (foot, plates)): (usize, (&Foot, &Vec<Option<Wrench>>))| {
+            let (mut forces, kept) = FootForces::of(states, foot, plates);
+            forces.answers =
+                displaced.map(|displaced| displaced.answers(number, foot, measured, &kept, weight_n));
+            forces
+        };
         Self {
-            feet: feet.map(|(foot, plates)| FootForces::of(states, foot, plates)).collect(),
+            feet: feet.iter().zip(&measured.feet).enumerate().map(one).collect(),
             weight_n,
             beside: measured.beside.iter().sum(),
         }
@@ -46,13 +83,15 @@ impl FitTrial {
 }
 
 impl FootForces {
-    fn of(states: &ContactStates, foot: &Foot, plates: &[Option<Wrench>]) -> Self {
+    /// Those of `foot`, and the frames they are of.
+    fn of(states: &ContactStates, foot: &Foot, plates: &[Option<Wrench>]) -> (Self, Vec<usize>) {
         let pairs = foot.pairs.iter().filter_map(|&pair| states.pairs.get(pair));
         let mut forces = Self {
             name: foot.name.clone(),
             laws: pairs.map(|pair| (pair.law, pair.radius_m)).collect(),
             measured_n: Vec::new(),
             contacts: Vec::new(),
+            answers: None,
         };
         let own = |frame: usize| -> Vec<&ContactState> {
             foot.pairs.iter().filter_map(|&pair| states.frame(frame).get(pair)).collect()
@@ -61,12 +100,14 @@ impl FootForces {
             let (plate, first) = (plates.get(frame)?.as_ref()?, *own(frame).first()?);
             Some(dot(plate.force_n, first.normal))
         };
+        let mut kept = Vec::new();
         for frame in 0..states.frames() {
             let Some(force_n) = normal_n(frame) else { continue };
+            kept.push(frame);
             forces.measured_n.push(force_n);
             forces.contacts.extend(own(frame).iter().map(|state| (state.indentation_m, state.rate_m_s)));
         }
-        forces
+        (forces, kept)
     }
 
     /// How many frames there are.
@@ -84,6 +125,7 @@ impl FootForces {
             laws: self.laws.clone(),
             measured_n: self.measured_n.get(first..end).unwrap_or_default().to_vec(),
             contacts: self.contacts.get(first * count..end * count).unwrap_or_default().to_vec(),
+            answers: self.answers.as_ref().map(|answers| answers.part(first, end)),
         }
     }
 

@@ -1,20 +1,18 @@
 //! A part fitted, and tried on the rest.
 
 use super::data::FitTrial;
-use super::problem::{Unknowns, errors};
 use super::result::HeldOut;
-use super::search::{FitBounds, search};
 
-/// One foot fitted and the others tested; of one foot, each half fitted and the other tested.
-pub(super) fn held_out(trials: &[FitTrial], bounds: &FitBounds, own: &Unknowns) -> Vec<HeldOut> {
+/// One foot fitted and the others tested; of one foot, each half fitted and the other tested. `tried` fits the one and gives the error at
+/// the other, body weights.
+pub(super) fn held_out(
+    trials: &[FitTrial],
+    tried: impl Fn(&[FitTrial], &[FitTrial]) -> Option<f64>,
+) -> Vec<HeldOut> {
     let mut found = Vec::new();
     let mut add = |fitted: &str, tested: &str, parts: (Vec<FitTrial>, Vec<FitTrial>)| {
-        let Ok(best) = search(&parts.0, bounds, own) else { return };
-        found.push(HeldOut {
-            fitted: fitted.to_owned(),
-            tested: tested.to_owned(),
-            vertical_rms_bw: errors(&parts.1, &best.unknowns).vertical_rms_bw,
-        });
+        let Some(vertical_rms_bw) = tried(&parts.0, &parts.1) else { return };
+        found.push(HeldOut { fitted: fitted.to_owned(), tested: tested.to_owned(), vertical_rms_bw });
     };
     let count = trials.iter().map(|trial| trial.feet.len()).min().unwrap_or(0);
     if count > 1 {

@@ -27,6 +27,17 @@ pub struct FitWanted {
     pub dissipation: bool,
     /// The height of the floor.
     pub height: bool,
+    /// The height of each sphere on its body, against the others.
+    pub heights: bool,
+    /// The place of each sphere along the foot.
+    pub places: bool,
+}
+
+impl FitWanted {
+    /// Whether any of the first three is fitted.
+    pub(super) fn any_of_three(self) -> bool {
+        self.stiffness || self.dissipation || self.height
+    }
 }
 
 /// Force of one foot in each frame along the normal, over body weight, with these unknowns.

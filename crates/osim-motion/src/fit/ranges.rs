@@ -12,9 +12,9 @@ const HALVES: usize = 6;
 /// The first step of a height, m.
 const HEIGHT_STEP_M: f64 = 0.002;
 /// A fit is nearly as good where its error is at most so many times larger,
-const NEARLY: f64 = 1.05;
+pub(super) const NEARLY: f64 = 1.05;
 /// or larger by this, body weights.
-const NEARLY_BW: f64 = 0.005;
+pub(super) const NEARLY_BW: f64 = 0.005;
 
 /// Stiffnesses with which height and dissipation can be fitted nearly as well.
 pub(super) fn stiffness_range(

@@ -1,5 +1,7 @@
 //! What a fit gives.
 
+use osim_model::SphereId;
+
 /// One fitted number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
@@ -15,7 +17,7 @@ pub struct FittedParameter {
 }
 
 /// How far the forces of a fit are from the plates.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 #[non_exhaustive]
 pub struct FitErrors {
     /// Root mean square per foot along the normal, body weights.
@@ -36,8 +38,36 @@ pub struct HeldOut {
     pub vertical_rms_bw: f64,
 }
 
+/// A sphere that a fit moves in its body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct MovedSphere {
+    /// The sphere.
+    pub sphere: SphereId,
+    /// How far it goes down, m.
+    pub down_m: f64,
+    /// How far it goes ahead, m.
+    pub ahead_m: f64,
+}
+
+/// By how much a fit took feet to be elsewhere than the recording says, in frames with a force.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct SlackUsed {
+    /// Errors with it.
+    pub errors: FitErrors,
+    /// Root mean square in height, m.
+    pub height_rms_m: f64,
+    /// Root mean square in pitch, rad.
+    pub pitch_rms_rad: f64,
+    /// The most in height, m.
+    pub largest_height_m: f64,
+    /// The most in pitch, rad.
+    pub largest_pitch_rad: f64,
+}
+
 /// Contact parameters that make the forces of a model those of the plates.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 #[non_exhaustive]
 pub struct MotionFit {
     /// What all stiffnesses are multiplied by; `None` where they stay.
@@ -46,6 +76,12 @@ pub struct MotionFit {
     pub dissipation: Option<FittedParameter>,
     /// How far the floor moves up in each trial, m; empty where it stays.
     pub floor_up_m: Vec<FittedParameter>,
+    /// How far all spheres go down in their bodies, where the height is in them and not in the floor, m.
+    pub spheres_down_m: Option<FittedParameter>,
+    /// Where each sphere goes in its body; empty where all stay.
+    pub moved: Vec<MovedSphere>,
+    /// Slack, where it was asked for. All other errors are without it.
+    pub slack: Option<SlackUsed>,
     /// Correlation of stiffness and height of the first trial, where both were fitted.
     pub stiffness_height_correlation: Option<f64>,
     /// Errors before.

@@ -11,7 +11,7 @@ const HEIGHTS: usize = 48;
 /// Dissipations that are tried with each, s/m.
 const DISSIPATIONS: [f64; 3] = [0.2, 1.0, 3.0];
 /// Stiffnesses beyond these factors of the model's own are not looked for.
-const STIFFNESS_FACTOR: f64 = 1e4;
+pub(super) const STIFFNESS_FACTOR: f64 = 1e4;
 /// Dissipations above this are not looked for, s/m.
 pub(super) const MOST_DISSIPATION: f64 = 10.0;
 /// Without a bound on x/R, the floor goes up by this over where the first sphere touches, m.
@@ -24,6 +24,26 @@ pub struct FitBounds {
     pub wanted: FitWanted,
     /// x/R goes up to this in frames with a force; `None` for no bound.
     pub most_relative_indentation: Option<f64>,
+    /// Whether the height moves all spheres in their bodies instead of the floor.
+    pub height_in_spheres: bool,
+    /// By how much feet in the recording are usually too high or too low, m, with 5 rad/m in pitch; `None` takes the recording as it is.
+    pub slack_m: Option<f64>,
+    /// A centre of pressure that is this far off under a full body weight counts as an error of one body weight, m; `None` where only
+    /// forces count.
+    pub cop_m: Option<f64>,
+}
+
+impl FitBounds {
+    /// Whether more is asked for than stiffness, dissipation and the height of the floor can give.
+    #[must_use]
+    pub fn needs_answers(&self) -> bool {
+        let FitWanted { height, heights, places, .. } = self.wanted;
+        heights
+            || places
+            || self.slack_m.is_some()
+            || self.cop_m.is_some()
+            || (height && self.height_in_spheres)
+    }
 }
 
 /// Why there is no fit.
@@ -79,15 +99,20 @@ pub(super) fn search(trials: &[FitTrial], bounds: &FitBounds, own: &Unknowns) ->
     Ok(sure(&problem, unknowns, &vector, &status))
 }
 
-/// Standard errors. Neighbouring frames have their errors in common: as many frames count as would without that.
+/// How many of the deviates count: neighbouring frames have their errors in common.
+pub(super) fn independent(deviates: &[f64]) -> f64 {
+    let square: f64 = deviates.iter().map(|one| one * one).sum();
+    let shifted: f64 = deviates.windows(2).filter_map(|pair| Some(pair.first()? * pair.get(1)?)).sum();
+    let alike = if square > 0.0 { (shifted / square).clamp(0.0, 0.999) } else { 0.0 };
+    deviates.len() as f64 * (1.0 - alike) / (1.0 + alike)
+}
+
+/// Standard errors.
 fn sure(problem: &Problem<'_>, unknowns: Unknowns, vector: &[f64], status: &MPStatus) -> Best {
     let mut deviates = vec![0.0; problem.points()];
     problem.deviates(&unknowns, &mut deviates);
     let square: f64 = deviates.iter().map(|one| one * one).sum();
-    let shifted: f64 = deviates.windows(2).filter_map(|pair| Some(pair.first()? * pair.get(1)?)).sum();
-    let alike = if square > 0.0 { (shifted / square).clamp(0.0, 0.999) } else { 0.0 };
-    let count = problem.points() as f64 * (1.0 - alike) / (1.0 + alike);
-    let free = (count - vector.len() as f64).max(1.0);
+    let free = (independent(&deviates) - vector.len() as f64).max(1.0);
     // What mpfit gives is of deviates with a variance of 1.
     let scale = square / free;
     let size = vector.len();

@@ -2,7 +2,7 @@
 
 use osim_feet::dot;
 use osim_messages::{Input, Phrase, Verb, four_significant, phrase, readable};
-use osim_motion::{AngleUnit, FootSummary, LeftOut, ON_BW, PlateUse};
+use osim_motion::{AngleUnit, FootSummary, LeftOut, ON_BW, OnSole, PlateUse};
 use osim_requests::MotionRequest;
 
 use super::result::MotionResult;
@@ -13,6 +13,8 @@ const FAR_OFF: f64 = 1.5;
 const OTHER_WEIGHT: f64 = 0.05;
 /// Feet that move faster than this over the floor in stance stand on a belt, m/s.
 const BELT_M_S: f64 = 0.3;
+/// Centres of pressure that are further apart along the foot act at another place of it, m.
+const ELSEWHERE_M: f64 = 0.02;
 /// Names that are listed, at most.
 const LISTED: usize = 6;
 
@@ -34,6 +36,14 @@ impl MotionResult {
         self.weights(&mut remarks);
         for foot in &self.summary.feet {
             remarks.say("foot", self.foot(foot));
+        }
+        for (foot, on_sole) in self.summary.feet.iter().zip(&self.on_soles) {
+            let apart_m = on_sole.as_ref().and_then(OnSole::mean_difference_m);
+            if let Some(message) =
+                apart_m.and_then(|[ahead_m, _]| pressed_elsewhere(&foot.foot.name, ahead_m))
+            {
+                remarks.say("centre-of-pressure", message);
+            }
         }
         self.treadmill(request, &mut remarks);
         self.taken(&mut remarks);
@@ -236,6 +246,17 @@ impl Remarks {
 }
 
 /// Two significant digits, or all before the point.
+/// A centre of pressure that is nearer to the toes than that of the plates, or nearer to the heel.
+fn pressed_elsewhere(foot: &str, ahead_m: f64) -> Option<String> {
+    let side = if ahead_m < 0.0 { "heel" } else { "toes" };
+    (ahead_m.abs() > ELSEWHERE_M).then(|| {
+        format!(
+            "{foot}: its centre of pressure is on average {} mm nearer to the {side} than that of the plates",
+            two(1e3 * ahead_m.abs())
+        )
+    })
+}
+
 fn two(value: f64) -> String {
     let digits = if value.abs() >= 10.0 || value == 0.0 { 0 } else { 1 - value.abs().log10().floor() as i32 };
     format!("{value:.*}", usize::try_from(digits.clamp(0, 9)).unwrap_or(0))

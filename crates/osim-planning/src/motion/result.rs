@@ -1,7 +1,7 @@
 //! What contacts do along a motion.
 
 use osim_model::files::{FileName, OpenModel};
-use osim_motion::{ContactStates, Measured, Recording, Summary};
+use osim_motion::{ContactStates, Measured, OnSole, Recording, Summary};
 
 use super::plates::PlatesRead;
 
@@ -23,6 +23,8 @@ pub struct MotionResult {
     pub measured: Option<Measured>,
     /// Each foot, and all together.
     pub summary: Summary,
+    /// Where forces act on the sole of each foot; `None` where the default pose is not known.
+    pub on_soles: Vec<Option<OnSole>>,
     /// What the model weighs, kg.
     pub mass_kg: f64,
     /// Gravity, m/s².

@@ -2,7 +2,7 @@
 
 use osim_model::files::{Failure, FileName, Files};
 use osim_model::{Fault, MassRequest, Model};
-use osim_motion::{ContactStates, Foot, Measured, Recording, StatesError, Summary};
+use osim_motion::{ContactStates, Foot, Measured, OnSole, Recording, StatesError, Summary};
 use osim_requests::{MotionRequest, RequestError, RequestFault, Speed};
 
 use super::opened::{failure, recording_options, table};
@@ -54,8 +54,15 @@ pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionRe
         return Err(Failure::outside(read.name(), "motion", why).into());
     }
     let summary = Summary::of(&states, &feet, measured.as_ref(), weight_n);
+    let on_soles = summary.feet.iter().enumerate().map(|(index, foot)| {
+        let plates = measured.as_ref().filter(|measured| measured.has_points.get(index) == Some(&true));
+        let plates = plates.and_then(|measured| measured.feet.get(index)).map(Vec::as_slice);
+        OnSole::of(&opened.model, &states, foot, plates, weight_n).ok()
+    });
+    let on_soles = on_soles.collect();
     let motion = FileName::from(motion.as_path());
     Ok(MotionResult {
+        on_soles,
         opened,
         motion,
         recording,

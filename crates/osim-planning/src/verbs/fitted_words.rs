@@ -2,12 +2,14 @@
 
 use osim_messages::{Input, Phrase, phrase};
 use osim_motion::Summary;
-use osim_motion::fit::{FitBounds, FittedParameter, MotionFit};
+use osim_motion::fit::{FitBounds, FittedParameter, MotionFit, MovedSphere, SlackUsed};
 
 /// A range of a stiffness wider than this ratio says that it is not determined.
 const WIDE: f64 = 3.0;
 /// A range of a dissipation wider than this says the same, s/m.
 const WIDE_S_M: f64 = 1.0;
+/// Unknowns with a correlation beyond this are not distinguished.
+const CORRELATED: f64 = 0.95;
 
 /// One remark for each thing that a reader should know of a fit.
 pub(super) fn remarks(
@@ -41,9 +43,14 @@ pub(super) fn remarks(
     for (trial, up) in fit.floor_up_m.iter().enumerate() {
         said.push(height(trial, fit.floor_up_m.len(), up));
     }
+    if let Some(down) = &fit.spheres_down_m {
+        said.push(spheres_down(down));
+    }
+    said.extend(moved(&fit.moved));
     if let Some(factor) = &fit.stiffness_factor {
         said.push(stiffness(factor));
     }
+    said.extend(fit.stiffness_height_correlation.and_then(correlated));
     if let Some(dissipation) = &fit.dissipation {
         said.push(of_dissipation(dissipation));
     }
@@ -56,6 +63,9 @@ pub(super) fn remarks(
             Input::Unbounded,
             " would let it go deeper, and fit closer, but the law holds up to x/R 0.16"
         ]);
+    }
+    if let Some(slack) = &fit.slack {
+        said.push(slack_used(slack));
     }
     if fit.beside > 0 {
         said.push(
@@ -82,6 +92,56 @@ fn feet(before: &Summary, after: &Summary) -> Vec<Phrase> {
             )))
         })
         .collect()
+}
+
+/// From the lowest to the highest of some lengths, mm.
+fn span_mm(lengths_m: impl Iterator<Item = f64> + Clone) -> String {
+    let low_m = lengths_m.clone().fold(f64::INFINITY, f64::min);
+    // Without the sign of a zero.
+    let tenths = |metres: f64| (1e4 * metres).round() / 10.0 + 0.0;
+    format!("{:.1} to {:.1} mm", tenths(low_m), tenths(lengths_m.fold(f64::NEG_INFINITY, f64::max)))
+}
+
+fn spheres_down(down: &FittedParameter) -> Phrase {
+    let way = if down.value < 0.0 { "up" } else { "down" };
+    let range = [down.nearly_as_good.0, down.nearly_as_good.1]
+        .map(|value| if down.value < 0.0 { -value } else { value });
+    format!(
+        "all spheres go {way} by {:.1} mm in their bodies, and the floor stays; {} do nearly the same",
+        1e3 * down.value.abs(),
+        span_mm(range.into_iter())
+    )
+    .into()
+}
+
+fn moved(moved: &[MovedSphere]) -> Option<Phrase> {
+    (!moved.is_empty()).then(|| {
+        format!(
+            "each sphere moves in its body: down by {}, ahead by {}; counterparts on the other side alike",
+            span_mm(moved.iter().map(|one| one.down_m)),
+            span_mm(moved.iter().map(|one| one.ahead_m))
+        )
+        .into()
+    })
+}
+
+fn correlated(correlation: f64) -> Option<Phrase> {
+    (correlation.abs() > CORRELATED).then(|| {
+        format!("stiffness and height trade against each other (correlation {correlation:.2})").into()
+    })
+}
+
+fn slack_used(slack: &SlackUsed) -> Phrase {
+    format!(
+        "with slack the error is {:.3} body weights (rms): feet are then up to {:.0} mm (rms {:.1} mm) higher or lower than recorded, and \
+         turned by up to {:.1} degrees; slack can fit any contact, so this says nothing about the contacts, and all other errors are \
+         without it",
+        slack.errors.vertical_rms_bw,
+        1e3 * slack.largest_height_m,
+        1e3 * slack.height_rms_m,
+        slack.largest_pitch_rad.to_degrees()
+    )
+    .into()
 }
 
 fn height(trial: usize, trials: usize, up: &FittedParameter) -> Phrase {

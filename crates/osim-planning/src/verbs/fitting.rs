@@ -1,17 +1,21 @@
 //! Contacts fitted to recordings of a gait.
 
+use std::collections::HashMap;
 use std::path::PathBuf;
 
 use osim_messages::{Input, phrase, shortest};
 use osim_model::files::Files;
 use osim_model::{
     Assignment, Fault, HalfSpace, Mass, MassRequest, MassSource, Model, Property, Selected, Selection,
+    SphereId,
 };
-use osim_motion::fit::{FitBounds, FitError, FitTrial, FitWanted, MotionFit, fit_motion};
-use osim_motion::{ContactStates, Foot, Measured, Recording, RecordingOptions, StatesError, Summary, Table};
-use osim_patch::{Plan, RecordingErrors, Set, set};
+use osim_motion::fit::{FitBounds, FitError, FitTrial, FitWanted, MotionFit, MovedSphere, fit_motion};
+use osim_motion::{
+    ContactStates, Foot, Measured, Recording, RecordingOptions, SoleAxes, StatesError, Summary, Table,
+};
+use osim_patch::{Plan, RecordingErrors, Set, SlackErrors, set};
 use osim_requests::options::{InspectionOptions, StanceOptions};
-use osim_requests::{FitRequest, FittedChoice, RequestError, RequestFault};
+use osim_requests::{FitRequest, FittedChoice, HeightChoice, Positive, RequestError, RequestFault};
 use serde_json::json;
 use sha2::{Digest, Sha256};
 
@@ -25,6 +29,10 @@ use crate::planner::{Change, Planner, file_name};
 
 /// Digits that are kept of a fitted number: more are not determined.
 const DIGITS: usize = 5;
+/// By how much feet in a recording are usually too high or too low, m.
+const FOOT_ERROR_M: f64 = 0.004;
+/// A centre of pressure that is this far off under a full body weight counts as an error of one body weight, m.
+const COP_SCALE_M: f64 = 0.1;
 
 /// One recording.
 struct TrialFiles {
@@ -37,6 +45,7 @@ struct TrialFiles {
 struct Fitting {
     trials: Vec<TrialFiles>,
     bounds: FitBounds,
+    belt_m_s: [f64; 3],
     selection: Selection,
     masses: MassRequest,
     inspection: InspectionOptions,
@@ -79,26 +88,46 @@ pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<Change, 
         let digest = Sha256::digest(read(path, files)?);
         digests.push(digest.iter().map(|byte| format!("{byte:02x}")).collect::<String>());
     }
-    let all = request.fit.is_empty();
-    let is_wanted = |choice| all || request.fit.contains(&choice);
-    let wanted = FitWanted {
-        stiffness: is_wanted(FittedChoice::Stiffness),
-        dissipation: is_wanted(FittedChoice::Dissipation),
-        height: is_wanted(FittedChoice::Height),
-    };
-    let FitRequest { fit, unbounded, angles, low_pass, masses, choice, output, answers, set_files, .. } =
-        request;
+    let bounds = bounds(&request);
+    // A belt runs backwards under somebody who walks towards x.
+    let belt_m_s = request.belt.map(|speed| [-speed.get(), 0.0, 0.0]).unwrap_or_default();
+    let FitRequest { fit, unbounded, height_in, cop_scale, slack, foot_error, .. } = &request;
+    let goals = json!([fit, unbounded, height_in, cop_scale, slack, foot_error]);
+    let FitRequest { angles, low_pass, masses, choice, output, answers, set_files, .. } = request;
     let planner = Fitting {
         trials,
-        bounds: FitBounds { wanted, most_relative_indentation: (!unbounded).then_some(1.0) },
+        bounds,
+        belt_m_s,
         selection: choice.selection(),
         masses: masses.request(),
         files: read_files,
-        settings: json!(["fit", fit, unbounded, angles, low_pass, masses, choice, digests]).to_string(),
+        settings: json!(["fit", goals, angles, low_pass, masses, choice, digests]).to_string(),
         inspection: InspectionOptions::new(StanceOptions::default(), masses, choice, set_files.clone()),
     };
     let asking = Asking { masses: planner.masses.clone(), answers, planner };
     Ok(Change::new(vec![model], output, set_files, asking))
+}
+
+/// What is fitted, between which bounds, and what counts.
+fn bounds(request: &FitRequest) -> FitBounds {
+    let is_named = |choice| request.fit.contains(&choice);
+    let is_wanted = |choice| request.fit.is_empty() || is_named(choice);
+    let (heights, places) = (is_named(FittedChoice::Heights), is_named(FittedChoice::Places));
+    let metres = |given: Option<Positive>, usual: f64| given.map_or(usual, Positive::get);
+    FitBounds {
+        wanted: FitWanted {
+            stiffness: is_wanted(FittedChoice::Stiffness),
+            dissipation: is_wanted(FittedChoice::Dissipation),
+            height: is_wanted(FittedChoice::Height),
+            heights,
+            places,
+        },
+        most_relative_indentation: (!request.unbounded).then_some(1.0),
+        height_in_spheres: request.height_in == HeightChoice::Spheres,
+        slack_m: request.slack.then(|| metres(request.foot_error, FOOT_ERROR_M)),
+        cop_m: (heights || places || request.cop_scale.is_some())
+            .then(|| metres(request.cop_scale, COP_SCALE_M)),
+    }
 }
 
 /// One trial, seen by a model.
@@ -106,6 +135,8 @@ struct Seen {
     summary: Summary,
     trial: FitTrial,
     planes: Vec<HalfSpace>,
+    /// Which way is down and ahead for each sphere in its body, where that counts.
+    spheres: HashMap<SphereId, SoleAxes>,
     /// Forces of plates of which nobody knows the foot, by their columns.
     of_no_foot: Vec<String>,
 }
@@ -119,22 +150,29 @@ impl Fitting {
         weight_n: f64,
     ) -> Result<Seen, Fault> {
         let refused = |why: String| Fault::refused(format!("{}: {why}", trial.name));
+        let unseen = |error: StatesError| match error {
+            StatesError::Model(fault) => *fault,
+            other => refused(other.to_string()),
+        };
         let recording =
             Recording::of(model, &trial.table, &trial.options).map_err(|fault| refused(fault.message))?;
-        let states =
-            ContactStates::of(model, &recording, &selected.forces, [0.0; 3]).map_err(
-                |error| match error {
-                    StatesError::Model(fault) => *fault,
-                    other => refused(other.to_string()),
-                },
-            )?;
+        let states = ContactStates::of(model, &recording, &selected.forces, self.belt_m_s).map_err(unseen)?;
         let feet = Foot::all(model, &states, &selected.forces);
         let measured = Measured::of(&trial.plates.plates, &feet, &states, weight_n);
         let summary = Summary::of(&states, &feet, Some(&measured), weight_n);
-        let fitted = FitTrial::of(&states, &feet, &measured, weight_n);
+        let fitted = match self.bounds.needs_answers() {
+            true => FitTrial::with_answers(model, &recording, &states, (&feet, &measured), weight_n)
+                .map_err(unseen)?,
+            false => FitTrial::of(&states, &feet, &measured, weight_n),
+        };
         let planes = states.planes.clone();
+        let axes = match self.bounds.needs_answers() {
+            true => SoleAxes::of(model, &states).map_err(|error| unseen(error.into()))?,
+            false => Vec::new(),
+        };
+        let spheres = states.pairs.iter().map(|pair| pair.sphere).zip(axes).collect();
         let of_no_foot = measured.uses.into_iter().filter(|one| one.by.is_none()).map(|one| one.plate);
-        Ok(Seen { summary, trial: fitted, planes, of_no_foot: of_no_foot.collect() })
+        Ok(Seen { summary, trial: fitted, planes, spheres, of_no_foot: of_no_foot.collect() })
     }
 
     /// The values and places that a fit comes to.
@@ -143,7 +181,7 @@ impl Fitting {
         model: &Model,
         selected: &Selected,
         fit: &MotionFit,
-        planes: &[HalfSpace],
+        first: &Seen,
         mass_kg: f64,
     ) -> Result<Set, Fault> {
         let mut assignments = Vec::new();
@@ -163,7 +201,7 @@ impl Fitting {
         if let Some(up) = fit.floor_up_m.first() {
             let up_m = (up.value * 1e6).round() / 1e6;
             said.push(format!("floor_up={}", shortest(up_m)));
-            for plane in planes {
+            for plane in &first.planes {
                 if !plane.on_ground {
                     return Err(Fault::refused(format!(
                         "the floor {} is on the body {}: only a floor on ground has a height that can be fitted",
@@ -175,6 +213,10 @@ impl Fitting {
                     || Fault::refused(format!("the place of half-space {} cannot be read", plane.path));
                 wanted.planes.push((plane.clone(), plane.location_moved_up(up_m).ok_or_else(none)?));
             }
+        }
+        if !fit.moved.is_empty() {
+            wanted.centres = centres(model, &fit.moved, &first.spheres)?;
+            said.push("spheres".to_owned());
         }
         wanted.fitted = Some(said.join(" "));
         // What was fitted to a body carries that body.
@@ -214,9 +256,12 @@ impl Planner for Fitting {
             .collect::<Result<_, _>>()?;
         let trials: Vec<FitTrial> = seen.iter().map(|one| one.trial.clone()).collect();
         let of_no_foot = seen.iter().flat_map(|one| &one.of_no_foot).next();
-        let fit = fit_motion(&trials, &self.bounds).map_err(|error| no_fit(&error, of_no_foot))?;
-        let planes = seen.first().map(|one| one.planes.clone()).unwrap_or_default();
-        let wanted = self.wanted(model, &selected, &fit, &planes, mass_kg)?;
+        let counterparts =
+            if self.bounds.needs_answers() { model.both_sides().counterparts() } else { Vec::new() };
+        let fit =
+            fit_motion(&trials, &self.bounds, &counterparts).map_err(|error| no_fit(&error, of_no_foot))?;
+        let first = seen.first().ok_or_else(|| Fault::refused(FitError::NoForce.to_string()))?;
+        let wanted = self.wanted(model, &selected, &fit, first, mass_kg)?;
         let mut plan = set(model, &selected, &wanted)?;
         let changed = plan.changed(model)?;
         // The floor of the model is that of the first trial.
@@ -224,7 +269,7 @@ impl Planner for Fitting {
             Some(trial) => Some(self.see(trial, &changed, &selected, weight_n)?),
             None => None,
         };
-        let before = seen.first().map(|one| &one.summary);
+        let before = Some(&first.summary);
         plan.errors = after.as_ref().map(|after| errors(&fit, &after.summary));
         let after = after.as_ref().map(|after| &after.summary);
         plan.remarks.extend(remarks(&fit, before, after, &self.bounds));
@@ -251,7 +296,39 @@ fn errors(fit: &MotionFit, after: &Summary) -> RecordingErrors {
         horizontal_rms_bw: worst(|one| one.horizontal_rms_n) / after.weight_n,
         cop_rms_m: feet().filter_map(|one| one.cop_rms_m).reduce(f64::max),
         largest_relative_indentation: fit.after.largest_relative_indentation,
+        slack: fit.slack.map(|used| SlackErrors {
+            vertical_rms_bw: used.errors.vertical_rms_bw,
+            height_rms_m: used.height_rms_m,
+            largest_height_m: used.largest_height_m,
+            pitch_rms_rad: used.pitch_rms_rad,
+            largest_pitch_rad: used.largest_pitch_rad,
+        }),
     }
+}
+
+/// Where the centres of spheres are to be in their own frames, m, to the micrometre.
+fn centres(
+    model: &Model,
+    moved: &[MovedSphere],
+    axes: &HashMap<SphereId, SoleAxes>,
+) -> Result<Vec<(SphereId, [f64; 3])>, Fault> {
+    let mut centres = Vec::new();
+    for one in moved {
+        let Some((sphere, axes)) = model.sphere(one.sphere).zip(axes.get(&one.sphere)) else { continue };
+        let in_body = std::array::from_fn(|i| one.down_m * axes.down[i] + one.ahead_m * axes.ahead[i]);
+        let by_m = model.rotation_of(sphere)?.inverse().to_body(in_body);
+        let rounded = |metres: f64| (metres * 1e6).round() / 1e6;
+        let location_m = std::array::from_fn(|i| {
+            // What does not move keeps all its digits.
+            if rounded(by_m[i]) == 0.0 {
+                sphere.location_m[i]
+            } else {
+                rounded(sphere.location_m[i] + by_m[i])
+            }
+        });
+        centres.push((one.sphere, location_m));
+    }
+    Ok(centres)
 }
 
 /// The stiffness as one value where all forces have the same, else as a factor.

@@ -6,4 +6,6 @@ mod plan_record;
 
 pub use failure_record::{ErrorRecord, FailureRecord};
 pub use line::line;
-pub use plan_record::{Amount, ChangeRecord, ObjectRecord, PlanRecord, RecordingErrorsRecord};
+pub use plan_record::{
+    Amount, ChangeRecord, ObjectRecord, PlanRecord, RecordingErrorsRecord, SlackErrorsRecord,
+};

@@ -13,7 +13,7 @@ use crate::options::{
     AnswerOptions, ColumnOptions, ForceOptions, MassOptions, OutputOptions, RunOptions, SetFiles,
 };
 use crate::relation::Relation;
-use crate::values::{ContactOnset, Count, Positive, path};
+use crate::values::{ContactOnset, Count, Positive, Speed, path};
 
 choices! {
     /// Which part of a measurement.
@@ -36,6 +36,20 @@ choices! {
         Dissipation = "dissipation", "The dissipation of all forces";
         /// How high the floor is.
         Height = "height", "How high the floor is";
+        /// How high each sphere is against the others; left and right alike.
+        Heights = "heights", "How high each sphere is on its body, against the others";
+        /// Where each sphere is along the foot; left and right alike.
+        Places = "places", "Where each sphere is along the foot";
+    }
+}
+
+choices! {
+    /// What a fitted height moves.
+    HeightChoice: Floor {
+        /// The floor, along its normal.
+        Floor = "floor", "The floor, along its normal: spheres stay on the sole";
+        /// All spheres, in their bodies.
+        Spheres = "spheres", "All spheres, in their bodies: the floor stays";
     }
 }
 
@@ -77,7 +91,7 @@ pub struct FitRequest {
     #[serde(with = "path::list")]
     #[cfg_attr(feature = "schemas", schemars(with = "Vec<path::PathSchema>"))]
     pub loads: Vec<PathBuf>,
-    /// What to fit; may be repeated [default: all three]
+    /// What to fit; may be repeated [default: stiffness, dissipation and height]
     #[cfg_attr(
         feature = "clap",
         arg(long = "fit", value_name = "WHAT", value_enum, help_heading = "To a recording")
@@ -86,6 +100,28 @@ pub struct FitRequest {
     /// Let spheres go deeper than their radius
     #[cfg_attr(feature = "clap", arg(long, help_heading = "To a recording"))]
     pub unbounded: bool,
+    /// What a fitted height moves
+    #[cfg_attr(
+        feature = "clap",
+        arg(long, value_name = "WHAT", value_enum, default_value_t, help_heading = "To a recording")
+    )]
+    pub height_in: HeightChoice,
+    /// Fit the centre of pressure as well: one that is this far off under a full body weight counts as an error of one body weight, m
+    /// [default with heights or places: 0.1]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "M", help_heading = "To a recording"))]
+    pub cop_scale: Option<Positive>,
+    /// Let each foot of the recording be a little higher, lower or turned in each stance: this hides what the contacts cannot explain
+    #[cfg_attr(feature = "clap", arg(long, help_heading = "To a recording"))]
+    pub slack: bool,
+    /// With slack, by how much feet are usually too high or too low, m, with 5 rad/m in pitch [default: 0.004]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "M", help_heading = "To a recording"))]
+    pub foot_error: Option<Positive>,
+    /// Speed of a treadmill's belt against x, m/s: slip is taken against it
+    #[cfg_attr(
+        feature = "clap",
+        arg(long, value_name = "M/S", allow_hyphen_values = true, help_heading = "To a recording")
+    )]
+    pub belt: Option<Speed>,
     /// The unit of the motions' angles, where their headers do not say it
     #[cfg_attr(feature = "clap", arg(long, value_enum, help_heading = "To a recording"))]
     pub angles: Option<AngleChoice>,
@@ -146,6 +182,11 @@ impl Default for FitRequest {
             loads: Vec::new(),
             fit: Vec::new(),
             unbounded: false,
+            height_in: HeightChoice::Floor,
+            cop_scale: None,
+            slack: false,
+            foot_error: None,
+            belt: None,
             angles: None,
             low_pass: None,
             radius: None,
@@ -173,6 +214,11 @@ impl FitRequest {
             Relation::Needs("loads", "motion"),
             Relation::Needs("fit", "motion"),
             Relation::Needs("unbounded", "motion"),
+            Relation::Needs("height_in", "motion"),
+            Relation::Needs("cop_scale", "motion"),
+            Relation::Needs("slack", "motion"),
+            Relation::Needs("foot_error", "slack"),
+            Relation::Needs("belt", "motion"),
             Relation::Needs("angles", "motion"),
             Relation::Needs("low_pass", "motion"),
             Relation::Needs("output", "motion"),

@@ -33,7 +33,7 @@ pub use design::DesignRequest;
 pub use drop_test::{DropTestRequest, SeriesFormat};
 pub use fig1::fig1;
 pub use figure::{FigureOptions, HeatOptions, HeatQuantity, QuantityChoice};
-pub use fit::{BranchChoice, FitRequest, FittedChoice};
+pub use fit::{BranchChoice, FitRequest, FittedChoice, HeightChoice};
 pub use inspect::{CheckRequest, Deny, InspectRequest};
 pub use knowledge::{ExplainRequest, PresetsRequest};
 pub use library::{BatchRequest, SweepRequest};

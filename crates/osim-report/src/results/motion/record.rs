@@ -2,7 +2,7 @@
 
 use osim_inspect::SCHEMA_VERSION;
 use osim_messages::Dialect;
-use osim_motion::{Comparison, FootSummary, SphereSummary, StanceSummary, TouchDown};
+use osim_motion::{Comparison, FootSummary, OnSole, SphereSummary, StanceSummary, TouchDown};
 use osim_planning::{MotionRemark, MotionResult};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
@@ -41,6 +41,8 @@ pub struct MotionRecord {
     pub stride_mean_n: Option<f64>,
     /// The same of the plates: what the subject weighs.
     pub measured_stride_mean_n: Option<f64>,
+    /// The part of whole strides in which more than one foot stands.
+    pub double_support: Option<f64>,
     /// The largest force of all feet along the normal of the floor, N.
     pub peak_n: f64,
     /// All feet beside all plates.
@@ -91,6 +93,10 @@ pub struct MotionFootRecord {
     pub stances: Vec<MotionStanceRecord>,
     /// Each of its spheres.
     pub spheres: Vec<MotionSphereRecord>,
+    /// How far the model's centre of pressure is ahead of the plates' along the foot, m: the mean over frames.
+    pub cop_ahead_m: Option<f64>,
+    /// The same to the right.
+    pub cop_right_m: Option<f64>,
     /// Beside the plates.
     pub comparison: Option<MotionComparisonRecord>,
 }
@@ -197,9 +203,15 @@ impl MotionRecord {
             weight_n: summary.weight_n,
             stride_mean_n: summary.stride_mean_n,
             measured_stride_mean_n: summary.measured_stride_mean_n,
+            double_support: summary.double_support,
             peak_n: summary.peak_n,
             comparison: summary.comparison.as_ref().map(|one| compared(one, summary.weight_n)),
-            feet: summary.feet.iter().map(|foot| of_foot(result, foot)).collect(),
+            feet: summary
+                .feet
+                .iter()
+                .zip(&result.on_soles)
+                .map(|(foot, on_sole)| of_foot(result, foot, on_sole.as_ref()))
+                .collect(),
             remarks: remarks
                 .iter()
                 .map(|remark| MotionRemarkRecord {
@@ -211,7 +223,8 @@ impl MotionRecord {
     }
 }
 
-fn of_foot(result: &MotionResult, foot: &FootSummary) -> MotionFootRecord {
+fn of_foot(result: &MotionResult, foot: &FootSummary, on_sole: Option<&OnSole>) -> MotionFootRecord {
+    let apart_m = on_sole.and_then(OnSole::mean_difference_m);
     MotionFootRecord {
         name: foot.foot.name.clone(),
         side: foot.foot.side.map(|side| side.as_str().to_owned()),
@@ -225,6 +238,8 @@ fn of_foot(result: &MotionResult, foot: &FootSummary) -> MotionFootRecord {
         stance_slip_m_s: foot.stance_slip_m_s,
         stances: foot.stances.iter().map(of_stance).collect(),
         spheres: foot.spheres.iter().map(|sphere| of_sphere(result, sphere)).collect(),
+        cop_ahead_m: apart_m.map(|[ahead, _]| ahead),
+        cop_right_m: apart_m.map(|[_, right]| right),
         comparison: foot.comparison.as_ref().map(|one| compared(one, result.summary.weight_n)),
     }
 }
