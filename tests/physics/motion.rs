@@ -215,3 +215,24 @@ fn a_figure_has_the_plates_beside_the_model() {
     bench.run("plot motion walker.osim -o none.svg").usage().says(&["--motion FILE"]);
     bench.run("plot force walker.osim --motion walk.mot -o none.svg").usage().says(&["--motion FILE"]);
 }
+
+/// The page of `check` shows the recording: words, feet, and the figure with a curve of each foot.
+#[test]
+fn a_report_shows_the_recording() {
+    let bench = Bench::with(&FILES);
+    let call =
+        "check walker.osim --motion walk.mot --plates plates.sto --loads plates.xml --report page.html";
+    bench.run(call);
+    let page = bench.text("page.html");
+    for part in [
+        "Contacts along the recording",
+        "up to 7.6 body weights where the plates measured up to 1.5",
+        "centre of pressure on the sole",
+        "walk.mot: 241 frames",
+        ">7.610<",
+    ] {
+        assert!(page.replace('\n', " ").contains(part), "{part}");
+    }
+    bench.run("check walker.osim --report plain.html");
+    assert!(!bench.text("plain.html").contains("Contacts along the recording"));
+}

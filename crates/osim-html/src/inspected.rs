@@ -15,6 +15,7 @@ use super::entry::Entry;
 use super::examined::Examined;
 use super::files::{self, NamedDigest};
 use super::fragment::{Fragment, table};
+use super::section::Section;
 use super::sphere_figures::{self, State};
 use super::values::file_name;
 use super::{findings, plots};
@@ -33,6 +34,8 @@ pub struct Inspected<'m> {
     pub files: &'m [NamedDigest],
     /// Its feet, to be drawn where there are plots.
     pub feet: Option<ModelFeet>,
+    /// What its contacts do along a recording, where one was named: from [`recording`](crate::recording).
+    pub recording: Option<Section>,
 }
 
 /// Everything about one model that was inspected.
@@ -47,9 +50,12 @@ pub fn inspected(inspected: Inspected<'_>, detail: DetailLevel, dialect: &dyn Di
 
 /// Adds the sections; what may be drawn of the model elsewhere.
 pub(super) fn fill(fragment: &mut Fragment, inspected: Inspected<'_>, dialect: &dyn Dialect) -> Drawn {
-    let Inspected { options, model, examined, files, feet } = inspected;
+    let Inspected { options, model, examined, files, feet, recording } = inspected;
     let inspected = examined.inspection;
     findings::of_model(fragment, examined.check);
+    if let Some(recording) = recording {
+        fragment.section(recording.id, recording.title, &maud::PreEscaped(recording.html));
+    }
     let failed = |fault| model.failure(fault);
     let body = || Body::inspected(file_name(model.name()).to_owned(), &model.model, options, &failed).ok();
     let drawn = Drawn {

@@ -10,7 +10,7 @@ use osim_model::{Anatomy, Fault, Finding, Model, Severity};
 use osim_requests::options::{AnswerOptions, InspectionOptions, SetFiles};
 use osim_requests::{CheckRequest, InspectRequest};
 
-use crate::motion::CheckedMotion;
+use crate::motion::{CheckedMotion, MotionRemark, MotionResult};
 use crate::opening::{open, scale_file};
 use crate::remedies::Trials;
 use crate::rules::odd_mesh;
@@ -163,6 +163,12 @@ impl Inspector {
         let mut found = Trials { options: &self.options, files, inspect: &inspect }.tried(model, found);
         found.verdicts.extend(self.motion.as_ref().map(|motion| motion.verdict(&name.to_path(), files)));
         found
+    }
+
+    /// What the contacts of the model at `path` do along the recording, where one was named and can be followed.
+    #[must_use]
+    pub fn recording(&self, path: &Path, files: &dyn Files) -> Option<(MotionResult, Vec<MotionRemark>)> {
+        self.motion.as_ref()?.followed(path, files).ok()
     }
 
     /// A model that a remedy made, inspected like the first.

@@ -108,6 +108,7 @@ pub(crate) fn look(
         examined: Examined { inspection: &inspection, check: &found },
         files: &digests,
         feet,
+        recording: None,
     };
     let Sections { sections, explained, .. } = Sections::of_model(shown, wanted, &Page);
     Ok(Look { findings: FindingShown::all(&found), inspection, sections, explained, files: opened.names() })
@@ -127,6 +128,7 @@ pub(crate) fn entry(
         examined: Examined { inspection: &inspection, check: &found },
         files: &opened.digests(),
         feet: feet(inspector, opened, shelf),
+        recording: None,
     };
     Ok(osim_html::inspected(shown, DetailLevel::Alone, words))
 }

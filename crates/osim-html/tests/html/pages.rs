@@ -37,6 +37,7 @@ fn entry(model: &OpenModel, detail: DetailLevel, front_end: &dyn FrontEnd) -> En
         examined: Examined { inspection: &seen, check: &found },
         files: &[NamedDigest { name: model.name().to_string(), sha256: "0123".to_owned() }],
         feet: ModelFeet::for_page(model.name(), model, &options.selection),
+        recording: None,
     };
     inspected(shown, detail, front_end)
 }

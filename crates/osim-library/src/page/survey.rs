@@ -1,6 +1,6 @@
 //! Models inspected and checked one by one, with their entry on a page.
 
-use osim_html::{About, Columns, DetailLevel, Entry, Examined, NamedDigest};
+use osim_html::{About, Columns, DetailLevel, Entry, Examined, NamedDigest, Section};
 use osim_inspect::{CheckResult, Inspection};
 use osim_messages::Verb;
 use osim_model::Finding;
@@ -104,8 +104,15 @@ impl Survey<'_> {
             examined: Examined { inspection: &inspected.inspection, check: found },
             files: &files,
             feet,
+            recording: self.recording(&inspected.opened),
         };
         osim_html::inspected(shown, detail, self.words)
+    }
+
+    /// What its contacts do along the recording that was named, if one was.
+    fn recording(&self, opened: &OpenModel) -> Option<Section> {
+        let (result, remarks) = self.inspector.recording(&opened.name().to_path(), &Disk)?;
+        Some(osim_html::recording(&result, &remarks, self.words))
     }
 
     /// The feet of a model, with the bones whose meshes are available.

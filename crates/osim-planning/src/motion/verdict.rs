@@ -8,6 +8,7 @@ use osim_model::files::Files;
 use osim_requests::options::InspectionOptions;
 use osim_requests::{CheckRequest, MotionRequest, RequestError};
 
+use super::remarks::MotionRemark;
 use super::result::MotionResult;
 use super::run::run_motion;
 
@@ -35,18 +36,30 @@ impl CheckedMotion {
         }))
     }
 
+    /// What the contacts of the model at `path` do, and what should be known of it.
+    ///
+    /// # Errors
+    /// As [`run_motion`].
+    pub(crate) fn followed(
+        &self,
+        path: &Path,
+        files: &dyn Files,
+    ) -> Result<(MotionResult, Vec<MotionRemark>), RequestError> {
+        let request = MotionRequest { subject: Some(path.to_owned()), ..self.0.clone() };
+        let result = run_motion(&request, files)?;
+        let remarks = result.remarks(&request);
+        Ok((result, remarks))
+    }
+
     /// The verdict on the model at `path`.
     pub(crate) fn verdict(&self, path: &Path, files: &dyn Files) -> Verdict {
-        let request = MotionRequest { subject: Some(path.to_owned()), ..self.0.clone() };
-        match run_motion(&request, files) {
-            Ok(result) => verdict(&result),
+        match self.followed(path, files) {
+            Ok((result, _)) => verdict(&result),
             Err(RequestError::Failure(failure)) => Verdict::on_recording(
                 Sign::Unknown,
                 phrase![failure.model.to_string(), ": ", &failure.message],
             ),
-            Err(RequestError::Fault(_)) => {
-                Verdict::on_recording(Sign::Unknown, "the recording cannot be read".into())
-            }
+            Err(RequestError::Fault(fault)) => Verdict::on_recording(Sign::Unknown, fault.phrase()),
         }
     }
 }

@@ -17,7 +17,7 @@ pub use fit_record::{EstimateRecord, FitRecord, FitWarningRecord, ResidualsRecor
 pub use motion::{
     MotionCells, MotionColumn, MotionComparisonRecord, MotionFootRecord, MotionRecord, MotionRemarkRecord,
     MotionSphereRecord, MotionStanceRecord, MotionTouchDownRecord, external_loads_xml, ground_reactions_sto,
-    motion_columns, motion_csv, motion_text,
+    motion_columns, motion_csv, motion_feet, motion_text,
 };
 pub use preset::{PresetRecord, preset_text};
 pub use sweep::SweepRecord;

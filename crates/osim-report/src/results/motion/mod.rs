@@ -11,4 +11,4 @@ pub use record::{
     MotionStanceRecord, MotionTouchDownRecord,
 };
 pub use storage::{external_loads_xml, ground_reactions_sto};
-pub use text::motion_text;
+pub use text::{motion_feet, motion_text};

@@ -33,6 +33,18 @@ pub fn motion_text(result: &MotionResult, remarks: &[MotionRemark], dialect: &dy
 }
 
 fn feet(result: &MotionResult) -> String {
+    let (columns, rows) = motion_feet(result);
+    let mut all = table(&columns);
+    for row in rows {
+        all.add_row(row);
+    }
+    all.right_aligned(&(1..columns.len()).collect::<Vec<_>>());
+    format!("{}\n", all.trim_fmt())
+}
+
+/// The headers and the rows of the table of feet: one row each, and one for all together.
+#[must_use]
+pub fn motion_feet(result: &MotionResult) -> (Vec<&'static str>, Vec<Vec<String>>) {
     let weight_n = result.summary.weight_n;
     let bw = |force_n: f64| format!("{:.3}", force_n / weight_n);
     let with_plates = result.measured.is_some();
@@ -40,7 +52,7 @@ fn feet(result: &MotionResult) -> String {
     if with_plates {
         columns.extend(["plates, BW", "rms, N", "rms, BW", "COP, mm"]);
     }
-    let mut all = table(&columns);
+    let mut rows = Vec::new();
     let mut add = |name: &str, stances: Option<usize>, peak_n: f64, comparison: Option<&Comparison>| {
         let stances = stances.map(|count| count.to_string()).unwrap_or_default();
         let mut row = vec![shown(name).to_string(), stances, bw(peak_n)];
@@ -53,14 +65,13 @@ fn feet(result: &MotionResult) -> String {
                 comparison.and_then(|one| one.cop_rms_m).map(|cop_m| format!("{:.0}", 1e3 * cop_m)),
             ));
         }
-        all.add_row(row);
+        rows.push(row);
     };
     for foot in &result.summary.feet {
         add(&foot.foot.name, Some(foot.stances.len()), foot.peak_n, foot.comparison.as_ref());
     }
     add("all feet", None, result.summary.peak_n, result.summary.comparison.as_ref());
-    all.right_aligned(&(1..columns.len()).collect::<Vec<_>>());
-    format!("{}\n", all.trim_fmt())
+    (columns, rows)
 }
 
 fn spheres(result: &MotionResult) -> String {
