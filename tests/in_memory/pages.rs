@@ -48,6 +48,7 @@ fn of_an_inspection() {
     let mut feet = ModelFeet::of(opened.name(), &opened, &inspector.options().selection).unwrap();
     feet.add_bones(&opened.model, &request.models[0], None, &files);
     let shown = Inspected {
+        recording: None,
         options: inspector.options(),
         model: &opened,
         examined: Examined { inspection: &inspected, check: &found },

@@ -319,3 +319,111 @@ fn a_measured_gait_is_fitted_as_well_as_can_be() {
     assert!(notes.contains("scatters by 36 mm, more than R (34 mm): stiffness is not determined"), "{notes}");
     assert!(notes.contains("--unbounded"), "{notes}");
 }
+
+/// A table of models: one row is a body with its recording.
+#[test]
+fn a_table_has_a_recording_for_each_model() {
+    let bench = Bench::with(&FILES);
+    bench.write(
+        "table.csv",
+        "model,verb,motion,plates,loads,fit,output\n\
+         walker.osim,fit,walk.mot,plates.sto,plates.xml,,all.osim\n\
+         walker.osim,fit,walk.mot,plates.sto,plates.xml,height,height.osim\n",
+    );
+    bench.run("batch table.csv").done().wrote(&["all.osim", "height.osim"]);
+    bench.run(&format!("{FIT} -o alone.osim")).done();
+    assert_eq!(bench.text("all.osim"), bench.text("alone.osim"));
+    assert!(bench.text("height.osim").contains("<stiffness>8e+06"));
+    bench.write("table.csv", "model,verb,output\nwalker.osim,fit,other.osim\n");
+    bench.run("batch table.csv").says(&["motion"]);
+}
+
+/// Heights of single spheres have no mean: a foot with one sphere chosen keeps it, and two go as far up as down.
+#[test]
+fn the_mean_of_single_heights_stays() {
+    let bench = Bench::with(&FILES);
+    let plan = object(&bench.run(&format!("{FIT} --fit heights --unbounded --dry-run --format json")).done());
+    let down = |sphere: &str| -0.02 - new_centre(&plan, sphere)[1];
+    assert!((down("heel_r") + down("ball_r")).abs() < 1e-5, "{plan}");
+    assert!((down("heel_l") - down("heel_r")).abs() < 2e-6, "{plan}");
+}
+
+/// What the default pose of an ankle is does not count: down is where the floor is while the foot stands.
+#[test]
+fn the_default_pose_of_an_ankle_does_not_count() {
+    let bench = Bench::with(&FILES);
+    let text = bench.text("walker.osim");
+    let at = text.find("name=\"ankle_r\"").or_else(|| text.find("ankle_r")).unwrap();
+    let turned =
+        format!("{}{}", &text[..at], text[at..].replacen("<default_value>0<", "<default_value>0.5<", 1));
+    assert_ne!(turned, text);
+    bench.write("turned.osim", turned);
+    let call = FIT.replace("walker.osim", "turned.osim");
+    let plan = object(&bench.run(&format!("{call} --height-in spheres --dry-run --format json")).done());
+    for sphere in ["heel_r", "ball_r", "heel_l", "ball_l"] {
+        let [_, y, _] = new_centre(&plan, sphere);
+        assert!((y - (-0.02 + 0.011)).abs() < 2e-4, "{sphere}: {y}");
+    }
+}
+
+/// Two trials of one body whose floors differ by 20 mm: contacts are shared, floors are not, in whatever the height is.
+#[test]
+fn each_trial_has_a_floor_of_its_own() {
+    let bench = Bench::with(&FILES);
+    let text = bench.text("walk.mot");
+    let (head, rows) = text.split_once("endheader\n").unwrap();
+    let (names, rows) = rows.split_once('\n').unwrap();
+    let place = names.split_ascii_whitespace().position(|name| name.ends_with("pelvis_ty")).unwrap();
+    let raised = rows.lines().map(|row| {
+        let mut cells: Vec<f64> = row.split_ascii_whitespace().map(|cell| cell.parse().unwrap()).collect();
+        cells[place] += 0.02;
+        cells.iter().map(f64::to_string).collect::<Vec<String>>().join("\t") + "\n"
+    });
+    bench.write("raised.mot", format!("{head}endheader\n{names}\n{}", raised.collect::<String>()));
+    for more in ["", "--height-in spheres"] {
+        let call = FIT.replace("--plates", "--motion raised.mot --plates plates.sto --plates");
+        let plan = object(&bench.run(&format!("{call} {more} --dry-run --format json")).done());
+        assert!(plan["errors"]["vertical_rms_bw"].as_f64().unwrap() < 0.02, "{more}: {plan}");
+        assert_close(new_value(&plan, "stiffness"), 4e6, 0.02, "E1*");
+        let notes = plan["notes"].to_string();
+        let floor = if more.is_empty() { "trial 2 goes up by 9.0 mm" } else { "trial 2 goes up by 20.0 mm" };
+        assert!(notes.contains(floor) && notes.contains("trial 2: the error of all its feet"), "{notes}");
+    }
+}
+
+/// The plates knew nothing of the right foot: it is left out, and said; the left one gives the contacts.
+#[test]
+fn a_foot_that_no_plate_measured_is_left_out() {
+    let bench = Bench::with(&FILES);
+    let text = bench.text("plates.sto");
+    let (head, rows) = text.split_once("endheader\n").unwrap();
+    let (names, rows) = rows.split_once('\n').unwrap();
+    let is_right: Vec<bool> = names.split_ascii_whitespace().map(|name| name.contains("_r_")).collect();
+    assert!(is_right.iter().any(|&is| is), "{names}");
+    let emptied = rows.lines().map(|row| {
+        let cells = row.split_ascii_whitespace().zip(&is_right);
+        cells.map(|(cell, &is)| if is { "0" } else { cell }).collect::<Vec<&str>>().join("\t") + "\n"
+    });
+    bench.write("plates.sto", format!("{head}endheader\n{names}\n{}", emptied.collect::<String>()));
+    let plan = object(&bench.run(&format!("{FIT} --dry-run --format json")).done());
+    assert_close(new_value(&plan, "stiffness"), 4e6, 0.01, "E1*");
+    let notes = plan["notes"].to_string();
+    assert!(notes.contains("right foot: left out, because the plates measured no force under it"), "{notes}");
+    assert!(notes.contains("unless a plate is missing"), "{notes}");
+}
+
+#[test]
+fn what_a_floor_does_to_others_is_said() {
+    let bench = Bench::with(&FILES);
+    let plan = object(&bench.run(&format!("{FIT} --select contact_heel_r --dry-run --format json")).done());
+    let notes = plan["notes"].to_string();
+    assert!(notes.contains("the floor is also that of"), "{notes}");
+}
+
+#[test]
+fn words_that_mean_nothing_are_refused() {
+    let bench = Bench::with(&FILES);
+    bench.run(&format!("{FIT} --fit stiffness --height-in spheres")).usage().says(&["no height is fitted"]);
+    bench.run(&format!("{FIT} --branch loading")).usage().says(&["--branch"]);
+    bench.run(&format!("{FIT} --force-unit kN")).usage().says(&["--force-unit"]);
+}

@@ -28,9 +28,9 @@ pub(super) fn motion(result: &MotionResult, title: Option<&str>) -> Figure {
             .flat_map(|(index, foot)| {
                 let of_sole = result.on_soles.get(index).and_then(Option::as_ref);
                 let of_sole = of_sole.map(|on_sole| sole::panels(result, index, foot, on_sole));
-                [forces(result, index, foot), depths(result, foot)]
-                    .into_iter()
-                    .chain(of_sole.into_iter().flatten())
+                // A foot in the air has no centre of pressure.
+                let of_sole = of_sole.into_iter().flatten().filter(|panel| !panel.curves.is_empty());
+                [forces(result, index, foot), depths(result, foot)].into_iter().chain(of_sole)
             })
             .collect(),
     }

@@ -13,7 +13,12 @@ pub(super) fn of_model(verdicts: &[Verdict]) -> Markup {
         .iter()
         .map(|verdict| html! { tr { (question(verdict)) td.words { (sign(verdict.sign)) } (answer(verdict)) } })
         .collect();
-    table(NAME, "Six questions about the model.", &["question", " verdict", " why"], &rows)
+    table(
+        NAME,
+        &format!("{} questions about the model.", number(rows.len())),
+        &["question", " verdict", " why"],
+        &rows,
+    )
 }
 
 /// Verdicts on the model before and after a change.
@@ -43,4 +48,13 @@ fn answer(verdict: &Verdict) -> Markup {
     let text = verdict.text.to_string();
     let place = verdict.place.as_deref().filter(|place| !text.contains(*place));
     html! { td.words { (text) @if let Some(place) = place { " " span.quiet { (place) } } } }
+}
+
+/// Six questions, and one more where a recording is named.
+fn number(questions: usize) -> String {
+    match questions {
+        6 => "Six".to_owned(),
+        7 => "Seven".to_owned(),
+        other => other.to_string(),
+    }
 }

@@ -49,6 +49,7 @@ inputs! {
     Contacts = "contacts", "table of contacts";
     ContactsGravity = "contacts_gravity", "gravity the contacts were made for";
     ContactsMass = "contacts_mass", "mass the contacts were made for";
+    CopScale = "cop_scale", "scale of errors of the centre of pressure";
     Count = "count", "spheres under each foot";
     Data = "data", "table of the numbers drawn";
     DefaultPose = "default_pose", "global places are those of the default pose";
@@ -66,6 +67,7 @@ inputs! {
     Fit = "fit", "what is fitted";
     FollowBodies = "follow_bodies", "spheres follow their bodies";
     FontSize = "font_size", "size of the letters";
+    FootError = "foot_error", "usual error of a foot's height";
     Force = "force", "replace existing files";
     ForceColumn = "force_column", "column of the force";
     ForceUnit = "force_unit", "unit of the force";
@@ -79,6 +81,7 @@ inputs! {
     Gravity = "gravity", "gravity";
     Grid = "grid", "values along an axis";
     Height = "height", "height of the drop";
+    HeightIn = "height_in", "what a fitted height moves";
     HeightRatio = "height_ratio", "ratio of the heights";
     HertzSmoothing = "hertz_smoothing", "Hertz smoothing";
     HuntCrossleySmoothing = "hunt_crossley_smoothing", "Hunt-Crossley smoothing";

@@ -32,7 +32,14 @@ pub(crate) fn low_pass(table: &Table, values: &[f64], cutoff_hz: f64) -> Result<
     }
     let filter = Filter::new(ORDER, rate_hz, Cutoff::LowPass(cutoff_hz));
     let filtered = filter.and_then(|filter| filter.bidirectional(&values.to_vec()));
-    filtered.map_err(|_| too_few())
+    let filtered = filtered.map_err(|_| too_few())?;
+    if !filtered.iter().all(|value| value.is_finite()) {
+        return Err(MotionFault::new(format!(
+            "a cutoff of {cutoff_hz} Hz is too low for its {} rows",
+            values.len()
+        )));
+    }
+    Ok(filtered)
 }
 
 /// For sentences: the times of a file are rounded, too.

@@ -1,9 +1,9 @@
 //! Where forces act on the sole of a foot, which moves and turns over the floor.
 
-use osim_feet::{DefaultPose, PoseFault, ViewAxes, dot};
+use osim_feet::{DefaultPose, PoseFault, dot};
 use osim_model::{Model, cross};
 
-use crate::sole::level;
+use crate::sole::{forward, level};
 use crate::stance::ON_BW;
 use crate::states::ContactStates;
 use crate::summary::FootSummary;
@@ -39,7 +39,7 @@ impl OnSole {
         let pairs: Vec<_> = foot.foot.pairs.iter().filter_map(|&pair| states.pairs.get(pair)).collect();
         let first = foot.foot.pairs.first().copied().unwrap_or_default();
         let normal = states.frame(0).get(first).map_or([0.0, 1.0, 0.0], |state| state.normal);
-        let forward = level(ViewAxes::of(model).forward, normal);
+        let forward = level(forward(states, &pose, normal)?, normal);
         let axes = [forward, cross(forward, normal)];
         let flat = |point_m: [f64; 3]| axes.map(|axis| dot(axis, point_m));
         let mut spheres_m = Vec::new();

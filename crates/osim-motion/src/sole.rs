@@ -1,12 +1,15 @@
 //! Which way is down and ahead for the spheres of a foot, in their own bodies.
 
 use osim_feet::{DefaultPose, PoseFault, ViewAxes, dot};
-use osim_model::{Model, Rotation};
+use osim_model::{Model, Rotation, Side, cross};
 
 use crate::pair::Touched;
 use crate::states::ContactStates;
 
-/// Directions of length 1 in the body of a sphere: as the body stands at the default pose.
+/// Limbs closer than this do not say what is right and left, m.
+const APART_M: f64 = 1e-3;
+
+/// Directions of length 1 in the body of a sphere.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SoleAxes {
     /// Into the floor.
@@ -16,13 +19,14 @@ pub struct SoleAxes {
 }
 
 impl SoleAxes {
-    /// Those of each pair of `states`.
+    /// Those of each pair of `states`, as bodies stand at the default pose.
     ///
     /// # Errors
     /// It is not known where a body is at the default pose.
-    pub fn of(model: &Model, states: &ContactStates) -> Result<Vec<Self>, PoseFault> {
+    pub(crate) fn at_default_pose(model: &Model, states: &ContactStates) -> Result<Vec<Self>, PoseFault> {
         let pose = DefaultPose::of(model);
         let up = model.up();
+        let ahead = forward(states, &pose, up)?;
         let each = states.pairs.iter().map(|pair| {
             let up = match pair.touched {
                 Touched::Plane(plane) => {
@@ -32,10 +36,39 @@ impl SoleAxes {
             };
             let to_body: Rotation = pose.placement(&pair.body)?.rotation.inverse();
             let down = to_body.to_body(up.map(|part| -part));
-            Ok(Self { down, ahead: to_body.to_body(level(ViewAxes::of(model).forward, up)) })
+            Ok(Self { down, ahead: to_body.to_body(level(ahead, up)) })
         });
         each.collect()
     }
+}
+
+/// Forward along the floor at the default pose: with the right spheres on the right of the left ones; x where nothing says what is right.
+///
+/// # Errors
+/// It is not known where a body is at the default pose.
+pub(crate) fn forward(
+    states: &ContactStates,
+    pose: &DefaultPose,
+    up: [f64; 3],
+) -> Result<[f64; 3], PoseFault> {
+    let (mut sums, mut counts) = ([[0.0; 3]; 2], [0.0; 2]);
+    for pair in &states.pairs {
+        let Some(side) = Side::of_name(&pair.body) else { continue };
+        let at_m = pose.placement(&pair.body)?.point(pair.centre_m);
+        let place = usize::from(side == Side::Left);
+        if let Some((sum, count)) = sums.get_mut(place).zip(counts.get_mut(place)) {
+            *count += 1.0;
+            sum.iter_mut().zip(at_m).for_each(|(sum, part)| *sum += part);
+        }
+    }
+    let [right, left] = sums;
+    let across: [f64; 3] = std::array::from_fn(|i| right[i] / counts[0] - left[i] / counts[1]);
+    let rises = dot(across, up);
+    let flat: [f64; 3] = std::array::from_fn(|i| across[i] - rises * up[i]);
+    let length = libm::sqrt(dot(flat, flat));
+    // Also false where a side has no spheres.
+    let is_known = length > APART_M;
+    Ok(if is_known { cross(up, flat.map(|part| part / length)) } else { ViewAxes::with_up(up).forward })
 }
 
 /// The part of a direction along a floor, with length 1; the direction itself where it is upright.

@@ -66,7 +66,8 @@ pub struct Plan {
     pub(crate) rebuilt: Option<Rebuilt>,
 }
 
-/// How far the forces of a fit are from those that plates measured: the worst foot of the first trial.
+/// How far the forces of a fit are from those that plates measured: the worst foot of the first trial; vertically also all feet of each
+/// other trial.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RecordingErrors {
     /// Root mean square along the normal of the floor, body weights.

@@ -30,7 +30,7 @@ pub struct CheckResult {
     pub model_bytes: Option<Vec<u8>>,
     /// How many of each severity.
     pub counts: Counts,
-    /// Six questions answered, always in the same order.
+    /// Six questions answered, always in the same order; a seventh about a recording, where one is named.
     pub verdicts: Vec<Verdict>,
     /// From the worst to the least; equally bad ones in the order of the register.
     #[serde(serialize_with = "found_records")]

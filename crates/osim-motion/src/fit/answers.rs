@@ -48,6 +48,11 @@ pub(super) struct Answers {
 }
 
 impl Answers {
+    /// Whether the plates say where their force acts.
+    pub(super) fn has_centres(&self) -> bool {
+        self.centre_m.iter().any(Option::is_some)
+    }
+
     /// The contacts of a frame.
     pub(super) fn frame(&self, frame: usize) -> &[Answer] {
         let count = self.spheres.len();
@@ -66,27 +71,59 @@ impl Answers {
     }
 }
 
-/// The contacts of a model along a recording as they are, and with each sphere one metre lower and one metre ahead in its body: where
+/// The contacts of a model along a recording as they are, and with each sphere moved by one metre along each axis of its body: where
 /// a sphere is depends on its place in a straight line.
 pub(super) struct Displaced<'s> {
     own: &'s ContactStates,
-    lower: ContactStates,
-    further: ContactStates,
+    along: [ContactStates; 3],
+    /// Which way is down and ahead for each pair.
+    pub(super) axes: Vec<SoleAxes>,
 }
 
 impl<'s> Displaced<'s> {
+    /// With the `axes` of another recording of the same model, or those of this one.
     pub(super) fn of(
         model: &Model,
         recording: &Recording,
         own: &'s ContactStates,
-        axes: &[SoleAxes],
+        axes: Option<&[SoleAxes]>,
+        (feet, measured): (&[Foot], &Measured),
     ) -> Result<Self, StatesError> {
-        let by = |of: fn(&SoleAxes) -> [f64; 3]| axes.iter().map(of).collect::<Vec<[f64; 3]>>();
-        Ok(Self {
-            own,
-            lower: own.displaced(model, recording, &by(|axes| axes.down))?,
-            further: own.displaced(model, recording, &by(|axes| axes.ahead))?,
-        })
+        let by = |axis: [f64; 3]| own.displaced(model, recording, &vec![axis; own.pairs.len()]);
+        let along = [by([1.0, 0.0, 0.0])?, by([0.0, 1.0, 0.0])?, by([0.0, 0.0, 1.0])?];
+        let mut displaced = Self { own, along, axes: SoleAxes::at_default_pose(model, own)? };
+        match axes {
+            Some(axes) => displaced.axes = axes.to_vec(),
+            None => displaced.turn_to_floor(feet, measured),
+        }
+        Ok(displaced)
+    }
+
+    /// Down is where the floor is while the plates measure a force, whatever the default pose.
+    fn turn_to_floor(&mut self, feet: &[Foot], measured: &Measured) {
+        for (foot, plates) in feet.iter().zip(&measured.feet) {
+            for &pair in &foot.pairs {
+                let mut down = [0.0; 3];
+                for (frame, plate) in plates.iter().enumerate() {
+                    let force_n = plate.map_or(0.0, |plate| {
+                        self.own.frame(frame).get(pair).map_or(0.0, |state| dot(plate.force_n, state.normal))
+                    });
+                    // What an axis of the body does to the indentation is how far it points into the floor.
+                    let into = self.along.each_ref().map(|moved| self.deeper(moved, frame, pair));
+                    down.iter_mut().zip(into).for_each(|(sum, part)| *sum += force_n.max(0.0) * part);
+                }
+                let length = dot(down, down).sqrt();
+                if let Some(axes) = self.axes.get_mut(pair).filter(|_| length > 0.0) {
+                    let down = down.map(|part| part / length);
+                    *axes = SoleAxes { down, ahead: level(axes.ahead, down) };
+                }
+            }
+        }
+    }
+
+    fn deeper(&self, moved: &ContactStates, frame: usize, pair: usize) -> f64 {
+        let depth = |states: &ContactStates| states.frame(frame).get(pair).map(|state| state.indentation_m);
+        depth(moved).zip(depth(self.own)).map_or(0.0, |(moved, own)| moved - own)
     }
 
     /// The answers of `foot` in the frames `kept`.
@@ -125,33 +162,44 @@ impl<'s> Displaced<'s> {
     }
 
     fn frame(&self, foot: &Foot, frame: usize) -> Vec<Answer> {
-        let (own, lower, further) =
-            (self.own.frame(frame), self.lower.frame(frame), self.further.frame(frame));
+        let own = self.own.frame(frame);
         let Some(first) = foot.pairs.first().copied() else { return Vec::new() };
-        let Some((state, moved)) = own.get(first).zip(further.get(first)) else { return Vec::new() };
-        let axes = axes_of(state.normal);
-        let ahead: [f64; 3] = std::array::from_fn(|i| moved.centre_m[i] - state.centre_m[i]);
-        let ahead = level(ahead, state.normal);
+        let Some((state, first_axes)) = own.get(first).zip(self.axes.get(first)) else { return Vec::new() };
+        let floor = axes_of(state.normal);
+        let centre =
+            |states: &ContactStates, pair: usize| states.frame(frame).get(pair).map(|one| one.centre_m);
+        let turned = |pair: usize, direction: [f64; 3]| {
+            let mut sum = [0.0; 3];
+            for (moved, part) in self.along.iter().zip(direction) {
+                if let Some((there, here)) = centre(moved, pair).zip(centre(self.own, pair)) {
+                    sum.iter_mut()
+                        .zip(there.iter().zip(here))
+                        .for_each(|(sum, (a, b))| *sum += part * (a - b));
+                }
+            }
+            sum
+        };
+        let ahead = level(turned(first, first_axes.ahead), state.normal);
         let count = foot.pairs.len().max(1) as f64;
         let places = foot.pairs.iter().filter_map(|&pair| own.get(pair));
         let middle_m: f64 = places.map(|state| dot(ahead, state.centre_m)).sum::<f64>() / count;
-        let along_m = |point_m: [f64; 3]| axes.map(|axis| dot(axis, point_m));
         let answer = |&pair: &usize| {
-            let (own, lower, further) = (own.get(pair)?, lower.get(pair)?, further.get(pair)?);
-            let at_m = along_m(own.centre_m);
-            let per_metre = |other: &crate::states::ContactState| {
-                let there_m = along_m(other.centre_m);
-                PerMetre {
-                    indentation: other.indentation_m - own.indentation_m,
-                    rate_s: other.rate_m_s - own.rate_m_s,
-                    along: [there_m[0] - at_m[0], there_m[1] - at_m[1]],
+            let (state, axes) = own.get(pair).zip(self.axes.get(pair))?;
+            let per_metre = |direction: [f64; 3]| {
+                let mut sum = PerMetre::default();
+                for (moved, part) in self.along.iter().zip(direction) {
+                    let Some(moved) = moved.frame(frame).get(pair) else { continue };
+                    sum.indentation += part * (moved.indentation_m - state.indentation_m);
+                    sum.rate_s += part * (moved.rate_m_s - state.rate_m_s);
                 }
+                sum.along = floor.map(|axis| dot(axis, turned(pair, direction)));
+                sum
             };
             Some(Answer {
-                along_m: at_m,
-                lever_m: dot(ahead, own.centre_m) - middle_m,
-                down: per_metre(lower),
-                ahead: per_metre(further),
+                along_m: floor.map(|axis| dot(axis, state.centre_m)),
+                lever_m: dot(ahead, state.centre_m) - middle_m,
+                down: per_metre(axes.down),
+                ahead: per_metre(axes.ahead),
             })
         };
         foot.pairs.iter().filter_map(answer).collect()

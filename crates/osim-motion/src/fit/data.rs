@@ -9,6 +9,7 @@ use crate::assigned::Measured;
 use crate::feet::Foot;
 use crate::recording::Recording;
 use crate::sole::SoleAxes;
+use crate::stance::ON_BW;
 use crate::states::{ContactState, ContactStates, StatesError};
 use crate::wrench::Wrench;
 
@@ -21,6 +22,10 @@ pub struct FitTrial {
     pub weight_n: f64,
     /// How many frames were left out, because a foot seems to stand beside the plates.
     pub beside: usize,
+    /// Feet that are left out, because the plates measured no force under them.
+    pub without_force: Vec<String>,
+    /// Which way is down and ahead for each pair of the recording; empty where nobody asked.
+    pub axes: Vec<SoleAxes>,
 }
 
 /// One foot of a trial.
@@ -45,7 +50,8 @@ impl FitTrial {
         Self::with(states, feet, measured, weight_n, None)
     }
 
-    /// The same, with how the contacts answer where spheres move in their bodies, or the feet of the recording are shifted.
+    /// The same, with how the contacts answer where spheres move in their bodies, or the feet of the recording are shifted. `axes` are those
+    /// of the first trial, where this is another one.
     ///
     /// # Errors
     /// It is not known where a body is.
@@ -55,9 +61,9 @@ impl FitTrial {
         states: &ContactStates,
         (feet, measured): (&[Foot], &Measured),
         weight_n: f64,
+        axes: Option<&[SoleAxes]>,
     ) -> Result<Self, StatesError> {
-        let axes = SoleAxes::of(model, states)?;
-        let displaced = Displaced::of(model, recording, states, &axes)?;
+        let displaced = Displaced::of(model, recording, states, axes, (feet, measured))?;
         Ok(Self::with(states, feet, measured, weight_n, Some(&displaced)))
     }
 
@@ -74,11 +80,33 @@ impl FitTrial {
                 displaced.map(|displaced| displaced.answers(number, foot, measured, &kept, weight_n));
             forces
         };
+        let feet: Vec<FootForces> = feet.iter().zip(&measured.feet).enumerate().map(one).collect();
+        // A foot in the air fits everything, and one beside the plates nothing.
+        let (feet, others): (Vec<_>, Vec<_>) = feet.into_iter().partition(|foot| foot.has_force(weight_n));
         Self {
-            feet: feet.iter().zip(&measured.feet).enumerate().map(one).collect(),
+            feet,
             weight_n,
             beside: measured.beside.iter().sum(),
+            without_force: others.into_iter().map(|foot| foot.name).collect(),
+            axes: displaced.map(|displaced| displaced.axes.clone()).unwrap_or_default(),
         }
+    }
+}
+
+impl FitTrial {
+    /// The same with some of its frames, evenly chosen: at most about `most` of each foot, and no answers.
+    pub(super) fn thinned(&self, most: usize) -> Self {
+        let of = |foot: &FootForces| {
+            let kept = || (0..foot.frames()).step_by(foot.frames().div_ceil(most).max(1));
+            FootForces {
+                name: foot.name.clone(),
+                laws: foot.laws.clone(),
+                measured_n: kept().filter_map(|frame| foot.measured_n.get(frame)).copied().collect(),
+                contacts: kept().flat_map(|frame| foot.frame(frame)).copied().collect(),
+                answers: None,
+            }
+        };
+        Self { feet: self.feet.iter().map(of).collect(), ..self.clone() }
     }
 }
 
@@ -108,6 +136,12 @@ impl FootForces {
             forces.contacts.extend(own(frame).iter().map(|state| (state.indentation_m, state.rate_m_s)));
         }
         (forces, kept)
+    }
+
+    /// Whether the plates measured a force under it.
+    #[must_use]
+    pub fn has_force(&self, weight_n: f64) -> bool {
+        self.measured_n.iter().any(|&force_n| force_n > ON_BW * weight_n)
     }
 
     /// How many frames there are.

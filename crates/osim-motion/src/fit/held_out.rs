@@ -11,6 +11,11 @@ pub(super) fn held_out(
 ) -> Vec<HeldOut> {
     let mut found = Vec::new();
     let mut add = |fitted: &str, tested: &str, parts: (Vec<FitTrial>, Vec<FitTrial>)| {
+        let has_force = |trial: &FitTrial| trial.feet.iter().any(|foot| foot.has_force(trial.weight_n));
+        // A foot in the air is nothing to fit to, and fits everything.
+        if !(parts.0.iter().any(has_force) && parts.1.iter().any(has_force)) {
+            return;
+        }
         let Some(vertical_rms_bw) = tried(&parts.0, &parts.1) else { return };
         found.push(HeldOut { fitted: fitted.to_owned(), tested: tested.to_owned(), vertical_rms_bw });
     };
@@ -23,11 +28,7 @@ pub(super) fn held_out(
             let only = |keep: &dyn Fn(usize) -> bool| -> Vec<FitTrial> {
                 let of = |trial: &FitTrial| {
                     let feet = trial.feet.iter().enumerate().filter(|(index, _)| keep(*index));
-                    FitTrial {
-                        feet: feet.map(|(_, foot)| foot.clone()).collect(),
-                        weight_n: trial.weight_n,
-                        beside: 0,
-                    }
+                    FitTrial { feet: feet.map(|(_, foot)| foot.clone()).collect(), ..trial.clone() }
                 };
                 trials.iter().map(of).collect()
             };
@@ -44,7 +45,7 @@ pub(super) fn held_out(
                 let middle = foot.frames() / 2;
                 if second { foot.part(middle, foot.frames()) } else { foot.part(0, middle) }
             });
-            FitTrial { feet: feet.collect(), weight_n: trial.weight_n, beside: 0 }
+            FitTrial { feet: feet.collect(), ..trial.clone() }
         };
         trials.iter().map(of).collect()
     };

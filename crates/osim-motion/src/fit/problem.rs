@@ -18,6 +18,14 @@ pub(super) struct Unknowns {
     pub(super) floor_up_m: Vec<f64>,
 }
 
+impl Unknowns {
+    /// Those of one trial alone.
+    pub(super) fn of_trial(&self, trial: usize) -> Self {
+        let floor_up_m = self.floor_up_m.get(trial).copied().into_iter().collect();
+        Self { floor_up_m, ..self.clone() }
+    }
+}
+
 /// Which of them are fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FitWanted {

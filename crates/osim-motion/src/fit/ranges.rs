@@ -3,8 +3,7 @@
 use rmpfit::MPFitter;
 
 use super::data::FitTrial;
-use super::problem::{FitWanted, Problem, Unknowns, errors};
-use super::search::{FitBounds, MOST_DISSIPATION, limits};
+use super::problem::{FitWanted, Limits, Problem, Unknowns, errors};
 
 /// Steps that double until an edge is passed, and halves of the last one to find it.
 const DOUBLES: usize = 4;
@@ -16,61 +15,77 @@ pub(super) const NEARLY: f64 = 1.05;
 /// or larger by this, body weights.
 pub(super) const NEARLY_BW: f64 = 0.005;
 
-/// Stiffnesses with which height and dissipation can be fitted nearly as well.
-pub(super) fn stiffness_range(
-    trials: &[FitTrial],
-    bounds: &FitBounds,
-    best: &Unknowns,
+/// So many frames of a foot are enough to say how far values can go.
+const FRAMES: usize = 400;
+
+/// Looks for values with which the rest can be fitted nearly as well as with the best ones.
+pub(super) struct Ranges<'b> {
+    trials: Vec<FitTrial>,
+    wanted: FitWanted,
+    limits: Limits,
+    best: &'b Unknowns,
     rms_bw: f64,
-) -> (f64, f64) {
-    let wanted = FitWanted { stiffness: false, ..bounds.wanted };
-    let tried = |log: f64| {
-        let start = Unknowns { stiffness_log: log, ..best.clone() };
-        refitted(trials, bounds, wanted, None, &start)
-    };
-    let low = edge(best.stiffness_log, -1.0, rms_bw, &tried);
-    let high = edge(best.stiffness_log, 1.0, rms_bw, &tried);
-    (low.exp(), high.exp())
 }
 
-/// Dissipations with which the rest can be fitted nearly as well as with `value`.
-pub(super) fn dissipation_range(
-    trials: &[FitTrial],
-    bounds: &FitBounds,
-    best: &Unknowns,
-    value: f64,
-    rms_bw: f64,
-) -> (f64, f64) {
-    let wanted = FitWanted { dissipation: false, ..bounds.wanted };
-    let tried = |dissipation: f64| {
-        let start = Unknowns { dissipation: Some(dissipation.clamp(0.0, MOST_DISSIPATION)), ..best.clone() };
-        refitted(trials, bounds, wanted, None, &start)
-    };
-    let low = edge(value, -0.5, rms_bw, &tried).max(0.0);
-    (low, edge(value, 0.5, rms_bw, &tried).min(MOST_DISSIPATION))
-}
+impl<'b> Ranges<'b> {
+    /// Of the `best` unknowns of `trials`, between `limits`.
+    pub(super) fn new(trials: &[FitTrial], wanted: FitWanted, limits: Limits, best: &'b Unknowns) -> Self {
+        let trials: Vec<FitTrial> = trials.iter().map(|trial| trial.thinned(FRAMES)).collect();
+        let rms_bw = errors(&trials, best).vertical_rms_bw;
+        Self { trials, wanted, limits, best, rms_bw }
+    }
 
-/// Heights of the floor of one trial with which the rest can be fitted nearly as well; within the bounds of the search.
-pub(super) fn height_range(
-    trials: &[FitTrial],
-    bounds: &FitBounds,
-    best: &Unknowns,
-    trial: usize,
-    rms_bw: f64,
-) -> (f64, f64) {
-    let value = best.floor_up_m.get(trial).copied().unwrap_or_default();
-    let Some((least_m, most_m)) =
-        limits(trials, bounds).ok().and_then(|all| all.floor_up_m.get(trial).copied())
-    else {
-        return (value, value);
-    };
-    let tried = |up_m: f64| {
-        let mut start = best.clone();
-        *start.floor_up_m.get_mut(trial)? = up_m.clamp(least_m, most_m);
-        refitted(trials, bounds, bounds.wanted, Some(trial), &start)
-    };
-    let low_m = edge(value, -HEIGHT_STEP_M, rms_bw, &tried).max(least_m);
-    (low_m, edge(value, HEIGHT_STEP_M, rms_bw, &tried).min(most_m))
+    /// Factors of the stiffness.
+    pub(super) fn stiffness(&self) -> (f64, f64) {
+        let wanted = FitWanted { stiffness: false, ..self.wanted };
+        let tried =
+            |log: f64| self.refitted(wanted, None, &Unknowns { stiffness_log: log, ..self.best.clone() });
+        let low = edge(self.best.stiffness_log, -1.0, self.rms_bw, &tried);
+        let high = edge(self.best.stiffness_log, 1.0, self.rms_bw, &tried);
+        (low.exp(), high.exp())
+    }
+
+    /// Dissipations around `value`, s/m.
+    pub(super) fn dissipation(&self, value: f64) -> (f64, f64) {
+        let wanted = FitWanted { dissipation: false, ..self.wanted };
+        let (least, most) = self.limits.dissipation;
+        let tried = |dissipation: f64| {
+            let start = Unknowns { dissipation: Some(dissipation.clamp(least, most)), ..self.best.clone() };
+            self.refitted(wanted, None, &start)
+        };
+        let low = edge(value, -0.5, self.rms_bw, &tried).max(least);
+        (low, edge(value, 0.5, self.rms_bw, &tried).min(most))
+    }
+
+    /// Heights of the floor of one trial, m.
+    pub(super) fn height(&self, trial: usize) -> (f64, f64) {
+        let value = self.best.floor_up_m.get(trial).copied().unwrap_or_default();
+        let Some(&(least_m, most_m)) = self.limits.floor_up_m.get(trial) else { return (value, value) };
+        let tried = |up_m: f64| {
+            let mut start = self.best.clone();
+            *start.floor_up_m.get_mut(trial)? = up_m.clamp(least_m, most_m);
+            self.refitted(self.wanted, Some(trial), &start)
+        };
+        let low_m = edge(value, -HEIGHT_STEP_M, self.rms_bw, &tried).max(least_m);
+        (low_m, edge(value, HEIGHT_STEP_M, self.rms_bw, &tried).min(most_m))
+    }
+
+    /// The error with what is `wanted` fitted from `start`, the rest kept, and the height of one trial.
+    fn refitted(&self, wanted: FitWanted, kept_height: Option<usize>, start: &Unknowns) -> Option<f64> {
+        let mut problem = Problem::new(&self.trials, wanted, start, &self.limits);
+        if let Some(trial) = kept_height {
+            problem.keep_height(trial);
+        }
+        if !problem.is_free() {
+            return Some(errors(&self.trials, start).vertical_rms_bw);
+        }
+        let mut vector: Vec<f64> = problem.to_vector(start);
+        for (value, (low, high)) in vector.iter_mut().zip(problem.limits()) {
+            *value = value.clamp(low, high);
+        }
+        problem.mpfit(&mut vector).ok()?;
+        Some(errors(&self.trials, &problem.of_vector(&vector)).vertical_rms_bw)
+    }
 }
 
 /// How far a value can go until the rest no longer fits: steps that double, then halves.
@@ -91,28 +106,4 @@ fn edge(value: f64, step: f64, rms_bw: f64, tried: &impl Fn(f64) -> Option<f64>)
         }
     }
     inside
-}
-
-/// The error with what is `wanted` fitted from `start`, the rest kept, and the height of one trial.
-fn refitted(
-    trials: &[FitTrial],
-    bounds: &FitBounds,
-    wanted: FitWanted,
-    kept_height: Option<usize>,
-    start: &Unknowns,
-) -> Option<f64> {
-    let limits = limits(trials, bounds).ok()?;
-    let mut problem = Problem::new(trials, wanted, start, &limits);
-    if let Some(trial) = kept_height {
-        problem.keep_height(trial);
-    }
-    if !problem.is_free() {
-        return Some(errors(trials, start).vertical_rms_bw);
-    }
-    let mut vector: Vec<f64> = problem.to_vector(start);
-    for (value, (low, high)) in vector.iter_mut().zip(problem.limits()) {
-        *value = value.clamp(low, high);
-    }
-    problem.mpfit(&mut vector).ok()?;
-    Some(errors(trials, &problem.of_vector(&vector)).vertical_rms_bw)
 }

@@ -88,6 +88,8 @@ pub struct MotionFit {
     pub before: FitErrors,
     /// Errors after.
     pub after: FitErrors,
+    /// The error of each trial, with a floor of its own where the height is fitted, body weights.
+    pub trials_rms_bw: Vec<f64>,
     /// One part fitted, the other tested: foot by foot, or half by half.
     pub held_out: Vec<HeldOut>,
     /// Frames that were left out, because a foot seems to stand beside the plates.

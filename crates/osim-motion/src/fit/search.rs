@@ -56,6 +56,11 @@ pub enum FitError {
     /// Nothing is wanted.
     #[error("nothing is fitted: name at least one of stiffness, dissipation and height")]
     Nothing,
+    /// The centre of pressure is to count, and nobody knows it.
+    #[error(
+        "the centre of pressure is to count, and the plates say nowhere where their force acts: they have no points"
+    )]
+    NoCentre,
     /// No height gives a force.
     #[error("no height of the floor within the bounds gives the feet a force like the plates'")]
     NoContact,

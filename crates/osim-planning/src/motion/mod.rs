@@ -2,7 +2,7 @@
 
 pub(crate) mod opened;
 mod plates;
-mod remarks;
+pub(crate) mod remarks;
 mod result;
 pub(crate) mod run;
 mod verdict;

@@ -2,7 +2,7 @@
 
 use osim_feet::dot;
 use osim_messages::{Input, Phrase, Verb, four_significant, phrase, readable};
-use osim_motion::{AngleUnit, FootSummary, LeftOut, ON_BW, OnSole, PlateUse};
+use osim_motion::{AngleUnit, FootSummary, LeftOut, ON_BW, OnSole, PlateUse, Summary};
 use osim_requests::MotionRequest;
 
 use super::result::MotionResult;
@@ -53,16 +53,8 @@ impl MotionResult {
 
     /// Another weight is said before anything else.
     fn weights(&self, remarks: &mut Remarks) {
-        let weight_n = self.summary.weight_n;
-        let Some(mean_n) = self.summary.measured_stride_mean_n else { return };
-        let part = mean_n / weight_n;
-        if (part - 1.0).abs() > OTHER_WEIGHT {
-            let kg = mean_n / self.gravity_m_s2;
-            remarks.say("subject-weight", format!(
-                "over whole strides the plates measured {} of the model's weight: the model weighs {} kg, and the subject {} kg, \
-                 unless a plate is missing",
-                two(part), readable(self.mass_kg), four_significant(kg)
-            ));
+        if let Some(message) = other_weight(&self.summary, self.mass_kg, self.gravity_m_s2) {
+            remarks.say("subject-weight", message);
         }
     }
 
@@ -246,6 +238,21 @@ impl Remarks {
 }
 
 /// Two significant digits, or all before the point.
+/// Another weight over whole strides than the model's.
+pub(crate) fn other_weight(summary: &Summary, mass_kg: f64, gravity_m_s2: f64) -> Option<String> {
+    let mean_n = summary.measured_stride_mean_n?;
+    let part = mean_n / summary.weight_n;
+    ((part - 1.0).abs() > OTHER_WEIGHT).then(|| {
+        format!(
+            "over whole strides the plates measured {} of the model's weight: the model weighs {} kg, and the subject {} kg, \
+             unless a plate is missing",
+            two(part),
+            readable(mass_kg),
+            four_significant(mean_n / gravity_m_s2)
+        )
+    })
+}
+
 /// A centre of pressure that is nearer to the toes than that of the plates, or nearer to the heel.
 fn pressed_elsewhere(foot: &str, ahead_m: f64) -> Option<String> {
     let side = if ahead_m < 0.0 { "heel" } else { "toes" };

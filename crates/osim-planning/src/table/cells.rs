@@ -64,6 +64,11 @@ impl Cells {
                     let items = cell.split(';').map(trimmed).filter(|item| !item.is_empty());
                     cells.say(&column.field, items.collect::<Vec<_>>());
                 }
+                Kind::Paths => {
+                    let items = cell.split(';').map(trimmed).filter(|item| !item.is_empty());
+                    let paths = items.map(|item| path::to_value(&below(folder, item)));
+                    cells.say(&column.field, paths.collect::<Vec<Value>>());
+                }
                 Kind::Flag if is_yes(cell, column)? => cells.say(&column.field, true),
                 Kind::Set => cells.say("set", cell),
                 Kind::Flag | Kind::Verb | Kind::Remark => {}

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use osim_messages::{Input, Phrase, phrase};
+use osim_messages::{Input, Phrase, Verb, phrase};
 use osim_requests::silent_fields;
 use serde_json::Value;
 
@@ -25,6 +25,12 @@ const PATHS: [&str; 9] = [
     "model",
 ];
 
+/// The same with several paths in one cell.
+const PATH_LISTS: [&str; 3] = ["motion", "plates", "loads"];
+
+/// The field of `fit` that names its model.
+const FIT_MODEL: &str = "file";
+
 /// Lists that are written with commas between their items: one cell is one list.
 const WITH_COMMAS: [&str; 2] = ["only", "keep"];
 
@@ -45,10 +51,17 @@ pub(super) enum Kind {
     From,
     /// Several values.
     List,
+    /// Several paths.
+    Paths,
     /// yes or no.
     Flag,
     /// A remark of the user.
     Remark,
+}
+
+/// The field of a verb that names its model.
+pub(super) fn model_field(verb: Verb) -> &'static str {
+    if verb == Verb::Fit { FIT_MODEL } else { "models" }
 }
 
 /// One column.
@@ -173,7 +186,7 @@ fn nearest(cell: &str, name: &str, known: &BTreeMap<String, Kind>) -> String {
 /// Fields of all changing verbs, and how their cells are read.
 fn fields() -> BTreeMap<String, Kind> {
     let all = CHANGING.into_iter().flat_map(silent_fields);
-    let named = all.filter(|(name, _)| name != "models" && name != "set");
+    let named = all.filter(|(name, _)| !["models", "set", FIT_MODEL].contains(&name.as_str()));
     named.map(|(name, silent)| (name.clone(), kind(&name, &silent))).collect()
 }
 
@@ -181,6 +194,7 @@ fn kind(name: &str, silent: &Value) -> Kind {
     match silent {
         _ if name == "from" => Kind::From,
         _ if PATHS.contains(&name) => Kind::Path,
+        _ if PATH_LISTS.contains(&name) => Kind::Paths,
         _ if WITH_COMMAS.contains(&name) => Kind::Value,
         Value::Bool(_) => Kind::Flag,
         Value::Array(_) | Value::Object(_) => Kind::List,
@@ -200,8 +214,9 @@ mod tests {
             let schema = schema_of(verb).unwrap();
             for (name, property) in schema.get("properties").unwrap().as_object().unwrap() {
                 let is_path = property.to_string().contains("\"bytes\"");
-                let by_another_way =
-                    ["models", "from"].contains(&name.as_str()) || OF_THE_RUN.contains(&name.as_str());
+                let by_another_way = ["models", "from", FIT_MODEL].contains(&name.as_str())
+                    || PATH_LISTS.contains(&name.as_str())
+                    || OF_THE_RUN.contains(&name.as_str());
                 assert_eq!(is_path && !by_another_way, PATHS.contains(&name.as_str()), "{name}: {property}");
             }
         }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use osim_messages::{Input, Phrase, Verb, shown};
+use osim_messages::{Input, Phrase, Verb, phrase, shown};
 use osim_model::Question;
 use osim_model::files::{Failure, Files};
 use osim_requests::options::OutputOptions;
@@ -11,7 +11,7 @@ use osim_requests::{Request, RequestError, RequestFault};
 use serde_json::{Map, Value, json};
 
 use super::cells::Cells;
-use super::columns::Columns;
+use super::columns::{Columns, model_field};
 use super::fault::RowFault;
 use crate::planner::Change;
 use crate::sheet::{Row, Sheet};
@@ -96,7 +96,15 @@ impl Table {
     /// What is wrong, with its column.
     pub fn prepare(&self, row: &RowRequest, files: &dyn Files) -> Result<Change, RowFault> {
         let mut fields = row.fields.clone();
-        fields.insert("models".to_owned(), path::to_value(&row.model));
+        if row.verb == Verb::Fit && !fields.contains_key(Input::Motion.name()) {
+            let column = self.columns.header_of(Input::Motion.name()).map(str::to_owned);
+            let message =
+                phrase!["a row of fit is about a recording: fill the columns 'motion' and 'plates'"];
+            return Err(RowFault { column, message });
+        }
+        // A list may be given as its only item.
+        let field = model_field(row.verb);
+        fields.insert(field.to_owned(), path::to_value(&row.model));
         if !self.yes.is_empty() {
             let own = fields.get(Input::Yes.name()).and_then(Value::as_array).cloned().unwrap_or_default();
             let yes = self.yes.iter().map(|question| Value::from(question.code())).chain(own);

@@ -8,7 +8,7 @@ use super::{adding, convert, design, fitting, note, remove, rescale, set, transf
 use crate::planner::{Change, NoteDetails};
 
 /// Verbs that change models.
-pub(crate) const CHANGING: [Verb; 8] = [
+pub(crate) const CHANGING: [Verb; 9] = [
     Verb::Rescale,
     Verb::Transfer,
     Verb::Add,
@@ -16,10 +16,11 @@ pub(crate) const CHANGING: [Verb; 8] = [
     Verb::Convert,
     Verb::Design,
     Verb::Set,
+    Verb::Fit,
     Verb::Note,
 ];
 
-/// The same in words: `rescale, transfer, design, set or note`.
+/// The same in words: `rescale, transfer, design, set, fit or note`.
 pub(crate) fn changing_verbs() -> String {
     let names = CHANGING.map(Verb::name);
     match names.split_last() {
@@ -50,6 +51,7 @@ fn change(request: Request, files: &dyn Files) -> Result<Change, RequestError> {
         Request::Remove(request) => Ok(remove::prepare(*request)?),
         Request::Transfer(request) => transfer::prepare(*request, files),
         Request::Fit(request) if request.is_of_motion() => fitting::prepare(*request, files),
+        Request::Fit(_) => Err(RequestFault::Missing { field: "motion" }.into()),
         other => {
             let message = format!("'{}', expected {}", other.verb().name(), changing_verbs());
             Err(RequestFault::general(message).into())

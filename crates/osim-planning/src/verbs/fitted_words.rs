@@ -1,8 +1,8 @@
 //! What a fit to recordings found, in words.
 
-use osim_messages::{Input, Phrase, phrase};
+use osim_messages::{Input, Phrase, phrase, shown};
 use osim_motion::Summary;
-use osim_motion::fit::{FitBounds, FittedParameter, MotionFit, MovedSphere, SlackUsed};
+use osim_motion::fit::{FitBounds, FitTrial, FittedParameter, MotionFit, MovedSphere, SlackUsed};
 
 /// A range of a stiffness wider than this ratio says that it is not determined.
 const WIDE: f64 = 3.0;
@@ -11,26 +11,23 @@ const WIDE_S_M: f64 = 1.0;
 /// Unknowns with a correlation beyond this are not distinguished.
 const CORRELATED: f64 = 0.95;
 
-/// One remark for each thing that a reader should know of a fit.
+/// One remark for each thing that a reader should know of a fit. `others` are forces that use the floor and were not chosen.
 pub(super) fn remarks(
     fit: &MotionFit,
-    before: Option<&Summary>,
-    after: Option<&Summary>,
+    trials: &[FitTrial],
+    (before, after): (&Summary, &Summary),
     bounds: &FitBounds,
+    others: &[String],
 ) -> Vec<Phrase> {
-    let mut said = Vec::new();
-    if let Some((before, after)) = before.zip(after) {
-        said.extend(feet(before, after));
-    }
-    if fit.after.vertical_rms_bw > fit.before.vertical_rms_bw {
+    let mut said = feet(before, after);
+    said.extend(without_force(trials));
+    for (trial, rms_bw) in fit.trials_rms_bw.iter().enumerate().skip(1) {
         said.push(
-            format!(
-                "this is worse than the model as it is, whose spheres are up to x/R {:.2} deep: with the bound, no fit comes as close",
-                fit.before.largest_relative_indentation
-            )
-            .into(),
+            format!("trial {}: the error of all its feet is {rms_bw:.3} body weights (rms)", trial + 1)
+                .into(),
         );
     }
+    said.extend(worse(fit, bounds));
     for one in &fit.held_out {
         said.push(
             format!(
@@ -41,8 +38,11 @@ pub(super) fn remarks(
         );
     }
     for (trial, up) in fit.floor_up_m.iter().enumerate() {
-        said.push(height(trial, fit.floor_up_m.len(), up));
+        // Where spheres move, the floor of the first trial stays.
+        let number = trial + usize::from(fit.spheres_down_m.is_some());
+        said.push(height(number, fit.trials_rms_bw.len(), up));
     }
+    said.extend(on_the_same_floor(others));
     if let Some(down) = &fit.spheres_down_m {
         said.push(spheres_down(down));
     }
@@ -54,10 +54,12 @@ pub(super) fn remarks(
     if let Some(dissipation) = &fit.dissipation {
         said.push(of_dissipation(dissipation));
     }
-    if let Some(scatter) = before.and_then(scatter) {
+    if let Some(scatter) = scatter(before) {
         said.push(scatter);
     }
-    if bounds.most_relative_indentation.is_some() && fit.floor_up_m.iter().any(|up| up.at_bound) {
+    let is_deep = fit.after.largest_relative_indentation > 0.999;
+    if bounds.most_relative_indentation.is_some() && (is_deep || fit.floor_up_m.iter().any(|up| up.at_bound))
+    {
         said.push(phrase![
             "a sphere is as deep as its radius, which is the bound: ",
             Input::Unbounded,
@@ -92,6 +94,49 @@ fn feet(before: &Summary, after: &Summary) -> Vec<Phrase> {
             )))
         })
         .collect()
+}
+
+/// Feet that nothing was fitted to.
+fn without_force(trials: &[FitTrial]) -> Vec<Phrase> {
+    let mut names: Vec<&str> =
+        trials.iter().flat_map(|trial| &trial.without_force).map(String::as_str).collect();
+    names.sort_unstable();
+    names.dedup();
+    let said = |name: &str| format!("{name}: left out, because the plates measured no force under it").into();
+    names.into_iter().map(said).collect()
+}
+
+/// A fit that is further from the plates than the model as it is.
+fn worse(fit: &MotionFit, bounds: &FitBounds) -> Option<Phrase> {
+    if fit.after.vertical_rms_bw <= fit.before.vertical_rms_bw {
+        return None;
+    }
+    let mut text = format!(
+        "the force is further from the plates than that of the model as it is ({:.3} body weights, {:.3} before)",
+        fit.after.vertical_rms_bw, fit.before.vertical_rms_bw
+    );
+    if bounds.most_relative_indentation.is_some() && fit.before.largest_relative_indentation > 1.0 {
+        text.push_str(&format!(
+            ": its spheres are up to x/R {:.2} deep, which the bound forbids",
+            fit.before.largest_relative_indentation
+        ));
+    } else if bounds.cop_m.is_some() {
+        text.push_str(", because the centre of pressure counts, too");
+    } else if bounds.slack_m.is_some() {
+        text.push_str(", because it is the force with slack that was fitted");
+    }
+    Some(text.into())
+}
+
+/// What else stands on a floor that moves.
+fn on_the_same_floor(others: &[String]) -> Option<Phrase> {
+    let first = others.first()?;
+    let more = if others.len() > 1 { format!(" and {} more", others.len() - 1) } else { String::new() };
+    Some(format!(
+        "the floor is also that of {}{more}, not chosen: their depth changes with it, and nothing was fitted to them",
+        shown(first)
+    )
+    .into())
 }
 
 /// From the lowest to the highest of some lengths, mm.
@@ -163,8 +208,9 @@ fn height(trial: usize, trials: usize, up: &FittedParameter) -> Phrase {
 
 fn stiffness(factor: &FittedParameter) -> Phrase {
     let (low, high) = factor.nearly_as_good;
+    let bound = if factor.at_bound { ", the bound of the search" } else { "" };
     let mut text = format!(
-        "stiffness: {:.3} times that of the model; {low:.2} to {high:.2} times do nearly the same",
+        "stiffness: {:.3} times that of the model{bound}; {low:.2} to {high:.2} times do nearly the same",
         factor.value
     );
     if high / low > WIDE {

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::path::PathBuf;
 
-use osim_messages::{Input, phrase, shortest};
+use osim_messages::{Input, Phrase, phrase, shortest};
 use osim_model::files::Files;
 use osim_model::{
     Assignment, Fault, HalfSpace, Mass, MassRequest, MassSource, Model, Property, Selected, Selection,
@@ -23,6 +23,7 @@ use super::asking::Asking;
 use super::fitted_words::remarks;
 use crate::motion::PlatesRead;
 use crate::motion::opened::{recording_options, table};
+use crate::motion::remarks::other_weight;
 use crate::motion::run::weight;
 use crate::opening::read;
 use crate::planner::{Change, Planner, file_name};
@@ -89,6 +90,10 @@ pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<Change, 
         digests.push(digest.iter().map(|byte| format!("{byte:02x}")).collect::<String>());
     }
     let bounds = bounds(&request);
+    if bounds.height_in_spheres && !bounds.wanted.height {
+        let why = phrase!["no height is fitted: leave it out, or add ", Input::Fit.being("height")];
+        return Err(RequestFault::refused(Input::HeightIn, why).into());
+    }
     // A belt runs backwards under somebody who walks towards x.
     let belt_m_s = request.belt.map(|speed| [-speed.get(), 0.0, 0.0]).unwrap_or_default();
     let FitRequest { fit, unbounded, height_in, cop_scale, slack, foot_error, .. } = &request;
@@ -137,42 +142,48 @@ struct Seen {
     planes: Vec<HalfSpace>,
     /// Which way is down and ahead for each sphere in its body, where that counts.
     spheres: HashMap<SphereId, SoleAxes>,
-    /// Forces of plates of which nobody knows the foot, by their columns.
-    of_no_foot: Vec<String>,
+    measured: Measured,
 }
 
 impl Fitting {
+    /// The contacts of a model along a trial, and its feet.
+    fn follow(
+        &self,
+        trial: &TrialFiles,
+        model: &Model,
+        selected: &Selected,
+    ) -> Result<(Recording, ContactStates, Vec<Foot>), Fault> {
+        let recording = Recording::of(model, &trial.table, &trial.options)
+            .map_err(|fault| Fault::refused(format!("{}: {}", trial.name, fault.message)))?;
+        let states = ContactStates::of(model, &recording, &selected.forces, self.belt_m_s)
+            .map_err(|error| unseen(&trial.name, error))?;
+        let feet = Foot::all(model, &states, &selected.forces);
+        Ok((recording, states, feet))
+    }
+
+    /// One trial; `first` is what the first one showed.
     fn see(
         &self,
         trial: &TrialFiles,
         model: &Model,
         selected: &Selected,
         weight_n: f64,
+        first: Option<&Seen>,
     ) -> Result<Seen, Fault> {
-        let refused = |why: String| Fault::refused(format!("{}: {why}", trial.name));
-        let unseen = |error: StatesError| match error {
-            StatesError::Model(fault) => *fault,
-            other => refused(other.to_string()),
-        };
-        let recording =
-            Recording::of(model, &trial.table, &trial.options).map_err(|fault| refused(fault.message))?;
-        let states = ContactStates::of(model, &recording, &selected.forces, self.belt_m_s).map_err(unseen)?;
-        let feet = Foot::all(model, &states, &selected.forces);
+        let (recording, states, feet) = self.follow(trial, model, selected)?;
         let measured = Measured::of(&trial.plates.plates, &feet, &states, weight_n);
         let summary = Summary::of(&states, &feet, Some(&measured), weight_n);
         let fitted = match self.bounds.needs_answers() {
-            true => FitTrial::with_answers(model, &recording, &states, (&feet, &measured), weight_n)
-                .map_err(unseen)?,
+            true => {
+                let axes = first.map(|first| first.trial.axes.as_slice());
+                FitTrial::with_answers(model, &recording, &states, (&feet, &measured), weight_n, axes)
+                    .map_err(|error| unseen(&trial.name, error))?
+            }
             false => FitTrial::of(&states, &feet, &measured, weight_n),
         };
-        let planes = states.planes.clone();
-        let axes = match self.bounds.needs_answers() {
-            true => SoleAxes::of(model, &states).map_err(|error| unseen(error.into()))?,
-            false => Vec::new(),
-        };
+        let axes = fitted.axes.iter().copied();
         let spheres = states.pairs.iter().map(|pair| pair.sphere).zip(axes).collect();
-        let of_no_foot = measured.uses.into_iter().filter(|one| one.by.is_none()).map(|one| one.plate);
-        Ok(Seen { summary, trial: fitted, planes, spheres, of_no_foot: of_no_foot.collect() })
+        Ok(Seen { summary, trial: fitted, planes: states.planes, spheres, measured })
     }
 
     /// The values and places that a fit comes to.
@@ -197,8 +208,8 @@ impl Fitting {
             assignments.push((Property::Dissipation, assignment));
         }
         let mut wanted = Set::new(assignments);
-        // Of several trials, each has a floor of its own: the model gets that of the first.
-        if let Some(up) = fit.floor_up_m.first() {
+        // Of several trials, each has a floor of its own: the model gets that of the first. Where spheres move instead, that one stays.
+        if let Some(up) = fit.floor_up_m.first().filter(|_| fit.spheres_down_m.is_none()) {
             let up_m = (up.value * 1e6).round() / 1e6;
             said.push(format!("floor_up={}", shortest(up_m)));
             for plane in &first.planes {
@@ -249,13 +260,13 @@ impl Planner for Fitting {
         let selected = self.selection.apply(model)?;
         let (mass_kg, gravity_m_s2) = weight(&self.masses, model)?;
         let weight_n = mass_kg * gravity_m_s2;
-        let seen: Vec<Seen> = self
-            .trials
-            .iter()
-            .map(|trial| self.see(trial, model, &selected, weight_n))
-            .collect::<Result<_, _>>()?;
+        let mut seen: Vec<Seen> = Vec::new();
+        for trial in &self.trials {
+            seen.push(self.see(trial, model, &selected, weight_n, seen.first())?);
+        }
         let trials: Vec<FitTrial> = seen.iter().map(|one| one.trial.clone()).collect();
-        let of_no_foot = seen.iter().flat_map(|one| &one.of_no_foot).next();
+        let uses = || seen.iter().flat_map(|one| &one.measured.uses);
+        let of_no_foot = uses().find(|one| one.by.is_none()).map(|one| &one.plate);
         let counterparts =
             if self.bounds.needs_answers() { model.both_sides().counterparts() } else { Vec::new() };
         let fit =
@@ -264,17 +275,41 @@ impl Planner for Fitting {
         let wanted = self.wanted(model, &selected, &fit, first, mass_kg)?;
         let mut plan = set(model, &selected, &wanted)?;
         let changed = plan.changed(model)?;
-        // The floor of the model is that of the first trial.
+        // The floor of the model is that of the first trial, and what its plates say does not change with the model.
         let after = match self.trials.first() {
-            Some(trial) => Some(self.see(trial, &changed, &selected, weight_n)?),
-            None => None,
+            Some(trial) => {
+                let (_, states, feet) = self.follow(trial, &changed, &selected)?;
+                Summary::of(&states, &feet, Some(&first.measured), weight_n)
+            }
+            None => first.summary.clone(),
         };
-        let before = Some(&first.summary);
-        plan.errors = after.as_ref().map(|after| errors(&fit, &after.summary));
-        let after = after.as_ref().map(|after| &after.summary);
-        plan.remarks.extend(remarks(&fit, before, after, &self.bounds));
+        plan.errors = Some(errors(&fit, &after)?);
+        let others = match wanted.planes.is_empty() {
+            true => Vec::new(),
+            false => others_on(model, &selected, &first.planes),
+        };
+        let subject = seen.iter().find_map(|one| other_weight(&one.summary, mass_kg, gravity_m_s2));
+        plan.remarks.extend(subject.map(Phrase::from));
+        plan.remarks.extend(remarks(&fit, &trials, (&first.summary, &after), &self.bounds, &others));
         Ok(plan)
     }
+}
+
+fn unseen(trial: &str, error: StatesError) -> Fault {
+    match error {
+        StatesError::Model(fault) => *fault,
+        other => Fault::refused(format!("{trial}: {other}")),
+    }
+}
+
+/// Names of applied forces that are not chosen and press on one of `planes`.
+fn others_on(model: &Model, selected: &Selected, planes: &[HalfSpace]) -> Vec<String> {
+    let others = model.forces().iter().filter(|force| force.applies && !selected.forces.contains(&force.id));
+    let is_same = |one: &HalfSpace| planes.iter().any(|plane| plane.path == one.path);
+    let on = |force: &&osim_model::Force| {
+        force.sets.iter().any(|set| model.half_spaces_of(set).iter().any(is_same))
+    };
+    others.filter(on).map(|force| force.name.clone()).collect()
 }
 
 /// Why there is no fit, and what would help.
@@ -287,13 +322,22 @@ fn no_fit(error: &FitError, of_no_foot: Option<&String>) -> Fault {
     }
 }
 
-fn errors(fit: &MotionFit, after: &Summary) -> RecordingErrors {
+/// # Errors
+/// Forces that are not finite.
+fn errors(fit: &MotionFit, after: &Summary) -> Result<RecordingErrors, Fault> {
     let feet = || after.feet.iter().filter_map(|foot| foot.comparison.as_ref());
-    let worst = |of: fn(&osim_motion::Comparison) -> f64| feet().map(of).fold(0.0, f64::max);
-    RecordingErrors {
-        vertical_rms_bw: worst(|one| one.normal_rms_n) / after.weight_n,
+    let largest = |a: f64, b: f64| if a.is_nan() || a > b { a } else { b };
+    let worst = |of: fn(&osim_motion::Comparison) -> f64| feet().map(of).fold(0.0, largest);
+    let others = fit.trials_rms_bw.iter().skip(1).copied().fold(0.0, largest);
+    let vertical_rms_bw = largest(worst(|one| one.normal_rms_n) / after.weight_n, others);
+    let horizontal_rms_bw = worst(|one| one.horizontal_rms_n) / after.weight_n;
+    if !(vertical_rms_bw.is_finite() && horizontal_rms_bw.is_finite()) {
+        return Err(Fault::refused("with these options the forces of the fitted model are not finite"));
+    }
+    Ok(RecordingErrors {
+        vertical_rms_bw,
         held_out_vertical_rms_bw: fit.held_out_rms_bw(),
-        horizontal_rms_bw: worst(|one| one.horizontal_rms_n) / after.weight_n,
+        horizontal_rms_bw,
         cop_rms_m: feet().filter_map(|one| one.cop_rms_m).reduce(f64::max),
         largest_relative_indentation: fit.after.largest_relative_indentation,
         slack: fit.slack.map(|used| SlackErrors {
@@ -303,7 +347,7 @@ fn errors(fit: &MotionFit, after: &Summary) -> RecordingErrors {
             pitch_rms_rad: used.pitch_rms_rad,
             largest_pitch_rad: used.largest_pitch_rad,
         }),
-    }
+    })
 }
 
 /// Where the centres of spheres are to be in their own frames, m, to the micrometre.

@@ -79,7 +79,8 @@ pub struct ObjectRecord {
     pub parameters: Option<BTreeMap<&'static str, f64>>,
 }
 
-/// How far the forces of a fit are from those that plates measured: the worst foot of the first trial.
+/// How far the forces of a fit are from those that plates measured: the worst foot of the first trial; vertically also all feet of each
+/// other trial.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]

@@ -20,6 +20,21 @@ impl Refining<'_> {
         residuals
     }
 
+    /// The error of one trial, body weights.
+    pub(in crate::fit) fn error_of_trial(&self, shared: &[f64], trial: usize) -> f64 {
+        let (mut square, mut count) = (0.0, 0_usize);
+        let mut before = None;
+        self.each(shared, None, |foot, frame, _, row| {
+            let place = Some((std::ptr::from_ref(foot.forces), frame));
+            if foot.trial() == trial && before != place {
+                square += row.value * row.value;
+                count += 1;
+            }
+            before = place;
+        });
+        (square / count.max(1) as f64).sqrt()
+    }
+
     /// How far the forces are from the plates.
     pub(in crate::fit) fn errors(&self, shared: &[f64], slack: Option<&[Vec<f64>]>) -> FitErrors {
         let residuals = self.force_residuals(shared, slack);

@@ -12,7 +12,7 @@ use crate::stance::ON_BW;
 /// Steps by which slopes of the law are taken: m, m/s and s/m.
 const STEP: f64 = 1e-7;
 /// What a sphere costs that is deeper than allowed by its radius, body weights.
-const TOO_DEEP_BW: f64 = 10.0;
+const TOO_DEEP_BW: f64 = 200.0;
 
 /// A foot of a trial.
 pub(super) struct FittedFoot<'t> {
@@ -114,6 +114,11 @@ impl<'t> FittedFoot<'t> {
     /// What a window adds to the foot's height (m) and pitch (rad).
     pub(super) fn slack_at(&self, frame: usize, window: &Window, coefficients: &[f64]) -> [f64; 2] {
         self.slack(frame, Some((window, coefficients))).1.map(|(value, _)| value)
+    }
+
+    /// Its trial among all.
+    pub(super) fn trial(&self) -> usize {
+        self.trial
     }
 
     /// The group of each contact.
@@ -260,7 +265,7 @@ impl Sum<'_> {
     /// What follows from the depth of a contact and its rate.
     fn depth(&mut self, one: &Pushing<'_>, by_indentation: f64, by_rate: f64, local: &mut [[f64; 4]; 2]) {
         let layout = self.at.layout;
-        self.add(layout.floor.map(|floor| floor + self.foot.trial), by_indentation);
+        self.add(layout.floor_of(self.foot.trial), by_indentation);
         let (down, ahead) = (&one.answer.down, &one.answer.ahead);
         self.moved(
             one,

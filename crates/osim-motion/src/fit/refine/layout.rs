@@ -20,8 +20,10 @@ const MOST_COMMON_M: f64 = 0.25;
 pub(in crate::fit) struct Layout {
     pub(in crate::fit) stiffness: Option<usize>,
     pub(in crate::fit) dissipation: Option<usize>,
-    /// The height of the floor of the first trial; those of the others follow.
+    /// The height of the floor of the first trial that has one; those of the others follow.
     pub(in crate::fit) floor: Option<usize>,
+    /// The first trial whose floor moves: where spheres move instead, the floor of the first trial stays.
+    pub(in crate::fit) first_floor: usize,
     /// How far all spheres go down.
     pub(in crate::fit) common: Option<usize>,
     /// How far the first group of spheres goes down from the others; those of the other groups follow.
@@ -51,11 +53,17 @@ impl Layout {
         let wanted = bounds.wanted;
         let stiffness = take(wanted.stiffness, 1);
         let dissipation = take(wanted.dissipation, 1);
-        let floor = take(wanted.height && !bounds.height_in_spheres, trials.len());
+        let first_floor = usize::from(bounds.height_in_spheres);
+        let floor = take(wanted.height && trials.len() > first_floor, trials.len() - first_floor);
         let common = take(wanted.height && bounds.height_in_spheres, 1);
         let heights = take(wanted.heights, radius_m.len());
         let places = take(wanted.places, radius_m.len());
-        Self { stiffness, dissipation, floor, common, heights, places, size, groups, radius_m }
+        Self { stiffness, dissipation, floor, first_floor, common, heights, places, size, groups, radius_m }
+    }
+
+    /// The height of the floor of a trial.
+    pub(in crate::fit) fn floor_of(&self, trial: usize) -> Option<usize> {
+        Some(self.floor? + trial.checked_sub(self.first_floor)?)
     }
 
     /// All of them at their start.
@@ -68,11 +76,13 @@ impl Layout {
         };
         put(self.stiffness, start.stiffness_log);
         put(self.dissipation, start.dissipation.unwrap_or_default());
-        for (trial, &up_m) in start.floor_up_m.iter().enumerate() {
-            put(self.floor.map(|floor| floor + trial), up_m);
-        }
         // A floor that goes up is feet that go down.
-        put(self.common, start.floor_up_m.first().copied().unwrap_or_default());
+        let common_m = start.floor_up_m.first().copied().unwrap_or_default();
+        put(self.common, common_m);
+        let all_m = if self.common.is_some() { common_m } else { 0.0 };
+        for (trial, &up_m) in start.floor_up_m.iter().enumerate() {
+            put(self.floor_of(trial), up_m - all_m);
+        }
         values
     }
 
@@ -102,11 +112,9 @@ impl Layout {
 
     /// The first three unknowns, as the search knows them.
     pub(super) fn unknowns(&self, values: &[f64], start: &Unknowns) -> Unknowns {
-        let floor = |trial: usize, kept: f64| match self.common {
-            // The floor stays where the spheres move instead.
-            Some(_) => 0.0,
-            None => Self::value(values, self.floor.map(|floor| floor + trial), kept),
-        };
+        // The floor of the first trial stays where the spheres move instead.
+        let kept_m = |kept: f64| if self.common.is_some() { 0.0 } else { kept };
+        let floor = |trial: usize, kept: f64| Self::value(values, self.floor_of(trial), kept_m(kept));
         Unknowns {
             stiffness_log: Self::value(values, self.stiffness, start.stiffness_log),
             dissipation: match self.dissipation {

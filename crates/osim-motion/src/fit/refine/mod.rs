@@ -12,5 +12,5 @@ mod sureness;
 mod window;
 
 pub(super) use self::layout::Layout;
-pub(super) use self::refining::Refining;
+pub(super) use self::refining::{Refined, Refining};
 pub(super) use self::sureness::Sureness;

@@ -3,7 +3,7 @@
 use super::cholesky::product;
 use super::foot::{At, FittedFoot, Goals, Row};
 use super::layout::Layout;
-use super::normal::{Block, Normal, add_times};
+use super::normal::{Block, Normal, Step, add_times};
 use crate::fit::data::FitTrial;
 use crate::fit::problem::Unknowns;
 use crate::fit::result::MovedSphere;
@@ -14,11 +14,11 @@ const USUAL_BW: f64 = 0.05;
 /// Slack in pitch that is as usual as one metre in height, rad.
 const PITCH_RAD_M: f64 = 5.0;
 /// How much the mean of the heights of a foot's spheres, which is none, counts: body weights for a metre.
-const NO_MEAN_BW_M: f64 = 1e4;
+const NO_MEAN_BW_M: f64 = 1e6;
 /// Steps of the search, tries of one step, and the part of the cost below which a step is the last one.
 const STEPS: usize = 100;
 const TRIES: usize = 14;
-const LAST: f64 = 1e-9;
+const LAST: f64 = 1e-7;
 
 /// Trials with their feet, as they are fitted.
 pub(in crate::fit) struct Refining<'t> {
@@ -53,38 +53,51 @@ impl<'t> Refining<'t> {
         Self { feet: feet.collect(), layout, start: start.clone(), slack_m: bounds.slack_m }
     }
 
-    /// The best unknowns from the start.
+    /// Where the search begins.
+    pub(in crate::fit) fn start(&self) -> &Unknowns {
+        &self.start
+    }
+
+    /// The best unknowns from the start; `first_others` searches for all but stiffness and dissipation first, and for all from there.
     ///
     /// # Errors
     /// [`FitError::NotConverged`] where the equations have no solution.
-    pub(in crate::fit) fn search(&self) -> Result<Refined, FitError> {
+    pub(in crate::fit) fn search(&self, first_others: bool) -> Result<Refined, FitError> {
         let limits = self.layout.limits();
         let mut shared = self.layout.start(&self.start);
         shared.iter_mut().zip(&limits).for_each(|(value, &(low, high))| *value = value.clamp(low, high));
         let windows = self.feet.iter().flat_map(|foot| &foot.windows);
-        let mut slack: Vec<Vec<f64>> = windows.map(|window| vec![0.0; 2 * window.splines()]).collect();
-        let mut normal = self.normal(&shared, &slack);
+        let slack: Vec<Vec<f64>> = windows.map(|window| vec![0.0; 2 * window.splines()]).collect();
+        let mut best =
+            Refined { normal: self.normal(&shared, &slack), held: vec![false; shared.len()], shared, slack };
+        if first_others {
+            let kept = [self.layout.stiffness, self.layout.dissipation];
+            self.go_down(&mut best, &limits, &kept);
+        }
+        self.go_down(&mut best, &limits, &[]);
+        if !best.normal.cost.is_finite() {
+            return Err(FitError::NotConverged);
+        }
+        best.held = held(&best.shared, &limits, &best.normal.slope);
+        Ok(best)
+    }
+
+    /// Steps to lower costs until none is left, with the unknowns at `kept` as they are.
+    fn go_down(&self, best: &mut Refined, limits: &[(f64, f64)], kept: &[Option<usize>]) {
         let mut damping = 1e-3;
         for _ in 0..STEPS {
-            let held = held(&shared, &limits, &normal.slope);
+            let mut held = held(&best.shared, limits, &best.normal.slope);
+            for place in kept.iter().flatten() {
+                held.iter_mut().skip(*place).take(1).for_each(|one| *one = true);
+            }
             let mut gained = None;
             for _ in 0..TRIES {
-                if let Some(step) = normal.step(damping, &held) {
-                    let mut next = shared.clone();
-                    for ((value, step), &(low, high)) in next.iter_mut().zip(&step.shared).zip(&limits) {
-                        *value = (*value + step).clamp(low, high);
-                    }
-                    let mut next_slack = slack.clone();
-                    for (values, steps) in next_slack.iter_mut().zip(&step.blocks) {
-                        add_times(values, 1.0, steps);
-                    }
-                    let there = self.normal(&next, &next_slack);
-                    if there.cost < normal.cost {
-                        gained = Some((normal.cost - there.cost) / normal.cost);
-                        (shared, slack, normal) = (next, next_slack, there);
-                        damping = (damping / 5.0).max(1e-12);
-                        break;
-                    }
+                let lower = best.normal.step(damping, &held).map(|step| self.stepped(best, &step, limits));
+                if let Some(lower) = lower.filter(|lower| lower.normal.cost < best.normal.cost) {
+                    gained = Some((best.normal.cost - lower.normal.cost) / best.normal.cost);
+                    *best = lower;
+                    damping = (damping / 5.0).max(1e-12);
+                    break;
                 }
                 damping *= 6.0;
             }
@@ -92,11 +105,20 @@ impl<'t> Refining<'t> {
                 break;
             }
         }
-        if !normal.cost.is_finite() {
-            return Err(FitError::NotConverged);
+    }
+
+    /// The unknowns a step further.
+    fn stepped(&self, from: &Refined, step: &Step, limits: &[(f64, f64)]) -> Refined {
+        let mut shared = from.shared.clone();
+        for ((value, step), &(low, high)) in shared.iter_mut().zip(&step.shared).zip(limits) {
+            *value = (*value + step).clamp(low, high);
         }
-        let held = held(&shared, &limits, &normal.slope);
-        Ok(Refined { shared, slack, normal, held })
+        let mut slack = from.slack.clone();
+        for (values, steps) in slack.iter_mut().zip(&step.blocks) {
+            add_times(values, 1.0, steps);
+        }
+        let normal = self.normal(&shared, &slack);
+        Refined { shared, slack, normal, held: from.held.clone() }
     }
 
     /// Calls `take` with each residual of the feet, and the window it is in.
@@ -179,6 +201,11 @@ impl<'t> Refining<'t> {
 }
 
 impl Refined {
+    /// The sum of squares of all residuals.
+    pub(in crate::fit) fn cost(&self) -> f64 {
+        self.normal.cost
+    }
+
     /// How each sphere moves in its body.
     pub(in crate::fit) fn moved(&self, layout: &Layout) -> Vec<MovedSphere> {
         let mut moved: Vec<MovedSphere> = Vec::new();
