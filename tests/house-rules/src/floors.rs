@@ -89,7 +89,6 @@ mod tests {
             .collect()
     }
 
-    /// The layout for which the table was written.
     #[test]
     fn the_layout_passes() {
         let arrows: &[(&str, &[&str])] = &[
