@@ -6,12 +6,13 @@ import itertools
 import os
 import random
 import subprocess
+from pathlib import Path
 
 import command
 import numpy as np
 import opensim_motion
 import pytest
-from models import corpus, fixtures, label
+from models import CORPUS, corpus, fixtures, label
 
 LENGTH = 1e-9  # m, m/s
 SHARE = 1e-9  # of the largest force (or torque) of the motion
@@ -163,3 +164,58 @@ def test_written_reactions_need_the_same_joint_moments(path, tmp_path):
     own = np.array(opensim_motion.needed(path, times, values, speeds))
     loaded = np.array(opensim_motion.needed(path, times, values, speeds, made.with_suffix(".xml")))
     assert np.abs(own - loaded).max() < 1e-6 * np.abs(own).max()
+
+
+# Models without contacts that get them by `add`: with toes, with a coupled patella, and with neither.
+GIVEN = ("v40000_gait10dof18musc_without_contacts", "v40000_gait2392_without_contacts", "v40000_rajagopal_2016_without_contacts")
+
+
+@pytest.mark.parametrize("path", [path for path in corpus() if path.stem in GIVEN], ids=label)
+def test_contacts_given_by_add_are_those_of_opensim(path, tmp_path):
+    model = tmp_path / "with.osim"
+    command.run("add", path, "--from", "falisse2022", "-o", model)
+    times, values, speeds = smooth(opensim_motion.coordinates(model), "3")
+    motion = tmp_path / "motion.sto"
+    storage(motion, times, values, speeds)
+    theirs = opensim_motion.follow(model, times, values, speeds)
+    assert compared(rows(model, motion), theirs, times) > 0
+
+
+def trials():
+    """Public recordings: a model and its motion."""
+    names = {"example2DWalking": ("2D_gait.osim", "referenceCoordinates.sto"), "subject01_walk_id": ("subject01.osim", "subject01_walk1_ik.mot")}
+    for folder, (model, motion) in names.items():
+        place = Path(CORPUS).parent / "trials" / folder if CORPUS else Path(folder)
+        if (place / model).exists():
+            yield pytest.param(place / model, place / motion, id=folder)
+
+
+@pytest.mark.parametrize(("model", "motion"), list(trials()))
+def test_public_recordings_are_followed_like_opensim(model, motion, tmp_path):
+    """At all frames, from the file as it is; OpenSim's speeds are splined by itself."""
+    if not command.inspect(model).report["forces"]:
+        command.run("add", model, "--from", "falisse2022", "-o", tmp_path / "with.osim")
+        model = tmp_path / "with.osim"
+    times, columns, degrees = table(motion)
+    values = {}
+    for name, default, kind in opensim_motion.coordinates(model):
+        joint, coordinate = name.split("/")
+        named = (f"/jointset/{joint}/{coordinate}/value", f"{joint}/{coordinate}/value", coordinate)
+        column = next((columns[one] for one in named if one in columns), [default] * len(times))
+        is_angle = degrees and kind == ROTATIONAL and any(one in columns for one in named)
+        values[name] = [float(np.radians(value)) if is_angle else value for value in column]
+    speeds = {
+        f"{joint}/{coordinate}": columns.get(f"/jointset/{joint}/{coordinate}/speed")
+        for joint, coordinate in (name.split("/") for name in values)
+    }
+    theirs = opensim_motion.follow(model, times, values, speeds if all(speeds.values()) else "splined")
+    assert compared(rows(model, motion), theirs, times) > 0
+
+
+def table(path):
+    """Times, columns by name, and whether angles are degrees, of a `.mot` or `.sto`: they are where a `.mot` has no version."""
+    head, _, body = path.read_text(encoding="utf-8").partition("endheader")
+    names, *lines = [line.split("\t") for line in body.splitlines() if line.strip()]
+    columns = list(zip(*[[float(cell) for cell in line if cell.strip()] for line in lines], strict=True))
+    named = dict(zip((name.strip() for name in names), columns, strict=False))
+    return list(named.pop("time")), {name: list(column) for name, column in named.items()}, "inDegrees=yes" in head or "version" not in head
