@@ -46,7 +46,7 @@ fn figure(result: &MotionResult, dialect: &dyn Dialect) -> Markup {
         Ok(svg) => html! {
             div.plots { figure {
                 div.plot { (PreEscaped(svg)) }
-                figcaption { "For each foot: its force beside the plates'; how deep each sphere is; where the force acts on the sole; forces of one stance along the foot." }
+                figcaption { "For each foot: its force beside the plates'; how deep each sphere is, over time and over strides; where the force acts on the sole; forces of one stance along the foot." }
             } }
         },
         Err(failure) => html! { p.note { "Not drawn: " (failure.message.spelled(dialect)) "." } },

@@ -5,6 +5,8 @@ use osim_feet::{ViewAxes, dot};
 use osim_motion::{FootSummary, OnSole, Wrench};
 use osim_planning::MotionResult;
 
+use super::foot::{along_normal, normal};
+
 /// Arrows of one stance, at most.
 const ARROWS: usize = 25;
 /// How far a push of one body weight along the foot leans an arrow, mm.
@@ -78,9 +80,8 @@ fn arrows(result: &MotionResult, index: usize, foot: &FootSummary, on_sole: &OnS
 
 /// How far an arrow leans, mm, and how high it is, body weights.
 fn arrow(result: &MotionResult, foot: &FootSummary, wrench: &Wrench) -> (f64, f64) {
-    let normal = foot.foot.pairs.first().and_then(|&pair| result.states.frame(0).get(pair));
-    let normal = normal.map_or([0.0, 1.0, 0.0], |state| state.normal);
+    let normal = normal(result, foot);
     let weight_n = result.summary.weight_n;
     let forward = ViewAxes::with_up(normal).forward;
-    (LEAN_MM * dot(wrench.force_n, forward) / weight_n, dot(wrench.force_n, normal) / weight_n)
+    (LEAN_MM * dot(wrench.force_n, forward) / weight_n, along_normal(result, foot, wrench))
 }

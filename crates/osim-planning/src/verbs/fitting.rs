@@ -1,10 +1,11 @@
 //! Contacts fitted to recordings of a gait.
 
 use std::collections::HashMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use osim_messages::{Input, Phrase, phrase, shortest};
-use osim_model::files::Files;
+use osim_inspect::{Figure, InspectOptions};
+use osim_messages::{Input, Phrase, phrase, shortest, shown};
+use osim_model::files::{FileName, Files};
 use osim_model::{
     Assignment, Fault, HalfSpace, Mass, MassRequest, MassSource, Model, Property, Selected, Selection,
     SphereId,
@@ -239,6 +240,22 @@ impl Fitting {
     }
 }
 
+impl Fitting {
+    /// What the contact is at every size.
+    fn without_dimensions(&self, changed: &Model) -> Option<Phrase> {
+        let name = FileName::from(Path::new("model"));
+        let seen = InspectOptions::from(&self.inspection).inspect(name, changed, None);
+        let sphere = seen.figures.spheres().next()?;
+        let depth = sphere.value(Figure::Indentation)?;
+        let stiffness = sphere.value(Figure::DimensionlessStiffness)?;
+        Some(Phrase::from(format!(
+            "without dimensions, at body weight on one limb: x/R {depth:.2} by Hertz, k R n/F {stiffness:.2} ({}); rescaling keeps both at \
+             other sizes",
+            shown(&sphere.sphere)
+        )))
+    }
+}
+
 impl Planner for Fitting {
     fn name(&self) -> &'static str {
         "fit"
@@ -291,6 +308,7 @@ impl Planner for Fitting {
         let subject = seen.iter().find_map(|one| other_weight(&one.summary, mass_kg, gravity_m_s2));
         plan.remarks.extend(subject.map(Phrase::from));
         plan.remarks.extend(remarks(&fit, &trials, (&first.summary, &after), &self.bounds, &others));
+        plan.remarks.extend(self.without_dimensions(&changed));
         Ok(plan)
     }
 }
