@@ -236,3 +236,19 @@ fn a_report_shows_the_recording() {
     bench.run("check walker.osim --report plain.html");
     assert!(!bench.text("plain.html").contains("Contacts along the recording"));
 }
+
+/// The page of a fit shows the new contacts beside the plates.
+#[test]
+fn the_report_of_a_fit_shows_the_recording() {
+    let bench = Bench::with(&FILES);
+    let call = "fit walker.osim --motion walk.mot --plates plates.sto --loads plates.xml -o fitted.osim --report page.html";
+    bench.run(call).done();
+    let page = bench.text("page.html").replace('\n', " ");
+    for part in [
+        "Contacts along the recording",
+        "Right foot: up to 1.5 body weights where the plates measured up to 1.5",
+        "over strides",
+    ] {
+        assert!(page.contains(part), "{part}");
+    }
+}

@@ -17,6 +17,7 @@ use super::explained::Topics;
 use super::files::{self, Files};
 use super::fragment::{Fragment, table};
 use super::run_row::RunRow;
+use super::section::Section;
 use super::sphere_figures::{self, State};
 use super::values::{listed, sentence, severity};
 use super::{feet, findings, plots, reference};
@@ -40,6 +41,8 @@ pub struct Changed<'c> {
     pub feet: Vec<ModelFeet>,
     /// What the contacts are taken from, where they are another body's.
     pub reference: Option<&'c ReferenceState>,
+    /// What the new contacts do along a recording, where the change follows one: from [`recording`](crate::recording).
+    pub recording: Option<Section>,
     /// Whether the new model is in a file.
     pub in_file: bool,
     /// The gravity the contacts are scaled to, where the model's is another, m/s².
@@ -60,6 +63,7 @@ impl<'c> Changed<'c> {
             bodies: Vec::new(),
             feet: Vec::new(),
             reference: None,
+            recording: None,
             in_file: false,
             target_gravity_m_s2: None,
             files,
@@ -104,6 +108,9 @@ pub(super) fn fill(fragment: &mut Fragment, changed: Changed<'_>, dialect: &dyn 
             }
             None => findings::of_model(fragment, before.check),
         }
+    }
+    if let Some(recording) = &changed.recording {
+        fragment.section(recording.id, recording.title, &maud::PreEscaped(recording.html.clone()));
     }
     if let Some(reference) = changed.reference.filter(|_| fragment.wants(reference::SECTION.0)) {
         reference::section(fragment, reference, &changed.bodies);

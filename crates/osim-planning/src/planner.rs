@@ -11,6 +11,7 @@ use osim_patch::{Plan, StepDetails};
 use osim_requests::options::{AnswerOptions, InspectionOptions, OutputOptions, SetFiles};
 
 use crate::afterwards::{Aims, worse_findings};
+use crate::motion::{MotionRemark, MotionResult};
 use crate::opening::open_with;
 
 /// Plans the change of one model after the other, on any thread.
@@ -110,6 +111,12 @@ pub trait Planner: Send + Sync {
 
     /// What the caller has answered before it was asked.
     fn answers(&self) -> Option<&AnswerOptions> {
+        None
+    }
+
+    /// What the contacts of the changed model do along the recording that the change follows, where it follows one.
+    fn recording(&self, changed: OpenModel) -> Option<(MotionResult, Vec<MotionRemark>)> {
+        let _ = changed;
         None
     }
 

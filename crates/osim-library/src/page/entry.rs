@@ -26,6 +26,8 @@ pub fn entry(changed: &ChangedModel<'_>, both: &BeforeAfter, detail: DetailLevel
     if let Some(feet) = change.feet.last_mut() {
         feet.add_bones(&changed.opened.model, &changed.task.source.path, None, &Disk);
     }
+    let followed = both.recording.as_ref();
+    change.recording = followed.map(|seen| osim_html::recording(&seen.0, &seen.1, words));
     change.in_file = !changed.written.paths().is_empty();
     let entry = osim_html::changed(&row(record), change, detail, words);
     if changed.earlier { entry.of_earlier_run() } else { entry }

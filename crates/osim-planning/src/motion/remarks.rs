@@ -29,6 +29,13 @@ pub struct MotionRemark {
 }
 
 impl MotionResult {
+    /// One sentence for each foot, then what is odd, for a call that has no word for a belt: it changes slip alone.
+    pub(crate) fn remarks_without_belt(&self, request: &MotionRequest) -> Vec<MotionRemark> {
+        let mut remarks = self.remarks(request);
+        remarks.retain(|remark| remark.code != "treadmill");
+        remarks
+    }
+
     /// One sentence for each foot, then what is odd.
     #[must_use]
     pub fn remarks(&self, request: &MotionRequest) -> Vec<MotionRemark> {

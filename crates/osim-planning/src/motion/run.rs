@@ -1,6 +1,6 @@
 //! A motion, seen by the contacts of a model.
 
-use osim_model::files::{Failure, FileName, Files};
+use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::{Fault, MassRequest, Model};
 use osim_motion::{ContactStates, Foot, Measured, OnSole, Recording, StatesError, Summary};
 use osim_requests::{MotionRequest, RequestError, RequestFault, Speed};
@@ -45,35 +45,58 @@ pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionRe
             Fault::refused("no applied force presses a sphere on the ground: there is nothing to follow");
         return Err(opened.failure(fault).into());
     }
-    let weight_n = mass_kg * gravity_m_s2;
-    let measured = plates.as_ref().map(|read| Measured::of(&read.plates, &feet, &states, weight_n));
-    if let (Some(read), Some(measured)) = (&plates, &measured)
+    let on_ground = OnGround { recording, states, feet, weight: (mass_kg, gravity_m_s2), belt_m_s };
+    let result = on_ground.beside(opened, FileName::from(motion.as_path()), plates);
+    if let (Some(read), Some(measured)) = (&result.plates, &result.measured)
         && measured.total.iter().all(Option::is_none)
     {
         let why = "it has no time in common with the motion";
         return Err(Failure::outside(read.name(), "motion", why).into());
     }
-    let summary = Summary::of(&states, &feet, measured.as_ref(), weight_n);
-    let on_soles = summary.feet.iter().enumerate().map(|(index, foot)| {
-        let plates = measured.as_ref().filter(|measured| measured.has_points.get(index) == Some(&true));
-        let plates = plates.and_then(|measured| measured.feet.get(index)).map(Vec::as_slice);
-        OnSole::of(&opened.model, &states, foot, plates, weight_n).ok()
-    });
-    let on_soles = on_soles.collect();
-    let motion = FileName::from(motion.as_path());
-    Ok(MotionResult {
-        on_soles,
-        opened,
-        motion,
-        recording,
-        states,
-        plates,
-        measured,
-        summary,
-        mass_kg,
-        gravity_m_s2,
-        belt_m_s,
-    })
+    Ok(result)
+}
+
+/// Contacts along a motion.
+pub(crate) struct OnGround {
+    pub(crate) recording: Recording,
+    pub(crate) states: ContactStates,
+    pub(crate) feet: Vec<Foot>,
+    /// What the model weighs, kg, and its gravity, m/s².
+    pub(crate) weight: (f64, f64),
+    pub(crate) belt_m_s: Option<[f64; 3]>,
+}
+
+impl OnGround {
+    /// Beside what plates measured, where there are some.
+    pub(crate) fn beside(
+        self,
+        opened: OpenModel,
+        motion: FileName,
+        plates: Option<PlatesRead>,
+    ) -> MotionResult {
+        let Self { recording, states, feet, weight: (mass_kg, gravity_m_s2), belt_m_s } = self;
+        let weight_n = mass_kg * gravity_m_s2;
+        let measured = plates.as_ref().map(|read| Measured::of(&read.plates, &feet, &states, weight_n));
+        let summary = Summary::of(&states, &feet, measured.as_ref(), weight_n);
+        let on_soles = summary.feet.iter().enumerate().map(|(index, foot)| {
+            let plates = measured.as_ref().filter(|measured| measured.has_points.get(index) == Some(&true));
+            let plates = plates.and_then(|measured| measured.feet.get(index)).map(Vec::as_slice);
+            OnSole::of(&opened.model, &states, foot, plates, weight_n).ok()
+        });
+        MotionResult {
+            on_soles: on_soles.collect(),
+            opened,
+            motion,
+            recording,
+            states,
+            plates,
+            measured,
+            summary,
+            mass_kg,
+            gravity_m_s2,
+            belt_m_s,
+        }
+    }
 }
 
 /// What `model` weighs, kg and m/s².

@@ -47,9 +47,7 @@ impl CheckedMotion {
     ) -> Result<(MotionResult, Vec<MotionRemark>), RequestError> {
         let request = MotionRequest { subject: Some(path.to_owned()), ..self.0.clone() };
         let result = run_motion(&request, files)?;
-        let mut remarks = result.remarks(&request);
-        // A belt changes slip alone, which is not judged: `check` has no word for it.
-        remarks.retain(|remark| remark.code != "treadmill");
+        let remarks = result.remarks_without_belt(&request);
         Ok((result, remarks))
     }
 

@@ -8,6 +8,7 @@ use osim_patch::Plan;
 use osim_requests::spell::Speller;
 
 use crate::afterwards::options_after;
+use crate::motion::{MotionRemark, MotionResult};
 use crate::remedies::Trials;
 use crate::states::both::body;
 use crate::{ModelFeet, Planner, trial};
@@ -28,6 +29,8 @@ pub struct BeforeAfter {
     pub feet: Vec<ModelFeet>,
     /// What the contacts are taken from, where they are another body's.
     pub reference: Option<ReferenceState>,
+    /// What the new contacts do along the recording that the change follows, where it follows one.
+    pub recording: Option<Box<(MotionResult, Vec<MotionRemark>)>>,
     /// The contacts are scaled to this gravity, m/s², and the model's is another.
     pub target_gravity_m_s2: Option<f64>,
 }
@@ -60,6 +63,7 @@ impl BeforeAfter {
             bodies: Vec::new(),
             feet: Vec::new(),
             reference: planner.reference().cloned(),
+            recording: None,
             target_gravity_m_s2,
         };
         if after.masses.model_kg != before.masses.model_kg || target_gravity_m_s2.is_some() {
@@ -78,7 +82,9 @@ impl BeforeAfter {
             both.after = Some(seen(&after, &written, changes));
             both.bodies.extend(body("after", &after, &written));
             let changed = |after: &ModelFeet| both.feet.iter().any(|before| !before.has_same_spheres(after));
-            both.feet.extend(feet("after", &written).filter(changed));
+            let after = feet("after", &written).filter(changed);
+            both.feet.extend(after);
+            both.recording = planner.recording(written).map(Box::new);
         }
         both.spell(dialect);
         Ok(both)

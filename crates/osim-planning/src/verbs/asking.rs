@@ -8,6 +8,7 @@ use osim_model::{Fault, MassRequest, Model, Question};
 use osim_patch::Plan;
 use osim_requests::options::{AnswerOptions, InspectionOptions};
 
+use crate::motion::{MotionRemark, MotionResult};
 use crate::planner::Planner;
 
 /// A planner that asks if a mass that the caller gave, or a radius that it would write, looks like a slip.
@@ -70,6 +71,10 @@ impl<P: Planner> Planner for Asking<P> {
 
     fn answers(&self) -> Option<&AnswerOptions> {
         Some(&self.answers)
+    }
+
+    fn recording(&self, changed: OpenModel) -> Option<(MotionResult, Vec<MotionRemark>)> {
+        self.planner.recording(changed)
     }
 
     fn settings(&self) -> String {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use osim_inspect::{Figure, InspectOptions};
 use osim_messages::{Input, Phrase, phrase, shortest, shown};
-use osim_model::files::{FileName, Files};
+use osim_model::files::{FileName, Files, OpenModel};
 use osim_model::{
     Assignment, Fault, HalfSpace, Mass, MassRequest, MassSource, Model, Property, Selected, Selection,
     SphereId,
@@ -16,7 +16,9 @@ use osim_motion::{
 };
 use osim_patch::{Plan, RecordingErrors, Set, SlackErrors, set};
 use osim_requests::options::{InspectionOptions, StanceOptions};
-use osim_requests::{FitRequest, FittedChoice, HeightChoice, Positive, RequestError, RequestFault};
+use osim_requests::{
+    FitRequest, FittedChoice, HeightChoice, MotionRequest, Positive, RequestError, RequestFault,
+};
 use serde_json::json;
 use sha2::{Digest, Sha256};
 
@@ -25,7 +27,8 @@ use super::fitted_words::remarks;
 use crate::motion::PlatesRead;
 use crate::motion::opened::{recording_options, table};
 use crate::motion::remarks::other_weight;
-use crate::motion::run::weight;
+use crate::motion::run::{OnGround, weight};
+use crate::motion::{MotionRemark, MotionResult};
 use crate::opening::read;
 use crate::planner::{Change, Planner, file_name};
 
@@ -271,6 +274,18 @@ impl Planner for Fitting {
 
     fn reads(&self) -> Vec<PathBuf> {
         self.files.clone()
+    }
+
+    fn recording(&self, changed: OpenModel) -> Option<(MotionResult, Vec<MotionRemark>)> {
+        let trial = self.trials.first()?;
+        let selected = self.selection.apply(&changed.model).ok()?;
+        let (recording, states, feet) = self.follow(trial, &changed.model, &selected).ok()?;
+        let weight = weight(&self.masses, &changed.model).ok()?;
+        let on_ground = OnGround { recording, states, feet, weight, belt_m_s: Some(self.belt_m_s) };
+        let name = FileName::from(Path::new(&trial.name));
+        let result = on_ground.beside(changed, name, Some(trial.plates.clone()));
+        let remarks = result.remarks_without_belt(&MotionRequest::default());
+        Some((result, remarks))
     }
 
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
