@@ -160,7 +160,8 @@ def fields_of(verb: Verb, shape: Shape) -> list[Field]:
 
 def type_of(field: Field) -> str:
     if field.choices:
-        return "Literal[" + ", ".join(f'"{choice}"' for choice in field.choices) + "]"
+        one = "Literal[" + ", ".join(f'"{choice}"' for choice in field.choices) + "]"
+        return f"{one} | Sequence[{one}]" if "list" in field.kinds else one
     if "boolean" in field.kinds:
         return "bool"
     own = {"path": "StrPath", "number": "float", "integer": "int", "string": "str"}
@@ -223,7 +224,7 @@ def function(verb: Verb, shape: Shape) -> str:
 
 def readable(kind: str) -> str:
     """A type as people say it."""
-    if kind.startswith("Literal["):
+    if kind.startswith("Literal[") and " | " not in kind:
         return "{" + kind[8:-1] + "}"
     parts = [part for part in kind.split(" | ") if part != "None"]
     if len(parts) > 1:

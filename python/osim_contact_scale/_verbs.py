@@ -663,7 +663,7 @@ def fit(
     motion: StrPath | Sequence[StrPath] | None = None,
     plates: StrPath | Sequence[StrPath] | None = None,
     loads: StrPath | Sequence[StrPath] | None = None,
-    fit: Literal["stiffness", "dissipation", "height", "heights", "places"] | None = None,
+    fit: Literal["stiffness", "dissipation", "height", "heights", "places"] | Sequence[Literal["stiffness", "dissipation", "height", "heights", "places"]] | None = None,
     unbounded: bool = False,
     height_in: Literal["floor", "spheres"] | None = None,
     cop_scale: float | None = None,
@@ -709,7 +709,7 @@ def fit(
         Ground reactions that force plates measured (.mot, .sto); one for each motion.
     loads : path or list of path, optional
         OpenSim's ExternalLoads (.xml); one for each motion, or one for all.
-    fit : {"stiffness", "dissipation", "height", "heights", "places"}, optional
+    fit : {"stiffness", "dissipation", "height", "heights", "places"} or list of {"stiffness", "dissipation", "height", "heights", "places"}, optional
         What to fit; one or several in a list [default: stiffness, dissipation and height]
     unbounded : bool, optional
         Let spheres go deeper than their radius.
