@@ -23,6 +23,7 @@ function results = fit(varargin)
 %     foot_error: With slack, by how much feet are usually too high or too low, m, with 5 rad/m in pitch
 %         [default: 0.004]. Takes a number.
 %     belt: Speed of a treadmill's belt against x, m/s: slip is taken against it. Takes a number.
+%     belt_column: The same, from this column of each motion. Takes a text.
 %     angles: The unit of the motions' angles, where their headers do not say it. Takes 'degrees' or
 %         'radians'.
 %     low_pass: Smooth the coordinates first: zero-lag Butterworth filter of 4th order, cutoff in Hz (6

@@ -670,6 +670,7 @@ def fit(
     slack: bool = False,
     foot_error: float | None = None,
     belt: float | None = None,
+    belt_column: str | None = None,
     angles: Literal["degrees", "radians"] | None = None,
     low_pass: float | None = None,
     radius: float | None = None,
@@ -725,6 +726,8 @@ def fit(
         With slack, by how much feet are usually too high or too low, m, with 5 rad/m in pitch [default: 0.004]
     belt : float, optional
         Speed of a treadmill's belt against x, m/s: slip is taken against it.
+    belt_column : str, optional
+        The same, from this column of each motion.
     angles : {"degrees", "radians"}, optional
         The unit of the motions' angles, where their headers do not say it.
     low_pass : float, optional
@@ -785,7 +788,7 @@ def fit(
     ContactScaleError
         It cannot be done: the subclass says why.
     """
-    keywords = {"motion": motion, "plates": plates, "loads": loads, "fit": fit, "unbounded": unbounded or None, "height_in": height_in, "cop_scale": cop_scale, "slack": slack or None, "foot_error": foot_error, "belt": belt, "angles": angles, "low_pass": low_pass, "radius": radius, "spheres": spheres, "onset": onset, "branch": branch, "indentation_column": indentation_column, "force_column": force_column, "speed_column": speed_column, "time_column": time_column, "indentation_unit": indentation_unit, "force_unit": force_unit, "speed_unit": speed_unit, "time_unit": time_unit, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}
+    keywords = {"motion": motion, "plates": plates, "loads": loads, "fit": fit, "unbounded": unbounded or None, "height_in": height_in, "cop_scale": cop_scale, "slack": slack or None, "foot_error": foot_error, "belt": belt, "belt_column": belt_column, "angles": angles, "low_pass": low_pass, "radius": radius, "spheres": spheres, "onset": onset, "branch": branch, "indentation_column": indentation_column, "force_column": force_column, "speed_column": speed_column, "time_column": time_column, "indentation_unit": indentation_unit, "force_unit": force_unit, "speed_unit": speed_unit, "time_unit": time_unit, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}
     return _run.fit(measured, keywords)
 
 
@@ -882,6 +885,7 @@ def motion(
     angles: Literal["degrees", "radians"] | None = None,
     low_pass: float | None = None,
     belt: float | None = None,
+    belt_column: str | None = None,
     output: StrPath | None = None,
     force: bool = False,
     contacts_mass: float | None = None,
@@ -913,6 +917,8 @@ def motion(
         walking)
     belt : float, optional
         Speed of a treadmill's belt against x, m/s: slip is taken against it.
+    belt_column : str, optional
+        The same, from this column of the motion.
     output : path, optional
         Write the model's ground reactions to this file (.sto), with its ExternalLoads beside it (.xml)
     force : bool, optional
@@ -944,7 +950,7 @@ def motion(
     ContactScaleError
         It cannot be done: the subclass says why.
     """
-    keywords = {"plates": plates, "loads": loads, "angles": angles, "low_pass": low_pass, "belt": belt, "output": output, "force": force or None, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model}
+    keywords = {"plates": plates, "loads": loads, "angles": angles, "low_pass": low_pass, "belt": belt, "belt_column": belt_column, "output": output, "force": force or None, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model}
     return _run.motion(source, recording, keywords)
 
 

@@ -228,6 +228,16 @@ fn a_belt_counts_in_a_fit() {
         plan["errors"]["horizontal_rms_bw"].as_f64().unwrap()
     };
     assert!(error("--belt 1.25") > error("") + 0.1);
+    // The same belt from a column of the motion.
+    let text = bench.text("walk.mot");
+    let (head, rows) = text.split_once("endheader\n").unwrap();
+    let (names, rows) = rows.split_once('\n').unwrap();
+    let with_belt: String = rows.lines().map(|row| format!("{row}\t1.25\n")).collect();
+    bench.write("walk.mot", format!("{head}endheader\n{names}\tbelt\n{with_belt}"));
+    assert_eq!(error("--belt-column belt"), error("--belt 1.25"));
+    bench.run(&format!("{FIT} --belt-column other --dry-run")).says(&["no column 'other'"]);
+    let seen = bench.run("motion rough.osim walk.mot --belt-column belt --format csv").done().out();
+    assert_eq!(seen, bench.run("motion rough.osim walk.mot --belt 1.25 --format csv").done().out());
 }
 
 /// Two recordings of one body: contacts are shared, and the walk's second half is a trial of its own.

@@ -35,6 +35,7 @@ inputs! {
     Ascii = "ascii", "plain letters";
     Axes = "axes", "units of the axes";
     Belt = "belt", "speed of the treadmill's belt";
+    BeltColumn = "belt_column", "column of the belt's speed";
     BodyScale = "body_scale", "scale factors of a body";
     BodyScaleFile = "body_scale_file", "the Scale Tool's ScaleSet";
     BodyWeights = "body_weights", "load in body weights";

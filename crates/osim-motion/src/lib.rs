@@ -10,6 +10,7 @@
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 mod assigned;
+mod belt;
 mod beside;
 mod comparison;
 mod coordinates;
@@ -32,6 +33,7 @@ mod table;
 mod wrench;
 
 pub use assigned::{AssignedBy, Measured, PlateUse};
+pub use belt::Belt;
 pub use comparison::{ComparedOn, Comparison};
 pub use coordinates::{CoordinateKind, ModelCoordinate};
 pub use fault::MotionFault;

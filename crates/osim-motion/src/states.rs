@@ -5,6 +5,7 @@ use std::collections::HashSet;
 use osim_feet::{PoseFault, dot};
 use osim_model::{Fault, ForceId, HalfSpace, Model, MovingPlacement, Placement, SphereId};
 
+use crate::belt::Belt;
 use crate::fault::MotionFault;
 use crate::pair::{ContactPair, Touched, pairs_of};
 use crate::recording::Recording;
@@ -83,7 +84,7 @@ pub struct ContactStates {
 }
 
 impl ContactStates {
-    /// All pairs of `forces` in all frames of `recording`. The floor moves with `belt_m_s` (in ground) under the spheres.
+    /// All pairs of `forces` in all frames of `recording`. The floor moves as `belt` under the spheres.
     ///
     /// # Errors
     /// A value of the model that cannot be read, a body whose place is not known, or a coordinate without a value on the way to it.
@@ -91,9 +92,9 @@ impl ContactStates {
         model: &Model,
         recording: &Recording,
         forces: &[ForceId],
-        belt_m_s: [f64; 3],
+        belt: impl Into<Belt>,
     ) -> Result<Self, StatesError> {
-        Self::of_pairs(model, recording, pairs_of(model, forces)?, belt_m_s)
+        Self::of_pairs(model, recording, pairs_of(model, forces)?, &belt.into())
     }
 
     /// The same contacts with the centre of each sphere moved in its body, m, by its pair.
@@ -107,14 +108,14 @@ impl ContactStates {
         for (pair, by_m) in pairs.iter_mut().zip(by_m) {
             pair.centre_m = std::array::from_fn(|i| pair.centre_m[i] + by_m[i]);
         }
-        Self::of_pairs(model, recording, (pairs, self.planes.clone()), [0.0; 3])
+        Self::of_pairs(model, recording, (pairs, self.planes.clone()), &Belt::default())
     }
 
     fn of_pairs(
         model: &Model,
         recording: &Recording,
         (pairs, planes): (Vec<ContactPair>, Vec<HalfSpace>),
-        belt_m_s: [f64; 3],
+        belt: &Belt,
     ) -> Result<Self, StatesError> {
         let bodies: HashSet<&str> = pairs.iter().map(|pair| pair.body.as_str()).collect();
         let carriers = planes.iter().filter_map(|plane| plane.body.as_deref());
@@ -148,7 +149,7 @@ impl ContactStates {
             );
             for ((pair, body), surface) in pairs.iter().zip(&on).zip(&surfaces) {
                 let Some(moving) = body.and_then(|body| places.get(body)) else { continue };
-                let belt_m_s = if pair.is_ground { belt_m_s } else { [0.0; 3] };
+                let belt_m_s = if pair.is_ground { belt.at(frame) } else { [0.0; 3] };
                 states.push(state(
                     pair,
                     moving,

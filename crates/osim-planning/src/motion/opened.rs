@@ -4,8 +4,8 @@ use std::path::Path;
 
 use osim_messages::{Input, Phrase, phrase};
 use osim_model::files::{Failure, Files};
-use osim_motion::{AngleUnit, MotionFault, RecordingOptions, Table};
-use osim_requests::{AngleChoice, Positive};
+use osim_motion::{AngleUnit, Belt, MotionFault, RecordingOptions, Table};
+use osim_requests::{AngleChoice, Positive, Speed};
 
 use crate::opening::read;
 
@@ -32,6 +32,23 @@ pub(crate) fn failure(path: &Path, fault: &MotionFault) -> Failure {
     let mut failure = Failure::outside(path, "motion", message);
     (failure.line, failure.needs_answer) = (fault.line, fault.needs_angles);
     failure
+}
+
+/// The belt under the feet of the motion at `path`, where one is named: by its speed, or by a column of `table`.
+///
+/// # Errors
+/// No such column.
+pub(crate) fn belt(
+    path: &Path,
+    table: &Table,
+    speed: Option<Speed>,
+    column: Option<&str>,
+) -> Result<Option<Belt>, Failure> {
+    match (speed, column) {
+        (Some(speed), _) => Ok(Some(Belt::against_x(speed.get()))),
+        (None, Some(name)) => Belt::of_column(table, name).map(Some).map_err(|fault| failure(path, &fault)),
+        (None, None) => Ok(None),
+    }
 }
 
 /// How the motion at `path` is taken.

@@ -125,7 +125,7 @@ impl MotionResult {
     }
 
     fn treadmill(&self, request: &MotionRequest, remarks: &mut Remarks) {
-        if request.belt.is_some() {
+        if request.belt.is_some() || request.belt_column.is_some() {
             return;
         }
         let slips: Vec<[f64; 3]> = self.summary.feet.iter().filter_map(|foot| foot.stance_slip_m_s).collect();

@@ -1,7 +1,7 @@
 //! What contacts do along a motion.
 
 use osim_model::files::{FileName, OpenModel};
-use osim_motion::{ContactStates, Measured, OnSole, Recording, Summary};
+use osim_motion::{Belt, ContactStates, Measured, OnSole, Recording, Summary};
 
 use super::plates::PlatesRead;
 
@@ -29,6 +29,6 @@ pub struct MotionResult {
     pub mass_kg: f64,
     /// Gravity, m/s².
     pub gravity_m_s2: f64,
-    /// The velocity of the belt in ground, m/s.
-    pub belt_m_s: Option<[f64; 3]>,
+    /// How the belt moves, where there is one.
+    pub belt: Option<Belt>,
 }

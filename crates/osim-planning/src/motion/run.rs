@@ -2,10 +2,10 @@
 
 use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::{Fault, MassRequest, Model};
-use osim_motion::{ContactStates, Foot, Measured, OnSole, Recording, StatesError, Summary};
-use osim_requests::{MotionRequest, RequestError, RequestFault, Speed};
+use osim_motion::{Belt, ContactStates, Foot, Measured, OnSole, Recording, StatesError, Summary};
+use osim_requests::{MotionRequest, RequestError, RequestFault};
 
-use super::opened::{failure, recording_options, table};
+use super::opened::{belt, failure, recording_options, table};
 use super::plates::PlatesRead;
 use super::result::MotionResult;
 use crate::opening::open_with;
@@ -21,31 +21,29 @@ pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionRe
     let Some(motion) = &request.motion else { return Err(RequestFault::Missing { field: "motion" }.into()) };
     let opened = open_with(subject, request.set_files.beside(), files)?;
     let options = recording_options(motion, request.angles, request.low_pass);
-    let recording = Recording::of(&opened.model, &table(motion, files)?, &options)
-        .map_err(|fault| failure(motion, &fault))?;
+    let table = table(motion, files)?;
+    let recording =
+        Recording::of(&opened.model, &table, &options).map_err(|fault| failure(motion, &fault))?;
     let loads = request.loads.as_deref();
     let plates = request.plates.as_ref().map(|file| PlatesRead::read(file, loads, files)).transpose()?;
     let (mass_kg, gravity_m_s2) =
         weight(&request.masses.request(), &opened.model).map_err(|fault| opened.failure(fault))?;
     let selected = request.choice.selection().apply(&opened.model).map_err(|fault| opened.failure(fault))?;
-    // A belt runs backwards under somebody who walks towards x.
-    let belt_m_s = request.belt.map(Speed::get).map(|speed| [-speed, 0.0, 0.0]);
-    let belt = belt_m_s.unwrap_or_default();
+    let belt = belt(motion, &table, request.belt, request.belt_column.as_deref())?;
     let states =
-        ContactStates::of(&opened.model, &recording, &selected.forces, belt).map_err(
-            |error| match error {
+        ContactStates::of(&opened.model, &recording, &selected.forces, belt.clone().unwrap_or_default())
+            .map_err(|error| match error {
                 StatesError::Motion(fault) => failure(motion, &fault),
                 StatesError::Model(fault) => opened.failure(*fault),
                 StatesError::Pose(fault) => opened.failure(Fault::refused(fault.to_string())),
-            },
-        )?;
+            })?;
     let feet = Foot::all(&opened.model, &states, &selected.forces);
     if feet.is_empty() {
         let fault =
             Fault::refused("no applied force presses a sphere on the ground: there is nothing to follow");
         return Err(opened.failure(fault).into());
     }
-    let on_ground = OnGround { recording, states, feet, weight: (mass_kg, gravity_m_s2), belt_m_s };
+    let on_ground = OnGround { recording, states, feet, weight: (mass_kg, gravity_m_s2), belt };
     let result = on_ground.beside(opened, FileName::from(motion.as_path()), plates);
     if let (Some(read), Some(measured)) = (&result.plates, &result.measured)
         && measured.total.iter().all(Option::is_none)
@@ -63,7 +61,7 @@ pub(crate) struct OnGround {
     pub(crate) feet: Vec<Foot>,
     /// What the model weighs, kg, and its gravity, m/s².
     pub(crate) weight: (f64, f64),
-    pub(crate) belt_m_s: Option<[f64; 3]>,
+    pub(crate) belt: Option<Belt>,
 }
 
 impl OnGround {
@@ -74,7 +72,7 @@ impl OnGround {
         motion: FileName,
         plates: Option<PlatesRead>,
     ) -> MotionResult {
-        let Self { recording, states, feet, weight: (mass_kg, gravity_m_s2), belt_m_s } = self;
+        let Self { recording, states, feet, weight: (mass_kg, gravity_m_s2), belt } = self;
         let weight_n = mass_kg * gravity_m_s2;
         let measured = plates.as_ref().map(|read| Measured::of(&read.plates, &feet, &states, weight_n));
         let summary = Summary::of(&states, &feet, measured.as_ref(), weight_n);
@@ -94,7 +92,7 @@ impl OnGround {
             summary,
             mass_kg,
             gravity_m_s2,
-            belt_m_s,
+            belt,
         }
     }
 }

@@ -12,7 +12,7 @@ use osim_model::{
 };
 use osim_motion::fit::{FitBounds, FitError, FitTrial, FitWanted, MotionFit, MovedSphere, fit_motion};
 use osim_motion::{
-    ContactStates, Foot, Measured, Recording, RecordingOptions, SoleAxes, StatesError, Summary, Table,
+    Belt, ContactStates, Foot, Measured, Recording, RecordingOptions, SoleAxes, StatesError, Summary, Table,
 };
 use osim_patch::{Plan, RecordingErrors, Set, SlackErrors, set};
 use osim_requests::options::{InspectionOptions, StanceOptions};
@@ -25,7 +25,7 @@ use sha2::{Digest, Sha256};
 use super::asking::Asking;
 use super::fitted_words::remarks;
 use crate::motion::PlatesRead;
-use crate::motion::opened::{recording_options, table};
+use crate::motion::opened::{belt, recording_options, table};
 use crate::motion::remarks::other_weight;
 use crate::motion::run::{OnGround, weight};
 use crate::motion::{MotionRemark, MotionResult};
@@ -45,12 +45,12 @@ struct TrialFiles {
     table: Table,
     options: RecordingOptions,
     plates: PlatesRead,
+    belt: Belt,
 }
 
 struct Fitting {
     trials: Vec<TrialFiles>,
     bounds: FitBounds,
-    belt_m_s: [f64; 3],
     selection: Selection,
     masses: MassRequest,
     inspection: InspectionOptions,
@@ -80,9 +80,12 @@ pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<Change, 
     let mut trials = Vec::new();
     for (index, (motion, table_of_plates)) in motions.iter().zip(plates).enumerate() {
         let loads = loads.get(index).or(loads.first()).map(PathBuf::as_path);
+        let table = table(motion, files)?;
+        let belt = belt(motion, &table, request.belt, request.belt_column.as_deref())?;
         trials.push(TrialFiles {
             name: file_name(motion),
-            table: table(motion, files)?,
+            belt: belt.unwrap_or_default(),
+            table,
             options: recording_options(motion, request.angles, request.low_pass),
             plates: PlatesRead::read(table_of_plates, loads, files)?,
         });
@@ -98,15 +101,13 @@ pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<Change, 
         let why = phrase!["no height is fitted: leave it out, or add ", Input::Fit.being("height")];
         return Err(RequestFault::refused(Input::HeightIn, why).into());
     }
-    // A belt runs backwards under somebody who walks towards x.
-    let belt_m_s = request.belt.map(|speed| [-speed.get(), 0.0, 0.0]).unwrap_or_default();
-    let FitRequest { fit, unbounded, height_in, cop_scale, slack, foot_error, .. } = &request;
-    let goals = json!([fit, unbounded, height_in, cop_scale, slack, foot_error]);
+    let FitRequest { fit, unbounded, height_in, cop_scale, slack, foot_error, belt, belt_column, .. } =
+        &request;
+    let goals = json!([fit, unbounded, height_in, cop_scale, slack, foot_error, belt, belt_column]);
     let FitRequest { angles, low_pass, masses, choice, output, answers, set_files, .. } = request;
     let planner = Fitting {
         trials,
         bounds,
-        belt_m_s,
         selection: choice.selection(),
         masses: masses.request(),
         files: read_files,
@@ -159,7 +160,7 @@ impl Fitting {
     ) -> Result<(Recording, ContactStates, Vec<Foot>), Fault> {
         let recording = Recording::of(model, &trial.table, &trial.options)
             .map_err(|fault| Fault::refused(format!("{}: {}", trial.name, fault.message)))?;
-        let states = ContactStates::of(model, &recording, &selected.forces, self.belt_m_s)
+        let states = ContactStates::of(model, &recording, &selected.forces, trial.belt.clone())
             .map_err(|error| unseen(&trial.name, error))?;
         let feet = Foot::all(model, &states, &selected.forces);
         Ok((recording, states, feet))
@@ -281,7 +282,7 @@ impl Planner for Fitting {
         let selected = self.selection.apply(&changed.model).ok()?;
         let (recording, states, feet) = self.follow(trial, &changed.model, &selected).ok()?;
         let weight = weight(&self.masses, &changed.model).ok()?;
-        let on_ground = OnGround { recording, states, feet, weight, belt_m_s: Some(self.belt_m_s) };
+        let on_ground = OnGround { recording, states, feet, weight, belt: Some(trial.belt.clone()) };
         let name = FileName::from(Path::new(&trial.name));
         let result = on_ground.beside(changed, name, Some(trial.plates.clone()));
         let remarks = result.remarks_without_belt(&MotionRequest::default());

@@ -122,6 +122,9 @@ pub struct FitRequest {
         arg(long, value_name = "M/S", allow_hyphen_values = true, help_heading = "To a recording")
     )]
     pub belt: Option<Speed>,
+    /// The same, from this column of each motion
+    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME", help_heading = "To a recording"))]
+    pub belt_column: Option<String>,
     /// The unit of the motions' angles, where their headers do not say it
     #[cfg_attr(feature = "clap", arg(long, value_enum, help_heading = "To a recording"))]
     pub angles: Option<AngleChoice>,
@@ -187,6 +190,7 @@ impl Default for FitRequest {
             slack: false,
             foot_error: None,
             belt: None,
+            belt_column: None,
             angles: None,
             low_pass: None,
             radius: None,
@@ -219,6 +223,8 @@ impl FitRequest {
             Relation::Needs("slack", "motion"),
             Relation::Needs("foot_error", "slack"),
             Relation::Needs("belt", "motion"),
+            Relation::Needs("belt_column", "motion"),
+            Relation::Excludes("belt", "belt_column"),
             Relation::Needs("angles", "motion"),
             Relation::Needs("low_pass", "motion"),
             Relation::Needs("output", "motion"),

@@ -68,6 +68,9 @@ pub struct MotionRequest {
     /// Speed of a treadmill's belt against x, m/s: slip is taken against it
     #[cfg_attr(feature = "clap", arg(long, value_name = "M/S", allow_hyphen_values = true))]
     pub belt: Option<Speed>,
+    /// The same, from this column of the motion
+    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]
+    pub belt_column: Option<String>,
     /// Write the model's ground reactions to this file (.sto), with its ExternalLoads beside it (.xml)
     #[cfg_attr(feature = "clap", arg(short, long, value_name = "FILE"))]
     #[serde(with = "path::optional")]
@@ -94,6 +97,10 @@ pub struct MotionRequest {
 }
 
 impl MotionRequest {
-    pub(crate) const RELATIONS: &'static [&'static [Relation]] =
-        &[&[Relation::Required("subject"), Relation::Required("motion"), Relation::Needs("loads", "plates")]];
+    pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[&[
+        Relation::Required("subject"),
+        Relation::Required("motion"),
+        Relation::Needs("loads", "plates"),
+        Relation::Excludes("belt", "belt_column"),
+    ]];
 }
