@@ -108,13 +108,19 @@ pub struct FitRequest {
     pub height_in: HeightChoice,
     /// Fit the centre of pressure as well: one that is this far off under a full body weight counts as an error of one body weight, m
     /// [default with heights or places: 0.1]
-    #[cfg_attr(feature = "clap", arg(long, value_name = "M", help_heading = "To a recording"))]
+    #[cfg_attr(
+        feature = "clap",
+        arg(long, hide_short_help = true, value_name = "M", help_heading = "To a recording")
+    )]
     pub cop_scale: Option<Positive>,
     /// Let each foot of the recording be a little higher, lower or turned in each stance: this hides what the contacts cannot explain
     #[cfg_attr(feature = "clap", arg(long, help_heading = "To a recording"))]
     pub slack: bool,
     /// With slack, by how much feet are usually too high or too low, m, with 5 rad/m in pitch [default: 0.004]
-    #[cfg_attr(feature = "clap", arg(long, value_name = "M", help_heading = "To a recording"))]
+    #[cfg_attr(
+        feature = "clap",
+        arg(long, hide_short_help = true, value_name = "M", help_heading = "To a recording")
+    )]
     pub foot_error: Option<Positive>,
     /// Speed of a treadmill's belt against x, m/s: slip is taken against it
     #[cfg_attr(
@@ -123,7 +129,10 @@ pub struct FitRequest {
     )]
     pub belt: Option<Speed>,
     /// The same, from this column of each motion
-    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME", help_heading = "To a recording"))]
+    #[cfg_attr(
+        feature = "clap",
+        arg(long, hide_short_help = true, value_name = "NAME", help_heading = "To a recording")
+    )]
     pub belt_column: Option<String>,
     /// The unit of the motions' angles, where their headers do not say it
     #[cfg_attr(feature = "clap", arg(long, value_enum, help_heading = "To a recording"))]

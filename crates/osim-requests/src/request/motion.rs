@@ -69,7 +69,7 @@ pub struct MotionRequest {
     #[cfg_attr(feature = "clap", arg(long, value_name = "M/S", allow_hyphen_values = true))]
     pub belt: Option<Speed>,
     /// The same, from this column of the motion
-    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]
+    #[cfg_attr(feature = "clap", arg(long, hide_short_help = true, value_name = "NAME"))]
     pub belt_column: Option<String>,
     /// Write the model's ground reactions to this file (.sto), with its ExternalLoads beside it (.xml)
     #[cfg_attr(feature = "clap", arg(short, long, value_name = "FILE"))]
