@@ -44,6 +44,8 @@ fn contacts_that_are_known_are_found_again() {
     assert_close(new_value(&plan, "stiffness"), 4e6, 0.01, "E1*");
     assert_close(new_value(&plan, "dissipation"), 1.5, 0.05, "dissipation");
     assert!((floor_up(&plan) + 0.011).abs() < 1e-4, "{plan}");
+    let floors = plan["floor_up_m"].as_array().unwrap();
+    assert!(floors.len() == 1 && (floors[0].as_f64().unwrap() + 0.011).abs() < 1e-4, "{plan}");
     let errors = &plan["errors"];
     assert!(errors["vertical_rms_bw"].as_f64().unwrap() < 1e-3, "{errors}");
     assert!(errors["held_out_vertical_rms_bw"].as_f64().unwrap() < 1e-3, "{errors}");
@@ -96,6 +98,7 @@ fn only_what_is_named_is_fitted() {
         &bench.run(&format!("{FIT} --fit stiffness --fit dissipation --dry-run --format json")).done(),
     );
     assert!(plan["changes"].as_array().unwrap().iter().all(|change| change["property"] != "location"));
+    assert!(plan["floor_up_m"].is_null(), "{plan}");
 }
 
 /// Spheres with dissipations of their own keep them while the floor alone is fitted.
@@ -395,6 +398,9 @@ fn each_trial_has_a_floor_of_its_own() {
         let plan = object(&bench.run(&format!("{call} {more} --dry-run --format json")).done());
         assert!(plan["errors"]["vertical_rms_bw"].as_f64().unwrap() < 0.02, "{more}: {plan}");
         assert_close(new_value(&plan, "stiffness"), 4e6, 0.02, "E1*");
+        let floors: Vec<f64> =
+            plan["floor_up_m"].as_array().unwrap().iter().map(|up| up.as_f64().unwrap()).collect();
+        assert!(floors.len() == 2 && (floors[1] - floors[0] - 0.02).abs() < 2e-4, "{more}: {floors:?}");
         let notes = plan["notes"].to_string();
         let floor = if more.is_empty() { "trial 2 goes up by 9.0 mm" } else { "trial 2 goes up by 20.0 mm" };
         assert!(notes.contains(floor) && notes.contains("trial 2: the error of all its feet"), "{notes}");

@@ -60,6 +60,8 @@ pub struct Plan {
     pub remarks: Vec<Phrase>,
     /// How far the forces are from those that plates measured, of a fit to recordings.
     pub errors: Option<RecordingErrors>,
+    /// How far the floor of each recording is above that of the model as it was, m; empty where no height was fitted.
+    pub floor_up_m: Vec<f64>,
     note: Option<Note>,
     note_anyway: bool,
     /// The model with other objects, where whole objects change: numbers change in that one.
@@ -274,6 +276,7 @@ impl Plan {
             warnings,
             remarks,
             errors: None,
+            floor_up_m: Vec::new(),
             note,
             note_anyway: false,
             rebuilt: None,
@@ -309,6 +312,7 @@ impl Plan {
             warnings: Vec::new(),
             remarks: Vec::new(),
             errors: None,
+            floor_up_m: Vec::new(),
             note: None,
             note_anyway: false,
             rebuilt: Some(rebuilt),

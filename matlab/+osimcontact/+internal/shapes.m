@@ -40,6 +40,7 @@ function shape = shapes(result)
             shape.errors.slack.largest_height_m = 'number';
             shape.errors.slack.pitch_rms_rad = 'number';
             shape.errors.slack.largest_pitch_rad = 'number';
+            shape.floor_up_m = 'numbers';
             shape.warnings{1}.code = 'text';
             shape.warnings{1}.severity = 'text';
             shape.warnings{1}.message = 'text';

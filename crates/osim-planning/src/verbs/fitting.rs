@@ -317,6 +317,9 @@ impl Planner for Fitting {
             None => first.summary.clone(),
         };
         plan.errors = Some(errors(&fit, &after)?);
+        // Where spheres move, the floor of the first recording stays.
+        let first_m = fit.spheres_down_m.map(|_| 0.0);
+        plan.floor_up_m = first_m.into_iter().chain(fit.floor_up_m.iter().map(|up| up.value)).collect();
         let others = match wanted.planes.is_empty() {
             true => Vec::new(),
             false => others_on(model, &selected, &first.planes),

@@ -46,6 +46,9 @@ pub struct PlanRecord {
     /// Of a fit to recordings: how far its forces are from the plates'.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub errors: Option<RecordingErrorsRecord>,
+    /// Of a fit of the height: how far the floor of each recording is above that of the model as it was, m. The model gets the first.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub floor_up_m: Option<Vec<f64>>,
     /// Things the user should know.
     pub warnings: Vec<FindingRecord>,
     /// Things that always hold and are said once.
@@ -216,6 +219,7 @@ impl PlanRecord {
             objects: ObjectRecord::all(plan),
             changes: numbers.chain(plan.moves.iter().map(ChangeRecord::from)).collect(),
             errors: plan.errors.map(RecordingErrorsRecord::from),
+            floor_up_m: (!plan.floor_up_m.is_empty()).then(|| plan.floor_up_m.clone()),
             warnings: plan.warnings.iter().map(FindingRecord::from).collect(),
             notes: plan.remarks.iter().map(Phrase::to_string).collect(),
             credits,
