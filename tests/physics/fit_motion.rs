@@ -439,7 +439,10 @@ fn what_a_floor_does_to_others_is_said() {
 #[test]
 fn words_that_mean_nothing_are_refused() {
     let bench = Bench::with(&FILES);
-    bench.run(&format!("{FIT} --fit stiffness --height-in spheres")).usage().says(&["no height is fitted"]);
+    bench
+        .run(&format!("{FIT} --fit stiffness --height-in spheres"))
+        .usage()
+        .says(&["no height is fitted", "--height-in"]);
     bench.run(&format!("{FIT} --branch loading")).usage().says(&["--branch"]);
     bench.run(&format!("{FIT} --force-unit kN")).usage().says(&["--force-unit"]);
 }

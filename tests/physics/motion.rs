@@ -252,3 +252,11 @@ fn the_report_of_a_fit_shows_the_recording() {
         assert!(page.contains(part), "{part}");
     }
 }
+
+/// An option that figures do not have is named, and not the kind of the figure, which is a verb as well.
+#[test]
+fn an_option_that_a_figure_does_not_have_is_named() {
+    let bench = Bench::with(&FILES);
+    bench.run("plot motion walker.osim --motion walk.mot --belt 1 -o a.svg").usage().says(&["--belt"]);
+    bench.run("plot feet walker.osim --belt 1").usage().says(&["--belt"]);
+}

@@ -21,6 +21,8 @@ use std::process::ExitCode;
 
 use clap::FromArgMatches;
 use clap::error::ErrorKind;
+use osim_messages::Verb;
+use osim_requests::PlotKind;
 
 use args::{Cli, check_typed, command, usage_line};
 use exit::{Exit, exit_of, text_of};
@@ -60,7 +62,11 @@ fn instead() -> Option<String> {
     let is_verb =
         |word: &PathBuf| word.to_str().is_some_and(|word| command().find_subcommand(word).is_some());
     let after_verb = usize::from(words.first().is_some_and(is_verb));
-    let words = words.get(after_verb..)?;
+    // The kind of a figure is no file, although one has the name of a verb.
+    let is_plot = words.first().is_some_and(|word| word.as_os_str() == Verb::Plot.name());
+    let is_kind = |word: &PathBuf| word.to_str().is_some_and(|word| word.parse::<PlotKind>().is_ok());
+    let after_kind = after_verb + usize::from(is_plot && words.get(1).is_some_and(is_kind));
+    let words = words.get(after_kind..)?;
     let plain = words.iter().position(is_option).unwrap_or(words.len());
     meant(words.get(..plain)?, false, WORDS).filter(|_| plain > 0 && (after_verb == 0 || plain > 1))
 }

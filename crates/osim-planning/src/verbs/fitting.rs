@@ -98,7 +98,12 @@ pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<Change, 
     }
     let bounds = bounds(&request);
     if bounds.height_in_spheres && !bounds.wanted.height {
-        let why = phrase!["no height is fitted: leave it out, or add ", Input::Fit.being("height")];
+        let why = phrase![
+            "no height is fitted: leave out ",
+            Input::HeightIn,
+            ", or add ",
+            Input::Fit.being("height")
+        ];
         return Err(RequestFault::refused(Input::HeightIn, why).into());
     }
     let FitRequest { fit, unbounded, height_in, cop_scale, slack, foot_error, belt, belt_column, .. } =

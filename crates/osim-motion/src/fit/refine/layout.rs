@@ -105,7 +105,7 @@ impl Layout {
         limits
     }
 
-    /// The value at a place, or what it is where that is not fitted.
+    /// The value at a place; `kept` for an unknown that is not fitted.
     pub(super) fn value(values: &[f64], place: Option<usize>, kept: f64) -> f64 {
         place.and_then(|place| values.get(place)).copied().unwrap_or(kept)
     }

@@ -60,7 +60,7 @@ impl Normal {
     }
 
     /// The step to where the cost would be least if residuals were straight lines, shortened by `damping` (Levenberg–Marquardt). A
-    /// shared unknown that is `held` stays. `None` where that is not determined.
+    /// shared unknown that is `held` stays. `None` if the equations have no single solution.
     pub(super) fn step(&self, damping: f64, held: &[bool]) -> Option<Step> {
         let mut left = damped(&self.shared, damping);
         let mut slope = self.slope.clone();
