@@ -12,10 +12,11 @@ const MOUSE = given("table1/mouse_smooth_sphere.osim", "another_name.osim");
 inChromium("what the form says is in the address", async (user) => {
   await user.open(HUMAN);
   await user.field("Target mass (kg)").fill("500");
+  await user.more();
   await user.field("Level bottoms").check();
   await user.tick("Properties that change", "radius", "stiffness");
   await user.settled();
-  assert.equal(hash(user), "#rescale?target_mass=500&level=true&only=radius&only=stiffness");
+  assert.equal(hash(user), "#rescale?target_mass=500&only=radius&only=stiffness&level=true");
   await user.verb("Set");
   await user.field("stiffness").fill("x2");
   await user.settled();

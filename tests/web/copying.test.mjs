@@ -21,12 +21,21 @@ inChromium("the change is spelled for a terminal, for Python and for MATLAB", as
   assert.match(matlab, /^result = osimcontact\.rescale\('my human\.osim', 'TargetMass', 500\);/m);
 });
 
+inChromium("the change is a request in JSON and a link without names, too", async (user) => {
+  await user.open(HUMAN);
+  await user.field("Target mass (kg)").fill("500");
+  await user.done("my human.scaled.osim");
+  assert.deepEqual(JSON.parse(await user.spelled("JSON")), { verb: "rescale", models: ["my human.osim"], target_mass: 500 });
+  assert.match(await user.spelled("Link"), /osim-contact-scale\.html#rescale\?target_mass=500$/);
+});
+
 for (const title of ["Command", "Python", "MATLAB"]) {
   inChromium(`“Copy as ${title}” copies it`, { permissions: PERMISSIONS }, async (user) => {
     await user.open(HUMAN);
     await user.field("Target mass (kg)").fill("500");
     await user.done("my human.scaled.osim");
     const text = await user.spelled(title);
+    await user.button("Share…", user.acts).click();
     await user.button(`Copy as ${title}`).click();
     await user.announced(`Copied as ${title}.`);
     assert.equal(await user.page.evaluate(() => navigator.clipboard.readText()), text);

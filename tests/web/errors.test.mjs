@@ -65,7 +65,7 @@ inChromium("an answer that only the user has is a field; filled in, the change w
   const ball = given("format/standalone_ForceSet.xml", "forces.xml");
   const geometry = given("format/standalone_ContactGeometrySet.xml", "geometry.xml");
   await user.drop(ball, geometry);
-  await user.region("forces.xml").getByLabel("File of the contact geometry set").selectOption("geometry.xml");
+  await user.region("forces.xml").getByRole("group", { name: "Your answer" }).getByLabel("File of the contact geometry set").selectOption("geometry.xml");
   await user.field("Target mass (kg)").fill("80");
   const question = user.result.getByRole("group", { name: /answer/ });
   await question.getByLabel("Mass the contacts were made for (kg)").fill("61.5");

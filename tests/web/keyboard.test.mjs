@@ -27,7 +27,7 @@ inChromium("from opening a file to the download, without a pointer", async (user
   await page.keyboard.press("ArrowRight");
   await user.done("human.scaled.osim");
   const line = await user.spelled();
-  assert.match(line, /--target-mass 101/);
+  assert.match(line, /--target-mass 103/);
   await page.keyboard.press("Escape");
   await tabTo(user, "Download human.scaled.osim", "Shift+Tab");
   const download = page.waitForEvent("download");

@@ -19,7 +19,9 @@ inChromium("a model that is dropped is summed up and its feet are drawn", async 
   assert.ok(facts.includes("12 × SmoothSphereHalfSpaceForce"), facts.join("; "));
   assert.ok(facts.includes("9.81 m/s²"));
   assert.match(facts.join(), /femur_r \(right\): 6 spheres/);
-  const feet = model.getByRole("figure").getByRole("img", { name: "Feet" });
+  await user.page.getByRole("img", { name: /^12 contact spheres/ }).waitFor();
+  await user.details.getByRole("heading", { name: "Feet" }).click();
+  const feet = user.details.getByRole("figure").getByRole("img", { name: "Feet" });
   assert.equal(await feet.locator("circle").count() > 12, true, "spheres are drawn");
 });
 
@@ -40,9 +42,8 @@ inChromium("what comes while files are being opened waits for its turn", async (
 
 inChromium("the places of the spheres are in a table, for those who do not see the feet", async (user) => {
   await user.open(HUMAN);
-  const model = await user.opened("human.osim");
-  await model.getByRole("heading", { name: "Forces and spheres of the model" }).click();
-  const table = model.getByRole("group", { name: "Spheres" }).getByRole("table");
+  await user.details.getByRole("heading", { name: "Forces and spheres of the model" }).click();
+  const table = user.details.getByRole("group", { name: "Spheres" }).getByRole("table");
   const row = table.getByRole("row").filter({ has: user.page.getByRole("rowheader", { name: "s1_r" }) });
   assert.deepEqual(await row.getByRole("cell").allTextContents(), ["calcn_r", "femur_r", "0.0320", "-0.0298", "-0.0692", "-0.0480"]);
 });
@@ -71,7 +72,7 @@ inChromium("a force set is opened with its geometry", async (user) => {
   await user.drop(
     given("format/standalone_ForceSet.xml", "forces.xml"), given("format/standalone_ContactGeometrySet.xml", "geometry.xml"));
   const set = user.region("forces.xml");
-  await set.getByLabel("File of the contact geometry set").selectOption("geometry.xml");
+  await set.getByRole("group", { name: "Your answer" }).getByLabel("File of the contact geometry set").selectOption("geometry.xml");
   const opened = await user.opened("forces.xml");
   assert.match((await opened.getByRole("definition").allTextContents()).join("; "), /1 × SmoothSphereHalfSpaceForce/);
 });

@@ -8,19 +8,27 @@ import { join } from "node:path";
 import { launch, pageIn } from "./support/launch.mjs";
 import { given } from "./support/places.mjs";
 
-const MOST_BYTES = 120_000;
+const MOST_BYTES = 180_000;
 const HUMAN = given("table1/human_62kg_smooth_sphere.osim", "human.osim");
 
 const PICTURES = {
-  empty: { width: 1000, height: 700, show: async () => undefined },
-  model: { width: 1160, height: 530, show: async (user) => at(user, await opened(user)) },
+  empty: {
+    width: 1000, height: 700,
+    show: async (user) => {
+      await user.page.getByRole("img", { name: /^Falls of/ }).waitFor();
+      // Until they lie still.
+      await user.page.waitForTimeout(3500);
+    },
+  },
+  model: { width: 1040, height: 640, show: async (user) => at(user, await opened(user)) },
   rescaled: {
-    width: 1200, height: 560,
+    width: 1040, height: 640,
     show: async (user) => {
       await user.open(HUMAN);
-      await user.field("Target mass (kg)").fill("500");
+      await user.field("Target mass (kg)").fill("200");
       await user.done("human.scaled.osim");
-      await at(user, user.form);
+      await user.page.getByRole("radio", { name: "Side", exact: true }).check();
+      await user.page.waitForTimeout(10_500);
     },
   },
   telephone: { width: 360, height: 700, scheme: "dark", show: async (user) => at(user, await opened(user)) },
@@ -29,6 +37,8 @@ const PICTURES = {
 async function opened(user) {
   await user.open(HUMAN);
   await user.settled();
+  // What happened last is not in the picture any more.
+  await user.page.waitForTimeout(10_500);
   return user.region("human.osim");
 }
 

@@ -43,7 +43,7 @@ async function compareOne(user, folder, { name: verb, words }, model) {
   }
   const result = model.replace(/\.osim$/, ".scaled.osim");
   // The button has the name of this model's result, so it is not the one of the model before.
-  const [download] = await user.downloads(user.button(`Download ${result}`, user.result));
+  const [download] = await user.downloads(user.button(`Download ${result}`, user.acts));
   assert.equal(download.name, result);
   assert.ok(folder.read(result).equals(download.bytes), `${model}: the files differ`);
   if (REPORTED.includes(model)) await compareReport(user, folder, [verb, model, ...words]);
@@ -51,7 +51,7 @@ async function compareOne(user, folder, { name: verb, words }, model) {
 
 /** The report is the file that --report writes. */
 async function compareReport(user, folder, words) {
-  const [report] = await user.downloads(user.button("Report", user.result));
+  const [report] = await user.downloads(user.button("Report about the change", user.acts));
   folder.clear();
   await folder.run(...words, "--report", report.name);
   const [page, command] = [report.bytes.toString(), folder.read(report.name).toString()];

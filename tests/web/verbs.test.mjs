@@ -39,6 +39,7 @@ inChromium("rescale: an equation is explained where its number is clicked", asyn
 inChromium("rescale: options further down, ticks and patterns are part of the change", async (user) => {
   await user.open(HUMAN);
   await user.field("Target mass (kg)").fill("90");
+  await user.more();
   await user.field("Mass the contacts were made for (kg)").fill("70");
   await user.form.getByRole("combobox", { name: /^Radius/ }).selectOption({ label: "a factor…" });
   await user.field("Radius: factor").fill("1.1");
@@ -163,8 +164,9 @@ inChromium("a force set and its geometry are both downloaded", async (user) => {
   ];
   await user.drop(...files);
   const set = user.region("forces.xml");
-  await set.getByLabel("File of the contact geometry set").selectOption("geometry.xml");
+  await set.getByRole("group", { name: "Your answer" }).getByLabel("File of the contact geometry set").selectOption("geometry.xml");
   await set.getByLabel(/^Mass of the model/).or(user.form).first().waitFor();
+  await user.more();
   await user.field("Mass the contacts were made for (kg)").fill("61.5");
   await user.field("Target mass (kg)").fill("80");
   await downloadsWhatTheCommandMakes(user, files, "forces.scaled.xml", ["geometry.scaled.xml"]);

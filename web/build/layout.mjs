@@ -20,7 +20,7 @@ export const ONLY_WITH_MODEL = [
 export const VERBS = {
   rescale: {
     title: "Rescale", about: "Make the contacts right for another body mass.",
-    usual: ["target_mass", "contacts_mass", "radius", "level", "only", "select", "exclude"],
+    usual: ["target_mass"],
   },
   transfer: {
     title: "Transfer", about: "Take over the contacts of another model, or of a preset, at this model’s size.",

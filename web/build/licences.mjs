@@ -18,7 +18,7 @@ export function licences(reuse) {
 function made() {
   const own = ["LICENSE-MIT", "LICENSE-APACHE"].map((name) => readFileSync(join(ROOT, name), "utf8").trim());
   const engine = run("python3", ["web/build/licences.py"], { capture: true }).trim();
-  const scripts = ["fflate", "fzstd"].map((name) => {
+  const scripts = ["fflate", "fzstd", "three"].map((name) => {
     const text = readFileSync(join(WEB, "node_modules", name, "LICENSE"), "utf8").trim();
     return `${name} ${version(name)}: MIT\n\n${text}`;
   });

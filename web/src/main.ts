@@ -13,10 +13,10 @@ import { acceptDrops } from "./files/drop";
 import type { Source } from "./forms/declaration";
 import { Session } from "./state/session";
 import { missingSupport } from "./support";
+import { actsView } from "./views/acts";
 import { wireAddress } from "./views/address";
 import { showBusy } from "./views/busy";
 import { calculatorView } from "./views/calculator";
-import { changeView } from "./views/change";
 import { chooseOne, wireButtons } from "./views/choose";
 import { showAnnouncements } from "./views/announcement";
 import { acceptedFor } from "./views/context";
@@ -28,6 +28,8 @@ import { warnBeforeLeaving } from "./views/leaving";
 import { LibraryView } from "./views/library";
 import { ModelView } from "./views/model";
 import { ResultView } from "./views/result";
+import { StageView } from "./views/stage";
+import { showFalls } from "./views/start";
 
 const NEWER = "Please use a newer one: which ones work is said at the end of the page.";
 const EXAMPLE = "human_62kg_smooth_sphere.osim";
@@ -37,15 +39,16 @@ function main(): void {
   if (missing.length > 0) return cannot(`This browser lacks what the page needs: ${missing.join(", ")}. ${NEWER}`);
   const session = new Session(new Client(unpackedText("worker")));
   // The worker unpacks the engine while this thread makes the page.
-  const started = wholePage().then(() => {
+  const started = wholePage().then(async () => {
     const engine = session.engine.start(packed("engine"));
-    wire(session);
-    return engine;
+    const stage = wire(session);
+    await engine;
+    return stage;
   });
-  started.then(() => ready(session), (error) => cannot(`The page could not start: ${failureOf(error).message}`));
+  started.then((stage) => ready(session, stage), (error) => cannot(`The page could not start: ${failureOf(error).message}`));
 }
 
-function wire(session: Session): void {
+function wire(session: Session): StageView {
   const refuse = (why: string) => session.announce(`This could not be read: ${why}.`);
   const open = (given: Parameters<typeof openFiles>[1]) => void openFiles(session, given).catch((error) => refuse(failureOf(error).message));
   const addFile = async (source: Source) => {
@@ -57,9 +60,10 @@ function wire(session: Session): void {
   showBusy(session.engine);
   showExplanations(session);
   new LibraryView(session);
-  new ModelView(session, addFile);
-  changeView(session, addFile);
+  const stage = new StageView(session);
+  new ModelView(session, addFile, stage.works);
   new ResultView(session, addFile);
+  actsView(session);
   calculatorView(session, addFile);
   filesView(session);
   footerView();
@@ -67,6 +71,10 @@ function wire(session: Session): void {
   wireButtons(open);
   acceptDrops(open, refuse);
   wireKeys(() => undo(session), () => redo(session));
+  // All of the zone is a button, but for what is one itself.
+  byId("start").addEventListener("click", ({ target }) => {
+    if (!(target instanceof Element && target.closest("button, a, svg"))) byId("choose-files").click();
+  });
   byId("try-example").addEventListener("click", () => void openExample(session));
   byId("skip").addEventListener("click", (event) => {
     event.preventDefault();
@@ -75,6 +83,7 @@ function wire(session: Session): void {
   showAnnouncements(session);
   warnBeforeLeaving(session);
   keepLive(session);
+  return stage;
 }
 
 /** The preview and the address follow the form. */
@@ -92,7 +101,6 @@ function showWhatIsOpen(session: Session): void {
   const update = () => {
     const any = session.models.value.length > 0;
     byId("start").hidden = any || session.calculating.value;
-    byId("work").hidden = !session.model()?.inspected;
     document.documentElement.dataset["open"] = String(any);
   };
   session.models.watch(update);
@@ -107,10 +115,13 @@ async function openExample(session: Session): Promise<void> {
   await openRead(session, [{ name: EXAMPLE, bytes, kind: "model" }]);
 }
 
-async function ready(session: Session): Promise<void> {
+async function ready(session: Session, stage: StageView): Promise<void> {
   document.documentElement.dataset["ready"] = "true";
   performance.mark("ready");
   session.engine.warmUp(packed("example"));
+  // When the page is there.
+  setTimeout(() => stage.warmUp(), 0);
+  void showFalls(session);
   await refreshPresets(session);
 }
 

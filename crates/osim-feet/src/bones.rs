@@ -9,7 +9,7 @@ use osim_model::{AttachedMesh, Model};
 use crate::bone::Bone;
 use crate::fault::FeetFault;
 use crate::folders::MeshFolders;
-use crate::mesh::{is_length, mesh_points};
+use crate::mesh::{Surface, is_length, mesh_points, mesh_surface};
 
 /// The meshes that are attached to the bodies of a model, by body: read once for all of them.
 pub struct AttachedBones<'m> {
@@ -77,6 +77,54 @@ pub(crate) fn bone(
     folders: &MeshFolders,
     files: &dyn Files,
 ) -> Result<Bone, FeetFault> {
+    let (body, mesh) = (attached.body.clone(), attached.file.clone());
+    let MeshFile { file, mirrored, bytes } = mesh_file(attached, folders, files)?;
+    match mesh_points(&file.to_string_lossy(), &bytes) {
+        Ok(points) => {
+            let points = points.into_iter().map(|point| on_body(attached, mirrored, point)).collect();
+            Ok(Bone { file, mirrored, ..Bone::new(body, mesh, points) })
+        }
+        Err(fault) => Err(FeetFault::Mesh { body, mesh, file, fault }),
+    }
+}
+
+/// The surface that one mesh shows, its points on the body, m.
+///
+/// # Errors
+/// Those of [`AttachedBones::bones`], but for what only outlines need.
+pub fn attached_surface(
+    attached: &AttachedMesh,
+    folders: &MeshFolders,
+    files: &dyn Files,
+) -> Result<Surface, FeetFault> {
+    let MeshFile { file, mirrored, bytes } = mesh_file(attached, folders, files)?;
+    let fault = |fault| FeetFault::Mesh {
+        body: attached.body.clone(),
+        mesh: attached.file.clone(),
+        file: file.clone(),
+        fault,
+    };
+    let mut surface = mesh_surface(&file.to_string_lossy(), &bytes).map_err(fault)?;
+    surface.points.iter_mut().for_each(|point| *point = on_body(attached, mirrored, *point));
+    Ok(surface)
+}
+
+fn on_body(attached: &AttachedMesh, mirrored: bool, [x, y, z]: [f64; 3]) -> [f64; 3] {
+    attached.on_body([x, y, if mirrored { -z } else { z }])
+}
+
+/// The file of a mesh.
+struct MeshFile {
+    file: PathBuf,
+    mirrored: bool,
+    bytes: Vec<u8>,
+}
+
+fn mesh_file(
+    attached: &AttachedMesh,
+    folders: &MeshFolders,
+    files: &dyn Files,
+) -> Result<MeshFile, FeetFault> {
     let (body, mesh, factors) = (attached.body.clone(), attached.file.clone(), attached.factors);
     if factors.iter().any(|factor| !is_length(*factor) || *factor == 0.0) {
         return Err(FeetFault::Factors { body, mesh, factors });
@@ -85,16 +133,8 @@ pub(crate) fn bone(
         let folders = folders.iter().map(PathBuf::from).collect();
         return Err(FeetFault::MeshMissing { body, mesh, folders });
     };
-    let bytes = match files.read_included(&file) {
-        Ok(bytes) => bytes,
-        Err(fault) => return Err(FeetFault::Unreadable { body, mesh, file, fault }),
-    };
-    let side = if mirrored { -1.0 } else { 1.0 };
-    match mesh_points(&file.to_string_lossy(), &bytes) {
-        Ok(points) => {
-            let points = points.into_iter().map(|[x, y, z]| attached.on_body([x, y, side * z])).collect();
-            Ok(Bone { file, mirrored, ..Bone::new(body, mesh, points) })
-        }
-        Err(fault) => Err(FeetFault::Mesh { body, mesh, file, fault }),
+    match files.read_included(&file) {
+        Ok(bytes) => Ok(MeshFile { file, mirrored, bytes }),
+        Err(fault) => Err(FeetFault::Unreadable { body, mesh, file, fault }),
     }
 }

@@ -32,14 +32,14 @@ mod vector;
 mod welds;
 
 pub use bone::Bone;
-pub use bones::{AttachedBones, bones};
+pub use bones::{AttachedBones, attached_surface, bones};
 pub use contact_plane::{ContactPlane, PlaneSurface, STEEPEST_RAD};
 pub use couplers::{Coupler, Couplers, prescribed_function};
 pub use default_pose::DefaultPose;
 pub use fault::FeetFault;
 pub use folders::MeshFolders;
 pub use joint_walk::{Crossing, joint_walk};
-pub use mesh::{MeshFault, mesh_points};
+pub use mesh::{MeshFault, Surface, mesh_points, mesh_surface};
 pub use movements::{Freedom, Movements};
 pub use odd_mesh::{OddMesh, odd_meshes, odd_size};
 pub use pose_fault::PoseFault;

@@ -46,6 +46,7 @@ mod presets;
 mod remarks;
 mod remedies;
 pub mod rules;
+pub mod scene;
 pub mod sheet;
 mod standing_bodies;
 mod states;

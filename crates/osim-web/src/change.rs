@@ -7,6 +7,7 @@ use osim_html::{DetailLevel, Entry, Explained, Files, NamedDigest, RunRow, Secti
 use osim_model::FileId;
 use osim_model::files::{Failure, ModelFiles};
 use osim_patch::Plan;
+use osim_planning::scene::{Fall, Scene};
 use osim_planning::{BeforeAfter, Change, States};
 use osim_report::json::PlanRecord;
 use osim_report::plan::unified_diff;
@@ -18,9 +19,14 @@ use crate::look::FindingShown;
 use crate::model::{Opened, sha256};
 use crate::problem::Problem;
 use crate::shelf::Shelf;
+use crate::verdict::VerdictShown;
 
 /// The sections that follow from the plan and from what is drawn of both states: those that follow a slider.
-const QUICK: [&str; 3] = ["changes", "plots", "state"];
+const QUICK: [&str; 5] = ["changes", "plots", "state", SCENE, FALLS];
+/// The new model in space.
+const SCENE: &str = "scene";
+/// Falls on the contacts before and after.
+const FALLS: &str = "falls";
 
 /// A change that is planned.
 pub(crate) struct Planned {
@@ -51,6 +57,12 @@ pub(crate) struct ChangeShown<'p> {
     explained: Vec<Explained>,
     /// Of the model after the change, where they were asked for.
     findings: Option<Vec<FindingShown>>,
+    /// The verdicts on it, likewise.
+    verdicts: Option<Vec<VerdictShown>>,
+    /// The new model in space, where it was asked for.
+    scene: Option<Scene>,
+    /// Falls before and after, likewise.
+    falls: Vec<Fall>,
 }
 
 #[derive(Debug, Serialize)]
@@ -120,11 +132,15 @@ impl Planned {
         Ok(both)
     }
 
+    fn states(&self) -> States<'_> {
+        States { planner: &*self.change.planner, opened: &self.opened.model, plan: &self.plan }
+    }
+
     /// What changes, with those plots of both states that are asked for.
     fn quickly(&self, wanted: Option<&[String]>) -> Result<Sections, Problem> {
-        let planner = &*self.change.planner;
-        let states = States { planner, opened: &self.opened.model, plan: &self.plan };
-        let drawn = wanted.is_some_and(|wanted| wanted.iter().any(|one| one != QUICK[0]));
+        let (planner, states) = (&*self.change.planner, self.states());
+        let drawn =
+            wanted.is_some_and(|wanted| wanted.iter().any(|one| ["plots", "state"].contains(&one.as_str())));
         let bodies = drawn.then(|| states.bodies(|| self.as_files())).transpose()?.unwrap_or_default();
         Ok(Sections::of_plan(&self.plan, &bodies, planner.reference(), wanted, self.words))
     }
@@ -136,8 +152,9 @@ impl Planned {
     pub(crate) fn shown(&self, wanted: Option<&[String]>, shelf: &Shelf) -> Result<ChangeShown<'_>, Problem> {
         let wants = |id: &str| wanted.is_none_or(|wanted| wanted.iter().any(|one| one == id));
         let quick = wanted.is_some_and(|wanted| wanted.iter().all(|one| QUICK.contains(&one.as_str())));
-        let (shown, findings) = match quick {
-            true => (self.quickly(wanted)?, None),
+        let asks_for = |id: &str| wanted.is_some_and(|wanted| wanted.iter().any(|one| one == id));
+        let (shown, findings, verdicts) = match quick {
+            true => (self.quickly(wanted)?, None, None),
             false => {
                 let both = self.both(wants("feet"), shelf)?;
                 let last = both.after.as_ref().unwrap_or(&both.before);
@@ -145,7 +162,8 @@ impl Planned {
                 // Digests are only for the record.
                 let files = if wants("files") { self.files() } else { Files::default() };
                 let changed = osim_html::Changed::of_states(&self.plan, &both, files);
-                (Sections::of_change(changed, wanted, self.words), findings)
+                let verdicts = wants("findings").then(|| VerdictShown::all(&last.1.verdicts));
+                (Sections::of_change(changed, wanted, self.words), findings, verdicts)
             }
         };
         let results = self.results.iter().map(|made| ResultShown {
@@ -159,6 +177,9 @@ impl Planned {
             sections: shown.sections,
             explained: shown.explained,
             findings,
+            verdicts,
+            scene: if asks_for(SCENE) { self.states().scene()? } else { None },
+            falls: if asks_for(FALLS) { self.states().falls()? } else { Vec::new() },
         })
     }
 

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::rc::Rc;
 
 use osim_model::files::{Failure, Files};
+use osim_planning::scene::{AnimalFall, Bones};
 use osim_planning::{Change, Inspector, prepare};
 use osim_requests::Request;
 use osim_requests::options::SetFiles;
@@ -114,6 +115,12 @@ impl Engine {
                 let opened = self.open(Path::new(&model), inspector.set_files())?;
                 ok(look::look(&inspector, &opened, parts.as_deref(), &self.shelf)?)
             }
+            Question::Bones { model, fields } => {
+                let inspector = look::inspector(&model, fields, &self.shelf)?;
+                let opened = self.open(Path::new(&model), inspector.set_files())?;
+                ok(Bones::of(&opened.model.model, Path::new(&model), &self.shelf))
+            }
+            Question::Play { request } => ok(look::played(Request::from_map(request)?, &self.shelf)?),
             Question::Change { request, parts } => {
                 self.last = None;
                 let planned = self.plan(Request::from_map(request)?, &Page)?;
@@ -126,6 +133,7 @@ impl Engine {
             Question::Report { request } => ok(self.report(request)?),
             Question::Calculate { request } => ok(knowledge::calculate(&Request::from_map(request)?)?),
             Question::Spell { request } => ok(Calls::of(&Request::from_map(request)?)),
+            Question::Animals => ok(AnimalFall::all().map_err(Problem::defect)?),
             Question::Explain { topic } => ok(json!({ "text": knowledge::explain(&topic)? })),
             Question::Presets { fields } => ok(knowledge::presets(fields, &self.shelf)?),
         }

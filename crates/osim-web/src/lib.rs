@@ -19,6 +19,7 @@ mod question;
 mod report;
 mod shelf;
 mod spelled;
+mod verdict;
 
 pub use engine::Engine;
 pub use question::Question;

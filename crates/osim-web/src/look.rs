@@ -1,9 +1,11 @@
 //! What is in a model, and what is wrong with it.
 
 use osim_html::{DetailLevel, Entry, Examined, Explained, Inspected, Section, Sections};
+use osim_inspect::series::Body;
 use osim_inspect::{CheckResult, FindingRecord, Found, Inspection};
 use osim_messages::Verb;
-use osim_planning::{Inspector, ModelFeet};
+use osim_planning::scene::{Fall, Played, Scene};
+use osim_planning::{Inspector, ModelFeet, run_motion};
 use osim_requests::Request;
 use osim_requests::spell::{FrontEnd, Page};
 use serde::Serialize;
@@ -13,6 +15,7 @@ use crate::model::Opened;
 use crate::problem::Problem;
 use crate::question::Fields;
 use crate::shelf::Shelf;
+use crate::verdict::VerdictShown;
 
 /// What is known of a model.
 #[derive(Debug, Serialize)]
@@ -23,6 +26,12 @@ pub(crate) struct Look {
     explained: Vec<Explained>,
     /// Files that it was read from, the model first.
     files: Vec<String>,
+    /// Six questions, answered.
+    verdicts: Vec<VerdictShown>,
+    /// The model in space, where it was asked for.
+    scene: Option<Scene>,
+    /// How it falls on its contacts, where that was asked for.
+    falls: Vec<Fall>,
 }
 
 /// A finding, with what puts it right.
@@ -111,7 +120,26 @@ pub(crate) fn look(
         recording: None,
     };
     let Sections { sections, explained, .. } = Sections::of_model(shown, wanted, &Page);
-    Ok(Look { findings: FindingShown::all(&found), inspection, sections, explained, files: opened.names() })
+    let findings = FindingShown::all(&found);
+    let verdicts = VerdictShown::all(&found.verdicts);
+    let scene = wants("scene").then(|| Scene::of(&opened.model.model, inspector.options()));
+    let falls = if wants("falls") { falls(inspector, opened) } else { Vec::new() };
+    Ok(Look { findings, inspection, sections, explained, files: opened.names(), verdicts, scene, falls })
+}
+
+/// The model along a recording.
+pub(crate) fn played(request: Request, shelf: &Shelf) -> Result<Played, Problem> {
+    match request {
+        Request::Motion(request) => Ok(Played::of(&run_motion(&request, shelf)?, &request, &Page)),
+        other => Err(Problem::question(format!("{} follows no recording", other.verb().name()))),
+    }
+}
+
+/// How the model falls on its contacts, if they and its weight are known.
+fn falls(inspector: &Inspector, opened: &Opened) -> Vec<Fall> {
+    let failed = |fault| opened.model.failure(fault);
+    let body = Body::inspected("now".to_owned(), &opened.model.model, inspector.options(), &failed);
+    body.map(|body| Fall::all(&[body])).unwrap_or_default()
 }
 
 /// What a report shows of it.

@@ -22,6 +22,19 @@ pub enum Question {
         #[serde(default)]
         parts: Option<Vec<String>>,
     },
+    /// The bones of a model, as surfaces.
+    Bones {
+        /// Its file.
+        model: String,
+        /// Fields of a request to inspect.
+        #[serde(default)]
+        fields: Fields,
+    },
+    /// The model along a recording, frame by frame.
+    Play {
+        /// Its request: a motion, its plates.
+        request: Fields,
+    },
     /// What a change would do to one model. It is kept as the last change.
     Change {
         /// Its request, with its verb and one model.
@@ -49,6 +62,8 @@ pub enum Question {
         /// The request.
         request: Fields,
     },
+    /// Animals that fall on the contacts of a human, and on their own.
+    Animals,
     /// An equation, a quantity or a code.
     Explain {
         /// Its number, name or code.

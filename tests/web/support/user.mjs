@@ -28,6 +28,11 @@ export class User {
     return this.region("What would change");
   }
 
+  /** The buttons that are always in sight. */
+  get acts() {
+    return this.page.getByRole("group", { name: "What to do with this model" });
+  }
+
   get form() {
     return this.region("Change this model");
   }
@@ -110,7 +115,7 @@ export class User {
 
   /** Waits for a result with this file; gives the button that downloads it. */
   async done(name) {
-    const button = this.button(`Download ${name}`, this.result);
+    const button = this.button(`Download ${name}`, this.acts);
     await button.waitFor();
     await this.settled();
     return button;
@@ -118,7 +123,7 @@ export class User {
 
   /** Keeps the result; the page then shows the changed model, and reading goes on at its name. */
   async keep(name) {
-    await this.button("Keep and go on", this.result).click();
+    await this.button("Keep and go on", this.acts).click();
     await this.opened(name);
     await this.page.waitForFunction((one) => document.activeElement.textContent === one, name);
   }
@@ -134,12 +139,27 @@ export class User {
 
   /** The change as the page spells it. */
   async spelled(language = "Command") {
-    const details = this.result.locator("details").filter({ hasText: "Copy as command, Python or MATLAB" });
-    if (await details.evaluate((one) => one.open)) await this.settled();
-    else await details.locator("summary").click();
-    const text = details.getByRole("textbox", { name: language, exact: true });
+    await this.button("Share…", this.acts).click();
+    const dialog = this.page.getByRole("dialog", { name: "Share" });
+    const text = dialog.getByRole("textbox", { name: language, exact: true });
     await this.page.waitForFunction((one) => one.value !== "", await text.elementHandle());
-    return text.inputValue();
+    const spelled = await text.inputValue();
+    await this.button("Close", dialog).click();
+    return spelled;
+  }
+
+  /** Unfolds a question about the model. */
+  async unfold(question) {
+    await this.page.locator("details.verdict summary").filter({ hasText: question }).click();
+  }
+
+  get details() {
+    return this.region("The model in detail");
+  }
+
+  /** Opens what is further down in the form. */
+  async more() {
+    await this.form.getByText("More options").click();
   }
 
   /** Waits until a screen reader hears this. */

@@ -7,8 +7,8 @@ import { fileOf, type OpenModel } from "../state/model";
 import type { Session } from "../state/session";
 
 // What is seen at once, and what opens only on demand: that is made when there is time.
-const FIRST = ["feet"];
-const LATER = ["contacts", "figures", "plots", "state", "model"];
+const FIRST = ["feet", "scene"];
+const LATER = ["contacts", "figures", "plots", "state", "model", "falls"];
 
 /** Inspects a model as it is now. */
 export async function inspect(session: Session, id: number): Promise<void> {
@@ -41,7 +41,7 @@ export async function inspectDetails(session: Session, id: number): Promise<void
   session.remember(seen.explained);
   const sections = [...first.sections, ...seen.sections];
   // It may have been inspected once more in between.
-  session.update(id, (open) => (open.inspected === first ? { ...open, inspected: { ...first, sections } } : open));
+  session.update(id, (open) => (open.inspected === first ? { ...open, inspected: { ...first, sections, falls: seen.falls } } : open));
 }
 
 /** Inspects models again that may be seen otherwise now that other files are there. */

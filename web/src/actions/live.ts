@@ -10,9 +10,11 @@ import type { Preview, Session } from "../state/session";
 import { hasOwnMass, requestFor } from "./row";
 
 // What is asked for at once: what may be on the screen and is quick.
-const PLOTS = ["plots", "state"];
-const ALL = ["changes", "reference", ...PLOTS, "feet", "findings", "figures"];
+const PLOTS = ["scene", "plots", "state"];
+const ALL = ["changes", "reference", ...PLOTS, "falls", "feet", "findings", "figures"];
 const REST_MS = 150;
+/** The code of a mass that may be in another unit. */
+const SLIP = "implausible-mass";
 
 type Plan = { ask: Request } | { show: Preview };
 
@@ -102,14 +104,26 @@ export class Live {
     session.preview.set(next);
   }
 
+  /** Asks for a change. A mass that was chosen by slider or button is meant as it is: pounds or grams are only typed by mistake. */
+  async #asked(request: Request, parts: string[]): Promise<{ change: Change; request: Request }> {
+    const { engine, values } = this.session;
+    try {
+      return { change: await engine.change(request, parts), request };
+    } catch (error) {
+      if (failureOf(error).code !== SLIP || !values.isChosen("target_mass")) throw error;
+      const meant = { ...request, yes: [...values.texts("yes"), SLIP] };
+      return { change: await engine.change(meant, parts), request: meant };
+    }
+  }
+
   async #next(parts: string[]): Promise<Preview> {
     const { session } = this;
     try {
       const planned = plan(session);
       if ("show" in planned) return planned.show;
-      const change = await session.engine.change(planned.ask, parts);
+      const { change, request } = await this.#asked(planned.ask, parts);
       session.remember(change.explained);
-      return done(session.preview.value, change, planned.ask, parts);
+      return done(session.preview.value, change, request, parts);
     } catch (error) {
       return { state: "failed", failure: failureOf(error) };
     }
@@ -149,7 +163,7 @@ function hint(text: string): Plan {
 }
 
 /** Which fields have something wrong in them. */
-export function correctFirst(form: Form, wrong: ReadonlyMap<string, string>): string {
+function correctFirst(form: Form, wrong: ReadonlyMap<string, string>): string {
   return `Correct this first: ${quoted(form.fields.filter(({ name }) => wrong.has(name)))}.`;
 }
 

@@ -4,6 +4,7 @@ import type { Failure } from "../engine/types";
 import { counted } from "../dom/number";
 import { isUseful } from "../files/kinds";
 import { type Given, read, type Read } from "../files/read";
+import { unzipped } from "../files/unzip";
 import { newModel, type OpenModel, uses } from "../state/model";
 import type { Session } from "../state/session";
 import { inspect, inspectAgain } from "./inspect";
@@ -18,8 +19,9 @@ type Models = "open" | "at hand";
 export async function openFiles(session: Session, given: readonly Given[], models: Models = "open"): Promise<void> {
   if (given.length === 0) return;
   performance.mark("open");
-  const useful = given.filter(({ name }) => isUseful(name));
-  await openRead(session, await Promise.all(useful.map(read)), { models, leftOut: given.length - useful.length });
+  const all = await unzipped(given);
+  const useful = all.filter(({ name }) => isUseful(name));
+  await openRead(session, await Promise.all(useful.map(read)), { models, leftOut: all.length - useful.length });
 }
 
 // One after the other: what comes next has to know what is open by then.

@@ -3,6 +3,7 @@
 import { workerAddress } from "../dom/trusted";
 import { EngineError } from "./failure";
 import { failed, type Files, type Reply, type Task, type Then } from "./messages";
+import type { AnimalFall, Bones, Played } from "./space";
 import type { Change, Kept, Inspected, NamedBytes, Preset, Request, Sheet, Spelled } from "./types";
 
 interface Waiting {
@@ -36,6 +37,7 @@ export class Client {
   remove = (name: string) => this.#send<null>({ do: "remove", name });
   bytes = (name: string) => this.#send<Uint8Array | null>({ do: "bytes", name });
   inspect = (model: string, fields: Record<string, unknown>, parts: string[]) => this.#ask<Inspected>({ do: "look", model, fields, parts });
+  bones = (model: string, fields: Record<string, unknown>) => this.#ask<Bones>({ do: "bones", model, fields });
   change = (request: Request, parts: string[]) => this.#ask<Change>({ do: "change", request, parts });
   keep = (request: Request, parts: string[]) => this.#send<Then<Kept>>({ do: "then", request, parts, next: "keep" });
   diff = (request: Request) => this.#send<Then<{ text: string }>>({ do: "then", request, parts: ["changes"], next: "diff" });
@@ -44,6 +46,8 @@ export class Client {
   calculate = (request: Request) => this.#ask<{ sheet: Sheet; text: string }>({ do: "calculate", request });
   spell = (request: Request) => this.#ask<Spelled>({ do: "spell", request });
   explain = (topic: string) => this.#ask<{ text: string }>({ do: "explain", topic });
+  play = (request: Record<string, unknown>) => this.#ask<Played>({ do: "play", request });
+  animals = () => this.#ask<AnimalFall[]>({ do: "animals" });
   presets = (fields: Record<string, unknown> = {}) => this.#ask<Preset[]>({ do: "presets", fields });
   zipBegin = () => this.#send<null>({ do: "zip-begin" });
   zipAdd = (request: Request) => this.#send<Change>({ do: "zip-add", request });

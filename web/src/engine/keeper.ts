@@ -32,9 +32,9 @@ export class Keeper {
   warmUp(example: Uint8Array): void {
     const engine = new Engine();
     engine.put("example.osim", example);
-    engine.call(JSON.stringify({ do: "look", model: "example.osim", parts: ["feet"] }));
+    engine.call(JSON.stringify({ do: "look", model: "example.osim", parts: ["feet", "scene"] }));
     const request = { verb: "rescale", models: ["example.osim"], target_mass: 500 };
-    engine.call(JSON.stringify({ do: "change", request, parts: ["changes", "plots"] }));
+    engine.call(JSON.stringify({ do: "change", request, parts: ["changes", "plots", "scene", "falls"] }));
     engine.free();
   }
 

@@ -1,5 +1,7 @@
 // What the engine answers, as crates/osim-web gives it.
 
+import type { Fall, Scene } from "./space";
+
 /** What went wrong. */
 export interface Failure {
   code: string;
@@ -54,12 +56,27 @@ export interface Inspection {
   known_contacts?: { title: string; made_for_kg: number } | null;
 }
 
+/** A question about a model, answered. */
+export interface Verdict {
+  question: string;
+  on: string;
+  sign: "good" | "info" | "warn" | "error" | "unknown";
+  text: string;
+  place: string | null;
+  /** Codes of the findings that are about it. */
+  codes: string[];
+}
+
 export interface Inspected {
   inspection: Inspection;
   findings: Finding[];
+  verdicts: Verdict[];
   sections: Section[];
   explained?: Explained[];
   files: string[];
+  /** Where it was asked for. */
+  scene: Scene | null;
+  falls: Fall[];
 }
 
 /** What the page reads of a change; schemas/results/change.schema.json has all of it. */
@@ -83,6 +100,9 @@ export interface Change {
   results: ResultFile[];
   sections: Section[];
   explained?: Explained[];
+  /** The new model in space, and falls on the contacts before and after, where they were asked for. */
+  scene: Scene | null;
+  falls: Fall[];
 }
 
 export interface Kept {

@@ -1,6 +1,6 @@
 // What a file is, by its name and its first kilobytes.
 
-export type FileKind = "model" | "forces" | "geometry" | "scales" | "xml" | "mesh" | "table" | "presets" | "other";
+export type FileKind = "model" | "forces" | "geometry" | "scales" | "xml" | "mesh" | "table" | "presets" | "motion" | "plates" | "loads" | "other";
 
 export interface FileEntry {
   name: string;
@@ -11,11 +11,11 @@ export interface FileEntry {
 /** What the kind of a file is called. */
 export const KIND_TEXTS: Readonly<Record<FileKind, string>> = {
   model: "model", forces: "force set", geometry: "contact geometry set", scales: "scale set", xml: "XML file",
-  mesh: "mesh", table: "table", presets: "presets", other: "other file",
+  mesh: "mesh", table: "table", presets: "presets", motion: "motion", plates: "force plates", loads: "external loads", other: "other file",
 };
 
 const BY_ENDING: Readonly<Record<string, FileKind>> = {
-  osim: "model", vtp: "mesh", stl: "mesh", obj: "mesh", csv: "table", tsv: "table", txt: "table", toml: "presets",
+  osim: "model", vtp: "mesh", stl: "mesh", obj: "mesh", csv: "table", tsv: "table", txt: "table", toml: "presets", mot: "motion", sto: "motion",
 };
 
 // The first element after OpenSimDocument.
@@ -23,6 +23,7 @@ const BY_ELEMENT: readonly [RegExp, FileKind][] = [
   [/<ForceSet[\s>]/, "forces"],
   [/<ContactGeometrySet[\s>]/, "geometry"],
   [/<ScaleSet[\s>]/, "scales"],
+  [/<ExternalLoads[\s>]/, "loads"],
   [/<Model[\s>]/, "model"],
 ];
 
@@ -32,7 +33,10 @@ export const LOOKED_AT = 4096;
 /** The kind of a file whose content begins with `head`. */
 export function kindOf(name: string, head: string): FileKind {
   const ending = /\.([^./\\]+)$/.exec(name)?.[1]?.toLowerCase() ?? "";
-  if (ending !== "xml") return BY_ENDING[ending] ?? "other";
+  const kind = BY_ENDING[ending] ?? "other";
+  // A table over time is that of plates where columns have the three parts of a force.
+  if (kind === "motion") return /\S*(vx|fx)\s+\S*(vy|fy)\s+\S*(vz|fz)/i.test(head) ? "plates" : "motion";
+  if (ending !== "xml") return kind;
   const found = BY_ELEMENT.map(([element, kind]) => ({ at: head.search(element), kind })).filter(({ at }) => at >= 0);
   return found.sort((one, other) => one.at - other.at)[0]?.kind ?? "xml";
 }

@@ -36,6 +36,8 @@ function numberProblem(text: string, { kind, limits = {} }: Field): string | und
 }
 
 function notANumber(text: string): string {
+  // A comma before three digits is one of thousands, or a decimal one: nobody can know.
+  if (/^[+-]?\d{1,3}(,\d{3})+$/.test(text.trim())) return `Write ${text.trim().replaceAll(",", "")}, or ${text.trim().replace(",", ".").replaceAll(",", "")} with a decimal point: the comma can mean either.`;
   const pointed = text.trim().replace(",", ".");
   return numberIn(pointed) !== undefined ? `Write ${pointed}, with a decimal point.` : "Write a number, such as 0.5 or 2e6, without a unit.";
 }

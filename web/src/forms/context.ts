@@ -25,8 +25,8 @@ export interface Context {
   addFile(source: Source): Promise<string[]>;
   /** The value of a property in the model, where it has one. */
   currentValue(property: string): string | undefined;
-  /** The mass a slider shows while none is given. */
-  currentMass(): number | undefined;
+  /** What the model weighs, kg; where that is not known, what its contacts were made for. */
+  ownMass(): number | undefined;
 }
 
 /** A field on the page. */

@@ -6,6 +6,7 @@ type Listener = (name: string | null) => void;
 
 export class Values {
   readonly #listeners = new Set<Listener>();
+  readonly #chosen = new Set<string>();
   #values = new Map<string, Value>();
 
   get(name: string): Value | undefined {
@@ -36,8 +37,24 @@ export class Values {
     return new Map(this.#values);
   }
 
+  /** Whether a field was set by a slider or a button: then it is no slip of a unit. */
+  isChosen(name: string): boolean {
+    return this.#chosen.has(name);
+  }
+
+  /** Sets a field by a slider or a button. */
+  choose(name: string, value: Value): void {
+    this.#chosen.add(name);
+    this.#put(name, value);
+  }
+
   /** Sets a field; an empty value removes it. */
   set(name: string, value: Value): void {
+    this.#chosen.delete(name);
+    this.#put(name, value);
+  }
+
+  #put(name: string, value: Value): void {
     if (saysNothing(value)) this.#values.delete(name);
     else this.#values.set(name, value);
     this.#notify(name);
@@ -45,6 +62,7 @@ export class Values {
 
   /** Replaces all; with `between`, that is done before anybody hears of it. */
   replace(values: ReadonlyMap<string, Value>, between: () => void = () => undefined): void {
+    this.#chosen.clear();
     this.#values = new Map([...values].filter(([, value]) => !saysNothing(value)));
     between();
     this.#notify(null);

@@ -50,6 +50,8 @@ export class Session {
   readonly keeping = new Signal(false);
   /** Whether all models are being changed. */
   readonly changingAll = new Signal(false);
+  /** What could not be done with the model that is open, by one of its buttons. */
+  readonly failed = new Signal<Failure | null>(null);
   /** Results that were downloaded. */
   readonly saved = new Set<string>();
 

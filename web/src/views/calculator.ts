@@ -1,6 +1,5 @@
 // Parameters of a contact from what is wanted, without a model.
 
-import { correctFirst } from "../actions/live";
 import { button, byId, el, setAttribute } from "../dom/element";
 import { digits, unitText } from "../dom/number";
 import { boxedTable, headCells } from "../dom/table";
@@ -40,7 +39,9 @@ export function calculatorView(session: Session, addFile: Context["addFile"]): v
     const wrong = problems(CALCULATOR, session.calculation);
     if (wrong.size > 0) {
       failure.show(undefined);
-      return sheet.replaceChildren(el("p", {}, correctFirst(CALCULATOR, wrong)));
+      // What is wrong is said beside its field.
+      asked.querySelector<HTMLElement>("[aria-invalid=true]")?.focus();
+      return sheet.replaceChildren();
     }
     try {
       const answer = await session.engine.calculate({ verb: "design", ...fieldsOf(CALCULATOR, session.calculation) });

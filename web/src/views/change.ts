@@ -1,18 +1,19 @@
 // The change to make: a verb, and the form of that verb.
 
-import { byId, button, el } from "../dom/element";
+import { button, el } from "../dom/element";
 import { CHANGES, formOf } from "../forms/all";
 import type { Context } from "../forms/context";
 import { showForm, type ShownForm } from "../forms/form";
 import type { Session } from "../state/session";
 import { contextOf } from "./context";
 
-export function changeView(session: Session, addFile: Context["addFile"]): void {
-  const section = byId("change");
-  const about = el("p", { class: "quiet", id: "verb-about" });
+/** The part of the page that asks. */
+export function changeView(session: Session, addFile: Context["addFile"]): HTMLElement {
+  const section = el("section", { id: "change", "aria-labelledby": "change-title" });
+  const about = el("p", { class: "quiet about", id: "verb-about" });
   const place = el("div", { id: "form" });
   const clear = button("Clear the form", () => session.values.clear(), { class: "small", id: "clear" });
-  section.append(el("h2", { id: "change-title" }, "Change this model"), verbs(session), about, place, el("p", {}, clear));
+  section.append(el("h2", { id: "change-title", class: "hidden" }, "Change this model"), verbs(session), about, place, el("p", { class: "clear" }, clear));
   const context = contextOf(session, session.values, { prefix: "form", commit: "input", addFile });
   let shown: ShownForm | undefined;
   session.verb.watch((verb) => {
@@ -23,11 +24,15 @@ export function changeView(session: Session, addFile: Context["addFile"]): void 
     about.textContent = form.about;
     place.replaceChildren(shown.element);
   });
+  const said = () => (clear.hidden = session.values.all().size === 0);
+  session.values.watch(said);
+  said();
   const refresh = () => shown?.refresh();
   session.chosen.watch(refresh);
   session.models.watch(refresh);
   session.files.watch(refresh);
   session.presets.watch(refresh);
+  return section;
 }
 
 /** The verbs; one is chosen. */

@@ -40,7 +40,7 @@ export function contextOf(session: Session, values: Values, { prefix, commit, ad
     values, prefix, commit, addFile,
     options: (source) => options(session, source),
     currentValue: (property) => currentValue(session, property),
-    currentMass: () => session.model()?.inspected?.inspection.contacts_mass_kg?.value ?? session.model()?.inspected?.inspection.mass_kg ?? undefined,
+    ownMass: () => session.model()?.inspected?.inspection.mass_kg ?? session.model()?.inspected?.inspection.contacts_mass_kg?.value ?? undefined,
   };
 }
 

@@ -1,16 +1,33 @@
 // What is wrong with a model, and what puts it right.
 
 import { button, el } from "../dom/element";
+import { counted } from "../dom/number";
 import { findingAnchor } from "../engine/anchor";
 import type { Finding } from "../engine/types";
 import { sentence } from "./failure";
 
-type Apply = (finding: Finding) => void;
+export type Apply = (finding: Finding) => void;
 
-/** The findings as a list; each that can be put right has a button for it. */
-export function findingsList(findings: readonly Finding[], apply: Apply): HTMLElement {
-  if (findings.length === 0) return el("p", { class: "quiet" }, "Nothing is wrong with the contacts.");
-  return el("ul", { class: "findings" }, ...findings.map((finding) => item(finding, apply)));
+/** The findings as items of a list; each that is wrong and can be put right has a button for it. A remark has none: a model is good with it. */
+export function findingItems(findings: readonly Finding[], apply: Apply): HTMLElement[] {
+  const alike = new Map<string, Finding[]>();
+  for (const finding of findings) {
+    const key = JSON.stringify([finding.code, finding.severity, finding.remedy]);
+    alike.set(key, [...(alike.get(key) ?? []), finding]);
+  }
+  return [...alike.values()].flatMap((same) => (same.length >= FEW ? [several(same, apply)] : same.map((finding) => item(finding, apply))));
+}
+
+/** So many findings that say the same of different places are one. */
+const FEW = 3;
+
+function several(findings: readonly Finding[], apply: Apply): HTMLElement {
+  const [first, ...others] = findings;
+  if (!first) return el("li");
+  const made = item(first, apply);
+  const rest = others.map(({ message, line }) => el("li", {}, sentence(message), ...(line === null ? [] : [" ", el("span", { class: "quiet" }, `line ${line}`)])));
+  made.append(el("details", {}, el("summary", {}, `The same ${counted(others.length, "more time", "more times")}`), el("ul", {}, ...rest)));
+  return made;
 }
 
 function item(finding: Finding, apply: Apply): HTMLElement {
@@ -20,6 +37,6 @@ function item(finding: Finding, apply: Apply): HTMLElement {
     el("span", { class: `tag ${severity}` }, severity), " ",
     el("a", { class: "code", href: `#${findingAnchor(code)}` }, code), " ", sentence(message),
     ...(where ? [" ", el("span", { class: "quiet" }, where)] : []));
-  const act = remedy ? [el("p", {}, button(`Apply: ${remedy.text}`, () => apply(finding), { class: "apply" }))] : [];
+  const act = remedy && severity !== "info" ? [el("p", {}, button(`Apply: ${remedy.text}`, () => apply(finding), { class: "apply" }))] : [];
   return el("li", {}, text, ...act);
 }

@@ -1,17 +1,12 @@
-// What the change in the form would do, and what can be done with it.
+// What the change in the form would do.
 
-import { apply, countsOf } from "../actions/apply";
-import { downloadReport, downloadResult } from "../actions/download";
-import { button, byId, el, setText } from "../dom/element";
-import type { Failure } from "../engine/types";
+import { countsOf } from "../actions/apply";
+import { byId, el, setText } from "../dom/element";
 import { formOf } from "../forms/all";
 import type { Context } from "../forms/context";
 import { CALCULATOR } from "../forms/all";
-import { spoken } from "../forms/spoken";
-import { fileOf } from "../state/model";
 import type { Preview, Session } from "../state/session";
 import { contextOf } from "./context";
-import { copyView } from "./copy";
 import { diffView } from "./diff";
 import { failureView } from "./failure";
 import { type Place, place } from "./sections";
@@ -25,13 +20,11 @@ export class ResultView {
   readonly #section = byId("result");
   readonly #status = el("p", { class: "status", id: "result-status", tabindex: -1 });
   readonly #warnings = el("ul", { class: "warnings" });
-  readonly #buttons = el("div", { class: "buttons", role: "group", "aria-label": "What to do with the result", hidden: true });
   readonly #places = new Map<string, Place>(SECTIONS.map((id) => [id, place({ prefix: PREFIX, id, ...TITLES[id] })]));
   readonly #done = el("div", { class: "done", hidden: true });
   readonly #live = el("p", { class: "hidden", role: "status", "aria-live": "polite" });
   readonly #failure;
   readonly #diff;
-  readonly #copy;
   #updates = 0;
   #said: ReturnType<typeof setTimeout> | undefined;
 
@@ -39,18 +32,15 @@ export class ResultView {
     const context = contextOf(session, session.values, { prefix: "question", commit: "change", addFile });
     this.#failure = failureView(() => formOf(session.verb.value) ?? CALCULATOR, context, this.#status);
     this.#diff = diffView(session);
-    this.#copy = copyView(session);
-    this.#buttons.append(
-      button("Download", () => this.#act((request) => downloadResult(session, request)), { class: "primary", id: "download" }),
-      button("Keep and go on", () => this.#act((request) => this.#keep(request)), { id: "keep" }),
-      button("Report", () => this.#act((request) => downloadReport(session, request)), { id: "report" }),
-    );
-    this.#done.append(this.#warnings, ...[...this.#places.values()].map(({ element }) => element), this.#diff.element, this.#copy.element);
+    this.#done.append(this.#warnings, ...[...this.#places.values()].map(({ element }) => element), this.#diff.element);
     this.#section.append(
-      el("h2", { id: "result-title" }, "What would change"), this.#status, this.#buttons, this.#failure.element, this.#done, this.#live);
+      el("h2", { id: "result-title" }, "What would change"), this.#status, this.#failure.element, this.#done, this.#live);
     session.files.watch(() => this.#failure.refresh());
     this.#watchPlots();
     session.preview.watch((preview) => this.#show(preview));
+    const update = () => (this.#section.hidden = !session.model()?.inspected);
+    session.models.watch(update);
+    session.chosen.watch(update);
   }
 
   #show(preview: Preview): void {
@@ -63,7 +53,6 @@ export class ResultView {
     setText(this.#status, statusOf(preview));
     this.#failure.show(preview.state === "failed" ? preview.failure : undefined);
     this.#done.hidden = !done;
-    this.#buttons.hidden = !done || preview.change.unchanged;
     if (done) this.#showDone(preview);
     this.#updates += 1;
     this.#section.dataset["update"] = String(this.#updates);
@@ -79,33 +68,13 @@ export class ResultView {
     const { warnings } = preview.change.record;
     this.#warnings.hidden = warnings.length === 0;
     this.#warnings.replaceChildren(...warnings.map(({ message }) => el("li", {}, el("span", { class: "tag warn" }, "warn"), " ", message)));
-    setText(byId("download"), `Download ${preview.change.results.map(({ name }) => name).join(" and ")}`);
     this.#diff.ask(preview.request);
-    this.#copy.ask(preview.request);
   }
 
   /** Screen readers hear the outcome once nothing moves any more. */
   #say(preview: Preview): void {
     clearTimeout(this.#said);
     this.#said = setTimeout(() => setText(this.#live, preview.state === "none" ? "" : statusOf(preview)), 600);
-  }
-
-  #act(act: (request: Extract<Preview, { state: "done" }>["request"]) => Promise<Failure | undefined>): void {
-    const preview = this.session.preview.value;
-    if (preview.state !== "done") return;
-    void act(preview.request).then((failure) => failure && this.#failure.show(failure));
-  }
-
-  async #keep(request: Extract<Preview, { state: "done" }>["request"]): Promise<Failure | undefined> {
-    const { session } = this;
-    const model = session.models.value.find((open) => fileOf(open) === request.models?.[0]);
-    if (!model || session.keeping.value) return undefined;
-    const failure = await apply(session, model.id, spoken(request, formOf(request.verb)), request);
-    if (failure) return failure;
-    // What was asked for holds now; asked for again, it would be done twice.
-    session.values.clear();
-    byId("model-title").focus();
-    return undefined;
   }
 
   /** Plots are drawn along with every step of a slider while they are on the screen. */

@@ -22,6 +22,12 @@ pub enum MeshFault {
         /// So many are read.
         most: usize,
     },
+    /// More triangles than a picture of a bone needs.
+    #[error("it has more than {most} triangles, reduce it first, for example with MeshLab")]
+    TooManyTriangles {
+        /// So many are shown.
+        most: usize,
+    },
     /// A coordinate of a point is NaN, infinite or larger than any unit of length makes it.
     #[error("coordinate {axis} of point {point} is {value}, expected a number between -1e9 and 1e9")]
     Coordinate {

@@ -10,6 +10,7 @@ mod numbers;
 mod obj;
 mod stl;
 mod stray;
+mod surface;
 mod vtk_array;
 mod vtp;
 
@@ -19,6 +20,7 @@ use osim_messages::three_significant;
 
 use self::stray::stray;
 pub use fault::MeshFault;
+pub use surface::Surface;
 
 /// The largest coordinate or factor: products of these are finite.
 const LARGEST: f64 = 1e9;
@@ -47,6 +49,35 @@ pub fn mesh_points(name: &str, bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault>
         _ => Err(MeshFault::UnknownKind),
     }?;
     checked(points)
+}
+
+/// The surface that the mesh file `name` describes, in the file's own units and frame: the ending of the name (.vtp, .stl, .obj)
+/// says how it is written. Faces that name points that are not there are left out.
+///
+/// ```
+/// let square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+/// let surface = osim_feet::mesh_surface("sole.obj", square.as_bytes())?;
+/// assert_eq!(surface.triangles, [[0, 1, 2], [0, 2, 3]]);
+/// # Ok::<(), osim_feet::MeshFault>(())
+/// ```
+///
+/// # Errors
+/// Bytes that are not such a file, or are cut off; a point that is not finite; too many points or triangles.
+pub fn mesh_surface(name: &str, bytes: &[u8]) -> Result<Surface, MeshFault> {
+    let ending = name.rsplit_once('.').map(|(_, ending)| ending.to_ascii_lowercase());
+    let surface = match ending.as_deref() {
+        Some("vtp") => vtp::surface(bytes),
+        Some("stl") => stl::points(bytes).and_then(Surface::of_corners),
+        Some("obj") => obj::surface(bytes),
+        _ => Err(MeshFault::UnknownKind),
+    }?;
+    for (index, point) in surface.points.iter().enumerate() {
+        if let Some((value, axis)) = point.iter().zip(['x', 'y', 'z']).find(|(value, _)| !is_length(**value))
+        {
+            return Err(MeshFault::Coordinate { point: index + 1, axis, value: value.to_string() });
+        }
+    }
+    Ok(surface)
 }
 
 /// Whether a number can be a coordinate in some unit, or a factor of one.
@@ -103,4 +134,28 @@ fn in_one_line(points: &[[f64; 3]]) -> bool {
         .iter()
         .map(from_first)
         .all(|[a, b, c]| length([b * z - c * y, c * x - a * z, a * y - b * x]) <= SAME_LINE * whole)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_face_that_names_a_missing_point_is_left_out() {
+        let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\nf 1 2 3\nf -3/1 -2//4 -1\nf 0 1 2\n";
+        let surface = mesh_surface("a.obj", text.as_bytes()).unwrap();
+        assert_eq!(surface.triangles, [[0, 1, 2], [0, 1, 2]]);
+    }
+
+    #[test]
+    fn corners_of_stl_are_triangles() {
+        let text = "solid a\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nvertex 0 0 1\nvertex 1 0 1\nvertex 0 1 1\nendsolid";
+        assert_eq!(mesh_surface("a.stl", text.as_bytes()).unwrap().triangles, [[0, 1, 2], [3, 4, 5]]);
+    }
+
+    #[test]
+    fn a_point_that_is_no_place_is_refused() {
+        let fault = mesh_surface("a.obj", b"v 0 0 0\nv 1 inf 0\n").unwrap_err();
+        assert_eq!(fault, MeshFault::Coordinate { point: 2, axis: 'y', value: "inf".into() });
+    }
 }

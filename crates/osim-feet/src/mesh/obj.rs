@@ -1,9 +1,10 @@
-//! Wavefront files: of their lines, those that begin with `v`.
+//! Wavefront files: of their lines, those that begin with `v` and `f`.
 
 use osim_xml::opensim_text::words;
 
 use super::fault::MeshFault;
 use super::numbers::{add, number};
+use super::surface::Surface;
 
 /// The vertices of an .obj file. A weight or a colour may follow x, y and z, and does not count.
 pub(super) fn points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
@@ -18,6 +19,32 @@ pub(super) fn points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
         add(&mut points, [next()?, next()?, next()?])?;
     }
     Ok(points)
+}
+
+/// Vertices and faces. A face names its corners by their places among the vertices: from 1, or back from the last one before it.
+pub(super) fn surface(bytes: &[u8]) -> Result<Surface, MeshFault> {
+    let mut surface = Surface { points: points(bytes)?, triangles: Vec::new() };
+    let text = String::from_utf8_lossy(bytes);
+    let mut before = 0_usize;
+    for line in text.lines() {
+        let mut words = words(line);
+        match words.next() {
+            Some("v") => before += 1,
+            Some("f") => {
+                let place = |word: &str| {
+                    let number: isize = word.split('/').next()?.parse().ok()?;
+                    if number > 0 {
+                        number.unsigned_abs().checked_sub(1)
+                    } else {
+                        before.checked_add_signed(number)
+                    }
+                };
+                surface.add_face(0, words.map(place))?;
+            }
+            _ => {}
+        }
+    }
+    Ok(surface)
 }
 
 #[cfg(test)]

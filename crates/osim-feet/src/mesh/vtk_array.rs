@@ -145,3 +145,22 @@ pub(super) fn binary(bytes: &[u8], kind: &str, coding: &Coding<'_>) -> Result<Ve
     within(values.len() / 3)?;
     Ok(values.as_chunks::<3>().0.to_vec())
 }
+
+/// Places among points, of the type that the array names.
+pub(super) fn integers_of(bytes: &[u8], kind: &str, coding: &Coding<'_>) -> Result<Vec<usize>, MeshFault> {
+    let width = match kind {
+        "Int32" | "UInt32" => 4,
+        "Int64" | "UInt64" => 8,
+        other => {
+            let other = shortened(other);
+            return Err(MeshFault::Unsupported(format!("polygons of type {other:?} are not read")));
+        }
+    };
+    let add = |value: u64, byte: &u8| value << 8 | u64::from(*byte);
+    let value = |bytes: &[u8]| match coding.big_endian {
+        true => bytes.iter().fold(0, add),
+        false => bytes.iter().rev().fold(0, add),
+    };
+    // One that is too large names no point.
+    Ok(bytes.chunks_exact(width).map(|bytes| usize::try_from(value(bytes)).unwrap_or(usize::MAX)).collect())
+}

@@ -5,7 +5,9 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use osim_feet::mesh_points;
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use osim_feet::{mesh_points, mesh_surface};
 
 fn fixtures(folder: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/feet").join(folder)
@@ -96,4 +98,75 @@ fn damaged_meshes_do_no_harm() {
             }
         }
     }
+}
+
+/// The corners of each triangle, whatever the order of the points.
+fn corners(name: &str, bytes: &[u8]) -> Vec<[[f64; 3]; 3]> {
+    let surface = mesh_surface(name, bytes).unwrap();
+    surface.triangles.iter().map(|triangle| triangle.map(|at| surface.points[at as usize])).collect()
+}
+
+/// A tube of 96 points has 188 triangles, as make_feet.py counts them in the file.
+#[test]
+fn the_triangles_of_a_bone_are_those_of_its_file() {
+    for (name, triangles) in [("r_human_foot.vtp", 188), ("l_human_foot.vtp", 188)] {
+        let bytes = std::fs::read(fixtures("Geometry").join(name)).unwrap();
+        let surface = mesh_surface(name, &bytes).unwrap();
+        assert_eq!((surface.points.len(), surface.triangles.len()), (96, triangles), "{name}");
+        // A closed surface: each edge is one of two triangles.
+        let mut edges = std::collections::HashMap::new();
+        for [a, b, c] in surface.triangles {
+            for (from, to) in [(a, b), (b, c), (c, a)] {
+                *edges.entry((from.min(to), from.max(to))).or_insert(0) += 1;
+            }
+        }
+        assert!(edges.values().all(|&count| count == 2), "{name}");
+    }
+}
+
+#[test]
+fn text_obj_and_stl_have_the_same_triangles() {
+    let of = |name: &str| corners(name, &std::fs::read(fixtures("encodings").join(name)).unwrap());
+    let expected = of("ascii.vtp");
+    assert_eq!(expected.len(), 21);
+    for name in ["bone.obj", "ascii.stl", "binary.stl"] {
+        assert_eq!(of(name), expected, "{name}");
+    }
+}
+
+#[test]
+fn polygons_are_read_in_every_type_of_number() {
+    let points = "0 0 0 1 0 0 1 1 0 0 1 0";
+    let square = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+    let expected = vec![[square[0], square[1], square[2]], [square[0], square[2], square[3]]];
+    for (order, kind) in
+        [("LittleEndian", "Int32"), ("BigEndian", "Int32"), ("LittleEndian", "Int64"), ("BigEndian", "Int64")]
+    {
+        let array = |name: &str, numbers: &[i64]| {
+            let bytes: Vec<u8> =
+                numbers.iter().flat_map(|&number| number_bytes(number, order, kind)).collect();
+            let mut all = number_bytes(i64::try_from(bytes.len()).unwrap(), order, "Int32");
+            all.extend(bytes);
+            format!(
+                "<DataArray type='{kind}' Name='{name}' format='binary'>{}</DataArray>",
+                STANDARD.encode(all)
+            )
+        };
+        let text = format!(
+            "<VTKFile type='PolyData' byte_order='{order}'><PolyData><Piece NumberOfPoints='4'><Points><DataArray \
+             type='Float32' NumberOfComponents='3' format='ascii'>{points}</DataArray></Points><Polys>{}{}</Polys></Piece>\
+             </PolyData></VTKFile>",
+            array("connectivity", &[0, 1, 2, 3]),
+            array("offsets", &[4])
+        );
+        assert_eq!(corners("a.vtp", text.as_bytes()), expected, "{order} {kind}");
+    }
+}
+
+fn number_bytes(number: i64, order: &str, kind: &str) -> Vec<u8> {
+    let mut bytes = number.to_le_bytes()[..if kind == "Int32" { 4 } else { 8 }].to_vec();
+    if order == "BigEndian" {
+        bytes.reverse();
+    }
+    bytes
 }

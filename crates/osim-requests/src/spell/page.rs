@@ -73,10 +73,10 @@ fn field_words((name, value): &Field) -> Vec<String> {
     match value {
         FieldValue::Map(properties) if name == "set" => properties.iter().map(assigned).collect(),
         FieldValue::Map(entries) => {
-            entries.iter().map(|(name, value)| format!("“{label}” {name} {}", shown(value))).collect()
+            entries.iter().map(|(name, value)| format!("{label} {name} {}", shown(value))).collect()
         }
-        FieldValue::Flag => vec![format!("“{label}”")],
-        value => vec![format!("“{label}” {}", shown(value))],
+        FieldValue::Flag => vec![label.to_owned()],
+        value => vec![format!("{label} {}", shown(value))],
     }
 }
 
@@ -114,12 +114,12 @@ mod tests {
         for (request, expected) in [
             (
                 json!({"verb": "set", "models": "a.osim", "set": {"stiffness": "x2", "dissipation": 1.5}, "select": ["*_r", "toe"]}),
-                "Set: stiffness × 2, dissipation 1.5, “forces to choose” *_r and toe.",
+                "Set: stiffness × 2, dissipation 1.5, forces to choose *_r and toe.",
             ),
             (
                 json!({"verb": "transfer", "models": "a.osim", "from": "g.osim", "follow_bodies": true, "body_scale": {"toes": [1, 2, 3]}}),
-                "Take the contacts of another model: “where the contacts come from” g.osim, “spheres follow their bodies”, \
-                 “scale factors of a body” toes 1 and 2 and 3.",
+                "Take the contacts of another model: where the contacts come from g.osim, spheres follow their bodies, \
+                 scale factors of a body toes 1 and 2 and 3.",
             ),
             (json!({"verb": "remove", "models": "a.osim"}), "Remove the contacts."),
         ] {

@@ -1,0 +1,194 @@
+// The bench: question, verdicts and body on one screen; the commonest jobs in few actions; the body in three dimensions and in words.
+
+import assert from "node:assert/strict";
+
+import { inChromium, openWindow } from "./support/chromium.mjs";
+import { makesTheSame } from "./support/command.mjs";
+import { given, PAGE_ADDRESS } from "./support/places.mjs";
+import { testWith } from "./support/skipping.mjs";
+import { User } from "./support/user.mjs";
+
+const HUMAN = given("table1/human_62kg_smooth_sphere.osim", "human.osim");
+const BARE = given("feet/human_40000.osim", "bare.osim");
+const ONE_SCREEN = { width: 1280, height: 720 };
+
+inChromium("mass, verdicts, feet and buttons are on one screen", ONE_SCREEN, async (user) => {
+  await user.open(HUMAN);
+  await user.settled();
+  const { page } = user;
+  const parts = {
+    mass: user.field("Target mass (kg)"), slider: user.form.getByRole("slider", { name: "Target mass, slider" }),
+    verdict: page.getByText("Is the floor a floor?"), body: page.locator("#stage-canvas"), undo: user.button("Undo"),
+    play: user.button("Let it fall"),
+  };
+  for (const [name, part] of Object.entries(parts)) {
+    const box = await part.boundingBox();
+    assert.ok(box.y >= 0 && box.y + box.height <= ONE_SCREEN.height, `${name}: ${JSON.stringify(box)}`);
+  }
+});
+
+inChromium("job: another mass, two actions to the download", async (user) => {
+  await user.open(HUMAN);
+  await user.button("horse, 545 kg", user.form).click();
+  const [file] = await user.downloads(user.button("Download human.scaled.osim", user.acts));
+  await makesTheSame("osim-contact-scale rescale human.osim --target-mass 545", [HUMAN], [file]);
+});
+
+inChromium("job: contacts that were made for another body, two actions", async (user) => {
+  const model = given("check/contacts_of_another_mass.osim", "scaled.osim");
+  await user.open(model);
+  await user.page.getByText(/^Weighs 90 kg; its contacts are those of Falisse .*, made for 62 kg\.$/).waitFor();
+  await user.button("Make them fit this body: 90 kg").click();
+  const [file] = await user.downloads(user.button("Download scaled.scaled.osim", user.acts));
+  await makesTheSame("osim-contact-scale rescale scaled.osim --contacts-mass 62 --target-mass 90", [model], [file]);
+});
+
+inChromium("job: scaled from a model that is open, two actions after it is chosen", async (user) => {
+  const files = [given("scale_tool/scaled_smooth.osim", "scaled.osim"), given("scale_tool/generic_smooth.osim", "generic.osim")];
+  await user.open(...files);
+  await user.button("scaled.osim").click();
+  await user.opened("scaled.osim");
+  await user.button("Scaled from generic.osim? Let its contacts follow the bones").click();
+  const [file] = await user.downloads(user.button("Download scaled.scaled.osim", user.acts));
+  await makesTheSame("osim-contact-scale transfer scaled.osim --from generic.osim --follow-bodies", files, [file]);
+});
+
+inChromium("job: no contacts: three ways, each begins where something has to be said", async (user) => {
+  await user.open(BARE);
+  await user.page.getByText(/it has no contacts\.$/).waitFor();
+  for (const [way, field] of [["From a reference", "from"], ["Under its own bones", "count"], ["From a table", "contacts"]]) {
+    await user.page.getByRole("group", { name: "Most likely" }).getByRole("button", { name: way }).click();
+    assert.equal(await user.page.evaluate(() => document.activeElement.id), `form-${field}`);
+  }
+});
+
+inChromium("job: a library of forty, two actions", { limit: 60_000 }, async (user) => {
+  const models = Array.from({ length: 40 }, (_, index) => ({ name: `m${index}.osim`, bytes: HUMAN.bytes }));
+  await user.choose(models);
+  await user.announced("40 models opened.");
+  await user.field("Target mass (kg)").fill("80");
+  const [zip] = await user.downloads(user.button("Change all and download a ZIP"));
+  assert.equal(zip.name, "models.zip");
+});
+
+inChromium("a mass that is chosen is meant as it is; one that is typed may be in pounds", async (user) => {
+  await user.open(HUMAN);
+  await user.button("Twice the mass").click();
+  await user.done("human.scaled.osim");
+  assert.match(await user.spelled(), /--target-mass 124 --yes implausible-mass$/);
+  await user.field("Target mass (kg)").fill("124.0");
+  await user.result.getByRole("group", { name: /answer/ }).waitFor();
+});
+
+inChromium("verdicts unfold; what is wrong has its remedy in sight, a remark has none", async (user) => {
+  await user.open(HUMAN);
+  const mass = user.page.locator("details.verdict").filter({ hasText: "Do the contacts fit the mass?" });
+  assert.equal(await mass.evaluate((one) => one.open), false);
+  await user.unfold("Do the contacts fit the mass?");
+  await mass.getByRole("listitem").first().waitFor();
+  assert.equal(await user.button(/^Apply: /).count(), 0, "remarks have no remedies");
+  await user.choose([given("check/sunk_in.osim")]);
+  await user.button("sunk_in.osim").click();
+  await user.opened("sunk_in.osim");
+  assert.equal(await user.button(/^Apply: /).first().isVisible(), true);
+});
+
+inChromium("the body follows the slider, and can be turned by keys and looked at from all sides", async (user) => {
+  await user.open(HUMAN);
+  const canvas = user.page.getByRole("img", { name: /^12 contact spheres/ });
+  const drawn = () => canvas.evaluate((one) => Number(one.dataset.drawn));
+  const draws = async (act) => {
+    await user.settled();
+    const before = await drawn();
+    await act();
+    await user.page.waitForFunction((count) => Number(document.getElementById("stage-canvas").dataset.drawn) > count, before);
+  };
+  await draws(() => user.field("Target mass (kg)").fill("500"));
+  await canvas.focus();
+  for (const key of ["ArrowLeft", "ArrowUp", "Shift+ArrowRight", "+", "-"]) await draws(() => user.page.keyboard.press(key));
+  for (const name of ["Side", "Front", "Top", "Left", "Whole body", "Default pose"]) {
+    await draws(() => user.page.getByRole("radio", { name, exact: true }).check());
+  }
+});
+
+inChromium("what the view shows is in words, too: radii before and after, forces that sum to the body weight", async (user) => {
+  await user.open(HUMAN);
+  await user.field("Target mass (kg)").fill("496");
+  await user.settled();
+  await user.page.getByText("The same in words").click();
+  const table = user.page.getByRole("group", { name: "Contact spheres in words" }).getByRole("table");
+  const rows = await table.getByRole("row").filter({ has: user.page.getByRole("cell") }).all();
+  assert.equal(rows.length, 12);
+  const cells = await Promise.all(rows.map((row) => row.getByRole("cell").allTextContents()));
+  // Eight times the mass is twice the radius.
+  assert.ok(cells.every(([, radius]) => radius === "32 → 64"), cells[0].join());
+  const sum = cells.reduce((total, [, , force]) => total + Number(force), 0);
+  assert.ok(Math.abs(sum - 1) < 0.01, `the spheres carry ${sum} body weights`);
+});
+
+inChromium("a fall is played, before beside after, with what it shows in words", async (user) => {
+  await user.open(HUMAN);
+  await user.field("Target mass (kg)").fill("500");
+  await user.settled();
+  const words = await user.page.locator("#fall-said").textContent();
+  const [before, after] = [...words.matchAll(/at most ([\d.]+) body weights, in up to ([\d.]+) mm \(([\d.]+) of the radius\)/g)];
+  // Contacts that are left behind let the heavier body in deeper, in radii; scaled ones fall as they did.
+  assert.ok(Number(before[3]) > 2 * Number(after[3]), words);
+  const time = user.page.getByRole("slider", { name: "Time of the fall" });
+  await user.button("Let it fall").click();
+  await user.button("Stop").waitFor();
+  await user.page.waitForFunction(() => document.querySelector("[aria-label='Time of the fall']").valueAsNumber > 5);
+  await user.button("Stop").click();
+  await time.fill("100");
+  assert.equal(await time.inputValue(), "100");
+});
+
+inChromium("the page begins with three animals that fall", async (user) => {
+  const picture = user.page.getByRole("img", { name: /^Falls of a mouse: on contacts of a human it floats/ });
+  await picture.waitFor();
+  assert.match(await picture.getAttribute("aria-label"), /a giraffe: on contacts of a human it is 2\.28 radii deep/);
+  const chooser = user.page.waitForEvent("filechooser");
+  await user.page.getByRole("heading", { name: /^Drop a model here/ }).click();
+  await chooser;
+});
+
+inChromium("a ZIP is opened like the folder in it; a damaged one is said to be so", async (user) => {
+  const { zipSync } = await import("../../web/node_modules/fflate/esm/index.mjs");
+  await user.drop({ name: "lab.zip", bytes: zipSync({ "lab/human.osim": new Uint8Array(HUMAN.bytes), "lab/notes.docx": new Uint8Array(9) }) });
+  await user.opened("lab/human.osim");
+  await user.drop({ name: "bad.zip", bytes: zipSync({ "../out.osim": new Uint8Array(HUMAN.bytes) }) });
+  await user.announced(/bad\.zip: this ZIP is damaged, a name in it leads out of its folder/);
+  await user.drop({ name: "noise.zip", bytes: Buffer.from("no archive") });
+  await user.announced(/noise\.zip: this ZIP is damaged/);
+});
+
+inChromium("1,500 is asked about: it may be either", async (user) => {
+  await user.open(HUMAN);
+  await user.field("Target mass (kg)").fill("1,500");
+  await user.form.getByRole("alert").filter({ hasText: "Write 1500, or 1.500 with a decimal point: the comma can mean either." }).waitFor();
+});
+
+inChromium("meshes that are not here are named", async (user) => {
+  await user.open(BARE);
+  await user.page.getByText(/^To see its bones, open the folder Geometry, too\. Not here: .*r_human_foot\.vtp/).waitFor();
+});
+
+testWith({}, "without WebGL the drawings of the feet stand there, and all else works", async () => {
+  const { context, page, watched } = await openWindow();
+  await page.addInitScript(() => {
+    const plain = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+      return kind === "webgl2" ? null : plain.call(this, kind, ...rest);
+    };
+  });
+  await page.goto(PAGE_ADDRESS);
+  await page.locator("html[data-ready]").waitFor({ state: "attached" });
+  const user = new User(page, context, watched);
+  await user.open(HUMAN);
+  await user.details.getByRole("img", { name: "Feet" }).waitFor();
+  assert.equal(await page.locator("#stage-canvas").count(), 0);
+  await user.field("Target mass (kg)").fill("500");
+  await user.done("human.scaled.osim");
+  assert.deepEqual(watched.problems, []);
+  await context.close();
+});

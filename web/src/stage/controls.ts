@@ -1,0 +1,58 @@
+// Turning, moving and zooming the view: by mouse, by touch, by keys.
+
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+
+import type { Stage } from "./world";
+
+const TURN = Math.PI / 24;
+const ZOOM = 1.15;
+
+export function steer(stage: Stage): OrbitControls {
+  const { canvas } = stage;
+  const controls = new OrbitControls(stage.camera, canvas);
+  controls.target = stage.target;
+  controls.addEventListener("change", () => stage.render());
+  // The wheel scrolls the page until somebody works with the view.
+  controls.enableZoom = false;
+  const wake = (awake: boolean) => (controls.enableZoom = awake);
+  canvas.addEventListener("focus", () => wake(true));
+  canvas.addEventListener("blur", () => wake(false));
+  canvas.addEventListener("pointerdown", () => canvas.focus({ preventScroll: true }));
+  canvas.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (!moved(event.key, event.shiftKey, stage)) return;
+    event.preventDefault();
+    stage.camera.lookAt(stage.target);
+    controls.update();
+    stage.render();
+  });
+  return controls;
+}
+
+/** Does what a key says; whether it says something. */
+function moved(key: string, shift: boolean, { camera, target }: Stage): boolean {
+  const from = camera.position.clone().sub(target);
+  const right = from.clone().cross(camera.up).normalize();
+  const turns: Readonly<Record<string, [typeof right, number]>> = {
+    ArrowLeft: [camera.up, -TURN], ArrowRight: [camera.up, TURN], ArrowUp: [right, TURN], ArrowDown: [right, -TURN],
+  };
+  const turn = turns[key];
+  if (turn && shift) {
+    const along = { ArrowLeft: right, ArrowRight: right.clone().negate(), ArrowUp: camera.up.clone().negate(), ArrowDown: camera.up.clone() }[key];
+    if (!along) return false;
+    const way = along.multiplyScalar(-0.05 * from.length());
+    camera.position.add(way);
+    target.add(way);
+    return true;
+  }
+  if (turn) {
+    const turned = from.clone().applyAxisAngle(...turn);
+    // Not over the top, where up and down change places.
+    if (Math.abs(turned.clone().normalize().dot(camera.up)) < 0.995) camera.position.copy(target).add(turned);
+    return true;
+  }
+  const zoom = key === "+" || key === "=" ? 1 / ZOOM : key === "-" ? ZOOM : undefined;
+  if (zoom === undefined) return false;
+  camera.position.copy(target).addScaledVector(from, zoom);
+  return true;
+}

@@ -1,0 +1,364 @@
+// The model in three dimensions: bones, spheres as they are and as they were, the floor, and the forces.
+
+import {
+  AmbientLight, ArrowHelper, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, GridHelper, Group, LineBasicMaterial,
+  LineSegments, Matrix4, Mesh, MeshLambertMaterial, Object3D, PerspectiveCamera, Scene as World, SphereGeometry, Vector3, WebGLRenderer,
+} from "three";
+
+import type { Bones, PlacedSphere, Scene, Vector } from "../engine/space";
+import { floorHeight, upToRest } from "./rest";
+
+/** Which spheres are looked at. */
+export type Looked = "feet" | "right" | "left" | "body";
+export type From = "side" | "top" | "front" | "corner";
+
+export interface Shown {
+  /** The model as it is. */
+  now: Scene;
+  /** As it would be; nothing where no change is asked for. */
+  after: Scene | undefined;
+  standing: boolean;
+}
+
+interface Colours {
+  accent: string;
+  bone: string;
+  old: string;
+  force: string;
+  floor: string;
+}
+
+const BALL = new SphereGeometry(1, 20, 14);
+const RINGS = rings();
+const POINTS_PER_M = 1e5;
+/** Where a processor draws: pixels while something moves, and after so long a rest. */
+const COARSE = 0.7;
+const FINE = 1.6;
+const REST_MS = 350;
+/** The longest arrow, in the size of what is looked at. */
+const ARROW = 0.45;
+
+export class Stage {
+  readonly camera = new PerspectiveCamera(30, 1, 0.001, 200);
+  readonly target = new Vector3();
+  readonly #renderer: WebGLRenderer;
+  readonly #world = new World();
+  /** What falls as one: bones, lines, and the spheres that are or would be. */
+  readonly #body = new Group();
+  readonly #old = new Group();
+  readonly #floor = new Group();
+  readonly #placed = new Map<string, Group>();
+  readonly #balls = new Map<string, Mesh>();
+  /** Kept from step to step: what is made anew is compiled anew. */
+  readonly #arrows = new Map<string, ArrowHelper>();
+  #forces = true;
+  readonly #sun = new DirectionalLight(0xffffff, 2);
+  #colours: Colours;
+  #shown: Shown | undefined;
+  #bones: Bones | undefined;
+  #materials;
+  #asked = false;
+  readonly #slow = isSoftware();
+  #finer: ReturnType<typeof setTimeout> | undefined;
+  #rest = 0;
+
+  /** Throws where there is no WebGL. */
+  constructor(readonly canvas: HTMLCanvasElement) {
+    this.#renderer = new WebGLRenderer({ canvas, antialias: !this.#slow, alpha: true, powerPreference: "low-power" });
+    this.#renderer.setPixelRatio(this.#slow ? COARSE : Math.min(devicePixelRatio, 2));
+    this.#colours = coloursOf(canvas);
+    this.#materials = materials(this.#colours);
+    this.#world.add(this.#body, this.#old, this.#floor, this.#sun, new AmbientLight(0xffffff, 1.4));
+  }
+
+  /** Draws one of everything: what is drawn for the first time takes long, because programs for it are compiled. */
+  warmUp(): void {
+    const all = new Group();
+    const { ball, bone, line, old } = this.#materials;
+    const arrow = new ArrowHelper(new Vector3(0, 1, 0), new Vector3(), 1, this.#colours.force);
+    all.add(new Mesh(BALL, ball), new Mesh(BALL, bone), new LineSegments(RINGS, line), new LineSegments(RINGS, old), arrow, grid(1, this.#colours.floor));
+    this.#world.add(all);
+    this.#renderer.render(this.#world, this.camera);
+    emptied(all).removeFromParent();
+    arrow.dispose();
+  }
+
+  /** Shows other bones: those of another model, or more of them. */
+  setBones(bones: Bones | undefined): void {
+    this.#bones = bones;
+    this.#rebuildBodies();
+    this.render();
+  }
+
+  /** Shows the model as it is, and as it would be. */
+  show(shown: Shown): void {
+    const moved = this.#shown?.now !== shown.now;
+    this.#shown = shown;
+    if (moved) this.#rebuildBodies();
+    this.#showSpheres(shown);
+    if (moved) this.#showFloor(shown.now);
+    this.lift(0, 0);
+  }
+
+  /** The new and the old spheres so far over where they rest, m: in a fall. */
+  lift(body: number, old: number): void {
+    const { axes: [, up] } = this.#shown?.now ?? { axes: [0, [0, 1, 0] as Vector] };
+    const along = new Vector3(...up);
+    this.#body.position.copy(along).multiplyScalar(this.#rest + body);
+    this.#old.position.copy(along).multiplyScalar(this.#restOld() + old);
+    this.render();
+  }
+
+  /** Whether force arrows are seen: they are those at rest. */
+  showForces(seen: boolean): void {
+    this.#forces = seen;
+    for (const arrow of this.#arrows.values()) arrow.visible = seen && arrow.userData["carries"] === true;
+  }
+
+  /** Looks at a part of the model from a direction. */
+  look(at: Looked, from: From): void {
+    const scene = this.#shown?.now;
+    if (!scene) return;
+    const spheres = scene.spheres.filter(({ side }) => at === "feet" || at === "body" || side === at || side === null);
+    const points = spheres.map(({ centre_m: [x, y, z] }) => new Vector3(x, y, z));
+    if (at === "body" || points.length === 0) points.push(...scene.bodies.map(({ frame }) => new Vector3(...frame[3])));
+    const largest = Math.max(0, ...spheres.map(({ radius_m: radius }) => radius));
+    const around = extent(points);
+    const [middle, reach] = [around.middle, Math.max(around.reach, 0.001) + 1.5 * largest];
+    const [forward, up, right] = scene.axes.map((axis) => new Vector3(...axis)) as [Vector3, Vector3, Vector3];
+    this.target.copy(middle).addScaledVector(up, this.#rest + (at === "body" ? 0 : 0.25 * reach));
+    const direction = {
+      side: right.clone().addScaledVector(up, 0.06), top: up.clone().addScaledVector(forward, -0.001),
+      front: forward.clone().addScaledVector(up, 0.06), corner: right.clone().addScaledVector(forward, 0.8).addScaledVector(up, 0.45),
+    }[from].normalize();
+    // The narrower side of the window decides; feet are flat, so that less height is needed, but for a body and from above.
+    const flat = at === "body" || from === "top" ? 1 : 1.4;
+    const half = Math.tan((this.camera.fov * Math.PI) / 360) * Math.min(flat, this.camera.aspect);
+    this.camera.up.copy(from === "top" ? forward : up);
+    this.camera.position.copy(this.target).addScaledVector(direction, (1.15 * reach) / half);
+    this.camera.near = reach / 50;
+    this.camera.far = 400 * reach;
+    this.camera.lookAt(this.target);
+    this.camera.updateProjectionMatrix();
+    this.render();
+  }
+
+  resize(width: number, height: number): void {
+    if (width === 0 || height === 0) return;
+    this.#renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.render();
+  }
+
+  /** Colours of another scheme. */
+  recolour(): void {
+    this.#colours = coloursOf(this.canvas);
+    this.#materials = materials(this.#colours);
+    const shown = this.#shown;
+    this.#shown = undefined;
+    if (shown) this.show(shown);
+  }
+
+  /** Draws before the next picture of the screen, however often it is asked for. */
+  render(): void {
+    if (this.#asked) return;
+    this.#asked = true;
+    requestAnimationFrame(() => {
+      this.#asked = false;
+      this.#draw(COARSE);
+      clearTimeout(this.#finer);
+      if (this.#slow) this.#finer = setTimeout(() => this.#draw(FINE), REST_MS);
+      this.canvas.dataset["drawn"] = String(Number(this.canvas.dataset["drawn"] ?? 0) + 1);
+    });
+  }
+
+  /** Without a graphics card in `ratio` pixels of the picture for one of the page. */
+  #draw(ratio: number): void {
+    if (this.#slow && this.#renderer.getPixelRatio() !== ratio) this.#renderer.setPixelRatio(ratio);
+    this.#sun.position.copy(this.camera.position).sub(this.target).addScaledVector(this.camera.up, this.camera.position.length());
+    this.#renderer.render(this.#world, this.camera);
+  }
+
+  #restOld(): number {
+    const { now, standing } = this.#shown ?? {};
+    return (now && standing && upToRest(now)) || 0;
+  }
+
+  #rebuildBodies(): void {
+    for (const group of this.#placed.values()) emptied(group).removeFromParent();
+    this.#placed.clear();
+    const scene = this.#shown?.now;
+    if (!scene) return;
+    for (const { name, frame: [x, y, z, origin] } of scene.bodies) {
+      const group = new Group();
+      group.matrix.copy(new Matrix4().makeBasis(new Vector3(...x), new Vector3(...y), new Vector3(...z)).setPosition(...origin));
+      group.matrixAutoUpdate = false;
+      this.#placed.set(name, group);
+      this.#body.add(group);
+    }
+    const surfaces = this.#bones?.surfaces ?? [];
+    for (const { body, points, triangles } of surfaces) this.#placed.get(body)?.add(boneMesh(points, triangles, this.#materials.bone));
+    const withBones = new Set(surfaces.map(({ body }) => body));
+    for (const { body, from_m: from, to_m: to } of scene.lines) {
+      if (!withBones.has(body)) this.#placed.get(body)?.add(lineBetween(from, to, this.#materials.line));
+    }
+  }
+
+  #showSpheres({ now, after, standing }: Shown): void {
+    const shown = after ?? now;
+    this.#rest = standing ? (upToRest(shown) ?? 0) : 0;
+    const there = new Set(shown.spheres.map(({ path }) => path));
+    for (const [path, ball] of this.#balls) {
+      if (there.has(path)) continue;
+      ball.removeFromParent();
+      this.#balls.delete(path);
+    }
+    for (const sphere of shown.spheres) this.#ball(sphere);
+    this.#showArrows(shown);
+    emptied(this.#old);
+    const before = new Map(shown.spheres.map((sphere) => [sphere.path, sphere]));
+    for (const sphere of after ? now.spheres : []) {
+      const next = before.get(sphere.path);
+      if (next && same(next, sphere)) continue;
+      const ring = new LineSegments(RINGS, this.#materials.old);
+      ring.renderOrder = 1;
+      place(ring, sphere);
+      this.#old.add(ring);
+    }
+  }
+
+  #ball(sphere: PlacedSphere): void {
+    const ball = this.#balls.get(sphere.path) ?? new Mesh(BALL, this.#materials.ball);
+    ball.material = this.#materials.ball;
+    place(ball, sphere);
+    this.#balls.set(sphere.path, ball);
+    this.#body.add(ball);
+  }
+
+  #showArrows(scene: Scene): void {
+    const there = new Set(scene.spheres.map(({ path }) => path));
+    for (const [path, arrow] of this.#arrows) {
+      if (there.has(path)) continue;
+      arrow.removeFromParent();
+      arrow.dispose();
+      this.#arrows.delete(path);
+    }
+    const most = Math.max(0, ...scene.spheres.map(({ force_bw: force }) => force ?? 0));
+    const up = new Vector3(...scene.axes[1]);
+    const { middle, reach } = extent(scene.spheres.map(({ centre_m: centre }) => new Vector3(...centre)));
+    for (const { path, centre_m: centre, radius_m: radius, force_bw: force } of scene.spheres) {
+      const arrow = this.#arrows.get(path) ?? new ArrowHelper(up, middle, 1, this.#colours.force);
+      const length = most > 0 ? (ARROW * (reach + radius) * (force ?? 0)) / most : 0;
+      arrow.userData["carries"] = length > 0.01 * reach;
+      arrow.visible = this.#forces && length > 0.01 * reach;
+      arrow.setDirection(up);
+      arrow.setColor(this.#colours.force);
+      arrow.position.set(...centre).addScaledVector(up, radius);
+      if (length > 0) arrow.setLength(length, 0.25 * length, 0.12 * length);
+      this.#arrows.set(path, arrow);
+      this.#body.add(arrow);
+    }
+  }
+
+  #showFloor(scene: Scene): void {
+    emptied(this.#floor);
+    const height = floorHeight(scene);
+    if (height === undefined) return;
+    const up = new Vector3(...scene.axes[1]);
+    const { middle, reach } = extent(scene.spheres.map(({ centre_m: centre }) => new Vector3(...centre)));
+    const size = 8 * Math.max(0.01, reach);
+    const floor = grid(size, this.#colours.floor);
+    floor.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), up);
+    floor.position.copy(middle).addScaledVector(up, height - middle.dot(up));
+    this.#floor.add(floor);
+  }
+}
+
+/** The middle of points, and how far the farthest is from it. */
+function extent(points: readonly Vector3[]): { middle: Vector3; reach: number } {
+  const middle = new Vector3();
+  for (const point of points) middle.addScaledVector(point, 1 / points.length);
+  return { middle, reach: Math.max(0, ...points.map((point) => point.distanceTo(middle))) };
+}
+
+/** A level floor. */
+function grid(size: number, colour: string): GridHelper {
+  const made = new GridHelper(size, 24, colour, colour);
+  made.material.transparent = true;
+  made.material.opacity = 0.45;
+  return made;
+}
+
+/** Whether a processor draws in the place of a graphics card: then smooth edges take longer than all else. */
+function isSoftware(): boolean {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  const names = gl?.getExtension("WEBGL_debug_renderer_info");
+  const name: unknown = gl && names ? gl.getParameter(names.UNMASKED_RENDERER_WEBGL) : "";
+  gl?.getExtension("WEBGL_lose_context")?.loseContext();
+  return typeof name === "string" && /swiftshader|llvmpipe|software/i.test(name);
+}
+
+function place(object: Object3D, { centre_m: centre, radius_m: radius }: PlacedSphere): void {
+  object.position.set(...centre);
+  object.scale.setScalar(radius);
+}
+
+function same(one: PlacedSphere, other: PlacedSphere): boolean {
+  return one.radius_m === other.radius_m && one.centre_m.every((value, index) => value === other.centre_m[index]);
+}
+
+/** Takes everything out of a group, and frees what only it used. */
+function emptied(group: Group): Group {
+  for (const child of [...group.children]) {
+    group.remove(child);
+    if (child instanceof Mesh && child.geometry !== BALL) child.geometry.dispose();
+    if (child instanceof LineSegments && child.geometry !== RINGS) child.geometry.dispose();
+    if (child instanceof GridHelper) child.material.dispose();
+  }
+  return group;
+}
+
+function boneMesh(points: readonly number[], triangles: readonly number[], material: MeshLambertMaterial): Mesh {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(Float32Array.from(points, (value) => value / POINTS_PER_M), 3));
+  geometry.setIndex(new BufferAttribute(Uint32Array.from(triangles), 1));
+  geometry.computeVertexNormals();
+  return new Mesh(geometry, material);
+}
+
+function lineBetween(from: Vector, to: Vector, material: LineBasicMaterial): LineSegments {
+  return new LineSegments(new BufferGeometry().setFromPoints([new Vector3(...from), new Vector3(...to)]), material);
+}
+
+/** Three circles, one in each plane: the outline of a sphere from everywhere. */
+function rings(): BufferGeometry {
+  const COUNT = 48;
+  const points: Vector3[] = [];
+  for (const turn of [(a: number, b: number) => new Vector3(a, b, 0), (a: number, b: number) => new Vector3(a, 0, b), (a: number, b: number) => new Vector3(0, a, b)]) {
+    for (let step = 0; step < COUNT; step += 1) {
+      for (const end of [step, step + 1]) {
+        const angle = (end / COUNT) * 2 * Math.PI;
+        points.push(turn(Math.cos(angle), Math.sin(angle)));
+      }
+    }
+  }
+  return new BufferGeometry().setFromPoints(points);
+}
+
+function materials({ accent, bone, old }: Colours) {
+  return {
+    ball: new MeshLambertMaterial({ color: new Color(accent), transparent: true, opacity: 0.85 }),
+    bone: new MeshLambertMaterial({ color: new Color(bone), side: DoubleSide }),
+    line: new LineBasicMaterial({ color: new Color(bone) }),
+    // Seen through what is around it.
+    old: new LineBasicMaterial({ color: new Color(old), depthTest: false }),
+  };
+}
+
+/** The colours of the page around the canvas. */
+function coloursOf(element: Element): Colours {
+  const style = getComputedStyle(element);
+  const colour = (name: string) => style.getPropertyValue(name).trim();
+  return { accent: colour("--accent"), bone: colour("--bone"), old: colour("--text"), force: colour("--error"), floor: colour("--quiet") };
+}

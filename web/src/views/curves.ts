@@ -1,0 +1,81 @@
+// Curves of force against time, with a line at the moment that is shown.
+
+import { digits } from "../dom/number";
+
+const SVG = "http://www.w3.org/2000/svg";
+const WIDTH = 600;
+const LEFT = 34;
+const BOTTOM = 20;
+
+/** One curve: `kind` says how it looks. Gaps are left out. */
+export interface Curve {
+  kind: "new" | "old";
+  values: readonly (number | null)[];
+}
+
+export class Curves {
+  readonly element = document.createElementNS(SVG, "svg");
+  readonly #cursor = line("cursor", LEFT, 4, LEFT, 4);
+  #count = 1;
+
+  constructor(readonly height: number) {
+    this.element.setAttribute("viewBox", `0 0 ${WIDTH} ${height}`);
+    this.element.setAttribute("role", "img");
+    this.element.setAttribute("class", "curves");
+  }
+
+  /** Draws curves over a time from 0 or from `start`; `about` says it to those who do not see them. */
+  show(curves: readonly Curve[], title: string, about: string, start: number, end: number): void {
+    const known = curves.flatMap(({ values }) => values.filter((value) => value !== null));
+    const [most, least] = [Math.max(1.2, ...known) * 1.05, Math.min(0, ...known)];
+    const floor = this.height - BOTTOM;
+    const y = (value: number) => floor - ((floor - 6) * (value - least)) / (most - least);
+    this.#count = Math.max(1, ...curves.map(({ values }) => values.length));
+    const marks = [0, 1, Math.floor(most)].filter((mark, index, all) => all.indexOf(mark) === index);
+    const axes = marks.flatMap((mark) => [line("grid", LEFT, y(mark), WIDTH, y(mark)), label(String(mark), LEFT - 6, y(mark) + 4, "end")]);
+    const ends = [
+      label(`${digits(start, 3)} s`, LEFT, this.height - 4, "start"), label(`${digits(end, 3)} s`, WIDTH - 2, this.height - 4, "end"),
+      label(title, (LEFT + WIDTH) / 2, this.height - 4, "middle"),
+    ];
+    this.#cursor.setAttribute("y2", String(floor));
+    this.element.setAttribute("aria-label", about);
+    this.element.replaceChildren(...axes, ...ends, ...curves.flatMap((curve) => this.#pieces(curve, y)), this.#cursor);
+    this.at(0);
+  }
+
+  /** Moves the line to a moment. */
+  at(moment: number): void {
+    for (const end of ["x1", "x2"]) this.#cursor.setAttribute(end, String(this.#x(moment)));
+  }
+
+  #x(index: number): number {
+    return LEFT + ((WIDTH - LEFT) * index) / Math.max(1, this.#count - 1);
+  }
+
+  #pieces({ kind, values }: Curve, y: (value: number) => number): SVGElement[] {
+    const pieces: string[][] = [[]];
+    for (const [index, value] of values.entries()) {
+      if (value === null) pieces.push([]);
+      else pieces[pieces.length - 1]?.push(`${this.#x(index).toFixed(1)},${y(value).toFixed(1)}`);
+    }
+    return pieces.filter((points) => points.length > 1).map((points) => {
+      const curve = document.createElementNS(SVG, "polyline");
+      curve.setAttribute("points", points.join(" "));
+      curve.setAttribute("class", kind);
+      return curve;
+    });
+  }
+}
+
+function line(kind: string, x1: number, y1: number, x2: number, y2: number): SVGLineElement {
+  const made = document.createElementNS(SVG, "line");
+  for (const [name, value] of Object.entries({ x1, y1, x2, y2, class: kind })) made.setAttribute(name, String(value));
+  return made;
+}
+
+function label(text: string, x: number, y: number, anchor: string): SVGTextElement {
+  const made = document.createElementNS(SVG, "text");
+  for (const [name, value] of Object.entries({ x, y, "text-anchor": anchor })) made.setAttribute(name, String(value));
+  made.textContent = text;
+  return made;
+}

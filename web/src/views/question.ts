@@ -1,0 +1,83 @@
+// What this model is, in a sentence, and the job that is most likely: nothing is done before it is asked for.
+
+import { button, el } from "../dom/element";
+import { kilograms } from "../dom/number";
+import type { Inspection } from "../engine/types";
+import { fileOf, type OpenModel } from "../state/model";
+import type { Session } from "../state/session";
+
+/** Masses this close are one: what people write has three digits. */
+const SAME = 0.005;
+
+/** The sentence, and buttons for the likely jobs. */
+export function questionView(session: Session, model: OpenModel, inspection: Inspection): HTMLElement[] {
+  return [el("p", { class: "says" }, sentenceOf(inspection)), ...offers(session, model, inspection)];
+}
+
+function sentenceOf({ mass_kg: own, contacts_mass_kg: made, forces, known_contacts: known }: Inspection): string {
+  const weighs = own === null ? "It is not known what it weighs" : `Weighs ${kilograms(own)}`;
+  if (forces.length === 0) return `${weighs}; it has no contacts.`;
+  if (known && made?.source !== "note") return `${weighs}; its contacts are those of ${known.title}, made for ${kilograms(known.made_for_kg)}.`;
+  const words = made ? `its contacts were made for ${kilograms(made.value)}` : "nobody wrote down which mass its contacts were made for";
+  return `${weighs}; ${words}.`;
+}
+
+function offers(session: Session, model: OpenModel, inspection: Inspection): HTMLElement[] {
+  const all = [...followOffer(session, model, inspection), ...massOffer(session, inspection), ...addOffers(session, inspection)];
+  return all.length > 0 ? [el("div", { class: "offers", role: "group", "aria-label": "Most likely" }, ...all)] : [];
+}
+
+/** Contacts that fit another mass than the body's. */
+function massOffer(session: Session, { mass_kg: own, contacts_mass_kg: made, forces, known_contacts: known }: Inspection): HTMLElement[] {
+  const isKnown = known != null && made?.source !== "note";
+  const madeFor = isKnown ? known.made_for_kg : made?.value;
+  if (own === null || madeFor === undefined || forces.length === 0 || Math.abs(madeFor / own - 1) < SAME) return [];
+  const said = new Map([["target_mass", plain(own)], ...(isKnown ? [["contacts_mass", plain(madeFor)] as const] : [])]);
+  return [button(`Make them fit this body: ${kilograms(own)}`, () => session.setVerb("rescale", said), { class: "offer" })];
+}
+
+/** Without the last bits of a sum. */
+function plain(kg: number): string {
+  return String(Number(kg.toPrecision(8)));
+}
+
+/** The same bodies with contacts, in another size: this model may have been scaled from that one. */
+function followOffer(session: Session, model: OpenModel, { bodies }: Inspection): HTMLElement[] {
+  const names = bodies.map(({ name }) => name).join("\n");
+  const others = session.models.value.filter((other) => {
+    const seen = other.id !== model.id ? other.inspected?.inspection : undefined;
+    return seen !== undefined && seen.forces.length > 0 && seen.bodies.map(({ name }) => name).join("\n") === names;
+  });
+  return others.slice(0, 1).map((other) => {
+    const said = new Map<string, string | boolean>([["from", fileOf(other)], ["follow_bodies", true]]);
+    const act = () => session.setVerb("transfer", said);
+    return button(`Scaled from ${fileOf(other)}? Let its contacts follow the bones`, act, { class: "offer" });
+  });
+}
+
+const WAYS: readonly [title: string, about: string, field: string][] = [
+  ["From a reference", "spheres of another model or a preset", "from"],
+  ["Under its own bones", "spheres below the meshes of the feet", "count"],
+  ["From a table", "places of your own", "contacts"],
+];
+
+/** Three ways to contacts, for a model that has none. */
+function addOffers(session: Session, { forces }: Inspection): HTMLElement[] {
+  if (forces.length > 0) return [];
+  return WAYS.map(([title, about, field]) => {
+    const act = () => {
+      session.setVerb("add");
+      focusField(field);
+    };
+    const made = button("", act, { class: "offer way" });
+    made.append(el("strong", {}, title), " ", el("span", { class: "quiet" }, about));
+    return made;
+  });
+}
+
+/** What has to be said first is where the user goes on. */
+function focusField(name: string): void {
+  const field = document.getElementById(`form-${name}`);
+  field?.scrollIntoView({ block: "center" });
+  field?.focus({ preventScroll: true });
+}

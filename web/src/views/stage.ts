@@ -1,0 +1,187 @@
+// The body in three dimensions, as it is and as it would be: drawn along with every step of the slider.
+
+import { byId, el, setAttribute, setText } from "../dom/element";
+import { counted, digits } from "../dom/number";
+import type { Bones, PlacedSphere, Scene } from "../engine/space";
+import { QUESTIONS } from "../forms/all";
+import { steer } from "../stage/controls";
+import { lowestGap } from "../stage/rest";
+import { type From, type Looked, Stage } from "../stage/world";
+import { answered } from "../state/answers";
+import { fileOf, type OpenModel } from "../state/model";
+import type { Session } from "../state/session";
+import { choices } from "./choices";
+import { FallView } from "./fall";
+
+const LOOKED: readonly [Looked, string][] = [["feet", "Feet"], ["right", "Right"], ["left", "Left"], ["body", "Whole body"]];
+const FROM: readonly [From, string][] = [["corner", "Corner"], ["side", "Side"], ["front", "Front"], ["top", "Top"]];
+/** So many meshes are named. */
+const MOST_NAMED = 4;
+const KEYS = "Drag to turn, drag with the right button to move; click, then turn the wheel to zoom. Keys: arrows turn, Shift and arrows move, + and − zoom.";
+
+export class StageView {
+  readonly #section = byId("stage");
+  readonly #canvas = el("canvas", { id: "stage-canvas", tabindex: 0, role: "img", "aria-describedby": "stage-keys" });
+  readonly #words = el("div", { class: "stage-words" });
+  readonly #inWords = el("details", { class: "section" });
+  readonly #note = el("p", { class: "quiet stage-note" });
+  readonly #meshes = el("p", { class: "quiet stage-note" });
+  readonly #stage: Stage | undefined;
+  readonly #fall: FallView;
+  #looked: Looked = "feet";
+  #from: From = "corner";
+  #standing = true;
+  /** The model that is shown, and the file that its bones are of. */
+  #model: number | undefined;
+  #bonesOf = "";
+  #now: Scene | undefined;
+  #after: Scene | undefined;
+
+  constructor(readonly session: Session) {
+    this.#stage = stageOn(this.#canvas);
+    this.#fall = new FallView((body, old, moves) => {
+      this.#stage?.showForces(!moves);
+      this.#stage?.lift(body, old);
+    });
+    const frame = el("div", { class: "stage-frame" }, this.#canvas);
+    const bars = [
+      choices("Show", LOOKED, this.#looked, (looked) => this.#look(looked, this.#from)),
+      choices("From", FROM, this.#from, (from) => this.#look(this.#looked, from)),
+      choices("Pose", [["standing", "Standing"], ["default", "Default pose"]], "standing", (pose) => this.#stand(pose === "standing")),
+    ];
+    const words = this.#inWords;
+    words.append(el("summary", {}, "The same in words"), this.#words);
+    words.addEventListener("toggle", () => this.#show());
+    this.#section.append(el("h2", { id: "stage-title", class: "hidden" }, "The body"));
+    if (this.#stage) {
+      steer(this.#stage);
+      new ResizeObserver(() => this.#stage?.resize(frame.clientWidth, frame.clientHeight)).observe(frame);
+      matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.#stage?.recolour());
+      this.#section.append(el("div", { class: "stage-bar" }, ...bars), frame, el("p", { class: "hidden", id: "stage-keys" }, KEYS));
+    }
+    this.#section.append(this.#note, this.#meshes, this.#fall.element, words);
+    // Only now the canvas has the colours of the page.
+    this.#stage?.recolour();
+    session.models.watch(() => this.#update());
+    session.chosen.watch(() => this.#update());
+    session.files.watch(() => void this.#fetchBones());
+    session.preview.watch(() => this.#update());
+    new IntersectionObserver(([entry]) => {
+      if (entry?.isIntersecting) session.visible.add("scene");
+      else session.visible.delete("scene");
+    }).observe(this.#section);
+  }
+
+  /** Whether the browser can show it; else the drawings of the feet stand in its place. */
+  get works(): boolean {
+    return this.#stage !== undefined;
+  }
+
+  /** Makes the first picture as quick as the next ones. */
+  warmUp(): void {
+    this.#stage?.warmUp();
+  }
+
+  #update(): void {
+    const model = this.session.model();
+    const now = model?.inspected?.scene ?? undefined;
+    this.#section.hidden = !now;
+    if (!model || !now) return;
+    const { value: preview } = this.session.preview;
+    const done = preview.state === "done" && preview.request.models?.[0] === fileOf(model) ? preview.change : undefined;
+    // What a step of the slider did not ask for stays as it was.
+    const after = preview.state === "done" && !done?.scene && !done?.unchanged ? this.#after : (done?.scene ?? undefined);
+    const isNew = model.id !== this.#model;
+    const changed = isNew || now !== this.#now || after !== this.#after;
+    [this.#model, this.#now, this.#after] = [model.id, now, done ? after : undefined];
+    if (changed) this.#show();
+    if (isNew) this.#look(this.#looked, this.#from);
+    void this.#fetchBones();
+    this.#showFalls(model);
+  }
+
+  #show(): void {
+    const [now, after] = [this.#now, this.#after];
+    if (!now) return;
+    this.#stage?.show({ now, after, standing: this.#standing });
+    setAttribute(this.#canvas, "aria-label", `${now.spheres.length} contact spheres under the body, which can be turned; in words below`);
+    setText(this.#note, noteOf(now, this.#standing));
+    if (this.#inWords.open) this.#words.replaceChildren(inWords(now, after));
+  }
+
+  #showFalls(model: OpenModel): void {
+    const { value: preview } = this.session.preview;
+    const done = preview.state === "done" && preview.request.models?.[0] === fileOf(model) ? preview : undefined;
+    // While the slider moves, the fall stays that of the step before.
+    if (done && !done.complete && done.change.falls.length === 0) return;
+    this.#fall.show(done && done.change.falls.length > 0 ? done.change.falls : (model.inspected?.falls ?? []));
+  }
+
+  #look(looked: Looked, from: From): void {
+    [this.#looked, this.#from] = [looked, from];
+    this.#stage?.look(looked, from);
+  }
+
+  #stand(standing: boolean): void {
+    this.#standing = standing;
+    this.#show();
+    this.#look(this.#looked, this.#from);
+  }
+
+  /** Asks for the bones where the model is another one, or other files are here. */
+  async #fetchBones(): Promise<void> {
+    const model = this.session.model();
+    if (!this.#stage || !model?.inspected) return;
+    const file = fileOf(model);
+    const key = [file, ...this.session.files.value.filter(({ kind }) => kind === "mesh").map(({ name }) => name)].join("\n");
+    if (key === this.#bonesOf) return;
+    this.#bonesOf = key;
+    const bones = await this.session.engine.bones(file, answered(model, QUESTIONS)).catch(() => undefined);
+    if (key !== this.#bonesOf) return;
+    this.#stage.setBones(bones);
+    setText(this.#meshes, meshNote(bones));
+  }
+}
+
+function stageOn(canvas: HTMLCanvasElement): Stage | undefined {
+  try {
+    // Asked first: three says in the console what it lacks.
+    return document.createElement("canvas").getContext("webgl2") ? new Stage(canvas) : undefined;
+  } catch {
+    return undefined;
+  }
+}
+
+/** Which bones are not there, and what to do. */
+function meshNote(bones: Bones | undefined): string {
+  const { missing = [], broken = [] } = bones ?? {};
+  const named = missing.slice(0, MOST_NAMED).join(", ");
+  const more = missing.length > MOST_NAMED ? ` and ${counted(missing.length - MOST_NAMED, "other", "others")}` : "";
+  const lacking = missing.length > 0 ? `To see its bones, open the folder Geometry, too. Not here: ${named}${more}.` : "";
+  return [lacking, ...broken.map((why) => `${why}.`)].filter(Boolean).join(" ");
+}
+
+function noteOf(scene: Scene, standing: boolean): string {
+  if (scene.why_not_placed !== null) return `Some bodies are left out: ${scene.why_not_placed}.`;
+  const gap = lowestGap(scene);
+  if (gap === undefined || !standing || Math.abs(gap) < 5e-4) return "";
+  return `Shown standing on its spheres. At the default pose of the file it is ${digits(Math.abs(gap) * 1000, 3)} mm ${gap < 0 ? "inside" : "above"} the floor.`;
+}
+
+/** What the view shows, for those who do not see it. */
+function inWords(now: Scene, after: Scene | undefined): HTMLElement {
+  const before = new Map(now.spheres.map((sphere) => [sphere.path, sphere]));
+  const rows = (after ?? now).spheres.map((sphere) => row(sphere, after ? before.get(sphere.path) : undefined));
+  const heads = ["sphere", "body", "radius (mm)", "share of body weight", "x/R at rest"].map((text) => el("th", { scope: "col" }, text));
+  const caption = el("caption", {}, "Contact spheres as they are drawn, and what each carries where the body stands on all of them.");
+  const table = el("table", {}, caption, el("thead", {}, el("tr", {}, ...heads)), el("tbody", {}, ...rows));
+  return el("div", { class: "wide", role: "group", "aria-label": "Contact spheres in words", tabindex: 0 }, table);
+}
+
+function row(sphere: PlacedSphere, before: PlacedSphere | undefined): HTMLElement {
+  const cell = (text: string) => el("td", {}, text);
+  const number = (value: number | null) => (value === null ? "–" : digits(value, 3));
+  const radius = number(sphere.radius_m * 1000);
+  const was = before && before.radius_m !== sphere.radius_m ? `${number(before.radius_m * 1000)} → ${radius}` : radius;
+  return el("tr", {}, el("th", { scope: "row" }, sphere.name), cell(sphere.body), cell(was), cell(number(sphere.force_bw)), cell(number(sphere.relative_indentation)));
+}
