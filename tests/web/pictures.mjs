@@ -31,6 +31,53 @@ const PICTURES = {
       await user.page.waitForTimeout(10_500);
     },
   },
+  followed: {
+    width: 1040, height: 640,
+    show: async (user) => {
+      await user.open(given("scale_tool/scaled_smooth.osim", "scaled.osim"), given("scale_tool/generic_smooth.osim", "generic.osim"));
+      await user.button("scaled.osim").click();
+      await user.opened("scaled.osim");
+      await user.button("Scaled from generic.osim? Let its contacts follow the bones").click();
+      await user.done("scaled.scaled.osim");
+      await user.page.getByRole("radio", { name: "Side", exact: true }).check();
+      await user.page.waitForTimeout(10_500);
+      await at(user, user.region("scaled.osim"));
+    },
+  },
+  bare: {
+    width: 1040, height: 640,
+    show: async (user) => {
+      const meshes = ["r_human_foot", "l_human_foot", "r_human_toes", "l_human_toes"].map((name) => given(`feet/Geometry/${name}.vtp`));
+      await user.open(given("feet/human_40000.osim", "human.osim"), ...meshes);
+      await user.settled();
+      await user.page.waitForTimeout(10_500);
+    },
+  },
+  library: {
+    width: 1040, height: 640,
+    show: async (user) => {
+      const models = Array.from({ length: 40 }, (_, index) => ({ ...HUMAN, name: `subject_${String(index + 1).padStart(2, "0")}.osim` }));
+      await user.choose(models);
+      await user.announced("40 models opened.");
+      await user.field("Target mass (kg)").fill("80");
+      await user.button("What would change in all").click();
+      await user.announced(/would change/);
+      await user.page.waitForTimeout(10_500);
+      await at(user, user.region("40 models"));
+    },
+  },
+  recording: {
+    width: 1040, height: 700,
+    show: async (user) => {
+      await user.open(...["walker.osim", "walk.mot", "plates.sto", "plates.xml"].map((name) => given(`motion/${name}`)));
+      await user.page.getByRole("img", { name: /upward force/ }).first().waitFor();
+      await user.page.getByRole("radio", { name: "Whole body", exact: true }).check();
+      await user.page.getByRole("radio", { name: "Side", exact: true }).check();
+      await user.page.getByRole("slider", { name: "Time of the motion" }).fill("140");
+      await user.page.waitForTimeout(10_500);
+      await at(user, user.region("The body"));
+    },
+  },
   telephone: { width: 360, height: 700, scheme: "dark", show: async (user) => at(user, await opened(user)) },
 };
 

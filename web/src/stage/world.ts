@@ -5,7 +5,8 @@ import {
   LineSegments, Matrix4, Mesh, MeshLambertMaterial, Object3D, PerspectiveCamera, Scene as World, SphereGeometry, Vector3, WebGLRenderer,
 } from "three";
 
-import type { Bones, PlacedSphere, Scene, Vector } from "../engine/space";
+import type { Bones, PlacedSphere, Played, Scene, Vector } from "../engine/space";
+import { Pushes } from "./pushes";
 import { floorHeight, upToRest } from "./rest";
 
 /** Which spheres are looked at. */
@@ -35,6 +36,14 @@ const POINTS_PER_M = 1e5;
 const COARSE = 0.7;
 const FINE = 1.6;
 const REST_MS = 350;
+/** An arrow of one body weight along a recording, in heights of the body. */
+const PUSH = 0.25;
+/** Frames in which it is looked how far feet are apart. */
+const SAMPLED = 12;
+/** Feet are so much wider than high. */
+const FLAT = 1.4;
+/** Of the floor, along each side. */
+const CELLS = 24;
 /** The longest arrow, in the size of what is looked at. */
 const ARROW = 0.45;
 
@@ -47,6 +56,9 @@ export class Stage {
   readonly #body = new Group();
   readonly #old = new Group();
   readonly #floor = new Group();
+  readonly #pushes = new Pushes();
+  /** Where the middle of the spheres was in the frame before, in a recording. */
+  #followed: Vector3 | undefined;
   readonly #placed = new Map<string, Group>();
   readonly #balls = new Map<string, Mesh>();
   /** Kept from step to step: what is made anew is compiled anew. */
@@ -68,7 +80,7 @@ export class Stage {
     this.#renderer.setPixelRatio(this.#slow ? COARSE : Math.min(devicePixelRatio, 2));
     this.#colours = coloursOf(canvas);
     this.#materials = materials(this.#colours);
-    this.#world.add(this.#body, this.#old, this.#floor, this.#sun, new AmbientLight(0xffffff, 1.4));
+    this.#world.add(this.#body, this.#old, this.#floor, this.#pushes.group, this.#sun, new AmbientLight(0xffffff, 1.4));
   }
 
   /** Draws one of everything: what is drawn for the first time takes long, because programs for it are compiled. */
@@ -115,6 +127,82 @@ export class Stage {
     for (const arrow of this.#arrows.values()) arrow.visible = seen && arrow.userData["carries"] === true;
   }
 
+  /** Shows a frame of a recording; `show` brings back what was there before. */
+  pose(played: Played, frame: number): void {
+    const scene = this.#shown?.now;
+    if (!scene) return;
+    this.#body.position.set(0, 0, 0);
+    this.#old.visible = false;
+    this.showForces(false);
+    if (!this.#followed) this.#stepBack(played, scene);
+    const { middle } = extent(this.#placeSpheres(played, frame, scene));
+    this.#pushes.show(played, frame, PUSH * bodyHeight(scene), { model: this.#colours.force, plates: this.#colours.old });
+    this.#follow(middle, new Vector3(...scene.axes[1]));
+    this.render();
+  }
+
+  /** Puts bodies and spheres where they are in a frame; gives the centres of the spheres. */
+  #placeSpheres(played: Played, frame: number, { spheres }: Scene): Vector3[] {
+    for (const [index, name] of played.bodies.entries()) {
+      const group = this.#placed.get(name);
+      if (group) place(group, played.poses, 12 * (frame * played.bodies.length + index));
+    }
+    return spheres.flatMap(({ path, body, centre_m: centre }) => {
+      const [group, ball] = [this.#placed.get(body), this.#balls.get(path)];
+      const rest = group?.userData["rest"] as Matrix4 | undefined;
+      if (!group || !ball || !rest) return [];
+      return [ball.position.set(...centre).applyMatrix4(rest.clone().invert()).applyMatrix4(group.matrix).clone()];
+    });
+  }
+
+  /** Feet are further apart in a stride than at rest: all of it is to be in the picture. */
+  #stepBack(played: Played, scene: Scene): void {
+    const frames = Array.from({ length: SAMPLED }, (_, index) => Math.floor((index * (played.time_s.length - 1)) / (SAMPLED - 1)));
+    const reach = Math.max(...frames.map((frame) => extent(this.#placeSpheres(played, frame, scene)).reach));
+    const far = (1.15 * reach) / this.#half(FLAT);
+    const from = this.camera.position.clone().sub(this.target);
+    if (from.length() < far) this.camera.position.copy(this.target).addScaledVector(from, far / from.length());
+  }
+
+  /** Half of what is seen at a distance of 1: the narrower side of the window decides, and what is `flat` needs less height. */
+  #half(flat: number): number {
+    return Math.tan((this.camera.fov * Math.PI) / 360) * Math.min(flat, this.camera.aspect);
+  }
+
+  /** Bodies are where the file has them again. */
+  unpose(): void {
+    if (!this.#followed) return;
+    this.#followed = undefined;
+    this.#pushes.hide();
+    this.#old.visible = true;
+    this.showForces(true);
+    this.#floor.position.set(0, 0, 0);
+    for (const group of this.#placed.values()) {
+      group.matrix.copy(group.userData["rest"] as Matrix4);
+      group.matrixWorldNeedsUpdate = true;
+    }
+    const shown = this.#shown;
+    if (shown) this.show(shown);
+  }
+
+  /** The camera goes along the floor with the feet, and the floor's lines with it. */
+  #follow(middle: Vector3, up: Vector3): void {
+    const way = middle.clone().sub(this.#followed ?? this.#middleAtRest());
+    way.addScaledVector(up, -way.dot(up));
+    this.#followed = middle;
+    this.camera.position.add(way);
+    this.target.add(way);
+    const cell = Number(this.#floor.children[0]?.userData["cell"] ?? 0);
+    if (!(cell > 0)) return;
+    const gone = middle.clone().sub(this.#middleAtRest());
+    gone.addScaledVector(up, -gone.dot(up));
+    this.#floor.position.set(...(gone.toArray().map((part) => Math.round(part / cell) * cell) as [number, number, number]));
+  }
+
+  #middleAtRest(): Vector3 {
+    return extent((this.#shown?.now.spheres ?? []).map(({ centre_m: centre }) => new Vector3(...centre))).middle;
+  }
+
   /** Looks at a part of the model from a direction. */
   look(at: Looked, from: From): void {
     const scene = this.#shown?.now;
@@ -131,9 +219,7 @@ export class Stage {
       side: right.clone().addScaledVector(up, 0.06), top: up.clone().addScaledVector(forward, -0.001),
       front: forward.clone().addScaledVector(up, 0.06), corner: right.clone().addScaledVector(forward, 0.8).addScaledVector(up, 0.45),
     }[from].normalize();
-    // The narrower side of the window decides; feet are flat, so that less height is needed, but for a body and from above.
-    const flat = at === "body" || from === "top" ? 1 : 1.4;
-    const half = Math.tan((this.camera.fov * Math.PI) / 360) * Math.min(flat, this.camera.aspect);
+    const half = this.#half(at === "body" || from === "top" ? 1 : FLAT);
     this.camera.up.copy(from === "top" ? forward : up);
     this.camera.position.copy(this.target).addScaledVector(direction, (1.15 * reach) / half);
     this.camera.near = reach / 50;
@@ -194,6 +280,7 @@ export class Stage {
       const group = new Group();
       group.matrix.copy(new Matrix4().makeBasis(new Vector3(...x), new Vector3(...y), new Vector3(...z)).setPosition(...origin));
       group.matrixAutoUpdate = false;
+      group.userData["rest"] = group.matrix.clone();
       this.#placed.set(name, group);
       this.#body.add(group);
     }
@@ -223,7 +310,7 @@ export class Stage {
       if (next && same(next, sphere)) continue;
       const ring = new LineSegments(RINGS, this.#materials.old);
       ring.renderOrder = 1;
-      place(ring, sphere);
+      set(ring, sphere);
       this.#old.add(ring);
     }
   }
@@ -231,7 +318,7 @@ export class Stage {
   #ball(sphere: PlacedSphere): void {
     const ball = this.#balls.get(sphere.path) ?? new Mesh(BALL, this.#materials.ball);
     ball.material = this.#materials.ball;
-    place(ball, sphere);
+    set(ball, sphere);
     this.#balls.set(sphere.path, ball);
     this.#body.add(ball);
   }
@@ -271,6 +358,7 @@ export class Stage {
     const floor = grid(size, this.#colours.floor);
     floor.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), up);
     floor.position.copy(middle).addScaledVector(up, height - middle.dot(up));
+    floor.userData["cell"] = size / CELLS;
     this.#floor.add(floor);
   }
 }
@@ -284,7 +372,7 @@ function extent(points: readonly Vector3[]): { middle: Vector3; reach: number } 
 
 /** A level floor. */
 function grid(size: number, colour: string): GridHelper {
-  const made = new GridHelper(size, 24, colour, colour);
+  const made = new GridHelper(size, CELLS, colour, colour);
   made.material.transparent = true;
   made.material.opacity = 0.45;
   return made;
@@ -299,7 +387,20 @@ function isSoftware(): boolean {
   return typeof name === "string" && /swiftshader|llvmpipe|software/i.test(name);
 }
 
-function place(object: Object3D, { centre_m: centre, radius_m: radius }: PlacedSphere): void {
+/** Puts a body where `poses` have it from `start` on. */
+function place(group: Group, poses: readonly number[], start: number): void {
+  const axis = (from: number) => new Vector3(...[0, 1, 2].map((part) => (poses[start + from + part] ?? 0) / POINTS_PER_M));
+  group.matrix.makeBasis(axis(0), axis(3), axis(6)).setPosition(axis(9));
+  group.matrixWorldNeedsUpdate = true;
+}
+
+/** From the lowest body to the highest, m. */
+function bodyHeight({ bodies, axes: [, up] }: Scene): number {
+  const heights = bodies.map(({ frame }) => new Vector3(...frame[3]).dot(new Vector3(...up)));
+  return Math.max(0.01, Math.max(...heights) - Math.min(...heights));
+}
+
+function set(object: Object3D, { centre_m: centre, radius_m: radius }: PlacedSphere): void {
   object.position.set(...centre);
   object.scale.setScalar(radius);
 }

@@ -12,6 +12,7 @@ import { fileOf, type OpenModel } from "../state/model";
 import type { Session } from "../state/session";
 import { choices } from "./choices";
 import { FallView } from "./fall";
+import { RecordingView } from "./recording";
 
 const LOOKED: readonly [Looked, string][] = [["feet", "Feet"], ["right", "Right"], ["left", "Left"], ["body", "Whole body"]];
 const FROM: readonly [From, string][] = [["corner", "Corner"], ["side", "Side"], ["front", "Front"], ["top", "Top"]];
@@ -28,6 +29,7 @@ export class StageView {
   readonly #meshes = el("p", { class: "quiet stage-note" });
   readonly #stage: Stage | undefined;
   readonly #fall: FallView;
+  readonly #recording: RecordingView;
   #looked: Looked = "feet";
   #from: From = "corner";
   #standing = true;
@@ -40,9 +42,15 @@ export class StageView {
   constructor(readonly session: Session) {
     this.#stage = stageOn(this.#canvas);
     this.#fall = new FallView((body, old, moves) => {
+      this.#recording.stop();
+      this.#stage?.unpose();
       this.#stage?.showForces(!moves);
       this.#stage?.lift(body, old);
     });
+    this.#recording = new RecordingView(session, (played, moment) => {
+      if (played) this.#stage?.pose(played, moment);
+      else this.#stage?.unpose();
+    }, () => this.#now?.axes[1] ?? [0, 1, 0]);
     const frame = el("div", { class: "stage-frame" }, this.#canvas);
     const bars = [
       choices("Show", LOOKED, this.#looked, (looked) => this.#look(looked, this.#from)),
@@ -59,7 +67,7 @@ export class StageView {
       matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.#stage?.recolour());
       this.#section.append(el("div", { class: "stage-bar" }, ...bars), frame, el("p", { class: "hidden", id: "stage-keys" }, KEYS));
     }
-    this.#section.append(this.#note, this.#meshes, this.#fall.element, words);
+    this.#section.append(this.#note, this.#meshes, this.#recording.element, this.#fall.element, words);
     // Only now the canvas has the colours of the page.
     this.#stage?.recolour();
     session.models.watch(() => this.#update());
@@ -103,6 +111,8 @@ export class StageView {
   #show(): void {
     const [now, after] = [this.#now, this.#after];
     if (!now) return;
+    this.#recording.stop();
+    this.#stage?.unpose();
     this.#stage?.show({ now, after, standing: this.#standing });
     setAttribute(this.#canvas, "aria-label", `${now.spheres.length} contact spheres under the body, which can be turned; in words below`);
     setText(this.#note, noteOf(now, this.#standing));

@@ -28,4 +28,5 @@ mod remedies;
 mod rules;
 mod scenery;
 mod sizes;
+mod space;
 mod taken_back;

@@ -1,0 +1,53 @@
+// Ground reactions along a recording: those of the contacts beside those that plates measured, as arrows.
+
+import { ArrowHelper, Group, Vector3 } from "three";
+
+import type { Played, PlayedForce } from "../engine/space";
+
+/** Longer arrows would lead out of every picture. */
+const MOST_BW = 3;
+
+export class Pushes {
+  readonly group = new Group();
+  /** Of each foot that of the contacts, then that of its plates. */
+  #arrows: ArrowHelper[] = [];
+  #of: Played | undefined;
+
+  /** Shows those of a frame; `unit` is the length for one body weight. */
+  show(played: Played, frame: number, unit: number, colours: { model: string; plates: string }): void {
+    if (played !== this.#of) this.#begin(played, colours);
+    const forces = played.feet.flatMap(({ model, plates }) => [model, plates]);
+    for (const [index, force] of forces.entries()) {
+      const arrow = this.#arrows[index];
+      if (arrow) point(arrow, force, frame, unit);
+    }
+    this.group.visible = true;
+  }
+
+  hide(): void {
+    this.group.visible = false;
+  }
+
+  #begin(played: Played, colours: { model: string; plates: string }): void {
+    for (const arrow of this.#arrows) {
+      arrow.removeFromParent();
+      arrow.dispose();
+    }
+    const made = (colour: string) => new ArrowHelper(new Vector3(0, 1, 0), new Vector3(), 1, colour);
+    this.#arrows = played.feet.flatMap(() => [made(colours.model), made(colours.plates)]);
+    this.group.add(...this.#arrows);
+    this.#of = played;
+  }
+}
+
+function point(arrow: ArrowHelper, force: PlayedForce | null, frame: number, unit: number): void {
+  const [push, at] = [force?.forces_bw[frame], force?.points_m[frame]];
+  arrow.visible = push != null && at != null;
+  if (!push || !at) return;
+  const along = new Vector3(...push);
+  // Contacts that are far too stiff push many times the weight: that is in the curves.
+  const length = unit * Math.min(along.length(), MOST_BW);
+  arrow.position.set(...at);
+  arrow.setDirection(along.normalize());
+  arrow.setLength(Math.max(length, 1e-6), Math.min(0.2 * length, 0.12 * unit), Math.min(0.1 * length, 0.06 * unit));
+}
