@@ -27,6 +27,21 @@ const SCREENS = {
     await user.result.getByText("Lines that change").click();
     await user.spelled();
   },
+  "the change to share": async (user) => {
+    await user.open(HUMAN);
+    await user.field("Target mass (kg)").fill("500");
+    await user.done("human.scaled.osim");
+    await user.button("Share…", user.acts).click();
+  },
+  "a model along a recording": async (user) => {
+    await user.open(...["walker.osim", "walk.mot", "plates.sto", "plates.xml"].map((name) => given(`motion/${name}`)));
+    await user.page.getByRole("img", { name: /upward force/ }).first().waitFor();
+    await user.page.getByText("The same in words").click();
+  },
+  "a model without contacts": async (user) => {
+    await user.open(given("feet/human_40000.osim", "human.osim"));
+    await user.settled();
+  },
   "a remedy that was applied": async (user) => {
     await user.open(given("check/sunk_in.osim"));
     await user.button(/^Apply: Design/).first().click();

@@ -52,6 +52,48 @@ testWith({ browser: FIREFOX }, "Firefox: files that are dropped, the calculator,
   }
 });
 
+testWith({ browser: FIREFOX }, "Firefox: the commonest jobs, each in a few clicks", async () => {
+  const user = await openFirefox();
+  try {
+    const model = given("check/contacts_of_another_mass.osim", "left.osim");
+    const done = [await user.choose(model)];
+    await user.click("Make them fit this body: 90 kg");
+    await user.click("Download left.scaled.osim");
+    const left = { name: "left.scaled.osim", bytes: await user.downloaded("left.scaled.osim") };
+    await makesTheSame("osim-contact-scale rescale left.osim --contacts-mass 62 --target-mass 90", [model], [left]);
+    await user.click("Close");
+    const [scaled, generic] = [given("scale_tool/scaled_smooth.osim", "scaled.osim"), given("scale_tool/generic_smooth.osim", "generic.osim")];
+    done.push(await user.choose(scaled), await user.choose(generic));
+    await user.click("Scaled from generic.osim? Let its contacts follow the bones");
+    await user.click("Download scaled.scaled.osim");
+    const followed = { name: "scaled.scaled.osim", bytes: await user.downloaded("scaled.scaled.osim") };
+    await makesTheSame("osim-contact-scale transfer scaled.osim --from generic.osim --follow-bodies", [scaled, generic], [followed]);
+    done.push(await user.choose(given("feet/human_40000.osim", "bare.osim")));
+    await user.click("bare.osim");
+    await user.click("From a reference spheres of another model or a preset");
+    assert.equal(await user.page.evaluate(() => document.activeElement.id), "form-from");
+    for (const one of done) one();
+    assertQuiet(user);
+  } finally {
+    await user.end();
+  }
+});
+
+testWith({ browser: FIREFOX }, "Firefox: a library of forty is one ZIP", async () => {
+  const user = await openFirefox();
+  try {
+    const done = await user.choose(...Array.from({ length: 40 }, (_, index) => ({ ...HUMAN, name: `m${index}.osim` })));
+    await user.text("40 models opened.");
+    done();
+    await user.fill("Target mass (kg)", "80");
+    await user.click("Change all and download a ZIP");
+    assert.ok((await user.downloaded("models.zip")).length > 40_000);
+    assertQuiet(user);
+  } finally {
+    await user.end();
+  }
+});
+
 function assertQuiet({ watched: { requests, problems } }) {
   // Firefox has letters for its own use in an address that holds them.
   const others = requests.filter((address) => address.split("#")[0] !== PAGE_ADDRESS && !/^(blob|data):/.test(address));

@@ -80,6 +80,44 @@ inChromium("a mass that is chosen is meant as it is; one that is typed may be in
   await user.result.getByRole("group", { name: /answer/ }).waitFor();
 });
 
+inChromium("a number that is proposed is a button", async (user) => {
+  await user.open(HUMAN);
+  await user.field("Target mass (kg)").fill("62000");
+  await user.button("Use 62 kg", user.result).click();
+  assert.equal(await user.field("Target mass (kg)").inputValue(), "62");
+});
+
+inChromium("by keys alone: the likely job and the download are two actions", async (user) => {
+  const model = given("check/contacts_of_another_mass.osim", "scaled.osim");
+  await user.open(model);
+  const reach = async (name) => {
+    for (let count = 0; count < 90; count += 1) {
+      await user.page.keyboard.press("Tab");
+      if ((await user.page.evaluate(() => document.activeElement.textContent.trim())) === name) return;
+    }
+    assert.fail(`${name} is not reached`);
+  };
+  await reach("Make them fit this body: 90 kg");
+  await user.page.keyboard.press("Enter");
+  await user.done("scaled.scaled.osim");
+  await reach("Download scaled.scaled.osim");
+  const download = user.page.waitForEvent("download");
+  await user.page.keyboard.press("Enter");
+  assert.equal((await download).suggestedFilename(), "scaled.scaled.osim");
+});
+
+inChromium("who wants no motion sees where the animals end, until they ask", async (user) => {
+  await user.page.emulateMedia({ reducedMotion: "reduce" });
+  await user.page.reload();
+  const ball = user.page.locator(".animals circle.new").first();
+  await ball.waitFor();
+  const first = await ball.getAttribute("cy");
+  await user.page.waitForTimeout(300);
+  assert.equal(await ball.getAttribute("cy"), first);
+  await user.button("Let them fall again").click();
+  await user.page.waitForFunction((there) => document.querySelector(".animals circle.new").getAttribute("cy") !== there, first);
+});
+
 inChromium("verdicts unfold; what is wrong has its remedy in sight, a remark has none", async (user) => {
   await user.open(HUMAN);
   const mass = user.page.locator("details.verdict").filter({ hasText: "Do the contacts fit the mass?" });

@@ -1,11 +1,12 @@
 // What went wrong: message, place, the line, and the fields that would answer.
 
 import { button, type Child, el } from "../dom/element";
+import { digits } from "../dom/number";
 import type { Failure } from "../engine/types";
 import { fieldOf } from "../forms/all";
 import type { Context } from "../forms/context";
 import { control } from "../forms/control";
-import type { Form } from "../forms/declaration";
+import type { Field, Form } from "../forms/declaration";
 
 export interface FailureView {
   element: HTMLElement;
@@ -89,11 +90,18 @@ function question(failure: Failure, form: Form, context: Context): Question {
     for (const { field, made } of controls) if (name === null || field.name === name) made.refresh(name === null);
   });
   const yes = failure.fields.includes("yes") ? [meant(failure, context)] : [];
-  const all = [...yes, ...controls.map(({ made }) => made.element)];
+  const all = [...suggested(failure, fields[0], context), ...yes, ...controls.map(({ made }) => made.element)];
   if (all.length === 0) return { content: [], refresh, end };
   const legend = all.length === 1 ? "Your answer" : "Any of these would answer";
   const title = el("p", { id: `${context.prefix}-asked` }, el("strong", {}, legend));
   return { content: [el("div", { class: "question", role: "group", "aria-labelledby": title.id }, title, ...all)], refresh, end };
+}
+
+/** Numbers that the message proposes to write, each as a button. */
+function suggested({ message }: Failure, field: Field | undefined, { values }: Context): HTMLElement[] {
+  if (!field || !["number", "rule"].includes(field.kind)) return [];
+  const numbers = [...message.matchAll(/\bwrite ([\d.]+(?:e[+-]?\d+)?)/g)].flatMap(([, text]) => text ?? []);
+  return numbers.map((text) => el("p", {}, button(`Use ${digits(Number(text))}${field.unit ? ` ${field.unit}` : ""}`, () => values.set(field.name, text))));
 }
 
 /** The answer that a number is meant as it is; another number in its place is asked about again. */
