@@ -67,13 +67,12 @@ const PICTURES = {
     },
   },
   recording: {
-    width: 1040, height: 700,
+    width: 1040, height: 820,
     show: async (user) => {
       await user.open(...["walker.osim", "walk.mot", "plates.sto", "plates.xml"].map((name) => given(`motion/${name}`)));
       await user.page.getByRole("img", { name: /upward force/ }).first().waitFor();
-      await user.page.getByRole("radio", { name: "Whole body", exact: true }).check();
       await user.page.getByRole("radio", { name: "Side", exact: true }).check();
-      await user.page.getByRole("slider", { name: "Time of the motion" }).fill("140");
+      await user.page.getByRole("slider", { name: "Time of the motion" }).fill("90");
       await user.page.waitForTimeout(10_500);
       await at(user, user.region("The body"));
     },

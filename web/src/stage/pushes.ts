@@ -33,7 +33,15 @@ export class Pushes {
       arrow.removeFromParent();
       arrow.dispose();
     }
-    const made = (colour: string) => new ArrowHelper(new Vector3(0, 1, 0), new Vector3(), 1, colour);
+    // Seen through spheres and bones.
+    const made = (colour: string) => {
+      const arrow = new ArrowHelper(new Vector3(0, 1, 0), new Vector3(), 1, colour);
+      for (const part of [arrow.line, arrow.cone]) {
+        part.renderOrder = 2;
+        for (const material of [part.material].flat()) material.depthTest = false;
+      }
+      return arrow;
+    };
     this.#arrows = played.feet.flatMap(() => [made(colours.model), made(colours.plates)]);
     this.group.add(...this.#arrows);
     this.#of = played;
