@@ -38,10 +38,6 @@ const SCREENS = {
     await user.page.getByRole("img", { name: /upward force/ }).first().waitFor();
     await user.page.getByText("The same in words").click();
   },
-  "a model without contacts": async (user) => {
-    await user.open(given("feet/human_40000.osim", "human.osim"));
-    await user.settled();
-  },
   "a remedy that was applied": async (user) => {
     await user.open(given("check/sunk_in.osim"));
     await user.button(/^Apply: Design/).first().click();

@@ -34,7 +34,7 @@ const RINGS = rings();
 const POINTS_PER_M = 1e5;
 /** Where a processor draws: pixels while something moves, and after so long a rest. */
 const COARSE = 0.5;
-const FINE = 1.6;
+const FINE = 1;
 const REST_MS = 350;
 /** An arrow of one body weight along a recording, in heights of the body. */
 const PUSH = 0.25;
