@@ -107,8 +107,6 @@ inChromium("by keys alone: the likely job and the download are two actions", asy
 });
 
 inChromium("who wants no motion sees where the animals end, until they ask", async (user) => {
-  await user.page.emulateMedia({ reducedMotion: "reduce" });
-  await user.page.reload();
   const ball = user.page.locator(".animals circle.new").first();
   await ball.waitFor();
   const first = await ball.getAttribute("cy");
@@ -182,6 +180,12 @@ inChromium("a fall is played, before beside after, with what it shows in words",
 });
 
 inChromium("the page begins with three animals that fall", async (user) => {
+  await user.page.emulateMedia({ reducedMotion: "no-preference" });
+  await user.page.reload();
+  const ball = user.page.locator(".animals circle.new").first();
+  await ball.waitFor();
+  const first = await ball.getAttribute("cy");
+  await user.page.waitForFunction((there) => document.querySelector(".animals circle.new").getAttribute("cy") !== there, first);
   const picture = user.page.getByRole("img", { name: /^Falls of a mouse: on contacts of a human it floats/ });
   await picture.waitFor();
   assert.match(await picture.getAttribute("aria-label"), /a giraffe: on contacts of a human it is 2\.28 radii deep/);

@@ -18,7 +18,8 @@ export function launch() {
 /** A window without the page: `watched` is what it asks for, and what goes wrong in it. */
 export async function windowIn(browser, { width = 1280, height = 900, scheme = "light", permissions = [] } = {}) {
   const viewport = { width, height };
-  const context = await browser.newContext({ viewport, colorScheme: scheme, acceptDownloads: true, permissions });
+  // Animals that fall while a page starts would keep a processor busy: the test of these asks for motion.
+  const context = await browser.newContext({ viewport, colorScheme: scheme, acceptDownloads: true, permissions, reducedMotion: "reduce" });
   const page = await context.newPage();
   page.setDefaultTimeout(PATIENCE_MS);
   return { context, page, watched: watch(context, page) };
