@@ -9,7 +9,8 @@ import { CORPUS, published } from "./support/places.mjs";
 import { refusal, sameReason } from "./support/refusals.mjs";
 import { fillIn, VERBS } from "./support/verbs.mjs";
 
-const TESTED = ["rescale", "set"];
+// published.test.mjs has the files of all verbs.
+const TESTED = ["rescale"];
 // Making a report takes longer than anything else.
 const REPORTED = ["v40000_falisse_2022_human.osim", "v30000_scone_h0914m.osim", "v40000_opencap_lai_arnold_crlf.osim"];
 const NAMES = CORPUS ? readdirSync(CORPUS).filter((name) => name.endsWith(".osim")) : [];

@@ -62,7 +62,8 @@ impl ContactState {
     }
 
     /// The point of the surface that is below the centre of a sphere of this radius, m.
-    pub(crate) fn on_surface_m(&self, radius_m: f64) -> [f64; 3] {
+    #[must_use]
+    pub fn on_surface_m(&self, radius_m: f64) -> [f64; 3] {
         let height_m = radius_m - self.indentation_m;
         std::array::from_fn(|i| self.centre_m[i] - height_m * self.normal[i])
     }

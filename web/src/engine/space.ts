@@ -56,7 +56,6 @@ export interface Played {
   bodies: readonly string[];
   /** Of each body in each frame its axes and its origin, in hundred-thousandths. */
   poses: readonly number[];
-  spheres: readonly { path: string; forces_bw: readonly number[] }[];
   feet: readonly { name: string; side: "right" | "left" | null; model: PlayedForce; plates: PlayedForce | null }[];
   remarks: readonly string[];
 }

@@ -142,7 +142,7 @@ mod tests {
 
     #[test]
     fn a_face_that_names_a_missing_point_is_left_out() {
-        let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\nf 1 2 3\nf -3/1 -2//4 -1\nf 0 1 2\n";
+        let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\nf 1 2 3\nf -3/1 -2//4 -1\nf 0 1 2\nv 0 0 1\n";
         let surface = mesh_surface("a.obj", text.as_bytes()).unwrap();
         assert_eq!(surface.triangles, [[0, 1, 2], [0, 1, 2]]);
     }

@@ -33,10 +33,10 @@ pub(super) fn surface(bytes: &[u8]) -> Result<Surface, MeshFault> {
             Some("f") => {
                 let place = |word: &str| {
                     let number: isize = word.split('/').next()?.parse().ok()?;
-                    if number > 0 {
-                        number.unsigned_abs().checked_sub(1)
-                    } else {
-                        before.checked_add_signed(number)
+                    match number {
+                        0 => None,
+                        1.. => number.unsigned_abs().checked_sub(1),
+                        _ => before.checked_add_signed(number),
                     }
                 };
                 surface.add_face(0, words.map(place))?;

@@ -1,4 +1,4 @@
-//! A model along a recording, frame by frame: bodies, what spheres carry, and what plates measured.
+//! A model along a recording, frame by frame: bodies, the forces of its contacts, and what plates measured.
 
 use osim_messages::Dialect;
 use osim_motion::{FootSummary, ON_BW, Poses, Wrench};
@@ -21,22 +21,10 @@ pub struct Played {
     pub bodies: Vec<String>,
     /// For each frame, of each body axes x, y and z and the origin in ground, in hundred-thousandths.
     pub poses: Vec<i32>,
-    /// What each sphere carries.
-    pub spheres: Vec<PlayedSphere>,
     /// Each foot.
     pub feet: Vec<PlayedFoot>,
     /// What the recording shows, and what is odd, in words.
     pub remarks: Vec<String>,
-}
-
-/// A sphere along a recording.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[non_exhaustive]
-pub struct PlayedSphere {
-    /// Its component path.
-    pub path: String,
-    /// What it carries along the normal in each frame, body weights.
-    pub forces_bw: Vec<f64>,
 }
 
 /// A foot along a recording.
@@ -70,21 +58,7 @@ impl Played {
         let states = &result.states;
         let step = states.frames().div_ceil(MOST_FRAMES).max(1);
         let frames: Vec<usize> = (0..states.frames()).step_by(step).collect();
-        let model = &result.opened.model;
-        let poses = Poses::of(model, &result.recording, &frames);
-        let weight_n = result.summary.weight_n;
-        let of_sphere = |sphere: &osim_model::Sphere| {
-            let own: Vec<usize> = (0..states.pairs.len())
-                .filter(|&pair| states.pairs.get(pair).is_some_and(|one| one.sphere == sphere.id))
-                .collect();
-            let carried = |&frame: &usize| {
-                let all = states.frame(frame);
-                own.iter().filter_map(|&pair| all.get(pair)).map(|state| state.normal_force_n).sum::<f64>()
-                    / weight_n
-            };
-            let forces_bw: Vec<f64> = frames.iter().map(carried).collect();
-            (!own.is_empty()).then(|| PlayedSphere { path: sphere.path.clone(), forces_bw })
-        };
+        let poses = Poses::of(&result.opened.model, &result.recording, &frames);
         let feet = result.summary.feet.iter().enumerate().map(|(index, foot)| {
             let measured = result.measured.as_ref();
             let has_points = measured.is_some_and(|measured| measured.has_points.get(index) == Some(&true));
@@ -102,7 +76,6 @@ impl Played {
             time_s: frames.iter().filter_map(|&frame| states.time_s.get(frame).copied()).collect(),
             poses: (0..frames.len()).flat_map(|number| poses.frame(number)).flat_map(numbers).collect(),
             bodies: poses.bodies,
-            spheres: model.spheres().iter().filter_map(of_sphere).collect(),
             feet: feet.collect(),
             remarks: result.remarks(request).iter().map(|remark| remark.message.spelled(dialect)).collect(),
         }
@@ -132,10 +105,8 @@ impl Seen<'_> {
         let states = &self.result.states;
         let first = *self.foot.foot.pairs.first()?;
         let (state, pair) = (states.frame(frame).get(first)?, states.pairs.get(first)?);
-        let height_m = pair.radius_m - state.indentation_m;
-        let on_plane_m = std::array::from_fn(|i| state.centre_m[i] - height_m * state.normal[i]);
-        let centre =
-            wrench.centre_of_pressure(state.normal, on_plane_m, ON_BW * self.result.summary.weight_n)?;
+        let least_n = ON_BW * self.result.summary.weight_n;
+        let centre = wrench.centre_of_pressure(state.normal, state.on_surface_m(pair.radius_m), least_n)?;
         Some(centre.point_m)
     }
 }
