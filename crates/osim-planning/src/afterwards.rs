@@ -63,39 +63,35 @@ fn is_to_be_scaled(aims: Aims, plan: &Plan, weighs_kg: Option<f64>) -> bool {
     aims.carries_target && target_mass_kg.is_some_and(is_other)
 }
 
-/// Warnings and errors of the model with `plan` that the model without it does not have, or has as less bad; and what the plan does to
+/// Warnings and errors of the model as `changed` by `plan` that the model without it does not have, or has as less bad; and what the plan does to
 /// bottoms that stood.
 ///
 /// # Errors
-/// An error among them, unless the caller means it; the new model cannot be read, which would be a defect.
+/// An error among them, unless the caller means it.
 pub(crate) fn worse_findings(
     aims: Aims,
     before: &InspectOptions,
     opened: &OpenModel,
-    plan: &Plan,
+    (plan, changed): (&Plan, &Model),
     answers: Option<&AnswerOptions>,
 ) -> Result<Vec<Finding>, Failure> {
-    if plan.is_empty() {
-        return Ok(Vec::new());
-    }
     let failure = |fault| opened.failure(fault);
     let weighs = before.masses.of_model(&opened.model).ok();
     let weighs = weighs.or_else(|| Some(before.masses.of_contacts(&opened.model).ok()?.0));
     let weighs_kg = weighs.map(|mass| mass.kg);
-    let changed = plan.changed(&opened.model).map_err(failure)?;
     let after = options_after(aims, before, plan, weighs_kg);
     // The model was so before, and nobody has to be asked whether that was meant.
     let is_as_before = plan.takes_back();
     let is_meant = aims.as_given
         || is_as_before
         || answers.is_some_and(|answers| answers.has(Question::WrongAfterwards));
-    let worse = worse_than(&options_before(aims, before, plan), &after, opened, plan, &changed);
+    let worse = worse_than(&options_before(aims, before, plan), &after, opened, plan, changed);
     let mut said: Vec<Finding> = match worse.iter().find(|one| one.severity == Severity::Error) {
         Some(wrong) if !is_meant => return Err(failure(Fault::new(asks(wrong)))),
         _ => worse.iter().map(of_new_model).collect(),
     };
     if !is_to_be_scaled(aims, plan, weighs_kg) {
-        said.extend(moved_bottoms(plan, &opened.model, &changed, &said));
+        said.extend(moved_bottoms(plan, &opened.model, changed, &said));
     }
     Ok(said)
 }

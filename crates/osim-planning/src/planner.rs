@@ -43,6 +43,19 @@ pub trait Planner: Send + Sync {
         details: Option<&NoteDetails>,
         files: &dyn Files,
     ) -> Result<Plan, Failure> {
+        self.plan_with_result(opened, details, files).map(|(plan, _)| plan)
+    }
+
+    /// The same with the model as it will be, which was read to be checked; `None` where nothing changes.
+    ///
+    /// # Errors
+    /// Those of [`plan_opened`](Self::plan_opened).
+    fn plan_with_result(
+        &self,
+        opened: &OpenModel,
+        details: Option<&NoteDetails>,
+        files: &dyn Files,
+    ) -> Result<(Plan, Option<Model>), Failure> {
         let model = &opened.model;
         let mut plan = self.plan_beside(opened, files)?;
         match details {
@@ -74,9 +87,13 @@ pub trait Planner: Send + Sync {
                 phrase![input.being(pattern.to_string()), ": no contact force of the model has such a name"];
             plan.remarks.push(matched);
         }
-        let worse = worse_findings(self.aims(), &before, opened, &plan, self.answers())?;
+        if plan.is_empty() {
+            return Ok((plan, None));
+        }
+        let changed = plan.changed(model).map_err(|fault| opened.failure(fault))?;
+        let worse = worse_findings(self.aims(), &before, opened, (&plan, &changed), self.answers())?;
         plan.warnings.extend(worse);
-        Ok(plan)
+        Ok((plan, Some(changed)))
     }
 
     /// Files that were read beside the models.
@@ -191,8 +208,20 @@ impl Change {
     /// # Errors
     /// Those of [`Planner::plan_opened`].
     pub fn plan(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
+        self.plan_with_result(opened, files).map(|(plan, _)| plan)
+    }
+
+    /// The same with the model as it will be; `None` where nothing changes.
+    ///
+    /// # Errors
+    /// Those of [`Planner::plan_opened`].
+    pub fn plan_with_result(
+        &self,
+        opened: &OpenModel,
+        files: &dyn Files,
+    ) -> Result<(Plan, Option<Model>), Failure> {
         let details = Some(&self.details).filter(|_| !self.output.no_note);
-        self.planner.plan_opened(opened, details, files)
+        self.planner.plan_with_result(opened, details, files)
     }
 }
 

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
 use osim_html::{DetailLevel, Entry, Explained, Files, NamedDigest, RunRow, Section, Sections};
-use osim_model::FileId;
 use osim_model::files::{Failure, ModelFiles};
+use osim_model::{FileId, Model};
 use osim_patch::Plan;
 use osim_planning::scene::{Fall, Scene};
 use osim_planning::{BeforeAfter, Change, States};
@@ -33,6 +33,8 @@ pub(crate) struct Planned {
     change: Change,
     opened: Rc<Opened>,
     plan: Plan,
+    /// The model as it will be; `None` where nothing changes.
+    changed: Option<Model>,
     words: &'static dyn FrontEnd,
     /// The files that change, the model first.
     pub(crate) results: Vec<NewFile>,
@@ -82,7 +84,7 @@ impl Planned {
         shelf: &Shelf,
         words: &'static dyn FrontEnd,
     ) -> Result<Self, Problem> {
-        let mut plan = change.plan(&opened.model, shelf)?;
+        let (mut plan, changed) = change.plan_with_result(&opened.model, shelf)?;
         plan.spell(words);
         let output = change.output.output.clone().unwrap_or_else(|| OutputOptions::beside(&opened.path));
         let geometry = change.set_files.geometry.as_deref().map(|path| change.output.of_geometry(path));
@@ -93,7 +95,7 @@ impl Planned {
             Ok(NewFile { from, name, bytes })
         };
         let results = named.map(made).collect::<Result<_, Failure>>()?;
-        Ok(Self { change, opened, plan, words, results })
+        Ok(Self { change, opened, plan, changed, words, results })
     }
 
     /// The model that it changes.
@@ -133,16 +135,21 @@ impl Planned {
     }
 
     fn states(&self) -> States<'_> {
-        States { planner: &*self.change.planner, opened: &self.opened.model, plan: &self.plan }
+        States {
+            planner: &*self.change.planner,
+            opened: &self.opened.model,
+            plan: &self.plan,
+            changed: self.changed.as_ref(),
+        }
     }
 
     /// What changes, with those plots of both states that are asked for.
-    fn quickly(&self, wanted: Option<&[String]>) -> Result<Sections, Problem> {
+    fn quickly(&self, wanted: Option<&[String]>) -> Sections {
         let (planner, states) = (&*self.change.planner, self.states());
         let drawn =
             wanted.is_some_and(|wanted| wanted.iter().any(|one| ["plots", "state"].contains(&one.as_str())));
-        let bodies = drawn.then(|| states.bodies(|| self.as_files())).transpose()?.unwrap_or_default();
-        Ok(Sections::of_plan(&self.plan, &bodies, planner.reference(), wanted, self.words))
+        let bodies = if drawn { states.bodies() } else { Vec::new() };
+        Sections::of_plan(&self.plan, &bodies, planner.reference(), wanted, self.words)
     }
 
     /// What it does; `wanted` are the sections to make, `None` for all.
@@ -154,7 +161,7 @@ impl Planned {
         let quick = wanted.is_some_and(|wanted| wanted.iter().all(|one| QUICK.contains(&one.as_str())));
         let asks_for = |id: &str| wanted.is_some_and(|wanted| wanted.iter().any(|one| one == id));
         let (shown, findings, verdicts) = match quick {
-            true => (self.quickly(wanted)?, None, None),
+            true => (self.quickly(wanted), None, None),
             false => {
                 let both = self.both(wants("feet"), shelf)?;
                 let last = both.after.as_ref().unwrap_or(&both.before);
@@ -178,8 +185,8 @@ impl Planned {
             explained: shown.explained,
             findings,
             verdicts,
-            scene: if asks_for(SCENE) { self.states().scene()? } else { None },
-            falls: if asks_for(FALLS) { self.states().falls()? } else { Vec::new() },
+            scene: if asks_for(SCENE) { self.states().scene() } else { None },
+            falls: if asks_for(FALLS) { self.states().falls() } else { Vec::new() },
         })
     }
 

@@ -33,7 +33,7 @@ const BALL = new SphereGeometry(1, 20, 14);
 const RINGS = rings();
 const POINTS_PER_M = 1e5;
 /** Where a processor draws: pixels while something moves, and after so long a rest. */
-const COARSE = 0.5;
+const COARSE = 0.4;
 const FINE = 1;
 const REST_MS = 350;
 /** An arrow of one body weight along a recording, in heights of the body. */

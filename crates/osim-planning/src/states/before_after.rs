@@ -76,11 +76,11 @@ impl BeforeAfter {
             with_feet.then(|| ModelFeet::for_page(name, opened, &before.selection)).flatten()
         };
         both.feet.extend(feet("before", opened));
-        both.bodies.extend(body("before", &before, opened));
+        both.bodies.extend(body("before", &before, &opened.model, opened));
         if !plan.is_empty() {
             let written = changed().open()?;
             both.after = Some(seen(&after, &written, changes));
-            both.bodies.extend(body("after", &after, &written));
+            both.bodies.extend(body("after", &after, &written.model, &written));
             let changed = |after: &ModelFeet| both.feet.iter().any(|before| !before.has_same_spheres(after));
             let after = feet("after", &written).filter(changed);
             both.feet.extend(after);
