@@ -27,6 +27,10 @@ const SCREENS = {
     await user.result.getByText("Lines that change").click();
     await user.spelled();
   },
+  "the manual": async (user) => {
+    await user.button("Manual", user.page).click();
+    await user.page.getByRole("dialog", { name: "Manual of this page" }).getByRole("heading", { name: "Browsers" }).waitFor();
+  },
   "the change to share": async (user) => {
     await user.open(HUMAN);
     await user.field("Target mass (kg)").fill("500");

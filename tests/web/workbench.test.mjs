@@ -234,3 +234,15 @@ testWith({}, "without WebGL the drawings of the feet stand there, and all else w
   assert.deepEqual(watched.problems, []);
   await context.close();
 });
+
+inChromium("the manual is in the page", async (user) => {
+  await user.button("Manual", user.page).click();
+  const manual = user.page.getByRole("dialog", { name: "Manual of this page" });
+  await manual.getByRole("heading", { name: "A first change" }).waitFor();
+  // Nothing of it leads to a file that is not there.
+  const links = await manual.locator("a").evaluateAll((all) => all.map(({ href }) => href));
+  assert.deepEqual(links.filter((link) => !link.startsWith("https://")), []);
+  assert.equal(await manual.locator("img").count(), 0);
+  await user.page.keyboard.press("Escape");
+  await manual.waitFor({ state: "hidden" });
+});

@@ -7,6 +7,7 @@ import { transform } from "esbuild";
 
 import { paper, version } from "./facts.mjs";
 import { forms } from "./forms.mjs";
+import { manual } from "./manual.mjs";
 import { block } from "./pack.mjs";
 import { ROOT, WEB } from "./paths.mjs";
 import { guard, policyElement } from "./policy.mjs";
@@ -26,6 +27,7 @@ export async function assemble({ script, worker, wasm, licences }) {
   const blocks = [
     ["engine", block("engine", wasm)],
     ["example", block("example", readFileSync(join(ROOT, EXAMPLE)))],
+    ["manual", block("manual-html", Buffer.from(manual()))],
     ["licences", block("licences-text", Buffer.from(licences))],
   ];
   // Inside an element, this would end it.

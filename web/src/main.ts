@@ -23,6 +23,7 @@ import { acceptedFor } from "./views/context";
 import { showExplanations } from "./views/explanation";
 import { filesView } from "./views/files";
 import { footerView } from "./views/footer";
+import { manualView } from "./views/manual";
 import { wireKeys } from "./views/keys";
 import { warnBeforeLeaving } from "./views/leaving";
 import { LibraryView } from "./views/library";
@@ -67,6 +68,7 @@ function wire(session: Session): StageView {
   calculatorView(session, addFile);
   filesView(session);
   footerView();
+  manualView();
   showWhatIsOpen(session);
   wireButtons(open);
   acceptDrops(open, refuse);

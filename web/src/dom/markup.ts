@@ -1,4 +1,4 @@
-// Shows HTML of the engine's renderer, the only markup that is read as such: it is ours, and escaped.
+// Shows HTML of the engine's renderer and of the manual, the only markup that is read as such: it is ours, and escaped.
 
 import { engineHtml } from "./trusted";
 

@@ -15,7 +15,7 @@ const { trustedTypes } = globalThis as { trustedTypes?: Factory };
 // Its name is in web/build/policy.mjs, too.
 const rules = trustedTypes?.createPolicy("osim", asItIs) ?? asItIs;
 
-/** HTML of the engine's renderer, to be read as markup. */
+/** HTML of the engine's renderer, and of the manual, to be read as markup. */
 export const engineHtml = (html: string): string => rules.createHTML(html);
 
 /** The address of the worker's script, which is in this page. */

@@ -1,18 +1,13 @@
 // Links in sections lead to explanations of equations and findings. They open here; the address is the request's.
 
-import { button, byId, el } from "../dom/element";
+import { el } from "../dom/element";
 import { parsed } from "../dom/markup";
 import { topicOf } from "../engine/anchor";
 import type { Session } from "../state/session";
+import { reader } from "./dialog";
 
 export function showExplanations(session: Session): void {
-  const dialog = byId("explanation") as HTMLDialogElement;
-  const title = el("h2", { id: "explanation-title" }, "Explanation");
-  const body = el("div", { class: "body", tabindex: 0, role: "group", "aria-label": "Explanation" });
-  const close = button("Close", () => dialog.close(), { class: "primary" });
-  dialog.append(title, body, el("p", {}, close));
-  // A click beside it closes it.
-  dialog.addEventListener("click", (event) => event.target === dialog && dialog.close());
+  const { dialog, body } = reader("explanation", "Explanation");
   document.addEventListener("click", (event) => {
     const link = event.target instanceof Element ? event.target.closest("a[href^='#']") : null;
     if (!link || link.id === "skip") return;
