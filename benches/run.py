@@ -128,7 +128,7 @@ def many_forces(table, command, folder, repeats):
     length = model.stat().st_size
     table.head(f"100,000 forces ({length / 1e6:.0f} MB), whole process, best of {repeats} after one that does not count")
     # Its numbers are rolled: nothing is asked about them.
-    said = ["--yes", "implausible-mass", "--yes", "implausible-radius"]
+    said = ["--yes", "implausible-mass", "--yes", "mass-in-pounds", "--yes", "implausible-radius"]
     calls = {
         "copy": [shutil.which("cp"), "--reflink=never", str(model), str(out)],
         "rescaled": rescale(command, model, *said, "-o", str(out)),

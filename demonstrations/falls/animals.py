@@ -24,7 +24,7 @@ CONTACTS = {
 }
 
 # Masses and radii far from those of the model are meant here.
-MEANT = ("implausible-mass", "implausible-radius")
+MEANT = ("implausible-mass", "mass-in-pounds", "implausible-radius")
 
 
 def length_ratio(animal: str) -> float:

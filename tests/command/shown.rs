@@ -184,7 +184,7 @@ fn a_folder_and_what_is_passed_over() {
         ("format/v40000.osim", "lib/old.scaled.osim"),
     ]);
     bench
-        .run("lib --target-mass 123 --yes implausible-mass -d lib/out")
+        .run("lib --target-mass 123 -d lib/out")
         .done()
         .wrote(&["lib/out/a/foot.osim", "lib/out/b/foot.osim"])
         .looks_like("folder");

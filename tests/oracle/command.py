@@ -13,7 +13,7 @@ ROOT = Path(__file__).resolve().parents[2]
 BINARY = Path(os.environ.get("OSIM_CONTACT_SCALE", ROOT / "target/release/osim-contact-scale"))
 
 # Masses in these tests are meant as they are, however far from the model's own.
-YES = ("--yes", "implausible-mass", "--yes", "implausible-radius")
+YES = ("--yes", "implausible-mass", "--yes", "mass-in-pounds", "--yes", "implausible-radius")
 
 
 @dataclass(frozen=True)

@@ -32,7 +32,7 @@ NOT_FINITE = re.compile(r"(?<![\w.+-])[-+]?(nan|inf|infinity)(?![\w.])", re.I)
 MODELS = [base.ONE_FOOT, base.ONE_FOOT_HUNT, base.TWO_FEET, base.TWO_FEET_HUNT] + [
     (FIXTURES / "format" / f"{name}.osim").read_text() for name in ("three_materials", "floor_of_its_own", "shared_by_materials", "moco_sphere_in_force")
 ]
-MEANT = [word for question in ("implausible-mass", "implausible-radius", "wrong-afterwards") for word in ("--yes", question)]
+MEANT = [word for question in ("implausible-mass", "mass-in-pounds", "implausible-radius", "wrong-afterwards") for word in ("--yes", question)]
 
 
 def model(draw):

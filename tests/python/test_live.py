@@ -15,7 +15,7 @@ UNREADABLE = {"moco_sphere_in_force.osim"}
 FOLDERS = {"table1", "format", "walks", "scale_tool", "check"}
 MODELS = [path for path in fixtures() if kind_of(path) in FOLDERS and path.name not in UNREADABLE] + corpus()
 
-MEANT = ("implausible-mass", "implausible-radius")
+MEANT = ("implausible-mass", "mass-in-pounds", "implausible-radius")
 CHANGES = {
     "rescale": lambda model: ocs.rescale(model, target_mass=500.5, friction=True, level=True, yes=MEANT),
     "rescale a few": lambda model: ocs.rescale(model, target_mass=500.5, only=["stiffness"], yes=MEANT),

@@ -71,12 +71,22 @@ inChromium("job: a library of forty, two actions", { limit: 60_000 }, async (use
   assert.equal(zip.name, "models.zip");
 });
 
+/** Inside the page: moves a slider to a mass. */
+function slideTo(slider, kg) {
+  slider.value = String(Math.log10(kg));
+  slider.dispatchEvent(new Event("input", { bubbles: true }));
+}
+
 inChromium("a mass that is chosen is meant as it is; one that is typed may be in pounds", async (user) => {
   await user.open(HUMAN);
   await user.button("Twice the mass").click();
   await user.done("human.scaled.osim");
-  assert.match(await user.spelled(), /--target-mass 124 --yes implausible-mass$/);
-  await user.field("Target mass (kg)").fill("124.0");
+  assert.match(await user.spelled(), /--target-mass 124$/);
+  // 62 kg are 136.7 lb.
+  await user.form.getByRole("slider", { name: "Target mass, slider" }).evaluate(slideTo, 137);
+  await user.settled();
+  assert.match(await user.spelled(), /--target-mass 137 --yes mass-in-pounds$/);
+  await user.field("Target mass (kg)").fill("137.0");
   await user.result.getByRole("group", { name: /answer/ }).waitFor();
 });
 

@@ -46,7 +46,7 @@ pub use inspection::{
     InspectedLimb, InspectedSphere, Inspection, NoteStep, NoteStory, OnFeet, Origins, Parameters,
     StandingBody, StandingSphere,
 };
-pub use known::{KnownContacts, ReferenceContacts, unexplained_slip};
+pub use known::{KnownContacts, ReferenceContacts, perhaps_in_pounds, unexplained_slip};
 pub use load_sharing::LoadSharing;
 pub use mass_mismatch::MassMismatch;
 pub use options::{InspectOptions, Stance};

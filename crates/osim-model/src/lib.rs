@@ -57,6 +57,8 @@ mod limbs;
 mod loops;
 mod made;
 mod mass;
+mod mass_slip;
+mod masses_beside;
 mod model;
 mod note;
 mod object_name;
@@ -92,8 +94,8 @@ pub use contacts::{
 pub use dissipation_by::DissipationBy;
 pub use document::{Document, may_include};
 pub use fault::{
-    CountOf, Excerpt, FactorQuestion, Fault, FaultKind, FileId, GravityFor, MassSlip, Needed, NeedsAnswer,
-    NoteDoubt, Question, RadiusFrom, TreeOfForces, probable_units,
+    CountOf, Excerpt, FactorQuestion, Fault, FaultKind, FileId, GravityFor, Needed, NeedsAnswer, NoteDoubt,
+    Question, RadiusFrom, TreeOfForces, probable_units,
 };
 pub use finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 pub use following::{MovedSpheres, RadiusAxis};
@@ -101,6 +103,8 @@ pub use ground_planes::GroundPlane;
 pub use joint_distances::JointDistances;
 pub use limbs::{Limb, Limbs};
 pub use mass::{Mass, MassRequest, MassSource, SAME_MASS, positive_mass, same_gravity, same_mass};
+pub use mass_slip::MassSlip;
+pub use masses_beside::MassesBeside;
 pub use model::Model;
 pub use note::{BodySize, ChangedSinceNote, Credits, Note, Scope, Source, Step};
 pub use object_name::{refuse_name, refuse_name_in_paths};

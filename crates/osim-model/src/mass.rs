@@ -1,9 +1,12 @@
 //! Masses: what the model weighs, and the mass its contacts were made for.
 
+use std::collections::BTreeMap;
+
 use osim_messages::{Input, Phrase, phrase, readable};
 
 use crate::fault::{Fault, FaultKind, Needed};
 use crate::finding::Finding;
+use crate::masses_beside::MassesBeside;
 use crate::model::Model;
 use crate::pattern::{Pattern, any_matches};
 use crate::rules::mass_sources_disagree::{self, Said};
@@ -43,6 +46,8 @@ pub struct MassRequest {
     pub target_mass_kg: Option<f64>,
     /// Bodies that do not belong to the animal and are not summed.
     pub exclude_bodies: Vec<Pattern>,
+    /// Of a row of a table: what its other rows say of the same masses.
+    pub beside: BTreeMap<Input, MassesBeside>,
 }
 
 /// The source of a mass.

@@ -13,8 +13,8 @@ import { hasOwnMass, requestFor } from "./row";
 const PLOTS = ["scene", "plots", "state"];
 const ALL = ["changes", "reference", ...PLOTS, "falls", "feet", "findings", "figures"];
 const REST_MS = 150;
-/** The code of a mass that may be in another unit. */
-const SLIP = "implausible-mass";
+/** The codes of a mass that may be in another unit. */
+const SLIPS = new Set(["implausible-mass", "mass-in-pounds"]);
 
 type Plan = { ask: Request } | { show: Preview };
 
@@ -110,8 +110,9 @@ export class Live {
     try {
       return { change: await engine.change(request, parts), request };
     } catch (error) {
-      if (failureOf(error).code !== SLIP || !values.isChosen("target_mass")) throw error;
-      const meant = { ...request, yes: [...values.texts("yes"), SLIP] };
+      const { code } = failureOf(error);
+      if (!SLIPS.has(code) || !values.isChosen("target_mass")) throw error;
+      const meant = { ...request, yes: [...values.texts("yes"), code] };
       return { change: await engine.change(meant, parts), request: meant };
     }
   }

@@ -9,4 +9,4 @@ mod table;
 pub(crate) use odd_side::{KnownSide, odd_side};
 pub use recognise::KnownContacts;
 pub use reference_contacts::ReferenceContacts;
-pub use slip::unexplained_slip;
+pub use slip::{perhaps_in_pounds, unexplained_slip};

@@ -8,7 +8,21 @@ use super::KnownContacts;
 /// known to have say it.
 #[must_use]
 pub fn unexplained_slip(masses: &MassRequest, model: &Model, selection: &Selection) -> Option<NeedsAnswer> {
-    let slips = masses.slips(model);
+    unexplained(masses.slips(model), masses, model, selection)
+}
+
+/// The same of those that may be in pounds, and may as well not be: reason for a remark, and not for a question.
+#[must_use]
+pub fn perhaps_in_pounds(masses: &MassRequest, model: &Model, selection: &Selection) -> Option<NeedsAnswer> {
+    unexplained(masses.perhaps_in_pounds(model), masses, model, selection)
+}
+
+fn unexplained(
+    slips: Vec<NeedsAnswer>,
+    masses: &MassRequest,
+    model: &Model,
+    selection: &Selection,
+) -> Option<NeedsAnswer> {
     if slips.is_empty() {
         return None;
     }

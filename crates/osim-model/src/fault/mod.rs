@@ -22,7 +22,7 @@ pub use excerpt::Excerpt;
 pub use factor_question::FactorQuestion;
 pub use kind::FaultKind;
 pub use needed::{CountOf, Needed, TreeOfForces};
-pub use needs_answer::{MassSlip, NeedsAnswer, Question, probable_units};
+pub use needs_answer::{NeedsAnswer, Question, probable_units};
 pub use note_doubt::NoteDoubt;
 pub use way_out::{GravityFor, RadiusFrom};
 

@@ -5,12 +5,17 @@ use std::str::FromStr;
 
 use osim_messages::{Input, Phrase, four_significant, phrase, readable};
 
+use crate::mass_slip::{MassSlip, POUND_KG};
+use crate::masses_beside::MassesBeside;
+
 /// A question that is answered with yes, by its code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Question {
-    /// A mass that may be in another unit.
+    /// A mass that may be in grams or tonnes, or has a figure too many or too few.
     ImplausibleMass,
+    /// A mass that may be in pounds.
+    MassInPounds,
     /// A sphere that is larger than the bones around it.
     ImplausibleRadius,
     /// A place or a sole that is far from the bones.
@@ -29,8 +34,9 @@ pub enum Question {
 
 impl Question {
     /// Every question.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::ImplausibleMass,
+        Self::MassInPounds,
         Self::ImplausibleRadius,
         Self::ImplausiblePlace,
         Self::ImplausibleScale,
@@ -45,6 +51,7 @@ impl Question {
     pub fn code(&self) -> &'static str {
         match self {
             Self::ImplausibleMass => "implausible-mass",
+            Self::MassInPounds => "mass-in-pounds",
             Self::ImplausibleRadius => "implausible-radius",
             Self::ImplausiblePlace => "implausible-place",
             Self::ImplausibleScale => "implausible-scale",
@@ -79,29 +86,13 @@ impl FromStr for Question {
     }
 }
 
-/// What makes a mass look like a slip.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum MassSlip {
-    /// As many grams as the bodies have kilograms.
-    Grams,
-    /// As many tonnes.
-    Tonnes,
-    /// As many pounds.
-    Pounds,
-    /// The bodies have as many pounds as this has kilograms.
-    BodiesInPounds,
-    /// No animal weighs that.
-    NoAnimal,
-}
-
 /// A number that looks like a slip.
 ///
 /// ```
 /// use osim_model::{Fault, FaultKind, MassSlip, NeedsAnswer};
 /// use osim_messages::Input;
 ///
-/// let grams = NeedsAnswer::Mass { input: Input::TargetMass, kg: 20_000.0, bodies_kg: Some(20.0), slip: MassSlip::Grams };
+/// let grams = NeedsAnswer::Mass { input: Input::TargetMass, kg: 20_000.0, bodies_kg: Some(20.0), beside: None, slip: MassSlip::Grams };
 /// let fault = Fault::new(FaultKind::NeedsAnswer(grams));
 /// assert_eq!(fault.code(), "implausible-mass");
 /// ```
@@ -116,6 +107,8 @@ pub enum NeedsAnswer {
         kg: f64,
         /// What the bodies of its model weigh together, kg, if known.
         bodies_kg: Option<f64>,
+        /// The masses of the other rows of its table, where it is out of line with them.
+        beside: Option<MassesBeside>,
         /// Why it looks like a slip.
         slip: MassSlip,
     },
@@ -145,6 +138,7 @@ impl NeedsAnswer {
     #[must_use]
     pub const fn question(&self) -> Question {
         match self {
+            Self::Mass { .. } if self.is_about_pounds() => Question::MassInPounds,
             Self::Mass { .. } => Question::ImplausibleMass,
             Self::Radius { .. } => Question::ImplausibleRadius,
             Self::Other { question, .. } => *question,
@@ -154,41 +148,73 @@ impl NeedsAnswer {
     /// Whether it is about pounds.
     #[must_use]
     pub(crate) const fn is_about_pounds(&self) -> bool {
-        matches!(self, Self::Mass { slip: MassSlip::Pounds | MassSlip::BodiesInPounds, .. })
+        use MassSlip::{BodiesInPounds, OthersInPounds, Pounds};
+        matches!(self, Self::Mass { slip: Pounds | BodiesInPounds | OthersInPounds, .. })
     }
 
-    /// What looks wrong, what was probably meant, and how to say that it is right.
+    /// What looks wrong, and what was probably meant.
     #[must_use]
-    pub fn phrase(&self) -> Phrase {
-        let mut text = match self {
-            Self::Mass { input, kg, bodies_kg, slip } => mass(*input, *kg, *bodies_kg, *slip),
+    pub fn doubt(&self) -> Phrase {
+        match self {
+            Self::Mass { input, kg, bodies_kg, beside, slip } => {
+                let others = (*bodies_kg, *beside);
+                mass(*input, *kg, others, *slip)
+            }
             Self::Radius { sphere, radius_m, longest_m, said_for } => {
                 radius(sphere, *radius_m, *longest_m, *said_for).into()
             }
             Self::Other { text, .. } => text.clone(),
-        };
+        }
+    }
+
+    /// The same, and how to say that it is right.
+    #[must_use]
+    pub fn phrase(&self) -> Phrase {
+        let mut text = self.doubt();
         text.push("; if it is meant, say ");
         text.push(&self.question().answer());
         text
     }
 }
 
-fn mass(input: Input, kg: f64, bodies_kg: Option<f64>, slip: MassSlip) -> Phrase {
-    let bodies = bodies_kg.map(four_significant).unwrap_or_default();
-    let than = |times: &str| format!("{times} the {bodies} kg that the bodies weigh together");
+fn mass(input: Input, kg: f64, of: (Option<f64>, Option<MassesBeside>), slip: MassSlip) -> Phrase {
+    let (bodies_kg, beside) = of;
+    let usual = match beside {
+        Some(MassesBeside { lightest_kg, heaviest_kg }) => {
+            let (least, most) = (four_significant(lightest_kg), four_significant(heaviest_kg));
+            format!("{least} to {most} kg of the other rows")
+        }
+        None => {
+            let bodies = bodies_kg.map(four_significant).unwrap_or_default();
+            format!("{bodies} kg that the bodies weigh together")
+        }
+    };
+    let than = |times: &str| format!("{times} the {usual}");
+    // How many times it is more or less than the bodies, where these are what it is compared with.
+    let ratio = bodies_kg.filter(|_| beside.is_none()).map(|bodies| (kg / bodies).max(bodies / kg));
+    let apart = ratio.map(|ratio| format!("{ratio:.1}"));
     let unit = |unit: &str, factor: f64| format!("if it is in {unit}, write {}", readable(kg * factor));
     let why = match slip {
         MassSlip::Grams => {
-            let ratio = bodies_kg.map_or(1000.0, |bodies| kg / bodies);
+            let ratio = ratio.unwrap_or(1000.0);
             // As it is written where it is another one.
             let times = if (ratio / 1000.0 - 1.0).abs() <= 0.15 { 1000.0 } else { ratio.round() };
             format!("about {}: {}", than(&format!("{times} times")), unit("g", 1.0 / 1000.0))
         }
         MassSlip::Tonnes => format!("about {}: {}", than("1/1000 of"), unit("tonnes", 1000.0)),
-        MassSlip::Pounds => format!("about {}: {}", than("2.2 times"), unit("lb", POUND_KG)),
-        MassSlip::BodiesInPounds => {
-            format!("about {}: masses are in kg, in the model too", than("1/2.2 of"))
+        MassSlip::Pounds => {
+            let times = format!("{} times", apart.unwrap_or_else(|| "2.2".to_owned()));
+            format!("about {}: {}", than(&times), unit("lb", POUND_KG))
         }
+        MassSlip::BodiesInPounds => {
+            let part = format!("1/{} of", apart.unwrap_or_else(|| "2.2".to_owned()));
+            format!("about {}: masses are in kg, in the model too", than(&part))
+        }
+        MassSlip::OthersInPounds => {
+            format!("about {}: masses are in kg, in all rows", than("1/2.2 of"))
+        }
+        MassSlip::TenTimes => format!("about {}: masses are in kg", than("10 times")),
+        MassSlip::Tenth => format!("about {}: masses are in kg", than("1/10 of")),
         MassSlip::NoAnimal => "outside 1 mg to 200 t: masses are in kg".to_owned(),
     };
     phrase![input.being(readable(kg)), format!(" is {why}")]
@@ -232,6 +258,3 @@ fn radius(sphere: &str, radius_m: f64, longest_m: f64, said_for: Option<f64>) ->
         meant.unwrap_or_default()
     )
 }
-
-/// One pound, by its definition of 1959.
-pub(crate) const POUND_KG: f64 = 0.453_592_37;

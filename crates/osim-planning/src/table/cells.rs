@@ -153,7 +153,7 @@ fn from(folder: &Path, cell: &str, presets: Option<&Path>, files: &dyn Files) ->
 }
 
 /// A number may have a decimal comma if it is clear that it is one.
-fn number(cell: &str, sheet: &Sheet, column: &Column) -> Result<String, RowFault> {
+pub(super) fn number(cell: &str, sheet: &Sheet, column: &Column) -> Result<String, RowFault> {
     let refused = |message: String| RowFault::of(&column.header, Phrase::from(message));
     let digits = cell.strip_prefix(['x', 'X']).unwrap_or(cell);
     let numeric = digits.starts_with(|c: char| c.is_ascii_digit() || c == '-' || c == '+')

@@ -3,6 +3,7 @@
 mod cells;
 mod columns;
 mod fault;
+mod masses;
 mod read;
 
 pub use fault::RowFault;

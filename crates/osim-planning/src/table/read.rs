@@ -13,6 +13,7 @@ use serde_json::{Map, Value, json};
 use super::cells::Cells;
 use super::columns::{Columns, model_field};
 use super::fault::RowFault;
+use super::masses::Masses;
 use crate::planner::Change;
 use crate::sheet::{Row, Sheet};
 use crate::verbs::any::prepare;
@@ -21,6 +22,7 @@ use crate::verbs::any::prepare;
 pub struct Table {
     sheet: Sheet,
     columns: Columns,
+    masses: Masses,
     /// Paths of the table begin here.
     folder: PathBuf,
     /// Answers to questions of all rows.
@@ -63,7 +65,8 @@ impl Table {
     pub fn read(bytes: &[u8], folder: &Path) -> Result<Self, Phrase> {
         let sheet = Sheet::read(bytes)?;
         let columns = Columns::of(&sheet.header)?;
-        Ok(Self { sheet, columns, folder: folder.to_owned(), yes: Vec::new() })
+        let masses = Masses::of(&sheet, &columns);
+        Ok(Self { sheet, columns, masses, folder: folder.to_owned(), yes: Vec::new() })
     }
 
     /// The same with answers to questions of all rows, beside those that rows give themselves.
@@ -110,7 +113,11 @@ impl Table {
             let yes = self.yes.iter().map(|question| Value::from(question.code())).chain(own);
             fields.insert(Input::Yes.name().to_owned(), yes.collect());
         }
-        let request = Request::read(row.verb, fields).map_err(|fault| self.placed(&fault, row.verb))?;
+        let beside = self.masses.beside(&fields);
+        let mut request = Request::read(row.verb, fields).map_err(|fault| self.placed(&fault, row.verb))?;
+        if let Some(masses) = request.masses_mut() {
+            masses.beside = beside;
+        }
         let change = prepare(request, files).map_err(|error| match error {
             RequestError::Fault(fault) => self.placed(&fault, row.verb),
             RequestError::Failure(Failure { model, message, .. }) => {

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use osim_inspect::{ReferenceState, unexplained_slip};
+use osim_inspect::{ReferenceState, perhaps_in_pounds, unexplained_slip};
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::{Fault, MassRequest, Model, Question};
 use osim_patch::Plan;
@@ -26,7 +26,12 @@ impl<P: Planner> Asking<P> {
         self.answers.ask(slip).map_err(Fault::new)
     }
 
-    fn ask_about_radii(&self, model: &Model, plan: Plan) -> Result<Plan, Fault> {
+    /// Asks about radii, and says what is odd and no reason to ask.
+    fn looked_at(&self, model: &Model, mut plan: Plan) -> Result<Plan, Fault> {
+        let selection = self.planner.inspection().choice.selection();
+        let odd = perhaps_in_pounds(&self.masses, model, &selection);
+        let is_meant = self.answers.has(Question::MassInPounds);
+        plan.remarks.extend(odd.filter(|_| !is_meant).map(|odd| odd.doubt()));
         match plan.radius_slip(model) {
             Some(fault) if !self.answers.has(Question::ImplausibleRadius) => Err(fault),
             _ => Ok(plan),
@@ -38,7 +43,7 @@ impl<P: Planner> Planner for Asking<P> {
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         self.ask_about_masses(model)?;
         let plan = self.planner.plan(model)?;
-        self.ask_about_radii(model, plan)
+        self.looked_at(model, plan)
     }
 
     fn plan_beside(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
@@ -46,7 +51,7 @@ impl<P: Planner> Planner for Asking<P> {
         let failure = |fault| opened.failure(fault);
         self.ask_about_masses(model).map_err(failure)?;
         let plan = self.planner.plan_beside(opened, files)?;
-        self.ask_about_radii(model, plan).map_err(failure)
+        self.looked_at(model, plan).map_err(failure)
     }
 
     fn reads(&self) -> Vec<PathBuf> {

@@ -176,8 +176,13 @@ const QUESTION: &[ErrorCode] = &[
     ),
     code(
         "implausible-mass",
-        "a mass is about 1000 or 2.2 times what the bodies of the model weigh together, or the 1000th or 2.2nd part of it (within 15 %), or outside 1 mg to 200 t: it may be in g, tonnes or lb",
+        "a mass is about 1000 times what the bodies of the model weigh together, or the 1000th part of it (within 15 %), or outside 1 mg to 200 t; or, in a table, 10 or 1000 times above or below the masses of all other rows: it may be in g or tonnes, or have a figure too many or too few",
         "write it in kg; if it is meant as it is, `yes=implausible-mass`",
+    ),
+    code(
+        "mass-in-pounds",
+        "a mass is 2.2 times what the bodies of the model weigh together, or the 2.2nd part of it (within 1 %); or, in a table of at least four rows, about 2.2 times above or below the masses of all other rows: one of them may be in lb",
+        "write it in kg; if it is meant as it is, `yes=mass-in-pounds`",
     ),
     code(
         "implausible-radius",

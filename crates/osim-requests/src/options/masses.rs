@@ -1,6 +1,9 @@
 //! Masses: which one is meant.
 
-use osim_model::{MassRequest, Pattern};
+use std::collections::BTreeMap;
+
+use osim_messages::Input;
+use osim_model::{MassRequest, MassesBeside, Pattern};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -24,6 +27,11 @@ pub struct MassOptions {
     #[serde(deserialize_with = "serial::from_texts", serialize_with = "serial::as_texts")]
     #[cfg_attr(feature = "schemas", schemars(with = "Vec<String>"))]
     pub exclude_body: Vec<Pattern>,
+    /// Of a row of a table: what its other rows say of the same masses. No caller gives it.
+    #[serde(skip)]
+    #[cfg_attr(feature = "clap", arg(skip))]
+    #[cfg_attr(feature = "schemas", schemars(skip))]
+    pub beside: BTreeMap<Input, MassesBeside>,
 }
 
 impl MassOptions {
@@ -35,6 +43,7 @@ impl MassOptions {
             model_kg: self.mass.map(Kilograms::get),
             exclude_bodies: self.exclude_body.clone(),
             target_mass_kg: None,
+            beside: self.beside.clone(),
         }
     }
 }

@@ -23,7 +23,7 @@ use super::set::SetRequest;
 use super::transfer::TransferRequest;
 use crate::dictionary;
 use crate::fault::RequestFault;
-use crate::options::{AnswerOptions, OutputOptions, RunOptions};
+use crate::options::{AnswerOptions, MassOptions, OutputOptions, RunOptions};
 #[cfg(feature = "clap")]
 use crate::relation::Relation;
 #[cfg(feature = "schemas")]
@@ -117,6 +117,18 @@ impl Request {
             Self::Set(request) => &mut request.answers,
             Self::Note(request) => &mut request.answers,
             Self::Fit(request) => &mut request.answers,
+            _ => return None,
+        })
+    }
+
+    /// What it says of masses, of a verb that changes models.
+    pub fn masses_mut(&mut self) -> Option<&mut MassOptions> {
+        Some(match self {
+            Self::Rescale(request) => &mut request.masses,
+            Self::Transfer(request) => &mut request.masses,
+            Self::Add(request) => &mut request.masses,
+            Self::Design(request) => &mut request.masses,
+            Self::Set(request) => &mut request.masses,
             _ => return None,
         })
     }
