@@ -28,7 +28,7 @@ ENVIRONMENTS = [
 ]
 #: What names of files in a wheel must contain.
 PARTS = ["_native", "py.typed", ".pyi", "scripts/osim-contact-scale", "LICENSE-MIT", "LICENSE-APACHE", "LICENSES-OF-LIBRARIES"]
-TESTS = ["test_errors.py", "test_result.py", "test_scaling.py", "test_many.py"]
+TESTS = ["test_errors.py", "test_result.py", "test_scaling.py", "test_scaling_pandas.py", "test_many.py"]
 
 
 def main() -> int:

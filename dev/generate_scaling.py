@@ -6,6 +6,7 @@
 """
 
 import difflib
+import re
 import sys
 import textwrap
 from pathlib import Path
@@ -15,12 +16,23 @@ from osim_contact_scale import _native
 OUTPUT = Path(__file__).resolve().parent.parent / "python" / "osim_contact_scale" / "scaling.py"
 
 HEAD = '''# Written by dev/generate_scaling.py: do not edit.
-"""Every equation of the paper as a function of NumPy arrays.
+# Each overload takes all that those before it take: the first one that fits is meant.
+# mypy: disable-error-code="overload-overlap"
+# pyright: reportOverlappingOverload=false
+"""Every equation of the paper as a function of NumPy arrays, Series and DataFrames.
 
 All arguments have names, so that no order can be mixed up; all numbers are in SI units. Arrays are broadcast against each other; the
 result is an array of float64, or a float where every argument is a number. A value outside of the domain of an equation is a
-`osim_contact_scale.RequestError` (which is a ValueError) that names the argument and the element. NaN and infinity are such
-values, too: fill or drop gaps first.
+`osim_contact_scale.RequestError` (which is a ValueError) that names the argument and the element. Infinity is such a value, too, and
+so is NaN, unless `nan="propagate"` is said: then an element is NaN where any of its arguments is, and the others are calculated.
+
+With a Series or a DataFrame of pandas or polars among the arguments, the result is one, too. Its index and columns are theirs. A
+Series keeps its name; of several Series, the name that all of them have. Several must have equal indexes (in polars: lengths), in
+the same order: nothing is aligned silently. Numbers, and arrays of the same shape, go together with all of them. NA of pandas and
+null of polars are taken for NaN.
+
+A function over a list of spheres takes a Series for a list, and gives one number; it is NaN with `nan="propagate"` where any number
+of any list is.
 
 A name without "for" is what the name says. A property of OpenSim alone, such as `dissipation`, is the factor by which it grows from
 one animal to another; `dissipation_for_restitution` is its value for what is wanted. Moduli are E* of both surfaces unless the name
@@ -33,16 +45,41 @@ says plane strain: OpenSim's `stiffness` is a plane strain modulus.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 from ._arrays import Number, NumberList, Steps, call, call_of_list, call_of_steps
 
 if TYPE_CHECKING:
-    from ._arrays import Values
+    from ._arrays import Array, Floats, Frame, PandasFloats, PandasSeries, Scalar
 '''
 
+NAN = 'nan: Literal["raise", "propagate"]'
+
+#: Types of the arguments, and of the result where one of them is no type of a line above.
+OVERLOADS = [
+    ("Scalar", "float"),
+    ("Scalar | Array", "Floats"),
+    ("Scalar | Array | PandasSeries", "PandasFloats"),
+    ("Scalar | Array | Frame", "Frame"),
+]
+
+#: What comes out, by the kind of function.
+RETURNS = {"numbers": ("float or numpy.ndarray\n", "float, numpy.ndarray, Series or DataFrame\n")}
+
+#: What `nan` does, by the kind of function.
+OF_NAN = {
+    "numbers": "an element that has it in any argument is NaN, and not looked at further.",
+    "list": "the result is NaN where any number of any list is.",
+    "steps": "all steps are NaN where any number is.",
+}
+
 STEPS = '''def continuation_steps(
-    *, first: float, last: float, dissipation_ratio: float = 1.0, count: int = 5
+    *,
+    first: float,
+    last: float,
+    dissipation_ratio: float = 1.0,
+    count: int = 5,
+    nan: Literal["raise", "propagate"] = "raise",
 ) -> Steps:
     """Steps from soft contacts to those that are wanted, for a ladder of optimisations (section 4.3 of the paper).
 
@@ -61,7 +98,7 @@ STEPS = '''def continuation_steps(
         Arrays of float64: `dimensionless_stiffness`, and what E* and α of the last step are multiplied by, `modulus_factor` and
         `dissipation_factor`; without unit.
     """
-    return call_of_steps(first, last, dissipation_ratio, count)
+    return call_of_steps(first, last, dissipation_ratio, count, nan)
 '''
 
 
@@ -81,31 +118,63 @@ def module() -> str:
     functions = _native.equations()
     names = sorted([name for name, *_ in functions] + ["continuation_steps"])
     exported = "__all__ = [\n" + "".join(f'    "{name}",\n' for name in names) + "]\n"
-    return "\n\n".join([HEAD + "\n" + exported, *(function(*one) for one in functions), STEPS])
+    steps = with_nan(STEPS, "steps", "    ")
+    return "\n\n".join([HEAD + "\n" + exported, *(function(*one) for one in functions), steps])
 
 
 def function(name: str, kind: str, parameters: list, takes_rule: bool, doc: str) -> str:
-    kinds = {"numbers": "Number", "list": "NumberList", "spheres": "float | NumberList"}
-    signature = [f"{one}: {kinds[kind]}" + ("" if default is None else f" = {default!r}") for one, default in parameters]
-    given = ", ".join(f'"{one}": {one}' for one, _ in parameters)
-    body = f'call("{name}", {{{given}}})'
-    returns = "Values"
-    if kind == "spheres":
-        # The load comes first, the height of each sphere last, where they are not level.
-        signature = ["load: float", *[one for one in signature if "=" not in one], *[one for one in signature if "=" in one]]
-        signature.append("height: NumberList | None = None")
-        body, returns = f'call_of_list("{name}", {{{given}}}, height, load)', "float"
-    elif kind == "list":
-        body, returns = f'call_of_list("{name}", {{{given}}})', "float"
+    last = [f'{NAN} = "raise"']
     if takes_rule:
         rules = ", ".join(f'"{rule}"' for rule in _native.mixing_rules())
-        signature.append(f'rule: Literal[{rules}] = "{_native.mixing_rules()[0]}"')
-        body = body[:-1] + ", rule)"
+        last.insert(0, f'rule: Literal[{rules}] = "{_native.mixing_rules()[0]}"')
+    given = "{" + ", ".join(f'"{one}": {one}' for one, _ in parameters) + "}"
+    if kind == "numbers":
+        overloads = "".join(overload(name, parameters, last, *types) for types in OVERLOADS)
+        body = f'call("{name}", {given}, nan' + (", rule)" if takes_rule else ")")
+        return overloads + defined(name, typed(parameters, "Number") + last, "Any", documented(doc, kind), body)
+    if kind == "list":
+        signature, body = typed(parameters, "NumberList"), f'call_of_list("{name}", {given}, nan=nan)'
+    else:
+        # The load comes first, the height of each sphere after all that have no default, where they are not level.
+        signature = ["load: float", *typed(parameters, "float | NumberList"), "height: NumberList | None = None"]
+        body = f'call_of_list("{name}", {given}, height, load, nan=nan)'
+    return defined(name, signature + last, "float", documented(doc, "list"), body)
+
+
+def typed(parameters: list, kind: str) -> list[str]:
+    """Parameters of a signature, those without a default first."""
+    ordered = sorted(parameters, key=lambda parameter: parameter[1] is not None)
+    return [f"{one}: {kind}" + ("" if default is None else f" = {default!r}") for one, default in ordered]
+
+
+def overload(name: str, parameters: list, last: list[str], kind: str, returns: str) -> str:
+    """The types of a function for one kind of arguments, in one line."""
+    signature = ", ".join(re.sub(" = .*", " = ...", one) for one in typed(parameters, kind) + last)
+    return f"@overload\ndef {name}(*, {signature}) -> {returns}: ...\n"
+
+
+def defined(name: str, signature: list[str], returns: str, doc: str, body: str) -> str:
     head = f"def {name}(\n    *,\n" + "".join(f"    {one},\n" for one in signature) + f") -> {returns}:\n"
+    return head + textwrap.indent(doc, "    ", lambda line: bool(line.strip())) + f"    return {body}\n"
+
+
+def documented(doc: str, kind: str) -> str:
+    """A docstring with what Python adds to that of Rust: `nan`, Series, exceptions."""
     raises = "\n\nRaises\n------\nRequestError\n    A value outside of the domain, by its argument and element."
+    if kind == "numbers":
+        raises += "\n    Arguments whose shapes or indexes do not go together."
     text, _, references = doc.partition("\n\nReferences\n")
-    documented = '"""' + text.rstrip() + raises + ("\n\nReferences\n" + references.rstrip() if references else "") + '\n"""\n'
-    return head + textwrap.indent(documented, "    ", lambda line: bool(line.strip())) + f"    return {body}\n"
+    text = with_nan(text.rstrip().replace(*RETURNS.get(kind, ("", ""))), kind)
+    return '"""' + text + raises + ("\n\nReferences\n" + references.rstrip() if references else "") + '\n"""\n'
+
+
+def with_nan(text: str, kind: str, indent: str = "") -> str:
+    """A docstring with the parameter `nan` as the last one."""
+    before, heading, after = text.partition(f"\n\n{indent}Returns\n")
+    if not heading:
+        raise SystemExit(f"error: a docstring says nothing of what is returned: {text}")
+    parameter = '\nnan : {"raise", "propagate"}, default "raise"\n    ' + f'Whether NaN is an error. With "propagate", {OF_NAN[kind]}'
+    return before + parameter.replace("\n", "\n" + indent) + heading + after
 
 
 if __name__ == "__main__":

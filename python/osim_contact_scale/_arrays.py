@@ -3,20 +3,50 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._errors import ContactScaleError, RequestError
+from ._labels import Labels, labels_of, missing_as_nan
 
-#: A number or an array of numbers.
-Number = float | ArrayLike
+if TYPE_CHECKING:
+    import pandas as pd
+
+    #: A Series of pandas.
+    PandasSeries = pd.Series[Any]
+    #: The Series that comes out.
+    PandasFloats = pd.Series[float]
+    #: What comes out as what it came in as.
+    Frame = TypeVar("Frame", bound=pd.DataFrame | "OfPolars")
+
+
+class Labelled(Protocol):
+    """A Series or a DataFrame, of pandas or of polars."""
+
+    def to_numpy(self, *args: Any, **kwargs: Any) -> Any:
+        """Its values."""
+
+
+class OfPolars(Labelled, Protocol):
+    """A Series or a DataFrame of polars, told by what those of pandas do not have."""
+
+    def drop_nulls(self, *args: Any, **kwargs: Any) -> Any:
+        """It without what is missing."""
+
+
+#: A number.
+Scalar = float | np.floating[Any] | np.integer[Any]
+#: An array of numbers without labels. `ArrayLike` would fit Series, too, and hide from type checkers what comes out for them.
+Array = NDArray[Any] | Sequence[Scalar] | Sequence[Sequence[Scalar]] | Sequence[NDArray[Any]]
+#: An array that comes out.
+Floats = NDArray[np.float64]
+#: A number or an array of numbers, with labels or without.
+Number = Scalar | Array | ArrayLike | Labelled
 #: A list of numbers.
-NumberList = Sequence[float] | NDArray[np.float64]
-#: A float where every argument is a number, else an array of float64.
-Values = float | NDArray[np.float64]
+NumberList = Sequence[float] | NDArray[np.float64] | Labelled
 
 
 class Steps(NamedTuple):
@@ -27,16 +57,17 @@ class Steps(NamedTuple):
     dissipation_factor: NDArray[np.float64]
 
 
-def call(name: str, arguments: Mapping[str, Any], rule: str | None = None) -> Values:
-    """The values of an equation over arrays, which are broadcast to one shape.
+def call(name: str, arguments: Mapping[str, Any], nan: str, rule: str | None = None) -> Any:
+    """The values of an equation over arrays, which are broadcast to one shape; with the labels that the arguments have.
 
     Raises
     ------
     RequestError
-        Shapes that do not go together, or a value outside of the domain, by its argument and element.
+        Shapes or labels that do not go together, or a value outside of the domain, by its argument and element.
     TypeError
         An argument that is no real number.
     """
+    labels = labels_of(arguments)
     arrays = {key: _floats(key, value) for key, value in arguments.items()}
     try:
         shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
@@ -44,43 +75,46 @@ def call(name: str, arguments: Mapping[str, Any], rule: str | None = None) -> Va
         shapes = ", ".join(f"{key} {array.shape}" for key, array in arrays.items() if array.shape)
         message = f"these shapes cannot be broadcast against each other: {shapes}"
         raise RequestError("usage", message, keywords=tuple(arrays)) from None
-    if 0 in shape:
-        return np.empty(shape)
-    # What is one number for all is not copied for each of them.
-    columns = [array if array.size == 1 else np.broadcast_to(array, shape) for array in arrays.values()]
-    given, refusal = _native.equation(name, rule, [column.tobytes() for column in columns])
-    if refusal is not None:
-        raise _refused(refusal, arrays, shape)
-    values = np.frombuffer(given or b"", dtype=np.float64).reshape(shape)
+    if labels is not None:
+        labels.must_fit(shape)
+    kept = _without_nan(arrays, shape) if _propagates(nan) else None
+    values = np.empty(shape) if 0 in shape else _values(name, rule, arrays, shape, kept, labels)
+    if labels is not None:
+        return labels.around(values)
     return values if shape else float(values)
 
 
-def call_of_list(name: str, arguments: Mapping[str, Any], height: Any = None, load: Any = 0.0) -> float:
+def call_of_list(
+    name: str, arguments: Mapping[str, Any], height: Any = None, load: Any = 0.0, *, nan: str = "raise"
+) -> float:
     """The value of an equation over a list.
 
     Raises
     ------
     RequestError
-        A value outside of the domain, by its argument and element.
+        Labels that do not go together, or a value outside of the domain, by its argument and element.
     """
-    arrays = {key: np.atleast_1d(_floats(key, value)) for key, value in arguments.items()}
-    heights = None if height is None else np.atleast_1d(_floats("height", height))
-    for key, array in (*arrays.items(), ("height", heights)):
-        if array is not None and array.ndim > 1:
+    given = dict(arguments) if height is None else {**arguments, "height": height}
+    labels = labels_of(given)
+    arrays = {key: np.atleast_1d(_floats(key, value)) for key, value in given.items()}
+    for key, array in arrays.items():
+        if array.ndim > 1:
             raise RequestError("usage", f"{key} has the shape {array.shape}, expected one list", keywords=(key,))
-    columns = [array.tobytes() for array in arrays.values()]
     weight = _floats("load", load)
     if weight.size != 1:
         raise RequestError("usage", f"load has the shape {weight.shape}, expected one number", keywords=("load",))
-    own = float(weight.reshape(()))
-    value, refusal = _native.equation_of_list(name, columns, None if heights is None else heights.tobytes(), own)
+    # What is summed has no value where one of its parts has none.
+    if _propagates(nan) and any(np.isnan(array).any() for array in (weight, *arrays.values())):
+        return float("nan")
+    columns = [arrays[key].tobytes() for key in arguments]
+    heights = arrays["height"].tobytes() if "height" in arrays else None
+    value, refusal = _native.equation_of_list(name, columns, heights, float(weight.reshape(())))
     if refusal is not None or value is None:
-        known = dict(arrays) if heights is None else {**arrays, "height": heights}
-        raise _refused(refusal or (None, None, "no value"), known, ())
+        raise _refused(refusal or (None, None, "no value"), arrays, (), labels)
     return value
 
 
-def call_of_steps(first: float, last: float, dissipation_ratio: float, count: int) -> Steps:
+def call_of_steps(first: float, last: float, dissipation_ratio: float, count: int, nan: str = "raise") -> Steps:
     """The steps of a ladder.
 
     Raises
@@ -88,10 +122,64 @@ def call_of_steps(first: float, last: float, dissipation_ratio: float, count: in
     RequestError
         A value outside of the domain.
     """
-    columns, refusal = _native.steps(first, last, dissipation_ratio, count)
+    numbers = (first, last, dissipation_ratio)
+    missing = _propagates(nan) and any(np.isnan(number) for number in numbers)
+    # Any ladder will do where all its steps are missing: it says whether there can be so many.
+    columns, refusal = _native.steps(*((1.0, 2.0, 1.0) if missing else numbers), count)
     if columns is None:
         raise _refused(refusal or (None, None, "no value"), {}, ())
-    return Steps(*(np.array(column) for column in columns))
+    return Steps(*(np.full(len(column), np.nan) if missing else np.array(column) for column in columns))
+
+
+def _propagates(nan: str) -> bool:
+    """Whether NaN that comes in goes out, and is no error."""
+    if nan not in ("raise", "propagate"):
+        raise RequestError("usage", f'nan is {nan!r}, expected "raise" or "propagate"', keywords=("nan",))
+    return nan == "propagate"
+
+
+def _without_nan(arrays: Mapping[str, NDArray[np.float64]], shape: tuple[int, ...]) -> NDArray[np.intp] | None:
+    """Places of the elements without NaN in a result that is one long row; None where no element has NaN."""
+    missing = np.zeros(shape, dtype=bool)
+    for array in arrays.values():
+        missing |= np.isnan(array)
+    if not missing.any():
+        return None
+    kept = np.flatnonzero(~missing)
+    # One element alone would be taken for one number for all, and be named without its place.
+    return np.repeat(kept, 2) if kept.size == 1 else kept
+
+
+def _values(
+    name: str,
+    rule: str | None,
+    arrays: Mapping[str, NDArray[np.float64]],
+    shape: tuple[int, ...],
+    kept: NDArray[np.intp] | None,
+    labels: Labels | None,
+) -> NDArray[np.float64]:
+    """The values of an equation; those that are not kept are NaN."""
+    if kept is not None and not kept.size:
+        return np.full(shape, np.nan)
+    # What is one number for all is not copied for each of them.
+    columns = [array if array.size == 1 else np.broadcast_to(array, shape) for array in arrays.values()]
+    if kept is not None:
+        columns = [column if column.size == 1 else column.ravel()[kept] for column in columns]
+    given, refusal = _native.equation(name, rule, [column.tobytes() for column in columns])
+    if refusal is not None:
+        raise _refused(_replaced(refusal, kept), arrays, shape, labels)
+    calculated = np.frombuffer(given or b"", dtype=np.float64)
+    if kept is None:
+        return calculated.reshape(shape)
+    values = np.full(shape, np.nan)
+    values.flat[kept] = calculated
+    return values
+
+
+def _replaced(refusal: tuple[Any, ...], kept: NDArray[np.intp] | None) -> tuple[Any, ...]:
+    """A refusal with its place among all elements, not only among those that were kept."""
+    name, index, message = refusal
+    return refusal if kept is None or index is None else (name, int(kept[index]), message)
 
 
 def _floats(name: str, value: Any) -> NDArray[np.float64]:
@@ -100,6 +188,8 @@ def _floats(name: str, value: Any) -> NDArray[np.float64]:
         message = f"{name} has masked elements, which no equation has a value for: leave them out, or fill them, first"
         raise RequestError("usage", message, keywords=(name,))
     array = np.asarray(value)
+    if array.dtype.kind == "O":
+        array = np.asarray(missing_as_nan(value))
     # A column of a DataFrame may hold its numbers as objects.
     objects = array.dtype.kind == "O" and all(_is_real(item) for item in array.flat)
     if not objects and (array.dtype.kind not in "iuf" or array.dtype.itemsize > 8):
@@ -115,7 +205,9 @@ def _is_real(item: Any) -> bool:
     return isinstance(item, (int, float, np.integer, np.floating)) and not isinstance(item, bool)
 
 
-def _refused(refusal: tuple[Any, ...], arrays: Mapping[str, Any], shape: tuple[int, ...]) -> ContactScaleError:
+def _refused(
+    refusal: tuple[Any, ...], arrays: Mapping[str, Any], shape: tuple[int, ...], labels: Labels | None = None
+) -> ContactScaleError:
     """The exception, with the place of the element in the array that was given."""
     name, index, message = refusal
     place = ""
@@ -125,4 +217,8 @@ def _refused(refusal: tuple[Any, ...], arrays: Mapping[str, Any], shape: tuple[i
         # An array with fewer dimensions, or one of length 1, is the same along the others.
         places = [int(step) if length > 1 else 0 for step, length in zip(at[len(at) - len(own) :], own)]
         place = str(places) if own else ""
+        if labels is not None and own == labels.shape:
+            place += labels.at(tuple(places))
+    if " is NaN," in message:
+        message += ' (with nan="propagate" its result is NaN)'
     return RequestError("out-of-domain", message.replace("{}", place), keywords=(name,) if name else ())

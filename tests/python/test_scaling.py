@@ -1,6 +1,8 @@
 """The equations over arrays: equal to numbers one by one, equal to high precision, and clear where an element is wrong."""
 
 import inspect
+import subprocess
+import sys
 
 import mpmath
 import numpy as np
@@ -133,6 +135,71 @@ def test_one_bad_element_is_named(array, place):
         scaling.dissipation(radius_ratio=array)
     assert str(caught.value).startswith(f"{place} is ") and caught.value.keyword == "radius_ratio"
     assert isinstance(caught.value, ValueError)
+
+
+def test_nan_goes_through_where_it_is_wanted():
+    # (13) at g'/g = 1: 1/sqrt(R'/R).
+    values = scaling.dissipation(radius_ratio=[4.0, np.nan, 16.0], gravity_ratio=1.0, nan="propagate")
+    assert values.tolist() == [0.5, pytest.approx(np.nan, nan_ok=True), 0.25]
+    ratio = scaling.plane_strain_modulus(
+        mass_ratio=[[1.0], [np.nan], [3.0]], sphere_count_ratio=1, radius_ratio=[1.0, 0.5], nan="propagate"
+    )
+    assert np.array_equal(ratio, [[1.0, 4.0], [np.nan, np.nan], [3.0, 12.0]], equal_nan=True)
+    alone = scaling.dissipation(radius_ratio=float("nan"), nan="propagate")
+    assert type(alone) is float and np.isnan(alone)
+    assert np.isnan(scaling.dissipation(radius_ratio=[4.0, 1.0], gravity_ratio=np.nan, nan="propagate")).all()
+    assert scaling.dissipation(radius_ratio=[4.0, 1.0], nan="propagate").tolist() == [0.5, 1.0]
+
+
+@pytest.mark.parametrize(
+    ("array", "place"),
+    [
+        ([np.nan, 4.0, -1.0], "radius_ratio[2] is -1.0"),
+        ([np.nan, -1.0], "radius_ratio[1] is -1.0"),
+        ([[np.nan, 4.0], [np.nan, np.inf]], "radius_ratio[1, 1] is inf"),
+    ],
+)
+def test_beside_nan_that_goes_through_errors_are_errors(array, place):
+    with pytest.raises(ocs.RequestError) as caught:
+        scaling.dissipation(radius_ratio=array, nan="propagate")
+    assert str(caught.value).startswith(place)
+
+
+def test_the_message_of_nan_says_a_way_out():
+    with pytest.raises(ocs.RequestError, match=r'radius_ratio\[0\] is NaN, .*nan="propagate"'):
+        scaling.dissipation(radius_ratio=[np.nan, 1.0])
+    with pytest.raises(ocs.RequestError, match='nan is \'omit\', expected "raise" or "propagate"') as caught:
+        scaling.dissipation(radius_ratio=[np.nan, 1.0], nan="omit")
+    assert (caught.value.code, caught.value.keyword) == ("usage", "nan")
+
+
+def test_nan_in_a_list_or_a_ladder():
+    assert np.isnan(scaling.mean_square_radius(radius=[3.0, np.nan], nan="propagate"))
+    assert scaling.mean_square_radius(radius=[3.0, 4.0], nan="propagate") == 12.5
+    spheres = {"load": 100.0, "composite_modulus": 353553.39, "radius": [0.032, 0.032], "height": [0.0, 0.001]}
+    for wrong in ({"load": np.nan}, {"radius": [0.032, np.nan]}, {"height": [0.0, np.nan]}):
+        assert np.isnan(scaling.hertz_rest_indentation(**spheres | wrong, nan="propagate"))
+        with pytest.raises(ocs.RequestError, match='nan="propagate"'):
+            scaling.hertz_rest_indentation(**spheres | wrong)
+    steps = scaling.continuation_steps(first=np.nan, last=16.0, count=3, nan="propagate")
+    assert all(len(column) == 3 and np.isnan(column).all() for column in steps)
+    with pytest.raises(ocs.RequestError, match="number of steps"):
+        scaling.continuation_steps(first=np.nan, last=16.0, count=1, nan="propagate")
+
+
+def test_every_function_takes_nan():
+    for name in scaling.__all__:
+        function = getattr(scaling, name)
+        assert inspect.signature(function).parameters["nan"].default == "raise", name
+        assert inspect.getdoc(function).count("\nnan : ") == 1, name
+
+
+def test_importing_the_equations_imports_no_tables():
+    code = (
+        "import sys, osim_contact_scale.scaling; print([name for name in ('pandas', 'polars') if name in sys.modules])"
+    )
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert ran.stdout == "[]\n"
 
 
 def test_a_bad_element_is_named_by_its_place_in_its_own_array():

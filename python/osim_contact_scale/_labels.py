@@ -1,0 +1,136 @@
+"""Labels of Series and DataFrames: those of the arguments are those of the result.
+
+Neither pandas nor polars is imported: where one of them is not, no argument can be of its classes.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._errors import RequestError
+
+#: What most arguments are. None of them has labels, so that nothing needs to be looked for.
+_PLAIN = frozenset({float, int, list, tuple, np.ndarray, np.float64})
+#: What two arguments of a kind must have the same of.
+_SAME = {
+    ("pandas", "Series"): "indexes",
+    ("pandas", "DataFrame"): "indexes or columns",
+    ("polars", "Series"): "lengths",
+    ("polars", "DataFrame"): "lengths or columns",
+}
+
+
+class Labels(NamedTuple):
+    """Labels of the elements of a result."""
+
+    kind: tuple[str, str]
+    #: The arguments that have these labels, by their names.
+    owners: dict[str, Any]
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The shape of what has these labels."""
+        return tuple(len(axis) for axis in _axes(self._first, self.kind))
+
+    @property
+    def _first(self) -> Any:
+        return next(iter(self.owners.values()))
+
+    def must_fit(self, shape: tuple[int, ...]) -> None:
+        """Refuses a result of another shape, which these labels are not for."""
+        if shape != self.shape:
+            key = next(iter(self.owners))
+            message = (
+                f"{key} is a {self.kind[1]} of the shape {self.shape}, but with the other arguments the result has the shape {shape}, "
+                f"which the labels of {key} do not fit: give {key}.to_numpy() for a result that is an array"
+            )
+            raise RequestError("usage", message, keywords=(key,))
+
+    def around(self, values: NDArray[np.float64]) -> Any:
+        """Values with these labels, as what the arguments are."""
+        module, kind = self.kind
+        make, first = getattr(sys.modules[module], kind), self._first
+        names = {owner.name for owner in self.owners.values()} if kind == "Series" else set()
+        name = names.pop() if len(names) == 1 else None
+        if self.kind == ("pandas", "Series"):
+            return make(values, index=first.index, name=name, copy=False)
+        if self.kind == ("pandas", "DataFrame"):
+            return make(values, index=first.index, columns=first.columns, copy=False)
+        if self.kind == ("polars", "Series"):
+            return make(name or "", values)
+        return make(values, schema=first.columns, orient="row")
+
+    def at(self, place: tuple[int, ...]) -> str:
+        """The labels of one element, in brackets; nothing where they say no more than its place."""
+        shown = []
+        for called, axis, step in zip(("index", "column"), _axes(self._first, self.kind), place):
+            # An iterator has numbers of Python, which are shown as they are.
+            label = repr(next(iter(axis[step : step + 1])))
+            if label != str(step):
+                shown.append(f"{called} {label}")
+        return f" ({', '.join(shown)})" if shown else ""
+
+
+def labels_of(arguments: Mapping[str, Any]) -> Labels | None:
+    """The labels that all Series or DataFrames among the arguments have.
+
+    Raises
+    ------
+    RequestError
+        Two of them that differ in kind or labels: to align them is left to the caller, who knows what elements without a partner mean.
+    """
+    if _PLAIN.issuperset(map(type, arguments.values())):
+        return None
+    kinds = {key: kind for key, value in arguments.items() if (kind := _kind(value)) is not None}
+    if not kinds:
+        return None
+    first, *others = kinds
+    for other in others:
+        if kinds[first] != kinds[other]:
+            what = [f"{key} is a {kinds[key][1]} of {kinds[key][0]}" for key in (first, other)]
+            remedy = f"give both as one kind, or one as an array, as by {other}.to_numpy()"
+            raise RequestError("usage", f"{', '.join(what)}: {remedy}", keywords=(first, other))
+        _must_agree(kinds[first], first, arguments[first], other, arguments[other])
+    return Labels(kinds[first], {key: arguments[key] for key in kinds})
+
+
+def missing_as_nan(value: Any) -> Any:
+    """Numbers of pandas as an array, NaN where pandas says NA; everything else as it is."""
+    kind = _kind(value)
+    if kind is None or kind[0] != "pandas":
+        return value
+    types = [value.dtype] if kind[1] == "Series" else list(value.dtypes)
+    of_numbers = all(one.kind in "iuf" and one.itemsize <= 8 for one in types)
+    return value.to_numpy(dtype=np.float64, na_value=np.nan) if of_numbers else value
+
+
+def _kind(value: Any) -> tuple[str, str] | None:
+    for module, name in _SAME:
+        kind = getattr(sys.modules.get(module), name, None)
+        if kind is not None and isinstance(value, kind):
+            return module, name
+    return None
+
+
+def _axes(value: Any, kind: tuple[str, str]) -> list[Any]:
+    """Labels along each dimension; a row of polars has its number alone."""
+    if kind[0] == "pandas":
+        return list(value.axes)
+    return [range(len(value)), *([value.columns] if kind[1] == "DataFrame" else [])]
+
+
+def _must_agree(kind: tuple[str, str], first: str, one: Any, second: str, other: Any) -> None:
+    pairs = zip(_axes(one, kind), _axes(other, kind))
+    if all(mine.equals(its) if hasattr(mine, "equals") else mine == its for mine, its in pairs):
+        return
+    remedy = "take both from one table, which join makes of two"
+    if kind[0] == "pandas":
+        remedy = f'align them first, as by {first}, {second} = {first}.align({second}, join="inner"), or where only the order counts, '
+        remedy += f"give one of them as an array, as by {second}.to_numpy()"
+    message = f"{first} and {second} have different {_SAME[kind]}: {remedy}"
+    raise RequestError("usage", message, keywords=(first, second))
