@@ -67,6 +67,23 @@ fn what_it_says_is_in_the_words_of_requests() {
 }
 
 #[test]
+fn whoever_has_it_made_by_matlab_reads_the_words_of_matlab() {
+    let bench = Bench::with(&[HUMAN, ("check/wide_transition.osim", "model.osim")]);
+    let of_matlab =
+        |request: &Value| bench.run_with("request --words matlab -", request.to_string().as_bytes());
+    let checked = of_matlab(&json!({"verb": "check", "models": ["model.osim"], "format": "json"}));
+    let checked: Value = serde_json::from_str(&checked.done().out()).unwrap();
+    let remedy = checked["findings"][0]["command"].as_str().unwrap();
+    assert!(remedy.starts_with("osimcontact.design('model.osim', "), "{remedy}");
+
+    of_matlab(&json!({"verb": "design", "models": ["human.osim"]}))
+        .usage()
+        .says(&["say for example 'Indentation', X"]);
+    let unknown = json!({"verb": "set", "models": ["human.osim"], "set": {"stifness": 2, "radius": "x2"}});
+    of_matlab(&unknown).usage().says(&["'stifness=2 radius=x2': unknown property 'stifness'"]);
+}
+
+#[test]
 fn a_wrong_request_is_refused_with_a_way_out() {
     let bench = Bench::human();
     for (text, said) in [

@@ -1,10 +1,18 @@
-//! The words in which this program names its options: those of its command line, or of a request in JSON.
+//! The words in which this program names its options: those of its command line, of a request in JSON, or of the functions
+//! that send one.
 
 pub(crate) use osim_library::page::Words;
-use osim_requests::spell::{CommandLine, JsonRequest};
+use osim_requests::spell::{CommandLine, JsonRequest, Matlab};
+
+use crate::args::Language;
 
 /// Options as they are typed.
 pub(crate) static WORDS: Words = &CommandLine;
 
-/// Fields as a request has them.
-pub(crate) static FIELDS: Words = &JsonRequest;
+/// The words of a request for whoever wrote it: fields, or the arguments of the function that made them.
+pub(crate) fn of_request(language: Language) -> Words {
+    match language {
+        Language::Json => &JsonRequest,
+        Language::Matlab => &Matlab,
+    }
+}

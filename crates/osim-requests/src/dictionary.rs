@@ -101,11 +101,22 @@ fn bad_value<T: DeserializeOwned>(fields: &Map<String, Value>, error: &serde_jso
         let alone = Map::from_iter([(name.clone(), value.clone())]);
         if let Err(error) = serde_json::from_value::<T>(Value::Object(alone)) {
             let (value, reason) = bad_item::<T>(name, value).unwrap_or_else(|| (value, error.to_string()));
-            let shown = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
-            return RequestFault::BadValue { field: name.clone(), value: shown, reason };
+            return RequestFault::BadValue { field: name.clone(), value: as_given(value), reason };
         }
     }
     RequestFault::general(error.to_string())
+}
+
+/// A value for a message. Objects are assignments, so that no front end shows the braces of JSON.
+fn as_given(value: &Value) -> String {
+    match value {
+        Value::String(text) => text.clone(),
+        Value::Object(entries) => {
+            let assigned = |(name, value): (&String, &Value)| format!("{name}={}", as_given(value));
+            entries.iter().map(assigned).collect::<Vec<_>>().join(" ")
+        }
+        other => other.to_string(),
+    }
 }
 
 /// The first item of a list that cannot be taken, and why.

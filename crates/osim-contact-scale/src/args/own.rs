@@ -4,7 +4,7 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Result, anyhow, bail};
-use clap::Args;
+use clap::{Args, ValueEnum};
 use osim_requests::{SetRequest, assignment};
 
 /// Models and assignments in one list of words.
@@ -50,6 +50,16 @@ pub(crate) struct RequestArgs {
     /// A JSON object; - is standard input
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
+    /// Whose names messages have for options: those of requests, or of the functions for MATLAB and GNU Octave
+    #[arg(long, value_name = "LANGUAGE", default_value = "json")]
+    pub words: Language,
+}
+
+/// The language of whoever reads messages about a request.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Language {
+    Json,
+    Matlab,
 }
 
 /// Prints a script for the shell that completes verbs, options and file names.

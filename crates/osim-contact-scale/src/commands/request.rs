@@ -9,18 +9,18 @@ use osim_requests::Request;
 
 use crate::args::RequestArgs;
 use crate::session::Session;
-use crate::words::FIELDS;
+use crate::words;
 
 /// The name of standard input.
 const STDIN: &str = "-";
 
-/// Reads a request from a file or standard input. From now on the session says fields as requests have them: that is how
-/// the caller wrote.
+/// Reads a request from a file or standard input. From now on the session names options as the caller does: as fields of
+/// requests, or as arguments of the function that made the request.
 ///
 /// # Errors
 /// The file cannot be read, or holds no request that makes sense.
 pub(super) fn read(args: &RequestArgs, session: &mut Session) -> Result<Request> {
-    session.words = FIELDS;
+    session.words = words::of_request(args.words);
     let is_stdin = args.file == Path::new(STDIN);
     let shown = if is_stdin { "standard input".into() } else { args.file.to_string_lossy().into_owned() };
     let bytes = Disk.read(&args.file).with_context(|| shown.clone())?;
