@@ -15,7 +15,7 @@ end
 
 function wrong_usage()
     message = must_throw('osimcontact:usage', @() osimcontact.rescale('human.osim', 'TargetMas', 500));
-    must(~isempty(strfind(message, 'target_mass')), 'the nearest option is not named: %s', message);
+    must(~isempty(strfind(message, '''TargetMass''')), 'the nearest option is not named: %s', message);
     must(isempty(strfind(message, '.request.json')), 'it names a file that nobody knows: %s', message);
     message = must_throw('osimcontact:usage', @() osimcontact.rescale('human.osim', 'target_mass', 0));
     must(~isempty(strfind(message, 'above 0')), 'it does not say what is expected: %s', message);

@@ -8,7 +8,7 @@ function [status, out, said] = call_program(request)
     cleaner = onCleanup(@() remove(struct2cell(files)));
     write(files.request, request);
 
-    command = sprintf('%s request %s > %s 2> %s', quoted(osimcontact.internal.find_program()), quoted(files.request), ...
+    command = sprintf('%s request --words matlab %s > %s 2> %s', quoted(osimcontact.internal.find_program()), quoted(files.request), ...
         quoted(files.out), quoted(files.said));
     if ispc
         % cmd.exe takes the outer quotation marks away from a line that begins with one.
