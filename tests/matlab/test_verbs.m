@@ -1,6 +1,6 @@
 function tests = test_verbs()
 %TEST_VERBS Every verb: its function, its help, and the example in it.
-    tests = {@every_verb_has_a_function, @helps_name_every_option, @examples_run_as_they_stand, @names_in_every_spelling, ...
+    tests = {@every_verb_has_a_function, @help_is_found, @helps_name_every_option, @examples_run_as_they_stand, @names_in_every_spelling, ...
         @arguments_before_the_options, @objects_as_structs_and_maps};
 end
 
@@ -11,6 +11,21 @@ function every_verb_has_a_function()
         verb = strrep(strrep(schemas(i).name, '.schema.json', ''), '-', '_');
         must(numel(dir(fullfile(package(), [verb '.m']))) == 1, 'there is no osimcontact.%s', verb);
     end
+end
+
+function help_is_found()
+    % By its usual command, before a function was called and afterwards.
+    for name = [functions_of_verbs(), {'apply', 'program', 'read_table'}]
+        must(~isempty(strfind(help(['osimcontact.' name{1}]), upper(name{1}))), 'there is no help of %s', name{1});
+    end
+    osimcontact.program();
+    must(~isempty(strfind(help('osimcontact.program'), 'PROGRAM')), 'there is no help of program after a call');
+    % Octave looks for a text in the package itself, which has none, and then no further.
+    list = 'osimcontact';
+    if exist('OCTAVE_VERSION', 'builtin')
+        list = 'osimcontact.Contents';
+    end
+    must(~isempty(strfind(help(list), 'drop_test')), 'there is no list of functions');
 end
 
 function helps_name_every_option()
