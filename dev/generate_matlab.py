@@ -14,7 +14,7 @@ import textwrap
 from pathlib import Path
 
 import request_schemas
-from matlab_texts import EXAMPLES, LEFT_OUT, NO_STANDARD_STREAMS, RESULTS, WITHOUT
+from matlab_texts import EXAMPLES, LEFT_OUT, NO_STANDARD_STREAMS, RESULTS, TABLES, WITHOUT
 
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGE = ROOT / "matlab/+osimcontact"
@@ -57,8 +57,10 @@ def in_matlab(description, used):
     return description.replace("`", "")
 
 
-def what_it_takes(field):
+def what_it_takes(verb, field):
     """`a number`, `true or false` ...: the values of an option in words."""
+    if field.name == TABLES.get(verb.name):
+        return "the name of a file, or a table, a struct array or a cell array"
     if field.choices:
         takes = " or ".join(quoted(choice) for choice in field.choices)
         return takes + (" or a number" if "number" in field.kinds else "")
@@ -78,8 +80,8 @@ def default_of(field):
     return f" [default: {value}]"
 
 
-def described(field, used):
-    return f"{in_matlab(field.description, used)}{default_of(field)}. Takes {what_it_takes(field)}."
+def described(verb, field, used):
+    return f"{in_matlab(field.description, used)}{default_of(field)}. Takes {what_it_takes(verb, field)}."
 
 
 def help_of(verb, options, used):
@@ -93,14 +95,15 @@ def help_of(verb, options, used):
     lines += comment(rest) if rest else []
     for argument in positional:
         optional = "" if argument in verb.required else " May be left out."
-        lines += ["%"] + comment(f"{argument.upper()}: {described(fields[argument], used)}{optional}", "", "    ")
+        lines += ["%"] + comment(f"{argument.upper()}: {described(verb, fields[argument], used)}{optional}", "", "    ")
     lines += ["%"] + comment("Options, each a NAME and a VALUE (target_mass and TargetMass are the same):")
     for field in options:
         needed = " Must be given." if field.name in verb.required else ""
-        lines += comment(f"{field.name}: {described(field, used)}{needed}", "  ", "      ")
+        lines += comment(f"{field.name}: {described(verb, field, used)}{needed}", "  ", "      ")
     if RESULTS[verb.name]:
-        lines += comment("AsTable: true gives a table of MATLAB with a row for each result; the name of a list in the "
-                         "results, such as 'warnings', one with a row for each of its entries. Not in GNU Octave.", "  ", "      ")
+        lines += comment("AsTable: true gives a table with a row for each result; the name of a list in the results, such as "
+                         f"{quoted(a_list(RESULTS[verb.name]))}, one with a row for each of its entries. In GNU Octave, which has "
+                         "no tables, a struct of columns.", "  ", "      ")
         fields = top_fields(RESULTS[verb.name])
         lines += ["%"] + comment(f"RESULTS: an array of structs with the fields {', '.join(fields)}. "
                                  "docs/json.md says what each holds; what is missing is NaN, '' or empty.")
@@ -119,6 +122,13 @@ def related(verb):
     changes = [other for other, result in RESULTS.items() if result == "change"]
     group = changes if verb in changes else [other for other in RESULTS if other not in changes]
     return [function_name(other) for other in group if other != verb] + ["program"]
+
+
+def a_list(result):
+    """A list in a result that is a table of its own, for an example."""
+    known = {"change": "changes", "check": "findings", "drop-test": "series", "explanation": "formulas", "inspection": "spheres",
+             "motion": "feet.spheres", "reproduction": "table1.values"}
+    return known.get(result, "error")
 
 
 def top_fields(result):
@@ -151,6 +161,7 @@ def declared_file(verbs):
                   f"            verb.verb = {quoted(verb.name)};",
                   f"            verb.positional = {cell(positional)};",
                   f"            verb.required = {len(required)};",
+                  f"            verb.table = {quoted(TABLES.get(verb.name, ''))};",
                   f"            verb.result = {quoted(result or '')};",
                   f"            verb.without = {cell(WITHOUT.get(verb.name, ()))};",
                   "            verb.options = " + " ...\n                ".join(options) + ";"]
@@ -231,7 +242,9 @@ def contents_file(verbs):
     rows |= {name: f"{text}." for name, text in OWN.items()}
     width = max(map(len, rows))
     lines = ["% OSIMCONTACT  Contact parameters of OpenSim models, right at every body size.", "%",
-             "% Every function hands a request to the program osim-contact-scale and gives what comes back as structs.", "%"]
+             "%", "% Every function hands a request to the program osim-contact-scale and gives what comes back as structs.",
+             "% Type help osimcontact.rescale, say, for all options of a function. This list is shown by help osimcontact, in GNU",
+             "% Octave by help osimcontact.Contents.", "%"]
     lines += [f"%   {name:<{width}} - {text}" for name, text in rows.items()]
     return "\n".join([*lines, "", MADE, ""])
 

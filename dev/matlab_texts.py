@@ -26,6 +26,9 @@ RESULTS = {
 # Verbs that give something else without an option, and what they give then.
 WITHOUT = {"design": ("models", "design"), "fit": ("motion", "fit")}
 
+# The argument of a verb that may be a table instead of the name of a file.
+TABLES = {"add": "contacts", "batch": "manifest", "fit": "file", "plot": "table"}
+
 # The group of options that has no use in MATLAB: results are data, and nothing is printed.
 LEFT_OUT = "shown"
 

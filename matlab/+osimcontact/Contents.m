@@ -1,6 +1,9 @@
 % OSIMCONTACT  Contact parameters of OpenSim models, right at every body size.
 %
+%
 % Every function hands a request to the program osim-contact-scale and gives what comes back as structs.
+% Type help osimcontact.rescale, say, for all options of a function. This list is shown by help osimcontact, in GNU
+% Octave by help osimcontact.Contents.
 %
 %   add        - Gives a model that has no foot contacts those of another model or of a preset, of a table, or spheres under its bones.
 %   batch      - One row per model; columns are named like the long options of rescale, transfer, design and set.

@@ -8,7 +8,8 @@ function results = add(varargin)
 %     from: Where the contacts come from: a model, or a preset with places: falisse2022, moco-2d-gait.
 %         Takes a text.
 %     contacts: Where the spheres are: a table with name, body, x, y, z [m, in the body's frame] and
-%         perhaps radius, or MuSkeMo's export. Takes a text.
+%         perhaps radius, or MuSkeMo's export. Takes the name of a file, or a table, a struct array or a
+%         cell array.
 %     default_pose: Take places that the table has in ground only as those of the default pose. Takes
 %         true or false.
 %     feet: Lay spheres under the meshes of these bodies, which touch the ground, separated by commas.
@@ -91,8 +92,9 @@ function results = add(varargin)
 %     shard: Only share I of N of the models, for job arrays. Takes a text.
 %     yes: Go on where a number looks like a slip: the code of the error that asks. Takes a text or a
 %         cell array of texts.
-%     AsTable: true gives a table of MATLAB with a row for each result; the name of a list in the
-%         results, such as 'warnings', one with a row for each of its entries. Not in GNU Octave.
+%     AsTable: true gives a table with a row for each result; the name of a list in the results, such as
+%         'changes', one with a row for each of its entries. In GNU Octave, which has no tables, a
+%         struct of columns.
 %
 %   RESULTS: an array of structs with the fields model, output, geometry_output, contacts_mass_kg,
 %   target_mass_kg, objects, changes, errors, floor_up_m, warnings, notes, credits. docs/json.md says

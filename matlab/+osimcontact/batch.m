@@ -2,7 +2,8 @@ function results = batch(varargin)
 %BATCH One row per model; columns are named like the long options of rescale, transfer, design and set.
 %   RESULTS = osimcontact.batch(MANIFEST, NAME, VALUE, ...)
 %
-%   MANIFEST: A table (CSV): a column 'model', and one for each option that rows need. Takes a text.
+%   MANIFEST: A table (CSV): a column 'model', and one for each option that rows need. Takes the name of
+%       a file, or a table, a struct array or a cell array.
 %
 %   Options, each a NAME and a VALUE (target_mass and TargetMass are the same):
 %     output: Write to this file [default: NAME.scaled.osim beside it]. Takes a text.
@@ -23,8 +24,9 @@ function results = batch(varargin)
 %     shard: Only share I of N of the models, for job arrays. Takes a text.
 %     yes: Go on where a number looks like a slip: the code of the error that asks. Takes a text or a
 %         cell array of texts.
-%     AsTable: true gives a table of MATLAB with a row for each result; the name of a list in the
-%         results, such as 'warnings', one with a row for each of its entries. Not in GNU Octave.
+%     AsTable: true gives a table with a row for each result; the name of a list in the results, such as
+%         'changes', one with a row for each of its entries. In GNU Octave, which has no tables, a
+%         struct of columns.
 %
 %   RESULTS: an array of structs with the fields model, output, geometry_output, contacts_mass_kg,
 %   target_mass_kg, objects, changes, errors, floor_up_m, warnings, notes, credits. docs/json.md says

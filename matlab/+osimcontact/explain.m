@@ -7,8 +7,9 @@ function results = explain(varargin)
 %       May be left out.
 %
 %   Options, each a NAME and a VALUE (target_mass and TargetMass are the same):
-%     AsTable: true gives a table of MATLAB with a row for each result; the name of a list in the
-%         results, such as 'warnings', one with a row for each of its entries. Not in GNU Octave.
+%     AsTable: true gives a table with a row for each result; the name of a list in the results, such as
+%         'formulas', one with a row for each of its entries. In GNU Octave, which has no tables, a
+%         struct of columns.
 %
 %   RESULTS: an array of structs with the fields kind, label, title, formulas, symbols, source, used,
 %   name, unit, equation, limit, what, trap, code, severity, checked, why, advice, fix, why_no_fix,

@@ -2,7 +2,8 @@ function results = fit(varargin)
 %FIT Finds contact parameters from a measured indentation and force, or those of a model from recordings of its gait.
 %   RESULTS = osimcontact.fit(FILE, NAME, VALUE, ...)
 %
-%   FILE: Measured indentation and force (.csv); with motion, the model (.osim). Takes a text.
+%   FILE: Measured indentation and force (.csv); with motion, the model (.osim). Takes the name of a
+%       file, or a table, a struct array or a cell array.
 %
 %   Options, each a NAME and a VALUE (target_mass and TargetMass are the same):
 %     motion: Fit the model to this motion (.mot, .sto), so that its forces are the measured ones, for
@@ -68,8 +69,9 @@ function results = fit(varargin)
 %     geometry: The ContactGeometrySet (or model) that holds the spheres of a standalone ForceSet. Takes
 %         a text.
 %     model: The model a standalone ForceSet belongs to, for its masses and joints. Takes a text.
-%     AsTable: true gives a table of MATLAB with a row for each result; the name of a list in the
-%         results, such as 'warnings', one with a row for each of its entries. Not in GNU Octave.
+%     AsTable: true gives a table with a row for each result; the name of a list in the results, such as
+%         'changes', one with a row for each of its entries. In GNU Octave, which has no tables, a
+%         struct of columns.
 %
 %   RESULTS: an array of structs with the fields model, output, geometry_output, contacts_mass_kg,
 %   target_mass_kg, objects, changes, errors, floor_up_m, warnings, notes, credits. docs/json.md says

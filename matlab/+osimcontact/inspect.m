@@ -30,8 +30,9 @@ function results = inspect(varargin)
 %     model: The model a standalone ForceSet belongs to, for its masses and joints. Takes a text.
 %     yes: Go on where a number looks like a slip: the code of the error that asks. Takes a text or a
 %         cell array of texts.
-%     AsTable: true gives a table of MATLAB with a row for each result; the name of a list in the
-%         results, such as 'warnings', one with a row for each of its entries. Not in GNU Octave.
+%     AsTable: true gives a table with a row for each result; the name of a list in the results, such as
+%         'spheres', one with a row for each of its entries. In GNU Octave, which has no tables, a
+%         struct of columns.
 %
 %   RESULTS: an array of structs with the fields model, document_version, name, mass_kg, gravity_m_s2,
 %   contacts_mass_kg, note, limbs, stance_limbs, spheres_per_limb, limbs_unknown, spheres, forces,

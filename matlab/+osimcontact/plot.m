@@ -34,7 +34,7 @@ function results = plot(varargin)
 %     dissipation: Values of dissipation: FROM..TO/COUNT in s/m, or factors [default: 'x0.1..x4/25'].
 %         Takes a text.
 %     table: Draw a column of this table (CSV) instead, such as a sweep's with your results in it. Takes
-%         a text.
+%         the name of a file, or a table, a struct array or a cell array.
 %     value_column: The table's column that is drawn. Takes a text.
 %     x_column: The table's column along the horizontal axis [default: the first grid_ column]. Takes a
 %         text.

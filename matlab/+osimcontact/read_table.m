@@ -1,9 +1,11 @@
-function columns = read_table(file)
+function columns = read_table(file, varargin)
 %READ_TABLE Read a table (CSV) that the program wrote, as a struct of columns.
 %   COLUMNS = osimcontact.read_table(FILE) has a field for each column of the file: a column of numbers, with NaN where a cell
 %   is empty, or, where one cell is not a number, a cell array of texts. A decimal comma makes no number. For the tables of
-%   'inspect --format csv', the numbers of a figure ('data'), summaries and the tables of sweeps. In MATLAB,
-%   struct2table(COLUMNS) makes a table of it. MATLAB's readtable reads these files, too; GNU Octave has none.
+%   'inspect --format csv', the numbers of a figure ('data'), summaries and the tables of sweeps.
+%   MATLAB's readtable reads these files, too; GNU Octave has none.
+%
+%   osimcontact.read_table(FILE, 'AsTable', true) gives a table; in GNU Octave, which has no tables, the struct of columns.
 %
 %   Example:
 %       done = osimcontact.plot('force', 'human.osim', 'output', 'force.svg', 'data', 'force.csv');
@@ -35,6 +37,21 @@ function columns = read_table(file)
             columns.(names{i}) = texts;
         end
     end
+    if is_table_wanted(varargin)
+        columns = osimcontact.internal.made_table(columns);
+    end
+end
+
+function is = is_table_wanted(arguments)
+    is = false;
+    if isempty(arguments)
+        return
+    end
+    is_pair = numel(arguments) == 2 && (ischar(arguments{1}) || isa(arguments{1}, 'string'));
+    if ~is_pair || ~strcmpi(strrep(char(arguments{1}), '_', ''), 'astable') || ~islogical(arguments{2}) || ~isscalar(arguments{2})
+        error('osimcontact:usage', 'expected osimcontact.read_table(FILE) or osimcontact.read_table(FILE, ''AsTable'', true)');
+    end
+    is = arguments{2};
 end
 
 function is = is_number(text)

@@ -5,8 +5,9 @@ function results = reproduce(varargin)
 %   Options, each a NAME and a VALUE (target_mass and TargetMass are the same):
 %     output_dir: Write table1.csv, fig4.svg and fig-c5.svg into this folder. Takes a text.
 %     force: Replace existing files. Takes true or false.
-%     AsTable: true gives a table of MATLAB with a row for each result; the name of a list in the
-%         results, such as 'warnings', one with a row for each of its entries. Not in GNU Octave.
+%     AsTable: true gives a table with a row for each result; the name of a list in the results, such as
+%         'table1.values', one with a row for each of its entries. In GNU Octave, which has no tables, a
+%         struct of columns.
 %
 %   RESULTS: an array of structs with the fields table1, numbers, within_last_digit, fig1. docs/json.md
 %   says what each holds; what is missing is NaN, '' or empty.

@@ -56,8 +56,9 @@ function results = sweep(varargin)
 %     skip_disabled: Leave out forces that are switched off. Takes true or false.
 %     yes: Go on where a number looks like a slip: the code of the error that asks. Takes a text or a
 %         cell array of texts.
-%     AsTable: true gives a table of MATLAB with a row for each result; the name of a list in the
-%         results, such as 'warnings', one with a row for each of its entries. Not in GNU Octave.
+%     AsTable: true gives a table with a row for each result; the name of a list in the results, such as
+%         'error', one with a row for each of its entries. In GNU Octave, which has no tables, a struct
+%         of columns.
 %
 %   RESULTS: an array of structs with the fields model, manifest, folder, points, file, models,
 %   done_before, failed. docs/json.md says what each holds; what is missing is NaN, '' or empty.

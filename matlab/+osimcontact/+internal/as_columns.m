@@ -3,26 +3,106 @@ function columns = as_columns(results, shape, list)
 %   Numbers are numbers, texts are cells. Objects inside are columns of their own: contacts_mass_kg.value is
 %   contacts_mass_kg_value. A list becomes the number of its entries; a list of texts becomes one text. SHAPE is that of
 %   the results: see shapes.m. With the name of a LIST, such as 'changes', the rows are its entries in all results, after a
-%   column with the model of each.
+%   column with the model of each. 'feet.spheres' is a list in the entries of a list: a column 'feet' has the names of these.
 
     columns = struct();
     rows = results(:);
     if nargin > 2
-        if ~isfield(shape, list) || ~iscell(shape.(list))
-            lists = fieldnames(shape);
-            lists = lists(structfun(@iscell, shape));
-            error('osimcontact:usage', 'there is no list ''%s'' in these results, but: %s', list, strjoin(lists', ', '));
-        end
-        % In front, so that the entries have their fields also where there are none.
-        parts = [{osimcontact.internal.completed({}, shape.(list))}, {results.(list)}];
         if isfield(results, 'model')
-            models = arrayfun(@(result) repmat({result.model}, numel(result.(list)), 1), results(:)', 'UniformOutput', false);
-            columns.model = vertcat(cell(0, 1), models{:});
+            columns.model = reshape({results.model}, [], 1);
         end
-        rows = vertcat(parts{:});
-        shape = shape.(list){1};
+        steps = strsplit(list, '.');
+        known = shape;
+        for i = 1:numel(steps)
+            if ~isfield(shape, steps{i}) || ischar(shape.(steps{i}))
+                error('osimcontact:usage', 'there is no list ''%s'' in these results, but: %s', list, strjoin(lists_in(known, ''), ', '));
+            end
+            [columns, rows, shape] = entries(columns, rows, shape.(steps{i}), steps{i});
+            if i < numel(steps) && ~isempty(text_of(shape)) && numel(rows) > 0
+                columns.(steps{i}) = reshape({rows.(text_of(shape))}, [], 1);
+            elseif i < numel(steps) && ~isempty(text_of(shape))
+                columns.(steps{i}) = cell(0, 1);
+            end
+        end
+        if is_series(shape)
+            [columns, rows] = samples(columns, rows);
+        end
     end
     columns = with_columns(columns, '', rows, shape);
+end
+
+function [columns, rows, shape] = entries(columns, rows, kind, name)
+    % Of an object there is one in each row, of a list any number.
+    if isstruct(kind)
+        shape = kind;
+        counts = ones(1, numel(rows));
+        parts = {rows.(name)};
+        parts(cellfun(@isempty, parts)) = {osimcontact.internal.completed([], kind)};
+    else
+        shape = kind{1};
+        parts = {rows.(name)};
+        counts = cellfun(@numel, parts);
+        parts = cellfun(@(part) part(:), parts(counts > 0), 'UniformOutput', false);
+    end
+    columns = repeated(columns, counts);
+    if isempty(parts)
+        % With its fields also where there are none.
+        rows = osimcontact.internal.completed({}, {shape});
+    elseif isstruct(kind)
+        rows = osimcontact.internal.same_fields(parts);
+    else
+        rows = vertcat(parts{:});
+    end
+end
+
+function columns = repeated(columns, counts)
+    index = arrayfun(@(i) repmat(i, 1, counts(i)), 1:numel(counts), 'UniformOutput', false);
+    index = [index{:}];
+    for name = fieldnames(columns)'
+        columns.(name{1}) = reshape(columns.(name{1})(index), [], 1);
+    end
+end
+
+function is = is_series(shape)
+    kinds = struct2cell(shape);
+    is = ~isempty(kinds) && all(cellfun(@(kind) ischar(kind) && strcmp(kind, 'numbers'), kinds));
+end
+
+function [columns, rows] = samples(columns, rows)
+    % Columns of numbers over time: a row for each time.
+    names = fieldnames(rows);
+    parts = cell(1, numel(rows));
+    for i = 1:numel(rows)
+        numbers = cellfun(@(name) num2cell(rows(i).(name)(:)), names', 'UniformOutput', false);
+        parts{i} = cell2struct([numbers{:}], names, 2);
+    end
+    columns = repeated(columns, cellfun(@numel, parts));
+    rows = vertcat(parts{:});
+end
+
+function name = text_of(shape)
+    % What an entry is called: the first text in it.
+    names = fieldnames(shape);
+    is_text = structfun(@(kind) ischar(kind) && strcmp(kind, 'text'), shape);
+    name = '';
+    if any(is_text)
+        name = names{find(is_text, 1)};
+    end
+end
+
+function lists = lists_in(shape, before)
+    lists = {};
+    for name = fieldnames(shape)'
+        kind = shape.(name{1});
+        if iscell(kind)
+            lists = [lists, {[before name{1}]}, lists_in(kind{1}, [before name{1} '.'])]; %#ok<AGROW>
+        elseif isstruct(kind)
+            if is_series(kind)
+                lists{end + 1} = [before name{1}]; %#ok<AGROW>
+            end
+            lists = [lists, lists_in(kind, [before name{1} '.'])]; %#ok<AGROW>
+        end
+    end
 end
 
 function columns = with_columns(columns, before, rows, shape)
@@ -48,15 +128,18 @@ function columns = with_columns(columns, before, rows, shape)
         elseif isstruct(kind) || strcmp(kind, 'map')
             columns = with_columns(columns, [column '_'], osimcontact.internal.same_fields(values), kind);
         else
-            columns.(column) = plain_column(values);
+            columns.(column) = plain_column(values, kind);
         end
     end
 end
 
-function column = plain_column(values)
+function column = plain_column(values, kind)
     counts = cellfun(@numel, values);
     is_number = cellfun(@(value) isnumeric(value) || islogical(value), values);
-    if isempty(values)
+    if isempty(values) && any(strcmp(kind, {'number', 'truth'}))
+        % A table without rows goes together with another that has some.
+        column = zeros(0, 1);
+    elseif isempty(values)
         column = values;
     elseif all(cellfun(@iscellstr, values))
         column = cellfun(@(texts) strjoin(texts(:)', '; '), values, 'UniformOutput', false);

@@ -1,20 +1,20 @@
-function [status, out, said] = call_program(request)
+function [status, out, said] = call_program(request, input)
 %CALL_PROGRAM Hand a request (JSON) to the program; its exit status, and what it wrote to both of its streams.
+%   INPUT is what it reads from its standard input: a table (CSV), or nothing.
 %   Nothing of the request is on the command line, so no shell interprets your names of files or quotation marks. What
 %   comes back goes through files, too: MATLAB mixes both streams, and on Windows takes them for text in another encoding.
 
     base = tempname();
-    files = struct('request', [base '.request.json'], 'out', [base '.out.txt'], 'said', [base '.said.txt']);
+    files = struct('request', [base '.request.json'], 'input', [base '.input.csv'], 'out', [base '.out.txt'], 'said', [base '.said.txt']);
     cleaner = onCleanup(@() remove(struct2cell(files)));
     write(files.request, request);
+    write(files.input, input);
 
-    command = sprintf('%s request --words matlab %s > %s 2> %s', quoted(osimcontact.internal.find_program()), quoted(files.request), ...
-        quoted(files.out), quoted(files.said));
+    command = sprintf('%s request --words matlab %s < %s > %s 2> %s', quoted(osimcontact.internal.find_program()), quoted(files.request), ...
+        quoted(files.input), quoted(files.out), quoted(files.said));
     if ispc
         % cmd.exe takes the outer quotation marks away from a line that begins with one.
-        command = ['@' command ' < NUL'];
-    else
-        command = [command ' < /dev/null'];
+        command = ['@' command];
     end
     % With two outputs MATLAB shows nothing of it.
     [status, shell] = system(command);

@@ -3,6 +3,11 @@ function text = json_text(value, name)
 %   Numbers are written with 17 digits, which give the same bits back; jsonencode rounds them in GNU Octave. JSON has no NaN
 %   and no infinity: they are an error, osimcontact:usage, and never become null.
 
+    refuse_missing(value, name);
+    [value, problem] = osimcontact.internal.plain_value(value);
+    if ~isempty(problem)
+        refuse(name, problem);
+    end
     if isa(value, 'containers.Map')
         text = object_text(value.keys(), value.values(), name);
     elseif isstruct(value) && isscalar(value)
@@ -12,12 +17,7 @@ function text = json_text(value, name)
         refuse(name, 'is empty: leave it out where nothing is known');
     elseif ischar(value) && (isrow(value) || isempty(value))
         text = quoted(value);
-    elseif isa(value, 'string') && isscalar(value)
-        if ismissing(value)
-            refuse(name, 'is missing');
-        end
-        text = quoted(char(value));
-    elseif iscell(value) || isa(value, 'string')
+    elseif iscell(value)
         text = list_text(value, name);
     elseif islogical(value) && isscalar(value)
         if value
@@ -30,7 +30,7 @@ function text = json_text(value, name)
     elseif (isnumeric(value) || islogical(value)) && isvector(value)
         text = list_text(num2cell(value), name);
     else
-        refuse(name, ['is a ' class(value) ' of ' strjoin(strsplit(num2str(size(value))), ' x ') ', which no option takes']);
+        refuse(name, ['is a ' class(value) ' of ' osimcontact.internal.size_text(value) ', which no option takes']);
     end
 end
 
@@ -48,11 +48,7 @@ end
 function text = list_text(values, name)
     texts = cell(1, numel(values));
     for i = 1:numel(values)
-        if iscell(values)
-            texts{i} = osimcontact.internal.json_text(values{i}, name);
-        else
-            texts{i} = osimcontact.internal.json_text(values(i), name);
-        end
+        texts{i} = osimcontact.internal.json_text(values{i}, name);
     end
     text = ['[' strjoin(texts, ',') ']'];
 end
@@ -71,6 +67,25 @@ function text = quoted(value)
         text = strrep(text, char(code), sprintf('\\u%04x', code));
     end
     text = ['"' text '"'];
+end
+
+function refuse_missing(value, name)
+    % A text that is missing would become '', and an undefined category the text <undefined>.
+    if ~any(strcmp(class(value), {'missing', 'string', 'categorical', 'double', 'single'}))
+        return
+    end
+    for i = 1:numel(value)
+        if osimcontact.internal.is_missing(value(i))
+            problem = 'is missing';
+            if isfloat(value)
+                problem = 'is NaN, which says that a value is missing';
+            end
+            if numel(value) > 1
+                problem = sprintf('%s in entry %d', problem, i);
+            end
+            refuse(name, [problem ': where nothing is known, leave it out']);
+        end
+    end
 end
 
 function refuse(name, problem)

@@ -1,5 +1,6 @@
 function [request, as_table] = request_of(declared, arguments)
 %REQUEST_OF The request that the arguments of a function mean: request.fields, and request.text, which is JSON.
+%   A table among the arguments is request.input, as CSV: the program reads it from its standard input.
 
     % One argument more than pairs can have is one that comes before them.
     names = declared.positional;
@@ -13,6 +14,7 @@ function [request, as_table] = request_of(declared, arguments)
     end
 
     fields = struct();
+    input = '';
     as_table = false;
     for i = 1:count
         fields = with(fields, names{i}, arguments{i});
@@ -25,7 +27,9 @@ function [request, as_table] = request_of(declared, arguments)
         end
         name = field_name(char(name), declared.options);
         if strcmp(name, 'as_table')
-            as_table = arguments{i + 1};
+            if ~is_not_given(arguments{i + 1})
+                as_table = arguments{i + 1};
+            end
         elseif any(strcmp(name, declared.left_out))
             error('osimcontact:usage', '''%s'' has no use here: results are structs. See help osimcontact.%s', ...
                 char(arguments{i}), declared.name);
@@ -34,6 +38,10 @@ function [request, as_table] = request_of(declared, arguments)
         end
     end
 
+    if isfield(fields, declared.table) && is_table(fields.(declared.table))
+        input = osimcontact.internal.table_text(fields.(declared.table), declared.table);
+        fields.(declared.table) = '-';
+    end
     texts = {['"verb":' osimcontact.internal.json_text(declared.verb, 'verb')]};
     if declared.gives_json
         texts{end + 1} = '"format":"json"';
@@ -42,10 +50,13 @@ function [request, as_table] = request_of(declared, arguments)
         value = osimcontact.internal.json_text(fields.(name{1}), name{1});
         texts{end + 1} = [osimcontact.internal.json_text(name{1}, 'name') ':' value]; %#ok<AGROW>
     end
-    request = struct('fields', fields, 'text', ['{' strjoin(texts, ',') '}']);
+    request = struct('fields', fields, 'text', ['{' strjoin(texts, ',') '}'], 'input', input);
 end
 
 function fields = with(fields, name, value)
+    if is_not_given(value)
+        return
+    end
     if isfield(fields, name)
         error('osimcontact:usage', '''%s'' was given twice', name);
     end
@@ -67,6 +78,18 @@ function name = field_name(name, options)
     if ~isvarname(name)
         error('osimcontact:usage', 'there is no option ''%s''', name);
     end
+end
+
+function is = is_not_given(value)
+    % [] and missing say that there is no value. A column or a row without entries is what a look-up gives that found nothing, and
+    % NaN a calculation that failed: to pass over these would be to take another value.
+    is = (isa(value, 'double') && isequal(size(value), [0 0])) ...
+        || ((isa(value, 'missing') || isa(value, 'string')) && osimcontact.internal.is_missing(value));
+end
+
+function is = is_table(value)
+    % A cell with one text is the name of a file.
+    is = isa(value, 'table') || isstruct(value) || (iscell(value) && size(value, 1) > 1);
 end
 
 function is = is_text(value)

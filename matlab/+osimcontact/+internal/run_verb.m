@@ -3,7 +3,7 @@ function results = run_verb(verb, arguments)
 
     declared = osimcontact.internal.declared(verb);
     [request, as_table] = osimcontact.internal.request_of(declared, arguments);
-    [status, out, said] = osimcontact.internal.call_program(request.text);
+    [status, out, said] = osimcontact.internal.call_program(request.text, request.input);
 
     records = {};
     if declared.gives_json
@@ -12,7 +12,7 @@ function results = run_verb(verb, arguments)
         records = cellfun(@osimcontact.internal.json_value, lines, 'UniformOutput', false);
     end
     has_failed = cellfun(@(record) isfield(record, 'error'), records);
-    osimcontact.internal.throw_failures(status, said, records, has_failed);
+    osimcontact.internal.throw_failures(status, said, records, has_failed, ~isempty(request.input));
 
     if ~declared.gives_json
         results = struct('output', char(request.fields.output), 'text', strtrim(out));

@@ -1,12 +1,11 @@
 function results = table_of(results, shape, as_table)
-%TABLE_OF Results as a table of MATLAB: a row for each, or for each entry of one of their lists, such as 'changes'.
+%TABLE_OF Results as a table: a row for each, or for each entry of one of their lists, such as 'changes' or 'feet.spheres'.
 
-    if exist('struct2table', 'file') ~= 2
-        error('osimcontact:noTable', 'GNU Octave has no tables: without ''AsTable'' results are an array of structs');
-    end
     if ischar(as_table) || isa(as_table, 'string')
-        results = struct2table(osimcontact.internal.as_columns(results, shape, char(as_table)));
+        results = osimcontact.internal.made_table(osimcontact.internal.as_columns(results, shape, char(as_table)));
+    elseif ~islogical(as_table) || ~isscalar(as_table)
+        error('osimcontact:usage', '''AsTable'' is of class %s, expected true, false or the name of a list', class(as_table));
     elseif as_table
-        results = struct2table(osimcontact.internal.as_columns(results, shape));
+        results = osimcontact.internal.made_table(osimcontact.internal.as_columns(results, shape));
     end
 end
