@@ -52,7 +52,7 @@ def survey(verb: str, sources: Sources, keywords: Mapping[str, Any], jobs: int |
     fields["models"] = models
     call = f"ocs.{verb}(...)"
     with following(progress, verb) as callback:
-        rows, remarks = _native.survey(fields, memory, count, call, callback)
+        rows, remarks, text = _native.survey(fields, memory, count, call, callback)
     for remark in remarks:
         log.info("%s", remark)
     alone = len(rows) == 1 and not any(os.path.isdir(at_home(source)) for source in named if is_path(source))
@@ -67,7 +67,7 @@ def survey(verb: str, sources: Sources, keywords: Mapping[str, Any], jobs: int |
         *((fields[name], keywords[name]) for name in MODELS if keywords.get(name) is not None),
     ]
     by_name = {name: _kept(name, source, memory) for name, source in given if isinstance(name, str)}
-    return (Inspection if verb == "inspect" else Check)(good, errors, by_name, os.getcwd())
+    return (Inspection if verb == "inspect" else Check)(good, errors, by_name, os.getcwd(), text)
 
 
 def listed(sources: Any) -> list[Any]:
@@ -99,10 +99,17 @@ class Survey(Sequence[dict[str, Any]]):
         One for each model that could be read.
     errors : list of ContactScaleError
         One for each that could not.
+    text : str
+        What the command prints: one model in full, several as one table.
     """
 
     def __init__(
-        self, good: list[Any], errors: list[ContactScaleError], sources: dict[str, Any], folder: str | None = None
+        self,
+        good: list[Any],
+        errors: list[ContactScaleError],
+        sources: dict[str, Any],
+        folder: str | None = None,
+        text: str = "",
     ) -> None:
         self.records: list[dict[str, Any]] = [record for record, _ in good]
         self.errors = errors
@@ -110,6 +117,10 @@ class Survey(Sequence[dict[str, Any]]):
         self._sources = sources
         # Where names of files begin.
         self._folder = folder
+        self.text = text
+
+    def __str__(self) -> str:
+        return self.text
 
     def __getitem__(self, index: Any) -> Any:
         return self.records[index]

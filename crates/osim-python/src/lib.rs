@@ -17,6 +17,7 @@ mod files;
 mod guard;
 mod outputs;
 mod planned;
+mod printed;
 mod problem;
 mod progress;
 mod remedies;

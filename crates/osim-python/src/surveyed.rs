@@ -5,12 +5,14 @@ use std::path::PathBuf;
 use std::sync::Mutex;
 
 use osim_html::Entry;
-use osim_inspect::{CheckResult, Inspection};
+use osim_inspect::{CheckResult, Counts, Inspection};
 use osim_library::page::Survey;
 use osim_library::{Folders, LibraryFault, Loaded, Source, Sources, in_order, threads};
 use osim_messages::Verb;
 use osim_model::files::Failure;
 use osim_planning::Inspector;
+use osim_report::check::LibraryTable;
+use osim_report::inspection::ModelsTable;
 use osim_report::json::FailureRecord;
 use osim_requests::options::ReportOptions;
 use osim_requests::{Jobs, Request};
@@ -21,13 +23,15 @@ use pyo3::types::PyDict;
 use crate::files::{Memory, RequestFiles};
 use crate::guard::{dictionary, fields_of, guarded};
 use crate::planned::WORDS;
+use crate::printed::Printed;
 use crate::problem::Problem;
 use crate::progress::Watch;
 use crate::remedies::remedies;
 
 /// What is known of a model; its findings also as requests that put them right.
-enum Seen {
-    Inspected(Box<Inspection>),
+pub(crate) enum Seen {
+    /// And how much is wrong with it, where the text says that.
+    Inspected(Box<Inspection>, Option<Counts>),
     Checked(Box<CheckResult>, Vec<Option<String>>),
     /// A folder's model without contacts: a library may have such.
     WithoutContacts,
@@ -37,7 +41,8 @@ enum Seen {
 /// A record and the requests of its findings; or, if there is no record, the exception.
 type Row<'py> = (Option<Bound<'py, PyAny>>, Vec<Option<String>>, Option<Bound<'py, PyAny>>);
 
-/// Inspects or checks the models of a request. Returns a row for each, and remarks that come before them.
+/// Inspects or checks the models of a request. Returns a row for each, remarks that come before them, and the text that the command
+/// prints.
 #[pyfunction]
 pub(crate) fn survey<'py>(
     py: Python<'py>,
@@ -46,34 +51,38 @@ pub(crate) fn survey<'py>(
     jobs: Option<usize>,
     call: String,
     callback: Option<Py<PyAny>>,
-) -> PyResult<(Vec<Row<'py>>, Vec<String>)> {
+) -> PyResult<(Vec<Row<'py>>, Vec<String>, String)> {
     let fields = fields_of(fields)?;
-    let (rows, remarks) = guarded(py, || {
+    let (rows, remarks, text) = guarded(py, || {
         let files = RequestFiles::given(&memory, true);
-        let (verb, models, inspector, report) = match Request::from_map(fields)? {
+        let (verb, models, inspector, report, is_in_full) = match Request::from_map(fields)? {
             Request::Inspect(request) => (
                 Verb::Inspect,
                 request.models.clone(),
                 Inspector::of_inspect(&request, &files),
                 request.report.clone(),
+                // Factors of bodies have no room in a row.
+                request.full || request.from.is_some(),
             ),
             Request::Check(request) => (
                 Verb::Check,
                 request.models.clone(),
                 Inspector::of_check(&request, &files),
                 request.report.clone(),
+                false,
             ),
             other => return Err(Problem::defect(format!("a survey for {}", other.verb().name()))),
         };
         if let Some(failure) = inspector.generic_failure() {
             return Err(failure.clone().into());
         }
-        let work = Work { verb, models: &models, inspector: &inspector, report: &report, files: &files };
+        let (inspector, report, files) = (&inspector, &report, &files);
+        let work = Work { verb, models: &models, inspector, report, files, is_in_full };
         // Python checked it with its own name.
         work.done(jobs.and_then(|jobs| jobs.to_string().parse().ok()), call, &Watch::new(callback))
     })?;
     let rows = rows.into_iter().map(|seen| row(py, seen)).collect::<PyResult<_>>()?;
-    Ok((rows, remarks))
+    Ok((rows, remarks, text))
 }
 
 struct Work<'w> {
@@ -82,6 +91,8 @@ struct Work<'w> {
     inspector: &'w Inspector,
     report: &'w ReportOptions,
     files: &'w RequestFiles,
+    /// Whether each model is printed in full, however many there are.
+    is_in_full: bool,
 }
 
 impl Work<'_> {
@@ -91,7 +102,7 @@ impl Work<'_> {
         jobs: Option<Jobs>,
         call: String,
         watch: &Watch,
-    ) -> Result<(Vec<Seen>, Vec<String>), Problem> {
+    ) -> Result<(Vec<Seen>, Vec<String>, String), Problem> {
         let (mut sources, mut first) = (Sources::default(), Vec::new());
         for path in self.models {
             if self.files.in_memory(path).is_some() {
@@ -103,7 +114,11 @@ impl Work<'_> {
                 sources.remarks.append(&mut found.remarks);
             }
         }
+        let mut printed = self.printed(&sources);
         for failure in &sources.failures {
+            if self.verb == Verb::Inspect {
+                printed.add_failed(&failure.model.to_string());
+            }
             first.push(Seen::Failed(Box::new(failure.clone())));
         }
         let survey = Survey {
@@ -131,6 +146,7 @@ impl Work<'_> {
             folders: &folders,
             memory: self.files.memory(),
             with_page,
+            with_counts: matches!(printed, Printed::Models(_)),
         };
         let one = |item: &Item<'_>| {
             let loaded = item.loaded.lock().ok().and_then(|mut loaded| loaded.take());
@@ -146,6 +162,11 @@ impl Work<'_> {
                 });
             }
             let failed = matches!(seen, Seen::Failed(_));
+            if failed {
+                printed.add_failed(&item.source.shown());
+            } else {
+                printed.add(&seen);
+            }
             rows.push(seen);
             watch.one_more(failed);
             Ok(())
@@ -153,7 +174,19 @@ impl Work<'_> {
         in_order(&items, threads(jobs, items.len()), one, each)?;
         watch.ended()?;
         page.map_or(Ok(()), osim_library::page::ReportPage::finish)?;
-        Ok((rows, sources.remarks))
+        Ok((rows, sources.remarks, printed.text()))
+    }
+
+    /// How the command prints these models.
+    fn printed(&self, sources: &Sources) -> Printed {
+        let (models, failures) = (sources.models.len(), sources.failures.len());
+        match self.verb {
+            Verb::Check if models > 1 => Printed::Library(LibraryTable::default()),
+            Verb::Inspect if models + failures > 1 && !self.is_in_full => {
+                Printed::Models(ModelsTable::default().without_full())
+            }
+            _ => Printed::InFull(String::new()),
+        }
     }
 }
 
@@ -172,6 +205,8 @@ struct How<'h> {
     /// What is not read from the disk.
     memory: &'h Memory,
     with_page: bool,
+    /// Whether an inspection says how much is wrong with each model.
+    with_counts: bool,
 }
 
 impl How<'_> {
@@ -197,19 +232,20 @@ impl How<'_> {
         let beside = from_disk.then(|| self.folders.compiled_beside(&source.path)).flatten();
         // A remedy may name what is in memory alone. What it reads is not kept.
         let files = || RequestFiles::new(self.memory.clone(), true);
-        let wanted = is_check || self.with_page;
+        let wanted = is_check || self.with_page || self.with_counts;
         let found = wanted.then(|| self.survey.check(&mut inspected, beside.as_ref(), &files()));
         inspected.inspection.spell(WORDS);
         let entry = found
             .as_ref()
             .filter(|_| self.with_page)
             .map(|found| Box::new(self.survey.entry(&inspected, found)));
+        let counts = found.as_ref().map(|found| found.counts);
         let seen = match found.filter(|_| is_check) {
             Some(found) => {
                 let requests = remedies(&found);
                 Seen::Checked(Box::new(found), requests)
             }
-            None => Seen::Inspected(Box::new(inspected.inspection)),
+            None => Seen::Inspected(Box::new(inspected.inspection), counts),
         };
         (seen, entry)
     }
@@ -217,7 +253,7 @@ impl How<'_> {
 
 fn row(py: Python<'_>, seen: Seen) -> PyResult<Row<'_>> {
     Ok(match seen {
-        Seen::Inspected(inspection) => (Some(dictionary(py, &*inspection)?), Vec::new(), None),
+        Seen::Inspected(inspection, _) => (Some(dictionary(py, &*inspection)?), Vec::new(), None),
         Seen::Checked(found, requests) => (Some(dictionary(py, &*found)?), requests, None),
         Seen::WithoutContacts => (None, Vec::new(), None),
         Seen::Failed(failure) => {

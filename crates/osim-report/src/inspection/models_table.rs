@@ -36,6 +36,7 @@ pub struct ModelsTable {
     with_findings: usize,
     without_contacts: usize,
     failed: usize,
+    has_no_full: bool,
 }
 
 /// The cells of a row, in the order of [`Column::ALL`].
@@ -113,6 +114,12 @@ struct Fitting {
 }
 
 impl ModelsTable {
+    /// For a front end in which several models cannot be asked for in full: the text does not name the option.
+    #[must_use]
+    pub fn without_full(self) -> Self {
+        Self { has_no_full: true, ..self }
+    }
+
     /// Adds a model that was inspected, and how much is wrong with it.
     pub fn add(&mut self, inspected: &Inspection, counts: Counts) {
         self.with_findings += usize::from(counts.error + counts.warn > 0);
@@ -149,7 +156,7 @@ impl ModelsTable {
         table.right_aligned(&numbers.map(|(index, _)| index + 1).collect::<Vec<_>>());
         let table = painted(&format!("{}\n", table.trim_fmt()), colour);
         let folder = if folder.is_empty() { String::new() } else { wrapped_with_path(folder, "", "") };
-        format!("{folder}{table}\n{}{}", legend(&columns, dialect), self.counted())
+        format!("{folder}{table}\n{}{}", legend(&columns, dialect, self.has_no_full), self.counted())
     }
 
     /// The folder in which all models are, with the mark at its end; empty where there is none.
@@ -215,7 +222,7 @@ fn folder_of(name: &str) -> &str {
 }
 
 /// What the headings mean, which columns are left out, and where more is.
-fn legend(columns: &[Column], dialect: &dyn Dialect) -> String {
+fn legend(columns: &[Column], dialect: &dyn Dialect, has_no_full: bool) -> String {
     let meanings = columns.iter().map(|column| column.meaning()).filter(|meaning| !meaning.is_empty());
     let meanings: Vec<&str> = meanings.collect();
     let mut text = wrapped(&format!("({}; {OUTSIDE}: outside the limit)", meanings.join("; ")), " ");
@@ -228,9 +235,11 @@ fn legend(columns: &[Column], dialect: &dyn Dialect) -> String {
         );
         text.push_str(&wrapped(&left_out, " "));
     }
-    let more = Phrase::template(
-        "One model in full: `inspect MODEL`; all of them: `full`. What was found: `check MODEL`.",
-    );
+    let more = Phrase::template(if has_no_full {
+        "One model in full: `inspect MODEL`. What was found: `check MODEL`."
+    } else {
+        "One model in full: `inspect MODEL`; all of them: `full`. What was found: `check MODEL`."
+    });
     text.push_str(&wrapped(&more.spelled(dialect), ""));
     text
 }
